@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/ctl.h"
+
+#include "app/cli/signalwatcher.h"
+#include "app/cli/telemetryprinter.h"
+#include "app/composition/composition.h"
+#include "widgets/models/errortext.h"
+
+#include <QCommandLineParser>
+#include <QJsonDocument>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// A place in the list for "monitor", which the program runs itself.
+class MonitorCommand final : public Command
+{
+public:
+    const char *name() const override { return "monitor"; }
+    const char *usage() const override { return "monitor [--channels a,b,...] [--seconds N]"; }
+    const char *help() const override { return "live telemetry as CSV on stdout; without channels, all fast ones"; }
+    QString check(const CommandOptions &options) const override
+    {
+        return options.arguments.isEmpty() ? QString() : u"monitor takes options only"_s;
+    }
+};
+
+QByteArray toJsonText(const QJsonValue &value)
+{
+    if (value.isArray())
+        return QJsonDocument(value.toArray()).toJson();
+    return QJsonDocument(value.toObject()).toJson();
+}
+
+} // namespace
+
+Ctl::Ctl(QObject *parent)
+    : QObject(parent)
+    , m_commands(allCommands())
+{
+    m_commands.push_back(std::make_unique<MonitorCommand>());
+}
+
+Ctl::~Ctl() = default;
+
+QString Ctl::helpText() const
+{
+    QString text = u"gimbalctl --link ADDRESS [--family F] [--json] COMMAND\n\n"
+                   u"ADDRESS: serial:/dev/ttyUSB0?baud=115200&parity=none, tcp://host:port, sim:simplebgc?seed=1\n\n"_s;
+    for (const auto &command : m_commands) {
+        text += u"  %1 %2\n"_s.arg(QString::fromUtf8(command->usage()).leftJustified(52),
+                                  QString::fromUtf8(command->help()));
+    }
+    text += u"\nOptions: --profile N, --no-save, --dry-run, --channels LIST, --seconds N, --history DIR, --version\n"
+            u"Exit codes: 0 done, 1 the board or the link said no, 2 wrong arguments.\n"_s;
+    return text;
+}
+
+int Ctl::wrong(const QString &message)
+{
+    m_err << "gimbalctl: " << message << "\n(gimbalctl --help lists commands and options)\n";
+    m_err.flush();
+    return WrongArguments;
+}
+
+std::optional<int> Ctl::start(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    const QCommandLineOption link(u"link"_s, {}, u"address"_s);
+    const QCommandLineOption family(u"family"_s, {}, u"family"_s, u"simplebgc"_s);
+    const QCommandLineOption json(u"json"_s);
+    const QCommandLineOption profile(u"profile"_s, {}, u"n"_s);
+    const QCommandLineOption noSave(u"no-save"_s);
+    const QCommandLineOption dryRun(u"dry-run"_s);
+    const QCommandLineOption channels(u"channels"_s, {}, u"list"_s);
+    const QCommandLineOption seconds(u"seconds"_s, {}, u"n"_s);
+    const QCommandLineOption history(u"history"_s, {}, u"dir"_s);
+    const QCommandLineOption help(QStringList{u"h"_s, u"help"_s});
+    const QCommandLineOption version(u"version"_s);
+    parser.addOptions({link, family, json, profile, noSave, dryRun, channels, seconds, history, help, version});
+    if (!parser.parse(arguments))
+        return wrong(parser.errorText());
+    if (parser.isSet(help)) {
+        m_out << helpText();
+        m_out.flush();
+        return Done;
+    }
+    if (parser.isSet(version)) {
+        m_out << "gimbalctl " GIMBAL_VERSION "\n";
+        m_out.flush();
+        return Done;
+    }
+
+    m_json = parser.isSet(json);
+    m_options.noSave = parser.isSet(noSave);
+    m_options.dryRun = parser.isSet(dryRun);
+    m_options.channels = parser.value(channels).split(u',', Qt::SkipEmptyParts);
+    bool ok = true;
+    if (parser.isSet(profile)) {
+        m_options.profile = parser.value(profile).toInt(&ok);
+        if (!ok || m_options.profile < 1)
+            return wrong(u"--profile needs a number from 1, not '%1'"_s.arg(parser.value(profile)));
+    }
+    if (parser.isSet(seconds)) {
+        m_options.seconds = parser.value(seconds).toDouble(&ok);
+        if (!ok || !(m_options.seconds > 0) || m_options.seconds > 1e6)
+            return wrong(u"--seconds needs a number above 0, not '%1'"_s.arg(parser.value(seconds)));
+    }
+    if (parser.isSet(history))
+        m_options.history = BoardHistory(parser.value(history));
+
+    QStringList words = parser.positionalArguments();
+    if (words.isEmpty())
+        return wrong(u"no command"_s);
+    const QString name = words.takeFirst();
+    const auto it = std::find_if(m_commands.begin(), m_commands.end(),
+                                 [&name](const auto &command) { return name == QLatin1String(command->name()); });
+    if (it == m_commands.end())
+        return wrong(u"there is no command '%1'"_s.arg(name));
+    m_command = it->get();
+    m_options.arguments = words;
+    if (const QString problem = m_command->check(m_options); !problem.isEmpty())
+        return wrong(problem + u"\nusage: gimbalctl "_s + QString::fromUtf8(m_command->usage()));
+
+    if (!m_command->needsBoard(m_options)) {
+        QMetaObject::invokeMethod(this, [this] { finish(m_command->runWithoutBoard(m_options)); }, Qt::QueuedConnection);
+        return {};
+    }
+    if (!parser.isSet(link))
+        return wrong(u"%1 needs --link ADDRESS"_s.arg(name));
+    const auto address = LinkAddress::parse(parser.value(link));
+    if (!address)
+        return wrong(address.error().detail);
+    const QList<Family> families = allFamilies();
+    const QString familyKey = parser.value(family);
+    if (std::none_of(families.begin(), families.end(), [&](const Family &f) { return f.key == familyKey; })) {
+        QStringList keys;
+        for (const Family &known : families)
+            keys.append(known.key);
+        return wrong(u"there is no family '%1'; there are: %2"_s.arg(familyKey, keys.join(u", "_s)));
+    }
+    // A simulator address is checked in full before anything starts.
+    if (address->kind() == LinkAddress::Kind::Simulator) {
+        if (const auto transport = allTransports()(*address); !transport)
+            return wrong(transport.error().detail);
+    }
+    m_client = std::make_unique<DeviceClient>(allTransports(), families);
+    connect(m_client.get(), &DeviceClient::stateChanged, this, &Ctl::onState);
+    connect(m_client.get(), &DeviceClient::connectionFailed, this,
+            [this](const Error &error) { onError(error, Refused); });
+    connect(m_client.get(), &DeviceClient::connectionLost, this,
+            [this](const Error &error) { onError(error, Refused); });
+    connect(m_client.get(), &DeviceClient::progressChanged, this, &Ctl::onProgress);
+    auto *watcher = new SignalWatcher(this);
+    connect(watcher, &SignalWatcher::stopRequested, this, &Ctl::stop);
+    m_client->connectTo(*address, familyKey);
+    return {};
+}
+
+// Ctrl-C: whatever moves is stopped before the program goes.
+void Ctl::stop()
+{
+    if (m_printer) {
+        m_printer->finish();
+        return;
+    }
+    if (m_started)
+        m_client->cancelJobs();
+    else
+        onError({ErrorCode::Cancelled, {}, 0}, Refused);
+}
+
+void Ctl::onState(DeviceClient::State state)
+{
+    if (state != DeviceClient::State::Connected || m_started)
+        return;
+    m_started = true;
+    if (qstrcmp(m_command->name(), "monitor") == 0)
+        runMonitor();
+    else
+        runCommand();
+}
+
+void Ctl::runCommand()
+{
+    const auto kind = m_command->moves() ? DeviceClient::JobKind::Moving : DeviceClient::JobKind::Quiet;
+    m_client->submit<CommandOutcome>([command = m_command, options = m_options](Channel &channel, Device &device) {
+        return command->run(channel, device, options);
+    }, kind).then(this, [this](const Result<CommandOutcome> &outcome) {
+        // A moving job posts its "stop" as the last thing; the link stays open until it is out.
+        QTimer::singleShot(outcome ? 0 : 100, this, [this, outcome] { finish(outcome); });
+    });
+}
+
+void Ctl::runMonitor()
+{
+    const Device *device = m_client->device();
+    QList<int> channels;
+    for (const QString &key : m_options.channels) {
+        const int channel = findChannel(device->channels(), key.trimmed());
+        if (channel < 0) {
+            QStringList keys;
+            for (const ChannelSpec &spec : device->channels())
+                keys.append(QLatin1String(spec.key));
+            onError({ErrorCode::InvalidArgument, u"no channel '%1'; there are: %2"_s.arg(key, keys.join(u", "_s)), 0},
+                    WrongArguments);
+            return;
+        }
+        channels.append(channel);
+    }
+    if (channels.isEmpty()) {
+        const ChannelRoles roles = device->roles();
+        for (const auto &triple : {roles.angle, roles.target, roles.gyro})
+            channels.append(QList<int>(triple.begin(), triple.end()));
+    }
+    m_printer = std::make_unique<TelemetryPrinter>(*m_client, channels, m_options.seconds, m_json);
+    connect(m_printer.get(), &TelemetryPrinter::finished, this, [this](const QString &note) {
+        CommandOutcome outcome;
+        outcome.json = m_printer->json();
+        outcome.note = note;
+        outcome.exitCode = m_printer->rows() > 0 ? Done : Refused;
+        finish(outcome);
+    });
+    m_printer->start();
+}
+
+void Ctl::onError(const Error &error, int exitCode)
+{
+    if (m_finished)
+        return;
+    m_finished = true;
+    const ErrorText text = describe(error);
+    m_err << "gimbalctl: " << text.oneLine() << "\n";
+    m_err.flush();
+    if (m_json) {
+        m_out << toJsonText(QJsonObject{{u"error"_s, text.what}, {u"meaning"_s, text.meaning}, {u"cure"_s, text.cure},
+                                        {u"detail"_s, text.detail}});
+        m_out.flush();
+    }
+    emit finished(exitCode);
+}
+
+void Ctl::onProgress(const Progress &progress)
+{
+    QString text = describe(progress);
+    if (progress.step == u"autotune"_s) {
+        text = u"iteration %1: "_s.arg(progress.done);
+        for (const Axis axis : kAxes) {
+            const QString name = QLatin1String(axisKey(axis));
+            text += u" %1 P %2 I %3 D %4 error %5°"_s.arg(name)
+                        .arg(progress.values.value(u"p."_s + name)).arg(progress.values.value(u"i."_s + name))
+                        .arg(progress.values.value(u"d."_s + name))
+                        .arg(progress.values.value(u"error."_s + name), 0, 'f', 2);
+        }
+    }
+    if (text == m_lastProgress || progress.step == u"read-block"_s)
+        return;
+    m_lastProgress = text;
+    m_err << text << "\n";
+    m_err.flush();
+}
+
+void Ctl::finish(const Result<CommandOutcome> &outcome)
+{
+    if (m_finished)
+        return;
+    if (!outcome) {
+        const ErrorCode code = outcome.error().code;
+        onError(outcome.error(),
+                code == ErrorCode::InvalidArgument || code == ErrorCode::OutOfRange ? WrongArguments : Refused);
+        return;
+    }
+    m_finished = true;
+    if (!outcome->note.isEmpty()) {
+        m_err << outcome->note << "\n";
+        m_err.flush();
+    }
+    if (m_json)
+        m_out << toJsonText(outcome->json);
+    else
+        m_out << outcome->text;
+    m_out.flush();
+    emit finished(outcome->exitCode);
+}

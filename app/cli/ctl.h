@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/command.h"
+#include "protocol/device/deviceclient.h"
+
+#include <QTextStream>
+
+class TelemetryPrinter;
+
+/// gimbalctl: finds the command, connects, runs it on the worker thread, prints, ends with an honest exit code.
+class Ctl final : public QObject
+{
+    Q_OBJECT
+public:
+    explicit Ctl(QObject *parent = nullptr);
+    ~Ctl() override;
+
+    /// Understands the arguments and starts. Empty: running, finished() follows; otherwise the exit code.
+    std::optional<int> start(const QStringList &arguments);
+
+signals:
+    void finished(int exitCode);
+
+private:
+    void stop();
+    void onState(DeviceClient::State state);
+    void onError(const Error &error, int exitCode);
+    void onProgress(const Progress &progress);
+    void runCommand();
+    void runMonitor();
+    void finish(const Result<CommandOutcome> &outcome);
+    int wrong(const QString &message);
+    [[nodiscard]] QString helpText() const;
+
+    QTextStream m_out{stdout};
+    QTextStream m_err{stderr};
+    std::vector<std::unique_ptr<Command>> m_commands;
+    Command *m_command = nullptr;
+    CommandOptions m_options;
+    bool m_json = false;
+    QString m_lastProgress;
+    std::unique_ptr<DeviceClient> m_client;
+    std::unique_ptr<TelemetryPrinter> m_printer;
+    bool m_started = false;
+    bool m_finished = false;
+};

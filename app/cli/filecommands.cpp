@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command.h"
+
+#include "app/composition/composition.h"
+#include "protocol/transport/portlist.h"
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+class PortsCommand final : public Command
+{
+public:
+    const char *name() const override { return "ports"; }
+    const char *usage() const override { return "ports"; }
+    const char *help() const override { return "serial ports of this computer; opens none of them"; }
+    QString check(const CommandOptions &) const override { return {}; }
+    bool needsBoard(const CommandOptions &) const override { return false; }
+    Result<CommandOutcome> runWithoutBoard(const CommandOptions &) override
+    {
+        CommandOutcome outcome;
+        QJsonArray array;
+        for (const PortInfo &port : listSerialPorts()) {
+            array.append(QJsonObject{{u"path"_s, port.path}, {u"description"_s, port.description},
+                                     {u"vendorId"_s, port.vendorId}, {u"productId"_s, port.productId},
+                                     {u"address"_s, u"serial:"_s + port.path}});
+            outcome.text += port.label() + u'\n';
+        }
+        if (array.isEmpty())
+            outcome.note = u"no serial ports"_s;
+        outcome.json = array;
+        return outcome;
+    }
+};
+
+class DumpCommand final : public Command
+{
+public:
+    const char *name() const override { return "dump"; }
+    const char *usage() const override { return "dump FILE"; }
+    const char *help() const override { return "save the whole configuration to a file"; }
+    QString check(const CommandOptions &options) const override
+    {
+        return options.arguments.size() == 1 ? QString() : u"dump needs one file name"_s;
+    }
+    Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
+    {
+        const auto configuration = device.readConfiguration(channel);
+        if (!configuration)
+            return tl::unexpected(configuration.error());
+        const QString path = options.arguments.first();
+        if (const auto saved = ConfigurationFile::save(path, *configuration, u"dump"_s); !saved)
+            return tl::unexpected(saved.error());
+        CommandOutcome outcome;
+        outcome.json = QJsonObject{{u"file"_s, path}, {u"blocks"_s, qint64(configuration->blocks().size())}};
+        outcome.text = u"saved to %1\n"_s.arg(path);
+        return outcome;
+    }
+};
+
+class DiffCommand final : public Command
+{
+public:
+    const char *name() const override { return "diff"; }
+    const char *usage() const override { return "diff A B"; }
+    const char *help() const override { return "differences between two files, or a file and \"board\""; }
+    QString check(const CommandOptions &options) const override
+    {
+        return options.arguments.size() == 2 ? QString() : u"diff needs two files, one may be \"board\""_s;
+    }
+    bool needsBoard(const CommandOptions &options) const override { return options.arguments.contains(u"board"_s); }
+    Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
+    {
+        auto board = device.readConfiguration(channel);
+        if (!board)
+            return tl::unexpected(board.error());
+        return compare(options, &*board);
+    }
+    Result<CommandOutcome> runWithoutBoard(const CommandOptions &options) override { return compare(options, nullptr); }
+
+private:
+    static Result<CommandOutcome> compare(const CommandOptions &options, const Configuration *board)
+    {
+        std::array<Configuration, 2> sides;
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+            const QString name = options.arguments.value(qsizetype(i));
+            if (name == u"board"_s) {
+                sides[i] = *board;
+                continue;
+            }
+            auto file = ConfigurationFile::load(name, parametersFor);
+            if (!file)
+                return tl::unexpected(file.error());
+            sides[i] = std::move(file->configuration);
+        }
+        // Both sides in the first one's terms, so boards of different firmware can be compared.
+        CommandOutcome outcome;
+        QStringList skipped;
+        const Configuration second = applied(sides[0], sides[1], skipped);
+        const auto changes = sides[0].changesTo(second);
+        QJsonArray array;
+        for (const ParameterChange &change : changes)
+            array.append(changeJson(change));
+        outcome.text = changeText(sides[0], changes);
+        for (int i = 0; i < sides[0].identity().profileCount; ++i) {
+            if (sides[0].profileNames().value(i) == second.profileNames().value(i))
+                continue;
+            array.append(QJsonObject{{u"key"_s, u"profile.name"_s}, {u"profile"_s, i + 1},
+                                     {u"from"_s, sides[0].profileNames().value(i)},
+                                     {u"to"_s, second.profileNames().value(i)}});
+            outcome.text += u"name of profile %1: %2 -> %3\n"_s.arg(i + 1).arg(sides[0].profileNames().value(i),
+                                                                            second.profileNames().value(i));
+        }
+        if (array.isEmpty())
+            outcome.text = u"no difference\n"_s;
+        if (!skipped.isEmpty())
+            outcome.note = u"not compared, as the first side does not have them: %1"_s.arg(skipped.join(u", "_s));
+        outcome.json = array;
+        return outcome;
+    }
+};
+
+class ApplyCommand final : public Command
+{
+public:
+    const char *name() const override { return "apply"; }
+    const char *usage() const override { return "apply FILE [--dry-run]"; }
+    const char *help() const override { return "write a file's values to the board; --dry-run only shows them"; }
+    QString check(const CommandOptions &options) const override
+    {
+        return options.arguments.size() == 1 ? QString() : u"apply needs one file name"_s;
+    }
+    Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
+    {
+        auto file = ConfigurationFile::load(options.arguments.first(), parametersFor);
+        if (!file)
+            return tl::unexpected(file.error());
+        if (file->configuration.identity().family != device.identity().family) {
+            return failure(ErrorCode::BadFile, u"it is for a board of the family %1"_s
+                               .arg(file->configuration.identity().family));
+        }
+        const auto base = device.readConfiguration(channel);
+        if (!base)
+            return tl::unexpected(base.error());
+        QStringList skipped = file->unknownKeys;
+        const Configuration edited = applied(*base, file->configuration, skipped);
+        Result<CommandOutcome> outcome = CommandOutcome();
+        if (options.dryRun) {
+            const auto changes = base->changesTo(edited);
+            QJsonArray array;
+            for (const ParameterChange &change : changes)
+                array.append(changeJson(change));
+            outcome->json = array;
+            outcome->text = changes.empty() ? u"nothing would change\n"_s : changeText(*base, changes);
+        } else {
+            outcome = writeAndReport(channel, device, *base, edited, options);
+        }
+        if (outcome && !skipped.isEmpty())
+            outcome->note += u"\nnot applied, as this board does not have them: "_s + skipped.join(u", "_s);
+        return outcome;
+    }
+};
+
+} // namespace
+
+std::vector<std::unique_ptr<Command>> fileCommands()
+{
+    std::vector<std::unique_ptr<Command>> commands;
+    commands.push_back(std::make_unique<PortsCommand>());
+    commands.push_back(std::make_unique<DumpCommand>());
+    commands.push_back(std::make_unique<DiffCommand>());
+    commands.push_back(std::make_unique<ApplyCommand>());
+    return commands;
+}

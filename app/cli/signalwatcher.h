@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+/// Turns SIGINT and SIGTERM into a Qt signal, so programs can end in good order.
+class SignalWatcher final : public QObject
+{
+    Q_OBJECT
+public:
+    explicit SignalWatcher(QObject *parent = nullptr);
+
+signals:
+    void stopRequested();
+};

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/device/deviceclient.h"
+
+#include <QJsonArray>
+#include <QTextStream>
+
+/// Prints telemetry as CSV, one line per sample of the fastest group; slower channels repeat their latest value.
+class TelemetryPrinter final : public QObject
+{
+    Q_OBJECT
+public:
+    TelemetryPrinter(DeviceClient &client, QList<int> channels, double seconds, bool asJson);
+
+    void start();
+    void finish();
+    [[nodiscard]] QJsonValue json() const;
+    [[nodiscard]] qint64 rows() const { return m_rows; }
+
+signals:
+    void finished(const QString &note);
+
+private:
+    void drain();
+    void printRow(double time, std::size_t row);
+
+    DeviceClient &m_client;
+    QList<int> m_channels;
+    double m_seconds;
+    bool m_asJson;
+    QTextStream m_out{stdout};
+    QTimer m_timer;
+    int m_generation = -1;
+    std::vector<std::optional<TrackView>> m_tracks;
+    int m_lead = -1;              // the channel whose rows are printed
+    std::size_t m_next = 0;
+    std::optional<double> m_firstTime;
+    QJsonArray m_json;
+    qint64 m_rows = 0;
+    bool m_done = false;
+};

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/composition/composition.h"
+
+#include "protocol/simplebgc/sbgcdevice.h"
+#include "protocol/simulator/hosts.h"
+
+QList<Family> allFamilies()
+{
+    return {sbgcFamily()};
+}
+
+TransportFactory allTransports()
+{
+    return [simulated = simulatorFactory()](const LinkAddress &address) {
+        return address.kind() == LinkAddress::Kind::Simulator ? simulated(address) : makeSystemTransport(address);
+    };
+}
+
+std::shared_ptr<const ParameterSet> parametersFor(const BoardIdentity &identity)
+{
+    for (const Family &family : allFamilies()) {
+        if (family.key == identity.family)
+            return family.makeParameters(identity);
+    }
+    return nullptr;
+}

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/base/checksum.h"
+
+#include <array>
+
+namespace {
+
+constexpr std::uint16_t kReflectedPolynomial = 0xA001;
+constexpr int kSlices = 8;
+
+using SliceTables = std::array<std::array<std::uint16_t, 256>, kSlices>;
+
+// Slice-by-8: table[k][b] is the effect of byte b followed by k zero bytes.
+constexpr SliceTables makeTables()
+{
+    SliceTables tables{};
+    for (unsigned byte = 0; byte < 256; ++byte) {
+        auto crc = static_cast<std::uint16_t>(byte);
+        for (int bit = 0; bit < 8; ++bit)
+            crc = static_cast<std::uint16_t>((crc & 1) ? (crc >> 1) ^ kReflectedPolynomial : crc >> 1);
+        tables[0][byte] = crc;
+    }
+    for (unsigned byte = 0; byte < 256; ++byte) {
+        for (int slice = 1; slice < kSlices; ++slice) {
+            const std::uint16_t previous = tables[slice - 1][byte];
+            tables[slice][byte] = static_cast<std::uint16_t>((previous >> 8) ^ tables[0][previous & 0xFF]);
+        }
+    }
+    return tables;
+}
+
+constexpr SliceTables kTables = makeTables();
+
+} // namespace
+
+std::uint8_t sum8(Bytes bytes)
+{
+    unsigned sum = 0;
+    for (const std::byte byte : bytes)
+        sum += std::to_integer<unsigned>(byte);
+    return static_cast<std::uint8_t>(sum);
+}
+
+std::uint16_t crc16Arc(Bytes bytes, std::uint16_t crc)
+{
+    const auto at = [&](std::size_t i) { return std::to_integer<unsigned>(bytes[i]); };
+    std::size_t i = 0;
+    for (; i + kSlices <= bytes.size(); i += kSlices) {
+        crc = static_cast<std::uint16_t>(
+            kTables[7][at(i) ^ (crc & 0xFF)] ^ kTables[6][at(i + 1) ^ (crc >> 8)] ^ kTables[5][at(i + 2)]
+            ^ kTables[4][at(i + 3)] ^ kTables[3][at(i + 4)] ^ kTables[2][at(i + 5)] ^ kTables[1][at(i + 6)]
+            ^ kTables[0][at(i + 7)]);
+    }
+    for (; i < bytes.size(); ++i)
+        crc = static_cast<std::uint16_t>((crc >> 8) ^ kTables[0][(crc ^ at(i)) & 0xFF]);
+    return crc;
+}
+
+std::uint16_t crc16Sbgc(Bytes bytes)
+{
+    unsigned crc = crc16Arc(bytes);
+    crc = ((crc & 0x5555) << 1) | ((crc >> 1) & 0x5555);
+    crc = ((crc & 0x3333) << 2) | ((crc >> 2) & 0x3333);
+    crc = ((crc & 0x0F0F) << 4) | ((crc >> 4) & 0x0F0F);
+    return static_cast<std::uint16_t>((crc << 8) | (crc >> 8));
+}

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/base/bytes.h"
+
+/// Sum of all bytes modulo 256 (SimpleBGC frame version 1; document "Message format").
+[[nodiscard]] std::uint8_t sum8(Bytes bytes);
+
+/// CRC-16/ARC (polynomial 0x8005 reflected, start 0). Feed the previous value to continue over several spans.
+[[nodiscard]] std::uint16_t crc16Arc(Bytes bytes, std::uint16_t crc = 0);
+
+/// The CRC of SimpleBGC frame version 2: CRC-16/ARC with its 16 bits reversed (errata 1.2).
+/// "123456789" gives 0xBCDD.
+[[nodiscard]] std::uint16_t crc16Sbgc(Bytes bytes);

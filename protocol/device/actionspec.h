@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/base/result.h"
+#include "protocol/device/parameterspec.h"
+
+#include <QVariantMap>
+
+/// What an action can do to a gimbal.
+enum class ActionRisk { Safe, Moves, Writes, Destroys };
+
+enum class ArgumentKind { Integer, Real, Choice, Text, Toggle };
+
+/// One typed argument of an action.
+struct ArgumentSpec
+{
+    const char *key = "";
+    const char *label = "";
+    ArgumentKind kind = ArgumentKind::Integer;
+    double min = 0;
+    double max = 255;
+    const char *unit = "";
+    std::span<const Choice> choices{};
+    const char *defaultText = "";   ///< "" = must be given
+};
+
+/// A named command: everything a protocol can do that is neither a parameter nor telemetry.
+struct ActionSpec
+{
+    const char *key = "";           ///< "calibrate.gyro"
+    const char *label = "";
+    const char *help = "";
+    const char *group = "";
+    ActionRisk risk = ActionRisk::Safe;
+    std::span<const ArgumentSpec> arguments{};
+    bool isProcedure = false;       ///< many steps, with progress and cancel
+    int since = 0;
+    const char *capability = "";
+};
+
+/// What came back: figures and texts by key, e.g. {"angle.roll": 1.25}.
+using ActionReply = QVariantMap;
+
+/// Checks texts against the specs, fills in defaults. Errors: InvalidArgument naming the argument, its type and range.
+Result<QVariantMap> parseArguments(const ActionSpec &action, const QMap<QString, QString> &texts);

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/device/configuration.h"
+
+using namespace Qt::StringLiterals;
+
+Configuration::Configuration(BoardIdentity identity, std::shared_ptr<const ParameterSet> parameters)
+    : m_identity(std::move(identity))
+    , m_parameters(std::move(parameters))
+{
+}
+
+QString Configuration::profileName(int profile) const
+{
+    const QString name = m_profileNames.value(profile).trimmed();
+    return name.isEmpty() ? u"Profile %1"_s.arg(profile + 1) : name;
+}
+
+QByteArray Configuration::block(BlockKey key) const
+{
+    const auto it = m_blocks.find(key);
+    return it == m_blocks.end() ? QByteArray() : it->second;
+}
+
+std::optional<int> Configuration::raw(const ParameterSpec &spec, int profile) const
+{
+    const int from = spec.row->scope == Scope::Board ? m_activeProfile : profile;
+    const auto it = m_blocks.find({from, spec.row->block});
+    return it == m_blocks.end() ? std::nullopt : spec.read(it->second);
+}
+
+Result<void> Configuration::setRaw(const ParameterSpec &spec, int profile, int raw)
+{
+    if (spec.row->state)
+        return failure(ErrorCode::ReadOnly, spec.key);
+    if (!spec.isInRange(raw)) {
+        return failure(ErrorCode::OutOfRange, u"%1 = %2, allowed %3 to %4"_s.arg(spec.key, spec.format(raw),
+                                                                               spec.minText(), spec.maxText()));
+    }
+    bool found = false;
+    for (auto &[key, bytes] : m_blocks) {
+        if (key.block == spec.row->block && (spec.row->scope == Scope::Board || key.profile == profile))
+            found |= spec.write(bytes, raw);
+    }
+    if (!found)
+        return failure(ErrorCode::Unsupported, spec.key);
+    return {};
+}
+
+std::vector<ParameterChange> Configuration::changesTo(const Configuration &other) const
+{
+    std::vector<ParameterChange> changes;
+    if (!m_parameters)
+        return changes;
+    for (const ParameterSpec &spec : m_parameters->all()) {
+        if (spec.row->state)
+            continue;
+        const bool boardWide = spec.row->scope == Scope::Board;
+        for (int profile = 0; profile < m_identity.profileCount; ++profile) {
+            const int which = boardWide ? m_activeProfile : profile;
+            const auto from = raw(spec, which);
+            const auto to = other.raw(spec, which);
+            if (from && to && *from != *to)
+                changes.push_back({&spec, which, *from, *to});
+            if (boardWide)
+                break;
+        }
+    }
+    return changes;
+}

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/device/actionspec.h"
+#include "protocol/device/configuration.h"
+#include "protocol/device/telemetry.h"
+#include "protocol/session/channel.h"
+#include "protocol/session/controlstream.h"
+
+/// How one axis is to be steered.
+struct AxisSetpoint
+{
+    int mode = 0;          ///< number of one of Device::controlModes()
+    double speed = 0;      ///< degrees per second
+    double angle = 0;      ///< degrees (or the mode's own unit, see ControlMode)
+};
+
+/// Set-points of roll, pitch, yaw.
+using ControlSetpoint = std::array<AxisSetpoint, kAxisCount>;
+
+/// A way of steering that the board offers.
+struct ControlMode
+{
+    int id = 0;
+    const char *key = "";
+    const char *label = "";
+    bool usesSpeed = false;
+    bool usesAngle = false;
+    double maxSpeed = 0;
+    double minAngle = 0;
+    double maxAngle = 0;
+};
+
+/// A variable that the board changes at once, in its volatile memory.
+struct AdjustableValue
+{
+    int id = 0;
+    double value = 0;
+};
+
+/// A fault the board reports: what it is called; cause and cure are worded in widgets/.
+struct BoardFault
+{
+    QString key;       ///< "no-sensor"
+    QString name;      ///< "No IMU"
+    QString meaning;
+    QString cure;
+    bool severe = true;
+};
+
+/// Roles that pages need to find channels by meaning, whatever the family calls them.
+struct ChannelRoles
+{
+    std::array<int, 3> angle{-1, -1, -1};
+    std::array<int, 3> target{-1, -1, -1};
+    std::array<int, 3> gyro{-1, -1, -1};
+    std::array<int, 3> frameAngle{-1, -1, -1};
+    std::array<int, 3> motorPower{-1, -1, -1};
+    int battery = -1;
+    int temperature = -1;
+    int current = -1;
+    int motorsOn = -1;
+    int faults = -1;          ///< bit set, see Device::faults()
+    int faultDetail = -1;
+    int activeProfile = -1;
+    int cycleTime = -1;
+    int busErrors = -1;
+};
+
+/// A family's knowledge as plain sequential code against a Channel. Constant once identified, so the screen may read the
+/// tables while the worker thread uses the rest.
+class Device
+{
+public:
+    virtual ~Device() = default;
+
+    [[nodiscard]] virtual std::unique_ptr<Framer> makeFramer() const = 0;
+    /// Rate and parity pairs worth trying on a serial line, most likely first.
+    [[nodiscard]] virtual QList<LineSettings> lineCandidates() const = 0;
+    /// One harmless question; true if a board of this family answered it.
+    virtual Result<bool> probe(Channel &channel) = 0;
+    /// Finds out who is there. Errors: Timeout, BadReply, LinkClosed.
+    virtual Result<BoardIdentity> identify(Channel &channel) = 0;
+    [[nodiscard]] virtual const BoardIdentity &identity() const = 0;
+    [[nodiscard]] virtual std::shared_ptr<const ParameterSet> parameters() const = 0;
+
+    /// Reads everything; a missing part is left out, not an error.
+    virtual Result<Configuration> readConfiguration(Channel &channel) = 0;
+    virtual Result<QByteArray> readBlock(Channel &channel, BlockKey key) = 0;
+    /// Writes one block to permanent memory. May make its profile the active one.
+    virtual Result<void> writeBlock(Channel &channel, BlockKey key, const QByteArray &bytes) = 0;
+    /// Brackets a series of writeBlock() so that the board takes them as one change, where it can.
+    virtual Result<void> beginWrite(Channel &channel) = 0;
+    virtual Result<void> endWrite(Channel &channel) = 0;
+    virtual Result<void> selectProfile(Channel &channel, int profile) = 0;
+    virtual Result<int> activeProfile(Channel &channel) = 0;
+    virtual Result<QStringList> readProfileNames(Channel &channel) = 0;
+    virtual Result<void> writeProfileNames(Channel &channel, const QStringList &names) = 0;
+    /// Longest profile name in UTF-8 bytes.
+    [[nodiscard]] virtual int profileNameBytes() const = 0;
+
+    virtual Result<std::vector<AdjustableValue>> readAdjustables(Channel &channel, const QList<int> &ids) = 0;
+    virtual Result<void> writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) = 0;
+
+    [[nodiscard]] virtual std::span<const ActionSpec> actions() const = 0;
+    /// Performs an action with arguments from parseArguments(). Errors: InvalidArgument, Unsupported, the board's own.
+    virtual Result<ActionReply> perform(Channel &channel, const QString &key, const QVariantMap &arguments) = 0;
+
+    [[nodiscard]] virtual ChannelTable channels() const = 0;
+    [[nodiscard]] virtual ChannelRoles roles() const = 0;
+    /// Channels that can be had at full rate with this firmware.
+    [[nodiscard]] virtual QList<int> fastChannels() const = 0;
+    virtual Result<TelemetryPlan> startTelemetry(Channel &channel, const TelemetryWish &wish,
+                                                 std::optional<LineSettings> line) = 0;
+    virtual void stopTelemetry(Channel &channel) = 0;
+    /// The faults behind the value of the faults channel.
+    [[nodiscard]] virtual std::vector<BoardFault> faults(unsigned bits, unsigned detail) const = 0;
+
+    /// True for the board's notice that it is about to restart.
+    [[nodiscard]] virtual bool announcesReset(const FrameView &frame) const = 0;
+    [[nodiscard]] virtual Request motorsOffRequest() const = 0;
+    [[nodiscard]] virtual Request motorsOnRequest() const = 0;
+    [[nodiscard]] virtual std::span<const ControlMode> controlModes() const = 0;
+    [[nodiscard]] virtual ControlFrames controlFrames(const ControlSetpoint &setpoint) const = 0;
+};
+
+/// A family of controllers as the program's table of families lists it.
+struct Family
+{
+    QString key;        ///< "simplebgc"
+    QString name;       ///< "SimpleBGC 32-bit"
+    std::function<std::unique_ptr<Device>()> makeDevice;
+    /// The parameters that a board with this identity has, to understand a file without the board.
+    std::function<std::shared_ptr<const ParameterSet>(const BoardIdentity &)> makeParameters;
+};

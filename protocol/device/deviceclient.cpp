@@ -1,0 +1,343 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/device/deviceclient.h"
+
+#include "protocol/device/telemetryfeed.h"
+
+#include <QLoggingCategory>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+Q_LOGGING_CATEGORY(logClient, "gimbal.client", QtWarningMsg)
+
+namespace {
+
+constexpr auto kReconnectPause = 500ms;
+constexpr auto kStatisticsPeriod = 250ms;
+// A board that announces its restart still talks for up to a second (document CMD_RESET); we let go before it does.
+constexpr auto kLetGoBeforeReset = 300ms;
+constexpr auto kRestartTime = 1500ms;
+
+} // namespace
+
+/// One series of attempts to get a board: the first connection, or reconnecting until it succeeds.
+struct DeviceClient::Attempt
+{
+    std::shared_ptr<Device> device;
+    std::shared_ptr<JobControl> control;
+    LinkAddress address;
+    std::optional<LineSettings> knownLine;
+    bool repeat = false;
+    milliseconds delay{};
+
+    Result<FoundBoard> once(SessionChannel &channel, bool useKnownLine) const
+    {
+        LinkAddress target = address;
+        if (useKnownLine && knownLine && address.kind() == LinkAddress::Kind::Serial)
+            target = LinkAddress::serial(address.target(), knownLine->baud, knownLine->parity);
+        if (auto opened = channel.open(target, device->makeFramer()); !opened)
+            return tl::unexpected(opened.error());
+        return findBoard(channel, *device, target);
+    }
+
+    Result<FoundBoard> run(SessionChannel &channel) const
+    {
+        if (const auto slept = channel.sleep(delay); !slept)
+            return tl::unexpected(slept.error());
+        for (int round = 0;; ++round) {
+            // Every third round looks at all rates again: a changed serial speed takes effect with a restart.
+            auto found = once(channel, repeat && round % 3 != 2);
+            if (found || !repeat || found.error().code == ErrorCode::Cancelled)
+                return found;
+            if (const auto slept = channel.sleep(kReconnectPause); !slept)
+                return tl::unexpected(slept.error());
+        }
+    }
+};
+
+DeviceClient::DeviceClient(TransportFactory makeTransport, QList<Family> families, QObject *parent)
+    : QObject(parent)
+    , m_makeTransport(std::move(makeTransport))
+    , m_families(std::move(families))
+    , m_session(new Session(m_makeTransport))
+    , m_worker(new QObject)
+{
+    m_ioThread.setObjectName(u"gimbal-io"_s);
+    m_workerThread.setObjectName(u"gimbal-worker"_s);
+    m_session->moveToThread(&m_ioThread);
+    m_worker->moveToThread(&m_workerThread);
+    connect(&m_ioThread, &QThread::finished, m_session, &QObject::deleteLater);
+    connect(&m_workerThread, &QThread::finished, m_worker, &QObject::deleteLater);
+    connect(m_session, &Session::closed, this, &DeviceClient::onSessionClosed, Qt::QueuedConnection);
+    m_ioThread.start(QThread::TimeCriticalPriority);
+    m_workerThread.start();
+
+    m_statisticsTimer.setInterval(kStatisticsPeriod);
+    connect(&m_statisticsTimer, &QTimer::timeout, this, [this] {
+        QMetaObject::invokeMethod(m_session, [this, session = m_session] {
+            const LinkStatistics now = session->statistics();
+            QMetaObject::invokeMethod(this, [this, now] {
+                const bool rescued = now.deadManRescues > m_statistics.deadManRescues;
+                m_statistics = now;
+                emit statisticsChanged();
+                if (rescued)
+                    emit controlRescued();
+            }, Qt::QueuedConnection);
+        }, Qt::QueuedConnection);
+    });
+}
+
+DeviceClient::~DeviceClient()
+{
+    m_statisticsTimer.stop();
+    m_session->disconnect(this);
+    cancelJobs();
+    if (m_attemptControl)
+        m_attemptControl->cancel();
+    closeSession();
+    // The worker may still wait for the I/O thread, so it goes first.
+    m_workerThread.quit();
+    m_workerThread.wait();
+    if (m_feed)
+        QMetaObject::invokeMethod(m_session, [this] { m_session->removeListener(m_feed.get()); },
+                                  Qt::BlockingQueuedConnection);
+    m_ioThread.quit();
+    m_ioThread.wait();
+}
+
+void DeviceClient::connectTo(const LinkAddress &address, const QString &family)
+{
+    disconnectFromBoard();
+    m_address = address;
+    m_familyKey = family;
+    startAttempt(State::Connecting, 0ms);
+}
+
+void DeviceClient::disconnectFromBoard()
+{
+    cancelJobs();
+    if (m_attemptControl) {
+        m_attemptControl->cancel();
+        m_attemptControl.reset();
+    }
+    closeSession();
+    m_statisticsTimer.stop();
+    m_line.reset();
+    setState(State::Disconnected);
+}
+
+void DeviceClient::closeSession()
+{
+    {
+        const std::lock_guard lock(m_urgentMutex);
+        m_motorsOff.reset();
+    }
+    QMetaObject::invokeMethod(m_session, [session = m_session] { session->close({ErrorCode::Cancelled, {}}); },
+                              Qt::QueuedConnection);
+}
+
+void DeviceClient::startAttempt(State state, milliseconds delay)
+{
+    const auto family = std::find_if(m_families.begin(), m_families.end(),
+                                     [this](const Family &f) { return f.key == m_familyKey; });
+    if (family == m_families.end()) {
+        emit connectionFailed({ErrorCode::InvalidArgument, u"family %1"_s.arg(m_familyKey)});
+        return;
+    }
+    auto attempt = std::make_shared<Attempt>();
+    attempt->device = family->makeDevice();
+    attempt->control = std::make_shared<JobControl>();
+    attempt->address = m_address;
+    attempt->knownLine = m_line;
+    attempt->repeat = state == State::Reconnecting;
+    attempt->delay = delay;
+    m_attemptControl = attempt->control;
+    setState(state);
+    QMetaObject::invokeMethod(m_worker, [this, attempt] {
+        const auto channel = makeChannel(attempt->control);
+        auto found = attempt->run(*channel);
+        QMetaObject::invokeMethod(this, [this, attempt, found = std::move(found)] { finishAttempt(attempt, found); },
+                                  Qt::QueuedConnection);
+    }, Qt::QueuedConnection);
+}
+
+void DeviceClient::finishAttempt(const std::shared_ptr<Attempt> &attempt, Result<FoundBoard> found)
+{
+    if (attempt->control != m_attemptControl)
+        return;  // overtaken by another attempt
+    m_attemptControl.reset();
+    if (!found) {
+        closeSession();
+        setState(State::Disconnected);
+        if (found.error().code != ErrorCode::Cancelled)
+            emit connectionFailed(found.error());
+        return;
+    }
+    m_device = attempt->device;
+    m_identity = found->identity;
+    m_line = found->line;
+    qCInfo(logClient) << "connected to" << m_identity.model << m_identity.firmware;
+
+    // A fresh store for a new board; the same board goes on in the same one.
+    if (!m_store || m_state != State::Reconnecting)
+        m_store = std::make_shared<TelemetryStore>(int(m_device->channels().size()));
+    auto feed = std::make_unique<TelemetryFeed>(
+        m_store, [device = m_device](const FrameView &frame) { return device->announcesReset(frame); },
+        [this] { QMetaObject::invokeMethod(this, &DeviceClient::onResetAnnounced, Qt::QueuedConnection); });
+    QMetaObject::invokeMethod(m_session, [this, fresh = feed.get(), old = m_feed.get()] {
+        m_session->removeListener(old);
+        m_session->addListener(fresh);
+    }, Qt::BlockingQueuedConnection);
+    m_feed = std::move(feed);
+    {
+        const std::lock_guard lock(m_urgentMutex);
+        m_motorsOff = m_device->motorsOffRequest();
+    }
+    m_plan = {};
+    m_statisticsTimer.start();
+    setState(State::Connected);
+    requestTelemetry();
+}
+
+void DeviceClient::onSessionClosed(const Error &why)
+{
+    if (m_state != State::Connected)
+        return;
+    emit connectionLost(why);
+    // Jobs that waited for this link are told; they must not start on the next one by surprise.
+    cancelJobs();
+    startAttempt(State::Reconnecting, why.code == ErrorCode::Cancelled ? 0ms : kReconnectPause);
+}
+
+void DeviceClient::onResetAnnounced()
+{
+    if (m_state != State::Connected)
+        return;
+    QTimer::singleShot(kLetGoBeforeReset, this, [this] {
+        if (m_state != State::Connected)
+            return;
+        emit connectionLost({ErrorCode::LinkClosed, u"the board restarts"_s});
+        QMetaObject::invokeMethod(m_session, [session = m_session] {
+            session->close({ErrorCode::LinkClosed, u"the board restarts"_s});
+        }, Qt::QueuedConnection);
+        cancelJobs();
+        startAttempt(State::Reconnecting, kRestartTime);
+    });
+}
+
+void DeviceClient::cancelJobs()
+{
+    m_control->cancel();
+    m_control = std::make_shared<JobControl>();
+    const std::lock_guard lock(m_urgentMutex);
+    for (const auto &moving : std::exchange(m_movingJobs, {})) {
+        if (const auto control = moving.lock())
+            control->cancel();
+    }
+}
+
+void DeviceClient::motorsOff()
+{
+    std::optional<Request> request;
+    {
+        const std::lock_guard lock(m_urgentMutex);
+        request = m_motorsOff;
+    }
+    if (!request) {
+        QMetaObject::invokeMethod(this, [this] { emit motorsOffFinished(false); }, Qt::QueuedConnection);
+        return;
+    }
+    QMetaObject::invokeMethod(m_session, [this, session = m_session, request = *request] {
+        session->sendUrgent(request, [this](const Result<Frame> &result) {
+            const bool confirmed = result.has_value();
+            QMetaObject::invokeMethod(this, [this, confirmed] { emit motorsOffFinished(confirmed); },
+                                      Qt::QueuedConnection);
+        });
+    }, Qt::QueuedConnection);
+    const std::lock_guard lock(m_urgentMutex);
+    for (const auto &moving : std::exchange(m_movingJobs, {})) {
+        if (const auto control = moving.lock())
+            control->cancel();
+    }
+}
+
+void DeviceClient::setControl(const ControlSetpoint &setpoint)
+{
+    if (m_state != State::Connected)
+        return;
+    QMetaObject::invokeMethod(m_session, [session = m_session, frames = m_device->controlFrames(setpoint)] {
+        session->refreshControl(frames);
+    }, Qt::QueuedConnection);
+}
+
+void DeviceClient::releaseControl()
+{
+    QMetaObject::invokeMethod(m_session, [session = m_session] { session->endControl(); }, Qt::QueuedConnection);
+}
+
+void DeviceClient::setTelemetry(const TelemetryWish &wish)
+{
+    if (wish == m_wish)
+        return;
+    m_wish = wish;
+    requestTelemetry();
+}
+
+void DeviceClient::requestTelemetry()
+{
+    if (m_state != State::Connected || m_telemetryRequested)
+        return;
+    // Several wishes in one round of the event loop make one request.
+    m_telemetryRequested = true;
+    const TelemetryWish wish = m_wish;
+    submit<TelemetryPlan>([wish, line = m_line](Channel &channel, Device &device) {
+        return device.startTelemetry(channel, wish, line);
+    }).then(this, [this, wish](const Result<TelemetryPlan> &plan) {
+        m_telemetryRequested = false;
+        if (!plan) {
+            if (plan.error().code == ErrorCode::Cancelled)
+                requestTelemetry();   // somebody cancelled all jobs; telemetry is still wanted
+            else if (plan.error().code != ErrorCode::LinkClosed)
+                emit telemetryFailed(plan.error());
+            return;
+        }
+        m_plan = *plan;
+        QMetaObject::invokeMethod(m_session, [session = m_session, feed = m_feed.get(), plan = *plan] {
+            feed->setDecoder(plan.decoder);
+            session->setPoll(plan.poll, plan.pollInterval);
+            session->setFarewell(plan.farewell);
+        }, Qt::BlockingQueuedConnection);
+        emit telemetryPlanChanged();
+        if (m_wish != wish)
+            requestTelemetry();
+    });
+}
+
+void DeviceClient::setState(State state)
+{
+    if (m_state == state)
+        return;
+    m_state = state;
+    emit stateChanged(state);
+}
+
+std::unique_ptr<SessionChannel> DeviceClient::makeChannel(std::shared_ptr<JobControl> control)
+{
+    return std::make_unique<SessionChannel>(*m_session, std::move(control), [this](const Progress &progress) {
+        QMetaObject::invokeMethod(this, [this, progress] { emit progressChanged(progress); }, Qt::QueuedConnection);
+    });
+}
+
+void DeviceClient::jobStarted()
+{
+    if (++m_jobs == 1)
+        emit busyChanged(true);
+}
+
+void DeviceClient::jobFinished()
+{
+    if (--m_jobs == 0)
+        emit busyChanged(false);
+}

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/base/clock.h"
+
+#include <QList>
+
+#include <array>
+#include <atomic>
+#include <deque>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <vector>
+
+/// Rows of one telemetry frame kind: a time and one float per channel. Append-only chunks; one writer (the I/O thread),
+/// any number of readers that hold no lock while they read values.
+class TelemetryGroup
+{
+public:
+    static constexpr std::size_t kRowsPerChunk = 1024;
+
+    struct Chunk
+    {
+        std::size_t firstRow = 0;
+        std::array<double, kRowsPerChunk> times;   // seconds since the store's origin
+        std::vector<float> values;                 // channel after channel, kRowsPerChunk each
+    };
+
+    TelemetryGroup(QList<int> channels, double period);
+
+    [[nodiscard]] const QList<int> &channels() const { return m_channels; }
+    /// Nominal time between rows in seconds; 0 = irregular.
+    [[nodiscard]] double period() const { return m_period; }
+    /// Number of rows ever appended.
+    [[nodiscard]] std::size_t end() const { return m_end.load(std::memory_order_acquire); }
+
+private:
+    friend class TelemetryStore;
+    friend class TrackView;
+    void append(double time, std::span<const float> values, double retention);
+
+    QList<int> m_channels;
+    double m_period;
+    std::atomic<std::size_t> m_end = 0;
+    mutable std::mutex m_mutex;                    // guards the list of chunks, not their contents
+    std::deque<std::shared_ptr<Chunk>> m_chunks;
+};
+
+/// A reader's view of one channel in one group. Cheap to refresh; reading takes no lock.
+class TrackView
+{
+public:
+    TrackView(std::shared_ptr<const TelemetryGroup> group, int column);
+
+    /// Takes notice of new rows and of rows that retention has dropped.
+    void refresh();
+    [[nodiscard]] std::size_t begin() const { return m_begin; }   ///< first row still kept
+    [[nodiscard]] std::size_t end() const { return m_end; }
+    [[nodiscard]] double time(std::size_t row) const;
+    [[nodiscard]] float value(std::size_t row) const;
+    /// First row at or after this time (rows are in order of time).
+    [[nodiscard]] std::size_t rowAt(double time) const;
+    [[nodiscard]] double period() const { return m_group->period(); }
+    [[nodiscard]] const TelemetryGroup *group() const { return m_group.get(); }
+
+private:
+    [[nodiscard]] const TelemetryGroup::Chunk &chunkOf(std::size_t row) const;
+
+    std::shared_ptr<const TelemetryGroup> m_group;
+    int m_column;
+    std::vector<std::shared_ptr<const TelemetryGroup::Chunk>> m_chunks;
+    std::size_t m_begin = 0;
+    std::size_t m_end = 0;
+};
+
+/// The lossless column store of what arrived. Missing rows are appended as NaN, so plots show gaps.
+class TelemetryStore
+{
+public:
+    explicit TelemetryStore(int channelCount);
+
+    // Writer (the I/O thread).
+    /// A new frame kind or a new set of channels; later rows of these channels come from it.
+    std::shared_ptr<TelemetryGroup> defineGroup(QList<int> channels, double period);
+    void append(TelemetryGroup &group, TimePoint at, std::span<const float> values);
+    void appendGap(TelemetryGroup &group, TimePoint at);
+
+    // Readers.
+    [[nodiscard]] int channelCount() const { return static_cast<int>(m_latest.size()); }
+    /// The newest value, NaN before the first.
+    [[nodiscard]] float latest(int channel) const;
+    /// All groups that carry a channel, oldest first, as views.
+    [[nodiscard]] std::vector<TrackView> tracks(int channel) const;
+    /// Changes when a group was added: time to ask for tracks() again.
+    [[nodiscard]] int generation() const { return m_generation.load(std::memory_order_acquire); }
+    [[nodiscard]] TimePoint origin() const { return m_origin; }
+    /// A time of this store in seconds since its origin.
+    [[nodiscard]] double secondsAt(TimePoint time) const { return seconds(time - m_origin); }
+    /// Rows appended, all groups together; gaps: rows that were found missing.
+    [[nodiscard]] quint64 rows() const { return m_rows.load(std::memory_order_relaxed); }
+    [[nodiscard]] quint64 lost() const { return m_lost.load(std::memory_order_relaxed); }
+    void countLost(quint64 rows) { m_lost.fetch_add(rows, std::memory_order_relaxed); }
+    void setRetention(double seconds) { m_retention = seconds; }
+
+private:
+    TimePoint m_origin = Clock::now();
+    std::atomic<double> m_retention = 600.0;
+    std::vector<std::atomic<float>> m_latest;
+    std::atomic<int> m_generation = 0;
+    std::atomic<quint64> m_rows = 0;
+    std::atomic<quint64> m_lost = 0;
+    mutable std::mutex m_mutex;
+    std::vector<std::shared_ptr<TelemetryGroup>> m_groups;
+};
+
+/// Gives samples their times: index times nominal period, disciplined slowly by arrival, so a reader that was busy for
+/// 80 ms draws no stairs.
+class SampleClock
+{
+public:
+    explicit SampleClock(double period) : m_period(period) { }
+
+    /// Time of the next sample, which arrived at that time, after so many missing ones.
+    double next(double arrival, int missing = 0);
+
+private:
+    double m_period;
+    std::optional<double> m_last;
+};

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/device/device.h"
+#include "protocol/record/boardhistory.h"
+
+/// The reply of an action and the safety copy taken before it, if any.
+struct ActionOutcome
+{
+    ActionReply reply;
+    QString snapshotPath;
+};
+
+/// Performs an action; one that writes or destroys takes a full snapshot first and refuses to run without it.
+/// Errors: Unsupported for an unknown key, NoBackup, and those of the action.
+Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QString &key, const QVariantMap &arguments,
+                                    const BoardHistory &history);

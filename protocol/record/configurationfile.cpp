@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/record/configurationfile.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSaveFile>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const QString kFormat = u"gimbaldesk-configuration"_s;
+constexpr int kVersion = 1;
+constexpr qint64 kLargestFile = 4 * 1024 * 1024;
+
+QJsonValue valueOf(const ParameterSpec &spec, int raw)
+{
+    switch (spec.row->kind) {
+    case ValueKind::Toggle:
+        return raw != 0;
+    case ValueKind::Choice:
+        return raw;
+    case ValueKind::Flags:
+        return spec.format(raw);
+    case ValueKind::Number:
+        break;
+    }
+    // As text and back, so that the file shows 0.18 and not 0.17999999999999999.
+    return spec.format(raw).toDouble();
+}
+
+std::optional<int> rawOf(const ParameterSpec &spec, const QJsonValue &value)
+{
+    if (value.isBool())
+        return value.toBool() ? 1 : 0;
+    if (value.isDouble())
+        return spec.parse(QString::number(value.toDouble(), 'g', 15));
+    if (value.isString())
+        return spec.parse(value.toString());
+    return {};
+}
+
+QJsonObject valuesOf(const Configuration &configuration, int profile, Scope scope)
+{
+    QJsonObject values;
+    for (const ParameterSpec &spec : configuration.parameters().all()) {
+        if (spec.row->scope != scope || spec.row->state)
+            continue;
+        if (const auto raw = configuration.raw(spec, profile))
+            values.insert(spec.key, valueOf(spec, *raw));
+    }
+    return values;
+}
+
+// Puts a file's values into a configuration. A value that the blocks already hold exactly is left alone, so rounding in the
+// text never changes a byte.
+Result<void> readValues(Configuration &configuration, const QJsonObject &values, int profile, QStringList &unknown)
+{
+    for (auto it = values.begin(); it != values.end(); ++it) {
+        const ParameterSpec *spec = configuration.parameters().find(it.key());
+        if (!spec) {
+            if (!unknown.contains(it.key()))
+                unknown.append(it.key());
+            continue;
+        }
+        const auto raw = rawOf(*spec, it.value());
+        if (!raw) {
+            return failure(ErrorCode::BadFile, u"the value of %1 is not understood: %2"_s
+                               .arg(it.key(), it.value().toVariant().toString()));
+        }
+        const auto known = configuration.raw(*spec, profile);
+        if (known && spec->format(*known) == spec->format(*raw))
+            continue;
+        if (const auto set = configuration.setRaw(*spec, profile, *raw); !set)
+            return failure(ErrorCode::BadFile, set.error().detail);
+    }
+    return {};
+}
+
+} // namespace
+
+QByteArray ConfigurationFile::toJson(const Configuration &configuration, const QString &reason, const QDateTime &savedAt)
+{
+    const BoardIdentity &identity = configuration.identity();
+    QStringList capabilities(identity.capabilities.begin(), identity.capabilities.end());
+    capabilities.sort();
+    QJsonObject board{{u"family"_s, identity.family}, {u"model"_s, identity.model}, {u"firmware"_s, identity.firmware},
+                      {u"firmwareNumber"_s, identity.firmwareNumber}, {u"serial"_s, identity.serial},
+                      {u"profileCount"_s, identity.profileCount},
+                      {u"capabilities"_s, QJsonArray::fromStringList(capabilities)}};
+    QJsonArray profiles;
+    for (int profile = 0; profile < identity.profileCount; ++profile) {
+        profiles.append(QJsonObject{{u"name"_s, configuration.profileNames().value(profile)},
+                                    {u"values"_s, valuesOf(configuration, profile, Scope::Profile)}});
+    }
+    QJsonObject blocks;
+    for (const auto &[key, bytes] : configuration.blocks()) {
+        const BlockSpec *block = configuration.parameters().block(key.block);
+        blocks.insert(u"%1/%2"_s.arg(key.profile + 1).arg(QLatin1String(block ? block->name : "?")),
+                      QString::fromLatin1(bytes.toHex()));
+    }
+    const QJsonObject root{{u"format"_s, kFormat}, {u"version"_s, kVersion}, {u"reason"_s, reason},
+                           {u"savedAt"_s, savedAt.toString(Qt::ISODateWithMs)}, {u"board"_s, board},
+                           {u"activeProfile"_s, configuration.activeProfile() + 1},
+                           {u"boardValues"_s, valuesOf(configuration, configuration.activeProfile(), Scope::Board)},
+                           {u"profiles"_s, profiles}, {u"blocks"_s, blocks}};
+    return QJsonDocument(root).toJson();
+}
+
+Result<ConfigurationFile> ConfigurationFile::fromJson(const QByteArray &json, const MakeParameters &makeParameters)
+{
+    QJsonParseError parse;
+    const QJsonDocument document = QJsonDocument::fromJson(json, &parse);
+    if (!document.isObject()) {
+        return failure(ErrorCode::BadFile, u"not JSON (%1 at byte %2)"_s.arg(parse.errorString()).arg(parse.offset));
+    }
+    const QJsonObject root = document.object();
+    if (root.value(u"format"_s).toString() != kFormat)
+        return failure(ErrorCode::BadFile, u"not a GimbalDesk configuration"_s);
+    if (root.value(u"version"_s).toInt() != kVersion) {
+        return failure(ErrorCode::BadFile, u"version %1 of the file format, this program knows version %2"_s
+                           .arg(root.value(u"version"_s).toInt()).arg(kVersion));
+    }
+
+    const QJsonObject board = root.value(u"board"_s).toObject();
+    BoardIdentity identity;
+    identity.family = board.value(u"family"_s).toString();
+    identity.model = board.value(u"model"_s).toString();
+    identity.firmware = board.value(u"firmware"_s).toString();
+    identity.firmwareNumber = board.value(u"firmwareNumber"_s).toInt();
+    identity.serial = board.value(u"serial"_s).toString();
+    identity.profileCount = board.value(u"profileCount"_s).toInt(1);
+    for (const QJsonValue &capability : board.value(u"capabilities"_s).toArray())
+        identity.capabilities.insert(capability.toString());
+    const auto parameters = makeParameters(identity);
+    if (!parameters)
+        return failure(ErrorCode::BadFile, u"a configuration of the unknown family '%1'"_s.arg(identity.family));
+
+    ConfigurationFile file;
+    const QJsonArray profiles = root.value(u"profiles"_s).toArray();
+    if (identity.profileCount < 1 || identity.profileCount > 32 || profiles.size() > identity.profileCount)
+        return failure(ErrorCode::BadFile, u"%1 profiles"_s.arg(profiles.size()));
+    file.configuration = Configuration(identity, parameters);
+    file.savedAt = QDateTime::fromString(root.value(u"savedAt"_s).toString(), Qt::ISODateWithMs);
+    file.reason = root.value(u"reason"_s).toString();
+    const int active = root.value(u"activeProfile"_s).toInt(1) - 1;
+    if (active < 0 || active >= identity.profileCount)
+        return failure(ErrorCode::BadFile, u"active profile %1"_s.arg(active + 1));
+    file.configuration.setActiveProfile(active);
+
+    const QJsonObject blocks = root.value(u"blocks"_s).toObject();
+    for (int profile = 0; profile < identity.profileCount; ++profile) {
+        for (const BlockSpec &block : parameters->blocks()) {
+            const QString name = u"%1/%2"_s.arg(profile + 1).arg(QLatin1String(block.name));
+            if (!blocks.contains(name))
+                continue;
+            const QByteArray bytes = QByteArray::fromHex(blocks.value(name).toString().toLatin1());
+            if (bytes.size() < block.size) {
+                return failure(ErrorCode::BadFile, u"block %1 has %2 of %3 bytes"_s.arg(name).arg(bytes.size())
+                                   .arg(block.size));
+            }
+            file.configuration.setBlock({profile, block.id}, bytes);
+        }
+    }
+    QStringList names;
+    for (int profile = 0; profile < profiles.size(); ++profile) {
+        const QJsonObject object = profiles[profile].toObject();
+        names.append(object.value(u"name"_s).toString());
+        if (const auto read = readValues(file.configuration, object.value(u"values"_s).toObject(), profile,
+                                         file.unknownKeys); !read)
+            return tl::unexpected(read.error());
+    }
+    file.configuration.setProfileNames(names);
+    if (const auto read = readValues(file.configuration, root.value(u"boardValues"_s).toObject(), active,
+                                     file.unknownKeys); !read)
+        return tl::unexpected(read.error());
+    return file;
+}
+
+Result<void> ConfigurationFile::save(const QString &path, const Configuration &configuration, const QString &reason)
+{
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly)
+        || file.write(toJson(configuration, reason, QDateTime::currentDateTimeUtc())) < 0 || !file.commit())
+        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
+    return {};
+}
+
+Result<ConfigurationFile> ConfigurationFile::load(const QString &path, const MakeParameters &makeParameters)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
+    if (file.size() > kLargestFile)
+        return failure(ErrorCode::BadFile, u"%1: %2 bytes are too many for a configuration"_s.arg(path).arg(file.size()));
+    auto loaded = fromJson(file.readAll(), makeParameters);
+    if (!loaded)
+        return failure(loaded.error().code, path + u": "_s + loaded.error().detail);
+    return loaded;
+}
+
+Configuration applied(const Configuration &board, const Configuration &file, QStringList &skipped)
+{
+    Configuration result = board;
+    for (const ParameterSpec &spec : file.parameters().all()) {
+        if (spec.row->state)
+            continue;
+        const ParameterSpec *own = board.parameters().find(spec.key);
+        const bool boardWide = spec.row->scope == Scope::Board;
+        for (int profile = 0; profile < board.identity().profileCount; ++profile) {
+            const auto raw = file.raw(spec, boardWide ? file.activeProfile() : profile);
+            if (!raw)
+                break;
+            // Boards of other firmware may count in other steps: the displayed value is what is meant.
+            const int wanted = own ? own->toRaw(spec.toDisplay(*raw)) : 0;
+            if (!own || (board.raw(*own, profile) != wanted && !result.setRaw(*own, profile, wanted))) {
+                if (!skipped.contains(spec.key))
+                    skipped.append(spec.key);
+                break;
+            }
+            if (boardWide)
+                break;
+        }
+    }
+    if (!file.profileNames().isEmpty())
+        result.setProfileNames(file.profileNames());
+    return result;
+}

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/session/request.h"
+#include "protocol/transport/linkaddress.h"
+
+#include <QMap>
+
+#include <memory>
+
+/// How far a job is, for the operator's eyes.
+struct Progress
+{
+    int done = 0;
+    int total = 0;                    ///< 0 = unknown
+    QString step;                     ///< a key of the step ("read-block"), worded in widgets/
+    QString subject;                  ///< what it works on ("PARAMS_3, profile 2")
+    QMap<QString, double> values;     ///< live figures of a procedure, by key
+};
+
+/// Frames nobody asked for (second confirmations, progress reports), kept from the moment the mailbox exists.
+class Mailbox
+{
+public:
+    virtual ~Mailbox() = default;
+    /// The next kept frame; waits for it at most so long. Errors: Timeout, Cancelled, LinkClosed.
+    virtual Result<Frame> next(milliseconds timeout) = 0;
+};
+
+/// What came in so far, to tell a silent port from one that talks something else.
+struct LinkObservation
+{
+    FramerStatistics framing;
+    quint64 bytesIn = 0;
+    QByteArray lastBytes;  ///< the latest bytes, kept only while no frame was understood
+};
+
+/// What family code talks to: a synchronous view of one link. Production code runs on the worker thread, tests in one
+/// thread with virtual time.
+class Channel
+{
+public:
+    virtual ~Channel() = default;
+
+    /// Sends the request and waits for its answer. Errors: the board's refusal, Timeout, Cancelled, LinkClosed.
+    virtual Result<Frame> transact(const Request &request) = 0;
+    /// Sends without waiting for an answer, also from a cancelled job: "stop" must get through.
+    virtual void post(const Request &request) = 0;
+    /// Waits. Errors: Cancelled, LinkClosed.
+    virtual Result<void> sleep(milliseconds duration) = 0;
+    /// Keeps every frame that the filter accepts and that answers no request, until the mailbox is destroyed.
+    virtual std::unique_ptr<Mailbox> listen(std::function<bool(const FrameView &)> filter) = 0;
+    /// Changes rate and parity of the line. Errors: Unsupported where the port refuses them.
+    virtual Result<void> setLine(const LineSettings &line) = 0;
+    [[nodiscard]] virtual bool cancelled() const = 0;
+    virtual void progress(const Progress &progress) = 0;
+    /// Time as the job sees it (virtual in tests).
+    [[nodiscard]] virtual TimePoint now() const = 0;
+    [[nodiscard]] virtual LinkObservation observation() const = 0;
+};

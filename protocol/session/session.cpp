@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/session/session.h"
+
+#include <QLoggingCategory>
+
+#include <algorithm>
+#include <numeric>
+
+Q_LOGGING_CATEGORY(logSession, "gimbal.session", QtWarningMsg)
+
+namespace {
+
+// A half-received frame is given up after this much silence (errata 1.4: 100-500 ms).
+constexpr auto kFrameGap = 150ms;
+// Bytes kept while no frame was understood, to name the protocol that is spoken instead.
+constexpr qsizetype kKeptBytes = 512;
+constexpr auto kUrgentRepeat = 100ms;
+constexpr int kUrgentAttempts = 5;
+
+qint64 slotOf(TimePoint now)
+{
+    return std::chrono::duration_cast<milliseconds>(now.time_since_epoch()).count() / 100;
+}
+
+} // namespace
+
+Session::Session(TransportFactory makeTransport, QObject *parent)
+    : QObject(parent)
+    , m_makeTransport(std::move(makeTransport))
+    , m_sink([this](const FrameView &frame) { onFrame(frame); })
+    , m_queue([this](QByteArrayView bytes) {
+        m_bytesOut += static_cast<quint64>(bytes.size());
+        if (m_transport)
+            m_transport->write(bytes);
+    })
+    , m_timer(this)
+{
+    m_timer.setSingleShot(true);
+    m_timer.setTimerType(Qt::PreciseTimer);
+    connect(&m_timer, &QTimer::timeout, this, &Session::onTick);
+}
+
+Session::~Session()
+{
+    m_queue.cancelAll({ErrorCode::LinkClosed, {}});
+}
+
+void Session::open(const LinkAddress &address, std::unique_ptr<Framer> framer)
+{
+    close({ErrorCode::Cancelled, {}});
+    auto transport = m_makeTransport(address);
+    if (!transport) {
+        emit closed(transport.error());
+        return;
+    }
+    m_transport = std::move(*transport);
+    m_framer = std::move(framer);
+    m_bytesIn = m_bytesOut = 0;
+    m_lastBytes.clear();
+    m_rateSlots = {};
+    m_queue.setLine(m_transport->line());
+    connect(m_transport.get(), &Transport::received, this, &Session::onReceived);
+    connect(m_transport.get(), &Transport::bytesWritten, this, [this](qint64 count) {
+        m_queue.bytesTaken(count, Clock::now());
+        schedule();
+    });
+    connect(m_transport.get(), &Transport::opened, this, [this] {
+        m_open = true;
+        qCInfo(logSession) << "link open";
+        emit opened();
+    });
+    connect(m_transport.get(), &Transport::closed, this, &Session::close);
+    m_transport->open();
+}
+
+void Session::close(const Error &why)
+{
+    if (!m_transport)
+        return;
+    if (m_open && why.code == ErrorCode::Cancelled && !m_farewell.isEmpty())
+        m_transport->write(m_farewell);
+    m_farewell.clear();
+    qCInfo(logSession) << "link closed:" << int(why.code) << why.detail;
+    m_transport->disconnect(this);
+    m_transport->close();
+    // The transport may be the one that is calling us.
+    m_transport.release()->deleteLater();
+    m_open = false;
+    m_timer.stop();
+    m_poll.reset();
+    m_pollRunning = false;
+    m_control.drop();
+    m_queue.cancelAll({ErrorCode::LinkClosed, why.detail});
+    emit closed(why);
+}
+
+bool Session::setLine(const LineSettings &line)
+{
+    if (!m_transport || !m_transport->setLine(line))
+        return false;
+    m_queue.setLine(m_transport->line());
+    return true;
+}
+
+TransactionQueue::Id Session::submit(Request request, TransactionQueue::Completion completion)
+{
+    if (!m_open) {
+        if (completion)
+            completion(failure(ErrorCode::LinkClosed));
+        return 0;
+    }
+    const auto id = m_queue.submit(std::move(request), std::move(completion), Clock::now());
+    schedule();
+    return id;
+}
+
+void Session::setPoll(std::optional<Request> request, milliseconds interval)
+{
+    m_poll = std::move(request);
+    m_pollInterval = interval;
+    m_nextPoll = Clock::now();
+    schedule();
+}
+
+void Session::refreshControl(ControlFrames frames)
+{
+    if (!m_open)
+        return;
+    m_control.refresh(std::move(frames), Clock::now());
+    schedule();
+}
+
+void Session::endControl()
+{
+    m_control.end(Clock::now());
+    schedule();
+}
+
+void Session::sendUrgent(Request request, TransactionQueue::Completion completion)
+{
+    m_control.drop();
+    sendUrgentAttempt(std::move(request), std::move(completion), kUrgentAttempts);
+}
+
+void Session::sendUrgentAttempt(Request request, TransactionQueue::Completion completion, int attemptsLeft)
+{
+    if (!m_open) {
+        completion(failure(ErrorCode::LinkClosed));
+        return;
+    }
+    Request once = request;
+    once.timeout = kUrgentRepeat;
+    m_queue.submit(std::move(once),
+                   [this, request, completion, attemptsLeft](Result<Frame> result) {
+                       if (result || attemptsLeft <= 1 || result.error().code != ErrorCode::Timeout) {
+                           completion(std::move(result));
+                           return;
+                       }
+                       sendUrgentAttempt(request, completion, attemptsLeft - 1);
+                   },
+                   Clock::now(), TransactionQueue::Lane::Urgent);
+    schedule();
+}
+
+LinkStatistics Session::statistics() const
+{
+    LinkStatistics statistics;
+    if (m_framer)
+        statistics.framing = m_framer->statistics();
+    statistics.bytesIn = m_bytesIn;
+    statistics.bytesOut = m_bytesOut;
+    statistics.timeouts = m_queue.timeouts();
+    statistics.roundTrip = m_queue.roundTrip();
+    statistics.deadManRescues = m_control.rescues();
+    // Nine full slots: the current one is still filling.
+    const qint64 slot = slotOf(Clock::now());
+    quint64 frames = 0;
+    for (qint64 back = 1; back < qint64(m_rateSlots.size()); ++back) {
+        if (slot - back <= m_rateSlot)
+            frames += m_rateSlots[std::size_t((slot - back) % qint64(m_rateSlots.size()))];
+    }
+    statistics.framesPerSecond = double(frames) / (0.1 * double(m_rateSlots.size() - 1));
+    return statistics;
+}
+
+LinkObservation Session::observation() const
+{
+    return {m_framer ? m_framer->statistics() : FramerStatistics{}, m_bytesIn, m_lastBytes};
+}
+
+void Session::onReceived(QByteArrayView bytes, TimePoint at)
+{
+    if (m_framer->isWaiting() && at - m_arrival > kFrameGap)
+        m_framer->flush(m_sink);
+    m_arrival = at;
+    m_bytesIn += static_cast<quint64>(bytes.size());
+    if (m_framer->statistics().frames == 0)
+        m_lastBytes = (m_lastBytes + bytes.toByteArray()).right(kKeptBytes);
+    m_framer->feed(asBytes(bytes), m_sink);
+    schedule();
+}
+
+void Session::onFrame(const FrameView &frame)
+{
+    const qint64 slot = slotOf(m_arrival);
+    for (; m_rateSlot < slot; ++m_rateSlot) {
+        if (slot - m_rateSlot > qint64(m_rateSlots.size()))
+            m_rateSlot = slot - qint64(m_rateSlots.size());
+        m_rateSlots[std::size_t((m_rateSlot + 1) % qint64(m_rateSlots.size()))] = 0;
+    }
+    ++m_rateSlots[std::size_t(slot % qint64(m_rateSlots.size()))];
+    const bool claimed = m_queue.frameArrived(frame, m_arrival);
+    for (std::size_t i = 0; i < m_listeners.size(); ++i)
+        m_listeners[i]->frameReceived(frame, m_arrival, claimed);
+}
+
+void Session::onTick()
+{
+    const TimePoint now = Clock::now();
+    if (m_framer && m_framer->isWaiting() && now - m_arrival > kFrameGap)
+        m_framer->flush(m_sink);
+    while (auto frame = m_control.advance(now))
+        m_queue.sendUnanswered(*frame, now);
+    m_queue.advance(now);
+    if (m_poll && !m_pollRunning && now >= m_nextPoll && m_queue.isReady(now)) {
+        m_pollRunning = true;
+        m_nextPoll = std::max(m_nextPoll + m_pollInterval, now);
+        m_queue.submit(*m_poll, [this](const Result<Frame> &) { m_pollRunning = false; }, now);
+    }
+    schedule();
+}
+
+void Session::schedule()
+{
+    if (!m_open)
+        return;
+    const TimePoint now = Clock::now();
+    std::optional<TimePoint> next = m_queue.nextDeadline(now);
+    const auto consider = [&next](std::optional<TimePoint> time) {
+        if (time)
+            next = next ? std::min(*next, *time) : *time;
+    };
+    consider(m_control.nextDeadline());
+    if (m_poll && !m_pollRunning)
+        consider(std::max(m_nextPoll, now + 1ms));
+    if (m_framer && m_framer->isWaiting())
+        consider(m_arrival + kFrameGap + 1ms);
+    if (!next) {
+        m_timer.stop();
+        return;
+    }
+    const auto wait = std::chrono::ceil<milliseconds>(*next - now);
+    m_timer.start(std::max(wait, milliseconds(0)));
+}

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/session/sessionchannel.h"
+
+#include <QMetaObject>
+
+namespace {
+
+/// The place where the worker waits for one answer of the I/O thread. Completed exactly once; a handle that is thrown away
+/// unused (the session died before it ran) completes it with LinkClosed.
+template<typename T>
+struct Waiter
+{
+    std::shared_ptr<JobControl> control;
+    std::mutex &mutex;
+    std::condition_variable &wake;
+    std::optional<Result<T>> result;
+
+    Waiter(std::shared_ptr<JobControl> c, std::mutex &m, std::condition_variable &w)
+        : control(std::move(c)), mutex(m), wake(w) { }
+
+    void complete(Result<T> value)
+    {
+        const std::lock_guard lock(mutex);
+        if (!result)
+            result = std::move(value);
+        wake.notify_all();
+    }
+};
+
+template<typename T>
+std::shared_ptr<Waiter<T>> completionHandle(const std::shared_ptr<Waiter<T>> &waiter)
+{
+    return {waiter.get(), [waiter](Waiter<T> *w) { w->complete(failure(ErrorCode::LinkClosed)); }};
+}
+
+} // namespace
+
+void JobControl::cancel()
+{
+    const std::lock_guard lock(m_mutex);
+    m_cancelled = true;
+    m_wake.notify_all();
+}
+
+SessionChannel::SessionChannel(Session &session, std::shared_ptr<JobControl> control, ProgressSink progress)
+    : m_session(session)
+    , m_control(std::move(control))
+    , m_progress(std::move(progress))
+{
+}
+
+Result<Frame> SessionChannel::transact(const Request &request)
+{
+    if (cancelled())
+        return failure(ErrorCode::Cancelled);
+    auto waiter = std::make_shared<Waiter<Frame>>(m_control, m_control->m_mutex, m_control->m_wake);
+    auto id = std::make_shared<std::atomic<TransactionQueue::Id>>(0);
+    QMetaObject::invokeMethod(
+        &m_session,
+        [session = &m_session, request, id, handle = completionHandle(waiter)] {
+            *id = session->submit(request, [handle](Result<Frame> result) { handle->complete(std::move(result)); });
+        },
+        Qt::QueuedConnection);
+
+    std::unique_lock lock(m_control->m_mutex);
+    m_control->m_wake.wait(lock, [&] { return waiter->result || m_control->isCancelled(); });
+    if (waiter->result)
+        return *waiter->result;
+    lock.unlock();
+    QMetaObject::invokeMethod(&m_session, [session = &m_session, id] { session->cancel(*id); }, Qt::QueuedConnection);
+    return failure(ErrorCode::Cancelled);
+}
+
+void SessionChannel::post(const Request &request)
+{
+    QMetaObject::invokeMethod(&m_session, [session = &m_session, request] { session->submit(request, {}); },
+                              Qt::QueuedConnection);
+}
+
+Result<void> SessionChannel::sleep(milliseconds duration)
+{
+    std::unique_lock lock(m_control->m_mutex);
+    if (m_control->m_wake.wait_for(lock, duration, [&] { return m_control->isCancelled(); }))
+        return failure(ErrorCode::Cancelled);
+    return {};
+}
+
+class SessionMailbox final : public Mailbox, public FrameListener
+{
+public:
+    SessionMailbox(Session &session, std::shared_ptr<JobControl> control,
+                   std::function<bool(const FrameView &)> filter)
+        : m_session(session), m_control(std::move(control)), m_filter(std::move(filter))
+    {
+        m_closedConnection = QObject::connect(&session, &Session::closed, &session, [this](const Error &why) {
+            const std::lock_guard lock(m_control->m_mutex);
+            m_closed = Error{ErrorCode::LinkClosed, why.detail};
+            m_control->m_wake.notify_all();
+        }, Qt::DirectConnection);
+        QMetaObject::invokeMethod(&m_session, [this] { m_session.addListener(this); }, Qt::BlockingQueuedConnection);
+    }
+
+    ~SessionMailbox() override
+    {
+        QMetaObject::invokeMethod(
+            &m_session,
+            [this] {
+                m_session.removeListener(this);
+                QObject::disconnect(m_closedConnection);
+            },
+            Qt::BlockingQueuedConnection);
+    }
+
+    SessionMailbox(const SessionMailbox &) = delete;
+    SessionMailbox &operator=(const SessionMailbox &) = delete;
+
+    void frameReceived(const FrameView &frame, TimePoint, bool claimed) override
+    {
+        if (claimed || !m_filter(frame))
+            return;
+        const std::lock_guard lock(m_control->m_mutex);
+        m_frames.push_back(Frame(frame));
+        m_control->m_wake.notify_all();
+    }
+
+    Result<Frame> next(milliseconds timeout) override
+    {
+        std::unique_lock lock(m_control->m_mutex);
+        m_control->m_wake.wait_for(lock, timeout,
+                                   [&] { return !m_frames.empty() || m_closed || m_control->isCancelled(); });
+        if (m_control->isCancelled())
+            return failure(ErrorCode::Cancelled);
+        if (!m_frames.empty()) {
+            Frame frame = std::move(m_frames.front());
+            m_frames.pop_front();
+            return frame;
+        }
+        if (m_closed)
+            return tl::unexpected(*m_closed);
+        return failure(ErrorCode::Timeout);
+    }
+
+private:
+    Session &m_session;
+    std::shared_ptr<JobControl> m_control;
+    std::function<bool(const FrameView &)> m_filter;
+    std::deque<Frame> m_frames;
+    std::optional<Error> m_closed;
+    QMetaObject::Connection m_closedConnection;
+};
+
+std::unique_ptr<Mailbox> SessionChannel::listen(std::function<bool(const FrameView &)> filter)
+{
+    return std::make_unique<SessionMailbox>(m_session, m_control, std::move(filter));
+}
+
+Result<void> SessionChannel::setLine(const LineSettings &line)
+{
+    bool ok = false;
+    QMetaObject::invokeMethod(&m_session, [&] { ok = m_session.setLine(line); }, Qt::BlockingQueuedConnection);
+    if (!ok)
+        return failure(ErrorCode::Unsupported, QString::number(line.baud));
+    return {};
+}
+
+LinkObservation SessionChannel::observation() const
+{
+    LinkObservation observation;
+    QMetaObject::invokeMethod(&m_session, [&] { observation = m_session.observation(); },
+                              Qt::BlockingQueuedConnection);
+    return observation;
+}
+
+Result<void> SessionChannel::open(const LinkAddress &address, std::unique_ptr<Framer> framer)
+{
+    auto waiter = std::make_shared<Waiter<bool>>(m_control, m_control->m_mutex, m_control->m_wake);
+    auto owned = std::make_shared<std::unique_ptr<Framer>>(std::move(framer));
+    QMetaObject::invokeMethod(
+        &m_session,
+        [session = &m_session, address, owned, handle = completionHandle(waiter)] {
+            session->close({ErrorCode::Cancelled, {}});
+            // Whichever comes first ends the wait and both watchers.
+            auto *watch = new QObject(session);
+            QObject::connect(session, &Session::opened, watch, [watch, handle] {
+                handle->complete(true);
+                watch->deleteLater();
+            });
+            QObject::connect(session, &Session::closed, watch, [watch, handle](const Error &why) {
+                handle->complete(tl::unexpected(why));
+                watch->deleteLater();
+            });
+            session->open(address, std::move(*owned));
+        },
+        Qt::QueuedConnection);
+    std::unique_lock lock(m_control->m_mutex);
+    m_control->m_wake.wait(lock, [&] { return waiter->result || m_control->isCancelled(); });
+    if (m_control->isCancelled())
+        return failure(ErrorCode::Cancelled);
+    if (!*waiter->result)
+        return tl::unexpected(waiter->result->error());
+    return {};
+}

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/session/channel.h"
+#include "protocol/session/session.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+
+/// Shared between a job on the worker thread and whoever may want to stop it.
+class JobControl
+{
+public:
+    void cancel();
+    [[nodiscard]] bool isCancelled() const { return m_cancelled.load(std::memory_order_relaxed); }
+
+private:
+    friend class SessionChannel;
+    friend class SessionMailbox;
+    std::mutex m_mutex;
+    std::condition_variable m_wake;
+    std::atomic<bool> m_cancelled = false;
+};
+
+/// The production channel: code on the worker thread talks to a session on the I/O thread.
+class SessionChannel final : public Channel
+{
+public:
+    using ProgressSink = std::function<void(const Progress &)>;
+
+    /// The session must outlive the channel; the control is shared with the one who may cancel.
+    SessionChannel(Session &session, std::shared_ptr<JobControl> control, ProgressSink progress);
+
+    Result<Frame> transact(const Request &request) override;
+    void post(const Request &request) override;
+    Result<void> sleep(milliseconds duration) override;
+    std::unique_ptr<Mailbox> listen(std::function<bool(const FrameView &)> filter) override;
+    Result<void> setLine(const LineSettings &line) override;
+    [[nodiscard]] bool cancelled() const override { return m_control->isCancelled(); }
+    void progress(const Progress &progress) override { m_progress(progress); }
+    [[nodiscard]] TimePoint now() const override { return Clock::now(); }
+    [[nodiscard]] LinkObservation observation() const override;
+
+    /// Opens the link and waits until it is open. Errors: whatever the transport reports.
+    Result<void> open(const LinkAddress &address, std::unique_ptr<Framer> framer);
+
+private:
+    Session &m_session;
+    std::shared_ptr<JobControl> m_control;
+    ProgressSink m_progress;
+};

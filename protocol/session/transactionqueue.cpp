@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/session/transactionqueue.h"
+
+#include <algorithm>
+
+namespace {
+
+// A late answer is waited for this long at most before its kind may be asked again.
+constexpr auto kLateAnswerWindow = 500ms;
+
+} // namespace
+
+TransactionQueue::TransactionQueue(Write write)
+    : m_write(std::move(write))
+{
+}
+
+TransactionQueue::Id TransactionQueue::submit(Request request, Completion completion, TimePoint now, Lane lane)
+{
+    Pending pending;
+    pending.id = ++m_lastId;
+    pending.request = std::move(request);
+    pending.completion = std::move(completion);
+    pending.lane = lane;
+    const Id id = pending.id;
+    if (lane == Lane::Normal) {
+        m_waiting.push_back(std::move(pending));
+        startNext(now);
+        return id;
+    }
+    send(pending, now);
+    if (pending.request.answer)
+        m_inFlight.push_back(std::move(pending));
+    else
+        complete(std::move(pending), Frame());
+    return id;
+}
+
+void TransactionQueue::sendUnanswered(QByteArrayView bytes, TimePoint now)
+{
+    account(bytes.size(), now);
+    m_write(bytes);
+}
+
+void TransactionQueue::cancel(Id id)
+{
+    const auto isIt = [id](const Pending &pending) { return pending.id == id; };
+    if (const auto it = std::find_if(m_waiting.begin(), m_waiting.end(), isIt); it != m_waiting.end()) {
+        Pending pending = std::move(*it);
+        m_waiting.erase(it);
+        complete(std::move(pending), failure(ErrorCode::Cancelled));
+        return;
+    }
+    if (const auto it = std::find_if(m_inFlight.begin(), m_inFlight.end(), isIt); it != m_inFlight.end()) {
+        Pending pending = std::move(*it);
+        m_inFlight.erase(it);
+        leaveGhost(pending, pending.leftAt, pending.sends);
+        complete(std::move(pending), failure(ErrorCode::Cancelled));
+    }
+}
+
+void TransactionQueue::cancelAll(const Error &why)
+{
+    // Completions may submit anew; those requests belong to the next round.
+    auto waiting = std::exchange(m_waiting, {});
+    auto inFlight = std::exchange(m_inFlight, {});
+    m_ghosts.clear();
+    m_untaken = 0;
+    m_lineFreeAt = {};
+    m_pauseUntil = {};
+    for (Pending &pending : inFlight)
+        complete(std::move(pending), tl::unexpected(why));
+    for (Pending &pending : waiting)
+        complete(std::move(pending), tl::unexpected(why));
+}
+
+bool TransactionQueue::frameArrived(const FrameView &frame, TimePoint now)
+{
+    for (auto it = m_inFlight.begin(); it != m_inFlight.end(); ++it) {
+        auto answer = it->request.answer(frame);
+        if (!answer)
+            continue;
+        Pending pending = std::move(*it);
+        m_inFlight.erase(it);
+        m_roundTrip = std::max(Duration::zero(), now - pending.leftAt);
+        leaveGhost(pending, now, pending.sends - 1);
+        complete(std::move(pending), std::move(*answer));
+        startNext(now);
+        return true;
+    }
+    for (auto it = m_ghosts.begin(); it != m_ghosts.end(); ++it) {
+        if (!it->answer(frame))
+            continue;
+        m_ghosts.erase(it);
+        startNext(now);
+        return true;
+    }
+    return false;
+}
+
+void TransactionQueue::bytesTaken(qint64 count, TimePoint now)
+{
+    m_untaken = std::max<qint64>(0, m_untaken - count);
+    if (m_untaken > 0)
+        return;
+    // Only now has the last byte left our hands: the answer timers of everything in flight start here.
+    for (Pending &pending : m_inFlight) {
+        pending.leftAt = std::max(pending.leftAt, now);
+        pending.deadline = pending.leftAt + timeoutOf(pending.request);
+    }
+}
+
+void TransactionQueue::advance(TimePoint now)
+{
+    std::erase_if(m_ghosts, [now](const Ghost &ghost) { return ghost.until <= now; });
+    for (std::size_t i = 0; i < m_inFlight.size();) {
+        Pending &pending = m_inFlight[i];
+        if (m_untaken > 0)
+            pending.deadline = std::max(pending.deadline, now + timeoutOf(pending.request));
+        if (pending.deadline > now) {
+            ++i;
+            continue;
+        }
+        if (pending.request.idempotent && pending.sends <= pending.request.retries) {
+            send(pending, now);
+            ++i;
+            continue;
+        }
+        ++m_timeouts;
+        Pending late = std::move(pending);
+        m_inFlight.erase(m_inFlight.begin() + static_cast<std::ptrdiff_t>(i));
+        leaveGhost(late, now, late.sends);
+        const QString name = late.request.name;
+        complete(std::move(late), failure(ErrorCode::Timeout, name));
+        i = 0;  // the completion may have changed the list
+    }
+    startNext(now);
+}
+
+std::optional<TimePoint> TransactionQueue::nextDeadline(TimePoint now) const
+{
+    std::optional<TimePoint> next;
+    const auto consider = [&next](TimePoint time) { next = next ? std::min(*next, time) : time; };
+    for (const Pending &pending : m_inFlight)
+        consider(pending.deadline);
+    for (const Ghost &ghost : m_ghosts)
+        consider(ghost.until);
+    if (!m_waiting.empty() && !normalInFlight())
+        consider(std::max(now, m_pauseUntil));
+    return next;
+}
+
+bool TransactionQueue::isReady(TimePoint now) const
+{
+    return m_waiting.empty() && !normalInFlight() && m_pauseUntil <= now;
+}
+
+void TransactionQueue::send(Pending &pending, TimePoint now)
+{
+    ++pending.sends;
+    pending.leftAt = account(pending.request.bytes.size(), now);
+    pending.deadline = pending.leftAt + timeoutOf(pending.request);
+    m_untaken += pending.request.bytes.size();
+    m_write(pending.request.bytes);
+}
+
+// Notes when the line will have carried these bytes, and from when on the next command may follow.
+TimePoint TransactionQueue::account(qint64 bytes, TimePoint now)
+{
+    m_lineFreeAt = std::max(m_lineFreeAt, now) + durationFromSeconds(m_line ? m_line->secondsFor(bytes) : 0.0);
+    m_pauseUntil = m_lineFreeAt + m_pause;
+    return m_lineFreeAt;
+}
+
+void TransactionQueue::complete(Pending pending, Result<Frame> result)
+{
+    if (pending.completion)
+        pending.completion(std::move(result));
+}
+
+void TransactionQueue::leaveGhost(const Pending &pending, TimePoint now, int answers)
+{
+    if (!pending.request.answer)
+        return;
+    const TimePoint until = now + std::max<Duration>(kLateAnswerWindow, timeoutOf(pending.request));
+    for (int i = 0; i < answers; ++i)
+        m_ghosts.push_back({pending.request.answer, pending.request.kind, until});
+}
+
+bool TransactionQueue::isHeldByGhost(int kind) const
+{
+    return std::any_of(m_ghosts.begin(), m_ghosts.end(), [kind](const Ghost &ghost) { return ghost.kind == kind; });
+}
+
+bool TransactionQueue::normalInFlight() const
+{
+    return std::any_of(m_inFlight.begin(), m_inFlight.end(),
+                       [](const Pending &pending) { return pending.lane == Lane::Normal; });
+}
+
+Duration TransactionQueue::timeoutOf(const Request &request) const
+{
+    // Twice the reply's own time: a telemetry frame may be in front of it in the board's output buffer.
+    const double wire = m_line ? 2.0 * m_line->secondsFor(request.replyBytes) : 0.0;
+    return request.timeout + durationFromSeconds(wire);
+}
+
+void TransactionQueue::startNext(TimePoint now)
+{
+    while (!m_waiting.empty() && !normalInFlight() && m_pauseUntil <= now) {
+        if (isHeldByGhost(m_waiting.front().request.kind))
+            return;
+        Pending pending = std::move(m_waiting.front());
+        m_waiting.pop_front();
+        send(pending, now);
+        if (pending.request.answer) {
+            m_inFlight.push_back(std::move(pending));
+            return;
+        }
+        complete(std::move(pending), Frame());
+    }
+}

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/session/request.h"
+#include "protocol/transport/linkaddress.h"
+
+#include <deque>
+#include <vector>
+
+/// Requests, their answers and their timeouts. Pure bookkeeping: no event loop, no clock of its own; every call is told
+/// the time, so the session drives it with the real clock and tests with a virtual one.
+///
+/// Each request completes exactly once: reply, the board's refusal, timeout, cancelled or link closed. Normal requests go
+/// out one at a time with a pause between them; urgent ones go out at once, whatever is in flight. The answer timer starts
+/// when the last byte has left. After a timeout, requests of the same kind are held back until the late answer has come or
+/// can no longer come, so it is never taken for somebody else's.
+class TransactionQueue
+{
+public:
+    using Completion = std::function<void(Result<Frame>)>;
+    using Write = std::function<void(QByteArrayView)>;
+    using Id = quint64;
+    enum class Lane { Normal, Urgent };
+
+    explicit TransactionQueue(Write write);
+
+    Id submit(Request request, Completion completion, TimePoint now, Lane lane = Lane::Normal);
+    /// Sends bytes that nothing answers, at once (control stream, keep-alive).
+    void sendUnanswered(QByteArrayView bytes, TimePoint now);
+    void cancel(Id id);
+    void cancelAll(const Error &why);
+
+    /// True if the frame was the answer to something (also a late one).
+    bool frameArrived(const FrameView &frame, TimePoint now);
+    /// The system took so many bytes off the transport's hands.
+    void bytesTaken(qint64 count, TimePoint now);
+    /// Handles what is due: timeouts, retries, the next request.
+    void advance(TimePoint now);
+    /// When advance() must be called at the latest; empty: when something happens.
+    [[nodiscard]] std::optional<TimePoint> nextDeadline(TimePoint now) const;
+
+    /// Line settings decide how long bytes take to leave; empty for links without a line rate.
+    void setLine(std::optional<LineSettings> line) { m_line = line; }
+    /// Pause after each command (document "Message format": 10-20 ms so the board's input buffer never overflows).
+    void setPause(milliseconds pause) { m_pause = pause; }
+    [[nodiscard]] bool isIdle() const { return m_waiting.empty() && m_inFlight.empty(); }
+    /// True when a normal request submitted now would go out at once.
+    [[nodiscard]] bool isReady(TimePoint now) const;
+    /// Time between the last byte sent and the answer, of the latest answered request.
+    [[nodiscard]] std::optional<Duration> roundTrip() const { return m_roundTrip; }
+    [[nodiscard]] quint64 timeouts() const { return m_timeouts; }
+
+private:
+    struct Pending
+    {
+        Id id = 0;
+        Request request;
+        Completion completion;
+        Lane lane = Lane::Normal;
+        int sends = 0;
+        TimePoint leftAt{};     // when the last byte is (or will be) on the wire
+        TimePoint deadline{};
+    };
+    struct Ghost                // an answer that may still come to nobody
+    {
+        AnswerMatcher answer;
+        int kind = 0;
+        TimePoint until{};
+    };
+
+    void send(Pending &pending, TimePoint now);
+    TimePoint account(qint64 bytes, TimePoint now);
+    void complete(Pending pending, Result<Frame> result);
+    void leaveGhost(const Pending &pending, TimePoint now, int answers);
+    [[nodiscard]] bool isHeldByGhost(int kind) const;
+    [[nodiscard]] bool normalInFlight() const;
+    [[nodiscard]] Duration timeoutOf(const Request &request) const;
+    void startNext(TimePoint now);
+
+    Write m_write;
+    std::optional<LineSettings> m_line;
+    milliseconds m_pause = 10ms;
+    std::deque<Pending> m_waiting;
+    std::vector<Pending> m_inFlight;
+    std::vector<Ghost> m_ghosts;
+    Id m_lastId = 0;
+    TimePoint m_lineFreeAt{};
+    TimePoint m_pauseUntil{};
+    qint64 m_untaken = 0;
+    std::optional<Duration> m_roundTrip;
+    quint64 m_timeouts = 0;
+};

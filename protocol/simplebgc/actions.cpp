@@ -1,0 +1,673 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/simplebgc/actions.h"
+
+#include "protocol/simplebgc/choices.h"
+#include "protocol/simplebgc/telemetrytables.h"
+#include "protocol/simplebgc/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+using namespace sbgc;
+
+namespace {
+
+constexpr auto kCalibrationLimit = 20s;      // errata 7: gyro about 4 s, accelerometer a few seconds
+constexpr auto kSimpleFormWait = 8s;         // the simple form may never confirm its end
+constexpr auto kSettleAfterCalibration = 1500ms;
+constexpr auto kAutoPidSilence = 15s;        // progress comes every 0.5-1 s
+constexpr auto kAutoPidLimit = 10min;
+constexpr auto kSteerPeriod = 50ms;
+constexpr int kStillnessSamples = 25;
+
+constexpr Choice kImuChoices[] = {{0, "selected"}, {1, "main"}, {2, "frame"}};
+constexpr Choice kForms[] = {{0, "extended"}, {1, "simple"}};
+constexpr Choice kCalibrationActions[] = {
+    {1, "normal"}, {2, "reset-all"}, {3, "temperature"}, {4, "temperature-on"}, {5, "temperature-off"},
+    {6, "restore-factory"}, {7, "copy-to-sensor"}};
+constexpr Choice kSteerModes[] = {{Speed, "speed"}, {Angle, "angle"}, {SpeedAngle, "speed-angle"}, {Rc, "rc"},
+                                  {AngleRelFrame, "angle-frame"}};
+constexpr Choice kSounds[] = {{1, "calibrate"}, {2, "confirm"}, {4, "error"}, {16, "click"}, {32, "complete"},
+                              {64, "intro"}, {32768, "melody"}};
+constexpr Choice kDefaultsScope[] = {{0, "profile1"}, {1, "profile2"}, {2, "profile3"}, {3, "profile4"},
+                                     {4, "profile5"}, {253, "erase-eeprom"}};
+
+constexpr ArgumentSpec kMenuArguments[] = {
+    {.key = "command", .label = "Command", .kind = ArgumentKind::Choice, .choices = kMenuActions}};
+constexpr ArgumentSpec kProfileArguments[] = {
+    {.key = "profile", .label = "Profile", .kind = ArgumentKind::Integer, .min = 1, .max = 5}};
+constexpr ArgumentSpec kSteerArguments[] = {
+    {.key = "mode", .label = "Mode", .kind = ArgumentKind::Choice, .choices = kSteerModes, .defaultText = "angle"},
+    {.key = "roll", .label = "Roll", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°",
+     .defaultText = "nan"},
+    {.key = "pitch", .label = "Pitch", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°",
+     .defaultText = "nan"},
+    {.key = "yaw", .label = "Yaw", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°",
+     .defaultText = "nan"},
+    {.key = "speed", .label = "Speed", .kind = ArgumentKind::Real, .min = 0, .max = 1000, .unit = "°/s",
+     .defaultText = "30"},
+    {.key = "seconds", .label = "Duration", .kind = ArgumentKind::Real, .min = 0.1, .max = 600, .unit = "s",
+     .defaultText = "3"},
+    {.key = "release", .label = "Release control at the end", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
+constexpr ArgumentSpec kBeepArguments[] = {
+    {.key = "sound", .label = "Sound", .kind = ArgumentKind::Choice, .choices = kSounds, .defaultText = "confirm"},
+    {.key = "notes", .label = "Notes of a melody (Hz, comma between)", .kind = ArgumentKind::Text,
+     .defaultText = "988,1175,1568"},
+    {.key = "length", .label = "Length of a note", .kind = ArgumentKind::Integer, .min = 8, .max = 2040, .unit = "ms",
+     .defaultText = "120"},
+    {.key = "decay", .label = "Decay", .kind = ArgumentKind::Integer, .min = 0, .max = 15, .defaultText = "3"}};
+constexpr ArgumentSpec kReadVariables[] = {
+    {.key = "ids", .label = "Numbers (comma between)", .kind = ArgumentKind::Text,
+     .defaultText = "0,1,2,3,4,5,6,7,8,9,10,11"}};
+constexpr ArgumentSpec kWriteVariable[] = {
+    {.key = "id", .label = "Number", .kind = ArgumentKind::Integer, .min = 0, .max = 255},
+    {.key = "value", .label = "Value", .kind = ArgumentKind::Integer, .min = -2147483648.0, .max = 2147483647.0}};
+constexpr ArgumentSpec kCalibrationArguments[] = {
+    {.key = "imu", .label = "Sensor", .kind = ArgumentKind::Choice, .choices = kImuChoices, .defaultText = "selected"},
+    {.key = "action", .label = "Kind", .kind = ArgumentKind::Choice, .choices = kCalibrationActions,
+     .defaultText = "normal"},
+    {.key = "form", .label = "Form of the command", .kind = ArgumentKind::Choice, .choices = kForms,
+     .defaultText = "extended"}};
+constexpr ArgumentSpec kBatteryArguments[] = {
+    {.key = "voltage", .label = "Measured voltage", .kind = ArgumentKind::Real, .min = 3, .max = 60, .unit = "V"}};
+constexpr ArgumentSpec kAutoTuneArguments[] = {
+    {.key = "roll", .label = "Roll", .kind = ArgumentKind::Toggle, .defaultText = "on"},
+    {.key = "pitch", .label = "Pitch", .kind = ArgumentKind::Toggle, .defaultText = "on"},
+    {.key = "yaw", .label = "Yaw", .kind = ArgumentKind::Toggle, .defaultText = "on"},
+    {.key = "profile", .label = "Profile (0 = active)", .kind = ArgumentKind::Integer, .min = 0, .max = 5,
+     .defaultText = "0"},
+    {.key = "gain", .label = "Gain against stability", .kind = ArgumentKind::Integer, .min = 0, .max = 255,
+     .defaultText = "128"},
+    {.key = "keep", .label = "Start from current gains", .kind = ArgumentKind::Toggle, .defaultText = "off"},
+    {.key = "lpf", .label = "Tune the low-pass filter", .kind = ArgumentKind::Toggle, .defaultText = "off"},
+    {.key = "save", .label = "Save the result", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
+constexpr ArgumentSpec kResetArguments[] = {
+    {.key = "delay", .label = "Delay", .kind = ArgumentKind::Integer, .min = 0, .max = 10000, .unit = "ms",
+     .defaultText = "1000"}};
+constexpr ArgumentSpec kDefaultsArguments[] = {
+    {.key = "what", .label = "What", .kind = ArgumentKind::Choice, .choices = kDefaultsScope}};
+
+constexpr ActionSpec kActions[] = {
+    {.key = "angles", .label = "Read angles", .help = "Camera, target and motor angles.", .group = "Read"},
+    {.key = "debug.list", .label = "List debug variables", .help = "Names and types of the board's inner variables.",
+     .group = "Read"},
+    {.key = "debug.read", .label = "Read debug variables", .help = "Values of the board's inner variables.",
+     .group = "Read"},
+    {.key = "variables.read", .label = "Read adjustable variables", .help = "Live values in the board's memory.",
+     .group = "Read", .arguments = kReadVariables},
+    {.key = "beep", .label = "Make a sound", .help = "Standard sound or melody; helps to find the right board.",
+     .group = "Board", .arguments = kBeepArguments, .since = 2590},
+    {.key = "motors.on", .label = "Motors on", .help = "Starts stabilization.", .group = "Motion",
+     .risk = ActionRisk::Moves},
+    {.key = "motors.off", .label = "Motors off", .help = "Switches all motors off at once.", .group = "Motion"},
+    {.key = "menu", .label = "Menu command", .help = "Runs a command of the board's menu.", .group = "Motion",
+     .risk = ActionRisk::Moves, .arguments = kMenuArguments},
+    {.key = "steer", .label = "Steer", .help = "Moves the camera for a time, then gives control back.",
+     .group = "Motion", .risk = ActionRisk::Moves, .arguments = kSteerArguments, .isProcedure = true},
+    {.key = "profile.select", .label = "Use profile", .help = "Makes a profile the active one.", .group = "Profiles",
+     .risk = ActionRisk::Moves, .arguments = kProfileArguments},
+    {.key = "variables.write", .label = "Set adjustable variable",
+     .help = "Changes a value in volatile memory; lost at the next start unless saved.", .group = "Variables",
+     .risk = ActionRisk::Moves, .arguments = kWriteVariable},
+    {.key = "variables.save", .label = "Save variables", .help = "Stores the live values in the active profile.",
+     .group = "Variables", .risk = ActionRisk::Writes},
+    {.key = "calibrate.gyro", .label = "Calibrate gyroscope",
+     .help = "Measures the zero of the gyroscope. The camera must stand absolutely still.", .group = "Calibration",
+     .risk = ActionRisk::Writes, .arguments = kCalibrationArguments, .isProcedure = true},
+    {.key = "calibrate.acc", .label = "Calibrate accelerometer",
+     .help = "Measures the zero of the accelerometer in this position. The sensor must be level and still.",
+     .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kCalibrationArguments, .isProcedure = true},
+    {.key = "calibrate.battery", .label = "Calibrate voltage sensor",
+     .help = "Tells the board the true battery voltage.", .group = "Calibration", .risk = ActionRisk::Writes,
+     .arguments = kBatteryArguments, .capability = "battery"},
+    {.key = "calibrate.offset", .label = "Calibrate follow offset",
+     .help = "Takes the present position as the neutral point of following.", .group = "Calibration",
+     .risk = ActionRisk::Writes, .isProcedure = true},
+    {.key = "autotune", .label = "Auto-tune PID", .help = "The board searches gains by moving the camera.",
+     .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kAutoTuneArguments, .isProcedure = true},
+    {.key = "reset", .label = "Restart board", .help = "Restarts the controller; motors go off meanwhile.",
+     .group = "Board", .risk = ActionRisk::Moves, .arguments = kResetArguments},
+    {.key = "defaults", .label = "Factory defaults", .help = "Overwrites a profile, or everything, with defaults.",
+     .group = "Board", .risk = ActionRisk::Destroys, .arguments = kDefaultsArguments},
+};
+
+const QString kAxisNames[] = {u"roll"_s, u"pitch"_s, u"yaw"_s};
+
+Result<QList<int>> parseNumbers(const QString &text, int min, int max)
+{
+    QList<int> numbers;
+    for (const QString &part : text.split(u',', Qt::SkipEmptyParts)) {
+        bool ok = false;
+        const int value = part.trimmed().toInt(&ok);
+        if (!ok || value < min || value > max) {
+            return failure(ErrorCode::InvalidArgument,
+                           u"'%1' is not a whole number from %2 to %3"_s.arg(part).arg(min).arg(max));
+        }
+        numbers.append(value);
+    }
+    return numbers;
+}
+
+} // namespace
+
+const SbgcActions::Entry SbgcActions::kHandlers[] = {
+    {"angles", &SbgcActions::readAngles},
+    {"debug.list", &SbgcActions::listDebugVariables},
+    {"debug.read", &SbgcActions::readDebugVariables},
+    {"variables.read", &SbgcActions::readVariables},
+    {"beep", &SbgcActions::beep},
+    {"motors.on", &SbgcActions::motorsOn},
+    {"motors.off", &SbgcActions::motorsOff},
+    {"menu", &SbgcActions::menu},
+    {"steer", &SbgcActions::steer},
+    {"profile.select", &SbgcActions::selectProfile},
+    {"variables.write", &SbgcActions::writeVariable},
+    {"variables.save", &SbgcActions::saveVariables},
+    {"calibrate.gyro", &SbgcActions::calibrateGyro},
+    {"calibrate.acc", &SbgcActions::calibrateAcc},
+    {"calibrate.battery", &SbgcActions::calibrateBattery},
+    {"calibrate.offset", &SbgcActions::calibrateOffset},
+    {"autotune", &SbgcActions::autoTune},
+    {"reset", &SbgcActions::reset},
+    {"defaults", &SbgcActions::useDefaults},
+};
+
+std::vector<ActionSpec> SbgcActions::available(const BoardIdentity &identity)
+{
+    std::vector<ActionSpec> list;
+    for (const ActionSpec &action : kActions) {
+        if (identity.firmwareNumber < action.since)
+            continue;
+        if (*action.capability && !identity.capabilities.contains(QLatin1String(action.capability)))
+            continue;
+        list.push_back(action);
+    }
+    return list;
+}
+
+Result<ActionReply> SbgcActions::perform(const QString &key, const QVariantMap &arguments)
+{
+    for (const Entry &entry : kHandlers) {
+        if (key == QLatin1String(entry.key))
+            return (this->*entry.handler)(arguments);
+    }
+    return failure(ErrorCode::Unsupported, key);
+}
+
+Result<ActionReply> SbgcActions::confirm(CommandId id, const QByteArray &payload)
+{
+    const auto reply = m_channel.transact(confirmRequest(id, payload, SbgcDevice::kVersion));
+    if (!reply)
+        return tl::unexpected(reply.error());
+    return ActionReply{};
+}
+
+Result<ActionReply> SbgcActions::readAngles(const QVariantMap &)
+{
+    const auto plain = m_channel.transact(
+        replyRequest(CommandId::GetAngles, {}, CommandId::GetAngles, 18, SbgcDevice::kVersion));
+    if (!plain)
+        return tl::unexpected(plain.error());
+    const auto angles = decodeAngles(asBytes(plain->payload));
+    if (!angles)
+        return tl::unexpected(angles.error());
+    ActionReply reply;
+    for (std::size_t axis = 0; axis < angles->size(); ++axis) {
+        reply.insert(u"imu."_s + kAxisNames[axis], (*angles)[axis].imu);
+        reply.insert(u"target."_s + kAxisNames[axis], (*angles)[axis].target);
+        reply.insert(u"speed."_s + kAxisNames[axis], (*angles)[axis].targetSpeed);
+    }
+    // The motor angles come with a later command (document revision 0.6); boards without it are read all the same.
+    Request request = replyRequest(CommandId::GetAnglesExt, {}, CommandId::GetAnglesExt, 54, SbgcDevice::kVersion);
+    request.retries = 1;
+    if (const auto extended = m_channel.transact(request)) {
+        if (const auto more = decodeAnglesExt(asBytes(extended->payload))) {
+            for (std::size_t axis = 0; axis < more->size(); ++axis)
+                reply.insert(u"motor."_s + kAxisNames[axis], (*more)[axis].rotor);
+        }
+    }
+    return reply;
+}
+
+Result<std::vector<DebugVar>> SbgcActions::debugVariables()
+{
+    std::vector<DebugVar> vars;
+    for (;;) {
+        // From 2.72b0 a long list comes in parts, asked for by start index (errata 3.17).
+        const QByteArray payload = vars.empty() ? QByteArray() : ByteWriter().u8(int(vars.size())).take();
+        const auto reply = m_channel.transact(replyRequest(CommandId::DebugVarsInfo3, payload,
+                                                           CommandId::DebugVarsInfo3, 255, SbgcDevice::kVersion));
+        if (!reply)
+            return tl::unexpected(reply.error());
+        const auto part = decodeDebugVarsInfo(asBytes(reply->payload));
+        if (!part)
+            return tl::unexpected(part.error());
+        vars.insert(vars.end(), part->vars.begin(), part->vars.end());
+        const bool isLater = m_device.identity().firmwareNumber >= 2720;
+        if (int(vars.size()) >= part->total || part->vars.empty() || !isLater)
+            return vars;
+    }
+}
+
+Result<ActionReply> SbgcActions::listDebugVariables(const QVariantMap &)
+{
+    const auto vars = debugVariables();
+    if (!vars)
+        return tl::unexpected(vars.error());
+    constexpr std::array<const char *, 8> types{"?", "u8", "i8", "u16", "i16", "u32", "i32", "f32"};
+    ActionReply reply;
+    for (const DebugVar &var : *vars) {
+        QString type = QLatin1String(types[std::size_t(var.type) < types.size() ? std::size_t(var.type) : 0]);
+        if (var.count > 1)
+            type += u"[%1]"_s.arg(var.count);
+        reply.insert(var.name, type);
+    }
+    return reply;
+}
+
+Result<ActionReply> SbgcActions::readDebugVariables(const QVariantMap &)
+{
+    const auto vars = debugVariables();
+    if (!vars)
+        return tl::unexpected(vars.error());
+    const auto frame = m_channel.transact(
+        replyRequest(CommandId::DebugVars3, {}, CommandId::DebugVars3, 255, SbgcDevice::kVersion));
+    if (!frame)
+        return tl::unexpected(frame.error());
+    const auto values = decodeDebugVars(*vars, asBytes(frame->payload));
+    if (!values)
+        return tl::unexpected(values.error());
+    ActionReply reply;
+    for (std::size_t i = 0; i < vars->size(); ++i) {
+        QVariantList elements;
+        for (const double value : (*values)[i])
+            elements.append(value);
+        reply.insert((*vars)[i].name, elements.size() == 1 ? elements.first() : QVariant(elements));
+    }
+    return reply;
+}
+
+Result<ActionReply> SbgcActions::motorsOn(const QVariantMap &)
+{
+    return confirm(CommandId::MotorsOn);
+}
+
+Result<ActionReply> SbgcActions::motorsOff(const QVariantMap &)
+{
+    const auto reply = m_channel.transact(m_device.motorsOffRequest());
+    if (!reply)
+        return tl::unexpected(reply.error());
+    return ActionReply{};
+}
+
+Result<ActionReply> SbgcActions::menu(const QVariantMap &arguments)
+{
+    return confirm(CommandId::ExecuteMenu, ByteWriter().u8(arguments.value(u"command"_s).toInt()).take());
+}
+
+Result<ActionReply> SbgcActions::selectProfile(const QVariantMap &arguments)
+{
+    const auto done = m_device.selectProfile(m_channel, arguments.value(u"profile"_s).toInt() - 1);
+    if (!done)
+        return tl::unexpected(done.error());
+    return ActionReply{};
+}
+
+Result<ActionReply> SbgcActions::steer(const QVariantMap &arguments)
+{
+    const int mode = arguments.value(u"mode"_s).toInt();
+    const double speed = arguments.value(u"speed"_s).toDouble();
+    ControlSetpoint setpoint{};
+    bool any = false;
+    for (std::size_t axis = 0; axis < setpoint.size(); ++axis) {
+        const QVariant wanted = arguments.value(kAxisNames[axis]);
+        if (!wanted.isValid() || std::isnan(wanted.toDouble()))
+            continue;
+        any = true;
+        // In speed mode the axis value is the speed itself.
+        const double value = wanted.toDouble();
+        setpoint[axis] = mode == Speed ? AxisSetpoint{mode, value, 0.0} : AxisSetpoint{mode, speed, value};
+    }
+    if (!any)
+        return failure(ErrorCode::InvalidArgument, u"steer needs roll=, pitch= or yaw="_s);
+
+    const ControlFrames frames = m_device.controlFrames(setpoint);
+    const auto unanswered = [](const QByteArray &bytes) {
+        Request request;
+        request.name = u"CONTROL"_s;
+        request.bytes = bytes;
+        return request;
+    };
+    const auto seconds = arguments.value(u"seconds"_s).toDouble();
+    const TimePoint end = m_channel.now() + durationFromSeconds(seconds);
+    Progress progress;
+    progress.step = u"steer"_s;
+    progress.total = 100;
+    Result<void> slept;
+    while (m_channel.now() < end && slept) {
+        m_channel.post(unanswered(frames.setpoint));
+        progress.done = int(100.0 * (1.0 - std::chrono::duration<double>(end - m_channel.now()).count() / seconds));
+        m_channel.progress(progress);
+        slept = m_channel.sleep(kSteerPeriod);
+    }
+    if (mode == Speed || !slept)
+        m_channel.post(unanswered(frames.stop));
+    if (arguments.value(u"release"_s).toBool())
+        m_channel.post(unanswered(frames.release));
+    if (!slept)
+        return tl::unexpected(slept.error());
+    return readAngles({});
+}
+
+Result<ActionReply> SbgcActions::beep(const QVariantMap &arguments)
+{
+    constexpr int kMelody = 32768;
+    constexpr int kMostNotes = 30;
+    const int sound = arguments.value(u"sound"_s).toInt();
+    QList<int> notes;
+    if (sound == kMelody) {
+        const auto parsed = parseNumbers(arguments.value(u"notes"_s).toString(), 554, 21000);
+        if (!parsed)
+            return tl::unexpected(parsed.error());
+        if (parsed->size() > kMostNotes)
+            return failure(ErrorCode::InvalidArgument, u"a melody has at most %1 notes"_s.arg(kMostNotes));
+        notes = *parsed;
+    }
+    const int length = std::max(1, arguments.value(u"length"_s).toInt() / 8);
+    const auto sent = m_channel.transact(silentRequest(
+        CommandId::BeepSound, encodeBeep(sound, length, arguments.value(u"decay"_s).toInt(), notes),
+        SbgcDevice::kVersion));
+    if (!sent)
+        return tl::unexpected(sent.error());
+    return ActionReply{};
+}
+
+Result<ActionReply> SbgcActions::readVariables(const QVariantMap &arguments)
+{
+    const auto ids = parseNumbers(arguments.value(u"ids"_s).toString(), 0, 255);
+    if (!ids)
+        return tl::unexpected(ids.error());
+    const auto values = m_device.readAdjustables(m_channel, *ids);
+    if (!values)
+        return tl::unexpected(values.error());
+    ActionReply reply;
+    for (const AdjustableValue &value : *values)
+        reply.insert(QString::number(value.id), value.value);
+    return reply;
+}
+
+Result<ActionReply> SbgcActions::writeVariable(const QVariantMap &arguments)
+{
+    const auto done = m_device.writeAdjustables(
+        m_channel, {{arguments.value(u"id"_s).toInt(), arguments.value(u"value"_s).toDouble()}});
+    if (!done)
+        return tl::unexpected(done.error());
+    return ActionReply{};
+}
+
+Result<ActionReply> SbgcActions::saveVariables(const QVariantMap &)
+{
+    Request request = confirmRequest(CommandId::SaveParams3, {}, SbgcDevice::kVersion);
+    request.timeout = 1500ms;
+    const auto reply = m_channel.transact(request);
+    if (!reply)
+        return tl::unexpected(reply.error());
+    return ActionReply{};
+}
+
+Result<ActionReply> SbgcActions::calibrateGyro(const QVariantMap &arguments)
+{
+    return calibrate(CommandId::CalibGyro, arguments);
+}
+
+Result<ActionReply> SbgcActions::calibrateAcc(const QVariantMap &arguments)
+{
+    return calibrate(CommandId::CalibAcc, arguments);
+}
+
+Result<ActionReply> SbgcActions::calibrate(CommandId id, const QVariantMap &arguments)
+{
+    const bool simple = arguments.value(u"form"_s).toInt() == 1;
+    const QByteArray payload = simple ? QByteArray()
+                                      : encodeCalibration(arguments.value(u"imu"_s).toInt(),
+                                                          arguments.value(u"action"_s, 1).toInt());
+    Progress progress;
+    progress.step = u"calibrate"_s;
+    progress.subject = commandName(number(id));
+    progress.total = 100;
+    m_channel.progress(progress);
+    const auto before = measureStillness();
+    if (!before)
+        return tl::unexpected(before.error());
+
+    // Both confirmations are kept from before the command goes out (errata 7: at reception and at the end).
+    const auto confirmations = m_channel.listen([id](const FrameView &frame) { return isConfirmOf(frame, id); });
+    const auto accepted = m_channel.transact(confirmRequest(id, payload, SbgcDevice::kVersion));
+    if (!accepted && !(simple && accepted.error().code == ErrorCode::Timeout))
+        return tl::unexpected(accepted.error());
+
+    const TimePoint started = m_channel.now();
+    const auto limit = simple ? kSimpleFormWait : kCalibrationLimit;
+    bool finished = false;
+    while (!finished && m_channel.now() - started < limit) {
+        const auto end = confirmations->next(200ms);
+        if (end) {
+            finished = true;
+        } else if (end.error().code != ErrorCode::Timeout) {
+            return tl::unexpected(end.error());
+        }
+        // The usual length is about four seconds; the bar never claims more than it knows.
+        progress.done = std::min(95, int(seconds(m_channel.now() - started) / 4.5 * 90.0));
+        m_channel.progress(progress);
+    }
+    if (!finished && !simple)
+        return failure(ErrorCode::Timeout, u"%1: the end was not confirmed"_s.arg(commandName(number(id))));
+
+    // The board takes hold of the camera again; what counts is how it stands afterwards.
+    if (const auto slept = m_channel.sleep(kSettleAfterCalibration); !slept)
+        return tl::unexpected(slept.error());
+    const auto after = measureStillness();
+    if (!after)
+        return tl::unexpected(after.error());
+    ActionReply reply;
+    reply.insert(u"confirmed"_s, finished);
+    reply.insert(u"gyro.bias.before"_s, before->gyroBias);
+    reply.insert(u"gyro.bias.after"_s, after->gyroBias);
+    reply.insert(u"gyro.noise"_s, after->gyroNoise);
+    reply.insert(u"acc.error.before"_s, before->accError);
+    reply.insert(u"acc.error.after"_s, after->accError);
+    return reply;
+}
+
+Result<SbgcActions::Stillness> SbgcActions::measureStillness()
+{
+    // Mean and spread of the calibrated sensors: what calibration is there to improve.
+    std::array<double, 3> sum{};
+    std::array<double, 3> squares{};
+    double gravity = 0;
+    for (int sample = 0; sample < kStillnessSamples; ++sample) {
+        const auto frame = m_channel.transact(
+            replyRequest(CommandId::RealtimeData3, {}, CommandId::RealtimeData3, kRealtime3Size, SbgcDevice::kVersion));
+        if (!frame)
+            return tl::unexpected(frame.error());
+        std::array<double, 3> acc{};
+        for (const WireField &field : realtimeFields()) {
+            const double value = double(readField(field, asBytes(frame->payload)));
+            if (field.channel >= GyroRoll && field.channel <= GyroYaw) {
+                const auto axis = std::size_t(field.channel - GyroRoll);
+                sum[axis] += value;
+                squares[axis] += value * value;
+            } else if (field.channel >= AccX && field.channel <= AccZ) {
+                acc[std::size_t(field.channel - AccX)] = value;
+            }
+        }
+        gravity += std::hypot(acc[0], acc[1], acc[2] - 1.0);
+    }
+    Stillness stillness;
+    double variance = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double mean = sum[axis] / kStillnessSamples;
+        stillness.gyroBias = std::max(stillness.gyroBias, std::abs(mean));
+        variance = std::max(variance, squares[axis] / kStillnessSamples - mean * mean);
+    }
+    stillness.gyroNoise = std::sqrt(std::max(variance, 0.0));
+    stillness.accError = gravity / kStillnessSamples;
+    return stillness;
+}
+
+Result<ActionReply> SbgcActions::calibrateBattery(const QVariantMap &arguments)
+{
+    const int centivolts = int(std::lround(arguments.value(u"voltage"_s).toDouble() * 100.0));
+    return confirm(CommandId::CalibBat, ByteWriter().u16(centivolts).take());
+}
+
+Result<ActionReply> SbgcActions::calibrateOffset(const QVariantMap &)
+{
+    Request request = confirmRequest(CommandId::CalibOffset, {}, SbgcDevice::kVersion);
+    request.timeout = 5000ms;
+    const auto reply = m_channel.transact(request);
+    if (!reply)
+        return tl::unexpected(reply.error());
+    return ActionReply{};
+}
+
+Result<ActionReply> SbgcActions::autoTune(const QVariantMap &arguments)
+{
+    int flags = AutoPidReport;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (arguments.value(kAxisNames[axis]).toBool())
+            flags |= 1 << axis;
+    }
+    if (!(flags & 7))
+        return failure(ErrorCode::InvalidArgument, u"no axis to tune"_s);
+    if (arguments.value(u"keep"_s).toBool())
+        flags |= AutoPidKeepCurrent;
+    if (arguments.value(u"lpf"_s).toBool())
+        flags |= AutoPidTuneLpf;
+    int profile = arguments.value(u"profile"_s).toInt() - 1;
+    if (profile < 0) {
+        const auto active = m_device.activeProfile(m_channel);
+        if (!active)
+            return tl::unexpected(active.error());
+        profile = *active;
+    }
+    const auto payload = [profile, &arguments](int configFlags) {
+        return ByteWriter().u8(profile).u8(configFlags).u8(arguments.value(u"gain"_s).toInt()).zeros(16).take();
+    };
+    const auto reports = m_channel.listen([](const FrameView &frame) {
+        return frame.id == number(CommandId::AutoPid) || isConfirmOf(frame, CommandId::AutoPid);
+    });
+    const auto accepted = m_channel.transact(confirmRequest(CommandId::AutoPid, payload(flags), SbgcDevice::kVersion));
+    if (!accepted)
+        return tl::unexpected(accepted.error());
+
+    AutoPidProgress last;
+    Progress progress;
+    progress.step = u"autotune"_s;
+    const TimePoint started = m_channel.now();
+    for (;;) {
+        const auto report = reports->next(kAutoPidSilence);
+        if (!report || m_channel.now() - started > kAutoPidLimit) {
+            // Whatever ends the wait, the board must not go on shaking the camera.
+            m_channel.post(confirmRequest(CommandId::AutoPid, payload(0), SbgcDevice::kVersion));
+            return tl::unexpected(report ? Error{ErrorCode::Timeout, u"AUTO_PID"_s, 0} : report.error());
+        }
+        if (report->id != number(CommandId::AutoPid))
+            break;
+        const auto decoded = AutoPidProgress::decode(asBytes(report->payload));
+        if (!decoded)
+            continue;
+        last = *decoded;
+        progress.done = last.iteration;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            progress.values[u"p."_s + kAxisNames[axis]] = last.p[axis];
+            progress.values[u"i."_s + kAxisNames[axis]] = last.i[axis] * 0.01;
+            progress.values[u"d."_s + kAxisNames[axis]] = last.d[axis];
+            progress.values[u"lpf."_s + kAxisNames[axis]] = last.lpf[axis];
+            progress.values[u"error."_s + kAxisNames[axis]] = double(last.trackingError[axis]);
+        }
+        m_channel.progress(progress);
+    }
+    if (arguments.value(u"save"_s).toBool()) {
+        const auto saved = saveVariables({});
+        if (!saved)
+            return saved;
+    }
+    ActionReply reply;
+    for (auto it = progress.values.begin(); it != progress.values.end(); ++it)
+        reply.insert(it.key(), it.value());
+    reply.insert(u"iterations"_s, last.iteration);
+    reply.insert(u"profile"_s, profile + 1);
+    return reply;
+}
+
+Result<ActionReply> SbgcActions::reset(const QVariantMap &arguments)
+{
+    Request request = replyRequest(CommandId::Reset, ByteWriter().u8(1).u16(arguments.value(u"delay"_s).toInt()).take(),
+                                   CommandId::Reset, 0, SbgcDevice::kVersion);
+    request.idempotent = false;
+    const auto notice = m_channel.transact(request);
+    if (!notice)
+        return tl::unexpected(notice.error());
+    return ActionReply{};
+}
+
+Result<ActionReply> SbgcActions::useDefaults(const QVariantMap &arguments)
+{
+    Request request = confirmRequest(CommandId::UseDefaults, ByteWriter().u8(arguments.value(u"what"_s).toInt()).take(),
+                                     SbgcDevice::kVersion);
+    request.timeout = 3000ms;
+    const auto reply = m_channel.transact(request);
+    if (!reply)
+        return tl::unexpected(reply.error());
+    return ActionReply{};
+}
+
+std::vector<BoardFault> faultsOf(unsigned bits, unsigned detail)
+{
+    struct Row { const char *key, *name, *meaning, *cure; bool severe; };
+    // SYSTEM_ERROR bits (document REALTIME_DATA_3).
+    static constexpr Row rows[] = {
+        {"no-sensor", "No IMU", "The board does not see its motion sensor, so it cannot stabilize.",
+         "Check the sensor cable and its connectors, then restart the board.", true},
+        {"calib-acc", "Accelerometer not calibrated", "The horizon will be tilted.",
+         "Run the accelerometer calibration.", false},
+        {"set-power", "Motor power is not set", "The motors have no power and the camera hangs free.",
+         "Set the power of each motor on the Parameters page.", true},
+        {"calib-poles", "Poles are not calibrated", "The motors may turn the wrong way.",
+         "Set poles and direction of each motor.", true},
+        {"protection", "Protection is active", "The motor drivers switched off to save themselves.",
+         "Let the motors cool, then lower the power.", true},
+        {"serial", "Serial error", "The board received damaged commands.", "Check the cable and its ground.", false},
+        {"low-battery", "Battery is low", "The alarm threshold is reached.", "Change the battery soon.", false},
+        {"battery-empty", "Battery is empty", "The board switched the motors off.", "Change the battery.", true},
+        {"tool-version", "Firmware and tool differ", "The board expects another version of its configuration tool.",
+         "Check the values before writing any.", false},
+        {"missed-steps", "Motor lost steps", "A motor could not hold the camera.",
+         "Balance the camera, or raise the power of that motor.", true},
+        {"system", "System error", "The firmware found a fault in itself.", "Restart the board.", true},
+        {"emergency-stop", "Emergency stop", "The board switched the motors off.",
+         "Remove the cause, then restart the board.", true},
+    };
+    // SYSTEM_SUB_ERROR (errata 4.5).
+    static constexpr const char *causes[] = {
+        "", "I2C errors", "driver too hot", "driver fault", "encoder and IMU disagree", "calibration failed",
+        "internal fault", "encoder scale", "too hot", "motor poles or inversion", "memory", "IMU lost", "CAN hardware",
+        "motor too hot", "motor blocked", "bad IMU", "endless restarts", "wrong start position", "overload too long"};
+    std::vector<BoardFault> faults;
+    for (std::size_t bit = 0; bit < std::size(rows); ++bit) {
+        if (!(bits & (1U << bit)))
+            continue;
+        const Row &row = rows[bit];
+        BoardFault fault{QLatin1String(row.key), QLatin1String(row.name), QLatin1String(row.meaning),
+                         QLatin1String(row.cure), row.severe};
+        if (bit == 11 && detail > 0) {
+            fault.name += detail < std::size(causes) ? u": "_s + QLatin1String(causes[detail])
+                                                     : u" (cause %1)"_s.arg(detail);
+        }
+        faults.push_back(fault);
+    }
+    return faults;
+}

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/simplebgc/sbgcdevice.h"
+
+/// The actions of the family: everything of the serial API that is neither a parameter nor telemetry, as table and code.
+class SbgcActions
+{
+public:
+    SbgcActions(SbgcDevice &device, Channel &channel) : m_device(device), m_channel(channel) { }
+
+    /// The actions that this board has.
+    [[nodiscard]] static std::vector<ActionSpec> available(const BoardIdentity &identity);
+
+    Result<ActionReply> perform(const QString &key, const QVariantMap &arguments);
+
+private:
+    using Handler = Result<ActionReply> (SbgcActions::*)(const QVariantMap &);
+    struct Entry
+    {
+        const char *key;
+        Handler handler;
+    };
+    static const Entry kHandlers[];
+
+    Result<ActionReply> confirm(sbgc::CommandId id, const QByteArray &payload = {});
+
+    Result<ActionReply> readAngles(const QVariantMap &arguments);
+    Result<ActionReply> listDebugVariables(const QVariantMap &arguments);
+    Result<ActionReply> readDebugVariables(const QVariantMap &arguments);
+    Result<ActionReply> motorsOn(const QVariantMap &arguments);
+    Result<ActionReply> motorsOff(const QVariantMap &arguments);
+    Result<ActionReply> menu(const QVariantMap &arguments);
+    Result<ActionReply> selectProfile(const QVariantMap &arguments);
+    Result<ActionReply> steer(const QVariantMap &arguments);
+    Result<ActionReply> beep(const QVariantMap &arguments);
+    Result<ActionReply> readVariables(const QVariantMap &arguments);
+    Result<ActionReply> writeVariable(const QVariantMap &arguments);
+    Result<ActionReply> saveVariables(const QVariantMap &arguments);
+    Result<ActionReply> calibrateGyro(const QVariantMap &arguments);
+    Result<ActionReply> calibrateAcc(const QVariantMap &arguments);
+    Result<ActionReply> calibrateBattery(const QVariantMap &arguments);
+    Result<ActionReply> calibrateOffset(const QVariantMap &arguments);
+    Result<ActionReply> autoTune(const QVariantMap &arguments);
+    Result<ActionReply> reset(const QVariantMap &arguments);
+    Result<ActionReply> useDefaults(const QVariantMap &arguments);
+
+    Result<ActionReply> calibrate(sbgc::CommandId id, const QVariantMap &arguments);
+    Result<std::vector<sbgc::DebugVar>> debugVariables();
+    struct Stillness { double gyroBias = 0; double gyroNoise = 0; double accError = 0; };
+    Result<Stillness> measureStillness();
+
+    SbgcDevice &m_device;
+    Channel &m_channel;
+};
+
+/// Faults behind SYSTEM_ERROR and SYSTEM_SUB_ERROR, with their causes and cures.
+[[nodiscard]] std::vector<BoardFault> faultsOf(unsigned bits, unsigned detail);

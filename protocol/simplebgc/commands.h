@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/session/request.h"
+
+namespace sbgc {
+
+/// Command numbers (document "Command ID definitions", errata 2). Incoming and outgoing share numbers: 67 is CONTROL
+/// towards the board and CONFIRM from it.
+enum class CommandId : std::uint8_t {
+    BoardInfo3 = 20,
+    ReadParams3 = 21,
+    WriteParams3 = 22,
+    RealtimeData3 = 23,
+    SelectImu3 = 24,
+    RealtimeData4 = 25,
+    ReadProfileNames = 28,
+    WriteProfileNames = 29,
+    GetParams3 = 30,
+    SetAdjVarsVal = 31,
+    SaveParams3 = 32,
+    ReadParamsExt = 33,
+    WriteParamsExt = 34,
+    AutoPid = 35,
+    AhrsHelper = 56,
+    GetAnglesExt = 61,
+    ReadParamsExt2 = 62,
+    WriteParamsExt2 = 63,
+    GetAdjVarsVal = 64,
+    CalibAcc = 65,
+    CalibBat = 66,
+    Control = 67,
+    Confirm = 67,
+    RealtimeData = 68,
+    ExecuteMenu = 69,
+    UseDefaults = 70,
+    GetAngles = 73,
+    MotorsOn = 77,
+    CalibOffset = 79,
+    ReadParams = 82,
+    DataStreamInterval = 85,
+    BoardInfo = 86,
+    WriteParams = 87,
+    RealtimeDataCustom = 88,
+    BeepSound = 89,
+    CalibGyro = 103,
+    MotorsOff = 109,
+    Reset = 114,
+    WriteParamsSet = 119,
+    DebugVarsInfo3 = 253,
+    DebugVars3 = 254,
+    Error = 255,
+};
+
+constexpr int number(CommandId id)
+{
+    return static_cast<int>(id);
+}
+
+/// The document's name of a command without "CMD_", or "CMD_n".
+[[nodiscard]] QString commandName(int id);
+
+/// A complete frame of version 1 ('>', sum checksums) or 2 ('$', CRC16; firmware 2.68b0 and later). Errata 1.1, 1.2.
+/// The payload must not exceed 255 bytes.
+[[nodiscard]] QByteArray encodeFrame(int id, QByteArrayView payload, int version = 1);
+
+/// A request that is answered by a frame of that number. Refusals (ERROR for this command) become BoardError.
+[[nodiscard]] Request replyRequest(CommandId id, const QByteArray &payload, CommandId reply, int replyPayload,
+                                   int version);
+/// The same where the reply must also satisfy a condition (which profile, which variables).
+[[nodiscard]] Request replyRequest(CommandId id, const QByteArray &payload, CommandId reply, int replyPayload,
+                                   int version, std::function<bool(Bytes)> accept);
+/// A request that is answered by CONFIRM with its own number.
+[[nodiscard]] Request confirmRequest(CommandId id, const QByteArray &payload, int version);
+/// A request that nothing answers.
+[[nodiscard]] Request silentRequest(CommandId id, const QByteArray &payload, int version);
+
+/// True for a CONFIRM of this command.
+[[nodiscard]] bool isConfirmOf(const FrameView &frame, CommandId id);
+
+/// What an ERROR code means, in the document's words (errata 3.18): "wrong payload size".
+[[nodiscard]] QString errorCodeText(int code);
+
+} // namespace sbgc

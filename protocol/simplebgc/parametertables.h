@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/device/parameterspec.h"
+
+namespace sbgc {
+
+/// The blocks of a SimpleBGC configuration and the commands that carry them.
+enum Block : std::uint8_t { Params3, ParamsExt, ParamsExt2, BlockCount };
+
+inline constexpr int kParams3Size = 134;
+inline constexpr int kParamsExtSize = 104;
+inline constexpr int kParamsExt2Size = 151;
+
+inline constexpr BlockSpec kBlocks[] = {
+    {Params3, "PARAMS_3", kParams3Size},
+    {ParamsExt, "PARAMS_EXT", kParamsExtSize},
+    {ParamsExt2, "PARAMS_EXT2", kParamsExt2Size},
+};
+
+/// Every field of PARAMS_3, PARAMS_EXT and PARAMS_EXT2 (document "Variables description and range", errata 3.3-3.6).
+/// Labels, groups, help texts and choice names are translated in the context "Tables".
+[[nodiscard]] std::span<const ParameterRow> parameterRows();
+
+/// Menu actions (errata 4.1), for EXECUTE_MENU, buttons, RC commands and start-up actions.
+[[nodiscard]] std::span<const Choice> menuActions();
+
+/// Signal sources (errata 4.3) as choices.
+[[nodiscard]] std::span<const Choice> signalSources();
+
+// The rows block by block, in their own files.
+[[nodiscard]] std::span<const ParameterRow> params3Rows();
+[[nodiscard]] std::span<const ParameterRow> paramsExtRows();
+[[nodiscard]] std::span<const ParameterRow> paramsExt2Rows();
+
+} // namespace sbgc

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/device/device.h"
+#include "protocol/simplebgc/payloads.h"
+
+/// SimpleBGC 32-bit over the serial API 2.5x; later firmware where the errata describes it.
+class SbgcDevice final : public Device
+{
+public:
+    /// Firmware numbers this program has tables for; others open read-only.
+    static constexpr int kOldestFirmware = 2400;
+    static constexpr int kNewestFirmware = 2749;
+
+    SbgcDevice();
+    ~SbgcDevice() override;
+
+    [[nodiscard]] std::unique_ptr<Framer> makeFramer() const override;
+    [[nodiscard]] QList<LineSettings> lineCandidates() const override;
+    Result<bool> probe(Channel &channel) override;
+    Result<BoardIdentity> identify(Channel &channel) override;
+    [[nodiscard]] const BoardIdentity &identity() const override { return m_identity; }
+    [[nodiscard]] std::shared_ptr<const ParameterSet> parameters() const override { return m_parameters; }
+
+    Result<Configuration> readConfiguration(Channel &channel) override;
+    Result<QByteArray> readBlock(Channel &channel, BlockKey key) override;
+    Result<void> writeBlock(Channel &channel, BlockKey key, const QByteArray &bytes) override;
+    Result<void> beginWrite(Channel &channel) override;
+    Result<void> endWrite(Channel &channel) override;
+    Result<void> selectProfile(Channel &channel, int profile) override;
+    Result<int> activeProfile(Channel &channel) override;
+    Result<QStringList> readProfileNames(Channel &channel) override;
+    Result<void> writeProfileNames(Channel &channel, const QStringList &names) override;
+    [[nodiscard]] int profileNameBytes() const override { return sbgc::kProfileNameSize; }
+
+    Result<std::vector<AdjustableValue>> readAdjustables(Channel &channel, const QList<int> &ids) override;
+    Result<void> writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) override;
+
+    [[nodiscard]] std::span<const ActionSpec> actions() const override;
+    Result<ActionReply> perform(Channel &channel, const QString &key, const QVariantMap &arguments) override;
+
+    [[nodiscard]] ChannelTable channels() const override;
+    [[nodiscard]] ChannelRoles roles() const override;
+    [[nodiscard]] QList<int> fastChannels() const override;
+    Result<TelemetryPlan> startTelemetry(Channel &channel, const TelemetryWish &wish,
+                                         std::optional<LineSettings> line) override;
+    void stopTelemetry(Channel &channel) override;
+    [[nodiscard]] std::vector<BoardFault> faults(unsigned bits, unsigned detail) const override;
+
+    [[nodiscard]] bool announcesReset(const FrameView &frame) const override;
+    [[nodiscard]] Request motorsOffRequest() const override;
+    [[nodiscard]] Request motorsOnRequest() const override;
+    [[nodiscard]] std::span<const ControlMode> controlModes() const override { return m_controlModes; }
+    [[nodiscard]] ControlFrames controlFrames(const ControlSetpoint &setpoint) const override;
+
+private:
+    friend class SbgcActions;
+
+    [[nodiscard]] bool canStream() const { return m_identity.firmwareNumber >= 2590; }
+    [[nodiscard]] sbgc::ControlCommand encodeSetpoint(const ControlSetpoint &setpoint) const;
+    Result<void> setStream(Channel &channel, const sbgc::DataStream &stream);
+
+    static constexpr int kVersion = 1;  // frame version: never mixed on one connection (errata 1.3)
+    BoardIdentity m_identity;
+    std::shared_ptr<const ParameterSet> m_parameters;
+    std::vector<ControlMode> m_controlModes;
+    std::vector<ActionSpec> m_actions;
+    std::vector<sbgc::DataStream> m_streams;   // registered with the board
+};
+
+/// The row of this family in the program's table of families.
+[[nodiscard]] Family sbgcFamily();

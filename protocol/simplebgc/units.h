@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+/// Raw and physical units of the serial API (errata 0).
+namespace sbgc {
+
+inline constexpr double kDegreesPerCount = 360.0 / 16384.0;      ///< 14-bit angle
+inline constexpr double kControlSpeedUnit = 0.1220740379;        ///< deg/s, CONTROL and GET_ANGLES
+inline constexpr double kFineSpeedUnit = 0.001;                  ///< deg/s, CONTROL with the high-resolution flag
+inline constexpr double kGyroUnit = 0.06103701895;               ///< deg/s
+inline constexpr double kAccUnit = 1.0 / 512.0;                  ///< g
+
+/// Nearest 16-bit count, held within the type's range.
+inline int toCount16(double value, double unit)
+{
+    return static_cast<int>(std::clamp(std::round(value / unit), -32768.0, 32767.0));
+}
+
+/// A 14-bit angle as the wire carries it: it wraps after two full turns.
+inline int angleToCount(double degrees)
+{
+    const auto count = static_cast<long long>(std::llround(degrees / kDegreesPerCount));
+    return static_cast<int>(((count + 32768) % 65536 + 65536) % 65536 - 32768);
+}
+
+} // namespace sbgc

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/base/result.h"
+
+#include <QStringList>
+
+/// What can go wrong with a simulated gimbal and its cable. Each has a name for `gimbalsim --fault NAME=VALUE`.
+struct Faults
+{
+    double loseByte = 0;         ///< lose: probability per byte, both directions
+    double flipByte = 0;         ///< flip: probability that one bit of a byte is wrong
+    double doubleByte = 0;       ///< double: probability that a byte comes twice
+    int delayMs = 0;             ///< delay: bytes to the host are held back for up to so many ms
+    double unplugAfter = -1;     ///< unplug: seconds until the cable is pulled
+    double replugAfter = 3;      ///< replug: seconds until it is plugged in again; negative = never
+    int resetOnWrite = 0;        ///< reset-on-write: the n-th parameter block written from now resets the board half-way
+    bool noImu = false;          ///< no-imu
+    double battery = 0;          ///< battery: volts, 0 = normal
+    bool unknownFirmware = false; ///< unknown-firmware: reports a version nobody knows
+    double otherClient = -1;     ///< other-client: seconds until another client changes P of roll by 10
+    double shake = 1;            ///< shake: strength of the hand, 0 = tripod
+    bool swappedAxes = false;    ///< swapped-axes: roll and pitch motors are plugged the wrong way round
+
+    /// Understands NAME=VALUE. Errors: InvalidArgument naming all faults.
+    Result<void> set(const QString &assignment);
+    /// Lines "name=range  meaning" for --help.
+    [[nodiscard]] static QStringList help();
+};

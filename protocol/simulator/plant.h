@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/base/axis.h"
+
+#include <array>
+#include <random>
+
+/// Deterministic noise for a seed.
+class SimulatedNoise
+{
+public:
+    explicit SimulatedNoise(unsigned seed) : m_engine(seed) { }
+    double gauss(double sigma) { return sigma * m_normal(m_engine); }
+    double uniform() { return m_uniform(m_engine); }
+    bool chance(double probability) { return probability > 0.0 && uniform() < probability; }
+
+private:
+    std::mt19937 m_engine;
+    std::normal_distribution<double> m_normal{0.0, 1.0};
+    std::uniform_real_distribution<double> m_uniform{0.0, 1.0};
+};
+
+/// What one axis of the gimbal is made of. Accelerations in deg/s², as torque divided by inertia.
+struct AxisMechanics
+{
+    double fullTorque = 4000.0;     ///< acceleration at full power and nominal voltage
+    double viscous = 2.5;           ///< friction per deg/s between camera and frame
+    double coulomb = 35.0;          ///< dry friction between camera and frame
+    double imbalance = 60.0;        ///< gravity pulls the camera off level
+    double cogging = 12.0;          ///< ripple of the motor's magnets
+    double resonanceHz = 55.0;      ///< first mode of the structure
+    double resonanceDamping = 0.03;
+    double resonanceGain = 1.0;     ///< how strongly the motor excites it
+    double stop = 150.0;            ///< mechanical end stop, degrees between frame and camera
+    int poles = 14;
+};
+
+/// One axis: camera with inertia behind a lagging motor, friction towards a shaking frame, a ringing structure.
+class AxisPlant
+{
+public:
+    explicit AxisPlant(const AxisMechanics &mechanics) : m_mechanics(mechanics) { }
+
+    /// @param torque -1..1 of full torque; @param frameAngle and frameRate of the frame about this axis, deg and deg/s
+    void step(double seconds, double torque, double frameAngle, double frameRate);
+
+    /// Attitude of the camera about this axis in degrees, with the structure's ringing.
+    [[nodiscard]] double angle() const { return m_angle + m_bend; }
+    [[nodiscard]] double rate() const { return m_rate + m_bendRate; }
+    /// Angle between frame and camera.
+    [[nodiscard]] double jointAngle() const { return m_angle - m_frameAngle; }
+    [[nodiscard]] bool isAtStop() const { return m_atStop; }
+    void setAngle(double degrees) { m_angle = degrees; m_rate = m_bend = m_bendRate = m_motor = 0.0; }
+    [[nodiscard]] const AxisMechanics &mechanics() const { return m_mechanics; }
+
+private:
+    AxisMechanics m_mechanics;
+    double m_angle = 0;
+    double m_rate = 0;
+    double m_bend = 0;
+    double m_bendRate = 0;
+    double m_motor = 0;       // torque that the lagging motor makes now
+    double m_frameAngle = 0;
+    bool m_atStop = false;
+};
+
+/// The hand that holds the frame: slow sway and quicker tremor about three axes.
+class HandShake
+{
+public:
+    explicit HandShake(unsigned seed) : m_noise(seed) { }
+
+    void step(double seconds);
+    /// 1 = a calm hand, 0 = a tripod, 5 = somebody shakes the gimbal.
+    void setStrength(double strength) { m_strength = strength; }
+    [[nodiscard]] double strength() const { return m_strength; }
+    [[nodiscard]] double angle(Axis axis) const { return m_angle[static_cast<std::size_t>(axis)]; }
+    [[nodiscard]] double rate(Axis axis) const { return m_rate[static_cast<std::size_t>(axis)]; }
+
+private:
+    SimulatedNoise m_noise;
+    double m_strength = 1.0;
+    std::array<double, kAxisCount> m_angle{};
+    std::array<double, kAxisCount> m_rate{};
+};
+
+/// The mechanics of the simulated gimbal: what roll, pitch and yaw differ in.
+[[nodiscard]] AxisMechanics simulatedMechanics(Axis axis);

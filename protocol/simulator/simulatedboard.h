@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/base/bytes.h"
+#include "protocol/base/clock.h"
+#include "protocol/simulator/faults.h"
+
+#include <memory>
+
+/// A simulated controller without its cable: bytes in, bytes out, time in between. One per family.
+class SimulatedBoard
+{
+public:
+    virtual ~SimulatedBoard() = default;
+
+    /// Bytes that reached the board's input buffer.
+    virtual void receive(Bytes bytes) = 0;
+    /// One firmware cycle of 0.8 ms.
+    virtual void cycle() = 0;
+    /// Takes at most so many bytes out of the output buffer.
+    virtual QByteArray takeOutput(qsizetype most) = 0;
+    /// False while the controller restarts and, on native USB, is gone from the bus.
+    [[nodiscard]] virtual bool isRunning() const = 0;
+};
+
+struct SimulatorOptions
+{
+    unsigned seed = 1;
+    int firmware = 2590;
+    int boardVersion = 30;
+    bool usb = true;         ///< native USB port: not throttled, vanishes during a restart
+    Faults faults;
+};

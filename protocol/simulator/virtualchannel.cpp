@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/simulator/virtualchannel.h"
+
+namespace {
+
+constexpr auto kStep = 800us;
+constexpr qsizetype kKeptBytes = 512;
+
+} // namespace
+
+class VirtualMailbox final : public Mailbox
+{
+public:
+    VirtualMailbox(VirtualChannel &channel, std::function<bool(const FrameView &)> filter)
+        : m_channel(channel), m_filter(std::move(filter))
+    {
+        m_channel.m_mailboxes.insert(this);
+    }
+    ~VirtualMailbox() override { m_channel.m_mailboxes.erase(this); }
+    VirtualMailbox(const VirtualMailbox &) = delete;
+    VirtualMailbox &operator=(const VirtualMailbox &) = delete;
+
+    void offer(const FrameView &frame)
+    {
+        if (m_filter(frame))
+            m_frames.push_back(Frame(frame));
+    }
+
+    Result<Frame> next(milliseconds timeout) override
+    {
+        const TimePoint end = m_channel.now() + timeout;
+        for (;;) {
+            if (!m_frames.empty()) {
+                Frame frame = std::move(m_frames.front());
+                m_frames.pop_front();
+                return frame;
+            }
+            if (const auto stop = m_channel.stopped())
+                return tl::unexpected(*stop);
+            if (m_channel.now() >= end)
+                return failure(ErrorCode::Timeout);
+            m_channel.step();
+        }
+    }
+
+private:
+    VirtualChannel &m_channel;
+    std::function<bool(const FrameView &)> m_filter;
+    std::deque<Frame> m_frames;
+};
+
+VirtualChannel::VirtualChannel(SimulatedPort &port, std::unique_ptr<Framer> framer)
+    : m_port(port)
+    , m_framer(std::move(framer))
+    , m_sink([this](const FrameView &frame) {
+        const bool claimed = m_queue.frameArrived(frame, now());
+        if (m_tap)
+            m_tap(frame, now());
+        for (VirtualMailbox *mailbox : m_mailboxes) {
+            if (!claimed)
+                mailbox->offer(frame);
+        }
+    })
+    , m_queue([this](QByteArrayView bytes) {
+        m_bytesOut += bytes.size();
+        m_port.hostWrites(asBytes(bytes));
+    })
+{
+}
+
+VirtualChannel::~VirtualChannel() = default;
+
+std::optional<Error> VirtualChannel::stopped() const
+{
+    if (cancelled())
+        return Error{ErrorCode::Cancelled, {}, 0};
+    if (!m_port.isPlugged())
+        return Error{ErrorCode::LinkClosed, {}, 0};
+    return {};
+}
+
+void VirtualChannel::step()
+{
+    m_port.advance(kStep);
+    const QByteArray bytes = m_port.hostReads();
+    m_bytesIn += quint64(bytes.size());
+    if (m_framer->statistics().frames == 0)
+        m_lastBytes = (m_lastBytes + bytes).right(kKeptBytes);
+    m_framer->feed(asBytes(bytes), m_sink);
+    m_queue.bytesTaken(1 << 20, now());
+    m_queue.advance(now());
+}
+
+Result<Frame> VirtualChannel::transact(const Request &request)
+{
+    if (const auto stop = stopped())
+        return tl::unexpected(*stop);
+    std::optional<Result<Frame>> result;
+    const auto id = m_queue.submit(request, [&result](Result<Frame> r) { result = std::move(r); }, now());
+    while (!result) {
+        if (cancelled()) {
+            m_queue.cancel(id);
+            break;
+        }
+        if (!m_port.isPlugged()) {
+            m_queue.cancelAll({ErrorCode::LinkClosed, {}, 0});
+            break;
+        }
+        step();
+    }
+    return *result;
+}
+
+void VirtualChannel::post(const Request &request)
+{
+    m_queue.submit(request, {}, now());
+}
+
+Result<void> VirtualChannel::sleep(milliseconds duration)
+{
+    const TimePoint end = now() + duration;
+    while (now() < end) {
+        if (const auto stop = stopped())
+            return tl::unexpected(*stop);
+        step();
+    }
+    return {};
+}
+
+std::unique_ptr<Mailbox> VirtualChannel::listen(std::function<bool(const FrameView &)> filter)
+{
+    return std::make_unique<VirtualMailbox>(*this, std::move(filter));
+}
+
+Result<void> VirtualChannel::setLine(const LineSettings &line)
+{
+    m_port.setHostLine(line);
+    m_queue.setLine(line);
+    return {};
+}
+
+LinkObservation VirtualChannel::observation() const
+{
+    return {m_framer->statistics(), m_bytesIn, m_lastBytes};
+}

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/base/result.h"
+
+#include <QMap>
+#include <QString>
+
+#include <optional>
+
+/// Parity of a serial line. Boards of the field use these two only (SimpleBGC errata 1.6).
+enum class Parity { None, Even };
+
+/// What the two ends of a serial line must agree on.
+struct LineSettings
+{
+    int baud = 115200;
+    Parity parity = Parity::None;
+
+    friend bool operator==(const LineSettings &, const LineSettings &) = default;
+
+    /// Time on the wire of so many bytes: start bit, 8 data bits, parity if any, stop bit.
+    [[nodiscard]] double secondsFor(qint64 bytes) const
+    {
+        const double bits = parity == Parity::Even ? 11.0 : 10.0;
+        return baud > 0 ? static_cast<double>(bytes) * bits / baud : 0.0;
+    }
+};
+
+/// Where a board is. One spelling everywhere:
+/// `serial:/dev/ttyUSB0?baud=115200&parity=none`, `tcp://host:port`, `udp://host:port`, `sim:simplebgc?seed=1`.
+class LinkAddress
+{
+public:
+    enum class Kind { None, Serial, Tcp, Udp, Simulator };
+
+    /// Understands the four spellings above; a bare device path (`/dev/ttyUSB0`, `COM3`) means a serial port.
+    /// Errors: InvalidArgument with what is wrong.
+    static Result<LinkAddress> parse(const QString &text);
+    static LinkAddress serial(const QString &port, std::optional<int> baud = {}, std::optional<Parity> parity = {});
+
+    [[nodiscard]] Kind kind() const { return m_kind; }
+    /// Device path, host name or simulated family.
+    [[nodiscard]] const QString &target() const { return m_target; }
+    [[nodiscard]] quint16 port() const { return m_port; }
+    [[nodiscard]] QString option(const QString &name) const { return m_options.value(name); }
+    [[nodiscard]] const QMap<QString, QString> &options() const { return m_options; }
+    /// Rate and parity where the address names them; empty parts are found by trying.
+    [[nodiscard]] std::optional<int> baud() const;
+    [[nodiscard]] std::optional<Parity> parity() const;
+    [[nodiscard]] QString toString() const;
+
+    friend bool operator==(const LinkAddress &, const LinkAddress &) = default;
+
+private:
+    Kind m_kind = Kind::None;
+    QString m_target;
+    quint16 m_port = 0;
+    QMap<QString, QString> m_options;
+};

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/base/result.h"
+#include "protocol/session/channel.h"
+
+/// An error in the operator's words: what happened, what it means for the gimbal, what to do.
+struct ErrorText
+{
+    QString what;
+    QString meaning;
+    QString cure;
+    QString detail;   ///< the system's or the board's own words, for a supporter
+
+    /// All of it in one paragraph.
+    [[nodiscard]] QString oneLine() const;
+};
+
+[[nodiscard]] ErrorText describe(const Error &error);
+
+/// A progress report as a sentence: "Reading PARAMS_3, profile 2".
+[[nodiscard]] QString describe(const Progress &progress);
