@@ -13,6 +13,9 @@ constexpr double kStimulus = 1.5;            // degrees
 constexpr double kSlowPart = 0.03;           // per cycle: what is slower than some 6 Hz counts as motion, not ringing
 constexpr double kRingingFactor = 2.2;       // against the soft gains' own
 constexpr double kRingingFloor = 6.0;        // deg/s rms
+constexpr int kSoftP = 20;
+constexpr int kSoftD = 15;
+constexpr double kMostPForD = 2.0;           // more P than this needs more damping than there is
 constexpr int kLongest = 60;                 // iterations
 
 int grown(int value, double factor)
@@ -96,12 +99,22 @@ void AutoPidSearch::decide(std::size_t axis)
             break;
         }
         result.d = shrunk(result.d, m_backOff);
+        state.phase = Phase::Calm;
+        break;
+    case Phase::Calm:
+        // What rang before must die down before it is looked for again.
         state.phase = Phase::RaiseP;
         state.best = result.trackingError;
         break;
     case Phase::RaiseP:
+        // Still ringing although P was hardly raised: it was the D that is too much.
+        if (rings && result.p < kSoftP && result.d > kSoftD) {
+            result.d = shrunk(result.d, 0.75);
+            state.phase = Phase::Calm;
+            break;
+        }
         // Enough when it rings, or when more P makes the error clearly larger: it overshoots.
-        if (!rings && result.p < 200 && result.trackingError < state.best * 1.15) {
+        if (!rings && result.p < kMostPForD * result.d && result.trackingError < state.best * 1.15) {
             state.best = std::min(state.best, result.trackingError);
             result.p = grown(result.p, 1.3);
             break;

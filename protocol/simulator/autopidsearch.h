@@ -30,7 +30,7 @@ public:
     [[nodiscard]] bool isSelected(Axis axis) const { return m_selected[static_cast<std::size_t>(axis)]; }
 
 private:
-    enum class Phase { Settle, RaiseD, RaiseP, RaiseI, Done };
+    enum class Phase { Settle, RaiseD, Calm, RaiseP, RaiseI, Done };
     struct AxisState
     {
         Phase phase = Phase::Done;
