@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mainwindow/bars.h"
+
+#include "widgets/models/parametermodel.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStyle>
+#include <QToolButton>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr auto kNoticeTime = 8s;
+
+} // namespace
+
+MessageBar::MessageBar(QWidget *parent)
+    : QFrame(parent)
+    , m_text(new QLabel)
+    , m_copy(new QToolButton)
+    , m_close(new QToolButton)
+{
+    setObjectName(u"messageBar"_s);
+    m_text->setWordWrap(true);
+    m_text->setTextFormat(Qt::RichText);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_copy->setText(tr("Copy"));
+    m_copy->setToolTip(tr("Copy everything a supporter needs"));
+    m_close->setText(u"✕"_s);
+    m_close->setAccessibleName(tr("Close message"));
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(12, Metric::kGap, Metric::kGap, Metric::kGap);
+    layout->addWidget(m_text, 1);
+    layout->addWidget(m_copy, 0, Qt::AlignTop);
+    layout->addWidget(m_close, 0, Qt::AlignTop);
+    connect(m_copy, &QToolButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(m_full); });
+    connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
+    m_hide.setSingleShot(true);
+    connect(&m_hide, &QTimer::timeout, this, &QWidget::hide);
+    hide();
+}
+
+void MessageBar::setSevere(bool severe)
+{
+    setProperty("severe", severe);
+    style()->unpolish(this);
+    style()->polish(this);
+    m_copy->setVisible(severe);
+}
+
+void MessageBar::showProblem(const ErrorText &text)
+{
+    m_hide.stop();
+    m_full = text.oneLine();
+    QString html = u"<b>✖ %1</b>"_s.arg(text.what.toHtmlEscaped());
+    for (const QString &part : {text.meaning, text.cure}) {
+        if (!part.isEmpty())
+            html += u' ' + part.toHtmlEscaped();
+    }
+    if (!text.detail.isEmpty())
+        html += u"<br><small>%1</small>"_s.arg(text.detail.toHtmlEscaped());
+    m_text->setText(html);
+    setSevere(true);
+    show();
+}
+
+void MessageBar::showNotice(const QString &text)
+{
+    m_full = text;
+    m_text->setText(u"✓ "_s + text.toHtmlEscaped());
+    setSevere(false);
+    show();
+    m_hide.start(kNoticeTime);
+}
+
+QString MessageBar::text() const
+{
+    return m_full;
+}
+
+UnsavedBar::UnsavedBar(Workspace &workspace, QWidget *parent)
+    : QFrame(parent)
+    , m_workspace(workspace)
+    , m_text(new QLabel)
+    , m_undo(new QPushButton(tr("&Undo")))
+    , m_redo(new QPushButton(tr("&Redo")))
+    , m_discard(new QPushButton(tr("&Discard")))
+    , m_write(new QPushButton(tr("Review and &write…")))
+{
+    setObjectName(u"unsavedBar"_s);
+    m_write->setObjectName(u"primary"_s);
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(Metric::kMargin, Metric::kGap, Metric::kMargin, Metric::kGap);
+    layout->setSpacing(Metric::kGap);
+    m_text->setObjectName(u"changed"_s);
+    layout->addWidget(m_text);
+    layout->addStretch(1);
+    for (QPushButton *button : {m_undo, m_redo, m_discard})
+        layout->addWidget(button);
+    layout->addSpacing(Metric::kMargin);
+    layout->addWidget(m_write);
+    QUndoStack &stack = workspace.edits().undoStack();
+    connect(m_undo, &QPushButton::clicked, &stack, &QUndoStack::undo);
+    connect(m_redo, &QPushButton::clicked, &stack, &QUndoStack::redo);
+    connect(m_discard, &QPushButton::clicked, &workspace.edits(), &EditStack::discardAll);
+    connect(m_write, &QPushButton::clicked, this, &UnsavedBar::reviewRequested);
+    connect(&stack, &QUndoStack::indexChanged, this, &UnsavedBar::refresh);
+    connect(&stack, &QUndoStack::cleanChanged, this, &UnsavedBar::refresh);
+    connect(&workspace.configuration(), &ConfigurationModel::changeCountChanged, this, &UnsavedBar::refresh);
+    connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &UnsavedBar::refresh);
+    connect(&workspace.client(), &DeviceClient::stateChanged, this, &UnsavedBar::refresh);
+    connect(&workspace, &Workspace::writeFinished, this, &UnsavedBar::refresh);
+    refresh();
+}
+
+void UnsavedBar::refresh()
+{
+    const ConfigurationModel &model = m_workspace.configuration();
+    const int count = model.changeCount();
+    QUndoStack &stack = m_workspace.edits().undoStack();
+    const int profiles = model.isEmpty() ? 0 : model.changedProfileCount();
+    QString text = tr("%n unsaved change(s)", nullptr, count);
+    if (profiles > 1)
+        text += u' ' + tr("in %1 profiles").arg(profiles);
+    if (count == 0)
+        text = tr("No unsaved changes");
+    m_text->setText(text);
+    m_undo->setEnabled(stack.canUndo());
+    m_redo->setEnabled(stack.canRedo());
+    m_undo->setToolTip(stack.canUndo() ? tr("Undo: %1 (Ctrl+Z)").arg(stack.undoText()) : QString());
+    m_redo->setToolTip(stack.canRedo() ? tr("Redo: %1 (Ctrl+Shift+Z)").arg(stack.redoText()) : QString());
+    m_discard->setEnabled(count > 0);
+    const bool canWrite = count > 0 && m_workspace.client().isConnected() && m_workspace.client().identity().writable
+        && !m_workspace.isWriting();
+    m_write->setEnabled(canWrite);
+    m_write->setToolTip(canWrite || count == 0 ? QString() : tr("Connect the board to write to it"));
+    setVisible(count > 0 || stack.canRedo());
+}
+
+StatusStrip::StatusStrip(Workspace &workspace, QWidget *parent)
+    : QFrame(parent)
+    , m_workspace(workspace)
+    , m_link(new QLabel)
+    , m_battery(new QLabel)
+    , m_temperature(new QLabel)
+    , m_faults(new QLabel)
+{
+    setObjectName(u"statusBar"_s);
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(Metric::kMargin, Metric::kUnit, Metric::kMargin, Metric::kUnit);
+    layout->setSpacing(Metric::kGroupGap);
+    for (QLabel *label : {m_link, m_battery, m_temperature, m_faults}) {
+        label->setTextFormat(Qt::RichText);
+        layout->addWidget(label);
+    }
+    m_link->setToolTip(tr("Frames received per second, samples lost, answer time"));
+    layout->addStretch(1);
+    connect(&workspace.client(), &DeviceClient::statisticsChanged, this, &StatusStrip::refresh);
+    connect(&workspace.client(), &DeviceClient::stateChanged, this, &StatusStrip::refresh);
+    connect(&workspace.theme(), &Theme::changed, this, &StatusStrip::refresh);
+    refresh();
+}
+
+void StatusStrip::refresh()
+{
+    const DeviceClient &client = m_workspace.client();
+    const Theme &theme = m_workspace.theme();
+    const auto dot = [&theme](ColorRole role) {
+        return u"<span style='color:%1'>●</span> "_s.arg(theme.color(role).name());
+    };
+    if (!client.isConnected()) {
+        m_link->setText(dot(ColorRole::Muted) + tr("no link"));
+        for (QLabel *label : {m_battery, m_temperature, m_faults})
+            label->clear();
+        return;
+    }
+    const LinkStatistics &link = client.statistics();
+    const auto store = client.telemetry();
+    const quint64 damaged = link.framing.headerErrors + link.framing.bodyErrors;
+    const quint64 lost = store ? store->lost() : 0;
+    QString text = tr("%1/s · %2 lost").arg(link.framesPerSecond, 0, 'f', 0).arg(lost);
+    if (damaged > 0)
+        text += u" · "_s + tr("%1 damaged").arg(damaged);
+    if (link.roundTrip)
+        text += u" · "_s + tr("%1 ms").arg(seconds(*link.roundTrip) * 1000, 0, 'f', 1);
+    m_link->setText(dot(damaged + lost > 0 ? ColorRole::Warning : ColorRole::Ok) + text);
+    const ChannelRoles roles = m_workspace.roles();
+    const double volts = m_workspace.latest(roles.battery);
+    m_battery->setText(std::isnan(volts) ? QString() : tr("%1 V").arg(volts, 0, 'f', 1));
+    const double celsius = m_workspace.latest(roles.temperature);
+    m_temperature->setText(std::isnan(celsius) ? QString() : tr("%1 °C").arg(celsius, 0, 'f', 0));
+    const auto faults = m_workspace.faults();
+    if (faults.empty()) {
+        m_faults->setText(m_workspace.motorsRunning() ? tr("no errors") : QString());
+        return;
+    }
+    QStringList names;
+    for (const BoardFault &fault : faults)
+        names.append(tableText(fault.name.toUtf8().constData()));
+    m_faults->setText(u"<span style='color:%1'>✖ %2</span>"_s.arg(theme.color(ColorRole::Danger).name(),
+                                                                 names.join(u", "_s).toHtmlEscaped()));
+}

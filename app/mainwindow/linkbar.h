@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/pages/workspace.h"
+#include "protocol/transport/portlist.h"
+
+#include <QFrame>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+/// The top of the window: where the board is, who it is, which profile it uses, and the motors button.
+class LinkBar final : public QFrame
+{
+    Q_OBJECT
+public:
+    explicit LinkBar(Workspace &workspace, QWidget *parent = nullptr);
+
+    /// Puts an address into the field.
+    void setAddress(const QString &address);
+    void connectOrDisconnect();
+    /// Looks for serial ports on another thread and fills the list.
+    void scanPorts();
+    [[nodiscard]] QPushButton *motorsButton() const { return m_motors; }
+    [[nodiscard]] QPushButton *connectButton() const { return m_connect; }
+    [[nodiscard]] QComboBox *profileBox() const { return m_profile; }
+    [[nodiscard]] QComboBox *addressBox() const { return m_address; }
+
+private:
+    void showPorts(const QList<PortInfo> &ports);
+    void updateState();
+    void updateProfiles();
+    void updateMotors();
+    void onMotors();
+
+    Workspace &m_workspace;
+    QComboBox *m_address;
+    QPushButton *m_connect;
+    QLabel *m_state;
+    QComboBox *m_profile;
+    QPushButton *m_motors;
+    QTimer m_refresh;
+    QString m_progress;
+    bool m_offNext = true;     // what the motors button does when pressed
+};

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/dashboardpage.h"
+
+#include "widgets/models/parametermodel.h"
+#include "widgets/views/attitudeview.h"
+#include "widgets/views/axisdial.h"
+#include "widgets/views/card.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr auto kRefresh = 33ms;
+constexpr int kTicksPerFacts = 10;
+
+QString number(double value, int decimals, const QString &unit)
+{
+    return std::isnan(value) ? u"–"_s : QString::number(value, 'f', decimals) + u' ' + unit;
+}
+
+} // namespace
+
+DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
+    : Page(workspace, u"dashboard"_s, tr("Dashboard"), parent)
+    , m_attitude(new AttitudeView(workspace.theme()))
+    , m_battery(new QLabel)
+    , m_facts(new QLabel)
+    , m_faultList(new QVBoxLayout)
+{
+    auto *attitude = new Card(tr("Attitude"));
+    attitude->content()->addWidget(m_attitude, 1);
+    auto *axes = new Card(tr("Axes: angle and target"));
+    auto *dials = new QHBoxLayout;
+    for (const Axis axis : kAxes) {
+        m_dials[std::size_t(axis)] = new AxisDial(workspace.theme(), axis);
+        dials->addWidget(m_dials[std::size_t(axis)]);
+    }
+    axes->content()->addLayout(dials, 1);
+
+    auto *power = new Card(tr("Battery"));
+    QFont large = m_battery->font();
+    large.setPointSizeF(large.pointSizeF() + 8);
+    large.setWeight(QFont::DemiBold);
+    m_battery->setFont(large);
+    power->content()->addWidget(m_battery);
+    m_facts->setTextFormat(Qt::RichText);
+    m_facts->setWordWrap(true);
+    power->content()->addWidget(m_facts);
+    power->content()->addStretch(1);
+
+    auto *faults = new Card(tr("State of the board"));
+    faults->content()->addLayout(m_faultList);
+    faults->content()->addStretch(1);
+    auto *scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(faults);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+
+    auto *grid = new QGridLayout;
+    grid->setSpacing(12);
+    grid->addWidget(attitude, 0, 0);
+    grid->addWidget(axes, 1, 0);
+    grid->addWidget(power, 0, 1);
+    grid->addWidget(scroll, 1, 1);
+    grid->setColumnStretch(0, 3);
+    grid->setColumnStretch(1, 2);
+    grid->setRowStretch(0, 3);
+    grid->setRowStretch(1, 2);
+    body()->addLayout(grid, 1);
+
+    m_timer.setInterval(kRefresh);
+    connect(&m_timer, &QTimer::timeout, this, &DashboardPage::refresh);
+    connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &DashboardPage::updateLimits);
+    connect(&workspace.configuration(), &ConfigurationModel::activeProfileChanged, this, &DashboardPage::updateLimits);
+    connect(&workspace.client(), &DeviceClient::stateChanged, this, &DashboardPage::refreshFacts);
+    connect(&workspace.client(), &DeviceClient::stateChanged, this, &DashboardPage::refreshFaults);
+    refreshFaults();
+}
+
+void DashboardPage::showEvent(QShowEvent *event)
+{
+    Page::showEvent(event);
+    const ChannelRoles roles = workspace().roles();
+    QList<int> wanted(roles.angle.begin(), roles.angle.end());
+    wanted.append(QList<int>(roles.target.begin(), roles.target.end()));
+    workspace().wishTelemetry(this, wanted);
+    m_timer.start();
+}
+
+void DashboardPage::hideEvent(QHideEvent *event)
+{
+    Page::hideEvent(event);
+    m_timer.stop();
+}
+
+void DashboardPage::refresh()
+{
+    const ChannelRoles roles = workspace().roles();
+    const auto value = [this](int channel) { return workspace().latest(channel); };
+    m_attitude->setAttitude(value(roles.angle[0]), value(roles.angle[1]), value(roles.angle[2]));
+    for (std::size_t axis = 0; axis < m_dials.size(); ++axis)
+        m_dials[axis]->setValues(value(roles.angle[axis]), value(roles.target[axis]), value(roles.motorPower[axis]));
+    if (m_tick++ % kTicksPerFacts == 0) {
+        refreshFacts();
+        refreshFaults();
+    }
+}
+
+void DashboardPage::refreshFacts()
+{
+    const ChannelRoles roles = workspace().roles();
+    m_battery->setText(number(workspace().latest(roles.battery), 2, u"V"_s));
+    QStringList rows;
+    const auto row = [&rows](const QString &name, const QString &text) {
+        rows.append(u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td align='right'>%2</td></tr>"_s
+                        .arg(name, text.toHtmlEscaped()));
+    };
+    if (roles.current >= 0)
+        row(tr("Current"), number(workspace().latest(roles.current), 2, u"A"_s));
+    row(tr("Sensor temperature"), number(workspace().latest(roles.temperature), 0, u"°C"_s));
+    row(tr("Control cycle"), number(workspace().latest(roles.cycleTime), 0, u"µs"_s));
+    row(tr("Sensor bus errors"), number(workspace().latest(roles.busErrors), 0, {}));
+    const LinkStatistics &link = workspace().client().statistics();
+    row(tr("Frames received"), tr("%1 per second").arg(link.framesPerSecond, 0, 'f', 0));
+    row(tr("Damaged frames"), QString::number(link.framing.headerErrors + link.framing.bodyErrors));
+    row(tr("Answer time"), link.roundTrip ? tr("%1 ms").arg(seconds(*link.roundTrip) * 1000, 0, 'f', 1) : u"–"_s);
+    m_facts->setText(u"<table width='100%'>%1</table>"_s.arg(rows.join(QString())));
+}
+
+void DashboardPage::refreshFaults()
+{
+    std::vector<BoardFault> faults = workspace().faults();
+    QStringList keys;
+    for (const BoardFault &fault : faults)
+        keys.append(fault.name);
+    const auto running = workspace().motorsRunning();
+    keys.append(workspace().client().isConnected() ? (running ? (*running ? u"on"_s : u"off"_s) : u"?"_s) : u"-"_s);
+    if (keys == m_shownFaults)
+        return;
+    m_shownFaults = keys;
+    while (QLayoutItem *item = m_faultList->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    const auto add = [this](const QString &text, const char *name) {
+        auto *label = new QLabel(text);
+        label->setObjectName(QLatin1String(name));
+        label->setWordWrap(true);
+        m_faultList->addWidget(label);
+    };
+    if (!workspace().client().isConnected()) {
+        add(tr("Not connected."), "muted");
+        return;
+    }
+    if (!running)
+        add(tr("No live data yet."), "muted");
+    else
+        add(*running ? tr("● Motors are running.") : tr("○ Motors are off."), *running ? "ok" : "muted");
+    if (faults.empty() && running)
+        add(tr("✓ The board reports no errors."), "ok");
+    for (const BoardFault &fault : faults) {
+        add((fault.severe ? u"✖ "_s : u"⚠ "_s) + tableText(fault.name.toUtf8().constData()),
+            fault.severe ? "error" : "warning");
+        add(tableText(fault.meaning.toUtf8().constData()) + u' ' + tableText(fault.cure.toUtf8().constData()), "muted");
+    }
+}
+
+void DashboardPage::updateLimits()
+{
+    const ConfigurationModel &model = workspace().configuration();
+    if (model.isEmpty())
+        return;
+    for (const Axis axis : kAxes) {
+        const ParameterSet &set = model.board().parameters();
+        const ParameterSpec *low = set.find(u"rc.%1.min_angle"_s.arg(QLatin1String(axisKey(axis))));
+        const ParameterSpec *high = set.find(u"rc.%1.max_angle"_s.arg(QLatin1String(axisKey(axis))));
+        if (!low || !high)
+            continue;
+        const int profile = model.board().activeProfile();
+        m_dials[std::size_t(axis)]->setLimits(low->toDisplay(model.board().raw(*low, profile).value_or(0)),
+                                              high->toDisplay(model.board().raw(*high, profile).value_or(0)));
+    }
+}

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/page.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+using namespace Qt::StringLiterals;
+
+Page::Page(Workspace &workspace, const QString &key, const QString &title, QWidget *parent)
+    : QWidget(parent)
+    , m_workspace(workspace)
+    , m_key(key)
+    , m_title(title)
+    , m_body(new QVBoxLayout)
+    , m_header(new QHBoxLayout)
+{
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(Metric::kMargin, 12, Metric::kMargin, Metric::kMargin);
+    layout->setSpacing(12);
+    auto *label = new QLabel(title);
+    label->setObjectName(u"title"_s);
+    QFont font = label->font();
+    font.setPointSizeF(font.pointSizeF() + 4);
+    font.setWeight(QFont::DemiBold);
+    label->setFont(font);
+    m_header->setSpacing(Metric::kGap);
+    m_header->addWidget(label);
+    m_header->addStretch(1);
+    layout->addLayout(m_header);
+    layout->addLayout(m_body, 1);
+}

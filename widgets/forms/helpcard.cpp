@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/forms/helpcard.h"
+
+#include "widgets/models/parametermodel.h"
+#include "widgets/theme/theme.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+using namespace Qt::StringLiterals;
+
+HelpCard::HelpCard(ConfigurationModel &configuration, QWidget *parent)
+    : QFrame(parent)
+    , m_configuration(configuration)
+    , m_title(new QLabel)
+    , m_help(new QLabel)
+    , m_facts(new QLabel)
+{
+    setObjectName(u"card"_s);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(Metric::kMargin, Metric::kMargin, Metric::kMargin, Metric::kMargin);
+    layout->setSpacing(Metric::kGap);
+    m_title->setObjectName(u"title"_s);
+    m_facts->setObjectName(u"muted"_s);
+    m_facts->setTextFormat(Qt::RichText);
+    for (QLabel *label : {m_title, m_help, m_facts}) {
+        label->setWordWrap(true);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        layout->addWidget(label);
+    }
+    layout->addStretch(1);
+    connect(&m_configuration, &ConfigurationModel::boardReset, this, [this] { show(-1); });
+    connect(&m_configuration, &ConfigurationModel::valueChanged, this, &HelpCard::refresh);
+    connect(&m_configuration, &ConfigurationModel::shownProfileChanged, this, &HelpCard::refresh);
+    refresh();
+}
+
+void HelpCard::show(int parameter)
+{
+    m_parameter = parameter;
+    refresh();
+}
+
+void HelpCard::refresh()
+{
+    if (m_parameter < 0 || m_configuration.isEmpty()) {
+        m_title->setText(tr("What a value does"));
+        m_help->setText(tr("Choose a field: its effect, range, default and what the board holds stand here."));
+        m_facts->clear();
+        return;
+    }
+    const ParameterSpec &spec = m_configuration.edited().parameters().at(m_parameter);
+    m_title->setText(parameterLabel(spec));
+    m_help->setText(tableText(spec.row->help));
+    QStringList lines;
+    const auto line = [&lines](const QString &name, const QString &value) {
+        lines.append(u"<tr><td style='padding-right:12px'>%1</td><td>%2</td></tr>"_s.arg(name, value.toHtmlEscaped()));
+    };
+    const QString unit = *spec.row->unit ? u' ' + QString::fromUtf8(spec.row->unit) : QString();
+    if (const auto board = m_configuration.boardValue(spec, m_configuration.shownProfile()))
+        line(tr("On the board"), parameterValueText(spec, *board) + unit);
+    if (!spec.row->state)
+        line(tr("Default"), parameterValueText(spec, spec.defaultRaw) + unit);
+    if (const QString range = parameterRangeText(spec); !range.isEmpty())
+        line(tr("Range"), range);
+    line(tr("Belongs to"), spec.row->scope == Scope::Board ? tr("the whole board") : tr("this profile"));
+    line(tr("Key"), spec.key);
+    QString facts = u"<table>%1</table>"_s.arg(lines.join(QString()));
+    if (spec.row->risk == Risk::Red)
+        facts += u"<p>"_s + tr("⚠ Risk: a wrong value can make a motor run away or overheat.") + u"</p>"_s;
+    m_facts->setText(facts);
+}

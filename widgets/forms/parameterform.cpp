@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/forms/parameterform.h"
+
+#include "widgets/forms/valueeditor.h"
+#include "widgets/models/parametermodel.h"
+#include "widgets/theme/theme.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QResizeEvent>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QLabel *makeLabel(const QString &text, const char *objectName)
+{
+    auto *label = new QLabel(text);
+    label->setObjectName(QLatin1String(objectName));
+    return label;
+}
+
+} // namespace
+
+ParameterForm::ParameterForm(ConfigurationModel &configuration, EditStack &edits, QWidget *parent)
+    : QWidget(parent)
+    , m_configuration(configuration)
+    , m_edits(edits)
+{
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    connect(&m_configuration, &ConfigurationModel::valueChanged, this, &ParameterForm::refresh);
+    connect(&m_configuration, &ConfigurationModel::shownProfileChanged, this, &ParameterForm::refreshAll);
+    connect(&m_configuration, &ConfigurationModel::changeCountChanged, this, &ParameterForm::refreshAll);
+}
+
+void ParameterForm::setParameters(const QList<int> &parameters)
+{
+    m_parameters = parameters;
+    rebuild();
+}
+
+int ParameterForm::columnsFor(int width) const
+{
+    return std::clamp(width / (Metric::kFieldWidth - 60), 1, 3);
+}
+
+void ParameterForm::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    // Wide windows get more columns, not longer fields.
+    if (columnsFor(event->size().width()) != m_columns)
+        rebuild();
+}
+
+void ParameterForm::rebuild()
+{
+    m_columns = columnsFor(width());
+    m_editors.clear();
+    delete m_body;
+    m_body = new QWidget(this);
+    layout()->addWidget(m_body);
+    auto *body = new QVBoxLayout(m_body);
+    body->setContentsMargins(0, 0, 0, 0);
+    body->setSpacing(Metric::kGap);
+    if (m_configuration.isEmpty())
+        return;
+    // Parameters come group by group; each group is a block with a heading.
+    for (qsizetype first = 0; first < m_parameters.size();) {
+        const char *group = m_configuration.edited().parameters().at(m_parameters[first]).row->group;
+        qsizetype last = first;
+        QList<int> members;
+        for (; last < m_parameters.size(); ++last) {
+            if (qstrcmp(m_configuration.edited().parameters().at(m_parameters[last]).row->group, group) != 0)
+                break;
+            members.append(m_parameters[last]);
+        }
+        addGroup(body, group, members);
+        first = last;
+    }
+    body->addStretch(1);
+    refreshAll();
+}
+
+void ParameterForm::addGroup(QVBoxLayout *layout, const char *group, const QList<int> &parameters)
+{
+    auto *heading = makeLabel(tableText(group), "section");
+    if (layout->count() > 0)
+        layout->addSpacing(Metric::kGroupGap - Metric::kGap);
+    layout->addWidget(heading);
+
+    // Rows that exist for several axes become a matrix; values of one row stand next to each other in the list.
+    QList<QList<int>> matrix;
+    QList<int> single;
+    const ParameterSet &set = m_configuration.edited().parameters();
+    for (const int id : parameters) {
+        const ParameterSpec &spec = set.at(id);
+        if (spec.row->axes < 2) {
+            single.append(id);
+            continue;
+        }
+        const bool continues = !matrix.isEmpty() && set.at(matrix.last().first()).row == spec.row
+            && set.at(matrix.last().first()).index == spec.index;
+        if (continues)
+            matrix.last().append(id);
+        else
+            matrix.append(QList<int>{id});
+    }
+    if (!matrix.isEmpty())
+        layout->addWidget(makeMatrix(matrix));
+    if (!single.isEmpty())
+        layout->addWidget(makeFields(single));
+}
+
+QWidget *ParameterForm::makeMatrix(const QList<QList<int>> &rows)
+{
+    const ParameterSet &set = m_configuration.edited().parameters();
+    auto *widget = new QWidget;
+    auto *grid = new QGridLayout(widget);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(Metric::kGap);
+    grid->setVerticalSpacing(Metric::kUnit);
+    for (int axis = 0; axis < kAxisCount; ++axis) {
+        auto *head = makeLabel(axisLabel(kAxes[std::size_t(axis)]), "muted");
+        head->setAlignment(Qt::AlignCenter);
+        grid->addWidget(head, 0, axis + 1);
+        grid->setColumnMinimumWidth(axis + 1, 112);
+        grid->setColumnStretch(axis + 1, 2);
+    }
+    grid->setColumnMinimumWidth(0, 168);
+    grid->setColumnStretch(0, 1);
+    grid->setColumnStretch(4, 1);
+    int line = 1;
+    for (const QList<int> &row : rows) {
+        const ParameterSpec &first = set.at(row.first());
+        auto *name = makeLabel(parameterLabel(first, false), first.row->risk == Risk::Red ? "warning" : "label");
+        if (first.row->risk == Risk::Red)
+            name->setText(u"⚠ "_s + name->text());
+        name->setToolTip(tableText(first.row->help));
+        name->setWordWrap(true);
+        grid->addWidget(name, line, 0, Qt::AlignLeft | Qt::AlignVCenter);
+        for (const int id : row)
+            grid->addWidget(makeEditor(id), line, int(set.at(id).axis) + 1, Qt::AlignTop);
+        if (*first.row->unit)
+            grid->addWidget(makeLabel(QString::fromUtf8(first.row->unit), "unit"), line, 4, Qt::AlignVCenter);
+        ++line;
+    }
+    widget->setMaximumWidth(2 * Metric::kFieldWidth);
+    return widget;
+}
+
+QWidget *ParameterForm::makeFields(const QList<int> &parameters)
+{
+    const ParameterSet &set = m_configuration.edited().parameters();
+    auto *widget = new QWidget;
+    auto *grid = new QGridLayout(widget);
+    grid->setContentsMargins(0, Metric::kUnit, 0, 0);
+    grid->setHorizontalSpacing(Metric::kMargin);
+    grid->setVerticalSpacing(Metric::kGap);
+    for (int i = 0; i < parameters.size(); ++i) {
+        const ParameterSpec &spec = set.at(parameters[i]);
+        auto *cell = new QWidget;
+        cell->setMaximumWidth(Metric::kFieldWidth);
+        auto *row = new QGridLayout(cell);
+        row->setContentsMargins(0, 0, 0, 0);
+        row->setHorizontalSpacing(Metric::kGap);
+        QString text = parameterLabel(spec);
+        if (spec.row->risk == Risk::Red)
+            text.prepend(u"⚠ "_s);
+        auto *name = makeLabel(text, spec.row->risk == Risk::Red ? "warning" : "label");
+        name->setWordWrap(true);
+        name->setToolTip(tableText(spec.row->help));
+        ValueEditor *editor = makeEditor(parameters[i]);
+        name->setBuddy(editor->control());
+        row->addWidget(name, 0, 0);
+        row->addWidget(editor, 0, 1, Qt::AlignTop);
+        row->addWidget(makeLabel(QString::fromUtf8(spec.row->unit), "unit"), 0, 2);
+        row->setColumnStretch(0, 5);
+        row->setColumnStretch(1, 5);
+        row->setColumnMinimumWidth(2, 28);
+        grid->addWidget(cell, i / m_columns, i % m_columns, Qt::AlignTop);
+    }
+    for (int column = 0; column < m_columns; ++column)
+        grid->setColumnStretch(column, 1);
+    return widget;
+}
+
+ValueEditor *ParameterForm::makeEditor(int parameter)
+{
+    const ParameterSet &set = m_configuration.edited().parameters();
+    auto *editor = new ValueEditor(set.at(parameter), set.firmware());
+    editor->setEnabled(m_configuration.board().identity().writable);
+    m_editors.insert(parameter, editor);
+    connect(editor, &ValueEditor::edited, this, [this, parameter](int raw) {
+        if (!m_edits.edit(parameter, m_configuration.shownProfile(), raw))
+            refresh(parameter);
+    });
+    connect(editor, &ValueEditor::focused, this, [this, parameter] { emit parameterFocused(parameter); });
+    return editor;
+}
+
+void ParameterForm::refresh(int parameter)
+{
+    ValueEditor *shown = m_editors.value(parameter);
+    if (!shown)
+        return;
+    const ParameterSpec &spec = m_configuration.edited().parameters().at(parameter);
+    const int profile = m_configuration.shownProfile();
+    shown->show(m_configuration.value(spec, profile), m_configuration.boardValue(spec, profile));
+}
+
+void ParameterForm::refreshAll()
+{
+    for (auto it = m_editors.begin(); it != m_editors.end(); ++it)
+        refresh(it.key());
+}

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/forms/editstack.h"
+
+#include <QHash>
+#include <QWidget>
+
+class QVBoxLayout;
+class ValueEditor;
+
+/// A form made from parameter declarations: per-axis values as a matrix, the rest in columns. Follows the model.
+class ParameterForm final : public QWidget
+{
+    Q_OBJECT
+public:
+    ParameterForm(ConfigurationModel &configuration, EditStack &edits, QWidget *parent = nullptr);
+
+    /// Shows these parameters (ids), group after group in the order given.
+    void setParameters(const QList<int> &parameters);
+    [[nodiscard]] ValueEditor *editor(int parameter) const { return m_editors.value(parameter); }
+    [[nodiscard]] qsizetype count() const { return m_editors.size(); }
+
+signals:
+    void parameterFocused(int parameter);
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    void rebuild();
+    void addGroup(QVBoxLayout *layout, const char *group, const QList<int> &parameters);
+    QWidget *makeMatrix(const QList<QList<int>> &rows);
+    QWidget *makeFields(const QList<int> &parameters);
+    ValueEditor *makeEditor(int parameter);
+    void refresh(int parameter);
+    void refreshAll();
+    [[nodiscard]] int columnsFor(int width) const;
+
+    ConfigurationModel &m_configuration;
+    EditStack &m_edits;
+    QList<int> m_parameters;
+    QHash<int, ValueEditor *> m_editors;
+    QWidget *m_body = nullptr;
+    int m_columns = 1;
+};

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/forms/reviewdialog.h"
+
+#include "widgets/theme/theme.h"
+
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+#include <QVBoxLayout>
+
+using namespace Qt::StringLiterals;
+
+ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edited, QWidget *parent)
+    : QDialog(parent)
+    , m_changes(board, edited)
+    , m_table(new QTableView)
+    , m_risk(new QLabel)
+    , m_write(new QPushButton)
+{
+    setWindowTitle(tr("Review and write"));
+    resize(760, 460);
+    auto *intro = new QLabel(tr("These values go to the board. They are read back and compared, and a copy of the whole "
+                                "board is kept before the first write."));
+    intro->setWordWrap(true);
+    m_table->setModel(&m_changes);
+    m_table->setAccessibleName(tr("Changes to write"));
+    m_table->verticalHeader()->hide();
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setShowGrid(false);
+    m_table->setTabKeyNavigation(false);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(ChangeModel::NameColumn, QHeaderView::Stretch);
+    m_risk->setObjectName(u"warning"_s);
+    m_risk->setWordWrap(true);
+    m_risk->setText(tr("⚠ Values of the risk class are among them: hold the camera, or take it off, while motors start."));
+
+    auto *buttons = new QDialogButtonBox;
+    auto *cancel = buttons->addButton(QDialogButtonBox::Cancel);
+    cancel->setText(tr("Back"));
+    buttons->addButton(m_write, QDialogButtonBox::AcceptRole);
+    m_write->setDefault(true);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(Metric::kMargin, Metric::kMargin, Metric::kMargin, Metric::kMargin);
+    layout->setSpacing(Metric::kGap);
+    layout->addWidget(intro);
+    layout->addWidget(m_table, 1);
+    layout->addWidget(m_risk);
+    layout->addWidget(buttons);
+    connect(&m_changes, &ChangeModel::ticksChanged, this, &ReviewDialog::updateButton);
+    updateButton();
+    m_table->setFocus();
+    m_table->selectRow(0);
+}
+
+void ReviewDialog::updateButton()
+{
+    const int count = m_changes.tickedCount();
+    const int profiles = m_changes.tickedProfiles();
+    const QString values = tr("%n value(s)", nullptr, count);
+    m_write->setText(profiles > 1 ? tr("Write %1 to %2 profiles").arg(values).arg(profiles) : tr("Write %1").arg(values));
+    m_write->setEnabled(count > 0);
+    const bool red = m_changes.hasTickedRed();
+    m_risk->setVisible(red);
+    m_write->setObjectName(red ? u"danger"_s : u"primary"_s);
+    // The look depends on the name, which the style sheet has read already.
+    m_write->setStyleSheet(m_write->styleSheet());
+}

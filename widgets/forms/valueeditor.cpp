@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/forms/valueeditor.h"
+
+#include "widgets/models/parametermodel.h"
+#include "widgets/theme/theme.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QStyle>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// A number box that thinks in raw counts: each step is one count of the wire.
+class NumberBox final : public QDoubleSpinBox
+{
+public:
+    explicit NumberBox(const ParameterSpec &spec) : m_spec(spec) { setKeyboardTracking(false); }
+
+    void stepBy(int steps) override
+    {
+        setValue(m_spec.toDisplay(m_spec.clamped(m_spec.toRaw(value()) + steps)));
+        selectAll();
+    }
+
+private:
+    const ParameterSpec &m_spec;
+};
+
+void polish(QWidget *widget, const char *property, bool value)
+{
+    if (widget->property(property).toBool() == value)
+        return;
+    widget->setProperty(property, value);
+    widget->style()->unpolish(widget);
+    widget->style()->polish(widget);
+}
+
+} // namespace
+
+ValueEditor::ValueEditor(const ParameterSpec &spec, int firmware, QWidget *parent)
+    : QWidget(parent)
+    , m_spec(spec)
+    , m_reset(new QToolButton(this))
+{
+    switch (spec.row->kind) {
+    case ValueKind::Number: m_control = makeNumber(); break;
+    case ValueKind::Choice: m_control = makeChoice(firmware); break;
+    case ValueKind::Toggle: m_control = makeToggle(); break;
+    case ValueKind::Flags: m_control = makeFlags(firmware); break;
+    }
+    QString name = parameterLabel(spec);
+    if (*spec.row->unit)
+        name += u", "_s + QString::fromUtf8(spec.row->unit);
+    m_control->setAccessibleName(name);
+    m_control->setAccessibleDescription(tableText(spec.row->help));
+    m_control->setObjectName(spec.key);
+    m_control->setEnabled(!spec.row->state);
+    m_control->installEventFilter(this);
+    setFocusProxy(m_control);
+
+    m_reset->setAutoRaise(true);
+    m_reset->setFocusPolicy(Qt::TabFocus);
+    m_reset->setVisible(false);
+    connect(m_reset, &QToolButton::clicked, this, [this] { emit edited(m_boardRaw); });
+
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(m_control);
+    layout->addWidget(m_reset, 0, Qt::AlignRight);
+}
+
+QWidget *ValueEditor::makeNumber()
+{
+    m_number = new NumberBox(m_spec);
+    m_number->setDecimals(m_spec.row->decimals);
+    m_number->setRange(m_spec.toDisplay(m_spec.row->min), m_spec.toDisplay(m_spec.row->max));
+    m_number->setSingleStep(std::abs(m_spec.row->scale));
+    m_number->setAlignment(Qt::AlignRight);
+    m_number->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    m_number->setFocusPolicy(Qt::StrongFocus);
+    m_number->setMinimumWidth(72);
+    connect(m_number, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        if (!m_updating)
+            emit edited(m_spec.clamped(m_spec.toRaw(value)));
+    });
+    return m_number;
+}
+
+QWidget *ValueEditor::makeChoice(int firmware)
+{
+    m_choice = new QComboBox;
+    m_choice->setFocusPolicy(Qt::StrongFocus);
+    m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_choice->setMinimumContentsLength(8);
+    for (const Choice &choice : m_spec.choices(firmware))
+        m_choice->addItem(tableText(choice.name), choice.value);
+    connect(m_choice, &QComboBox::currentIndexChanged, this, [this](int index) {
+        if (!m_updating && index >= 0)
+            emit edited(m_choice->itemData(index).toInt());
+    });
+    return m_choice;
+}
+
+QWidget *ValueEditor::makeToggle()
+{
+    m_toggle = new QCheckBox;
+    connect(m_toggle, &QCheckBox::toggled, this, [this](bool on) {
+        if (!m_updating)
+            emit edited(on ? 1 : 0);
+    });
+    return m_toggle;
+}
+
+QWidget *ValueEditor::makeFlags(int firmware)
+{
+    m_flags = new QPushButton;
+    m_flagsMenu = new QMenu(m_flags);
+    for (const Choice &choice : m_spec.choices(firmware)) {
+        QAction *action = m_flagsMenu->addAction(tableText(choice.name));
+        action->setCheckable(true);
+        action->setData(choice.value);
+        connect(action, &QAction::triggered, this, [this, bit = choice.value](bool on) {
+            const int mask = 1 << bit;
+            emit edited(on ? m_raw | mask : m_raw & ~mask);
+        });
+    }
+    m_flags->setMenu(m_flagsMenu);
+    m_flags->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_flags->setMinimumWidth(96);
+    return m_flags;
+}
+
+void ValueEditor::show(std::optional<int> value, std::optional<int> onBoard)
+{
+    m_control->setEnabled(value && !m_spec.row->state);
+    if (!value)
+        return;
+    m_raw = *value;
+    m_boardRaw = onBoard.value_or(*value);
+    m_updating = true;
+    showValue(*value);
+    m_updating = false;
+    const bool changed = m_raw != m_boardRaw;
+    polish(m_control, "changed", changed);
+    m_reset->setVisible(changed);
+    if (changed) {
+        const QString board = parameterValueText(m_spec, m_boardRaw);
+        m_reset->setText(tr("↺ %1").arg(board));
+        m_reset->setToolTip(tr("The board has %1. Go back to it.").arg(board));
+        m_reset->setAccessibleName(tr("Go back to the board's value %1").arg(board));
+    }
+    m_control->setToolTip(u"%1\n%2%3"_s.arg(tableText(m_spec.row->help), parameterRangeText(m_spec),
+                                           changed ? tr("\nOn the board: %1").arg(parameterValueText(m_spec, m_boardRaw))
+                                                   : QString()));
+}
+
+void ValueEditor::showValue(int raw)
+{
+    if (m_number) {
+        // A board may hold a value outside the documented range; it is shown as it is.
+        const double display = m_spec.toDisplay(raw);
+        m_number->setRange(std::min(m_spec.toDisplay(m_spec.row->min), display),
+                           std::max(m_spec.toDisplay(m_spec.row->max), display));
+        m_number->setValue(display);
+    } else if (m_choice) {
+        int index = m_choice->findData(raw);
+        if (index < 0) {
+            m_choice->addItem(tr("Unknown (%1)").arg(raw), raw);
+            index = m_choice->count() - 1;
+        }
+        m_choice->setCurrentIndex(index);
+    } else if (m_toggle) {
+        m_toggle->setChecked(raw != 0);
+    } else if (m_flags) {
+        updateFlagsText(raw);
+    }
+}
+
+void ValueEditor::updateFlagsText(int raw)
+{
+    int count = 0;
+    for (QAction *action : m_flagsMenu->actions()) {
+        const bool on = raw & (1 << action->data().toInt());
+        action->setChecked(on);
+        count += on;
+    }
+    m_flags->setText(count == 0 ? tr("None") : tr("%n set", nullptr, count));
+    m_flags->setToolTip(parameterValueText(m_spec, raw));
+}
+
+bool ValueEditor::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::FocusIn)
+        emit focused();
+    // The wheel scrolls the page unless the control has been chosen on purpose.
+    if (event->type() == QEvent::Wheel && !m_control->hasFocus()) {
+        event->ignore();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}

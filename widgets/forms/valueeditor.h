@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/device/parameterspec.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QMenu;
+class QPushButton;
+class QToolButton;
+
+/// The control for one parameter: number box, choice, tick or flags, made from its declaration. Shows what the board holds
+/// when that differs, with a button that goes back to it.
+class ValueEditor final : public QWidget
+{
+    Q_OBJECT
+public:
+    ValueEditor(const ParameterSpec &spec, int firmware, QWidget *parent = nullptr);
+
+    [[nodiscard]] const ParameterSpec &spec() const { return m_spec; }
+    /// Shows a value and what the board has; empty = the board did not deliver it.
+    void show(std::optional<int> value, std::optional<int> onBoard);
+    /// The control that takes keys.
+    [[nodiscard]] QWidget *control() const { return m_control; }
+
+signals:
+    void edited(int raw);
+    void focused();
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    QWidget *makeNumber();
+    QWidget *makeChoice(int firmware);
+    QWidget *makeToggle();
+    QWidget *makeFlags(int firmware);
+    void showValue(int raw);
+    void updateFlagsText(int raw);
+
+    const ParameterSpec &m_spec;
+    QWidget *m_control = nullptr;
+    QDoubleSpinBox *m_number = nullptr;
+    QComboBox *m_choice = nullptr;
+    QCheckBox *m_toggle = nullptr;
+    QPushButton *m_flags = nullptr;
+    QMenu *m_flagsMenu = nullptr;
+    QToolButton *m_reset;
+    int m_raw = 0;
+    int m_boardRaw = 0;
+    bool m_updating = false;
+};

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/changemodel.h"
+
+#include "widgets/models/parametermodel.h"
+
+#include <QSet>
+
+#include <algorithm>
+#include <tuple>
+
+using namespace Qt::StringLiterals;
+
+ChangeModel::ChangeModel(const Configuration &board, const Configuration &edited, QObject *parent)
+    : QAbstractTableModel(parent)
+    , m_board(board)
+    , m_edited(edited)
+{
+    for (const ParameterChange &change : board.changesTo(edited))
+        m_rows.push_back({change, true});
+    std::stable_partition(m_rows.begin(), m_rows.end(),
+                          [](const Row &row) { return row.change.spec->row->risk == Risk::Red; });
+    for (int profile = 0; profile < board.identity().profileCount; ++profile) {
+        if (board.profileNames().value(profile) != edited.profileNames().value(profile))
+            m_rows.push_back({{nullptr, profile, 0, 0}, true});
+    }
+}
+
+int ChangeModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : int(m_rows.size());
+}
+
+int ChangeModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QVariant ChangeModel::data(const QModelIndex &index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    const Row &row = m_rows[std::size_t(index.row())];
+    const ParameterSpec *spec = row.change.spec;
+    if (role == Qt::CheckStateRole && index.column() == NameColumn)
+        return row.ticked ? Qt::Checked : Qt::Unchecked;
+    if (role == RedRole)
+        return spec && spec->row->risk == Risk::Red;
+    if (role == Qt::ToolTipRole && spec)
+        return tableText(spec->row->help);
+    if (role == Qt::TextAlignmentRole && index.column() >= BoardColumn)
+        return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    if (role != Qt::DisplayRole)
+        return {};
+    const auto value = [spec](int raw) {
+        QString text = parameterValueText(*spec, raw);
+        if (*spec->row->unit)
+            text += u' ' + QString::fromUtf8(spec->row->unit);
+        return text;
+    };
+    switch (index.column()) {
+    case NameColumn:
+        if (!spec)
+            return tr("Profile name");
+        return (spec->row->risk == Risk::Red ? u"⚠ "_s : QString()) + tableText(spec->row->group) + u" · "_s
+            + parameterLabel(*spec);
+    case ProfileColumn:
+        if (spec && spec->row->scope == Scope::Board)
+            return tr("All profiles");
+        return m_board.profileName(row.change.profile);
+    case BoardColumn:
+        return spec ? value(row.change.from) : m_board.profileNames().value(row.change.profile);
+    case EditedColumn:
+        return spec ? value(row.change.to) : m_edited.profileNames().value(row.change.profile);
+    default:
+        return {};
+    }
+}
+
+bool ChangeModel::setData(const QModelIndex &index, const QVariant &value, int role)
+{
+    if (role != Qt::CheckStateRole || index.column() != NameColumn)
+        return false;
+    m_rows[std::size_t(index.row())].ticked = value.toInt() == Qt::Checked;
+    emit dataChanged(index, index, {Qt::CheckStateRole});
+    emit ticksChanged();
+    return true;
+}
+
+Qt::ItemFlags ChangeModel::flags(const QModelIndex &index) const
+{
+    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    if (index.isValid() && index.column() == NameColumn)
+        flags |= Qt::ItemIsUserCheckable;
+    return flags;
+}
+
+QVariant ChangeModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case NameColumn: return tr("Parameter");
+    case ProfileColumn: return tr("Profile");
+    case BoardColumn: return tr("On the board");
+    case EditedColumn: return tr("New");
+    default: return {};
+    }
+}
+
+int ChangeModel::tickedCount() const
+{
+    return int(std::count_if(m_rows.begin(), m_rows.end(), [](const Row &row) { return row.ticked; }));
+}
+
+int ChangeModel::tickedProfiles() const
+{
+    QSet<int> profiles;
+    for (const Row &row : m_rows) {
+        if (row.ticked)
+            profiles.insert(row.change.profile);
+    }
+    return int(profiles.size());
+}
+
+bool ChangeModel::hasTickedRed() const
+{
+    return std::any_of(m_rows.begin(), m_rows.end(), [](const Row &row) {
+        return row.ticked && row.change.spec && row.change.spec->row->risk == Risk::Red;
+    });
+}
+
+Configuration ChangeModel::ticked() const
+{
+    Configuration result = m_board;
+    QStringList names = m_board.profileNames();
+    names.resize(m_board.identity().profileCount);
+    bool renamed = false;
+    for (const Row &row : m_rows) {
+        if (!row.ticked)
+            continue;
+        if (row.change.spec) {
+            std::ignore = result.setRaw(*row.change.spec, row.change.profile, row.change.to);
+        } else {
+            names[row.change.profile] = m_edited.profileNames().value(row.change.profile);
+            renamed = true;
+        }
+    }
+    if (renamed)
+        result.setProfileNames(names);
+    return result;
+}

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/device/configuration.h"
+
+#include <QAbstractTableModel>
+
+/// The differences that are about to be written, red class first, each one with a tick.
+class ChangeModel final : public QAbstractTableModel
+{
+    Q_OBJECT
+public:
+    enum Column { NameColumn, ProfileColumn, BoardColumn, EditedColumn, ColumnCount };
+    enum Role { RedRole = Qt::UserRole };
+
+    ChangeModel(const Configuration &board, const Configuration &edited, QObject *parent = nullptr);
+
+    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+    bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+    [[nodiscard]] int tickedCount() const;
+    [[nodiscard]] int tickedProfiles() const;
+    [[nodiscard]] bool hasTickedRed() const;
+    /// The board's configuration with the ticked changes only.
+    [[nodiscard]] Configuration ticked() const;
+
+signals:
+    void ticksChanged();
+
+private:
+    struct Row
+    {
+        ParameterChange change;   // spec is null for a profile's name
+        bool ticked = true;
+    };
+    const Configuration &m_board;
+    const Configuration &m_edited;
+    std::vector<Row> m_rows;
+};

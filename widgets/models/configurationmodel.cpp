@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/configurationmodel.h"
+
+#include <QSet>
+
+#include <tuple>
+
+ConfigurationModel::ConfigurationModel(QObject *parent)
+    : QObject(parent)
+{
+}
+
+void ConfigurationModel::reset(Configuration board)
+{
+    m_board = std::move(board);
+    m_edited = m_board;
+    m_shownProfile = m_board.activeProfile();
+    recount();
+    emit boardReset();
+    emit shownProfileChanged(m_shownProfile);
+}
+
+bool ConfigurationModel::rebase(Configuration board)
+{
+    if (m_board.isEmpty() || board.identity().serial != m_board.identity().serial
+        || board.identity().firmwareNumber != m_board.identity().firmwareNumber)
+        return false;
+    const auto edits = m_board.changesTo(m_edited);
+    const bool renamed = namesChanged();
+    const QStringList names = m_edited.profileNames();
+    const int shown = m_shownProfile;
+    m_board = std::move(board);
+    m_edited = m_board;
+    for (const ParameterChange &edit : edits) {
+        // The new parameter set is another object, so the parameter is found by its key.
+        if (const ParameterSpec *spec = m_board.parameters().find(edit.spec->key))
+            std::ignore = m_edited.setRaw(*spec, edit.profile, edit.to);
+    }
+    if (renamed)
+        m_edited.setProfileNames(names);
+    m_shownProfile = shown;
+    recount();
+    emit boardReset();
+    return true;
+}
+
+void ConfigurationModel::setBoard(const Configuration &board)
+{
+    const auto edits = m_board.changesTo(m_edited);
+    m_board = board;
+    const QStringList names = m_edited.profileNames();
+    m_edited = m_board;
+    m_edited.setProfileNames(names);
+    for (const ParameterChange &edit : edits) {
+        std::ignore = m_edited.setRaw(*edit.spec, edit.profile, edit.to);
+        emit valueChanged(edit.spec->id, edit.profile);
+    }
+    recount();
+    emit profileNamesChanged();
+}
+
+void ConfigurationModel::setActiveProfile(int profile)
+{
+    if (profile == m_board.activeProfile() || profile < 0 || profile >= m_board.identity().profileCount)
+        return;
+    m_board.setActiveProfile(profile);
+    m_edited.setActiveProfile(profile);
+    emit activeProfileChanged(profile);
+    setShownProfile(profile);
+}
+
+void ConfigurationModel::setShownProfile(int profile)
+{
+    if (profile == m_shownProfile || profile < 0 || profile >= m_board.identity().profileCount)
+        return;
+    m_shownProfile = profile;
+    emit shownProfileChanged(profile);
+}
+
+std::optional<int> ConfigurationModel::value(const ParameterSpec &spec, int profile) const
+{
+    return m_edited.raw(spec, profile);
+}
+
+std::optional<int> ConfigurationModel::boardValue(const ParameterSpec &spec, int profile) const
+{
+    return m_board.raw(spec, profile);
+}
+
+bool ConfigurationModel::isChanged(const ParameterSpec &spec, int profile) const
+{
+    return !spec.row->state && m_board.raw(spec, profile) != m_edited.raw(spec, profile);
+}
+
+Result<void> ConfigurationModel::setValue(const ParameterSpec &spec, int profile, int raw)
+{
+    if (m_edited.raw(spec, profile) == raw)
+        return {};
+    if (const auto set = m_edited.setRaw(spec, profile, raw); !set)
+        return set;
+    emit valueChanged(spec.id, profile);
+    recount();
+    return {};
+}
+
+void ConfigurationModel::setProfileName(int profile, const QString &name)
+{
+    QStringList names = m_edited.profileNames();
+    names.resize(m_edited.identity().profileCount);
+    if (names[profile] == name)
+        return;
+    names[profile] = name;
+    m_edited.setProfileNames(names);
+    recount();
+    emit profileNamesChanged();
+}
+
+int ConfigurationModel::changedProfileCount() const
+{
+    QSet<int> profiles;
+    for (const ParameterChange &change : changes())
+        profiles.insert(change.profile);
+    return int(profiles.size());
+}
+
+void ConfigurationModel::recount()
+{
+    const int count = int(changes().size()) + (namesChanged() ? 1 : 0);
+    if (count == m_changeCount)
+        return;
+    m_changeCount = count;
+    emit changeCountChanged(count);
+}

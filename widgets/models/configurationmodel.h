@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/device/configuration.h"
+
+#include <QObject>
+
+/// What the board holds and what the operator wants: two configurations of one board, and the signals between. Dirty is a
+/// comparison, never a flag.
+class ConfigurationModel final : public QObject
+{
+    Q_OBJECT
+public:
+    explicit ConfigurationModel(QObject *parent = nullptr);
+
+    [[nodiscard]] bool isEmpty() const { return m_board.isEmpty(); }
+    [[nodiscard]] const Configuration &board() const { return m_board; }
+    [[nodiscard]] const Configuration &edited() const { return m_edited; }
+
+    /// A new board, or the same one read anew with all edits given up.
+    void reset(Configuration board);
+    /// The same board read anew: edits are kept, as far as they still differ. False if it is another board.
+    bool rebase(Configuration board);
+    /// After a write: what is on the board now; edits that were not written stay edits.
+    void setBoard(const Configuration &board);
+
+    /// The board uses another profile now; forms follow.
+    void setActiveProfile(int profile);
+    /// Profile that forms show and edit.
+    [[nodiscard]] int shownProfile() const { return m_shownProfile; }
+    void setShownProfile(int profile);
+
+    [[nodiscard]] std::optional<int> value(const ParameterSpec &spec, int profile) const;
+    [[nodiscard]] std::optional<int> boardValue(const ParameterSpec &spec, int profile) const;
+    [[nodiscard]] bool isChanged(const ParameterSpec &spec, int profile) const;
+    /// Errors: OutOfRange, Unsupported, ReadOnly.
+    Result<void> setValue(const ParameterSpec &spec, int profile, int raw);
+    void setProfileName(int profile, const QString &name);
+
+    [[nodiscard]] std::vector<ParameterChange> changes() const { return m_board.changesTo(m_edited); }
+    [[nodiscard]] int changeCount() const { return m_changeCount; }
+    /// Number of profiles that changes concern; board-wide ones count for the active profile.
+    [[nodiscard]] int changedProfileCount() const;
+    [[nodiscard]] bool namesChanged() const { return m_board.profileNames() != m_edited.profileNames(); }
+
+signals:
+    void boardReset();
+    void valueChanged(int parameter, int profile);
+    void shownProfileChanged(int profile);
+    void activeProfileChanged(int profile);
+    void profileNamesChanged();
+    void changeCountChanged(int count);
+
+private:
+    void recount();
+
+    Configuration m_board;
+    Configuration m_edited;
+    int m_shownProfile = 0;
+    int m_changeCount = 0;
+};

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/parametermodel.h"
+
+#include <QCoreApplication>
+
+using namespace Qt::StringLiterals;
+
+QString tableText(const char *text)
+{
+    return QCoreApplication::translate("Tables", text);
+}
+
+QString axisLabel(Axis axis)
+{
+    switch (axis) {
+    case Axis::Roll: return QCoreApplication::translate("Tables", "Roll");
+    case Axis::Pitch: return QCoreApplication::translate("Tables", "Pitch");
+    case Axis::Yaw: return QCoreApplication::translate("Tables", "Yaw");
+    case Axis::None: break;
+    }
+    return {};
+}
+
+QString parameterLabel(const ParameterSpec &spec, bool withAxis)
+{
+    QString label = tableText(spec.row->label);
+    if (spec.index > 0)
+        label = label.arg(spec.index);
+    if (withAxis && spec.axis != Axis::None)
+        label += u" · "_s + axisLabel(spec.axis);
+    return label;
+}
+
+QString parameterValueText(const ParameterSpec &spec, int raw)
+{
+    switch (spec.row->kind) {
+    case ValueKind::Toggle:
+        return raw ? QCoreApplication::translate("Tables", "On") : QCoreApplication::translate("Tables", "Off");
+    case ValueKind::Choice:
+        for (const Choice &choice : spec.row->choices) {
+            if (choice.value == raw)
+                return tableText(choice.name);
+        }
+        return QString::number(raw);
+    case ValueKind::Flags: {
+        QStringList names;
+        for (const Choice &choice : spec.row->choices) {
+            if (raw & (1 << choice.value))
+                names.append(tableText(choice.name));
+        }
+        return names.isEmpty() ? QCoreApplication::translate("Tables", "None") : names.join(u", "_s);
+    }
+    case ValueKind::Number:
+        break;
+    }
+    return spec.format(raw);
+}
+
+QString parameterRangeText(const ParameterSpec &spec)
+{
+    if (spec.row->kind != ValueKind::Number)
+        return {};
+    QString text = QCoreApplication::translate("Tables", "%1 to %2").arg(spec.minText(), spec.maxText());
+    if (*spec.row->unit)
+        text += u' ' + QString::fromUtf8(spec.row->unit);
+    return text;
+}
+
+QString parameterSearchText(const ParameterSpec &spec)
+{
+    return (parameterLabel(spec) + u' ' + spec.key + u' ' + tableText(spec.row->group) + u' '
+            + tableText(spec.row->help))
+        .toLower();
+}
+
+ParameterModel::ParameterModel(ConfigurationModel &configuration, QObject *parent)
+    : QAbstractTableModel(parent)
+    , m_configuration(configuration)
+{
+    connect(&m_configuration, &ConfigurationModel::boardReset, this, &ParameterModel::reset);
+    connect(&m_configuration, &ConfigurationModel::shownProfileChanged, this, [this] {
+        if (m_rows > 0)
+            emit dataChanged(index(0, 0), index(m_rows - 1, ColumnCount - 1));
+    });
+    connect(&m_configuration, &ConfigurationModel::valueChanged, this, [this](int parameter) {
+        if (parameter < m_rows)
+            emit dataChanged(index(parameter, 0), index(parameter, ColumnCount - 1));
+    });
+    reset();
+}
+
+void ParameterModel::reset()
+{
+    beginResetModel();
+    m_rows = m_configuration.isEmpty() ? 0 : int(m_configuration.board().parameters().all().size());
+    endResetModel();
+}
+
+const ParameterSpec &ParameterModel::specAt(int row) const
+{
+    return m_configuration.edited().parameters().at(row);
+}
+
+int ParameterModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : m_rows;
+}
+
+int ParameterModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QVariant ParameterModel::data(const QModelIndex &index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    const ParameterSpec &spec = specAt(index.row());
+    const int profile = m_configuration.shownProfile();
+    const auto value = m_configuration.value(spec, profile);
+    switch (role) {
+    case IdRole: return spec.id;
+    case ChangedRole: return m_configuration.isChanged(spec, profile);
+    case RedRole: return spec.row->risk == Risk::Red;
+    case DiffersFromDefaultRole: return value && !spec.row->state && *value != spec.defaultRaw;
+    case LevelRole: return int(spec.row->level);
+    case SearchRole: return parameterSearchText(spec);
+    case GroupRole: return tableText(spec.row->group);
+    case Qt::ToolTipRole: return tableText(spec.row->help);
+    case Qt::TextAlignmentRole:
+        if (index.column() == ValueColumn || index.column() == BoardColumn || index.column() == DefaultColumn)
+            return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+        return {};
+    case Qt::EditRole:
+        return index.column() == ValueColumn && value ? QVariant(spec.format(*value)) : QVariant();
+    case Qt::DisplayRole: break;
+    default: return {};
+    }
+    switch (index.column()) {
+    case NameColumn: return parameterLabel(spec);
+    case ValueColumn: return value ? parameterValueText(spec, *value) : QString();
+    case UnitColumn: return QString::fromUtf8(spec.row->unit);
+    case BoardColumn: {
+        const auto board = m_configuration.boardValue(spec, profile);
+        return board ? parameterValueText(spec, *board) : QString();
+    }
+    case DefaultColumn: return spec.row->state ? QString() : parameterValueText(spec, spec.defaultRaw);
+    case RangeColumn: return parameterRangeText(spec);
+    case KeyColumn: return spec.key;
+    default: return {};
+    }
+}
+
+bool ParameterModel::setData(const QModelIndex &index, const QVariant &value, int role)
+{
+    if (role != Qt::EditRole || index.column() != ValueColumn)
+        return false;
+    const ParameterSpec &spec = specAt(index.row());
+    const auto raw = spec.parse(value.toString());
+    if (!raw || !spec.isInRange(*raw))
+        return false;
+    emit editRequested(spec.id, *raw);
+    return true;
+}
+
+Qt::ItemFlags ParameterModel::flags(const QModelIndex &index) const
+{
+    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    if (index.isValid() && index.column() == ValueColumn && !specAt(index.row()).row->state)
+        flags |= Qt::ItemIsEditable;
+    return flags;
+}
+
+QVariant ParameterModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case NameColumn: return tr("Parameter");
+    case ValueColumn: return tr("Value");
+    case UnitColumn: return tr("Unit");
+    case BoardColumn: return tr("On the board");
+    case DefaultColumn: return tr("Default");
+    case RangeColumn: return tr("Range");
+    case KeyColumn: return tr("Key");
+    default: return {};
+    }
+}

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/models/configurationmodel.h"
+
+#include <QAbstractTableModel>
+
+/// All parameters of the shown profile as rows.
+class ParameterModel final : public QAbstractTableModel
+{
+    Q_OBJECT
+public:
+    enum Column { NameColumn, ValueColumn, UnitColumn, BoardColumn, DefaultColumn, RangeColumn, KeyColumn, ColumnCount };
+    enum Role { IdRole = Qt::UserRole, ChangedRole, RedRole, DiffersFromDefaultRole, LevelRole, SearchRole, GroupRole };
+
+    explicit ParameterModel(ConfigurationModel &configuration, QObject *parent = nullptr);
+
+    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+    bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+signals:
+    /// Somebody typed a value; whoever owns the undo stack makes an edit of it.
+    void editRequested(int parameter, int raw);
+
+private:
+    [[nodiscard]] const ParameterSpec &specAt(int row) const;
+    void reset();
+
+    ConfigurationModel &m_configuration;
+    int m_rows = 0;
+};
+
+/// Texts of a parameter for people, translated: label with its index, axis, value with choice name.
+[[nodiscard]] QString parameterLabel(const ParameterSpec &spec, bool withAxis = true);
+[[nodiscard]] QString axisLabel(Axis axis);
+[[nodiscard]] QString tableText(const char *text);
+[[nodiscard]] QString parameterValueText(const ParameterSpec &spec, int raw);
+[[nodiscard]] QString parameterRangeText(const ParameterSpec &spec);
+/// Lower-case text in which a search looks: label, key, group, help.
+[[nodiscard]] QString parameterSearchText(const ParameterSpec &spec);

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plot/tracecolumns.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+// Samples further apart than this are not joined by a line: it is a gap.
+constexpr double kGapSeconds = 0.6;
+
+} // namespace
+
+void TraceColumns::reset(int width, double pitch, qint64 firstColumn)
+{
+    m_spans.assign(std::size_t(std::max(width, 1)), Span());
+    m_pitch = pitch;
+    m_first = firstColumn;
+    m_newest = firstColumn - 1;
+    m_track = 0;
+    m_nextRow = 0;
+    m_started = false;
+    m_hasLast = false;
+}
+
+qint64 TraceColumns::columnOf(double time) const
+{
+    return static_cast<qint64>(std::floor(time / m_pitch));
+}
+
+std::size_t TraceColumns::slot(qint64 column) const
+{
+    const auto size = static_cast<qint64>(m_spans.size());
+    return static_cast<std::size_t>(((column % size) + size) % size);
+}
+
+TraceColumns::Span TraceColumns::span(qint64 column) const
+{
+    if (column > m_newest || column <= m_newest - qint64(m_spans.size()) || column < m_first)
+        return {};
+    return m_spans[slot(column)];
+}
+
+TraceColumns::Span TraceColumns::range(qint64 first, qint64 last) const
+{
+    Span all;
+    for (qint64 column = first; column <= last; ++column) {
+        const Span one = span(column);
+        if (one.isEmpty())
+            continue;
+        all = all.isEmpty() ? one : Span{std::min(all.low, one.low), std::max(all.high, one.high)};
+    }
+    return all;
+}
+
+std::optional<qint64> TraceColumns::update(std::vector<TrackView> &tracks)
+{
+    const qint64 before = m_newest;
+    bool changed = false;
+    for (; m_track < tracks.size(); ++m_track) {
+        TrackView &track = tracks[m_track];
+        track.refresh();
+        if (!m_started) {
+            // One sample before the window, so that the first line enters from the left.
+            m_nextRow = track.rowAt(double(m_first) * m_pitch);
+            m_nextRow = m_nextRow > track.begin() ? m_nextRow - 1 : m_nextRow;
+            m_started = true;
+        }
+        m_nextRow = std::max(m_nextRow, track.begin());
+        for (; m_nextRow < track.end(); ++m_nextRow) {
+            add(track.time(m_nextRow), track.value(m_nextRow));
+            changed = true;
+        }
+        if (m_track + 1 == tracks.size())
+            break;
+        m_started = false;   // go on in the next stream that carried this channel
+    }
+    return changed ? std::optional(std::max(m_first, before)) : std::nullopt;
+}
+
+void TraceColumns::add(double time, float value)
+{
+    if (std::isnan(value)) {
+        m_hasLast = false;
+        return;
+    }
+    const qint64 column = columnOf(time);
+    if (m_hasLast && time - m_lastTime < kGapSeconds && time >= m_lastTime) {
+        // Spans touch the column before; between sparse samples the line is drawn through the columns it crosses.
+        const qint64 from = columnOf(m_lastTime);
+        const double width = time - m_lastTime;
+        for (qint64 between = std::max(from, m_first - 1); between < column; ++between) {
+            const double edge = double(between + 1) * m_pitch;
+            const float part = width > 0 ? float((edge - m_lastTime) / width) : 1.0F;
+            const float at = m_lastValue + (value - m_lastValue) * part;
+            extend(between, at);
+            extend(between + 1, at);
+        }
+    }
+    extend(column, value);
+    m_hasLast = true;
+    m_lastTime = time;
+    m_lastValue = value;
+}
+
+void TraceColumns::extend(qint64 column, float value)
+{
+    if (column < m_first || column <= m_newest - qint64(m_spans.size()))
+        return;
+    // Columns that were jumped over are empty, not what stood there one turn of the ring ago.
+    for (qint64 fresh = std::max(m_newest + 1, column - qint64(m_spans.size()) + 1); fresh <= column; ++fresh)
+        m_spans[slot(fresh)] = Span();
+    m_newest = std::max(m_newest, column);
+    Span &span = m_spans[slot(column)];
+    span = span.isEmpty() ? Span{value, value} : Span{std::min(span.low, value), std::max(span.high, value)};
+}

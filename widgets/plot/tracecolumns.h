@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/device/telemetrystore.h"
+
+/// One trace cut into pixel columns. Column k always covers the seconds [k*s, (k+1)*s), so nothing shimmers while the plot
+/// scrolls; finished columns are kept, only the newest one is worked on.
+class TraceColumns
+{
+public:
+    struct Span
+    {
+        float low = 0;
+        float high = -1;      ///< low > high: nothing to draw
+        [[nodiscard]] bool isEmpty() const { return low > high; }
+    };
+
+    /// @param width number of columns kept; @param pitch seconds per column
+    void reset(int width, double pitch, qint64 firstColumn);
+    /// Takes all rows that are new since the last call. Returns the first column that changed, or nothing.
+    std::optional<qint64> update(std::vector<TrackView> &tracks);
+    [[nodiscard]] Span span(qint64 column) const;
+    [[nodiscard]] double pitch() const { return m_pitch; }
+    [[nodiscard]] qint64 columnOf(double time) const;
+    /// Lowest and highest value in these columns; empty span when there is none.
+    [[nodiscard]] Span range(qint64 first, qint64 last) const;
+    /// Time of the newest sample taken.
+    [[nodiscard]] double newest() const { return m_lastTime; }
+
+private:
+    void add(double time, float value);
+    void extend(qint64 column, float value);
+    [[nodiscard]] std::size_t slot(qint64 column) const;
+
+    std::vector<Span> m_spans;
+    double m_pitch = 0.01;
+    qint64 m_first = 0;                // columns before this one are of no interest
+    qint64 m_newest = -1;              // newest column with anything in it
+    std::size_t m_track = 0;           // which of the tracks is being read
+    std::size_t m_nextRow = 0;
+    bool m_started = false;
+    bool m_hasLast = false;
+    double m_lastTime = 0;
+    float m_lastValue = 0;
+};

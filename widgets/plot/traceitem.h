@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/plot/tracecolumns.h"
+
+#include <QColor>
+#include <QGraphicsItem>
+#include <QPixmap>
+
+/// Draws all traces of one plot area: a ring image of finished pixel columns, scrolled by blitting it in two parts. A live
+/// frame paints only the columns that are new; zoom, resize, scale and theme changes rebuild the image.
+class TraceItem final : public QGraphicsItem
+{
+public:
+    struct Trace
+    {
+        int channel = -1;
+        QColor color;
+        bool visible = true;
+        std::vector<TrackView> tracks;
+        TraceColumns columns;
+    };
+
+    explicit TraceItem(QGraphicsItem *parent = nullptr);
+
+    [[nodiscard]] std::vector<Trace> &traces() { return m_traces; }
+    /// Area in item coordinates, seconds shown, values at the lower and upper edge, device pixels per pixel.
+    void setView(const QRectF &area, double window, double low, double high, qreal scale);
+    void invalidate() { m_valid = false; }
+    /// Takes new samples up to that time; true if the picture changed.
+    bool advance(double now);
+    /// Lowest and highest value in the window over all visible traces; empty if there is none.
+    [[nodiscard]] TraceColumns::Span visibleRange() const;
+    /// Newest sample time of all traces, NaN without any.
+    [[nodiscard]] double newestSample();
+    [[nodiscard]] double pitch() const { return m_pitch; }
+
+    [[nodiscard]] QRectF boundingRect() const override { return m_area; }
+    void paint(QPainter *painter, const QStyleOptionGraphicsItem *option, QWidget *widget) override;
+
+private:
+    void rebuild();
+    void drawColumns(qint64 first, qint64 last);
+
+    std::vector<Trace> m_traces;
+    QRectF m_area;
+    double m_window = 10;
+    double m_low = -1;
+    double m_high = 1;
+    qreal m_scale = 1;
+    QPixmap m_ring;
+    int m_width = 1;               // of the ring image in device pixels
+    int m_height = 1;
+    double m_pitch = 0.01;         // seconds per column
+    double m_now = 0;
+    qint64 m_lastColumn = 0;       // newest column that is drawn
+    bool m_valid = false;
+};

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/theme/theme.h"
+
+#include <QApplication>
+#include <QGuiApplication>
+#include <QStyleFactory>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+using Colors = std::array<QRgb, static_cast<std::size_t>(ColorRole::Count)>;
+
+constexpr Colors kLight{
+    0xFFF3F4F6, 0xFFFFFFFF, 0xFFE9EBEF, 0xFFC9CED6, 0xFF1B2027, 0xFF5A6472, 0xFF0B62A8, 0xFFFFFFFF, 0xFF1B7A43,
+    0xFF8A4B00, 0xFF8F5400, 0xFFB3201B, 0xFFFFFFFF, 0xFFB84F00, 0xFF00785A, 0xFF0072B2, 0xFFBFD9EE, 0xFFD9C9B2};
+constexpr Colors kDark{
+    0xFF16191E, 0xFF1F242B, 0xFF2A3038, 0xFF3D4550, 0xFFE7EAEE, 0xFFA3ADBA, 0xFF6CB4EE, 0xFF0D1116, 0xFF5CC98A,
+    0xFFF0B45C, 0xFFF0B45C, 0xFFFF7A70, 0xFF1B0604, 0xFFFF8F4D, 0xFF3DC79B, 0xFF5CB3EC, 0xFF28455E, 0xFF4A3F30};
+constexpr std::array<QRgb, 8> kSeriesLight{0xFFA5477E, 0xFF6B7200, 0xFF3F5FBF, 0xFF8A5A00,
+                                           0xFF00767A, 0xFF7A3FB0, 0xFF5A6472, 0xFFA82A2A};
+constexpr std::array<QRgb, 8> kSeriesDark{0xFFE08FBE, 0xFFCFD34A, 0xFF95AEFF, 0xFFE9B44C,
+                                          0xFF54CBD0, 0xFFC49BF0, 0xFFB6C0CC, 0xFFFF9C94};
+
+double luminance(const QColor &color)
+{
+    const auto channel = [](double value) {
+        return value <= 0.03928 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * channel(color.redF()) + 0.7152 * channel(color.greenF()) + 0.0722 * channel(color.blueF());
+}
+
+} // namespace
+
+Theme::Theme(QObject *parent)
+    : QObject(parent)
+{
+    setMode(Mode::System);
+}
+
+void Theme::setMode(Mode mode)
+{
+    const bool dark = mode == Mode::System ? QGuiApplication::palette().window().color().lightness() < 128
+                                           : mode == Mode::Dark;
+    m_dark = dark;
+    emit changed();
+}
+
+QColor Theme::color(ColorRole role) const
+{
+    return QColor::fromRgb((m_dark ? kDark : kLight)[static_cast<std::size_t>(role)]);
+}
+
+QColor Theme::axisColor(Axis axis) const
+{
+    switch (axis) {
+    case Axis::Roll: return color(ColorRole::AxisRoll);
+    case Axis::Pitch: return color(ColorRole::AxisPitch);
+    case Axis::Yaw: return color(ColorRole::AxisYaw);
+    case Axis::None: break;
+    }
+    return color(ColorRole::Text);
+}
+
+QColor Theme::seriesColor(int index) const
+{
+    const auto &colors = m_dark ? kSeriesDark : kSeriesLight;
+    return QColor::fromRgb(colors[static_cast<std::size_t>(index) % colors.size()]);
+}
+
+double Theme::contrast(const QColor &a, const QColor &b)
+{
+    const double la = luminance(a);
+    const double lb = luminance(b);
+    return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+}
+
+QPalette Theme::palette() const
+{
+    QPalette palette;
+    const auto set = [&](QPalette::ColorRole role, ColorRole from) { palette.setColor(role, color(from)); };
+    set(QPalette::Window, ColorRole::Background);
+    set(QPalette::WindowText, ColorRole::Text);
+    set(QPalette::Base, ColorRole::Surface);
+    set(QPalette::AlternateBase, ColorRole::Background);
+    set(QPalette::Text, ColorRole::Text);
+    set(QPalette::Button, ColorRole::SurfaceRaised);
+    set(QPalette::ButtonText, ColorRole::Text);
+    set(QPalette::BrightText, ColorRole::Danger);
+    set(QPalette::Highlight, ColorRole::Accent);
+    set(QPalette::HighlightedText, ColorRole::AccentText);
+    set(QPalette::ToolTipBase, ColorRole::Surface);
+    set(QPalette::ToolTipText, ColorRole::Text);
+    set(QPalette::PlaceholderText, ColorRole::Muted);
+    set(QPalette::Link, ColorRole::Accent);
+    set(QPalette::Mid, ColorRole::Border);
+    set(QPalette::Midlight, ColorRole::SurfaceRaised);
+    set(QPalette::Dark, ColorRole::Border);
+    for (const auto role : {QPalette::Text, QPalette::WindowText, QPalette::ButtonText})
+        palette.setColor(QPalette::Disabled, role, color(ColorRole::Muted));
+    return palette;
+}
+
+QString Theme::styleSheet() const
+{
+    // Placeholders @Role; sizes on the 4 px grid.
+    QString sheet = uR"(
+QToolTip { color: @Text; background: @Surface; border: 1px solid @Border; padding: 4px; }
+QFrame#bar { background: @Surface; border: none; border-bottom: 1px solid @Border; }
+QFrame#statusBar { background: @Surface; border: none; border-top: 1px solid @Border; }
+QFrame#unsavedBar { background: @SurfaceRaised; border: none; border-top: 2px solid @Changed; }
+QFrame#card { background: @Surface; border: 1px solid @Border; border-radius: 6px; }
+QFrame#messageBar { background: @Surface; border: 1px solid @Warning; border-left: 4px solid @Warning; border-radius: 4px; }
+QFrame#messageBar[severe="true"] { border-color: @Danger; }
+QListView#navigation { background: @Surface; border: none; border-right: 1px solid @Border; outline: none; padding: 8px 0; }
+QListView#navigation::item { padding: 8px 12px; color: @Text; }
+QListView#navigation::item:selected { background: @SurfaceRaised; color: @Accent; border-left: 4px solid @Accent; }
+QListView#navigation::item:disabled { color: @Muted; }
+QListView, QTreeView, QTableView { background: @Surface; border: 1px solid @Border; border-radius: 4px; }
+QListView::item, QTreeView::item { padding: 4px; }
+QHeaderView::section { background: @Background; color: @Muted; border: none; border-bottom: 1px solid @Border; padding: 4px 8px; }
+QScrollArea { border: none; background: transparent; }
+QScrollArea > QWidget > QWidget { background: transparent; }
+QPushButton, QToolButton { background: @SurfaceRaised; border: 1px solid @Border; border-radius: 4px; padding: 4px 12px; min-height: 20px; }
+QPushButton:hover, QToolButton:hover { border-color: @Accent; }
+QPushButton:focus, QToolButton:focus { border: 2px solid @Accent; padding: 3px 11px; }
+QPushButton:disabled, QToolButton:disabled { color: @Muted; }
+QPushButton:checked, QToolButton:checked { background: @Accent; color: @AccentText; }
+QPushButton#primary { background: @Accent; color: @AccentText; border-color: @Accent; }
+QPushButton#primary:disabled { background: @SurfaceRaised; color: @Muted; border-color: @Border; }
+QPushButton#danger { background: @Danger; color: @DangerText; border-color: @Danger; font-weight: 600; }
+QPushButton#motors { font-weight: 700; padding: 6px 16px; border: 2px solid @Ok; color: @Ok; background: @Surface; }
+QPushButton#motors[running="true"] { background: @Danger; border-color: @Danger; color: @DangerText; }
+QPushButton#motors:focus { border: 3px solid @Text; padding: 5px 15px; }
+QPushButton#chip { border-radius: 12px; padding: 2px 12px; background: transparent; }
+QPushButton#chip:checked { background: @Accent; color: @AccentText; }
+QLineEdit, QComboBox, QAbstractSpinBox { background: @Surface; border: 1px solid @Border; border-radius: 4px; padding: 2px 6px; min-height: 22px; }
+QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus { border: 2px solid @Accent; padding: 1px 5px; }
+QAbstractSpinBox[changed="true"], QComboBox[changed="true"], QPushButton[changed="true"] { border-left: 4px solid @Changed; font-weight: 600; }
+QAbstractSpinBox[changed="true"]:focus, QComboBox[changed="true"]:focus { border: 2px solid @Accent; border-left: 4px solid @Changed; }
+QCheckBox[changed="true"] { border-left: 4px solid @Changed; font-weight: 600; padding-left: 4px; }
+QCheckBox:focus { border: 2px solid @Accent; border-radius: 4px; }
+QLabel#title { font-weight: 600; }
+QLabel#section { font-weight: 600; color: @Text; }
+QLabel#muted, QLabel#unit { color: @Muted; }
+QLabel#changed { color: @Changed; }
+QLabel#error { color: @Danger; }
+QLabel#warning { color: @Warning; }
+QLabel#ok { color: @Ok; }
+QSplitter::handle { background: @Background; }
+QProgressBar { border: 1px solid @Border; border-radius: 4px; background: @Background; text-align: center; min-height: 18px; }
+QProgressBar::chunk { background: @Accent; }
+)"_s;
+    constexpr std::array<std::pair<const char *, ColorRole>, 16> names{{
+        {"@SurfaceRaised", ColorRole::SurfaceRaised}, {"@Surface", ColorRole::Surface},
+        {"@Background", ColorRole::Background}, {"@Border", ColorRole::Border}, {"@Text", ColorRole::Text},
+        {"@Muted", ColorRole::Muted}, {"@AccentText", ColorRole::AccentText}, {"@Accent", ColorRole::Accent},
+        {"@Ok", ColorRole::Ok}, {"@Changed", ColorRole::Changed}, {"@Warning", ColorRole::Warning},
+        {"@DangerText", ColorRole::DangerText}, {"@Danger", ColorRole::Danger}, {"@AxisRoll", ColorRole::AxisRoll},
+        {"@AxisPitch", ColorRole::AxisPitch}, {"@AxisYaw", ColorRole::AxisYaw}}};
+    for (const auto &[name, role] : names)
+        sheet.replace(QLatin1String(name), color(role).name());
+    return sheet;
+}
+
+void Theme::apply()
+{
+    QApplication::setStyle(QStyleFactory::create(u"Fusion"_s));
+    QApplication::setPalette(palette());
+    qApp->setStyleSheet(styleSheet());
+}

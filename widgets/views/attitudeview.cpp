@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/views/attitudeview.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr double kDegreesOverHeight = 70.0;   // pitch range that the view spans
+constexpr double kHeadingSpan = 90.0;         // degrees of heading on the strip
+
+} // namespace
+
+AttitudeView::AttitudeView(const Theme &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+{
+    setAccessibleName(tr("Attitude of the camera"));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    connect(&m_theme, &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+void AttitudeView::setAttitude(double roll, double pitch, double yaw)
+{
+    m_valid = !std::isnan(roll) && !std::isnan(pitch);
+    m_roll = roll;
+    m_pitch = pitch;
+    m_yaw = std::isnan(yaw) ? 0.0 : yaw;
+    setAccessibleDescription(m_valid ? tr("Roll %1°, pitch %2°, yaw %3°").arg(roll, 0, 'f', 1).arg(pitch, 0, 'f', 1)
+                                           .arg(m_yaw, 0, 'f', 1)
+                                     : tr("No data"));
+    update();
+}
+
+void AttitudeView::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF area = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
+    QPainterPath frame;
+    frame.addRoundedRect(area, 6, 6);
+    painter.setClipPath(frame);
+    painter.fillRect(area, m_theme.color(ColorRole::Surface));
+    const QColor text = m_theme.color(ColorRole::Text);
+    const QPointF center = area.center();
+    const double perDegree = area.height() / kDegreesOverHeight;
+
+    if (m_valid) {
+        painter.save();
+        painter.translate(center);
+        painter.rotate(-m_roll);
+        const double horizon = m_pitch * perDegree;
+        const double far = area.width() + area.height();
+        painter.fillRect(QRectF(-far, horizon - 4 * far, 2 * far, 4 * far), m_theme.color(ColorRole::Sky));
+        painter.fillRect(QRectF(-far, horizon, 2 * far, 4 * far), m_theme.color(ColorRole::Ground));
+        painter.setPen(QPen(text, 1.5));
+        painter.drawLine(QPointF(-far, horizon), QPointF(far, horizon));
+        painter.setPen(QPen(text, 1));
+        QFont small = font();
+        small.setPointSizeF(std::max(7.0, small.pointSizeF() - 1));
+        painter.setFont(small);
+        for (int degrees = -90; degrees <= 90; degrees += 10) {
+            const double y = horizon - degrees * perDegree;
+            if (degrees == 0 || std::abs(y) > area.height())
+                continue;
+            const double half = degrees % 20 == 0 ? 28 : 14;
+            painter.drawLine(QPointF(-half, y), QPointF(half, y));
+            if (degrees % 20 == 0)
+                painter.drawText(QRectF(half + 4, y - 9, 40, 18), Qt::AlignVCenter, QString::number(degrees));
+        }
+        painter.restore();
+    } else {
+        painter.setPen(m_theme.color(ColorRole::Muted));
+        painter.drawText(area, Qt::AlignCenter, tr("No attitude yet"));
+    }
+
+    // The camera, fixed in the middle.
+    painter.setPen(QPen(m_theme.color(ColorRole::Accent), 3));
+    painter.drawLine(center + QPointF(-60, 0), center + QPointF(-20, 0));
+    painter.drawLine(center + QPointF(20, 0), center + QPointF(60, 0));
+    painter.drawEllipse(center, 3, 3);
+
+    // Heading strip at the top.
+    const QRectF strip(area.left(), area.top(), area.width(), 24);
+    QColor veil = m_theme.color(ColorRole::Surface);
+    veil.setAlpha(220);
+    painter.fillRect(strip, veil);
+    painter.setPen(QPen(m_theme.axisColor(Axis::Yaw), 1));
+    const double headingScale = area.width() / kHeadingSpan;
+    const int first = int(std::floor((m_yaw - kHeadingSpan / 2) / 10)) * 10;
+    for (int mark = first; mark <= m_yaw + kHeadingSpan / 2 + 10; mark += 10) {
+        const double x = center.x() + (mark - m_yaw) * headingScale;
+        painter.drawLine(QPointF(x, strip.bottom() - 4), QPointF(x, strip.bottom()));
+        painter.drawText(QRectF(x - 20, strip.top(), 40, 19), Qt::AlignCenter, u"%1°"_s.arg(mark));
+    }
+    painter.setPen(QPen(m_theme.axisColor(Axis::Yaw), 2));
+    painter.drawLine(QPointF(center.x(), strip.bottom() - 2), QPointF(center.x(), strip.bottom() + 8));
+    painter.setClipping(false);
+    painter.setPen(QPen(m_theme.color(ColorRole::Border), 1));
+    painter.drawPath(frame);
+}

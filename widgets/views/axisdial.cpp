@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/views/axisdial.h"
+
+#include "widgets/models/parametermodel.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QPointF onCircle(QPointF center, double radius, double degrees)
+{
+    const double radians = degrees * std::numbers::pi / 180.0;
+    return center + QPointF(std::sin(radians), -std::cos(radians)) * radius;
+}
+
+} // namespace
+
+AxisDial::AxisDial(const Theme &theme, Axis axis, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+    , m_axis(axis)
+{
+    setAccessibleName(axisLabel(axis));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    connect(&m_theme, &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+void AxisDial::setValues(double angle, double target, double power)
+{
+    m_valid = !std::isnan(angle);
+    m_angle = angle;
+    m_target = target;
+    m_power = std::isnan(power) ? 0.0 : power;
+    setAccessibleDescription(m_valid ? tr("Angle %1°, target %2°, motor power %3 %").arg(angle, 0, 'f', 1)
+                                           .arg(target, 0, 'f', 1).arg(m_power, 0, 'f', 0)
+                                     : tr("No data"));
+    update();
+}
+
+void AxisDial::setLimits(double low, double high)
+{
+    m_low = low;
+    m_high = high;
+    update();
+}
+
+void AxisDial::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor axisColor = m_theme.axisColor(m_axis);
+    const QColor muted = m_theme.color(ColorRole::Muted);
+    const int line = fontMetrics().height();
+    QFont title = font();
+    title.setWeight(QFont::DemiBold);
+    painter.setFont(title);
+    painter.setPen(axisColor);
+    painter.drawText(QRect(0, 0, width(), line + 4), Qt::AlignCenter, axisLabel(m_axis));
+
+    const double bottom = 2.0 * line + 22;
+    const double radius = std::max(20.0, std::min(width() - 24.0, height() - line - 8 - bottom) / 2.0);
+    const QPointF center(width() / 2.0, line + 8 + radius);
+    painter.setPen(QPen(m_theme.color(ColorRole::Border), 2));
+    painter.setBrush(m_theme.color(ColorRole::Surface));
+    painter.drawEllipse(center, radius, radius);
+    if (m_high > m_low && m_high - m_low < 360) {
+        // The part of the circle that remote control reaches.
+        painter.setPen(QPen(m_theme.color(ColorRole::SurfaceRaised), 6));
+        painter.drawArc(QRectF(center.x() - radius + 5, center.y() - radius + 5, 2 * radius - 10, 2 * radius - 10),
+                        int((90 - m_high) * 16), int((m_high - m_low) * 16));
+    }
+    painter.setPen(QPen(muted, 1));
+    for (int mark = 0; mark < 360; mark += 30)
+        painter.drawLine(onCircle(center, radius - 2, mark), onCircle(center, radius - (mark % 90 == 0 ? 9 : 5), mark));
+    if (m_valid) {
+        if (!std::isnan(m_target)) {
+            painter.setPen(QPen(muted, 2, Qt::DashLine));
+            painter.drawLine(center, onCircle(center, radius - 10, m_target));
+        }
+        painter.setPen(QPen(axisColor, 4, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(center, onCircle(center, radius - 10, m_angle));
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(axisColor);
+    painter.drawEllipse(center, 4, 4);
+
+    // Numbers below: angle large, target small; then the motor power as a bar with its figure.
+    double y = center.y() + radius + 4;
+    painter.setPen(m_theme.color(ColorRole::Text));
+    painter.drawText(QRectF(0, y, width() / 2.0 - 4, line), Qt::AlignRight | Qt::AlignVCenter,
+                     m_valid ? u"%1°"_s.arg(m_angle, 0, 'f', 1) : u"–"_s);
+    painter.setFont(font());
+    painter.setPen(muted);
+    painter.drawText(QRectF(width() / 2.0 + 4, y, width() / 2.0 - 4, line), Qt::AlignLeft | Qt::AlignVCenter,
+                     m_valid ? u"→ %1°"_s.arg(m_target, 0, 'f', 1) : QString());
+    y += line + 4;
+    const QRectF bar(16, y, width() - 32, 6);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(m_theme.color(ColorRole::SurfaceRaised));
+    painter.drawRoundedRect(bar, 3, 3);
+    painter.setBrush(m_power > 90 ? m_theme.color(ColorRole::Warning) : axisColor);
+    painter.drawRoundedRect(QRectF(bar.left(), bar.top(), bar.width() * std::clamp(m_power, 0.0, 100.0) / 100.0, 6), 3, 3);
+    painter.setPen(muted);
+    painter.drawText(QRectF(0, y + 8, width(), line), Qt::AlignCenter, tr("Motor power %1 %").arg(m_power, 0, 'f', 0));
+}
