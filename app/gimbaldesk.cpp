@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QTextStream>
+#include <QTranslator>
 
 using namespace Qt::StringLiterals;
 
@@ -49,6 +50,10 @@ int main(int argc, char **argv)
     QApplication::setApplicationDisplayName(u"GimbalDesk"_s);
     QApplication::setApplicationVersion(QStringLiteral(GIMBAL_VERSION));
     QApplication::setDesktopFileName(u"gimbaldesk"_s);
+
+    QTranslator translator;
+    if (translator.load(u":/translations/gimbaldesk_en.qm"_s))
+        QApplication::installTranslator(&translator);
 
     QCommandLineParser parser;
     parser.setApplicationDescription(u"Configure, tune and watch gimbal controllers."_s);

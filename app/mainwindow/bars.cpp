@@ -9,7 +9,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QStyle>
 #include <QToolButton>
 
 #include <cmath>
@@ -39,8 +38,8 @@ MessageBar::MessageBar(QWidget *parent)
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, Metric::kGap, Metric::kGap, Metric::kGap);
     layout->addWidget(m_text, 1);
-    layout->addWidget(m_copy, 0, Qt::AlignTop);
-    layout->addWidget(m_close, 0, Qt::AlignTop);
+    layout->addWidget(m_copy, 0, Qt::AlignVCenter);
+    layout->addWidget(m_close, 0, Qt::AlignVCenter);
     connect(m_copy, &QToolButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(m_full); });
     connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
     m_hide.setSingleShot(true);
@@ -51,8 +50,7 @@ MessageBar::MessageBar(QWidget *parent)
 void MessageBar::setSevere(bool severe)
 {
     setProperty("severe", severe);
-    style()->unpolish(this);
-    style()->polish(this);
+    repolish(this);
     m_copy->setVisible(severe);
 }
 

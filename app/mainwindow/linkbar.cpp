@@ -10,7 +10,6 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QStyle>
 #include <QThreadPool>
 
 using namespace Qt::StringLiterals;
@@ -175,7 +174,7 @@ void LinkBar::updateState()
     m_state->setText(u"<span style='color:%1'>●</span> %2"_s.arg(dot, text.toHtmlEscaped()));
     m_state->setToolTip(text);
     m_connect->setObjectName(client.state() == DeviceClient::State::Disconnected ? u"primary"_s : QString());
-    m_connect->setStyleSheet(m_connect->styleSheet());
+    repolish(m_connect);
     m_address->setEnabled(client.state() == DeviceClient::State::Disconnected);
     m_profile->setEnabled(!m_workspace.configuration().isEmpty());
     updateMotors();
@@ -209,8 +208,7 @@ void LinkBar::updateMotors()
     const bool red = connected && m_offNext;
     if (m_motors->property("running").toBool() != red) {
         m_motors->setProperty("running", red);
-        m_motors->style()->unpolish(m_motors);
-        m_motors->style()->polish(m_motors);
+        repolish(m_motors);
     }
 }
 

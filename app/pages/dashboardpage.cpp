@@ -23,7 +23,10 @@ constexpr int kTicksPerFacts = 10;
 
 QString number(double value, int decimals, const QString &unit)
 {
-    return std::isnan(value) ? u"–"_s : QString::number(value, 'f', decimals) + u' ' + unit;
+    if (std::isnan(value))
+        return u"–"_s;
+    const QString text = QString::number(value, 'f', decimals);
+    return unit.isEmpty() ? text : text + u' ' + unit;
 }
 
 } // namespace
@@ -68,8 +71,8 @@ DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
     grid->setSpacing(12);
     grid->addWidget(attitude, 0, 0);
     grid->addWidget(axes, 1, 0);
-    grid->addWidget(power, 0, 1);
-    grid->addWidget(scroll, 1, 1);
+    grid->addWidget(scroll, 0, 1);
+    grid->addWidget(power, 1, 1);
     grid->setColumnStretch(0, 3);
     grid->setColumnStretch(1, 2);
     grid->setRowStretch(0, 3);
@@ -120,7 +123,7 @@ void DashboardPage::refreshFacts()
     m_battery->setText(number(workspace().latest(roles.battery), 2, u"V"_s));
     QStringList rows;
     const auto row = [&rows](const QString &name, const QString &text) {
-        rows.append(u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td align='right'>%2</td></tr>"_s
+        rows.append(u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td style='padding:2px 0' align='right'>%2</td></tr>"_s
                         .arg(name, text.toHtmlEscaped()));
     };
     if (roles.current >= 0)

@@ -52,8 +52,11 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     m_tree->setAccessibleName(tr("Telemetry channels"));
     m_tree->setUniformRowHeights(true);
     m_tree->setRootIsDecorated(true);
+    m_tree->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_tree->header()->setStretchLastSection(false);
-    m_tree->setMinimumWidth(260);
+    m_tree->header()->setSectionResizeMode(ChannelModel::NameColumn, QHeaderView::Stretch);
+    m_tree->setIndentation(14);
+    m_tree->setMinimumWidth(320);
     m_stack->setChildrenCollapsible(false);
     m_empty->setObjectName(u"muted"_s);
     m_empty->setAlignment(Qt::AlignCenter);
@@ -66,7 +69,7 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     split->addWidget(m_tree);
     split->addWidget(right);
     split->setStretchFactor(1, 1);
-    split->setSizes({300, 900});
+    split->setSizes({340, 900});
     body()->addWidget(split, 1);
 
     m_frameTimer.setTimerType(Qt::PreciseTimer);
@@ -107,9 +110,8 @@ void MonitorPage::onStore()
     m_tree->expandToDepth(0);
     for (int row = 3; row < m_channels.rowCount(); ++row)
         m_tree->collapse(m_channels.index(row, 0));
-    m_tree->resizeColumnToContents(ChannelModel::NameColumn);
     m_tree->setColumnWidth(ChannelModel::ValueColumn, 72);
-    m_tree->setColumnWidth(ChannelModel::UnitColumn, 40);
+    m_tree->setColumnWidth(ChannelModel::UnitColumn, 44);
     onTicks();
 }
 

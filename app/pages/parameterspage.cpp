@@ -76,10 +76,11 @@ ParametersPage::ParametersPage(Workspace &workspace, QWidget *parent)
     m_level->setCurrentIndex(1);
     m_level->setAccessibleName(tr("How much to show"));
     m_level->setToolTip(tr("How much to show"));
-    m_search->setPlaceholderText(tr("Search name, key or help (Ctrl+F)"));
+    m_search->setPlaceholderText(tr("Search (Ctrl+F)"));
     m_search->setAccessibleName(tr("Search parameters"));
     m_search->setClearButtonEnabled(true);
-    m_search->setMinimumWidth(220);
+    m_search->setMinimumWidth(180);
+    m_search->setToolTip(tr("Looks in names, keys and help of all parameters"));
     for (QWidget *widget : {static_cast<QWidget *>(m_onlyChanged), static_cast<QWidget *>(m_onlyNonDefault),
                             static_cast<QWidget *>(m_onlyRed), static_cast<QWidget *>(m_asTable),
                             static_cast<QWidget *>(m_level), static_cast<QWidget *>(m_search)})

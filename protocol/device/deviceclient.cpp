@@ -292,6 +292,9 @@ void DeviceClient::requestTelemetry()
     // Several wishes in one round of the event loop make one request.
     m_telemetryRequested = true;
     const TelemetryWish wish = m_wish;
+    // While streams are rearranged, missing samples are nobody's loss.
+    QMetaObject::invokeMethod(m_session, [feed = m_feed.get()] { feed->setDecoder(nullptr); },
+                              Qt::BlockingQueuedConnection);
     submit<TelemetryPlan>([wish, line = m_line](Channel &channel, Device &device) {
         return device.startTelemetry(channel, wish, line);
     }).then(this, [this, wish](const Result<TelemetryPlan> &plan) {

@@ -164,6 +164,7 @@ QWidget *ParameterForm::makeFields(const QList<int> &parameters)
     for (int i = 0; i < parameters.size(); ++i) {
         const ParameterSpec &spec = set.at(parameters[i]);
         auto *cell = new QWidget;
+        cell->setMinimumWidth(Metric::kFieldWidth - 80);
         cell->setMaximumWidth(Metric::kFieldWidth);
         auto *row = new QGridLayout(cell);
         row->setContentsMargins(0, 0, 0, 0);
@@ -182,10 +183,9 @@ QWidget *ParameterForm::makeFields(const QList<int> &parameters)
         row->setColumnStretch(0, 5);
         row->setColumnStretch(1, 5);
         row->setColumnMinimumWidth(2, 28);
-        grid->addWidget(cell, i / m_columns, i % m_columns, Qt::AlignTop);
+        grid->addWidget(cell, i / m_columns, i % m_columns, Qt::AlignTop | Qt::AlignLeft);
     }
-    for (int column = 0; column < m_columns; ++column)
-        grid->setColumnStretch(column, 1);
+    grid->setColumnStretch(m_columns, 1);
     return widget;
 }
 

@@ -4,7 +4,7 @@
 
 #include "widgets/theme/theme.h"
 
-#include <QDialogButtonBox>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -38,13 +38,15 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     m_risk->setWordWrap(true);
     m_risk->setText(tr("⚠ Values of the risk class are among them: hold the camera, or take it off, while motors start."));
 
-    auto *buttons = new QDialogButtonBox;
-    auto *cancel = buttons->addButton(QDialogButtonBox::Cancel);
-    cancel->setText(tr("Back"));
-    buttons->addButton(m_write, QDialogButtonBox::AcceptRole);
+    auto *back = new QPushButton(tr("Back"));
+    auto *buttons = new QHBoxLayout;
+    buttons->setSpacing(Metric::kGap);
+    buttons->addStretch(1);
+    buttons->addWidget(back);
+    buttons->addWidget(m_write);
     m_write->setDefault(true);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_write, &QPushButton::clicked, this, &QDialog::accept);
+    connect(back, &QPushButton::clicked, this, &QDialog::reject);
 
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(Metric::kMargin, Metric::kMargin, Metric::kMargin, Metric::kMargin);
@@ -52,7 +54,7 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     layout->addWidget(intro);
     layout->addWidget(m_table, 1);
     layout->addWidget(m_risk);
-    layout->addWidget(buttons);
+    layout->addLayout(buttons);
     connect(&m_changes, &ChangeModel::ticksChanged, this, &ReviewDialog::updateButton);
     updateButton();
     m_table->setFocus();
@@ -69,6 +71,5 @@ void ReviewDialog::updateButton()
     const bool red = m_changes.hasTickedRed();
     m_risk->setVisible(red);
     m_write->setObjectName(red ? u"danger"_s : u"primary"_s);
-    // The look depends on the name, which the style sheet has read already.
-    m_write->setStyleSheet(m_write->styleSheet());
+    repolish(m_write);
 }

@@ -14,7 +14,6 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
-#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -40,13 +39,18 @@ private:
     const ParameterSpec &m_spec;
 };
 
-void polish(QWidget *widget, const char *property, bool value)
+void markChanged(QWidget *widget, bool changed)
 {
-    if (widget->property(property).toBool() == value)
+    if (widget->property("changed").toBool() == changed)
         return;
-    widget->setProperty(property, value);
-    widget->style()->unpolish(widget);
-    widget->style()->polish(widget);
+    widget->setProperty("changed", changed);
+    repolish(widget);
+    QFont font = widget->font();
+    font.setBold(changed);
+    widget->setFont(font);
+    // A spin box keeps its text in a line edit that does not always follow under a style sheet.
+    if (auto *line = widget->findChild<QLineEdit *>())
+        line->setFont(font);
 }
 
 } // namespace
@@ -72,6 +76,7 @@ ValueEditor::ValueEditor(const ParameterSpec &spec, int firmware, QWidget *paren
     m_control->installEventFilter(this);
     setFocusProxy(m_control);
 
+    m_reset->setObjectName(u"reset"_s);
     m_reset->setAutoRaise(true);
     m_reset->setFocusPolicy(Qt::TabFocus);
     m_reset->setVisible(false);
@@ -156,7 +161,7 @@ void ValueEditor::show(std::optional<int> value, std::optional<int> onBoard)
     showValue(*value);
     m_updating = false;
     const bool changed = m_raw != m_boardRaw;
-    polish(m_control, "changed", changed);
+    markChanged(m_control, changed);
     m_reset->setVisible(changed);
     if (changed) {
         const QString board = parameterValueText(m_spec, m_boardRaw);

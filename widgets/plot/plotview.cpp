@@ -13,12 +13,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace Qt::StringLiterals;
 
 namespace {
 
 constexpr int kMostFrames = 60;
+// Room for labels and legend around the plot area.
+constexpr double kLeft = 60;
+constexpr double kTop = 34;
+constexpr double kRight = 20;
+constexpr double kBottom = 30;
 // The scale shrinks only after the traces have used less than this part of it for a while.
 constexpr double kShrinkBelow = 0.4;
 constexpr qint64 kShrinkAfterMs = 1500;
@@ -32,6 +38,33 @@ double roundStep(double value)
             return factor * power;
     }
     return 10.0 * power;
+}
+
+struct Scale
+{
+    double low;
+    double high;
+    int steps;
+};
+
+// The tightest scale of four to six round steps that holds the values with some air.
+Scale roundScale(double low, double high)
+{
+    Scale best{low, high, 4};
+    double tightest = std::numeric_limits<double>::infinity();
+    for (const int steps : {4, 5, 6}) {
+        double step = roundStep(std::max((high - low) * 1.08, 0.08) / steps);
+        double bottom = std::floor(low / step) * step;
+        if (bottom + steps * step < high) {
+            step = roundStep(step * 1.01);
+            bottom = std::floor(low / step) * step;
+        }
+        if (steps * step < tightest * 0.999 && bottom + steps * step >= high) {
+            tightest = steps * step;
+            best = {bottom, bottom + steps * step, steps};
+        }
+    }
+    return best;
 }
 
 } // namespace
@@ -71,7 +104,7 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
     connect(plot, &QChart::plotAreaChanged, this, &PlotView::updateView);
     applyTheme();
     setWindow(m_window);
-    setScale(-1, 1);
+    setScale(-1, 1, 4);
 }
 
 PlotView::~PlotView() = default;
@@ -161,12 +194,12 @@ void PlotView::setPaused(bool paused)
     m_paused = paused;
 }
 
-void PlotView::setScale(double low, double high)
+void PlotView::setScale(double low, double high, int steps)
 {
     m_low = low;
     m_high = high;
     m_valueAxis->setRange(low, high);
-    m_valueAxis->setTickCount(5);
+    m_valueAxis->setTickCount(steps + 1);
     updateView();
 }
 
@@ -179,6 +212,10 @@ void PlotView::updateView()
 void PlotView::resizeEvent(QResizeEvent *event)
 {
     QChartView::resizeEvent(event);
+    // The same edges in every plot, whatever its labels need, so that stacked plots line up.
+    const QSizeF size = viewport()->size();
+    chart()->setPlotArea({kLeft, kTop, std::max(10.0, size.width() - kLeft - kRight),
+                          std::max(10.0, size.height() - kTop - kBottom)});
     updateView();
 }
 
@@ -221,15 +258,9 @@ void PlotView::fitScale()
             return;
     }
     m_shrinkTimer.invalidate();
-    // Four steps of a round size, with some air above and below.
-    double step = roundStep(std::max((high - low) * 1.15, 0.08) / 4.0);
-    double bottom = std::floor((low - 0.03 * step) / step) * step;
-    while (bottom + 4 * step < high) {
-        step = roundStep(step * 1.01);
-        bottom = std::floor((low - 0.03 * step) / step) * step;
-    }
-    if (bottom != m_low || bottom + 4 * step != m_high)
-        setScale(bottom, bottom + 4 * step);
+    const Scale scale = roundScale(low, high);
+    if (scale.low != m_low || scale.high != m_high)
+        setScale(scale.low, scale.high, scale.steps);
 }
 
 int PlotView::usefulRate() const

@@ -40,7 +40,7 @@ protected:
 private:
     void applyTheme();
     void fitScale();
-    void setScale(double low, double high);
+    void setScale(double low, double high, int steps);
     void updateView();
     [[nodiscard]] QColor colorOf(int channel, int &next) const;
 

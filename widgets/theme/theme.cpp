@@ -4,7 +4,9 @@
 
 #include <QApplication>
 #include <QGuiApplication>
+#include <QStyle>
 #include <QStyleFactory>
+#include <QWidget>
 
 #include <algorithm>
 #include <array>
@@ -115,14 +117,16 @@ QFrame#bar { background: @Surface; border: none; border-bottom: 1px solid @Borde
 QFrame#statusBar { background: @Surface; border: none; border-top: 1px solid @Border; }
 QFrame#unsavedBar { background: @SurfaceRaised; border: none; border-top: 2px solid @Changed; }
 QFrame#card { background: @Surface; border: 1px solid @Border; border-radius: 6px; }
-QFrame#messageBar { background: @Surface; border: 1px solid @Warning; border-left: 4px solid @Warning; border-radius: 4px; }
+QFrame#messageBar { background: @Surface; border: 1px solid @Ok; border-left: 4px solid @Ok; border-radius: 4px; }
 QFrame#messageBar[severe="true"] { border-color: @Danger; }
 QListView#navigation { background: @Surface; border: none; border-right: 1px solid @Border; outline: none; padding: 8px 0; }
-QListView#navigation::item { padding: 8px 12px; color: @Text; }
+QListView#navigation::item { padding: 8px 12px; color: @Text; border: none; border-left: 4px solid @Surface; }
 QListView#navigation::item:selected { background: @SurfaceRaised; color: @Accent; border-left: 4px solid @Accent; }
 QListView#navigation::item:disabled { color: @Muted; }
 QListView, QTreeView, QTableView { background: @Surface; border: 1px solid @Border; border-radius: 4px; }
-QListView::item, QTreeView::item { padding: 4px; }
+QListView::item { padding: 4px 8px; border: none; }
+QTreeView::item { padding: 4px; }
+QListView::item:selected { background: @Accent; color: @AccentText; }
 QHeaderView::section { background: @Background; color: @Muted; border: none; border-bottom: 1px solid @Border; padding: 4px 8px; }
 QScrollArea { border: none; background: transparent; }
 QScrollArea > QWidget > QWidget { background: transparent; }
@@ -136,14 +140,22 @@ QPushButton#primary:disabled { background: @SurfaceRaised; color: @Muted; border
 QPushButton#danger { background: @Danger; color: @DangerText; border-color: @Danger; font-weight: 600; }
 QPushButton#motors { font-weight: 700; padding: 6px 16px; border: 2px solid @Ok; color: @Ok; background: @Surface; }
 QPushButton#motors[running="true"] { background: @Danger; border-color: @Danger; color: @DangerText; }
+QPushButton#motors:disabled { border-color: @Border; color: @Muted; background: @Surface; }
 QPushButton#motors:focus { border: 3px solid @Text; padding: 5px 15px; }
+QToolButton#reset { border: none; background: transparent; color: @Changed; padding: 0 4px; min-height: 0; }
+QToolButton#reset:hover { text-decoration: underline; }
+QToolButton#reset:focus { border: 1px solid @Accent; padding: 0 3px; }
+QPushButton::menu-indicator { image: url(:/icons/down.svg); width: 10px; subcontrol-position: right center; right: 8px; }
 QPushButton#chip { border-radius: 12px; padding: 2px 12px; background: transparent; }
 QPushButton#chip:checked { background: @Accent; color: @AccentText; }
 QLineEdit, QComboBox, QAbstractSpinBox { background: @Surface; border: 1px solid @Border; border-radius: 4px; padding: 2px 6px; min-height: 22px; }
+QComboBox::drop-down { border: none; width: 22px; }
+QComboBox::down-arrow { image: url(:/icons/down.svg); width: 10px; height: 10px; }
+QTableView::item { padding: 2px 8px; }
 QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus { border: 2px solid @Accent; padding: 1px 5px; }
-QAbstractSpinBox[changed="true"], QComboBox[changed="true"], QPushButton[changed="true"] { border-left: 4px solid @Changed; font-weight: 600; }
+QAbstractSpinBox[changed="true"], QComboBox[changed="true"], QPushButton[changed="true"] { border-left: 4px solid @Changed; }
 QAbstractSpinBox[changed="true"]:focus, QComboBox[changed="true"]:focus { border: 2px solid @Accent; border-left: 4px solid @Changed; }
-QCheckBox[changed="true"] { border-left: 4px solid @Changed; font-weight: 600; padding-left: 4px; }
+QCheckBox[changed="true"] { border-left: 4px solid @Changed; padding-left: 4px; }
 QCheckBox:focus { border: 2px solid @Accent; border-radius: 4px; }
 QLabel#title { font-weight: 600; }
 QLabel#section { font-weight: 600; color: @Text; }
@@ -152,6 +164,8 @@ QLabel#changed { color: @Changed; }
 QLabel#error { color: @Danger; }
 QLabel#warning { color: @Warning; }
 QLabel#ok { color: @Ok; }
+QCheckBox::indicator, QTreeView::indicator, QTableView::indicator { width: 14px; height: 14px; border: 1px solid @Muted; border-radius: 3px; background: @Surface; }
+QCheckBox::indicator:checked, QTreeView::indicator:checked, QTableView::indicator:checked { background: @Accent; border-color: @Accent; image: url(:/icons/@CheckIcon.svg); }
 QSplitter::handle { background: @Background; }
 QProgressBar { border: 1px solid @Border; border-radius: 4px; background: @Background; text-align: center; min-height: 18px; }
 QProgressBar::chunk { background: @Accent; }
@@ -163,9 +177,17 @@ QProgressBar::chunk { background: @Accent; }
         {"@Ok", ColorRole::Ok}, {"@Changed", ColorRole::Changed}, {"@Warning", ColorRole::Warning},
         {"@DangerText", ColorRole::DangerText}, {"@Danger", ColorRole::Danger}, {"@AxisRoll", ColorRole::AxisRoll},
         {"@AxisPitch", ColorRole::AxisPitch}, {"@AxisYaw", ColorRole::AxisYaw}}};
+    sheet.replace(u"@CheckIcon"_s, m_dark ? u"check-dark"_s : u"check-light"_s);
     for (const auto &[name, role] : names)
         sheet.replace(QLatin1String(name), color(role).name());
     return sheet;
+}
+
+void repolish(QWidget *widget)
+{
+    widget->style()->unpolish(widget);
+    widget->style()->polish(widget);
+    widget->update();
 }
 
 void Theme::apply()

@@ -8,6 +8,8 @@
 #include <QObject>
 #include <QPalette>
 
+class QWidget;
+
 /// What a colour is for. Code names roles, never colours.
 enum class ColorRole {
     Background, Surface, SurfaceRaised, Border, Text, Muted, Accent, AccentText, Ok, Changed, Warning, Danger, DangerText,
@@ -43,6 +45,9 @@ private:
     [[nodiscard]] QString styleSheet() const;
     bool m_dark = false;
 };
+
+/// Makes the style sheet look again at a widget whose name or properties have changed.
+void repolish(QWidget *widget);
 
 /// Grid of the whole screen in logical pixels.
 namespace Metric {
