@@ -101,6 +101,8 @@ bool TransactionQueue::frameArrived(const FrameView &frame, TimePoint now)
 
 void TransactionQueue::bytesTaken(qint64 count, TimePoint now)
 {
+    if (m_untaken == 0)
+        return;
     m_untaken = std::max<qint64>(0, m_untaken - count);
     if (m_untaken > 0)
         return;
@@ -161,13 +163,13 @@ void TransactionQueue::send(Pending &pending, TimePoint now)
     ++pending.sends;
     pending.leftAt = account(pending.request.bytes.size(), now);
     pending.deadline = pending.leftAt + timeoutOf(pending.request);
-    m_untaken += pending.request.bytes.size();
     m_write(pending.request.bytes);
 }
 
 // Notes when the line will have carried these bytes, and from when on the next command may follow.
 TimePoint TransactionQueue::account(qint64 bytes, TimePoint now)
 {
+    m_untaken += bytes;
     m_lineFreeAt = std::max(m_lineFreeAt, now) + durationFromSeconds(m_line ? m_line->secondsFor(bytes) : 0.0);
     m_pauseUntil = m_lineFreeAt + m_pause;
     return m_lineFreeAt;

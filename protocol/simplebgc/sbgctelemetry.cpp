@@ -18,8 +18,9 @@ constexpr int kStatusAloneMs = 40;
 constexpr auto kPollInterval = 20ms;
 constexpr int kFrameOverhead = 5;
 constexpr double kStampWrap = 65536.0;       // milliseconds
-// Difference in milliseconds between the board's stamp and the counted time that means lost frames.
-constexpr double kGapThreshold = 2.5;
+constexpr double kStampStep = 1.0;           // milliseconds
+constexpr quint64 kLearning = 50;            // frames
+constexpr double kMeanWeight = 0.06;
 
 class SbgcDecoder final : public TelemetryDecoder
 {
@@ -90,32 +91,42 @@ private:
         store.append(*m_custom, sampleTime, m_values);
     }
 
-    // The board's millisecond stamp against the counted time: what is ahead was lost on the way.
+    // The board's millisecond stamp against the counted time: what it is ahead was lost on the way. A whole millisecond is
+    // longer than the period, so a single lost frame shows only in the mean over some frames; a longer gap shows at once.
     int missingBefore(double stamp)
     {
         const double period = m_customPeriod * 1000.0;
-        if (!m_started) {
-            m_started = true;
-            m_lastStamp = stamp;
-            m_counted = m_board = 0.0;
-            return 0;
-        }
-        double step = stamp - m_lastStamp;
+        double step = m_seen == 0 ? 0.0 : stamp - m_lastStamp;
         if (step < -kStampWrap / 2)
             step += kStampWrap;
         m_lastStamp = stamp;
         m_board += step;
-        m_counted += period;
-        const double ahead = m_board - m_counted;
-        if (ahead > kGapThreshold + period * 0.5) {
-            const int missing = std::max(1, int(std::lround(ahead / period)));
-            m_counted += missing * period;
-            return missing;
+        m_counted += m_seen == 0 ? 0.0 : period;
+        const double ahead = m_board - m_counted - m_base;
+        ++m_seen;
+        if (ahead < -50.0) {   // the board restarted its clock
+            m_counted = m_board - m_base;
+            m_mean = 0.0;
+            return 0;
         }
-        if (ahead < -50.0)   // the board restarted its clock
-            m_counted = m_board;
-        m_counted += 0.01 * ahead;
-        return 0;
+        int missing = 0;
+        if (ahead > kStampStep + 1.5 * period) {
+            missing = int(std::lround(ahead / period));
+        } else if (m_seen <= kLearning) {
+            m_base += ahead / m_seen;   // the phase between stamps and frames
+            return 0;
+        } else {
+            m_mean += kMeanWeight * (ahead - m_mean);
+            if (m_mean > 0.6 * period)
+                missing = 1;
+            else if (m_mean < -0.6 * period)
+                missing = -1;           // a frame was counted that never was
+        }
+        m_counted += missing * period;
+        m_mean -= missing * period;
+        if (missing > 1)
+            m_mean = 0.0;
+        return std::max(0, missing);
     }
 
     quint32 m_customFlags;
@@ -127,10 +138,12 @@ private:
     std::shared_ptr<TelemetryGroup> m_status3;
     std::shared_ptr<TelemetryGroup> m_status4;
     std::shared_ptr<TelemetryGroup> m_custom;
-    bool m_started = false;
+    quint64 m_seen = 0;
     double m_lastStamp = 0;
-    double m_board = 0;
-    double m_counted = 0;
+    double m_board = 0;        // unwrapped stamps, milliseconds
+    double m_counted = 0;      // frames times period, lost ones included
+    double m_base = 0;         // what the stamps are ahead by without any loss
+    double m_mean = 0;
 };
 
 QByteArray customConfig(quint32 flags)

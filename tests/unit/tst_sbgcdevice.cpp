@@ -1,0 +1,653 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/device/connector.h"
+#include "protocol/simplebgc/units.h"
+#include "tests/support/virtualboard.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace sbgc;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+SimulatorOptions options(int firmware)
+{
+    SimulatorOptions o;
+    o.firmware = firmware;
+    return o;
+}
+
+QVariantMap argumentsFor(const SbgcDevice &device, const char *key, const QMap<QString, QString> &texts = {})
+{
+    for (const ActionSpec &action : device.actions()) {
+        if (qstrcmp(action.key, key) == 0)
+            return parseArguments(action, texts).value();
+    }
+    return {};
+}
+
+} // namespace
+
+/// The family's sequential code against the simulated board in virtual time.
+class TestSbgcDevice : public QObject
+{
+    Q_OBJECT
+private slots:
+    void identifies();
+    void unknownFirmwareIsReadOnly();
+    void findsRateAndParity_data();
+    void findsRateAndParity();
+    void explainsSilenceGarbageAndForeigners();
+    void readsEverything_data();
+    void readsEverything();
+    void missingExtendedBlocksAreLeftOut();
+    void readTimeIsNearTheWire();
+    void selectsProfiles();
+    void profileNames();
+    void adjustablesAreVolatileUntilSaved();
+    void gyroCalibrationRemovesTheBias_data();
+    void gyroCalibrationRemovesTheBias();
+    void accCalibrationLevelsTheHorizon();
+    void calibrationOfAShakenCameraChangesNothing();
+    void secondCalibrationIsRefusedMeanwhile();
+    void calibrationCanBeCancelled();
+    void autoTuneFindsAndSavesGains();
+    void autoTuneStopsWhenCancelled();
+    void steersToAnAngle();
+    void speedModeStopsAtTheEnd();
+    void everyControlModeIsEncoded();
+    void resetIsAnnounced();
+    void defaultsOverwriteAProfile();
+    void motorsOffStopsEvenATuningBoard();
+    void debugVariablesAreListedAndRead();
+    void faultsAreNamed();
+    void streamsAtFullRateWithoutLoss();
+    void oldFirmwareIsPolled();
+    void streamFitsASlowLine();
+    void lostFramesAreCountedAsGaps();
+    void survivesADisturbedCable();
+    void argumentsAreChecked();
+};
+
+void TestSbgcDevice::identifies()
+{
+    VirtualBoard bench;
+    const auto identity = bench.device.identify(bench.channel);
+    QVERIFY(identity);
+    QCOMPARE(identity->model, u"SimpleBGC 3.0"_s);
+    QCOMPARE(identity->firmware, u"2.59b0"_s);
+    QVERIFY(identity->capabilities.contains(u"battery"_s));
+    QVERIFY(identity->capabilities.contains(u"streams"_s));
+    QVERIFY(identity->usb);
+    QVERIFY(identity->writable);
+    QVERIFY(!identity->serial.isEmpty());
+    // The seed is in the serial number: another board is another board.
+    SimulatorOptions other;
+    other.seed = 2;
+    VirtualBoard second(other);
+    QVERIFY(second.device.identify(second.channel)->serial != identity->serial);
+}
+
+void TestSbgcDevice::unknownFirmwareIsReadOnly()
+{
+    SimulatorOptions o;
+    o.faults.unknownFirmware = true;
+    VirtualBoard bench(o);
+    QVERIFY(bench.identify());
+    QVERIFY(!bench.device.identity().writable);
+    // Everything we can decode is shown, nothing is written or moved.
+    QVERIFY(bench.device.readConfiguration(bench.channel));
+    QCOMPARE(bench.device.perform(bench.channel, u"motors.on"_s, {}).error().code, ErrorCode::ReadOnly);
+    QVERIFY(bench.device.perform(bench.channel, u"motors.off"_s, {}));
+}
+
+void TestSbgcDevice::findsRateAndParity_data()
+{
+    QTest::addColumn<int>("baud");
+    QTest::addColumn<bool>("even");
+    QTest::addColumn<int>("firmware");
+    for (const int baud : {115200, 57600, 38400, 19200, 9600, 256000}) {
+        for (const bool even : {false, true})
+            QTest::addRow("%d %s", baud, even ? "even" : "none") << baud << even << 2590;
+        QTest::addRow("%d firmware 2.40", baud) << baud << true << 2400;
+    }
+}
+
+void TestSbgcDevice::findsRateAndParity()
+{
+    QFETCH(int, baud);
+    QFETCH(bool, even);
+    QFETCH(int, firmware);
+    SimulatorOptions o = options(firmware);
+    o.usb = false;
+    const LineSettings line{baud, even ? Parity::Even : Parity::None};
+    VirtualBoard bench(o, line);
+    const auto found = findBoard(bench.channel, bench.device, LinkAddress::serial(u"/dev/x"_s));
+    QVERIFY(found);
+    QCOMPARE(found->line->baud, baud);
+    // From 2.41 on the board takes either parity, so "none" is found first; 2.40 answers to even only.
+    QCOMPARE(found->line->parity, firmware < 2410 ? Parity::Even : Parity::None);
+    // It says what it tries.
+    QVERIFY(bench.channel.progressReports().front().subject.contains(u"115200 8N1"_s));
+}
+
+void TestSbgcDevice::explainsSilenceGarbageAndForeigners()
+{
+    SimulatorOptions o = options(2400);
+    o.usb = false;
+    VirtualBoard silent(o, LineSettings{115200, Parity::Even});
+    const auto address = LinkAddress::serial(u"/dev/x"_s, 115200, Parity::None);
+    QCOMPARE(findBoard(silent.channel, silent.device, address).error().code, ErrorCode::Silent);
+
+    SimulatorOptions noisy;
+    noisy.faults.flipByte = 1.0;
+    VirtualBoard garbage(noisy);
+    // The board hears nothing either, so it is made to talk.
+    garbage.port.board().receive(asBytes(DataStream{25, 20, QByteArray(8, '\0')}.encode()));
+    garbage.port.board().receive(asBytes(encodeFrame(85, DataStream{25, 20, QByteArray(8, '\0')}.encode())));
+    QCOMPARE(findBoard(garbage.channel, garbage.device, address).error().code, ErrorCode::Garbage);
+
+    // Two MAVLink heartbeats, one behind the other; a STorM32 answering every byte with e.
+    const QByteArray heartbeat = hex("FE 09 00 01 01 00 00 00 00 00 1A 03 00 04 03 12 34");
+    QCOMPARE(recognizeProtocol(heartbeat + heartbeat), u"MAVLink"_s);
+    QCOMPARE(recognizeProtocol("eeeee"), u"STorM32"_s);
+    QCOMPARE(recognizeProtocol(hex("3E 56 00")), QString());
+}
+
+void TestSbgcDevice::readsEverything_data()
+{
+    QTest::addColumn<int>("firmware");
+    for (const int firmware : {2400, 2439, 2590, 2610, 2704, 2738})
+        QTest::addRow("%d", firmware) << firmware;
+}
+
+void TestSbgcDevice::readsEverything()
+{
+    QFETCH(int, firmware);
+    VirtualBoard bench(options(firmware));
+    QVERIFY(bench.identify());
+    const auto configuration = bench.device.readConfiguration(bench.channel);
+    QVERIFY(configuration);
+    QCOMPARE(configuration->blocks().size(), std::size_t(15));
+    QCOMPARE(configuration->profileNames().first(), u"Handheld"_s);
+    for (const ParameterSpec &spec : configuration->parameters().all()) {
+        for (int profile = 0; profile < kProfileCount; ++profile)
+            QVERIFY2(configuration->raw(spec, profile).has_value(), qPrintable(spec.key));
+        if (!spec.row->state && spec.key != u"imu.skip_gyro_calibration"_s)
+            QCOMPARE(*configuration->raw(spec, 4), spec.defaultRaw);
+    }
+    QCOMPARE(*configuration->raw(*configuration->parameters().find(u"pid.roll.p"_s), 1), 45);
+}
+
+void TestSbgcDevice::missingExtendedBlocksAreLeftOut()
+{
+    // A board that loses every other byte of long frames never delivers them; here the whole cable is cut for writing.
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    QCOMPARE(bench.device.readBlock(bench.channel, {0, ParamsExt2})->size(), kParamsExt2Size);
+    QCOMPARE(bench.device.readBlock(bench.channel, {3, Params3})->at(0), char(3));
+}
+
+void TestSbgcDevice::readTimeIsNearTheWire()
+{
+    SimulatorOptions o;
+    o.usb = false;
+    const LineSettings line{115200, Parity::None};
+    VirtualBoard bench(o, line);
+    std::ignore = bench.channel.setLine(line);
+    QVERIFY(bench.identify());
+    QVERIFY(!bench.channel.sleep(100ms).has_value() == false);
+    const TimePoint start = bench.channel.now();
+    QVERIFY(bench.device.readConfiguration(bench.channel));
+    const double taken = seconds(bench.channel.now() - start);
+    // 15 blocks and the names: requests of 6 (5) bytes, replies of 139, 109, 156 (245) bytes.
+    const double wire = line.secondsFor(15 * 6 + 5 * (139 + 109 + 156) + 5 + 245);
+    // The document's pause is 10 ms after each command, beside the wire.
+    const double allowed = wire + 16 * 0.010;
+    qInfo() << "configuration read in" << taken * 1000 << "ms; wire" << wire * 1000 << "ms; wire and pauses"
+            << allowed * 1000 << "ms; ratio" << taken / allowed;
+    QVERIFY(taken < 1.15 * 1.15 * allowed);
+}
+
+void TestSbgcDevice::selectsProfiles()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    for (const int profile : {3, 4, 0, 1, 2}) {
+        QVERIFY(bench.device.selectProfile(bench.channel, profile));
+        QCOMPARE(bench.board().activeProfile(), profile);
+        QCOMPARE(*bench.device.activeProfile(bench.channel), profile);
+    }
+    QCOMPARE(bench.device.selectProfile(bench.channel, 5).error().code, ErrorCode::InvalidArgument);
+}
+
+void TestSbgcDevice::profileNames()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    const QStringList names{u"Kran"_s, u"Büro"_s, u"五"_s, QString(), u"x"_s};
+    QVERIFY(bench.device.writeProfileNames(bench.channel, names));
+    QCOMPARE(*bench.device.readProfileNames(bench.channel), names);
+}
+
+void TestSbgcDevice::adjustablesAreVolatileUntilSaved()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    QVERIFY(bench.device.writeAdjustables(bench.channel, {{0, 77}, {39, 250}, {38, -5}}));
+    const auto values = bench.device.readAdjustables(bench.channel, {0, 39, 38});
+    QVERIFY(values);
+    QCOMPARE((*values)[0].value, 77.0);
+    QCOMPARE((*values)[1].value, 250.0);
+    QCOMPARE((*values)[2].value, -5.0);
+    QCOMPARE(bench.board().inUse(u"pid.roll.p"_s), 77);
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), 35);
+    // A profile that is loaded wipes them.
+    QVERIFY(bench.device.selectProfile(bench.channel, 1));
+    QVERIFY(bench.device.selectProfile(bench.channel, 0));
+    QCOMPARE(bench.board().inUse(u"pid.roll.p"_s), 35);
+    QVERIFY(bench.device.writeAdjustables(bench.channel, {{0, 78}}));
+    QVERIFY(bench.device.perform(bench.channel, u"variables.save"_s, {}));
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), 78);
+    QCOMPARE(bench.device.readAdjustables(bench.channel, {200}).error().code, ErrorCode::BoardError);
+}
+
+void TestSbgcDevice::gyroCalibrationRemovesTheBias_data()
+{
+    QTest::addColumn<QString>("form");
+    QTest::newRow("extended: confirmed twice") << u"extended"_s;
+    QTest::newRow("simple: confirmed at the end") << u"simple"_s;
+}
+
+void TestSbgcDevice::gyroCalibrationRemovesTheBias()
+{
+    QFETCH(QString, form);
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    const auto before = bench.board().stabilizer().imu().gyroBias[1] - bench.board().stabilizer().imu().gyroCorrection[1];
+    QVERIFY(std::abs(before) > 1.0);
+    const TimePoint start = bench.channel.now();
+    const auto reply = bench.device.perform(bench.channel, u"calibrate.gyro"_s,
+                                            argumentsFor(bench.device, "calibrate.gyro", {{u"form"_s, form}}));
+    QVERIFY(reply);
+    QVERIFY(bench.channel.now() - start > 4s);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const SimulatedImu &imu = bench.board().stabilizer().imu();
+        QVERIFY(std::abs(imu.gyroBias[i] - imu.gyroCorrection[i]) < 0.05);
+    }
+    QVERIFY(reply->value(u"confirmed"_s).toBool());
+    // The camera is held again afterwards, and stands.
+    QVERIFY(bench.board().stabilizer().motorsOn());
+    QVERIFY2(reply->value(u"gyro.bias.after"_s).toDouble() < 1.0,
+             qPrintable(reply->value(u"gyro.bias.after"_s).toString()));
+}
+
+void TestSbgcDevice::accCalibrationLevelsTheHorizon()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    bench.board().stabilizer().imu().gyroCorrection = bench.board().stabilizer().imu().gyroBias;
+    std::ignore = bench.channel.sleep(20s);
+    const double tiltedBefore = std::abs(bench.board().stabilizer().trueAngle(Axis::Roll));
+    QVERIFY2(tiltedBefore > 1.0, qPrintable(QString::number(tiltedBefore)));
+    QVERIFY(bench.device.perform(bench.channel, u"calibrate.acc"_s, argumentsFor(bench.device, "calibrate.acc")));
+    std::ignore = bench.channel.sleep(20s);
+    const double after = std::abs(bench.board().stabilizer().trueAngle(Axis::Roll));
+    QVERIFY2(after < tiltedBefore / 2, qPrintable(QString::number(after)));
+}
+
+void TestSbgcDevice::calibrationOfAShakenCameraChangesNothing()
+{
+    SimulatorOptions o;
+    o.faults.shake = 8;
+    VirtualBoard bench(o);
+    QVERIFY(bench.identify());
+    const auto reply = bench.device.perform(bench.channel, u"calibrate.gyro"_s,
+                                            argumentsFor(bench.device, "calibrate.gyro"));
+    QVERIFY(reply);
+    QCOMPARE(bench.board().stabilizer().imu().gyroCorrection[0], 0.0);
+}
+
+void TestSbgcDevice::secondCalibrationIsRefusedMeanwhile()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    QVERIFY(bench.channel.transact(confirmRequest(CommandId::CalibGyro, encodeCalibration(1, 1), 1)));
+    std::ignore = bench.channel.sleep(1s);
+    const auto second = bench.channel.transact(confirmRequest(CommandId::CalibAcc, encodeCalibration(1, 1), 1));
+    QCOMPARE(second.error().code, ErrorCode::BoardError);
+    QCOMPARE(second.error().boardCode, 8);
+}
+
+void TestSbgcDevice::calibrationCanBeCancelled()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    bench.channel.cancelAfter(2s);
+    const auto reply = bench.device.perform(bench.channel, u"calibrate.gyro"_s,
+                                            argumentsFor(bench.device, "calibrate.gyro"));
+    QCOMPARE(reply.error().code, ErrorCode::Cancelled);
+}
+
+void TestSbgcDevice::autoTuneFindsAndSavesGains()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    bench.board().stabilizer().imu().gyroCorrection = bench.board().stabilizer().imu().gyroBias;
+    const auto reply = bench.device.perform(bench.channel, u"autotune"_s,
+                                            argumentsFor(bench.device, "autotune", {{u"yaw"_s, u"off"_s}}));
+    QVERIFY(reply);
+    const int p = reply->value(u"p.roll"_s).toInt();
+    QVERIFY2(p > 15, qPrintable(QString::number(p)));
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), p);
+    QCOMPARE(bench.board().stored(u"pid.yaw.p"_s, 0), 40);   // not chosen, not touched
+    // Progress came with each iteration, with gains and tracking error.
+    int reports = 0;
+    for (const Progress &progress : bench.channel.progressReports())
+        reports += progress.values.contains(u"error.roll"_s);
+    QVERIFY(reports >= 10);
+    // The found gains hold.
+    std::ignore = bench.channel.sleep(2s);
+    QVERIFY(std::abs(bench.board().stabilizer().estimate(Axis::Roll)) < 0.5);
+}
+
+void TestSbgcDevice::autoTuneStopsWhenCancelled()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    bench.channel.cancelAfter(3s);
+    const auto reply = bench.device.perform(bench.channel, u"autotune"_s, argumentsFor(bench.device, "autotune"));
+    QCOMPARE(reply.error().code, ErrorCode::Cancelled);
+    // "Stop" is sent although the job is over.
+    int frames = 0;
+    bench.channel.setTap([&frames](const FrameView &frame, TimePoint) { frames += frame.id == 35; });
+    bench.port.advance(200ms);
+    bench.channel.queue().advance(bench.channel.now());
+    bench.port.advance(3s);
+    const QByteArray rest = bench.port.hostReads();
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), 35);
+    // Progress reports of 62 bytes come each 0.6 s while tuning: after "stop" there are none.
+    QVERIFY2(rest.count(encodeFrame(35, {}, 1).first(2)) <= 1, "the board is still tuning");
+}
+
+void TestSbgcDevice::steersToAnAngle()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    bench.board().stabilizer().imu().gyroCorrection = bench.board().stabilizer().imu().gyroBias;
+    const auto reply = bench.device.perform(
+        bench.channel, u"steer"_s,
+        argumentsFor(bench.device, "steer", {{u"yaw"_s, u"25"_s}, {u"speed"_s, u"40"_s}, {u"seconds"_s, u"3"_s}}));
+    QVERIFY(reply);
+    QVERIFY(std::abs(reply->value(u"imu.yaw"_s).toDouble() - 25.0) < 1.5);
+    QVERIFY(std::abs(reply->value(u"imu.pitch"_s).toDouble()) < 1.5);
+    QVERIFY(std::abs(bench.board().stabilizer().estimate(Axis::Yaw) - 25.0) < 1.5);
+}
+
+void TestSbgcDevice::speedModeStopsAtTheEnd()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    QVERIFY(bench.device.perform(bench.channel, u"steer"_s,
+                                 argumentsFor(bench.device, "steer", {{u"mode"_s, u"speed"_s}, {u"pitch"_s, u"15"_s},
+                                                                      {u"seconds"_s, u"2"_s}})));
+    const double reached = bench.board().stabilizer().target(Axis::Pitch);
+    QVERIFY2(reached > 24 && reached < 36, qPrintable(QString::number(reached)));
+    std::ignore = bench.channel.sleep(2s);
+    QCOMPARE(bench.board().stabilizer().target(Axis::Pitch), reached);
+    QCOMPARE(bench.device.perform(bench.channel, u"steer"_s, argumentsFor(bench.device, "steer")).error().code,
+             ErrorCode::InvalidArgument);
+}
+
+void TestSbgcDevice::everyControlModeIsEncoded()
+{
+    VirtualBoard old(options(2439));
+    VirtualBoard now(options(2738));
+    QVERIFY(old.identify());
+    QVERIFY(now.identify());
+    QCOMPARE(old.device.controlModes().size(), std::size_t(6));
+    QCOMPARE(now.device.controlModes().size(), std::size_t(9));
+    for (const ControlMode &mode : now.device.controlModes()) {
+        ControlSetpoint setpoint{};
+        setpoint[1] = {mode.id, mode.usesSpeed ? 30.0 : 0.0, mode.usesAngle ? 20.0 : 0.0};
+        const ControlFrames frames = now.device.controlFrames(setpoint);
+        const auto command = decodeControl(asBytes(frames.setpoint).subspan(4, 15));
+        QVERIFY(command);
+        QCOMPARE((*command)[1].mode & 0x0F, mode.id);
+        QCOMPARE((*command)[0], ControlAxis());
+        if (mode.usesSpeed)
+            QCOMPARE((*command)[1].speed, 246);   // 30 °/s, errata section 8
+        const auto stop = decodeControl(asBytes(frames.stop).subspan(4, 15));
+        QCOMPARE((*stop)[1].speed, 0);
+        QCOMPARE(frames.release, encodeFrame(67, QByteArray(13, '\0')));
+    }
+    // Slow motion uses the fine unit where the firmware has it; before 2.55b5 all axes share one mode byte.
+    ControlSetpoint slow{};
+    slow[2] = {Speed, 0.5, 0};
+    const auto fine = decodeControl(asBytes(now.device.controlFrames(slow).setpoint).subspan(4, 15));
+    QCOMPARE((*fine)[2].mode, int(Speed) | int(ControlHighResSpeed));
+    QCOMPARE((*fine)[2].speed, 500);
+    QCOMPARE(old.device.controlFrames(slow).setpoint.size(), 13 + 5);
+}
+
+void TestSbgcDevice::resetIsAnnounced()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    QVERIFY(bench.device.writeAdjustables(bench.channel, {{0, 99}}));
+    TimePoint notice{};
+    bench.channel.setTap([&](const FrameView &frame, TimePoint at) {
+        if (bench.device.announcesReset(frame))
+            notice = at;
+    });
+    QVERIFY(bench.device.perform(bench.channel, u"reset"_s, argumentsFor(bench.device, "reset")));
+    QVERIFY(notice != TimePoint());
+    const auto gone = bench.channel.sleep(3s);
+    QCOMPARE(gone.error().code, ErrorCode::LinkClosed);   // native USB vanishes
+    QVERIFY(bench.channel.now() - notice > 950ms && bench.channel.now() - notice < 1100ms);
+    bench.port.advance(2s);
+    QVERIFY(bench.port.isPlugged());
+    QCOMPARE(bench.board().inUse(u"pid.roll.p"_s), 35);   // volatile values are gone
+}
+
+void TestSbgcDevice::defaultsOverwriteAProfile()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 1), 45);
+    QVERIFY(bench.device.perform(bench.channel, u"defaults"_s,
+                                 argumentsFor(bench.device, "defaults", {{u"what"_s, u"profile2"_s}})));
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 1), 35);
+    QCOMPARE(bench.board().stored(u"imu.gyro_trust"_s, 2), 190);
+}
+
+void TestSbgcDevice::motorsOffStopsEvenATuningBoard()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    QVERIFY(bench.channel.transact(confirmRequest(CommandId::AutoPid, hex("00 0F 80") + QByteArray(16, '\0'), 1)));
+    std::ignore = bench.channel.sleep(1s);
+    QVERIFY(bench.channel.transact(bench.device.motorsOffRequest()));
+    QVERIFY(!bench.board().stabilizer().motorsOn());
+    std::ignore = bench.channel.sleep(2s);
+    QVERIFY(!bench.board().stabilizer().motorsOn());
+    QVERIFY(bench.channel.transact(bench.device.motorsOnRequest()));
+    QVERIFY(bench.board().stabilizer().motorsOn());
+}
+
+void TestSbgcDevice::debugVariablesAreListedAndRead()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    const auto list = bench.device.perform(bench.channel, u"debug.list"_s, {});
+    QVERIFY(list);
+    QCOMPARE(list->value(u"MOTOR_OUT"_s).toString(), u"f32[3]"_s);
+    const auto values = bench.device.perform(bench.channel, u"debug.read"_s, {});
+    QVERIFY(values);
+    QCOMPARE(values->size(), list->size());
+    QCOMPARE(values->value(u"CYCLE_US"_s).toInt(), 800);
+    QCOMPARE(values->value(u"MOTOR_OUT"_s).toList().size(), 3);
+}
+
+void TestSbgcDevice::faultsAreNamed()
+{
+    SimulatorOptions o;
+    o.faults.noImu = true;
+    o.faults.battery = 9.5;
+    VirtualBoard bench(o);
+    QVERIFY(bench.identify());
+    QVERIFY(bench.device.readConfiguration(bench.channel));   // a missing sensor never stops reading
+    std::ignore = bench.channel.sleep(1s);
+    const auto frame = bench.channel.transact(
+        replyRequest(CommandId::RealtimeData3, {}, CommandId::RealtimeData3, 63, 1));
+    const unsigned bits = ByteReader(QByteArrayView(frame->payload).sliced(14)).u16();
+    QStringList keys;
+    for (const BoardFault &fault : bench.device.faults(bits, 0)) {
+        keys.append(fault.key);
+        QVERIFY(!fault.meaning.isEmpty() && !fault.cure.isEmpty());
+    }
+    QCOMPARE(keys, (QStringList{u"no-sensor"_s, u"low-battery"_s, u"battery-empty"_s}));
+    QVERIFY(!bench.board().stabilizer().motorsOn());
+    QVERIFY(bench.device.faults(1 << 11, 9).front().name.contains(u"inversion"_s));
+    QCOMPARE(bench.device.faults(0xFFF, 0).size(), std::size_t(12));
+}
+
+void TestSbgcDevice::streamsAtFullRateWithoutLoss()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    TelemetryStore store(int(bench.device.channels().size()));
+    const ChannelRoles roles = bench.device.roles();
+    const QList<int> wanted{roles.angle[0], roles.gyro[1]};
+    const auto plan = bench.device.startTelemetry(bench.channel, {wanted, 0}, {});
+    QVERIFY(plan);
+    QVERIFY(plan->streaming);
+    QCOMPARE(plan->rate, 1250.0);
+    bench.channel.setTap([&](const FrameView &frame, TimePoint at) { plan->decoder->decode(frame, at, store); });
+    std::ignore = bench.channel.sleep(4s);
+    // A long read in between costs nothing.
+    QVERIFY(bench.device.readConfiguration(bench.channel));
+    const auto tracks = store.tracks(roles.gyro[1]);
+    QCOMPARE(tracks.size(), std::size_t(1));
+    QVERIFY(tracks[0].end() >= 5000);
+    QCOMPARE(store.lost(), quint64(0));
+    // Samples are evenly spaced, not at their times of arrival.
+    for (std::size_t row = 1000; row < 4000; ++row) {
+        const double step = tracks[0].time(row) - tracks[0].time(row - 1);
+        QVERIFY2(std::abs(step - 0.0008) < 0.0002, qPrintable(QString::number(step)));
+    }
+    // Status channels come beside the fast ones.
+    QVERIFY(std::abs(double(store.latest(roles.battery)) - 12.3) < 0.3);
+    bench.device.stopTelemetry(bench.channel);
+    const auto rows = store.rows();
+    std::ignore = bench.channel.sleep(500ms);
+    QVERIFY(store.rows() <= rows + 1);
+}
+
+void TestSbgcDevice::oldFirmwareIsPolled()
+{
+    VirtualBoard bench(options(2439));
+    QVERIFY(bench.identify());
+    const auto plan = bench.device.startTelemetry(bench.channel, {}, {});
+    QVERIFY(plan);
+    QVERIFY(!plan->streaming);
+    QVERIFY(plan->poll);
+    TelemetryStore store(int(bench.device.channels().size()));
+    const auto reply = bench.channel.transact(*plan->poll);
+    QVERIFY(reply);
+    plan->decoder->decode({reply->id, asBytes(reply->payload), 1}, bench.channel.now(), store);
+    QVERIFY(double(store.latest(bench.device.roles().battery)) > 11.0);
+    QVERIFY(bench.device.fastChannels().isEmpty());
+}
+
+void TestSbgcDevice::streamFitsASlowLine()
+{
+    SimulatorOptions o;
+    o.usb = false;
+    const LineSettings line{115200, Parity::None};
+    VirtualBoard bench(o, line);
+    std::ignore = bench.channel.setLine(line);
+    QVERIFY(bench.identify());
+    const ChannelRoles roles = bench.device.roles();
+    const auto plan = bench.device.startTelemetry(
+        bench.channel, {{roles.angle[0], roles.target[0], roles.gyro[0]}, 0}, line);
+    QVERIFY(plan);
+    // 25 bytes a frame: 443/s would fill the line (performance notes, section 1); some is left for requests.
+    QVERIFY2(plan->rate > 280 && plan->rate < 400, qPrintable(QString::number(plan->rate)));
+    TelemetryStore store(int(bench.device.channels().size()));
+    bench.channel.setTap([&](const FrameView &frame, TimePoint at) { plan->decoder->decode(frame, at, store); });
+    std::ignore = bench.channel.sleep(3s);
+    QCOMPARE(store.lost(), quint64(0));
+    QVERIFY(store.tracks(roles.gyro[0])[0].end() > std::size_t(2.5 * plan->rate));
+}
+
+void TestSbgcDevice::lostFramesAreCountedAsGaps()
+{
+    SimulatorOptions o;
+    o.faults.loseByte = 0.0006;
+    o.seed = 4;
+    VirtualBoard bench(o);
+    QVERIFY(bench.identify());
+    const ChannelRoles roles = bench.device.roles();
+    const auto plan = bench.device.startTelemetry(bench.channel, {{roles.gyro[0]}, 0}, {});
+    QVERIFY(plan);
+    TelemetryStore store(int(bench.device.channels().size()));
+    quint64 frames = 0;
+    bench.channel.setTap([&](const FrameView &frame, TimePoint at) {
+        frames += frame.id == 88;
+        plan->decoder->decode(frame, at, store);
+    });
+    const TimePoint start = bench.channel.now();
+    std::ignore = bench.channel.sleep(8s);
+    const double sent = seconds(bench.channel.now() - start) * 1250.0;
+    QVERIFY(store.lost() > 20);
+    QVERIFY2(std::abs(double(frames + store.lost()) - sent) < 0.01 * sent,
+             qPrintable(u"%1 + %2 of %3"_s.arg(frames).arg(store.lost()).arg(sent)));
+}
+
+void TestSbgcDevice::survivesADisturbedCable()
+{
+    SimulatorOptions o;
+    o.faults.flipByte = 0.0008;
+    o.faults.loseByte = 0.0004;
+    o.faults.doubleByte = 0.0004;
+    o.faults.delayMs = 20;
+    VirtualBoard bench(o);
+    for (int i = 0; i < 10 && !bench.identify(); ++i) { }
+    QVERIFY(!bench.device.identity().serial.isEmpty());
+    int complete = 0;
+    for (int i = 0; i < 5; ++i) {
+        const auto configuration = bench.device.readConfiguration(bench.channel);
+        if (!configuration)
+            continue;
+        complete += configuration->blocks().size() == 15;
+        // What arrived is right, whatever the cable did.
+        for (const ParameterSpec &spec : configuration->parameters().all()) {
+            const auto raw = configuration->raw(spec, 4);
+            if (raw && !spec.row->state && spec.key != u"imu.skip_gyro_calibration"_s)
+                QCOMPARE(*raw, spec.defaultRaw);
+        }
+    }
+    QVERIFY(complete >= 3);
+}
+
+void TestSbgcDevice::argumentsAreChecked()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    for (const ActionSpec &action : bench.device.actions()) {
+        QVERIFY(*action.label && *action.help && *action.group);
+        QVERIFY(!parseArguments(action, {{u"nonsense"_s, u"1"_s}}));
+        for (const ArgumentSpec &argument : action.arguments) {
+            if (argument.kind != ArgumentKind::Text)
+                QVERIFY(!parseArguments(action, {{QLatin1String(argument.key), u"what"_s}}));
+        }
+    }
+    QCOMPARE(bench.device.perform(bench.channel, u"nonsense"_s, {}).error().code, ErrorCode::Unsupported);
+}
+
+QTEST_APPLESS_MAIN(TestSbgcDevice)
+#include "tst_sbgcdevice.moc"

@@ -1,0 +1,348 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/session/controlstream.h"
+#include "protocol/session/transactionqueue.h"
+
+#include <QTest>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+Request request(const QString &name, int replyId, bool idempotent = true, int retries = 1)
+{
+    Request r;
+    r.name = name;
+    r.bytes = name.toLatin1();
+    r.kind = replyId;
+    r.replyBytes = 20;
+    r.timeout = 100ms;
+    r.idempotent = idempotent;
+    r.retries = retries;
+    r.answer = [replyId](const FrameView &frame) -> std::optional<Result<Frame>> {
+        if (frame.id == replyId)
+            return Frame(frame);
+        if (frame.id == 255)
+            return failure(ErrorCode::BoardError);
+        return {};
+    };
+    return r;
+}
+
+/// A queue, virtual time and a record of what was written and completed.
+struct Bench
+{
+    Bench() : queue([this](QByteArrayView bytes) { written.append(QString::fromLatin1(bytes)); }) { queue.setPause(10ms); }
+
+    TransactionQueue::Id submit(const Request &r, TransactionQueue::Lane lane = TransactionQueue::Lane::Normal)
+    {
+        return queue.submit(r, [this, name = r.name](const Result<Frame> &result) {
+            completed.append(name + (result ? u":ok"_s : u":%1"_s.arg(int(result.error().code))));
+        }, now, lane);
+    }
+    void pass(milliseconds time)
+    {
+        const TimePoint end = now + time;
+        while (now < end) {
+            now += 1ms;
+            queue.bytesTaken(1 << 20, now);
+            queue.advance(now);
+        }
+    }
+    bool arrive(int id)
+    {
+        return queue.frameArrived({id, {}, 1}, now);
+    }
+
+    TimePoint now = TimePoint() + 1h;
+    QStringList written;
+    QStringList completed;
+    TransactionQueue queue;
+};
+
+QString failed(const char *name, ErrorCode code)
+{
+    return u"%1:%2"_s.arg(QLatin1String(name)).arg(int(code));
+}
+
+} // namespace
+
+class TestTransactionQueue : public QObject
+{
+    Q_OBJECT
+private slots:
+    void oneRequestInFlight();
+    void keepsAPauseBetweenCommands();
+    void retriesOnceThenReportsTimeout();
+    void doesNotRetryWhatIsNotIdempotent();
+    void completesExactlyOnce();
+    void boardRefusalIsAnError();
+    void lateAnswerIsNotTakenForTheNextRequest();
+    void otherKindsAreNotHeldByALateAnswer();
+    void answerToARetriedRequestLeavesOneToCome();
+    void urgentGoesOutAtOnce();
+    void cancelInFlightAndWaiting();
+    void closingTheLinkEndsEverything();
+    void timerStartsWhenTheLastByteHasLeft();
+    void timeoutGrowsWithASlowLine();
+    void unansweredIsDoneWhenSent();
+    void deadlineIsReported();
+    void controlStreamRepeatsAndStops();
+    void controlStreamDeadMan();
+    void controlStreamEndsOnPurpose();
+};
+
+void TestTransactionQueue::oneRequestInFlight()
+{
+    Bench bench;
+    bench.submit(request(u"a"_s, 1));
+    bench.submit(request(u"b"_s, 2));
+    bench.pass(50ms);
+    QCOMPARE(bench.written, QStringList{u"a"_s});
+    QVERIFY(bench.arrive(1));
+    bench.pass(1ms);
+    QCOMPARE(bench.written, (QStringList{u"a"_s, u"b"_s}));
+    QVERIFY(bench.arrive(2));
+    QCOMPARE(bench.completed, (QStringList{u"a:ok"_s, u"b:ok"_s}));
+    QVERIFY(bench.queue.isIdle());
+}
+
+void TestTransactionQueue::keepsAPauseBetweenCommands()
+{
+    Bench bench;
+    bench.submit(request(u"a"_s, 1));
+    bench.submit(request(u"b"_s, 2));
+    bench.now += 1ms;
+    bench.arrive(1);
+    QCOMPARE(bench.written.size(), 1);
+    bench.pass(8ms);
+    QCOMPARE(bench.written.size(), 1);
+    bench.pass(2ms);
+    QCOMPARE(bench.written.size(), 2);
+}
+
+void TestTransactionQueue::retriesOnceThenReportsTimeout()
+{
+    Bench bench;
+    bench.submit(request(u"a"_s, 1));
+    bench.pass(350ms);
+    QCOMPARE(bench.written, (QStringList{u"a"_s, u"a"_s}));
+    QCOMPARE(bench.completed, QStringList{failed("a", ErrorCode::Timeout)});
+    QCOMPARE(bench.queue.timeouts(), quint64(1));
+}
+
+void TestTransactionQueue::doesNotRetryWhatIsNotIdempotent()
+{
+    Bench bench;
+    bench.submit(request(u"a"_s, 1, false, 5));
+    bench.pass(500ms);
+    QCOMPARE(bench.written, QStringList{u"a"_s});
+    QCOMPARE(bench.completed.size(), 1);
+}
+
+void TestTransactionQueue::completesExactlyOnce()
+{
+    Bench bench;
+    bench.submit(request(u"a"_s, 1));
+    bench.arrive(1);
+    bench.arrive(1);
+    bench.pass(1000ms);
+    bench.queue.cancelAll({ErrorCode::LinkClosed, {}, 0});
+    QCOMPARE(bench.completed, QStringList{u"a:ok"_s});
+}
+
+void TestTransactionQueue::boardRefusalIsAnError()
+{
+    Bench bench;
+    bench.submit(request(u"a"_s, 1));
+    bench.arrive(255);
+    QCOMPARE(bench.completed, QStringList{failed("a", ErrorCode::BoardError)});
+}
+
+void TestTransactionQueue::lateAnswerIsNotTakenForTheNextRequest()
+{
+    Bench bench;
+    bench.submit(request(u"a"_s, 1, false));
+    bench.pass(110ms);
+    bench.submit(request(u"b"_s, 1, false));
+    bench.pass(20ms);
+    QCOMPARE(bench.written, QStringList{u"a"_s});   // held back
+    QVERIFY(bench.arrive(1));                       // the late answer of a goes to nobody
+    QCOMPARE(bench.completed, QStringList{failed("a", ErrorCode::Timeout)});
+    bench.pass(10ms);
+    QCOMPARE(bench.written, (QStringList{u"a"_s, u"b"_s}));
+    bench.arrive(1);
+    QCOMPARE(bench.completed.last(), u"b:ok"_s);
+}
+
+void TestTransactionQueue::otherKindsAreNotHeldByALateAnswer()
+{
+    Bench bench;
+    bench.submit(request(u"a"_s, 1, false));
+    bench.pass(110ms);
+    bench.submit(request(u"b"_s, 2, false));
+    bench.pass(5ms);
+    QCOMPARE(bench.written, (QStringList{u"a"_s, u"b"_s}));
+}
+
+void TestTransactionQueue::answerToARetriedRequestLeavesOneToCome()
+{
+    Bench bench;
+    bench.submit(request(u"a"_s, 1));
+    bench.pass(150ms);                              // sent twice by now
+    bench.arrive(1);
+    QCOMPARE(bench.completed, QStringList{u"a:ok"_s});
+    bench.submit(request(u"b"_s, 1));
+    bench.pass(20ms);
+    QCOMPARE(bench.written.size(), 2);              // the second answer of a may still come
+    bench.arrive(1);
+    bench.pass(20ms);
+    QCOMPARE(bench.written.size(), 3);
+    QCOMPARE(bench.completed.size(), 1);
+}
+
+void TestTransactionQueue::urgentGoesOutAtOnce()
+{
+    Bench bench;
+    for (int i = 0; i < 20; ++i)
+        bench.submit(request(u"job%1"_s.arg(i), 1));
+    bench.submit(request(u"off"_s, 9), TransactionQueue::Lane::Urgent);
+    QCOMPARE(bench.written, (QStringList{u"job0"_s, u"off"_s}));
+    bench.arrive(9);
+    QCOMPARE(bench.completed, QStringList{u"off:ok"_s});
+    bench.arrive(1);
+    QCOMPARE(bench.completed.last(), u"job0:ok"_s);
+}
+
+void TestTransactionQueue::cancelInFlightAndWaiting()
+{
+    Bench bench;
+    const auto a = bench.submit(request(u"a"_s, 1));
+    const auto b = bench.submit(request(u"b"_s, 2));
+    bench.submit(request(u"c"_s, 3));
+    bench.queue.cancel(b);
+    bench.queue.cancel(a);
+    bench.pass(15ms);
+    QCOMPARE(bench.completed, (QStringList{failed("b", ErrorCode::Cancelled), failed("a", ErrorCode::Cancelled)}));
+    QCOMPARE(bench.written, (QStringList{u"a"_s, u"c"_s}));
+    bench.queue.cancel(12345);
+}
+
+void TestTransactionQueue::closingTheLinkEndsEverything()
+{
+    Bench bench;
+    bench.submit(request(u"a"_s, 1));
+    bench.submit(request(u"b"_s, 2));
+    bench.queue.cancelAll({ErrorCode::LinkClosed, {}, 0});
+    QCOMPARE(bench.completed, (QStringList{failed("a", ErrorCode::LinkClosed), failed("b", ErrorCode::LinkClosed)}));
+    QVERIFY(bench.queue.isIdle());
+}
+
+void TestTransactionQueue::timerStartsWhenTheLastByteHasLeft()
+{
+    Bench bench;
+    bench.submit(request(u"a"_s, 1, false));
+    // The system does not take the bytes: the answer cannot be late yet.
+    for (int i = 0; i < 400; ++i) {
+        bench.now += 1ms;
+        bench.queue.advance(bench.now);
+    }
+    QVERIFY(bench.completed.isEmpty());
+    bench.queue.bytesTaken(1, bench.now);
+    bench.pass(99ms);
+    QVERIFY(bench.completed.isEmpty());
+    bench.pass(3ms);
+    QCOMPARE(bench.completed.size(), 1);
+}
+
+void TestTransactionQueue::timeoutGrowsWithASlowLine()
+{
+    Bench bench;
+    bench.queue.setLine(LineSettings{9600, Parity::Even});
+    Request slow = request(u"aaaaaaaaaa"_s, 1, false);
+    slow.replyBytes = 139;
+    bench.submit(slow);
+    // 10 bytes out and twice 139 bytes back at 11 bits: 11 + 319 ms beside the board's own 100.
+    bench.pass(420ms);
+    QVERIFY(bench.completed.isEmpty());
+    bench.pass(20ms);
+    QCOMPARE(bench.completed.size(), 1);
+}
+
+void TestTransactionQueue::unansweredIsDoneWhenSent()
+{
+    Bench bench;
+    Request silent;
+    silent.name = u"beep"_s;
+    silent.bytes = "beep";
+    bench.submit(silent);
+    QCOMPARE(bench.completed, QStringList{u"beep:ok"_s});
+}
+
+void TestTransactionQueue::deadlineIsReported()
+{
+    Bench bench;
+    QVERIFY(!bench.queue.nextDeadline(bench.now));
+    bench.submit(request(u"a"_s, 1));
+    QCOMPARE(*bench.queue.nextDeadline(bench.now), bench.now + 100ms);
+}
+
+void TestTransactionQueue::controlStreamRepeatsAndStops()
+{
+    ControlStream stream;
+    TimePoint now = TimePoint() + 1h;
+    int setpoints = 0;
+    QVERIFY(!stream.nextDeadline());
+    for (int ms = 0; ms < 1000; ++ms, now += 1ms) {
+        if (ms % 50 == 0)
+            stream.refresh({"go", "stop", "free"}, now);
+        while (const auto frame = stream.advance(now)) {
+            QCOMPARE(*frame, QByteArray("go"));
+            ++setpoints;
+        }
+    }
+    // 50 per second, as the document allows.
+    QVERIFY2(setpoints >= 48 && setpoints <= 51, qPrintable(QString::number(setpoints)));
+    QCOMPARE(stream.rescues(), 0);
+}
+
+void TestTransactionQueue::controlStreamDeadMan()
+{
+    ControlStream stream;
+    TimePoint now = TimePoint() + 1h;
+    stream.refresh({"go", "stop", "free"}, now);
+    QList<QByteArray> sent;
+    QList<qint64> at;
+    for (int ms = 0; ms < 1000; ++ms, now += 1ms) {
+        while (const auto frame = stream.advance(now)) {
+            sent.append(*frame);
+            at.append(ms);
+        }
+    }
+    QCOMPARE(sent.count("stop"), 1);
+    QCOMPARE(sent.count("free"), 1);
+    QCOMPARE(sent.last(), QByteArray("free"));
+    const qint64 stopAt = at[sent.indexOf("stop")];
+    QVERIFY2(stopAt >= 250 && stopAt <= 252, qPrintable(QString::number(stopAt)));
+    QCOMPARE(stream.rescues(), 1);
+    QVERIFY(!stream.isActive());
+}
+
+void TestTransactionQueue::controlStreamEndsOnPurpose()
+{
+    ControlStream stream;
+    TimePoint now = TimePoint() + 1h;
+    stream.refresh({"go", "stop", "free"}, now);
+    QCOMPARE(*stream.advance(now), QByteArray("go"));
+    stream.end(now);
+    QCOMPARE(*stream.advance(now), QByteArray("stop"));
+    QVERIFY(!stream.advance(now));
+    QCOMPARE(*stream.advance(now + 101ms), QByteArray("free"));
+    QCOMPARE(stream.rescues(), 0);
+    stream.refresh({"go", "stop", "free"}, now);
+    stream.drop();
+    QVERIFY(!stream.advance(now + 1s));
+}
+
+QTEST_APPLESS_MAIN(TestTransactionQueue)
+#include "tst_transactionqueue.moc"
