@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the simulated board reports of itself: real-time data, angles, debug variables.
+#include "protocol/simplebgc/telemetrytables.h"
+#include "protocol/simplebgc/units.h"
+#include "protocol/simulator/sbgcboard.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace Qt::StringLiterals;
+using namespace sbgc;
+
+namespace {
+
+constexpr double kVectorDegrees = std::numbers::pi / 180.0;
+
+} // namespace
+
+QByteArray SbgcBoard::realtime(bool extended) const
+{
+    const Stabilizer &s = m_stabilizer;
+    int errors = 0;
+    if (!s.imuPresent())
+        errors |= 1 << 0;
+    const double volts = (m_options.faults.battery > 0 ? m_options.faults.battery : 12.3) + m_voltageOffset
+        - 0.04 * s.current();
+    const double alarm = value(u"battery.alarm"_s);
+    const double motorsOff = value(u"battery.motors_off"_s);
+    if (alarm > 0 && volts < alarm)
+        errors |= 1 << 6;
+    if (motorsOff > 0 && volts < motorsOff)
+        errors |= 1 << 7;
+    bool anyPower = false;
+    for (const Axis axis : kAxes) {
+        anyPower |= axisValue("motor.%a.power", axis) > 0;
+        if (s.motorsOn() && std::abs(s.target(axis) - s.estimate(axis)) > 30.0)
+            errors |= 1 << 9;
+    }
+    if (!anyPower)
+        errors |= 1 << 2;
+    if (m_emergency)
+        errors |= 1 << 11;
+
+    ByteWriter writer;
+    for (std::size_t i = 0; i < kAxisCount; ++i)
+        writer.i16(toCount16(s.acc()[i], kAccUnit)).i16(toCount16(s.gyro(kAxes[i]), kGyroUnit));
+    writer.u16(int(std::min<quint64>(m_serialErrors, 65535))).u16(errors).u8(m_emergency ? 9 : 0).zeros(3);
+    for (int i = 0; i < 4; ++i)
+        writer.i16(1500);
+    writer.i16(0).i16(0);
+    for (const Axis axis : kAxes)
+        writer.i16(angleToCount(s.estimate(axis)));
+    for (const Axis axis : kAxes)
+        writer.i16(angleToCount(s.hand().angle(axis)));
+    for (const Axis axis : kAxes)
+        writer.i16(angleToCount(s.target(axis)));
+    writer.u16(800).u16(s.imuPresent() ? 0 : 1000).u8(errors & 0xFF).u16(int(std::lround(volts * 100.0)))
+        .u8(s.motorsOn()).u8(m_imu).u8(m_active);
+    for (const Axis axis : kAxes)
+        writer.u8(int(std::lround(s.effort(axis) * 255.0)));
+    if (!extended)
+        return writer.take();
+    for (const Axis axis : kAxes)
+        writer.i16(angleToCount(s.jointAngle(axis)));
+    writer.zeros(1);
+    for (const Axis axis : kAxes)
+        writer.i16(int(std::lround(std::clamp(s.torque(axis), -1.0, 1.0) * 512.0)));
+    writer.u16(int(std::lround(s.current() * 1000.0))).i16(210).i16(-40).i16(380).i8(31).i8(0).u8(2).u8(0);
+    return writer.zeros(36).take();
+}
+
+QByteArray SbgcBoard::realtimeCustom(quint32 flags) const
+{
+    const Stabilizer &s = m_stabilizer;
+    ByteWriter writer;
+    writer.u16(int(std::fmod(m_now * 1000.0, 65536.0)));
+    const auto each = [&writer](auto &&raw) {
+        for (const Axis axis : kAxes)
+            writer.i16(raw(axis));
+    };
+    if (flags & 1)
+        each([&](Axis axis) { return angleToCount(s.estimate(axis)); });
+    if (flags & 2)
+        each([&](Axis axis) { return angleToCount(s.target(axis)); });
+    if (flags & 4)
+        each([&](Axis axis) {
+            const auto i = std::size_t(axis);
+            return (m_control[i].mode & 0x0F) == Speed ? toCount16(m_moveSpeed[i], kGyroUnit) : 0;
+        });
+    if (flags & 8)
+        each([&](Axis axis) { return angleToCount(s.jointAngle(axis)); });
+    if (flags & 16)
+        each([&](Axis axis) { return toCount16(s.gyro(axis), kGyroUnit); });
+    if (flags & 32)
+        writer.zeros(12);
+    if (flags & 64) {
+        const double roll = s.estimate(Axis::Roll) * kVectorDegrees;
+        const double pitch = s.estimate(Axis::Pitch) * kVectorDegrees;
+        const double yaw = s.estimate(Axis::Yaw) * kVectorDegrees;
+        writer.f32(float(std::sin(roll))).f32(float(-std::sin(pitch))).f32(float(std::cos(roll) * std::cos(pitch)));
+        writer.f32(float(std::sin(yaw))).f32(float(std::cos(yaw))).f32(0.0F);
+    }
+    if (flags & 128) {
+        for (int i = 0; i < 18; ++i)
+            writer.i16(-32768);   // no receiver
+    }
+    if (flags & 256) {
+        for (const double g : s.acc())
+            writer.i16(toCount16(g, kAccUnit));
+    }
+    return writer.take();
+}
+
+Angles SbgcBoard::angles() const
+{
+    Angles result;
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+        const bool bySpeed = (m_control[i].mode & 0x0F) == Speed;
+        result[i] = {m_stabilizer.estimate(kAxes[i]), m_stabilizer.target(kAxes[i]), bySpeed ? m_moveSpeed[i] : 0.0,
+                     m_stabilizer.jointAngle(kAxes[i])};
+    }
+    return result;
+}
+
+std::vector<std::vector<double>> SbgcBoard::debugValues() const
+{
+    const Stabilizer &s = m_stabilizer;
+    const auto error = [&s](Axis axis) { return s.target(axis) - s.estimate(axis); };
+    return {{error(Axis::Roll)}, {error(Axis::Pitch)}, {error(Axis::Yaw)},
+            {s.torque(Axis::Roll), s.torque(Axis::Pitch), s.torque(Axis::Yaw)}, {41}, {31}, {800}, {m_now * 1000.0},
+            {s.jointAngle(Axis::Yaw)}};
+}

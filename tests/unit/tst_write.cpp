@@ -1,0 +1,417 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/composition/composition.h"
+#include "protocol/procedure/safeaction.h"
+#include "protocol/procedure/writeconfiguration.h"
+#include "tests/support/virtualboard.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace sbgc;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// A board that was read, an edited copy of it, and a history in a temporary folder.
+struct Bench
+{
+    explicit Bench(const SimulatorOptions &options = {}, std::optional<LineSettings> line = {})
+        : virtualBoard(options, line), history(dir.path())
+    {
+        if (!virtualBoard.identify())
+            qFatal("not identified");
+        base = *virtualBoard.device.readConfiguration(virtualBoard.channel);
+        edited = base;
+    }
+    void edit(const QString &key, int profile, int raw)
+    {
+        if (!edited.setRaw(*base.parameters().find(key), profile, raw))
+            qFatal("not edited");
+    }
+    Result<WriteReport> write(bool overwrite = false)
+    {
+        WriteOptions options;
+        options.history = &history;
+        options.overwriteConflicts = overwrite;
+        return writeConfiguration(virtualBoard.channel, virtualBoard.device, base, edited, options);
+    }
+    SbgcBoard &board() { return virtualBoard.board(); }
+
+    QTemporaryDir dir;
+    VirtualBoard virtualBoard;
+    BoardHistory history;
+    Configuration base;
+    Configuration edited;
+};
+
+} // namespace
+
+class TestWrite : public QObject
+{
+    Q_OBJECT
+private slots:
+    void writesAndVerifies();
+    void activeProfileStaysActive();
+    void boardWideValuesReachAllProfiles();
+    void reservedBytesSurvive();
+    void bracketsOnLaterFirmware();
+    void snapshotComesFirst();
+    void refusesWithoutBackup();
+    void nothingToWriteTouchesNothing();
+    void conflictIsFound();
+    void foreignChangesElsewhereSurvive();
+    void resetInTheMiddleIsReportedTruly_data();
+    void resetInTheMiddleIsReportedTruly();
+    void unknownFirmwareIsNotWritten();
+    void disturbedCableStillWrites();
+    void namesAreWritten();
+    void fileRoundTrip();
+    void fileValuesEditedByHandCount();
+    void badFilesAreExplained_data();
+    void badFilesAreExplained();
+    void fileOfOtherFirmwareAppliesWhatItCan();
+    void historyPathsStayInside();
+    void destructiveActionsBackUpFirst();
+};
+
+void TestWrite::writesAndVerifies()
+{
+    Bench bench;
+    bench.edit(u"pid.roll.p"_s, 0, 44);
+    bench.edit(u"pid.yaw.d"_s, 2, 99);
+    bench.edit(u"filter.pitch.lpf"_s, 0, 250);
+    bench.edit(u"motion.roll.acc_limit"_s, 4, 50);
+    const auto report = bench.write();
+    QVERIFY(report);
+    QVERIFY(report->isComplete());
+    QCOMPARE(report->count(WriteState::Verified), 4);
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), 44);
+    QCOMPARE(bench.board().stored(u"pid.yaw.d"_s, 2), 99);
+    QCOMPARE(bench.board().stored(u"filter.pitch.lpf"_s, 0), 250);
+    QCOMPARE(bench.board().stored(u"motion.roll.acc_limit"_s, 4), 50);
+    const auto again = bench.virtualBoard.device.readConfiguration(bench.virtualBoard.channel);
+    QVERIFY(again->changesTo(bench.edited).empty());
+    QVERIFY(report->onBoard.changesTo(bench.edited).empty());
+}
+
+void TestWrite::activeProfileStaysActive()
+{
+    Bench bench;
+    bench.edit(u"pid.roll.p"_s, 3, 50);
+    QVERIFY(bench.write()->isComplete());
+    QCOMPARE(bench.board().activeProfile(), 0);
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 3), 50);
+}
+
+void TestWrite::boardWideValuesReachAllProfiles()
+{
+    Bench bench;
+    bench.edit(u"motor.roll.poles"_s, 0, 22);
+    bench.edit(u"pid.roll.p"_s, 2, 61);
+    const auto report = bench.write();
+    QVERIFY(report->isComplete());
+    QCOMPARE(report->lines.size(), std::size_t(2));
+    for (int profile = 0; profile < kProfileCount; ++profile)
+        QCOMPARE(bench.board().stored(u"motor.roll.poles"_s, profile), 22);
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 2), 61);
+}
+
+void TestWrite::reservedBytesSurvive()
+{
+    Bench bench;
+    const QByteArray before = bench.base.block({0, ParamsExt});
+    const QByteArray before2 = bench.base.block({0, ParamsExt2});
+    QVERIFY(before.mid(49, 2) != QByteArray(2, '\0'));
+    bench.edit(u"filter.roll.lpf"_s, 0, 123);
+    bench.edit(u"motion.yaw.acc_limit"_s, 0, 7);
+    QVERIFY(bench.write()->isComplete());
+    const auto again = *bench.virtualBoard.device.readConfiguration(bench.virtualBoard.channel);
+    const QByteArray after = again.block({0, ParamsExt});
+    int differences = 0;
+    for (int i = 0; i < after.size(); ++i)
+        differences += after[i] != before[i];
+    QVERIFY(differences <= 2);
+    QCOMPARE(after.mid(49, 2), before.mid(49, 2));
+    // Seed-era firmware: 125 reserved bytes at the end of PARAMS_EXT2.
+    QCOMPARE(again.block({0, ParamsExt2}).mid(26), before2.mid(26));
+}
+
+void TestWrite::bracketsOnLaterFirmware()
+{
+    SimulatorOptions options;
+    options.firmware = 2704;
+    Bench bench(options);
+    QList<int> confirmed;
+    bench.virtualBoard.channel.setTap([&](const FrameView &frame, TimePoint) {
+        if (frame.id == 67 && !frame.payload.empty())
+            confirmed.append(std::to_integer<int>(frame.payload[0]));
+    });
+    bench.edit(u"pid.roll.p"_s, 0, 44);
+    QVERIFY(bench.write()->isComplete());
+    QCOMPARE(confirmed, (QList<int>{119, 22, 119}));
+}
+
+void TestWrite::snapshotComesFirst()
+{
+    Bench bench;
+    bench.edit(u"pid.roll.p"_s, 0, 44);
+    const auto report = bench.write();
+    QVERIFY(QFile::exists(report->snapshotPath));
+    const auto snapshot = ConfigurationFile::load(report->snapshotPath, parametersFor);
+    QVERIFY(snapshot);
+    // It holds the board as it was, to the byte.
+    QVERIFY(snapshot->configuration.blocks() == bench.base.blocks());
+    QCOMPARE(snapshot->reason, u"before the first write"_s);
+    QCOMPARE(bench.history.snapshots(bench.base.identity().serial).size(), 1);
+}
+
+void TestWrite::refusesWithoutBackup()
+{
+    Bench bench;
+    bench.edit(u"pid.roll.p"_s, 0, 44);
+    // The history's folder is a file: nothing can be saved there.
+    QFile blocker(bench.dir.filePath(u"x"_s));
+    QVERIFY(blocker.open(QIODevice::WriteOnly));
+    bench.history = BoardHistory(bench.dir.filePath(u"x"_s));
+    const auto report = bench.write();
+    QCOMPARE(report.error().code, ErrorCode::NoBackup);
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), 35);
+    WriteOptions none;
+    QCOMPARE(writeConfiguration(bench.virtualBoard.channel, bench.virtualBoard.device, bench.base, bench.edited, none)
+                 .error().code, ErrorCode::NoBackup);
+}
+
+void TestWrite::nothingToWriteTouchesNothing()
+{
+    Bench bench;
+    const qint64 before = bench.virtualBoard.channel.bytesOut();
+    const auto report = bench.write();
+    QVERIFY(report->isComplete());
+    QVERIFY(report->lines.empty());
+    QCOMPARE(bench.virtualBoard.channel.bytesOut(), before);
+}
+
+void TestWrite::conflictIsFound()
+{
+    Bench bench;
+    bench.edit(u"pid.roll.p"_s, 0, 44);
+    bench.board().store(u"pid.roll.p"_s, 0, 60);   // somebody else
+    const auto report = bench.write();
+    QCOMPARE(report.error().code, ErrorCode::Conflict);
+    QVERIFY(report.error().detail.contains(u"pid.roll.p"_s));
+    QVERIFY(report.error().detail.contains(u"60"_s));
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), 60);
+    QVERIFY(bench.write(true)->isComplete());
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), 44);
+}
+
+void TestWrite::foreignChangesElsewhereSurvive()
+{
+    Bench bench;
+    bench.edit(u"pid.roll.p"_s, 0, 44);
+    bench.board().store(u"pid.pitch.p"_s, 0, 77);
+    QVERIFY(bench.write()->isComplete());
+    QCOMPARE(bench.board().stored(u"pid.pitch.p"_s, 0), 77);
+}
+
+void TestWrite::resetInTheMiddleIsReportedTruly_data()
+{
+    QTest::addColumn<int>("atWrite");
+    QTest::addColumn<bool>("usb");
+    for (int n = 1; n <= 3; ++n) {
+        QTest::addRow("USB, block %d", n) << n << true;
+        QTest::addRow("UART, block %d", n) << n << false;
+    }
+}
+
+void TestWrite::resetInTheMiddleIsReportedTruly()
+{
+    QFETCH(int, atWrite);
+    QFETCH(bool, usb);
+    SimulatorOptions options;
+    options.usb = usb;
+    options.faults.resetOnWrite = atWrite;
+    const LineSettings line{115200, Parity::None};
+    Bench bench(options, usb ? std::nullopt : std::optional(line));
+    bench.edit(u"pid.roll.p"_s, 1, 11);              // first half of PARAMS_3 of profile 2
+    bench.edit(u"follow.yaw.lpf"_s, 1, 9);           // second half of the same block
+    bench.edit(u"pid.roll.p"_s, 2, 12);
+    bench.edit(u"pid.roll.p"_s, 0, 13);
+    const auto report = bench.write();
+    QVERIFY(report);
+    QVERIFY2(!report->isComplete() || (!usb && report->count(WriteState::Verified) == 4),
+             "a broken write passes for a complete one");
+    bench.virtualBoard.port.advance(3s);
+    bench.virtualBoard.channel.queue().cancelAll({ErrorCode::LinkClosed, {}, 0});
+    // What the report says must be so: verified values are there, values never sent are not.
+    for (const WriteLine &told : report->lines) {
+        const int stored = bench.board().stored(told.spec->key, told.profile);
+        if (told.state == WriteState::Verified)
+            QCOMPARE(stored, told.to);
+        if (told.state == WriteState::NotWritten || told.state == WriteState::RolledBack)
+            QCOMPARE(stored, told.from);
+    }
+    // After reconnecting, what is not on the board shows as a change again: nothing goes unnoticed.
+    QVERIFY(bench.virtualBoard.identify());
+    const auto again = bench.virtualBoard.device.readConfiguration(bench.virtualBoard.channel);
+    QVERIFY(again);
+    for (const ParameterChange &change : again->changesTo(bench.edited))
+        QVERIFY(bench.board().stored(change.spec->key, change.profile) != change.to);
+}
+
+void TestWrite::unknownFirmwareIsNotWritten()
+{
+    SimulatorOptions options;
+    options.faults.unknownFirmware = true;
+    Bench bench(options);
+    bench.edit(u"pid.roll.p"_s, 0, 44);
+    QCOMPARE(bench.write().error().code, ErrorCode::ReadOnly);
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), 35);
+}
+
+void TestWrite::disturbedCableStillWrites()
+{
+    SimulatorOptions options;
+    options.faults.flipByte = 0.0003;
+    options.seed = 5;
+    Bench bench(options);
+    bench.edit(u"pid.roll.p"_s, 0, 44);
+    bench.edit(u"pid.roll.p"_s, 1, 46);
+    const auto report = bench.write();
+    QVERIFY(report);
+    if (report->isComplete()) {
+        QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), 44);
+        QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 1), 46);
+    }
+}
+
+void TestWrite::namesAreWritten()
+{
+    Bench bench;
+    bench.edited.setProfileNames({u"Eins"_s, u"Zwei"_s, u"Drei"_s, u"Vier"_s, u"Fünf"_s});
+    const auto report = bench.write();
+    QVERIFY(report->isComplete());
+    QVERIFY(report->namesWritten);
+    QCOMPARE(bench.virtualBoard.device.readProfileNames(bench.virtualBoard.channel)->at(4), u"Fünf"_s);
+}
+
+void TestWrite::fileRoundTrip()
+{
+    for (const int firmware : {2439, 2590, 2738}) {
+        SimulatorOptions options;
+        options.firmware = firmware;
+        Bench bench(options);
+        const QString path = bench.dir.filePath(u"a.json"_s);
+        QVERIFY(ConfigurationFile::save(path, bench.base, u"test"_s));
+        const auto file = ConfigurationFile::load(path, parametersFor);
+        QVERIFY(file);
+        QVERIFY(file->configuration.blocks() == bench.base.blocks());
+        QCOMPARE(file->configuration.profileNames(), bench.base.profileNames());
+        QVERIFY(file->unknownKeys.isEmpty());
+        QStringList skipped;
+        QVERIFY(bench.base.changesTo(applied(bench.base, file->configuration, skipped)).empty());
+        QVERIFY(skipped.isEmpty());
+    }
+}
+
+void TestWrite::fileValuesEditedByHandCount()
+{
+    Bench bench;
+    QByteArray json = ConfigurationFile::toJson(bench.base, u"test"_s, QDateTime::currentDateTimeUtc());
+    QVERIFY(json.contains("\"pid.roll.i\": 0.15"));
+    json.replace("\"pid.roll.i\": 0.15", "\"pid.roll.i\": 0.22");
+    json.replace("\"motor.roll.poles\": 14", "\"motor.roll.poles\": 22, \"no.such.key\": 1");
+    const auto file = ConfigurationFile::fromJson(json, parametersFor);
+    QVERIFY(file);
+    QCOMPARE(file->unknownKeys, QStringList{u"no.such.key"_s});
+    QStringList skipped;
+    const auto changes = bench.base.changesTo(applied(bench.base, file->configuration, skipped));
+    QStringList keys;
+    for (const ParameterChange &change : changes)
+        keys.append(u"%1=%2"_s.arg(change.spec->key).arg(change.to));
+    keys.sort();
+    QVERIFY2(keys.contains(u"pid.roll.i=22"_s) && keys.contains(u"motor.roll.poles=22"_s), qPrintable(keys.join(u' ')));
+}
+
+void TestWrite::badFilesAreExplained_data()
+{
+    QTest::addColumn<QByteArray>("find");
+    QTest::addColumn<QByteArray>("replace");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("not JSON") << QByteArray("{") << QByteArray("<") << u"JSON"_s;
+    QTest::newRow("other format") << QByteArray("gimbaldesk-configuration") << QByteArray("x") << u"not a GimbalDesk"_s;
+    QTest::newRow("other version") << QByteArray("\"version\": 1") << QByteArray("\"version\": 9") << u"version 9"_s;
+    QTest::newRow("other family") << QByteArray("simplebgc") << QByteArray("nonsense") << u"nonsense"_s;
+    QTest::newRow("out of range") << QByteArray("\"pid.roll.p\": 35") << QByteArray("\"pid.roll.p\": 999")
+                                  << u"0 to 255"_s;
+    QTest::newRow("no number") << QByteArray("\"pid.roll.p\": 35") << QByteArray("\"pid.roll.p\": \"high\"")
+                               << u"pid.roll.p"_s;
+    QTest::newRow("profile 77") << QByteArray("\"activeProfile\": 1") << QByteArray("\"activeProfile\": 77") << u"77"_s;
+    QTest::newRow("many profiles") << QByteArray("\"profileCount\": 5") << QByteArray("\"profileCount\": 500000")
+                                   << u"profiles"_s;
+}
+
+void TestWrite::badFilesAreExplained()
+{
+    QFETCH(QByteArray, find);
+    QFETCH(QByteArray, replace);
+    QFETCH(QString, says);
+    Bench bench;
+    QByteArray json = ConfigurationFile::toJson(bench.base, u"test"_s, QDateTime::currentDateTimeUtc());
+    QVERIFY(json.contains(find));
+    json.replace(find, replace);
+    const auto file = ConfigurationFile::fromJson(json, parametersFor);
+    QVERIFY(!file);
+    QCOMPARE(file.error().code, ErrorCode::BadFile);
+    QVERIFY2(file.error().detail.contains(says), qPrintable(file.error().detail));
+    QVERIFY(!ConfigurationFile::load(bench.dir.filePath(u"none.json"_s), parametersFor));
+}
+
+void TestWrite::fileOfOtherFirmwareAppliesWhatItCan()
+{
+    SimulatorOptions later;
+    later.firmware = 2704;
+    Bench newer(later);
+    Bench older;
+    newer.edit(u"pid.roll.p"_s, 0, 91);
+    newer.edit(u"limit.yaw.max"_s, 0, 90);
+    QStringList skipped;
+    const Configuration result = applied(older.base, newer.edited, skipped);
+    QCOMPARE(*result.raw(*older.base.parameters().find(u"pid.roll.p"_s), 0), 91);
+    QVERIFY(skipped.contains(u"limit.yaw.max"_s));
+    QVERIFY(!skipped.contains(u"pid.roll.p"_s));
+}
+
+void TestWrite::historyPathsStayInside()
+{
+    Bench bench;
+    BoardIdentity identity = bench.base.identity();
+    identity.serial = u"../../etc/passwd"_s;
+    Configuration evil(identity, bench.base.parameterSet());
+    for (const auto &[key, bytes] : bench.base.blocks())
+        evil.setBlock(key, bytes);
+    const auto path = bench.history.save(evil, u"x"_s);
+    QVERIFY(path);
+    QVERIFY(QDir(bench.dir.path()).relativeFilePath(*path).startsWith(u"____"_s)
+            || !QDir(bench.dir.path()).relativeFilePath(*path).startsWith(u".."_s));
+}
+
+void TestWrite::destructiveActionsBackUpFirst()
+{
+    Bench bench;
+    const QVariantMap arguments{{u"what"_s, 1}};
+    BoardHistory broken(u"/proc/nowhere"_s);
+    QCOMPARE(performSafely(bench.virtualBoard.channel, bench.virtualBoard.device, u"defaults"_s, arguments, broken)
+                 .error().code, ErrorCode::NoBackup);
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 1), 45);
+    const auto done = performSafely(bench.virtualBoard.channel, bench.virtualBoard.device, u"defaults"_s, arguments,
+                                    bench.history);
+    QVERIFY(done);
+    QVERIFY(QFile::exists(done->snapshotPath));
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 1), 35);
+}
+
+QTEST_APPLESS_MAIN(TestWrite)
+#include "tst_write.moc"
