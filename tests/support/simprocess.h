@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QProcess>
+#include <QTest>
+
+#include <tuple>
+
+/// A running gimbalsim, ended by its process id.
+class SimProcess
+{
+public:
+    explicit SimProcess(const QStringList &arguments)
+    {
+        m_process.setProgram(QStringLiteral(GIMBAL_BIN_DIR "/gimbalsim"));
+        m_process.setArguments(QStringList{QStringLiteral("--family"), QStringLiteral("simplebgc")} + arguments);
+        m_process.start();
+        std::ignore = QTest::qWaitFor([this] { return m_process.canReadLine() || m_process.state() == QProcess::NotRunning; }, 10000);
+        const QByteArray line = m_process.readLine().trimmed();
+        if (line.startsWith("ready "))
+            m_address = QString::fromLocal8Bit(line.mid(6));
+    }
+    ~SimProcess() { stop(); }
+    SimProcess(const SimProcess &) = delete;
+    SimProcess &operator=(const SimProcess &) = delete;
+
+    /// What follows "ready"; empty if it did not start.
+    [[nodiscard]] const QString &address() const { return m_address; }
+    /// Exit code after SIGTERM.
+    int stop()
+    {
+        if (m_process.state() == QProcess::NotRunning)
+            return m_process.exitCode();
+        m_process.terminate();
+        std::ignore = QTest::qWaitFor([this] { return m_process.state() == QProcess::NotRunning; }, 5000);
+        return m_process.exitStatus() == QProcess::NormalExit ? m_process.exitCode() : -1;
+    }
+    QProcess &process() { return m_process; }
+
+private:
+    QProcess m_process;
+    QString m_address;
+};
