@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/simprocess.h"
+
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct Run
+{
+    int exitCode = -1;
+    QString out;
+    QString err;
+    [[nodiscard]] QJsonDocument json() const { return QJsonDocument::fromJson(out.toUtf8()); }
+};
+
+} // namespace
+
+/// gimbalctl as a person or a script would use it, against a running simulator.
+class TestCtl : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init();
+    void cleanup();
+    void info();
+    void listAndGet();
+    void setWritesAndTells();
+    void setWithoutSaveIsVolatile();
+    void dumpDiffApply();
+    void profilesAndRename();
+    void monitorPrintsCsv();
+    void doAction();
+    void calibrate();
+    void autotune();
+    void steer();
+    void motors();
+    void destructiveTakesASnapshot();
+    void everyCommandSpeaksJson_data();
+    void everyCommandSpeaksJson();
+    void wrongArguments_data();
+    void wrongArguments();
+    void refusalsAreExplained();
+    void portsNeedsNoBoard();
+
+private:
+    Run ctl(const QStringList &arguments, bool withLink = true)
+    {
+        QStringList all{u"--history"_s, m_dir->filePath(u"history"_s)};
+        if (withLink)
+            all += {u"--link"_s, m_simulator->address()};
+        QProcess process;
+        process.start(QStringLiteral(GIMBAL_BIN_DIR "/gimbalctl"), all + arguments);
+        if (!QTest::qWaitFor([&process] { return process.state() == QProcess::NotRunning; }, 60000))
+            process.kill();
+        return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
+                QString::fromUtf8(process.readAllStandardError())};
+    }
+
+    std::unique_ptr<QTemporaryDir> m_dir;
+    std::unique_ptr<SimProcess> m_simulator;
+};
+
+void TestCtl::init()
+{
+    m_dir = std::make_unique<QTemporaryDir>();
+    m_simulator = std::make_unique<SimProcess>(QStringList{u"--tcp"_s, u"0"_s});
+    QVERIFY(!m_simulator->address().isEmpty());
+}
+
+void TestCtl::cleanup()
+{
+    m_simulator.reset();
+    m_dir.reset();
+}
+
+void TestCtl::info()
+{
+    const Run run = ctl({u"info"_s});
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY(run.out.contains(u"SimpleBGC 3.0"_s));
+    QCOMPARE(ctl({u"--json"_s, u"info"_s}).json().object().value(u"firmware"_s).toString(), u"2.59b0"_s);
+}
+
+void TestCtl::listAndGet()
+{
+    const Run list = ctl({u"--json"_s, u"list"_s, u"pid.*.p"_s});
+    QCOMPARE(list.json().array().size(), 3);
+    QCOMPARE(list.json().array().at(0).toObject().value(u"max"_s).toDouble(), 255.0);
+    QCOMPARE(ctl({u"get"_s, u"pid.roll.p"_s}).out, u"35\n"_s);
+    QCOMPARE(ctl({u"get"_s, u"pid.roll.p"_s, u"--profile"_s, u"2"_s}).out, u"45\n"_s);
+    QCOMPARE(ctl({u"get"_s, u"pid.roll.p"_s, u"pid.roll.i"_s}).out, u"pid.roll.p=35\npid.roll.i=0.15\n"_s);
+    QCOMPARE(ctl({u"list"_s, u"nothing.like.this"_s}).exitCode, 1);
+}
+
+void TestCtl::setWritesAndTells()
+{
+    const Run run = ctl({u"set"_s, u"pid.roll.p=48"_s, u"motor.yaw.power=130"_s});
+    QCOMPARE(run.exitCode, 0);
+    QCOMPARE(run.out.count(u"verified"_s), 2);
+    QVERIFY(run.err.contains(u"snapshot: "_s));
+    QCOMPARE(ctl({u"get"_s, u"pid.roll.p"_s}).out, u"48\n"_s);
+    QCOMPARE(QDir(m_dir->filePath(u"history"_s)).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 1);
+    QVERIFY(ctl({u"set"_s, u"pid.roll.p=48"_s}).out.contains(u"nothing to write"_s));
+}
+
+void TestCtl::setWithoutSaveIsVolatile()
+{
+    QCOMPARE(ctl({u"set"_s, u"pid.roll.p=52"_s, u"--no-save"_s}).exitCode, 0);
+    QCOMPARE(ctl({u"get"_s, u"pid.roll.p"_s}).out, u"52\n"_s);
+    // Another profile and back: it was in volatile memory only.
+    QCOMPARE(ctl({u"do"_s, u"profile.select"_s, u"profile=2"_s}).exitCode, 0);
+    QCOMPARE(ctl({u"do"_s, u"profile.select"_s, u"profile=1"_s}).exitCode, 0);
+    QCOMPARE(ctl({u"get"_s, u"pid.roll.p"_s}).out, u"35\n"_s);
+    QCOMPARE(ctl({u"set"_s, u"motor.roll.poles=22"_s, u"--no-save"_s}).exitCode, 1);
+}
+
+void TestCtl::dumpDiffApply()
+{
+    const QString a = m_dir->filePath(u"a.json"_s);
+    const QString b = m_dir->filePath(u"b.json"_s);
+    QCOMPARE(ctl({u"dump"_s, a}).exitCode, 0);
+    QVERIFY(ctl({u"diff"_s, a, u"board"_s}).out.contains(u"no difference"_s));
+    QCOMPARE(ctl({u"set"_s, u"pid.pitch.d=77"_s, u"--profile"_s, u"3"_s}).exitCode, 0);
+    QCOMPARE(ctl({u"dump"_s, b}).exitCode, 0);
+    const Run diff = ctl({u"diff"_s, a, b}, false);   // two files need no board
+    QCOMPARE(diff.exitCode, 0);
+    QVERIFY(diff.out.contains(u"pid.pitch.d"_s) && diff.out.contains(u"25 -> 77"_s));
+    const Run dry = ctl({u"apply"_s, a, u"--dry-run"_s});
+    QVERIFY(dry.out.contains(u"77 -> 25"_s));
+    QCOMPARE(ctl({u"get"_s, u"pid.pitch.d"_s, u"--profile"_s, u"3"_s}).out, u"77\n"_s);
+    QCOMPARE(ctl({u"apply"_s, a}).exitCode, 0);
+    QCOMPARE(ctl({u"get"_s, u"pid.pitch.d"_s, u"--profile"_s, u"3"_s}).out, u"25\n"_s);
+}
+
+void TestCtl::profilesAndRename()
+{
+    QVERIFY(ctl({u"profiles"_s}).out.startsWith(u"* 1  Handheld"_s));
+    QCOMPARE(ctl({u"rename"_s, u"4"_s, u"Überflug"_s}).exitCode, 0);
+    const auto profiles = ctl({u"--json"_s, u"profiles"_s}).json().array();
+    QCOMPARE(profiles.at(3).toObject().value(u"name"_s).toString(), u"Überflug"_s);
+    QVERIFY(profiles.at(0).toObject().value(u"active"_s).toBool());
+    QCOMPARE(ctl({u"rename"_s, u"9"_s, u"x"_s}).exitCode, 2);
+    QCOMPARE(ctl({u"rename"_s, u"1"_s, QString(60, u'x')}).exitCode, 2);
+}
+
+void TestCtl::monitorPrintsCsv()
+{
+    const Run run = ctl({u"monitor"_s, u"--channels"_s, u"imu.angle.roll,battery"_s, u"--seconds"_s, u"1"_s});
+    QCOMPARE(run.exitCode, 0);
+    const QStringList lines = run.out.split(u'\n', Qt::SkipEmptyParts);
+    QCOMPARE(lines.first(), u"time_s,imu.angle.roll,battery"_s);
+    QVERIFY2(lines.size() > 1100 && lines.size() < 1300, qPrintable(QString::number(lines.size())));
+    QCOMPARE(lines.last().count(u','), 2);
+    const auto json = ctl({u"--json"_s, u"monitor"_s, u"--seconds"_s, u"0.3"_s}).json().object();
+    QVERIFY(json.value(u"rows"_s).toArray().size() > 200);
+    QCOMPARE(json.value(u"lost"_s).toInt(), 0);
+    QCOMPARE(ctl({u"monitor"_s, u"--channels"_s, u"nonsense"_s}).exitCode, 2);
+}
+
+void TestCtl::doAction()
+{
+    QVERIFY(ctl({u"do"_s, u"help"_s}).out.contains(u"autotune"_s));
+    QVERIFY(ctl({u"do"_s, u"angles"_s}).out.contains(u"imu.roll"_s));
+    QVERIFY(ctl({u"do"_s, u"debug.read"_s}).out.contains(u"CYCLE_US"_s));
+    QCOMPARE(ctl({u"do"_s, u"beep"_s, u"sound=melody"_s, u"notes=988,1175"_s}).exitCode, 0);
+    QCOMPARE(ctl({u"do"_s, u"beep"_s, u"sound=melody"_s, u"notes=5"_s}).exitCode, 2);
+    QCOMPARE(ctl({u"do"_s, u"menu"_s, u"command=Home position"_s}).exitCode, 0);
+    QCOMPARE(ctl({u"do"_s, u"nonsense"_s}).exitCode, 2);
+}
+
+void TestCtl::calibrate()
+{
+    const Run run = ctl({u"--json"_s, u"calibrate"_s, u"gyro"_s});
+    QCOMPARE(run.exitCode, 0);
+    const auto reply = run.json().object().value(u"reply"_s).toObject();
+    QVERIFY(reply.value(u"confirmed"_s).toBool());
+    QVERIFY(reply.value(u"gyro.bias.before"_s).toDouble() > 1.0);
+    QVERIFY(reply.value(u"gyro.bias.after"_s).toDouble() < 1.0);
+}
+
+void TestCtl::autotune()
+{
+    const Run run = ctl({u"--json"_s, u"autotune"_s, u"yaw=off"_s, u"pitch=off"_s});
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY(run.err.contains(u"iteration 5"_s));
+    const double p = run.json().object().value(u"reply"_s).toObject().value(u"p.roll"_s).toDouble();
+    QVERIFY(p > 12);
+    QCOMPARE(ctl({u"get"_s, u"pid.roll.p"_s}).out.toDouble(), p);
+}
+
+void TestCtl::steer()
+{
+    const Run run = ctl({u"--json"_s, u"do"_s, u"steer"_s, u"pitch=-15"_s, u"speed=40"_s, u"seconds=2"_s});
+    QCOMPARE(run.exitCode, 0);
+    const double pitch = run.json().object().value(u"reply"_s).toObject().value(u"imu.pitch"_s).toDouble();
+    QVERIFY2(std::abs(pitch + 15) < 3.0, qPrintable(QString::number(pitch)));
+}
+
+void TestCtl::motors()
+{
+    const auto running = [this] {
+        const Run run = ctl({u"--json"_s, u"monitor"_s, u"--channels"_s, u"motors.on"_s, u"--seconds"_s, u"0.3"_s});
+        return run.json().object().value(u"rows"_s).toArray().last().toArray().at(1).toDouble();
+    };
+    QCOMPARE(running(), 1.0);
+    QCOMPARE(ctl({u"motors"_s, u"off"_s}).exitCode, 0);
+    QCOMPARE(running(), 0.0);
+    QCOMPARE(ctl({u"motors"_s, u"on"_s}).exitCode, 0);
+    QCOMPARE(running(), 1.0);
+    QCOMPARE(ctl({u"motors"_s, u"maybe"_s}).exitCode, 2);
+}
+
+void TestCtl::destructiveTakesASnapshot()
+{
+    const Run run = ctl({u"do"_s, u"defaults"_s, u"what=profile2"_s});
+    QCOMPARE(run.exitCode, 0);
+    const QString path = run.err.section(u"snapshot: "_s, 1).section(u'\n', 0, 0);
+    QVERIFY2(QFile::exists(path), qPrintable(run.err));
+}
+
+void TestCtl::everyCommandSpeaksJson_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    const auto row = [](const QStringList &arguments) { QTest::newRow(qPrintable(arguments.join(u' '))) << arguments; };
+    row({u"ports"_s});
+    row({u"info"_s});
+    row({u"list"_s});
+    row({u"get"_s, u"pid.roll.p"_s});
+    row({u"set"_s, u"pid.roll.p=36"_s});
+    row({u"profiles"_s});
+    row({u"do"_s, u"help"_s});
+    row({u"do"_s, u"angles"_s});
+    row({u"motors"_s, u"on"_s});
+    row({u"get"_s, u"nonsense"_s});
+}
+
+void TestCtl::everyCommandSpeaksJson()
+{
+    QFETCH(QStringList, arguments);
+    const Run run = ctl(QStringList{u"--json"_s} + arguments);
+    // One document and nothing else, also when something went wrong.
+    QJsonParseError error;
+    QJsonDocument::fromJson(run.out.toUtf8(), &error);
+    QVERIFY2(error.error == QJsonParseError::NoError, qPrintable(run.out));
+}
+
+void TestCtl::wrongArguments_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    const auto row = [](const QStringList &arguments) { QTest::newRow(qPrintable(arguments.join(u' '))) << arguments; };
+    row({});
+    row({u"nonsense"_s});
+    row({u"get"_s});
+    row({u"get"_s, u"no.such.key"_s});
+    row({u"set"_s, u"pid.roll.p"_s});
+    row({u"set"_s, u"pid.roll.p=999"_s});
+    row({u"set"_s, u"pid.roll.p=high"_s});
+    row({u"get"_s, u"pid.roll.p"_s, u"--profile"_s, u"0"_s});
+    row({u"get"_s, u"pid.roll.p"_s, u"--profile"_s, u"9"_s});
+    row({u"--colour"_s, u"info"_s});
+    row({u"--family"_s, u"toaster"_s, u"info"_s});
+    row({u"monitor"_s, u"--seconds"_s, u"-1"_s});
+    row({u"do"_s, u"steer"_s, u"yaw=left"_s});
+    row({u"do"_s, u"steer"_s});
+    row({u"calibrate"_s, u"toaster"_s});
+}
+
+void TestCtl::wrongArguments()
+{
+    QFETCH(QStringList, arguments);
+    const Run run = ctl(arguments);
+    QCOMPARE(run.exitCode, 2);
+    QVERIFY(!run.err.isEmpty());
+}
+
+void TestCtl::refusalsAreExplained()
+{
+    QCOMPARE(ctl({u"info"_s}, false).exitCode, 2);
+    const Run nobody = ctl({u"--link"_s, u"tcp://127.0.0.1:9"_s, u"info"_s}, false);
+    QCOMPARE(nobody.exitCode, 1);
+    QVERIFY(nobody.err.contains(u"network address"_s));
+    const Run missing = ctl({u"apply"_s, u"/nonexistent.json"_s});
+    QCOMPARE(missing.exitCode, 1);
+    QVERIFY(missing.err.contains(u"/nonexistent.json"_s));
+    QCOMPARE(ctl({u"--link"_s, u"nonsense"_s, u"info"_s}, false).exitCode, 2);
+}
+
+void TestCtl::portsNeedsNoBoard()
+{
+    QCOMPARE(ctl({u"ports"_s}, false).exitCode, 0);
+    QCOMPARE(ctl({u"--help"_s}, false).exitCode, 0);
+    QCOMPARE(ctl({u"--version"_s}, false).out.trimmed(), u"gimbalctl " GIMBAL_VERSION ""_s);
+}
+
+QTEST_GUILESS_MAIN(TestCtl)
+#include "tst_ctl.moc"

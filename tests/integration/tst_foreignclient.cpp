@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/simprocess.h"
+
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QTemporaryDir>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// A program that knows nothing of our code: opens the terminal, speaks the document's bytes by hand.
+class Foreigner
+{
+public:
+    explicit Foreigner(const QString &path, speed_t speed = B115200)
+        : m_fd(::open(path.toLocal8Bit().constData(), O_RDWR | O_NOCTTY))
+    {
+        termios settings{};
+        ::tcgetattr(m_fd, &settings);
+        ::cfmakeraw(&settings);
+        ::cfsetspeed(&settings, speed);
+        settings.c_cc[VMIN] = 0;
+        settings.c_cc[VTIME] = 0;
+        ::tcsetattr(m_fd, TCSANOW, &settings);
+    }
+    ~Foreigner() { ::close(m_fd); }
+    Foreigner(const Foreigner &) = delete;
+    Foreigner &operator=(const Foreigner &) = delete;
+    [[nodiscard]] bool isOpen() const { return m_fd >= 0; }
+
+    void send(const QByteArray &bytes) { [[maybe_unused]] const auto n = ::write(m_fd, bytes.constData(), size_t(bytes.size())); }
+
+    /// Version 1 frame: '>' id size sum, body, sum of the body (document "Message format").
+    void command(int id, const QByteArray &body = {})
+    {
+        QByteArray frame;
+        frame.append('>').append(char(id)).append(char(body.size())).append(char((id + body.size()) & 0xFF)).append(body);
+        unsigned sum = 0;
+        for (const char byte : body)
+            sum += quint8(byte);
+        send(frame.append(char(sum & 0xFF)));
+    }
+
+    /// Bytes within that time; ends early when so many have come.
+    QByteArray receive(int ms, qsizetype enough = 1 << 20)
+    {
+        QByteArray bytes;
+        QElapsedTimer timer;
+        timer.start();
+        while (timer.elapsed() < ms && bytes.size() < enough) {
+            pollfd port{m_fd, POLLIN, 0};
+            if (::poll(&port, 1, 10) <= 0)
+                continue;
+            char buffer[4096];
+            const ssize_t count = ::read(m_fd, buffer, sizeof buffer);
+            if (count > 0)
+                bytes.append(buffer, count);
+        }
+        return bytes;
+    }
+
+    /// Body of the next frame with that id.
+    QByteArray reply(int id, int ms = 2000)
+    {
+        QElapsedTimer timer;
+        timer.start();
+        while (timer.elapsed() < ms) {
+            m_pending += receive(20, 1);
+            for (qsizetype at = m_pending.indexOf('>'); at >= 0 && at + 4 < m_pending.size();
+                 at = m_pending.indexOf('>', at + 1)) {
+                const int length = quint8(m_pending[at + 2]);
+                if (quint8(m_pending[at + 3]) != ((quint8(m_pending[at + 1]) + length) & 0xFF)
+                    || m_pending.size() < at + 5 + length)
+                    continue;
+                const int found = quint8(m_pending[at + 1]);
+                const QByteArray body = m_pending.mid(at + 4, length);
+                m_pending.remove(0, at + 5 + length);
+                if (found == id)
+                    return body;
+                at = -1;
+            }
+        }
+        return {};
+    }
+
+private:
+    int m_fd;
+    QByteArray m_pending;
+};
+
+int word(const QByteArray &bytes, int at)
+{
+    return qint16(quint8(bytes[at]) | quint8(bytes[at + 1]) << 8);
+}
+
+} // namespace
+
+class TestForeignClient : public QObject
+{
+    Q_OBJECT
+private slots:
+    void connectsReadsWritesStreamsAndMoves();
+    void fullRateOnNativeUsb();
+    void uartIsThrottled();
+    void wrongRateIsNotUnderstood();
+    void badArguments_data();
+    void badArguments();
+    void pathIsRemovedAtTheEnd();
+};
+
+void TestForeignClient::connectsReadsWritesStreamsAndMoves()
+{
+    QTemporaryDir dir;
+    const QString path = dir.filePath(u"gimbal"_s);
+    SimProcess simulator({u"--pty"_s, path});
+    QVERIFY(!simulator.address().isEmpty());
+    Foreigner client(path);
+    QVERIFY(client.isOpen());
+
+    // Errata section 8, to the byte: BOARD_INFO.
+    client.send(QByteArray::fromHex("3E56005600"));
+    const QByteArray info = client.reply(86);
+    QCOMPARE(info.size(), 18);
+    QCOMPARE(int(quint8(info[0])), 30);
+    QCOMPARE(word(info, 1), 2590);
+
+    client.command(21, QByteArray(1, '\xFF'));
+    QByteArray params = client.reply(21);
+    QCOMPARE(params.size(), 134);
+    QCOMPARE(int(params[1]), 35);
+    params[1] = 47;
+    client.command(22, params);
+    QCOMPARE(client.reply(67), QByteArray(1, char(22)));
+    client.command(21, QByteArray(1, '\x00'));
+    QCOMPARE(int(client.reply(21)[1]), 47);
+
+    // REALTIME_DATA_4 each 20 ms: the errata's example frame.
+    client.send(QByteArray::fromHex("3E55156A191400") + QByteArray(18, '\0') + QByteArray::fromHex("2D"));
+    QCOMPARE(client.reply(67), QByteArray(1, char(85)));
+    int frames = 0;
+    QElapsedTimer timer;
+    timer.start();
+    while (timer.elapsed() < 1000)
+        frames += client.reply(25, 100).size() == 124;
+    QVERIFY2(frames >= 44 && frames <= 54, qPrintable(QString::number(frames)));
+    client.command(85, QByteArray::fromHex("190000") + QByteArray(18, '\0'));
+
+    // CONTROL, 13-byte form: mode 2, yaw -45° at 30 °/s.
+    client.send(QByteArray::fromHex("3E430D500200000000F6008E03F60000F877"));
+    QVERIFY(!client.reply(67).isEmpty());
+    QTest::qWait(2500);
+    client.command(73);
+    const QByteArray angles = client.reply(73);
+    QCOMPARE(angles.size(), 18);
+    const double yaw = word(angles, 12) * 0.02197265625;
+    QVERIFY2(std::abs(yaw + 45.0) < 3.0, qPrintable(QString::number(yaw)));
+    const double pitch = word(angles, 6) * 0.02197265625;
+    QVERIFY2(std::abs(pitch - 20.0) < 3.0, qPrintable(QString::number(pitch)));
+
+    // A damaged frame is not answered, the next one is.
+    client.send(QByteArray::fromHex("3E56005700"));
+    client.command(73);
+    QCOMPARE(client.reply(73).size(), 18);
+}
+
+void TestForeignClient::fullRateOnNativeUsb()
+{
+    QTemporaryDir dir;
+    const QString path = dir.filePath(u"gimbal"_s);
+    SimProcess simulator({u"--pty"_s, path});
+    Foreigner client(path);
+    // REALTIME_DATA_CUSTOM with gyro, each cycle: 2 + 6 bytes and 5 around them.
+    client.command(85, QByteArray::fromHex("580100") + QByteArray::fromHex("10000000") + QByteArray(14, '\0'));
+    client.receive(300);
+    QElapsedTimer timer;
+    timer.start();
+    const qsizetype bytes = client.receive(2000).size();
+    const double rate = double(bytes) / 13.0 / (double(timer.elapsed()) / 1000.0);
+    QVERIFY2(std::abs(rate - 1250.0) < 60.0, qPrintable(QString::number(rate)));
+}
+
+void TestForeignClient::uartIsThrottled()
+{
+    QTemporaryDir dir;
+    const QString path = dir.filePath(u"gimbal"_s);
+    SimProcess simulator({u"--pty"_s, path, u"--rate"_s, u"115200"_s});
+    Foreigner client(path);
+    client.command(85, QByteArray::fromHex("190100") + QByteArray(18, '\0'));
+    client.receive(300);
+    const double perSecond = double(client.receive(2000).size()) / 2.0;
+    // 11520 bytes per second at 8N1, whatever is streamed.
+    QVERIFY2(perSecond < 11520 * 1.06 && perSecond > 11520 * 0.85, qPrintable(QString::number(perSecond)));
+}
+
+void TestForeignClient::wrongRateIsNotUnderstood()
+{
+    QTemporaryDir dir;
+    const QString path = dir.filePath(u"gimbal"_s);
+    SimProcess simulator({u"--pty"_s, path, u"--rate"_s, u"57600"_s});
+    {
+        Foreigner wrong(path, B115200);
+        wrong.command(86);
+        QVERIFY(wrong.reply(86, 500).isEmpty());
+    }
+    Foreigner right(path, B57600);
+    right.command(86);
+    QCOMPARE(right.reply(86, 1000).size(), 18);
+}
+
+void TestForeignClient::badArguments_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("says");
+    const QStringList family{u"--family"_s, u"simplebgc"_s};
+    QTest::newRow("nothing") << QStringList() << u"--family"_s;
+    QTest::newRow("no place") << family << u"--pty"_s;
+    QTest::newRow("two places") << family + QStringList{u"--pty"_s, u"/tmp/x"_s, u"--tcp"_s, u"1"_s} << u"one of"_s;
+    QTest::newRow("family") << QStringList{u"--family"_s, u"toaster"_s, u"--tcp"_s, u"0"_s} << u"toaster"_s;
+    QTest::newRow("port") << family + QStringList{u"--tcp"_s, u"99999"_s} << u"65535"_s;
+    QTest::newRow("firmware") << family + QStringList{u"--tcp"_s, u"0"_s, u"--firmware"_s, u"new"_s} << u"2.59"_s;
+    QTest::newRow("fault name") << family + QStringList{u"--tcp"_s, u"0"_s, u"--fault"_s, u"magic=1"_s} << u"unplug"_s;
+    QTest::newRow("fault value") << family + QStringList{u"--tcp"_s, u"0"_s, u"--fault"_s, u"lose=2"_s} << u"0 to 1"_s;
+    QTest::newRow("parity alone") << family + QStringList{u"--tcp"_s, u"0"_s, u"--parity"_s, u"even"_s} << u"--rate"_s;
+    QTest::newRow("option") << family + QStringList{u"--tcp"_s, u"0"_s, u"--colour"_s} << u"colour"_s;
+    QTest::newRow("word") << family + QStringList{u"--tcp"_s, u"0"_s, u"please"_s} << u"please"_s;
+}
+
+void TestForeignClient::badArguments()
+{
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, says);
+    QProcess process;
+    process.start(QStringLiteral(GIMBAL_BIN_DIR "/gimbalsim"), arguments);
+    QVERIFY(QTest::qWaitFor([&process] { return process.state() == QProcess::NotRunning; }, 10000));
+    QCOMPARE(process.exitCode(), 2);
+    const QString error = QString::fromUtf8(process.readAllStandardError());
+    QVERIFY2(error.contains(says), qPrintable(error));
+    QVERIFY(process.readAllStandardOutput().isEmpty());
+}
+
+void TestForeignClient::pathIsRemovedAtTheEnd()
+{
+    QTemporaryDir dir;
+    const QString path = dir.filePath(u"gimbal"_s);
+    {
+        SimProcess simulator({u"--pty"_s, path});
+        QVERIFY(QFileInfo(path).isSymLink());
+        // A second one does not take the path away.
+        SimProcess second({u"--pty"_s, path});
+        QVERIFY(second.address().isEmpty());
+        QCOMPARE(second.process().exitCode(), 1);
+        QVERIFY(QFileInfo(path).isSymLink());
+        QCOMPARE(simulator.stop(), 0);
+    }
+    QVERIFY(!QFileInfo(path).isSymLink());
+}
+
+QTEST_GUILESS_MAIN(TestForeignClient)
+#include "tst_foreignclient.moc"
