@@ -60,6 +60,12 @@ void ParameterForm::resizeEvent(QResizeEvent *event)
 void ParameterForm::rebuild()
 {
     m_columns = columnsFor(width());
+    // A new arrangement must not take the field from under the operator's hands.
+    int focused = -1;
+    for (auto it = m_editors.begin(); it != m_editors.end(); ++it) {
+        if (it.value()->control()->hasFocus())
+            focused = it.key();
+    }
     m_editors.clear();
     delete m_body;
     m_body = new QWidget(this);
@@ -84,6 +90,8 @@ void ParameterForm::rebuild()
     }
     body->addStretch(1);
     refreshAll();
+    if (ValueEditor *editor = m_editors.value(focused))
+        editor->control()->setFocus();
 }
 
 void ParameterForm::addGroup(QVBoxLayout *layout, const char *group, const QList<int> &parameters)

@@ -10,6 +10,7 @@
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -74,6 +75,8 @@ ValueEditor::ValueEditor(const ParameterSpec &spec, int firmware, QWidget *paren
     m_control->setObjectName(spec.key);
     m_control->setEnabled(!spec.row->state);
     m_control->installEventFilter(this);
+    if (auto *line = m_control->findChild<QLineEdit *>())
+        line->installEventFilter(this);
     setFocusProxy(m_control);
 
     m_reset->setObjectName(u"reset"_s);
@@ -212,6 +215,14 @@ bool ValueEditor::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() == QEvent::FocusIn)
         emit focused();
+    // Undo and redo belong to the configuration, not to the text of one field.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto *key = static_cast<QKeyEvent *>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->ignore();
+            return true;
+        }
+    }
     // The wheel scrolls the page unless the control has been chosen on purpose.
     if (event->type() == QEvent::Wheel && !m_control->hasFocus()) {
         event->ignore();

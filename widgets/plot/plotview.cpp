@@ -99,6 +99,7 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
     setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
     setMinimumHeight(120);
     setAccessibleName(tr("Live plot"));
+    viewport()->setAccessibleName(accessibleName());
     setFocusPolicy(Qt::StrongFocus);
     connect(&m_theme, &Theme::changed, this, &PlotView::applyTheme);
     connect(plot, &QChart::plotAreaChanged, this, &PlotView::updateView);

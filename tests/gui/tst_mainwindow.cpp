@@ -1,0 +1,533 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/composition/composition.h"
+#include "app/mainwindow/bars.h"
+#include "app/mainwindow/linkbar.h"
+#include "app/mainwindow/mainwindow.h"
+#include "app/mainwindow/startpage.h"
+#include "app/mainwindow/tour.h"
+#include "app/pages/dashboardpage.h"
+#include "app/pages/monitorpage.h"
+#include "app/pages/parameterspage.h"
+#include "tests/support/simprocess.h"
+#include "widgets/forms/parameterform.h"
+#include "widgets/forms/reviewdialog.h"
+#include "widgets/forms/valueeditor.h"
+#include "widgets/plot/plotview.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSet>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTemporaryDir>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+double textContrast(const Theme &theme, ColorRole a, ColorRole b)
+{
+    return Theme::contrast(theme.color(a), theme.color(b));
+}
+
+QSet<QRgb> colorsOf(const QImage &image)
+{
+    QSet<QRgb> colors;
+    for (int y = 0; y < image.height(); y += 3) {
+        for (int x = 0; x < image.width(); x += 3)
+            colors.insert(image.pixel(x, y));
+    }
+    return colors;
+}
+
+} // namespace
+
+/// The operator's job in the real window on simulated boards.
+class TestMainWindow : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void startCardLeadsToTheSimulator();
+    void connectByKeyboard();
+    void badAddressIsExplained();
+    void editReviewWriteByMouse();
+    void editReviewWriteByKeyboard();
+    void untickedChangesStayUnsaved();
+    void undoRedoAndDiscard();
+    void boardsValueIsOneClickAway();
+    void profileSwitch();
+    void motorsOffByMouse();
+    void motorsOffByF12FromADialog();
+    void searchAndFilters();
+    void tableShowsEverythingAndEdits();
+    void everyGroupOpens();
+    void monitorDrawsTraces();
+    void monitorPauses();
+    void dashboardShowsFaults();
+    void readOnlyBoardCannotBeEdited();
+    void unplugKeepsEdits();
+    void conflictIsTold();
+    void everyControlHasAName();
+    void contrastIsEnough_data();
+    void contrastIsEnough();
+    void tourMakesEveryPicture();
+
+private:
+    bool open(const QString &address = u"sim:simplebgc"_s)
+    {
+        m_window->openLink(address);
+        return QTest::qWaitFor([this] { return !model().isEmpty(); }, 15000);
+    }
+    ConfigurationModel &model() { return m_window->workspace().configuration(); }
+    DeviceClient &client() { return m_window->workspace().client(); }
+    template<typename P>
+    P *page()
+    {
+        for (Page *candidate : m_window->pages()) {
+            if (auto *found = qobject_cast<P *>(candidate)) {
+                m_window->showPage(found->key());
+                return found;
+            }
+        }
+        return nullptr;
+    }
+    int raw(const QString &key, int profile = 0)
+    {
+        return model().board().raw(*model().board().parameters().find(key), profile).value();
+    }
+    QDoubleSpinBox *numberBox(const QString &key)
+    {
+        auto *parameters = page<ParametersPage>();
+        QTest::qWait(20);   // the page gets its size, and the form its columns
+        parameters->showParameter(key);
+        return parameters->form()->findChild<QDoubleSpinBox *>(key);
+    }
+
+    std::unique_ptr<QTemporaryDir> m_dir;
+    std::unique_ptr<Theme> m_theme;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void TestMainWindow::initTestCase()
+{
+    m_theme = std::make_unique<Theme>();
+    m_theme->setMode(Theme::Mode::Light);
+    m_theme->apply();
+}
+
+void TestMainWindow::init()
+{
+    m_dir = std::make_unique<QTemporaryDir>();
+    qputenv("XDG_DATA_HOME", m_dir->path().toLocal8Bit());
+    m_window = std::make_unique<MainWindow>(allTransports(), allFamilies(), *m_theme);
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    m_window->activateWindow();
+}
+
+void TestMainWindow::cleanup()
+{
+    m_window.reset();
+}
+
+void TestMainWindow::startCardLeadsToTheSimulator()
+{
+    auto *start = m_window->findChild<StartPage *>();
+    QVERIFY(start->isVisible());
+    const auto buttons = start->findChildren<QPushButton *>();
+    QCOMPARE(buttons.size(), 2);
+    QTest::mouseClick(buttons.last(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(client().isConnected() && !model().isEmpty(), 15000);
+    QVERIFY(!start->isVisible());
+    QVERIFY(page<DashboardPage>()->isVisible());
+}
+
+void TestMainWindow::connectByKeyboard()
+{
+    QComboBox *box = m_window->linkBar()->addressBox();
+    box->setFocus();
+    box->lineEdit()->selectAll();
+    QTest::keyClicks(box->lineEdit(), u"sim:simplebgc?seed=4"_s);
+    QTest::keyClick(box->lineEdit(), Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(client().isConnected(), 15000);
+    QTRY_VERIFY_WITH_TIMEOUT(!model().isEmpty(), 15000);
+    // Ctrl+2 is the second page.
+    QTest::keyClick(m_window.get(), Qt::Key_2, Qt::ControlModifier);
+    QTRY_VERIFY(m_window->pages().at(1)->isVisible());
+    QTest::mouseClick(m_window->linkBar()->connectButton(), Qt::LeftButton);
+    QTRY_COMPARE(client().state(), DeviceClient::State::Disconnected);
+}
+
+void TestMainWindow::badAddressIsExplained()
+{
+    m_window->openLink(u"nonsense"_s);
+    QVERIFY(m_window->messageBar()->isVisible());
+    QVERIFY(m_window->messageBar()->text().contains(u"nonsense"_s));
+    m_window->openLink(u"serial:/dev/nonexistent"_s);
+    QTRY_VERIFY(m_window->messageBar()->text().contains(u"no such port"_s));
+}
+
+void TestMainWindow::editReviewWriteByMouse()
+{
+    QVERIFY(open());
+    QVERIFY(!m_window->unsavedBar()->isVisible());
+    QDoubleSpinBox *box = numberBox(u"pid.roll.p"_s);
+    QVERIFY(box);
+    box->setValue(47);
+    QTRY_VERIFY(m_window->unsavedBar()->isVisible());
+    QVERIFY(box->property("changed").toBool());
+    QVERIFY(page<ParametersPage>()->hasChanges());
+    QTest::mouseClick(m_window->unsavedBar()->writeButton(), Qt::LeftButton);
+    QTRY_VERIFY(m_window->reviewDialog());
+    QCOMPARE(m_window->reviewDialog()->table()->model()->rowCount(), 1);
+    QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
+    QTest::mouseClick(m_window->reviewDialog()->writeButton(), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 15000);
+    QCOMPARE(raw(u"pid.roll.p"_s), 47);
+    QVERIFY(m_window->workspace().lastReport()->isComplete());
+    QCOMPARE(model().changeCount(), 0);
+    QVERIFY(m_window->messageBar()->text().contains(u"read back"_s));
+    // The snapshot lies in this board's history.
+    QVERIFY(QFile::exists(m_window->workspace().lastReport()->snapshotPath));
+    // A second write on this connection needs no second snapshot.
+    box->setValue(48);
+    m_window->review();
+    QTRY_VERIFY(m_window->reviewDialog());
+    m_window->reviewDialog()->accept();
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 2, 15000);
+    QVERIFY(m_window->workspace().lastReport()->snapshotPath.isEmpty());
+}
+
+void TestMainWindow::editReviewWriteByKeyboard()
+{
+    QVERIFY(open());
+    QDoubleSpinBox *box = numberBox(u"pid.pitch.d"_s);
+    QTRY_VERIFY(box->hasFocus());
+    box->selectAll();
+    QTest::keyClicks(box, u"61"_s);
+    QTest::keyClick(box, Qt::Key_Tab);
+    QTRY_COMPARE(model().changeCount(), 1);
+    QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ControlModifier);
+    QTRY_VERIFY(m_window->reviewDialog());
+    QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
+    QTest::keyClick(m_window->reviewDialog(), Qt::Key_Return);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 15000);
+    QCOMPARE(raw(u"pid.pitch.d"_s), 61);
+    // Undo by keyboard makes an edit back, also while a field has the focus.
+    m_window->activateWindow();
+    QTRY_VERIFY(m_window->isActiveWindow());
+    numberBox(u"pid.pitch.d"_s)->setFocus();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(model().changeCount(), 1);
+}
+
+void TestMainWindow::untickedChangesStayUnsaved()
+{
+    QVERIFY(open());
+    numberBox(u"pid.roll.p"_s)->setValue(47);
+    numberBox(u"motor.roll.power"_s)->setValue(99);
+    m_window->review();
+    QTRY_VERIFY(m_window->reviewDialog());
+    QAbstractItemModel *changes = m_window->reviewDialog()->table()->model();
+    QCOMPARE(changes->rowCount(), 2);
+    QVERIFY(changes->setData(changes->index(0, 0), Qt::Unchecked, Qt::CheckStateRole));   // the risky one
+    QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
+    m_window->reviewDialog()->accept();
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 15000);
+    QCOMPARE(raw(u"pid.roll.p"_s), 47);
+    QCOMPARE(raw(u"motor.roll.power"_s), 150);
+    QCOMPARE(model().changeCount(), 1);
+}
+
+void TestMainWindow::undoRedoAndDiscard()
+{
+    QVERIFY(open());
+    numberBox(u"pid.roll.p"_s)->setValue(47);
+    numberBox(u"pid.roll.d"_s)->setValue(48);
+    QCOMPARE(model().changeCount(), 2);
+    QTest::mouseClick(m_window->unsavedBar()->undoButton(), Qt::LeftButton);
+    QCOMPARE(model().changeCount(), 1);
+    QTest::mouseClick(m_window->unsavedBar()->redoButton(), Qt::LeftButton);
+    QCOMPARE(model().changeCount(), 2);
+    QTest::mouseClick(m_window->unsavedBar()->discardButton(), Qt::LeftButton);
+    QCOMPARE(model().changeCount(), 0);
+    QCOMPARE(numberBox(u"pid.roll.p"_s)->value(), 35.0);
+}
+
+void TestMainWindow::boardsValueIsOneClickAway()
+{
+    QVERIFY(open());
+    QDoubleSpinBox *box = numberBox(u"pid.roll.p"_s);
+    box->setValue(47);
+    auto *editor = qobject_cast<ValueEditor *>(box->parentWidget());
+    QVERIFY(editor);
+    auto *reset = editor->findChild<QAbstractButton *>(u"reset"_s);
+    QTRY_VERIFY(reset->isVisible());
+    QTest::mouseClick(reset, Qt::LeftButton);
+    QCOMPARE(model().changeCount(), 0);
+    QVERIFY(!reset->isVisible());
+}
+
+void TestMainWindow::profileSwitch()
+{
+    QVERIFY(open());
+    QComboBox *box = m_window->linkBar()->profileBox();
+    QCOMPARE(box->count(), 5);
+    QVERIFY(box->itemText(1).contains(u"Studio"_s));
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Down);
+    QTRY_COMPARE_WITH_TIMEOUT(model().board().activeProfile(), 1, 10000);
+    QCOMPARE(numberBox(u"pid.roll.p"_s)->value(), 45.0);
+    // The board really changed: its telemetry says so.
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->workspace().latest(m_window->workspace().roles().activeProfile), 1.0, 5000);
+}
+
+void TestMainWindow::motorsOffByMouse()
+{
+    QVERIFY(open());
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->workspace().motorsRunning().value_or(false), true, 5000);
+    QPushButton *motors = m_window->linkBar()->motorsButton();
+    QTRY_VERIFY(motors->property("running").toBool());
+    QTest::mouseClick(motors, Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->workspace().motorsRunning().value_or(true), false, 5000);
+    QTRY_VERIFY(!motors->property("running").toBool());
+    QTest::mouseClick(motors, Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->workspace().motorsRunning().value_or(false), true, 5000);
+}
+
+void TestMainWindow::motorsOffByF12FromADialog()
+{
+    QVERIFY(open());
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->workspace().motorsRunning().value_or(false), true, 5000);
+    numberBox(u"pid.roll.p"_s)->setValue(47);
+    m_window->review();
+    QTRY_VERIFY(m_window->reviewDialog() && m_window->reviewDialog()->isVisible());
+    QTest::keyClick(m_window->reviewDialog()->table(), Qt::Key_F12);
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->workspace().motorsRunning().value_or(true), false, 5000);
+    m_window->reviewDialog()->reject();
+}
+
+void TestMainWindow::searchAndFilters()
+{
+    QVERIFY(open());
+    auto *parameters = page<ParametersPage>();
+    const auto chips = parameters->findChildren<QPushButton *>(u"chip"_s);
+    QCOMPARE(chips.size(), 4);
+    parameters->search()->setText(u"poles"_s);
+    QTRY_COMPARE(parameters->form()->count(), 3);
+    parameters->search()->setText(u"no such thing"_s);
+    QCOMPARE(parameters->form()->count(), 0);
+    parameters->search()->clear();
+    chips[0]->setChecked(true);   // changed
+    QCOMPARE(parameters->form()->count(), 0);
+    const ParameterSpec *spec = model().edited().parameters().find(u"battery.alarm"_s);
+    QVERIFY(m_window->workspace().edits().edit(spec->id, 0, 1100));
+    chips[0]->setChecked(false);
+    chips[0]->setChecked(true);
+    QCOMPARE(parameters->form()->count(), 1);
+    chips[0]->setChecked(false);
+    chips[2]->setChecked(true);   // risk class
+    QVERIFY(parameters->form()->count() > 20);
+}
+
+void TestMainWindow::tableShowsEverythingAndEdits()
+{
+    QVERIFY(open());
+    auto *parameters = page<ParametersPage>();
+    parameters->search()->setText(u"pid."_s);
+    parameters->findChildren<QPushButton *>(u"chip"_s).last()->setChecked(true);
+    QTRY_VERIFY(parameters->table()->isVisible());
+    QAbstractItemModel *rows = parameters->table()->model();
+    QVERIFY(rows->rowCount() >= 9);
+    QVERIFY(rows->setData(rows->index(0, ParameterModel::ValueColumn), u"39"_s));
+    QCOMPARE(model().changeCount(), 1);
+}
+
+void TestMainWindow::everyGroupOpens()
+{
+    QVERIFY(open(u"sim:simplebgc?firmware=2.70b4"_s));
+    auto *parameters = page<ParametersPage>();
+    auto *groups = parameters->findChild<QListWidget *>();
+    parameters->findChild<QComboBox *>()->setCurrentIndex(2);
+    QVERIFY(groups->count() > 14);
+    qsizetype shown = 0;
+    for (int i = 0; i < groups->count(); ++i) {
+        parameters->showGroup(i);
+        QVERIFY2(parameters->form()->count() > 0, qPrintable(groups->item(i)->text()));
+        shown += parameters->form()->count();
+    }
+    QVERIFY(shown > 300);
+}
+
+void TestMainWindow::monitorDrawsTraces()
+{
+    QVERIFY(open());
+    auto *monitor = page<MonitorPage>();
+    QTRY_VERIFY_WITH_TIMEOUT(client().telemetryPlan().rate == 1250.0, 5000);
+    QCOMPARE(monitor->plots().size(), 2);   // degrees, and degrees per second
+    // The colours of all three axes are in the picture once samples have come.
+    QTRY_VERIFY_WITH_TIMEOUT([&] {
+        const QSet<QRgb> colors = colorsOf(monitor->plots().last()->grab().toImage());
+        int found = 0;
+        for (const Axis axis : kAxes)
+            found += colors.contains(m_theme->axisColor(axis).rgb());
+        return found == 3;
+    }(), 8000);
+    // Ticking another unit makes another plot; the stream is arranged anew.
+    QList<int> ticked = monitor->channels().ticked();
+    ticked.append(findChannel(client().device()->channels(), u"acc.x"_s));
+    monitor->channels().setTicked(ticked);
+    QCOMPARE(monitor->plots().size(), 3);
+    QTRY_VERIFY_WITH_TIMEOUT(!std::isnan(m_window->workspace().latest(ticked.last())), 5000);
+}
+
+void TestMainWindow::monitorPauses()
+{
+    QVERIFY(open());
+    auto *monitor = page<MonitorPage>();
+    QTRY_VERIFY_WITH_TIMEOUT(client().telemetryPlan().rate == 1250.0, 5000);
+    QTest::qWait(500);
+    PlotView *plot = monitor->plots().first();
+    plot->setPaused(true);
+    const QImage still = plot->grab().toImage();
+    QTest::qWait(300);
+    QVERIFY(plot->grab().toImage() == still);
+    plot->setPaused(false);
+    QTRY_VERIFY(plot->grab().toImage() != still);
+    QVERIFY(plot->usefulRate() <= 60 && plot->usefulRate() >= 10);
+}
+
+void TestMainWindow::dashboardShowsFaults()
+{
+    QVERIFY(open(u"sim:simplebgc?fault=no-imu=1,battery=9"_s));
+    auto *dashboard = page<DashboardPage>();
+    QTRY_VERIFY_WITH_TIMEOUT([&] {
+        QString text;
+        for (const QLabel *label : dashboard->findChildren<QLabel *>())
+            text += label->text();
+        return text.contains(u"No IMU"_s) && text.contains(u"Check the sensor cable"_s)
+            && text.contains(u"Battery is empty"_s);
+    }(), 8000);
+}
+
+void TestMainWindow::readOnlyBoardCannotBeEdited()
+{
+    QVERIFY(open(u"sim:simplebgc?fault=unknown-firmware=1"_s));
+    QVERIFY(m_window->messageBar()->text().contains(u"reading only"_s));
+    QDoubleSpinBox *box = numberBox(u"pid.roll.p"_s);
+    QVERIFY(!box->isEnabled());
+    QCOMPARE(raw(u"pid.roll.p"_s), 35);   // shown all the same
+}
+
+void TestMainWindow::unplugKeepsEdits()
+{
+    const QString path = m_dir->filePath(u"gimbal"_s);
+    SimProcess simulator({u"--pty"_s, path, u"--fault"_s, u"unplug=4"_s, u"--fault"_s, u"replug=1"_s});
+    QVERIFY(open(u"serial:"_s + path));
+    numberBox(u"pid.roll.p"_s)->setValue(47);
+    QTRY_COMPARE_WITH_TIMEOUT(client().state(), DeviceClient::State::Reconnecting, 10000);
+    QCOMPARE(model().changeCount(), 1);
+    QVERIFY(!m_window->unsavedBar()->writeButton()->isEnabled());
+    QSignalSpy read(&m_window->workspace(), &Workspace::boardRead);
+    QTRY_COMPARE_WITH_TIMEOUT(read.count(), 1, 15000);
+    QCOMPARE(model().changeCount(), 1);
+    QCOMPARE(numberBox(u"pid.roll.p"_s)->value(), 47.0);
+    QVERIFY(m_window->unsavedBar()->writeButton()->isEnabled());
+}
+
+void TestMainWindow::conflictIsTold()
+{
+    SimProcess simulator({u"--tcp"_s, u"0"_s, u"--fault"_s, u"other-client=2"_s});
+    QVERIFY(open(simulator.address()));
+    QCOMPARE(raw(u"pid.roll.p"_s), 35);
+    numberBox(u"pid.roll.p"_s)->setValue(60);
+    QTest::qWait(2200);   // the simulator's own clock: somebody else changes the value
+    QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
+    m_window->workspace().write(model().edited());
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 15000);
+    QVERIFY2(m_window->messageBar()->text().contains(u"Somebody else"_s), qPrintable(m_window->messageBar()->text()));
+    // It is read anew: the board's 45 shows against our 60.
+    QTRY_COMPARE_WITH_TIMEOUT(raw(u"pid.roll.p"_s), 45, 10000);
+    QCOMPARE(model().changeCount(), 1);
+}
+
+void TestMainWindow::everyControlHasAName()
+{
+    QVERIFY(open());
+    page<ParametersPage>();
+    for (const Page *candidate : m_window->pages())
+        m_window->showPage(candidate->key());
+    for (QWidget *widget : m_window->findChildren<QWidget *>()) {
+        if (widget->focusPolicy() == Qt::NoFocus || !widget->isVisible() || qobject_cast<QScrollArea *>(widget)
+            || widget->objectName().startsWith(u"qt_"_s))
+            continue;
+        QString name = widget->accessibleName();
+        if (auto *button = qobject_cast<QAbstractButton *>(widget))
+            name += button->text();
+        if (auto *line = qobject_cast<QLineEdit *>(widget))
+            name += line->parentWidget()->accessibleName();
+        QVERIFY2(!name.isEmpty(), qPrintable(QString::fromLatin1(widget->metaObject()->className()) + u" in "_s
+                                             + QString::fromLatin1(widget->parentWidget()->metaObject()->className())
+                                             + u' ' + widget->objectName()));
+    }
+}
+
+void TestMainWindow::contrastIsEnough_data()
+{
+    QTest::addColumn<int>("mode");
+    QTest::newRow("light") << int(Theme::Mode::Light);
+    QTest::newRow("dark") << int(Theme::Mode::Dark);
+}
+
+void TestMainWindow::contrastIsEnough()
+{
+    QFETCH(int, mode);
+    Theme theme;
+    theme.setMode(Theme::Mode(mode));
+    for (const ColorRole ground : {ColorRole::Background, ColorRole::Surface, ColorRole::SurfaceRaised}) {
+        for (const ColorRole text : {ColorRole::Text, ColorRole::Muted, ColorRole::Changed, ColorRole::Warning,
+                                     ColorRole::Danger, ColorRole::Ok}) {
+            const double ratio = textContrast(theme, text, ground);
+            QVERIFY2(ratio >= 4.5, qPrintable(u"role %1 on %2: %3"_s.arg(int(text)).arg(int(ground)).arg(ratio)));
+        }
+    }
+    QVERIFY(textContrast(theme, ColorRole::AccentText, ColorRole::Accent) >= 4.5);
+    QVERIFY(textContrast(theme, ColorRole::DangerText, ColorRole::Danger) >= 4.5);
+    for (const Axis axis : kAxes)
+        QVERIFY(Theme::contrast(theme.axisColor(axis), theme.color(ColorRole::Surface)) >= 4.5);
+    for (int i = 0; i < 8; ++i)
+        QVERIFY(Theme::contrast(theme.seriesColor(i), theme.color(ColorRole::Surface)) >= 4.5);
+}
+
+void TestMainWindow::tourMakesEveryPicture()
+{
+    const QString folder = m_dir->filePath(u"tour"_s);
+    Tour tour(*m_window, folder, u"-light"_s);
+    QSignalSpy finished(&tour, &Tour::finished);
+    QTimer::singleShot(500, m_window.get(), [this] { m_window->openLink(u"sim:simplebgc"_s); });
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 60000);
+    QCOMPARE(finished.first().at(1).toString(), QString());
+    const QStringList pictures = finished.first().at(0).toStringList();
+    for (const char *name : {"start", "dashboard", "parameters", "monitor", "review", "written"}) {
+        const QString path = folder + u'/' + QLatin1String(name) + u"-light.png"_s;
+        QVERIFY2(pictures.contains(path), name);
+        const QImage image(path);
+        QVERIFY(!image.isNull());
+        QVERIFY2(colorsOf(image).size() > 8, name);   // not blank
+    }
+}
+
+QTEST_MAIN(TestMainWindow)
+#include "tst_mainwindow.moc"
