@@ -8,7 +8,6 @@
 #include "app/pages/dashboardpage.h"
 #include "app/pages/monitorpage.h"
 #include "app/pages/parameterspage.h"
-#include "widgets/forms/reviewdialog.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -98,7 +97,8 @@ MainWindow::MainWindow(TransportFactory transports, QList<Family> families, Them
 
 MainWindow::~MainWindow()
 {
-    // Pages refer to the workspace, which goes first otherwise.
+    // Dialog and pages refer to the workspace, which goes first otherwise.
+    delete m_review;
     delete takeCentralWidget();
 }
 
@@ -187,13 +187,9 @@ void MainWindow::review()
     // A value still being typed belongs to the edits as well.
     if (QWidget *focus = QApplication::focusWidget())
         focus->clearFocus();
-    // The dialog works on copies, so a reconnection underneath cannot pull the values from under it.
-    struct Pair { Configuration board, edited; };
-    auto pair = std::make_shared<Pair>(Pair{model.board(), model.edited()});
-    m_review = new ReviewDialog(pair->board, pair->edited, this);
+    m_review = new ReviewDialog(model.board(), model.edited(), this);
     m_review->setAttribute(Qt::WA_DeleteOnClose);
-    connect(m_review, &QDialog::accepted, this, [this, pair] { m_workspace->write(m_review->chosen()); });
-    connect(m_review, &QObject::destroyed, this, [this, pair] { m_review = nullptr; });
+    connect(m_review, &QDialog::accepted, this, [this] { m_workspace->write(m_review->chosen()); });
     m_review->open();
 }
 

@@ -3,14 +3,15 @@
 #pragma once
 
 #include "app/pages/page.h"
+#include "widgets/forms/reviewdialog.h"
 
 #include <QMainWindow>
+#include <QPointer>
 
 class LinkBar;
 class MessageBar;
 class QListWidget;
 class QStackedWidget;
-class ReviewDialog;
 class StartPage;
 class StatusStrip;
 class UnsavedBar;
@@ -54,5 +55,5 @@ private:
     UnsavedBar *m_unsavedBar;
     StatusStrip *m_status;
     QList<Page *> m_pages;
-    ReviewDialog *m_review = nullptr;
+    QPointer<ReviewDialog> m_review;
 };

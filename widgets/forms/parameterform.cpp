@@ -73,15 +73,16 @@ void ParameterForm::rebuild()
     auto *body = new QVBoxLayout(m_body);
     body->setContentsMargins(0, 0, 0, 0);
     body->setSpacing(Metric::kGap);
+    m_set = m_configuration.edited().parameterSet();
     if (m_configuration.isEmpty())
         return;
     // Parameters come group by group; each group is a block with a heading.
     for (qsizetype first = 0; first < m_parameters.size();) {
-        const char *group = m_configuration.edited().parameters().at(m_parameters[first]).row->group;
+        const char *group = m_set->at(m_parameters[first]).row->group;
         qsizetype last = first;
         QList<int> members;
         for (; last < m_parameters.size(); ++last) {
-            if (qstrcmp(m_configuration.edited().parameters().at(m_parameters[last]).row->group, group) != 0)
+            if (qstrcmp(m_set->at(m_parameters[last]).row->group, group) != 0)
                 break;
             members.append(m_parameters[last]);
         }
@@ -104,7 +105,7 @@ void ParameterForm::addGroup(QVBoxLayout *layout, const char *group, const QList
     // Rows that exist for several axes become a matrix; values of one row stand next to each other in the list.
     QList<QList<int>> matrix;
     QList<int> single;
-    const ParameterSet &set = m_configuration.edited().parameters();
+    const ParameterSet &set = *m_set;
     for (const int id : parameters) {
         const ParameterSpec &spec = set.at(id);
         if (spec.row->axes < 2) {
@@ -126,7 +127,7 @@ void ParameterForm::addGroup(QVBoxLayout *layout, const char *group, const QList
 
 QWidget *ParameterForm::makeMatrix(const QList<QList<int>> &rows)
 {
-    const ParameterSet &set = m_configuration.edited().parameters();
+    const ParameterSet &set = *m_set;
     auto *widget = new QWidget;
     auto *grid = new QGridLayout(widget);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -163,7 +164,7 @@ QWidget *ParameterForm::makeMatrix(const QList<QList<int>> &rows)
 
 QWidget *ParameterForm::makeFields(const QList<int> &parameters)
 {
-    const ParameterSet &set = m_configuration.edited().parameters();
+    const ParameterSet &set = *m_set;
     auto *widget = new QWidget;
     auto *grid = new QGridLayout(widget);
     grid->setContentsMargins(0, Metric::kUnit, 0, 0);
@@ -199,7 +200,7 @@ QWidget *ParameterForm::makeFields(const QList<int> &parameters)
 
 ValueEditor *ParameterForm::makeEditor(int parameter)
 {
-    const ParameterSet &set = m_configuration.edited().parameters();
+    const ParameterSet &set = *m_set;
     auto *editor = new ValueEditor(set.at(parameter), set.firmware());
     editor->setEnabled(m_configuration.board().identity().writable);
     m_editors.insert(parameter, editor);
@@ -216,7 +217,7 @@ void ParameterForm::refresh(int parameter)
     ValueEditor *shown = m_editors.value(parameter);
     if (!shown)
         return;
-    const ParameterSpec &spec = m_configuration.edited().parameters().at(parameter);
+    const ParameterSpec &spec = m_set->at(parameter);
     const int profile = m_configuration.shownProfile();
     shown->show(m_configuration.value(spec, profile), m_configuration.boardValue(spec, profile));
 }

@@ -40,6 +40,7 @@ private:
 
     ConfigurationModel &m_configuration;
     EditStack &m_edits;
+    std::shared_ptr<const ParameterSet> m_set;   // what the editors refer to
     QList<int> m_parameters;
     QHash<int, ValueEditor *> m_editors;
     QWidget *m_body = nullptr;

@@ -11,17 +11,17 @@
 
 using namespace Qt::StringLiterals;
 
-ChangeModel::ChangeModel(const Configuration &board, const Configuration &edited, QObject *parent)
+ChangeModel::ChangeModel(Configuration board, Configuration edited, QObject *parent)
     : QAbstractTableModel(parent)
-    , m_board(board)
-    , m_edited(edited)
+    , m_board(std::move(board))
+    , m_edited(std::move(edited))
 {
-    for (const ParameterChange &change : board.changesTo(edited))
+    for (const ParameterChange &change : m_board.changesTo(m_edited))
         m_rows.push_back({change, true});
     std::stable_partition(m_rows.begin(), m_rows.end(),
                           [](const Row &row) { return row.change.spec->row->risk == Risk::Red; });
-    for (int profile = 0; profile < board.identity().profileCount; ++profile) {
-        if (board.profileNames().value(profile) != edited.profileNames().value(profile))
+    for (int profile = 0; profile < m_board.identity().profileCount; ++profile) {
+        if (m_board.profileNames().value(profile) != m_edited.profileNames().value(profile))
             m_rows.push_back({{nullptr, profile, 0, 0}, true});
     }
 }

@@ -14,7 +14,7 @@ public:
     enum Column { NameColumn, ProfileColumn, BoardColumn, EditedColumn, ColumnCount };
     enum Role { RedRole = Qt::UserRole };
 
-    ChangeModel(const Configuration &board, const Configuration &edited, QObject *parent = nullptr);
+    ChangeModel(Configuration board, Configuration edited, QObject *parent = nullptr);
 
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
@@ -38,7 +38,7 @@ private:
         ParameterChange change;   // spec is null for a profile's name
         bool ticked = true;
     };
-    const Configuration &m_board;
-    const Configuration &m_edited;
+    Configuration m_board;    // copies: a reconnection must not pull the values from under a review
+    Configuration m_edited;
     std::vector<Row> m_rows;
 };

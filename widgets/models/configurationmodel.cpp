@@ -13,12 +13,14 @@ ConfigurationModel::ConfigurationModel(QObject *parent)
 
 void ConfigurationModel::reset(Configuration board)
 {
+    // Whoever shows the old board lets go of its parameters when told; until then they must live.
+    const auto keep = m_board.parameterSet();
     m_board = std::move(board);
     m_edited = m_board;
     m_shownProfile = m_board.activeProfile();
-    recount();
     emit boardReset();
     emit shownProfileChanged(m_shownProfile);
+    recount();
 }
 
 bool ConfigurationModel::rebase(Configuration board)
@@ -26,6 +28,7 @@ bool ConfigurationModel::rebase(Configuration board)
     if (m_board.isEmpty() || board.identity().serial != m_board.identity().serial
         || board.identity().firmwareNumber != m_board.identity().firmwareNumber)
         return false;
+    const auto keep = m_board.parameterSet();
     const auto edits = m_board.changesTo(m_edited);
     const bool renamed = namesChanged();
     const QStringList names = m_edited.profileNames();
@@ -40,13 +43,14 @@ bool ConfigurationModel::rebase(Configuration board)
     if (renamed)
         m_edited.setProfileNames(names);
     m_shownProfile = shown;
-    recount();
     emit boardReset();
+    recount();
     return true;
 }
 
 void ConfigurationModel::setBoard(const Configuration &board)
 {
+    const auto keep = m_board.parameterSet();
     const auto edits = m_board.changesTo(m_edited);
     m_board = board;
     const QStringList names = m_edited.profileNames();

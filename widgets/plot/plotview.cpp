@@ -75,8 +75,7 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
     , m_timeAxis(new QValueAxis(this))
     , m_valueAxis(new QValueAxis(this))
 {
-    auto *plot = new QChart;
-    setChart(plot);
+    QChart *plot = chart();   // the view's own; one set over it would leave this one behind
     m_traces = new TraceItem(plot);
     m_traces->setZValue(10);
     plot->setAnimationOptions(QChart::NoAnimation);
