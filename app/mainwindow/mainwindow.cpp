@@ -15,6 +15,7 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QListWidget>
+#include <QLoggingCategory>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QShortcut>
@@ -22,6 +23,8 @@
 #include <QVBoxLayout>
 
 using namespace Qt::StringLiterals;
+
+Q_LOGGING_CATEGORY(logStart, "gimbal.start", QtWarningMsg)
 
 MainWindow::MainWindow(TransportFactory transports, QList<Family> families, Theme &theme, QWidget *parent)
     : QMainWindow(parent)
@@ -191,6 +194,14 @@ void MainWindow::review()
     m_review->setAttribute(Qt::WA_DeleteOnClose);
     connect(m_review, &QDialog::accepted, this, [this] { m_workspace->write(m_review->chosen()); });
     m_review->open();
+}
+
+void MainWindow::paintEvent(QPaintEvent *event)
+{
+    QMainWindow::paintEvent(event);
+    static bool first = true;
+    if (std::exchange(first, false))
+        qCDebug(logStart) << "first paint";
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)

@@ -3,13 +3,15 @@
 #include "app/composition/composition.h"
 #include "protocol/record/configurationfile.h"
 
+#include <tuple>
+
 // Any file: understood or refused, never a crash.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
     const QByteArray json(reinterpret_cast<const char *>(data), qsizetype(size));
     if (const auto file = ConfigurationFile::fromJson(json, parametersFor)) {
         QStringList skipped;
-        applied(file->configuration, file->configuration, skipped);
+        std::ignore = applied(file->configuration, file->configuration, skipped);
     }
     return 0;
 }
