@@ -130,8 +130,6 @@ Result<void> Writer::readBoard()
 
 Result<void> Writer::checkConflicts() const
 {
-    if (m_options.overwriteConflicts)
-        return {};
     QStringList conflicts;
     for (const ParameterChange &change : m_changes) {
         const auto now = change.spec->read(m_board.at({change.profile, change.spec->row->block}));

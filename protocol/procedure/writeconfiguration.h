@@ -11,7 +11,6 @@ struct WriteOptions
 {
     const BoardHistory *history = nullptr;  ///< where the safety copy goes; without one nothing is written
     bool backupDone = false;                ///< this board was already saved on this connection
-    bool overwriteConflicts = false;        ///< the operator saw that somebody else changed the board, and goes on
 };
 
 /// Writes the differences between base (what was read) and edited (what is wanted), and knows that they are written:

@@ -43,7 +43,6 @@ public:
     // All of the following are called on the I/O thread.
     void open(const LinkAddress &address, std::unique_ptr<Framer> framer);
     void close(const Error &why);
-    [[nodiscard]] bool isOpen() const { return m_open; }
     bool setLine(const LineSettings &line);
     TransactionQueue::Id submit(Request request, TransactionQueue::Completion completion);
     void cancel(TransactionQueue::Id id) { m_queue.cancel(id); }

@@ -83,7 +83,7 @@ bool TransactionQueue::frameArrived(const FrameView &frame, TimePoint now)
             continue;
         Pending pending = std::move(*it);
         m_inFlight.erase(it);
-        m_roundTrip = std::max(Duration::zero(), now - pending.leftAt);
+        m_roundTrip = std::max(Duration::zero(), now - pending.sentAt);
         leaveGhost(pending, now, pending.sends - 1);
         complete(std::move(pending), std::move(*answer));
         startNext(now);
@@ -161,7 +161,7 @@ bool TransactionQueue::isReady(TimePoint now) const
 void TransactionQueue::send(Pending &pending, TimePoint now)
 {
     ++pending.sends;
-    pending.leftAt = account(pending.request.bytes.size(), now);
+    pending.sentAt = pending.leftAt = account(pending.request.bytes.size(), now);
     pending.deadline = pending.leftAt + timeoutOf(pending.request);
     m_write(pending.request.bytes);
 }

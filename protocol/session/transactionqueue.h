@@ -59,7 +59,8 @@ private:
         Completion completion;
         Lane lane = Lane::Normal;
         int sends = 0;
-        TimePoint leftAt{};     // when the last byte is (or will be) on the wire
+        TimePoint sentAt{};     // when the line will have carried the last byte, for the round trip
+        TimePoint leftAt{};     // when the last byte has left for certain, for the timeout
         TimePoint deadline{};
     };
     struct Ghost                // an answer that may still come to nobody

@@ -179,11 +179,9 @@ QString TcpHost::address() const
 void TcpHost::onConnection()
 {
     QTcpSocket *socket = m_server->nextPendingConnection();
-    if (m_client) {
-        socket->abort();
-        socket->deleteLater();
-        return;
-    }
+    // The newest client wins, like at a serial bridge: the one before may be dead without our knowing.
+    if (m_client)
+        m_client->abort();
     m_client = socket;
     socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
     connect(socket, &QTcpSocket::readyRead, this, [this, socket] { hostWrote(socket->readAll()); });
@@ -364,8 +362,6 @@ public:
         const qint64 count = bytes.size();
         QMetaObject::invokeMethod(this, [this, count] { emit bytesWritten(count); }, Qt::QueuedConnection);
     }
-
-    [[nodiscard]] qint64 pendingBytes() const override { return 0; }
 
     bool setLine(const LineSettings &line) override
     {

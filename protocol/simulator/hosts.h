@@ -69,7 +69,7 @@ private:
     QByteArray m_unsent;
 };
 
-/// A TCP server for one client at a time, on the loopback interface.
+/// A TCP server for one client at a time (the newest), on the loopback interface.
 class TcpHost final : public SimulatorHost
 {
     Q_OBJECT

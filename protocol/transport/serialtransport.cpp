@@ -78,11 +78,6 @@ void SerialTransport::write(QByteArrayView bytes)
     m_port.flush();
 }
 
-qint64 SerialTransport::pendingBytes() const
-{
-    return m_port.bytesToWrite();
-}
-
 bool SerialTransport::setLine(const LineSettings &line)
 {
     m_line = line;

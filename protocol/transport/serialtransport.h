@@ -16,7 +16,6 @@ public:
     void open() override;
     void close() override;
     void write(QByteArrayView bytes) override;
-    [[nodiscard]] qint64 pendingBytes() const override;
     bool setLine(const LineSettings &line) override;
     [[nodiscard]] std::optional<LineSettings> line() const override { return m_line; }
 

@@ -16,7 +16,6 @@ public:
     void open() override;
     void close() override;
     void write(QByteArrayView bytes) override;
-    [[nodiscard]] qint64 pendingBytes() const override { return m_socket->bytesToWrite(); }
 
 private:
     void onReadyRead();

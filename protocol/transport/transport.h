@@ -23,8 +23,6 @@ public:
     virtual void close() = 0;
     /// Queues bytes and hands as many as possible to the system at once.
     virtual void write(QByteArrayView bytes) = 0;
-    /// Bytes accepted by write() that the system has not taken yet.
-    [[nodiscard]] virtual qint64 pendingBytes() const = 0;
     /// Rate and parity for links that have them; true where it makes no difference.
     virtual bool setLine(const LineSettings &line);
     /// Settings that decide how long bytes take; empty for links without a line rate.

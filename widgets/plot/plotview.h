@@ -23,11 +23,8 @@ public:
 
     /// Which channels to show. The table must outlive the view's use of it.
     void setChannels(ChannelTable table, const QList<int> &channels, std::shared_ptr<const TelemetryStore> store);
-    [[nodiscard]] const QList<int> &channels() const { return m_channels; }
     void setWindow(double seconds);
-    [[nodiscard]] double window() const { return m_window; }
     void setPaused(bool paused);
-    [[nodiscard]] bool isPaused() const { return m_paused; }
 
     /// One frame: called by the one timer of all plots, only while visible. True if something was painted anew.
     bool advance();

@@ -21,12 +21,9 @@ public:
     /// Takes all rows that are new since the last call. Returns the first column that changed, or nothing.
     std::optional<qint64> update(std::vector<TrackView> &tracks);
     [[nodiscard]] Span span(qint64 column) const;
-    [[nodiscard]] double pitch() const { return m_pitch; }
     [[nodiscard]] qint64 columnOf(double time) const;
     /// Lowest and highest value in these columns; empty span when there is none.
     [[nodiscard]] Span range(qint64 first, qint64 last) const;
-    /// Time of the newest sample taken.
-    [[nodiscard]] double newest() const { return m_lastTime; }
 
 private:
     void add(double time, float value);

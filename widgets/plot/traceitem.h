@@ -34,7 +34,6 @@ public:
     [[nodiscard]] TraceColumns::Span visibleRange() const;
     /// Newest sample time of all traces, NaN without any.
     [[nodiscard]] double newestSample();
-    [[nodiscard]] double pitch() const { return m_pitch; }
 
     [[nodiscard]] QRectF boundingRect() const override { return m_area; }
     void paint(QPainter *painter, const QStyleOptionGraphicsItem *option, QWidget *widget) override;

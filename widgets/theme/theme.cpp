@@ -165,6 +165,7 @@ QLabel#error { color: @Danger; }
 QLabel#warning { color: @Warning; }
 QLabel#ok { color: @Ok; }
 QCheckBox::indicator, QTreeView::indicator, QTableView::indicator { width: 14px; height: 14px; border: 1px solid @Muted; border-radius: 3px; background: @Surface; }
+QTreeView::indicator, QTableView::indicator { margin-right: 6px; }
 QCheckBox::indicator:checked, QTreeView::indicator:checked, QTableView::indicator:checked { background: @Accent; border-color: @Accent; image: url(:/icons/@CheckIcon.svg); }
 QSplitter::handle { background: @Background; }
 QProgressBar { border: 1px solid @Border; border-radius: 4px; background: @Background; text-align: center; min-height: 18px; }
