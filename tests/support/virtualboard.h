@@ -28,3 +28,12 @@ inline QByteArray hex(const char *text)
 {
     return QByteArray::fromHex(QByteArray(text));
 }
+
+/// A payload whose byte i has the value i: shows a decoder's offsets (errata section 8, "ramp frames").
+inline QByteArray ramp(int size)
+{
+    QByteArray bytes(size, '\0');
+    for (int i = 0; i < size; ++i)
+        bytes[i] = static_cast<char>(i);
+    return bytes;
+}

@@ -24,14 +24,6 @@ QList<Frame> framesOf(const QByteArray &bytes, qsizetype chunk, FramerStatistics
     return frames;
 }
 
-QByteArray ramp(int size)
-{
-    QByteArray bytes(size, '\0');
-    for (int i = 0; i < size; ++i)
-        bytes[i] = static_cast<char>(i);
-    return bytes;
-}
-
 } // namespace
 
 class TestFramer : public QObject

@@ -11,18 +11,6 @@
 using namespace sbgc;
 using namespace Qt::StringLiterals;
 
-namespace {
-
-QByteArray ramp(int size)
-{
-    QByteArray bytes(size, '\0');
-    for (int i = 0; i < size; ++i)
-        bytes[i] = static_cast<char>(i);
-    return bytes;
-}
-
-} // namespace
-
 /// Every message against bytes worked out from the document and the errata by hand.
 class TestPayloads : public QObject
 {

@@ -125,15 +125,13 @@ void TestTables::offsetsOfTheErrata()
 void TestTables::rampReadsAsTheErrataSays()
 {
     // Errata section 8: POLES[YAW] = 18; RC_MIN_ANGLE[PITCH] = 7966; BAT_THRESHOLD_ALARM = 23643; CUR_PROFILE_ID = 133.
-    QByteArray ramp(134, '\0');
-    for (int i = 0; i < ramp.size(); ++i)
-        ramp[i] = static_cast<char>(i);
+    const QByteArray bytes = ramp(134);
     const ParameterSet set(parameterRows(), kBlocks, 2590, {});
-    QCOMPARE(*set.find(u"motor.yaw.poles"_s)->read(ramp), 18);
-    QCOMPARE(*set.find(u"rc.pitch.min_angle"_s)->read(ramp), 7966);
-    QCOMPARE(*set.find(u"battery.alarm"_s)->read(ramp), 23643);
-    QCOMPARE(*set.find(u"state.profile"_s)->read(ramp), 133);
-    QVERIFY(!set.find(u"state.profile"_s)->read(ramp.first(133)));
+    QCOMPARE(*set.find(u"motor.yaw.poles"_s)->read(bytes), 18);
+    QCOMPARE(*set.find(u"rc.pitch.min_angle"_s)->read(bytes), 7966);
+    QCOMPARE(*set.find(u"battery.alarm"_s)->read(bytes), 23643);
+    QCOMPARE(*set.find(u"state.profile"_s)->read(bytes), 133);
+    QVERIFY(!set.find(u"state.profile"_s)->read(bytes.first(133)));
 }
 
 void TestTables::writesTouchOnlyTheirBits()

@@ -125,7 +125,7 @@ QListView#navigation::item:selected { background: @SurfaceRaised; color: @Accent
 QListView#navigation::item:disabled { color: @Muted; }
 QListView, QTreeView, QTableView { background: @Surface; border: 1px solid @Border; border-radius: 4px; }
 QListView::item { padding: 4px 8px; border: none; }
-QTreeView::item { padding: 4px; }
+QTreeView::item { min-height: 22px; }
 QListView::item:selected { background: @Accent; color: @AccentText; }
 QHeaderView::section { background: @Background; color: @Muted; border: none; border-bottom: 1px solid @Border; padding: 4px 8px; }
 QScrollArea { border: none; background: transparent; }
@@ -151,7 +151,6 @@ QPushButton#chip:checked { background: @Accent; color: @AccentText; }
 QLineEdit, QComboBox, QAbstractSpinBox { background: @Surface; border: 1px solid @Border; border-radius: 4px; padding: 2px 6px; min-height: 22px; }
 QComboBox::drop-down { border: none; width: 22px; }
 QComboBox::down-arrow { image: url(:/icons/down.svg); width: 10px; height: 10px; }
-QTableView::item { padding: 2px 8px; }
 QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus { border: 2px solid @Accent; padding: 1px 5px; }
 QAbstractSpinBox[changed="true"], QComboBox[changed="true"], QPushButton[changed="true"] { border-left: 4px solid @Changed; }
 QAbstractSpinBox[changed="true"]:focus, QComboBox[changed="true"]:focus { border: 2px solid @Accent; border-left: 4px solid @Changed; }
@@ -165,7 +164,6 @@ QLabel#error { color: @Danger; }
 QLabel#warning { color: @Warning; }
 QLabel#ok { color: @Ok; }
 QCheckBox::indicator, QTreeView::indicator, QTableView::indicator { width: 14px; height: 14px; border: 1px solid @Muted; border-radius: 3px; background: @Surface; }
-QTreeView::indicator, QTableView::indicator { margin-right: 6px; }
 QCheckBox::indicator:checked, QTreeView::indicator:checked, QTableView::indicator:checked { background: @Accent; border-color: @Accent; image: url(:/icons/@CheckIcon.svg); }
 QSplitter::handle { background: @Background; }
 QProgressBar { border: 1px solid @Border; border-radius: 4px; background: @Background; text-align: center; min-height: 18px; }
