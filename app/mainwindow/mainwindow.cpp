@@ -88,7 +88,7 @@ MainWindow::MainWindow(TransportFactory transports, QList<Family> families, Them
     connect(m_navigation, &QListWidget::currentRowChanged, this, [this] { updateStart(); });
     connect(&m_workspace->configuration(), &ConfigurationModel::boardReset, this, &MainWindow::updateStart);
     connect(&m_workspace->client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
-        if (state == DeviceClient::State::Connected)
+        if (state == DeviceClient::State::Connecting)
             m_messages->hide();
         updateStart();
     });

@@ -29,6 +29,7 @@ Workspace::Workspace(TransportFactory transports, QList<Family> families, Theme 
         emit problem(describe(error));
     });
     connect(&m_client, &DeviceClient::connectionLost, this, [this](const Error &error) {
+        m_wasLost = true;
         ErrorText text = describe(error);
         if (m_configuration.changeCount() > 0)
             text.cure += tr(" Unsaved changes are kept.");
@@ -65,6 +66,8 @@ void Workspace::onState(DeviceClient::State state)
     // Another board, or one that may have been changed meanwhile: the next write makes its own safety copy.
     m_backupDone = false;
     m_reading = false;
+    if (std::exchange(m_wasLost, false))
+        emit notice(tr("Connected again."));
     if (!m_client.identity().writable)
         emit problem(describe({ErrorCode::ReadOnly, m_client.identity().firmware, 0}));
     updateWish();
@@ -89,6 +92,8 @@ void Workspace::readBoard()
             m_edits.undoStack().clear();
             m_configuration.reset(*read);
         }
+        if (std::exchange(m_writeInterrupted, false))
+            tellInterruptedWrite();
         emit boardRead();
     });
 }
@@ -147,7 +152,8 @@ void Workspace::onReport(const Result<WriteReport> &result)
     if (const int n = result->count(WriteState::Mismatch))
         counts.append(tr("%n different", nullptr, n));
     text.what = tr("The write is not complete: %1. ").arg(counts.join(u", "_s)) + text.what;
-    if (result->count(WriteState::Unknown) > 0) {
+    m_writeInterrupted = result->count(WriteState::Unknown) > 0;
+    if (m_writeInterrupted) {
         text.cure = tr("When the board is back it is read again: what still shows as changed is not on it. Write again, "
                        "or discard.");
     }
@@ -155,6 +161,25 @@ void Workspace::onReport(const Result<WriteReport> &result)
     for (const WriteLine &line : result->lines)
         names.append(line.spec->key);
     text.detail += u' ' + names.mid(0, 12).join(u", "_s);
+    emit problem(text);
+}
+
+// After the reconnection the board was read again, so it is known what a broken write left behind.
+void Workspace::tellInterruptedWrite()
+{
+    int missing = 0;
+    const ConfigurationModel &model = m_configuration;
+    for (const WriteLine &line : m_lastReport->lines) {
+        const ParameterSpec *spec = model.board().parameters().find(line.spec->key);
+        missing += !spec || model.board().raw(*spec, line.profile) != line.to;
+    }
+    ErrorText text;
+    text.what = tr("The last write was interrupted: %1 of %2 values are not on the board.").arg(missing)
+                    .arg(m_lastReport->lines.size());
+    text.meaning = tr("The board was read again; the values that are missing show as changed.");
+    text.cure = missing > 0 ? tr("Review and write again to finish, or discard to stay with what the board has.")
+                            : tr("Nothing is left to do.");
+    text.detail = m_lastReport->snapshotPath;
     emit problem(text);
 }
 

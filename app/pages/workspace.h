@@ -53,6 +53,7 @@ signals:
 private:
     void onState(DeviceClient::State state);
     void onReport(const Result<WriteReport> &result);
+    void tellInterruptedWrite();
     void updateWish();
     void followActiveProfile();
 
@@ -65,6 +66,8 @@ private:
     std::optional<WriteReport> m_lastReport;
     bool m_backupDone = false;
     bool m_writing = false;
+    bool m_writeInterrupted = false;   // the link broke during a write; told again once the board can be read
+    bool m_wasLost = false;
     bool m_reading = false;
     bool m_switchingProfile = false;
     mutable quint64 m_lastRows = 0;

@@ -32,7 +32,6 @@ struct TelemetryPlan
     std::optional<Request> poll;       ///< repeat this where the board cannot stream
     milliseconds pollInterval{50};
     double rate = 0;                   ///< expected fast rows per second
-    double possibleRate = 0;           ///< what the link could carry
     bool streaming = false;
     QByteArray farewell;               ///< frames that end the streams, for leaving
 };

@@ -59,6 +59,7 @@ private:
 
     [[nodiscard]] bool canStream() const { return m_identity.firmwareNumber >= 2590; }
     [[nodiscard]] sbgc::ControlCommand encodeSetpoint(const ControlSetpoint &setpoint) const;
+    Result<TelemetryPlan> startPolling(Channel &channel);
     Result<void> setStream(Channel &channel, const sbgc::DataStream &stream);
 
     static constexpr int kVersion = 1;  // frame version: never mixed on one connection (errata 1.3)

@@ -207,25 +207,29 @@ Result<void> SbgcDevice::setStream(Channel &channel, const DataStream &stream)
     return {};
 }
 
+// Firmware without streams: REALTIME_DATA_4 if it is known, else _3, as often as the line allows.
+Result<TelemetryPlan> SbgcDevice::startPolling(Channel &channel)
+{
+    const auto extended = channel.transact(
+        replyRequest(CommandId::RealtimeData4, {}, CommandId::RealtimeData4, kRealtime4Size, kVersion));
+    if (!extended && extended.error().code != ErrorCode::Timeout && extended.error().code != ErrorCode::BoardError)
+        return tl::unexpected(extended.error());
+    const CommandId id = extended ? CommandId::RealtimeData4 : CommandId::RealtimeData3;
+    TelemetryPlan plan;
+    plan.poll = replyRequest(id, {}, id, extended ? kRealtime4Size : kRealtime3Size, kVersion);
+    plan.poll->retries = 0;
+    plan.pollInterval = kPollInterval;
+    plan.rate = 1000.0 / double(kPollInterval.count());
+    plan.decoder = std::make_shared<SbgcDecoder>(0, 0.0);
+    return plan;
+}
+
 Result<TelemetryPlan> SbgcDevice::startTelemetry(Channel &channel, const TelemetryWish &wish,
                                                  std::optional<LineSettings> line)
 {
+    if (!canStream())
+        return startPolling(channel);
     TelemetryPlan plan;
-    if (!canStream()) {
-        // Old firmware: REALTIME_DATA_4 if it is known, else _3, as often as the line allows.
-        const auto extended = channel.transact(
-            replyRequest(CommandId::RealtimeData4, {}, CommandId::RealtimeData4, kRealtime4Size, kVersion));
-        if (!extended && extended.error().code != ErrorCode::Timeout && extended.error().code != ErrorCode::BoardError)
-            return tl::unexpected(extended.error());
-        const CommandId id = extended ? CommandId::RealtimeData4 : CommandId::RealtimeData3;
-        plan.poll = replyRequest(id, {}, id, extended ? kRealtime4Size : kRealtime3Size, kVersion);
-        plan.poll->retries = 0;
-        plan.pollInterval = kPollInterval;
-        plan.rate = plan.possibleRate = 1000.0 / double(kPollInterval.count());
-        plan.decoder = std::make_shared<SbgcDecoder>(0, 0.0);
-        return plan;
-    }
-
     stopTelemetry(channel);
     const quint32 flags = customFlagsFor(wish.channels);
     const bool unlimited = !line || m_identity.usb;
@@ -237,8 +241,8 @@ Result<TelemetryPlan> SbgcDevice::startTelemetry(Channel &channel, const Telemet
             const double status = line->secondsFor(kRealtime4Size + kFrameOverhead) * 1000.0 / kStatusIntervalMs;
             possible = std::max(1.0, (kLinkShare - status) / line->secondsFor(customSize(flags) + kFrameOverhead));
         }
-        plan.possibleRate = std::min(possible, cycleRate);
-        const double wanted = wish.rate > 0 ? std::min(wish.rate, plan.possibleRate) : plan.possibleRate;
+        possible = std::min(possible, cycleRate);
+        const double wanted = wish.rate > 0 ? std::min(wish.rate, possible) : possible;
         // Interval 1 is each cycle; from 2 on it is milliseconds (errata 3.10).
         interval = wanted >= cycleRate ? 1 : std::clamp(int(std::ceil(1000.0 / wanted)), 2, 65535);
         plan.rate = interval == 1 ? cycleRate : 1000.0 / interval;
@@ -246,8 +250,13 @@ Result<TelemetryPlan> SbgcDevice::startTelemetry(Channel &channel, const Telemet
     plan.streaming = true;
     plan.decoder = std::make_shared<SbgcDecoder>(flags, flags ? 1.0 / plan.rate : 0.0);
     if (const auto set = setStream(channel, {number(CommandId::RealtimeData4),
-                                             flags ? kStatusIntervalMs : kStatusAloneMs, QByteArray(8, '\0')}); !set)
+                                             flags ? kStatusIntervalMs : kStatusAloneMs, QByteArray(8, '\0')}); !set) {
+        // All streams of the board may be taken by somebody else, or this build has none.
+        const ErrorCode code = set.error().code;
+        if (code == ErrorCode::BoardError || code == ErrorCode::Timeout)
+            return startPolling(channel);
         return tl::unexpected(set.error());
+    }
     if (flags) {
         if (const auto set = setStream(channel, {number(CommandId::RealtimeDataCustom), interval, customConfig(flags)});
             !set)

@@ -78,6 +78,7 @@ private slots:
     void dashboardShowsFaults();
     void readOnlyBoardCannotBeEdited();
     void unplugKeepsEdits();
+    void interruptedWriteIsToldAfterReconnecting();
     void conflictIsTold();
     void everyControlHasAName();
     void contrastIsEnough_data();
@@ -425,6 +426,7 @@ void TestMainWindow::dashboardShowsFaults()
 void TestMainWindow::readOnlyBoardCannotBeEdited()
 {
     QVERIFY(open(u"sim:simplebgc?fault=unknown-firmware=1"_s));
+    QVERIFY(m_window->messageBar()->isVisible());
     QVERIFY(m_window->messageBar()->text().contains(u"reading only"_s));
     QDoubleSpinBox *box = numberBox(u"pid.roll.p"_s);
     QVERIFY(!box->isEnabled());
@@ -434,10 +436,10 @@ void TestMainWindow::readOnlyBoardCannotBeEdited()
 void TestMainWindow::unplugKeepsEdits()
 {
     const QString path = m_dir->filePath(u"gimbal"_s);
-    SimProcess simulator({u"--pty"_s, path, u"--fault"_s, u"unplug=4"_s, u"--fault"_s, u"replug=1"_s});
+    SimProcess simulator({u"--pty"_s, path, u"--fault"_s, u"unplug=6"_s, u"--fault"_s, u"replug=1"_s});
     QVERIFY(open(u"serial:"_s + path));
     numberBox(u"pid.roll.p"_s)->setValue(47);
-    QTRY_COMPARE_WITH_TIMEOUT(client().state(), DeviceClient::State::Reconnecting, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(client().state(), DeviceClient::State::Reconnecting, 15000);
     QCOMPARE(model().changeCount(), 1);
     QVERIFY(!m_window->unsavedBar()->writeButton()->isEnabled());
     QSignalSpy read(&m_window->workspace(), &Workspace::boardRead);
@@ -447,13 +449,40 @@ void TestMainWindow::unplugKeepsEdits()
     QVERIFY(m_window->unsavedBar()->writeButton()->isEnabled());
 }
 
+void TestMainWindow::interruptedWriteIsToldAfterReconnecting()
+{
+    const QString path = m_dir->filePath(u"gimbal"_s);
+    SimProcess simulator({u"--pty"_s, path, u"--fault"_s, u"reset-on-write=2"_s});
+    QVERIFY(open(u"serial:"_s + path));
+    for (int profile = 0; profile < 4; ++profile)
+        QVERIFY(m_window->workspace().edits().edit(model().edited().parameters().find(u"pid.roll.p"_s)->id, profile,
+                                                   80 + profile));
+    QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
+    m_window->workspace().write(model().edited());
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 20000);
+    QVERIFY(!m_window->workspace().lastReport()->isComplete());
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->messageBar()->text().contains(u"was interrupted"_s), 20000);
+    QVERIFY(m_window->messageBar()->isVisible());
+    // What the message says is so, and the rest is still there to be written.
+    int missing = 0;
+    for (int profile = 0; profile < 4; ++profile)
+        missing += raw(u"pid.roll.p"_s, profile) != 80 + profile;
+    QVERIFY(missing > 0);
+    QCOMPARE(model().changeCount(), missing);
+    QVERIFY(m_window->messageBar()->text().contains(u"%1 of 4"_s.arg(missing)));
+    m_window->workspace().write(model().edited());
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 2, 20000);
+    QVERIFY(m_window->workspace().lastReport()->isComplete());
+    QCOMPARE(raw(u"pid.roll.p"_s, 3), 83);
+}
+
 void TestMainWindow::conflictIsTold()
 {
-    SimProcess simulator({u"--tcp"_s, u"0"_s, u"--fault"_s, u"other-client=2"_s});
+    SimProcess simulator({u"--tcp"_s, u"0"_s, u"--fault"_s, u"other-client=5"_s});
     QVERIFY(open(simulator.address()));
     QCOMPARE(raw(u"pid.roll.p"_s), 35);
     numberBox(u"pid.roll.p"_s)->setValue(60);
-    QTest::qWait(2200);   // the simulator's own clock: somebody else changes the value
+    QTest::qWait(5200);   // the simulator's own clock: somebody else changes the value
     QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
     m_window->workspace().write(model().edited());
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 15000);

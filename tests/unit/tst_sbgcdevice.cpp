@@ -66,6 +66,7 @@ private slots:
     void faultsAreNamed();
     void streamsAtFullRateWithoutLoss();
     void oldFirmwareIsPolled();
+    void pollsWhenAllStreamsAreTaken();
     void streamFitsASlowLine();
     void lostFramesAreCountedAsGaps();
     void survivesADisturbedCable();
@@ -561,6 +562,20 @@ void TestSbgcDevice::oldFirmwareIsPolled()
     plan->decoder->decode({reply->id, asBytes(reply->payload), 1}, bench.channel.now(), store);
     QVERIFY(double(store.latest(bench.device.roles().battery)) > 11.0);
     QVERIFY(bench.device.fastChannels().isEmpty());
+}
+
+void TestSbgcDevice::pollsWhenAllStreamsAreTaken()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    // The board has ten streams (errata 3.10); somebody else holds them all.
+    for (int i = 0; i < 10; ++i) {
+        const DataStream taken{88, 1000, QByteArray(1, char(1 + i)) + QByteArray(7, '\0')};
+        QVERIFY(bench.channel.transact(confirmRequest(CommandId::DataStreamInterval, taken.encode(), 1)));
+    }
+    const auto plan = bench.device.startTelemetry(bench.channel, {{bench.device.roles().gyro[0]}, 0}, {});
+    QVERIFY(plan);
+    QVERIFY(!plan->streaming && plan->poll);
 }
 
 void TestSbgcDevice::streamFitsASlowLine()
