@@ -56,7 +56,7 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     m_tree->header()->setStretchLastSection(false);
     m_tree->header()->setSectionResizeMode(ChannelModel::NameColumn, QHeaderView::Stretch);
     m_tree->setIndentation(14);
-    m_tree->setMinimumWidth(320);
+    m_tree->setMinimumWidth(292);
     m_stack->setChildrenCollapsible(false);
     m_empty->setObjectName(u"muted"_s);
     m_empty->setAlignment(Qt::AlignCenter);
@@ -69,7 +69,7 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     split->addWidget(m_tree);
     split->addWidget(right);
     split->setStretchFactor(1, 1);
-    split->setSizes({340, 900});
+    split->setSizes({330, 900});
     body()->addWidget(split, 1);
 
     m_frameTimer.setTimerType(Qt::PreciseTimer);
@@ -110,7 +110,7 @@ void MonitorPage::onStore()
     m_tree->expandToDepth(0);
     for (int row = 3; row < m_channels.rowCount(); ++row)
         m_tree->collapse(m_channels.index(row, 0));
-    m_tree->setColumnWidth(ChannelModel::ValueColumn, 72);
+    m_tree->setColumnWidth(ChannelModel::ValueColumn, 64);
     m_tree->setColumnWidth(ChannelModel::UnitColumn, 44);
     onTicks();
 }

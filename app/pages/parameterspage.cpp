@@ -40,6 +40,11 @@ private:
     Accept m_accept;
 };
 
+constexpr int kGroupsColumn = 168;
+constexpr int kHelpColumn = 248;
+constexpr int kNarrowColumn = 208;
+constexpr int kNarrowPage = 1000;
+
 QPushButton *makeChip(const QString &text)
 {
     auto *chip = new QPushButton(text);
@@ -69,6 +74,8 @@ ParametersPage::ParametersPage(Workspace &workspace, QWidget *parent)
     , m_onlyRed(makeChip(tr("⚠ Risk")))
     , m_asTable(makeChip(tr("Table")))
     , m_nothing(new QLabel(tr("Nothing matches. Change the search, the filters or the level.")))
+    , m_left(new QVBoxLayout)
+    , m_row(new QHBoxLayout)
 {
     m_level->addItem(tr("Basic"), int(ViewLevel::Basic));
     m_level->addItem(tr("Advanced"), int(ViewLevel::Advanced));
@@ -87,7 +94,6 @@ ParametersPage::ParametersPage(Workspace &workspace, QWidget *parent)
         header()->addWidget(widget);
 
     m_groups->setAccessibleName(tr("Groups"));
-    m_groups->setFixedWidth(168);
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto *holder = new QWidget;
@@ -108,13 +114,14 @@ ParametersPage::ParametersPage(Workspace &workspace, QWidget *parent)
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_views->addWidget(m_scroll);
     m_views->addWidget(m_table);
-    m_help->setFixedWidth(248);
-    auto *row = new QHBoxLayout;
-    row->setSpacing(12);
-    row->addWidget(m_groups);
-    row->addWidget(m_views, 1);
-    row->addWidget(m_help);
-    body()->addLayout(row, 1);
+    m_left->setSpacing(12);
+    m_left->addWidget(m_groups, 1);
+    m_row->setSpacing(12);
+    m_row->addLayout(m_left);
+    m_row->addWidget(m_views, 1);
+    m_row->addWidget(m_help);
+    body()->addLayout(m_row, 1);
+    arrange(false);
 
     connect(m_search, &QLineEdit::textChanged, this, &ParametersPage::refilter);
     connect(m_level, &QComboBox::currentIndexChanged, this, &ParametersPage::refilter);
@@ -148,6 +155,27 @@ ParametersPage::ParametersPage(Workspace &workspace, QWidget *parent)
     });
     find->setContext(Qt::WidgetWithChildrenShortcut);
     onBoard();
+}
+
+// A narrow page has no room for three columns: the help card moves below the groups.
+void ParametersPage::arrange(bool narrow)
+{
+    m_narrow = narrow;
+    m_groups->setFixedWidth(narrow ? kNarrowColumn : kGroupsColumn);
+    m_help->setFixedWidth(narrow ? kNarrowColumn : kHelpColumn);
+    m_left->removeWidget(m_help);
+    m_row->removeWidget(m_help);
+    if (narrow)
+        m_left->addWidget(m_help, 1);
+    else
+        m_row->addWidget(m_help);
+}
+
+void ParametersPage::resizeEvent(QResizeEvent *event)
+{
+    Page::resizeEvent(event);
+    if (const bool narrow = width() < kNarrowPage; narrow != m_narrow)
+        arrange(narrow);
 }
 
 bool ParametersPage::hasChanges() const

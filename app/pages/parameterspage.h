@@ -32,7 +32,11 @@ public:
     [[nodiscard]] QLineEdit *search() const { return m_search; }
     [[nodiscard]] QTableView *table() const { return m_table; }
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
+    void arrange(bool narrow);
     void onBoard();
     void refilter();
     void updateGroupMarks();
@@ -53,4 +57,7 @@ private:
     QPushButton *m_onlyRed;
     QPushButton *m_asTable;
     QLabel *m_nothing;
+    QVBoxLayout *m_left;
+    QHBoxLayout *m_row;
+    bool m_narrow = false;
 };

@@ -73,6 +73,7 @@ private slots:
     void searchAndFilters();
     void tableShowsEverythingAndEdits();
     void everyGroupOpens();
+    void nothingIsCutAtTheSmallestSize();
     void monitorDrawsTraces();
     void monitorPauses();
     void dashboardShowsFaults();
@@ -370,6 +371,26 @@ void TestMainWindow::everyGroupOpens()
         shown += parameters->form()->count();
     }
     QVERIFY(shown > 300);
+}
+
+void TestMainWindow::nothingIsCutAtTheSmallestSize()
+{
+    QVERIFY(open(u"sim:simplebgc?firmware=2.70b4"_s));
+    auto *parameters = page<ParametersPage>();
+    m_window->resize(m_window->minimumSize());
+    QTest::qWait(50);
+    auto *groups = parameters->findChild<QListWidget *>();
+    parameters->findChild<QComboBox *>()->setCurrentIndex(2);
+    for (int i = 0; i < groups->count(); ++i) {
+        parameters->showGroup(i);
+        QTest::qWait(20);
+        for (const QWidget *editor : parameters->form()->findChildren<ValueEditor *>()) {
+            const int right = editor->mapTo(m_window.get(), QPoint(editor->width(), 0)).x();
+            const QWidget *view = parameters->form()->parentWidget()->parentWidget();
+            const int edge = view->mapTo(m_window.get(), QPoint(view->width(), 0)).x();
+            QVERIFY2(right <= edge, qPrintable(u"%1: %2 > %3"_s.arg(groups->item(i)->text()).arg(right).arg(edge)));
+        }
+    }
 }
 
 void TestMainWindow::monitorDrawsTraces()

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kMostFrames = 60;
 // Room for labels and legend around the plot area.
-constexpr double kLeft = 60;
+constexpr double kLeft = 76;
 constexpr double kTop = 34;
 constexpr double kRight = 20;
 constexpr double kBottom = 30;
@@ -135,7 +135,7 @@ void PlotView::setChannels(ChannelTable table, const QList<int> &channels,
     for (const int channel : channels) {
         auto *series = new QLineSeries(this);
         const ChannelSpec &spec = table[std::size_t(channel)];
-        series->setName(tableText(spec.label) + (*spec.unit ? u" ["_s + QString::fromUtf8(spec.unit) + u']' : QString()));
+        series->setName(tableText(spec.label));
         chart()->addSeries(series);
         series->attachAxis(m_timeAxis);
         series->attachAxis(m_valueAxis);
@@ -155,6 +155,9 @@ void PlotView::setChannels(ChannelTable table, const QList<int> &channels,
             applyTheme();
         });
     }
+    // The unit stands at the scale, where the numbers are.
+    m_valueAxis->setTitleText(
+        channels.isEmpty() ? QString() : QString::fromUtf8(table[std::size_t(channels.first())].unit));
     applyTheme();
 }
 
@@ -164,6 +167,7 @@ void PlotView::applyTheme()
     setBackgroundBrush(m_theme.color(ColorRole::Surface));
     for (QValueAxis *axis : {m_timeAxis, m_valueAxis}) {
         axis->setLabelsColor(text);
+        axis->setTitleBrush(text);
         axis->setGridLineColor(m_theme.color(ColorRole::SurfaceRaised));
     }
     chart()->legend()->setLabelColor(m_theme.color(ColorRole::Text));

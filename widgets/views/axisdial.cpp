@@ -34,9 +34,11 @@ AxisDial::AxisDial(const Theme &theme, Axis axis, QWidget *parent)
 
 void AxisDial::setValues(double angle, double target, double power)
 {
+    // No "-0.0": a tenth is all that is shown.
+    const auto shown = [](double degrees) { return std::abs(degrees) < 0.05 ? 0.0 : degrees; };
     m_valid = !std::isnan(angle);
-    m_angle = angle;
-    m_target = target;
+    m_angle = shown(angle);
+    m_target = shown(target);
     m_power = std::isnan(power) ? 0.0 : power;
     setAccessibleDescription(m_valid ? tr("Angle %1°, target %2°, motor power %3 %").arg(angle, 0, 'f', 1)
                                            .arg(target, 0, 'f', 1).arg(m_power, 0, 'f', 0)
