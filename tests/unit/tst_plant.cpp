@@ -81,6 +81,7 @@ private slots:
     void badGainsOscillate();
     void withoutPowerTheCameraIsLimp();
     void wrongInversionRunsAway();
+    void swappedMotorsCannotHold();
     void weakPowerCannotHold();
     void lowBatteryWeakensTheMotors();
     void resonanceShowsWhereItIs();
@@ -146,6 +147,14 @@ void TestPlant::wrongInversionRunsAway()
     QVERIFY(run.rms > 60.0);
     // The other axes still hold.
     QVERIFY(std::abs(bench.stabilizer.trueAngle(Axis::Roll)) < 3.0);
+}
+
+void TestPlant::swappedMotorsCannotHold()
+{
+    Bench bench;
+    bench.stabilizer.setSwappedMotors(true);
+    QVERIFY(bench.run(Axis::Roll, 4.0).rms > 10.0);
+    QVERIFY(bench.run(Axis::Yaw, 2.0).rms < 0.5);
 }
 
 void TestPlant::weakPowerCannotHold()

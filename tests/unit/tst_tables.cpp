@@ -3,6 +3,7 @@
 #include "protocol/device/telemetrystore.h"
 #include "protocol/simplebgc/choices.h"
 #include "protocol/simplebgc/telemetrytables.h"
+#include "protocol/transport/portlist.h"
 #include "tests/support/virtualboard.h"
 
 #include <QSet>
@@ -33,6 +34,7 @@ private slots:
     void addressesThereAndBack_data();
     void addressesThereAndBack();
     void badAddressesAreExplained();
+    void portsAreNamedWithTheirNumbers();
     void storeKeepsEverySample();
     void storeIsReadWhileItIsWritten();
     void storeForgetsWhatIsTooOld();
@@ -271,6 +273,12 @@ void TestTables::badAddressesAreExplained()
         QCOMPARE(address.error().code, ErrorCode::InvalidArgument);
         QVERIFY(!address.error().detail.isEmpty());
     }
+}
+
+void TestTables::portsAreNamedWithTheirNumbers()
+{
+    QCOMPARE((PortInfo{u"/dev/ttyUSB0"_s, u"CP2102"_s, 0x10C4, 0xEA60}.label()), u"/dev/ttyUSB0 – CP2102 – 10C4:EA60"_s);
+    QCOMPARE((PortInfo{u"/dev/ttyS0"_s, {}, 0, 0}.label()), u"/dev/ttyS0"_s);
 }
 
 void TestTables::storeKeepsEverySample()
