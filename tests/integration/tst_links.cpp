@@ -11,6 +11,7 @@
 #include <QTcpServer>
 #include <QTcpSocket>
 #include <QTemporaryDir>
+#include <QUdpSocket>
 
 #include <algorithm>
 #include <atomic>
@@ -165,6 +166,9 @@ private slots:
     void cancelledJobsEndAtOnce();
     void telemetryGoesOnWhileTheScreenIsBlocked();
     void submittingWithoutABoardFails();
+    void foreignProtocolIsNamed();
+    void portInUseIsToldAsBusy();
+    void udpCarriesDatagrams();
 };
 
 void TestLinks::serialPortOverPseudoTerminal()
@@ -519,6 +523,64 @@ void TestLinks::submittingWithoutABoardFails()
     client->motorsOff();
     QTRY_COMPARE(finished.count(), 1);
     QCOMPARE(finished.first().first().toBool(), false);
+}
+
+void TestLinks::foreignProtocolIsNamed()
+{
+    // A STorM32 board answers each byte that it does not know with the letter e.
+    QTcpServer server;
+    QVERIFY(server.listen(QHostAddress::LocalHost, 0));
+    connect(&server, &QTcpServer::newConnection, this, [&server] {
+        QTcpSocket *socket = server.nextPendingConnection();
+        connect(socket, &QTcpSocket::readyRead, socket, [socket] {
+            socket->write(QByteArray(socket->readAll().size(), 'e'));
+        });
+    });
+    auto client = makeClient();
+    QSignalSpy failed(client.get(), &DeviceClient::connectionFailed);
+    client->connectTo(*LinkAddress::parse(u"tcp://127.0.0.1:%1"_s.arg(server.serverPort())), u"simplebgc"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, 10000);
+    const auto error = failed.first().first().value<Error>();
+    QCOMPARE(error.code, ErrorCode::WrongProtocol);
+    QCOMPARE(error.detail, u"STorM32"_s);
+}
+
+void TestLinks::portInUseIsToldAsBusy()
+{
+    QTemporaryDir dir;
+    const QString path = dir.filePath(u"gimbal"_s);
+    SimProcess simulator({u"--pty"_s, path});
+    auto first = makeClient();
+    QVERIFY(connectTo(*first, path));
+    auto second = makeClient();
+    QSignalSpy failed(second.get(), &DeviceClient::connectionFailed);
+    second->connectTo(*LinkAddress::parse(path), u"simplebgc"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, 10000);
+    QCOMPARE(int(failed.first().first().value<Error>().code), int(ErrorCode::PortBusy));
+    QVERIFY(read(*first));   // the one who has it is not disturbed
+}
+
+void TestLinks::udpCarriesDatagrams()
+{
+    QUdpSocket peer;
+    QVERIFY(peer.bind(QHostAddress::LocalHost, 0));
+    auto transport = makeSystemTransport(*LinkAddress::parse(u"udp://127.0.0.1:%1"_s.arg(peer.localPort())));
+    QVERIFY(transport);
+    QByteArray received;
+    connect(transport->get(), &Transport::received, this,
+            [&received](QByteArrayView bytes, TimePoint) { received += bytes.toByteArray(); });
+    QSignalSpy opened(transport->get(), &Transport::opened);
+    (*transport)->open();
+    QTRY_COMPARE(opened.count(), 1);
+    (*transport)->write("ping");
+    QTRY_VERIFY(peer.hasPendingDatagrams());
+    QByteArray datagram(64, '\0');
+    QHostAddress from;
+    quint16 port = 0;
+    datagram.resize(peer.readDatagram(datagram.data(), datagram.size(), &from, &port));
+    QCOMPARE(datagram, QByteArray("ping"));
+    peer.writeDatagram("pong", from, port);
+    QTRY_COMPARE(received, QByteArray("pong"));
 }
 
 QTEST_GUILESS_MAIN(TestLinks)

@@ -282,10 +282,9 @@ void TestWrite::disturbedCableStillWrites()
     bench.edit(u"pid.roll.p"_s, 1, 46);
     const auto report = bench.write();
     QVERIFY(report);
-    if (report->isComplete()) {
-        QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), 44);
-        QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 1), 46);
-    }
+    QVERIFY2(report->isComplete(), "retries did not bring the write through");
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), 44);
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 1), 46);
 }
 
 void TestWrite::namesAreWritten()
@@ -395,8 +394,7 @@ void TestWrite::historyPathsStayInside()
         evil.setBlock(key, bytes);
     const auto path = bench.history.save(evil, u"x"_s);
     QVERIFY(path);
-    QVERIFY(QDir(bench.dir.path()).relativeFilePath(*path).startsWith(u"____"_s)
-            || !QDir(bench.dir.path()).relativeFilePath(*path).startsWith(u".."_s));
+    QVERIFY2(!QDir(bench.dir.path()).relativeFilePath(*path).startsWith(u".."_s), qPrintable(*path));
 }
 
 void TestWrite::destructiveActionsBackUpFirst()
