@@ -60,7 +60,7 @@ int main(int argc, char **argv)
     const QCommandLineOption link(u"link"_s, u"Connect to this address at start."_s, u"address"_s);
     const QCommandLineOption demo(u"demo"_s, u"Connect to a simulated board (of this family)."_s, u"family"_s);
     const QCommandLineOption tour(u"tour"_s, u"Write a picture of each page to this folder and end."_s, u"dir"_s);
-    const QCommandLineOption page(u"page"_s, u"Page to begin with: dashboard, parameters, monitor."_s, u"name"_s);
+    const QCommandLineOption page(u"page"_s, u"Page to begin with: dashboard, parameters, monitor, ..."_s, u"name"_s);
     const QCommandLineOption themeOption(u"theme"_s, u"light or dark; without it, the system's."_s, u"theme"_s);
     parser.addOptions({link, demo, tour, page, themeOption});
     parser.addHelpOption();
@@ -72,7 +72,10 @@ int main(int argc, char **argv)
     if (!parser.positionalArguments().isEmpty())
         return wrong(u"'%1' is not understood (gimbaldesk --help)"_s.arg(parser.positionalArguments().first()));
 
+    Settings settings;
     Theme theme;
+    if (settings.theme() != Settings::ThemeChoice::System)
+        theme.setMode(settings.theme() == Settings::ThemeChoice::Dark ? Theme::Mode::Dark : Theme::Mode::Light);
     const QString themeName = parser.value(themeOption);
     if (themeName == u"light"_s)
         theme.setMode(Theme::Mode::Light);
@@ -92,12 +95,12 @@ int main(int argc, char **argv)
         if (!parsed)
             return wrong(parsed.error().detail);
         if (parsed->kind() == LinkAddress::Kind::Simulator) {
-            if (const auto transport = allTransports()(*parsed); !transport)
+            if (const auto transport = allLinks().transports(*parsed); !transport)
                 return wrong(transport.error().detail);
         }
     }
 
-    MainWindow window(allTransports(), allFamilies(), theme);
+    MainWindow window(allLinks(), allFamilies(), theme, settings);
     if (parser.isSet(page) && !window.showPage(parser.value(page)))
         return wrong(u"there is no page '%1'"_s.arg(parser.value(page)));
     window.show();

@@ -5,7 +5,12 @@
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
+#include <QSocketNotifier>
 #include <QTextStream>
+
+#include <array>
+#include <csignal>
+#include <unistd.h>
 
 using namespace Qt::StringLiterals;
 
@@ -23,7 +28,8 @@ int wrong(const QString &message, int code = kWrongArguments)
 QString helpText()
 {
     return u"gimbalsim --family simplebgc (--pty PATH | --tcp PORT) [options]\n\n"
-           u"A simulated gimbal for other programs. Prints \"ready ADDRESS\" and runs until it is told to end.\n\n"
+           u"A simulated gimbal for other programs. Prints \"ready ADDRESS\" and runs until it is told to end.\n"
+           u"Lines NAME=VALUE on standard input change the world while it runs: pose=1, shake=3, unplug=0.\n\n"
            u"  --pty PATH        a pseudo-terminal, reachable at PATH (a symbolic link)\n"
            u"  --tcp PORT        a TCP server on 127.0.0.1, 0 = any free port\n"
            u"  --seed N          another gimbal: noise, bias, hand; same seed, same behaviour\n"
@@ -91,6 +97,27 @@ int main(int argc, char **argv)
     }
     if (const auto started = host->start(); !started)
         return wrong(started.error().detail, kRefused);
+    // In the background of a shell, reading the terminal must fail instead of stopping the program.
+    std::signal(SIGTTIN, SIG_IGN);
+    QSocketNotifier input(STDIN_FILENO, QSocketNotifier::Read);
+    QByteArray typed;
+    QObject::connect(&input, &QSocketNotifier::activated, &application, [&] {
+        std::array<char, 512> buffer{};
+        const ssize_t count = ::read(STDIN_FILENO, buffer.data(), buffer.size());
+        if (count <= 0) {
+            input.setEnabled(false);
+            return;
+        }
+        typed.append(buffer.data(), count);
+        for (qsizetype end = typed.indexOf('\n'); end >= 0; end = typed.indexOf('\n')) {
+            const QString line = QString::fromUtf8(typed.first(end)).trimmed();
+            typed.remove(0, end + 1);
+            if (line.isEmpty())
+                continue;
+            if (const auto changed = host->port().change(line); !changed)
+                QTextStream(stderr) << "gimbalsim: " << changed.error().detail << "\n";
+        }
+    });
     SignalWatcher watcher;
     QObject::connect(&watcher, &SignalWatcher::stopRequested, &application, &QCoreApplication::quit);
     {

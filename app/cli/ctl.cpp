@@ -145,10 +145,10 @@ std::optional<int> Ctl::start(const QStringList &arguments)
     }
     // A simulator address is checked in full before anything starts.
     if (address->kind() == LinkAddress::Kind::Simulator) {
-        if (const auto transport = allTransports()(*address); !transport)
+        if (const auto transport = allLinks().transports(*address); !transport)
             return wrong(transport.error().detail);
     }
-    m_client = std::make_unique<DeviceClient>(allTransports(), families);
+    m_client = std::make_unique<DeviceClient>(allLinks().transports, families);
     connect(m_client.get(), &DeviceClient::stateChanged, this, &Ctl::onState);
     connect(m_client.get(), &DeviceClient::connectionFailed, this,
             [this](const Error &error) { onError(error, Refused); });

@@ -10,11 +10,18 @@ QList<Family> allFamilies()
     return {sbgcFamily()};
 }
 
-TransportFactory allTransports()
+Links allLinks()
 {
-    return [simulated = simulatorFactory()](const LinkAddress &address) {
-        return address.kind() == LinkAddress::Kind::Simulator ? simulated(address) : makeSystemTransport(address);
+    const SimulatedGimbals simulated;
+    Links links;
+    links.transports = [simulated](const LinkAddress &address) {
+        return address.kind() == LinkAddress::Kind::Simulator ? simulated.connectTo(address)
+                                                              : makeSystemTransport(address);
     };
+    links.changeWorld = [simulated](const LinkAddress &address, const QString &assignment) {
+        return simulated.change(address, assignment);
+    };
+    return links;
 }
 
 std::shared_ptr<const ParameterSet> parametersFor(const BoardIdentity &identity)

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/composition/links.h"
 #include "protocol/device/device.h"
-#include "protocol/transport/transport.h"
 
 /// The one place that knows which families exist and which kinds of link there are.
 [[nodiscard]] QList<Family> allFamilies();
-[[nodiscard]] TransportFactory allTransports();
+
+[[nodiscard]] Links allLinks();
 
 /// The family's tables for a board, null for a family that does not exist here.
 [[nodiscard]] std::shared_ptr<const ParameterSet> parametersFor(const BoardIdentity &identity);

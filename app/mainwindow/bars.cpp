@@ -5,11 +5,13 @@
 #include "widgets/models/parametermodel.h"
 
 #include <QClipboard>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include <cmath>
 
@@ -24,10 +26,17 @@ constexpr auto kNoticeTime = 8s;
 MessageBar::MessageBar(QWidget *parent)
     : QFrame(parent)
     , m_text(new QLabel)
+    , m_detail(new QLabel)
+    , m_more(new QToolButton)
     , m_copy(new QToolButton)
     , m_close(new QToolButton)
 {
     setObjectName(u"messageBar"_s);
+    m_detail->setObjectName(u"muted"_s);
+    m_detail->setWordWrap(true);
+    m_detail->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_more->setText(tr("Details"));
+    m_more->setCheckable(true);
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::RichText);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -37,8 +46,14 @@ MessageBar::MessageBar(QWidget *parent)
     m_close->setAccessibleName(tr("Close message"));
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, Metric::kGap, Metric::kGap, Metric::kGap);
-    layout->addWidget(m_text, 1);
+    auto *texts = new QVBoxLayout;
+    texts->setSpacing(Metric::kUnit);
+    texts->addWidget(m_text);
+    texts->addWidget(m_detail);
+    layout->addLayout(texts, 1);
+    layout->addWidget(m_more, 0, Qt::AlignVCenter);
     layout->addWidget(m_copy, 0, Qt::AlignVCenter);
+    connect(m_more, &QToolButton::toggled, m_detail, &QWidget::setVisible);
     layout->addWidget(m_close, 0, Qt::AlignVCenter);
     connect(m_copy, &QToolButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(m_full); });
     connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
@@ -52,6 +67,9 @@ void MessageBar::setSevere(bool severe)
     setProperty("severe", severe);
     repolish(this);
     m_copy->setVisible(severe);
+    m_more->setChecked(false);
+    m_more->setVisible(false);
+    m_detail->hide();
 }
 
 void MessageBar::showProblem(const ErrorText &text)
@@ -63,10 +81,10 @@ void MessageBar::showProblem(const ErrorText &text)
         if (!part.isEmpty())
             html += u' ' + part.toHtmlEscaped();
     }
-    if (!text.detail.isEmpty())
-        html += u"<br><small>%1</small>"_s.arg(text.detail.toHtmlEscaped());
     m_text->setText(html);
+    m_detail->setText(text.detail);
     setSevere(true);
+    m_more->setVisible(!text.detail.isEmpty());
     show();
 }
 
@@ -84,6 +102,58 @@ QString MessageBar::text() const
     return m_full;
 }
 
+OfferBar::OfferBar(QWidget *parent)
+    : QFrame(parent)
+    , m_text(new QLabel)
+    , m_row(new QHBoxLayout(this))
+{
+    setObjectName(u"offerBar"_s);
+    m_text->setWordWrap(true);
+    m_row->setContentsMargins(12, Metric::kGap, Metric::kGap, Metric::kGap);
+    m_row->setSpacing(Metric::kGap);
+    m_row->addWidget(m_text, 1);
+    hide();
+}
+
+void OfferBar::ask(const Offer &offer)
+{
+    m_offers.append(offer);
+    if (m_offers.size() == 1)
+        showFirst();
+}
+
+void OfferBar::clear()
+{
+    m_offers.clear();
+    showFirst();
+}
+
+void OfferBar::showFirst()
+{
+    for (QPushButton *button : std::exchange(m_buttons, {}))
+        button->deleteLater();
+    setVisible(!m_offers.isEmpty());
+    if (m_offers.isEmpty())
+        return;
+    m_text->setText(m_offers.first().text);
+    for (const Offer::Choice &choice : m_offers.first().choices) {
+        auto *button = new QPushButton(choice.text);
+        button->setObjectName(m_buttons.isEmpty() ? u"primary"_s : QString());
+        connect(button, &QPushButton::clicked, this, [this, chosen = choice.chosen] {
+            m_offers.removeFirst();
+            showFirst();
+            chosen();
+        });
+        m_row->addWidget(button);
+        m_buttons.append(button);
+    }
+}
+
+QString OfferBar::text() const
+{
+    return m_offers.isEmpty() ? QString() : m_offers.first().text;
+}
+
 UnsavedBar::UnsavedBar(Workspace &workspace, QWidget *parent)
     : QFrame(parent)
     , m_workspace(workspace)
@@ -91,6 +161,7 @@ UnsavedBar::UnsavedBar(Workspace &workspace, QWidget *parent)
     , m_undo(new QPushButton(tr("&Undo")))
     , m_redo(new QPushButton(tr("&Redo")))
     , m_discard(new QPushButton(tr("&Discard")))
+    , m_saveFile(new QPushButton(tr("Save to &file…")))
     , m_write(new QPushButton(tr("Review and &write…")))
 {
     setObjectName(u"unsavedBar"_s);
@@ -104,7 +175,9 @@ UnsavedBar::UnsavedBar(Workspace &workspace, QWidget *parent)
     for (QPushButton *button : {m_undo, m_redo, m_discard})
         layout->addWidget(button);
     layout->addSpacing(Metric::kMargin);
+    layout->addWidget(m_saveFile);
     layout->addWidget(m_write);
+    connect(m_saveFile, &QPushButton::clicked, this, &UnsavedBar::saveFileRequested);
     QUndoStack &stack = workspace.edits().undoStack();
     connect(m_undo, &QPushButton::clicked, &stack, &QUndoStack::undo);
     connect(m_redo, &QPushButton::clicked, &stack, &QUndoStack::redo);
@@ -139,7 +212,10 @@ void UnsavedBar::refresh()
     const bool canWrite = count > 0 && m_workspace.client().isConnected() && m_workspace.client().identity().writable
         && !m_workspace.isWriting();
     m_write->setEnabled(canWrite);
-    m_write->setToolTip(canWrite || count == 0 ? QString() : tr("Connect the board to write to it"));
+    m_write->setToolTip(canWrite || count == 0 ? tr("Ctrl+S") : tr("Connect the board to write to it"));
+    const QString offline = m_workspace.offlineFile();
+    m_saveFile->setVisible(!model.isEmpty() && !m_workspace.client().isConnected());
+    m_saveFile->setToolTip(offline);
     setVisible(count > 0 || stack.canRedo());
 }
 
@@ -164,6 +240,7 @@ StatusStrip::StatusStrip(Workspace &workspace, QWidget *parent)
     connect(&workspace.client(), &DeviceClient::statisticsChanged, this, &StatusStrip::refresh);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &StatusStrip::refresh);
     connect(&workspace.theme(), &Theme::changed, this, &StatusStrip::refresh);
+    connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &StatusStrip::refresh);
     refresh();
 }
 
@@ -175,7 +252,10 @@ void StatusStrip::refresh()
         return u"<span style='color:%1'>●</span> "_s.arg(theme.color(role).name());
     };
     if (!client.isConnected()) {
-        m_link->setText(dot(ColorRole::Muted) + tr("no link"));
+        const QString offline = m_workspace.offlineFile();
+        m_link->setText(dot(ColorRole::Muted)
+                        + (offline.isEmpty() ? tr("no link")
+                                             : tr("offline: editing %1").arg(QFileInfo(offline).fileName().toHtmlEscaped())));
         for (QLabel *label : {m_battery, m_temperature, m_faults})
             label->clear();
         return;
@@ -194,7 +274,7 @@ void StatusStrip::refresh()
     const double volts = m_workspace.latest(roles.battery);
     m_battery->setText(std::isnan(volts) ? QString() : tr("%1 V").arg(volts, 0, 'f', 1));
     const double celsius = m_workspace.latest(roles.temperature);
-    m_temperature->setText(std::isnan(celsius) ? QString() : tr("%1 °C").arg(celsius, 0, 'f', 0));
+    m_temperature->setText(temperatureText(celsius, m_workspace.settings().fahrenheit()));
     const auto faults = m_workspace.faults();
     if (faults.empty()) {
         m_faults->setText(m_workspace.motorsRunning() ? tr("no errors") : QString());

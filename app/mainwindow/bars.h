@@ -7,11 +7,13 @@
 #include <QFrame>
 #include <QTimer>
 
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QToolButton;
 
 /// What the operator must know, below the link bar: cause, meaning, cure; details folded; a button that copies it all.
+/// Questions stay beside it until they are answered.
 class MessageBar final : public QFrame
 {
     Q_OBJECT
@@ -26,10 +28,33 @@ private:
     void setSevere(bool severe);
 
     QLabel *m_text;
+    QLabel *m_detail;
+    QToolButton *m_more;
     QToolButton *m_copy;
     QToolButton *m_close;
     QTimer m_hide;
     QString m_full;
+};
+
+/// A question with its answers as buttons; stays until one was chosen. Questions queue up.
+class OfferBar final : public QFrame
+{
+    Q_OBJECT
+public:
+    explicit OfferBar(QWidget *parent = nullptr);
+    void ask(const Offer &offer);
+    /// Forgets all questions: they belonged to another board.
+    void clear();
+    [[nodiscard]] QString text() const;
+    [[nodiscard]] QList<QPushButton *> buttons() const { return m_buttons; }
+
+private:
+    void showFirst();
+
+    QList<Offer> m_offers;
+    QLabel *m_text;
+    QHBoxLayout *m_row;
+    QList<QPushButton *> m_buttons;
 };
 
 /// Only there while something is unsaved.
@@ -43,8 +68,11 @@ public:
     [[nodiscard]] QPushButton *redoButton() const { return m_redo; }
     [[nodiscard]] QPushButton *discardButton() const { return m_discard; }
 
+    [[nodiscard]] QPushButton *saveFileButton() const { return m_saveFile; }
+
 signals:
     void reviewRequested();
+    void saveFileRequested();
 
 private:
     void refresh();
@@ -54,6 +82,7 @@ private:
     QPushButton *m_undo;
     QPushButton *m_redo;
     QPushButton *m_discard;
+    QPushButton *m_saveFile;
     QPushButton *m_write;
 };
 

@@ -4,17 +4,19 @@
 
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/linkbar.h"
+#include "app/mainwindow/motorskeys.h"
+#include "app/mainwindow/navigation.h"
+#include "app/mainwindow/pagetable.h"
+#include "app/mainwindow/palettesource.h"
 #include "app/mainwindow/startpage.h"
-#include "app/pages/dashboardpage.h"
-#include "app/pages/monitorpage.h"
-#include "app/pages/parameterspage.h"
+#include "app/pages/helppage.h"
 
 #include <QApplication>
 #include <QCloseEvent>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QHBoxLayout>
-#include <QKeyEvent>
-#include <QListWidget>
+#include <QLineEdit>
 #include <QLoggingCategory>
 #include <QMessageBox>
 #include <QPushButton>
@@ -26,35 +28,56 @@ using namespace Qt::StringLiterals;
 
 Q_LOGGING_CATEGORY(logStart, "gimbal.start", QtWarningMsg)
 
-MainWindow::MainWindow(TransportFactory transports, QList<Family> families, Theme &theme, QWidget *parent)
+namespace {
+
+const QString kWindowLayout = u"window"_s;
+constexpr int kNumberedPages = 9;
+
+} // namespace
+
+MainWindow::MainWindow(Links links, QList<Family> families, Theme &theme, Settings &settings, QWidget *parent)
     : QMainWindow(parent)
-    , m_workspace(std::make_unique<Workspace>(std::move(transports), std::move(families), theme))
+    , m_workspace(std::make_unique<Workspace>(std::move(links), std::move(families), theme, settings))
     , m_linkBar(new LinkBar(*m_workspace))
     , m_messages(new MessageBar)
-    , m_navigation(new QListWidget)
+    , m_offers(new OfferBar)
+    , m_navigation(new Navigation)
     , m_stack(new QStackedWidget)
     , m_start(new StartPage)
     , m_unsavedBar(new UnsavedBar(*m_workspace))
     , m_status(new StatusStrip(*m_workspace))
+    , m_keys(new MotorsKeys(*m_workspace, this))
+    , m_themeChoice(settings.theme())
 {
     setWindowTitle(u"GimbalDesk"_s);
     setMinimumSize(1024, 640);
     resize(1280, 800);
+    restoreGeometry(settings.layout(kWindowLayout));
+    layoutFrame();
+    connectFrame();
+    addShortcuts();
+    m_start->setLeftovers(m_workspace->history().unsavedBases());
+    m_navigation->setCurrentPage(QLatin1String(pageTable().front().key));
+    updateStart();
+}
 
-    m_navigation->setObjectName(u"navigation"_s);
-    m_navigation->setAccessibleName(tr("Pages"));
-    m_navigation->setFixedWidth(168);
-    m_navigation->setIconSize({20, 20});
-    m_navigation->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+MainWindow::~MainWindow()
+{
+    // Dialogs and pages refer to the workspace, which goes first otherwise.
+    delete m_review;
+    delete m_palette;
+    delete m_keys;
+    delete takeCentralWidget();
+}
+
+void MainWindow::layoutFrame()
+{
     m_stack->addWidget(m_start);
-    addPage(new DashboardPage(*m_workspace));
-    addPage(new ParametersPage(*m_workspace));
-    addPage(new MonitorPage(*m_workspace));
-    m_navigation->setCurrentRow(0);
-
     auto *messageHolder = new QWidget;
     auto *messageLayout = new QVBoxLayout(messageHolder);
     messageLayout->setContentsMargins(Metric::kMargin, Metric::kGap, Metric::kMargin, 0);
+    messageLayout->setSpacing(Metric::kGap);
+    messageLayout->addWidget(m_offers);
     messageLayout->addWidget(m_messages);
     auto *right = new QVBoxLayout;
     right->setContentsMargins(0, 0, 0, 0);
@@ -75,71 +98,62 @@ MainWindow::MainWindow(TransportFactory transports, QList<Family> families, Them
     layout->addWidget(m_unsavedBar);
     layout->addWidget(m_status);
     setCentralWidget(central);
+}
 
-    connect(m_workspace.get(), &Workspace::problem, m_messages, &MessageBar::showProblem);
-    connect(m_workspace.get(), &Workspace::notice, m_messages, &MessageBar::showNotice);
+void MainWindow::connectFrame()
+{
+    Workspace *workspace = m_workspace.get();
+    connect(workspace, &Workspace::problem, m_messages, &MessageBar::showProblem);
+    connect(workspace, &Workspace::notice, m_messages, &MessageBar::showNotice);
+    connect(workspace, &Workspace::offer, m_offers, &OfferBar::ask);
+    connect(m_keys, &MotorsKeys::holdStarted, this,
+            [this] { m_messages->showNotice(tr("Hold Esc to switch the motors off.")); });
     connect(m_unsavedBar, &UnsavedBar::reviewRequested, this, &MainWindow::review);
+    connect(m_unsavedBar, &UnsavedBar::saveFileRequested, this, &MainWindow::askSaveFile);
     connect(m_start, &StartPage::connectRequested, this, [this] {
         m_linkBar->addressBox()->setFocus();
         m_linkBar->addressBox()->showPopup();
     });
+    connect(m_start, &StartPage::fileRequested, this, &MainWindow::askOpenFile);
+    connect(m_start, &StartPage::leftoverRequested, this, &MainWindow::openFile);
     connect(m_start, &StartPage::demoRequested, this,
             [this] { openLink(u"sim:"_s + m_workspace->client().families().first().key); });
-    connect(m_navigation, &QListWidget::currentRowChanged, this, [this] { updateStart(); });
-    connect(&m_workspace->configuration(), &ConfigurationModel::boardReset, this, &MainWindow::updateStart);
-    connect(&m_workspace->client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
-        if (state == DeviceClient::State::Connecting)
+    connect(m_navigation, &Navigation::pageChosen, this, &MainWindow::updateStart);
+    connect(&workspace->configuration(), &ConfigurationModel::boardReset, this, &MainWindow::updateStart);
+    connect(&workspace->configuration(), &ConfigurationModel::changeCountChanged, this, &MainWindow::updateMarks);
+    connect(&workspace->client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
+        if (state == DeviceClient::State::Connecting) {
             m_messages->hide();
+            m_offers->clear();
+        }
         updateStart();
     });
-    addShortcuts();
-    // F12 stops the motors from every window and dialog, whatever has the focus.
-    qApp->installEventFilter(this);
-    updateStart();
-}
-
-MainWindow::~MainWindow()
-{
-    // Dialog and pages refer to the workspace, which goes first otherwise.
-    delete m_review;
-    delete takeCentralWidget();
-}
-
-void MainWindow::addPage(Page *page)
-{
-    m_pages.append(page);
-    m_stack->addWidget(page);
-    auto *item = new QListWidgetItem(QIcon(u":/icons/%1.svg"_s.arg(page->key())), page->title(), m_navigation);
-    item->setToolTip(tr("%1 (Ctrl+%2)").arg(page->title()).arg(m_pages.size()));
-    item->setSizeHint({160, 40});
-    connect(page, &Page::changesChanged, this, &MainWindow::updateMarks);
+    connect(&workspace->settings(), &Settings::changed, this, &MainWindow::applyTheme);
 }
 
 void MainWindow::addShortcuts()
 {
-    for (int i = 0; i < m_pages.size(); ++i) {
-        connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)), this), &QShortcut::activated, this,
-                [this, i] { m_navigation->setCurrentRow(i); });
-    }
+    const auto on = [this](const QKeySequence &keys, auto action) {
+        connect(new QShortcut(keys, this), &QShortcut::activated, this, action);
+    };
+    for (int i = 0; i < std::min<int>(kNumberedPages, int(pageTable().size())); ++i)
+        on(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)), [this, i] { showPage(QLatin1String(pageTable()[std::size_t(i)].key)); });
     QUndoStack *stack = &m_workspace->edits().undoStack();
-    connect(new QShortcut(QKeySequence::Undo, this), &QShortcut::activated, stack, &QUndoStack::undo);
-    connect(new QShortcut(QKeySequence::Redo, this), &QShortcut::activated, stack, &QUndoStack::redo);
-    connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_S), this), &QShortcut::activated, this, &MainWindow::review);
-    connect(new QShortcut(QKeySequence::Refresh, this), &QShortcut::activated, m_workspace.get(), &Workspace::readBoard);
-}
-
-bool MainWindow::eventFilter(QObject *watched, QEvent *event)
-{
-    if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
-        const auto *key = static_cast<QKeyEvent *>(event);
-        if (key->key() == Qt::Key_F12 && !key->isAutoRepeat()) {
-            if (event->type() == QEvent::KeyPress && watched->isWidgetType())
-                m_workspace->setMotors(false);
-            event->accept();
-            return event->type() == QEvent::KeyPress && watched->isWidgetType();
-        }
-    }
-    return QMainWindow::eventFilter(watched, event);
+    on(QKeySequence::Undo, [stack] { stack->undo(); });
+    on(QKeySequence::Redo, [stack] { stack->redo(); });
+    on(QKeySequence(Qt::CTRL | Qt::Key_S), [this] {
+        if (m_workspace->client().isConnected())
+            review();
+        else if (!m_workspace->configuration().isEmpty())
+            askSaveFile();
+    });
+    on(QKeySequence(Qt::CTRL | Qt::Key_O), [this] { askOpenFile(); });
+    on(QKeySequence(Qt::CTRL | Qt::Key_K), [this] { showPalette(); });
+    on(QKeySequence(Qt::Key_F1), [this] { showHelp(); });
+    on(QKeySequence(QKeySequence::Refresh), [this] {
+        if (m_workspace->client().isConnected())
+            m_workspace->readBoard();
+    });
 }
 
 void MainWindow::openLink(const QString &address)
@@ -153,31 +167,87 @@ void MainWindow::openLink(const QString &address)
     m_workspace->connectTo(*parsed, m_workspace->client().families().first().key);
 }
 
-bool MainWindow::showPage(const QString &key)
+void MainWindow::openFile(const QString &path)
 {
-    for (int i = 0; i < m_pages.size(); ++i) {
-        if (m_pages[i]->key() == key) {
-            m_navigation->setCurrentRow(i);
-            return true;
-        }
-    }
-    return false;
+    if (const auto opened = m_workspace->openFile(path); !opened)
+        m_messages->showProblem(describe(opened.error()));
+    else
+        showPage(u"parameters"_s);
 }
 
-// Pages come alive with the first board; until then there is one card that says how to begin.
+void MainWindow::askOpenFile()
+{
+    if (m_workspace->client().isConnected()) {
+        showPage(u"backups"_s);   // with a board, a file is something to compare with and to load
+        return;
+    }
+    auto *dialog = new QFileDialog(this, tr("Open a configuration"), BoardHistory::defaultRoot(),
+                                   tr("GimbalDesk configurations (*.json)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openFile);
+    dialog->open();
+}
+
+void MainWindow::askSaveFile()
+{
+    auto *dialog = new QFileDialog(this, tr("Save the configuration"), {}, tr("GimbalDesk configurations (*.json)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(u"json"_s);
+    dialog->selectFile(u"gimbal.json"_s);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) {
+        if (const auto saved = m_workspace->saveFile(path); !saved)
+            m_messages->showProblem(describe(saved.error()));
+        else
+            m_messages->showNotice(tr("Saved to %1").arg(path));
+    });
+    dialog->open();
+}
+
+Page *MainWindow::page(const QString &key)
+{
+    if (Page *made = m_pages.value(key))
+        return made;
+    for (const PageEntry &entry : pageTable()) {
+        if (key != QLatin1String(entry.key))
+            continue;
+        Page *made = entry.make(*m_workspace);
+        m_pages.insert(key, made);
+        m_stack->addWidget(made);
+        connect(made, &Page::changesChanged, this, &MainWindow::updateMarks);
+        return made;
+    }
+    return nullptr;
+}
+
+bool MainWindow::showPage(const QString &key)
+{
+    if (!page(key))
+        return false;
+    m_navigation->setCurrentPage(key);
+    return true;
+}
+
+// Pages come alive with the first board or file; until then there is one card that says how to begin.
 void MainWindow::updateStart()
 {
-    const bool begin = m_workspace->configuration().isEmpty() && !m_workspace->client().isConnected();
-    QWidget *wanted = begin ? static_cast<QWidget *>(m_start) : m_pages.value(m_navigation->currentRow());
+    const QString key = m_navigation->currentPage();
+    const bool needsBoard = key != u"settings"_s && key != u"help"_s;
+    const bool begin = needsBoard && m_workspace->configuration().isEmpty() && !m_workspace->client().isConnected();
+    QWidget *wanted = begin ? static_cast<QWidget *>(m_start) : page(key);
     if (wanted && m_stack->currentWidget() != wanted)
         m_stack->setCurrentWidget(wanted);
 }
 
 void MainWindow::updateMarks()
 {
-    for (int i = 0; i < m_pages.size(); ++i) {
-        const bool changed = m_pages[i]->hasChanges();
-        m_navigation->item(i)->setText(changed ? m_pages[i]->title() + u"  •"_s : m_pages[i]->title());
+    const ConfigurationModel &model = m_workspace->configuration();
+    m_navigation->setMarked(u"parameters"_s, !model.isEmpty() && !model.changes().empty());
+    m_navigation->setMarked(u"profiles"_s, !model.isEmpty() && model.namesChanged());
+    for (auto it = m_pages.begin(); it != m_pages.end(); ++it) {
+        if (it.key() != u"parameters"_s && it.key() != u"profiles"_s)
+            m_navigation->setMarked(it.key(), it.value()->hasChanges());
     }
 }
 
@@ -196,6 +266,38 @@ void MainWindow::review()
     m_review->open();
 }
 
+void MainWindow::showPalette()
+{
+    if (m_palette)
+        return;
+    m_palette = new CommandPalette(paletteEntries(*this), this);
+    m_palette->open();
+    m_palette->input()->setFocus();
+}
+
+void MainWindow::showHelp()
+{
+    const bool start = m_stack->currentWidget() == m_start;
+    const QString topic = start ? u"start"_s : m_navigation->currentPage();
+    if (auto *help = qobject_cast<HelpPage *>(page(u"help"_s))) {
+        if (topic != u"help"_s)
+            help->showTopic(topic);
+        showPage(u"help"_s);
+    }
+}
+
+void MainWindow::applyTheme()
+{
+    const Settings::ThemeChoice choice = m_workspace->settings().theme();
+    if (choice == std::exchange(m_themeChoice, choice))
+        return;
+    Theme &theme = m_workspace->theme();
+    theme.setMode(choice == Settings::ThemeChoice::Light  ? Theme::Mode::Light
+                  : choice == Settings::ThemeChoice::Dark ? Theme::Mode::Dark
+                                                          : Theme::Mode::System);
+    theme.apply();
+}
+
 void MainWindow::paintEvent(QPaintEvent *event)
 {
     QMainWindow::paintEvent(event);
@@ -204,26 +306,41 @@ void MainWindow::paintEvent(QPaintEvent *event)
         qCDebug(logStart) << "first paint";
 }
 
+void MainWindow::askBeforeLeaving()
+{
+    auto *box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
+                                tr("%n change(s) are not on the board.", nullptr,
+                                   m_workspace->configuration().changeCount()),
+                                QMessageBox::NoButton, this);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    auto *keep = box->addButton(tr("Quit and keep them for next time"), QMessageBox::AcceptRole);
+    auto *discard = box->addButton(tr("Discard and quit"), QMessageBox::DestructiveRole);
+    auto *stay = box->addButton(tr("Stay"), QMessageBox::RejectRole);
+    box->setDefaultButton(stay);
+    box->setEscapeButton(stay);
+    const auto leave = [this] {
+        m_leaving = true;
+        close();
+    };
+    connect(keep, &QPushButton::clicked, this, leave);
+    connect(discard, &QPushButton::clicked, this, [this, leave] {
+        m_workspace->edits().discardAll();
+        leave();
+    });
+    box->open();
+}
+
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    if (m_workspace->configuration().changeCount() > 0) {
-        auto *box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
-                                    tr("%n change(s) are not on the board. They are lost when the program ends.", nullptr,
-                                       m_workspace->configuration().changeCount()),
-                                    QMessageBox::NoButton, this);
-        box->setAttribute(Qt::WA_DeleteOnClose);
-        auto *leave = box->addButton(tr("Discard and quit"), QMessageBox::DestructiveRole);
-        auto *stay = box->addButton(tr("Stay"), QMessageBox::RejectRole);
-        box->setDefaultButton(stay);
-        box->setEscapeButton(stay);
-        connect(leave, &QPushButton::clicked, this, [this] {
-            m_workspace->edits().discardAll();
-            close();
-        });
-        box->open();
+    if (m_workspace->configuration().changeCount() > 0 && !m_leaving) {
+        askBeforeLeaving();
         event->ignore();
         return;
     }
+    m_workspace->settings().setLayout(kWindowLayout, saveGeometry());
+    m_workspace->journal().flush();
+    if (m_workspace->settings().motorsOffOnQuit() && m_workspace->client().isConnected())
+        m_workspace->client().motorsOff();
     m_workspace->client().disconnectFromBoard();
     QMainWindow::closeEvent(event);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/mainwindow/commandpalette.h"
 #include "app/pages/page.h"
 #include "widgets/forms/reviewdialog.h"
 
@@ -10,51 +11,72 @@
 
 class LinkBar;
 class MessageBar;
-class QListWidget;
+class MotorsKeys;
+class Navigation;
+class OfferBar;
 class QStackedWidget;
 class StartPage;
 class StatusStrip;
 class UnsavedBar;
 
-/// The frame: link bar, messages, navigation, pages, unsaved bar, status.
+/// The frame: link bar, messages, navigation, pages, unsaved bar, status. Pages are made when they are first shown.
 class MainWindow final : public QMainWindow
 {
     Q_OBJECT
 public:
-    MainWindow(TransportFactory transports, QList<Family> families, Theme &theme, QWidget *parent = nullptr);
+    MainWindow(Links links, QList<Family> families, Theme &theme, Settings &settings, QWidget *parent = nullptr);
     ~MainWindow() override;
 
     [[nodiscard]] Workspace &workspace() { return *m_workspace; }
     [[nodiscard]] LinkBar *linkBar() const { return m_linkBar; }
     [[nodiscard]] UnsavedBar *unsavedBar() const { return m_unsavedBar; }
     [[nodiscard]] MessageBar *messageBar() const { return m_messages; }
-    [[nodiscard]] const QList<Page *> &pages() const { return m_pages; }
+    [[nodiscard]] OfferBar *offerBar() const { return m_offers; }
+    [[nodiscard]] Navigation *navigation() const { return m_navigation; }
     [[nodiscard]] ReviewDialog *reviewDialog() const { return m_review; }
+    [[nodiscard]] CommandPalette *commandPalette() const { return m_palette; }
+    [[nodiscard]] StartPage *startPage() const { return m_start; }
 
     void openLink(const QString &address);
+    /// Opens a configuration file without a board.
+    void openFile(const QString &path);
+    /// The page with that key, made if need be; null if there is none.
+    Page *page(const QString &key);
     /// False if there is no such page.
     bool showPage(const QString &key);
     void review();
+    void showPalette();
+    /// The help text of the page that is shown.
+    void showHelp();
 
 protected:
     void closeEvent(QCloseEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    void addPage(Page *page);
+    void layoutFrame();
+    void connectFrame();
     void addShortcuts();
     void updateMarks();
     void updateStart();
+    void askOpenFile();
+    void askSaveFile();
+    void askBeforeLeaving();
+    void applyTheme();
 
     std::unique_ptr<Workspace> m_workspace;
     LinkBar *m_linkBar;
     MessageBar *m_messages;
-    QListWidget *m_navigation;
+    OfferBar *m_offers;
+    Navigation *m_navigation;
     QStackedWidget *m_stack;
     StartPage *m_start;
     UnsavedBar *m_unsavedBar;
     StatusStrip *m_status;
-    QList<Page *> m_pages;
+    MotorsKeys *m_keys;
+    Settings::ThemeChoice m_themeChoice;
+    QHash<QString, Page *> m_pages;
     QPointer<ReviewDialog> m_review;
+    QPointer<CommandPalette> m_palette;
+    bool m_leaving = false;
 };

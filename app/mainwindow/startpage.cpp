@@ -5,18 +5,29 @@
 #include "widgets/theme/theme.h"
 #include "widgets/views/card.h"
 
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+constexpr int kMostLeftovers = 3;
+
+} // namespace
+
 StartPage::StartPage(QWidget *parent)
     : QWidget(parent)
+    , m_leftovers(new QVBoxLayout)
 {
     auto *card = new Card({});
-    card->setMaximumWidth(560);
+    card->setMaximumWidth(600);
     auto *title = new QLabel(tr("No gimbal yet"));
     QFont font = title->font();
     font.setPointSizeF(font.pointSizeF() + 8);
@@ -29,9 +40,12 @@ StartPage::StartPage(QWidget *parent)
     auto *connectButton = new QPushButton(tr("&Choose a port"));
     connectButton->setObjectName(u"primary"_s);
     auto *demo = new QPushButton(tr("&Try the simulated gimbal"));
+    auto *open = new QPushButton(tr("&Open a file"));
+    open->setToolTip(tr("Look at a snapshot or a saved configuration and edit it without a board"));
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(Metric::kGap);
     buttons->addWidget(connectButton);
+    buttons->addWidget(open);
     buttons->addWidget(demo);
     buttons->addStretch(1);
     auto *hint = new QLabel(tr("The simulated gimbal shakes, drifts and answers like a real one: a safe place to learn."));
@@ -43,6 +57,7 @@ StartPage::StartPage(QWidget *parent)
     card->content()->addWidget(text);
     card->content()->addLayout(buttons);
     card->content()->addWidget(hint);
+    card->content()->addLayout(m_leftovers);
     auto *layout = new QVBoxLayout(this);
     auto *row = new QHBoxLayout;
     row->addStretch(1);
@@ -53,4 +68,26 @@ StartPage::StartPage(QWidget *parent)
     layout->addStretch(2);
     connect(connectButton, &QPushButton::clicked, this, &StartPage::connectRequested);
     connect(demo, &QPushButton::clicked, this, &StartPage::demoRequested);
+    connect(open, &QPushButton::clicked, this, &StartPage::fileRequested);
+}
+
+void StartPage::setLeftovers(const QStringList &bases)
+{
+    while (QLayoutItem *item = m_leftovers->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    if (bases.isEmpty())
+        return;
+    auto *title = new QLabel(tr("Unsaved changes of an earlier run:"));
+    title->setObjectName(u"changed"_s);
+    m_leftovers->addWidget(title);
+    for (const QString &base : bases.mid(0, kMostLeftovers)) {
+        const QString serial = QFileInfo(base).dir().dirName() == u"unsaved"_s
+            ? QFileInfo(QFileInfo(base).path()).dir().dirName() : QFileInfo(base).baseName();
+        const QString when = QLocale().toString(QFileInfo(base).lastModified(), QLocale::ShortFormat);
+        auto *button = new QPushButton(tr("Board %1, %2").arg(serial, when));
+        connect(button, &QPushButton::clicked, this, [this, base] { emit leftoverRequested(base); });
+        m_leftovers->addWidget(button, 0, Qt::AlignLeft);
+    }
 }

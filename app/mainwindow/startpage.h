@@ -4,14 +4,24 @@
 
 #include <QWidget>
 
-/// The first thing a new operator sees: connect, or try the simulated gimbal.
+class QVBoxLayout;
+
+/// The first thing a new operator sees: connect, open a file, or try the simulated gimbal; and what an earlier run has left.
 class StartPage final : public QWidget
 {
     Q_OBJECT
 public:
     explicit StartPage(QWidget *parent = nullptr);
 
+    /// Files with unsaved edits of earlier runs.
+    void setLeftovers(const QStringList &bases);
+
 signals:
     void connectRequested();
     void demoRequested();
+    void fileRequested();
+    void leftoverRequested(const QString &base);
+
+private:
+    QVBoxLayout *m_leftovers;
 };

@@ -64,7 +64,6 @@ bool Tour::save(QWidget *widget, const QString &name)
 void Tour::next()
 {
     m_limit.start(kLimit);
-    const QList<Page *> &pages = m_window.pages();
     // The monitor was shown while everything settled; then each page in its turn, then edits and their review.
     switch (m_stage++) {
     case 0:
@@ -91,10 +90,7 @@ void Tour::next()
         change(u"pid.roll.d"_s, profile, 36);
         change(u"motor.yaw.power"_s, profile, 170);
         change(u"follow.yaw.speed"_s, 1, 40);
-        for (Page *page : pages) {
-            if (auto *parameters = qobject_cast<ParametersPage *>(page))
-                parameters->showParameter(u"pid.roll.p"_s);
-        }
+        static_cast<ParametersPage *>(m_window.page(u"parameters"_s))->showParameter(u"pid.roll.p"_s);
         break;
     }
     case 3:

@@ -128,7 +128,7 @@ void DashboardPage::refreshFacts()
     };
     if (roles.current >= 0)
         row(tr("Current"), number(workspace().latest(roles.current), 2, u"A"_s));
-    row(tr("Sensor temperature"), number(workspace().latest(roles.temperature), 0, u"°C"_s));
+    row(tr("Sensor temperature"), temperatureText(workspace().latest(roles.temperature), workspace().settings().fahrenheit()));
     row(tr("Control cycle"), number(workspace().latest(roles.cycleTime), 0, u"µs"_s));
     row(tr("Sensor bus errors"), number(workspace().latest(roles.busErrors), 0, {}));
     const LinkStatistics &link = workspace().client().statistics();

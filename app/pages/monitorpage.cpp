@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/monitorpage.h"
 
+#include "protocol/record/telemetrycsv.h"
 #include "widgets/plot/plotview.h"
 
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QSaveFile>
+#include <QShortcut>
 #include <QSplitter>
 #include <QTreeView>
 #include <QVBoxLayout>
@@ -20,10 +22,10 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr auto kValuePeriod = 100ms;
-constexpr qint64 kSlowFrameMs = 12;     // a frame over this, a few times in a row, halves the rate
-constexpr int kSlowFramesInARow = 5;
 constexpr std::array<double, 6> kWindows{2, 5, 10, 30, 60, 600};
 constexpr int kDefaultWindow = 2;
+constexpr double kShortestWindow = 0.1;
+constexpr double kLongestWindow = 3600;
 
 } // namespace
 
@@ -34,6 +36,7 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     , m_empty(new QLabel(tr("Tick channels on the left to see them here.")))
     , m_window(new QComboBox)
     , m_pause(new QPushButton(tr("Pause")))
+    , m_export(new QPushButton(tr("Export…")))
     , m_note(new QLabel)
 {
     for (const double seconds : kWindows)
@@ -42,11 +45,17 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     m_window->setAccessibleName(tr("Time shown"));
     m_window->setToolTip(tr("Time shown"));
     m_pause->setCheckable(true);
-    m_pause->setToolTip(tr("Hold the picture still; recording goes on"));
+    m_pause->setToolTip(tr("Hold the picture still while data goes on (Space in the plot). The wheel zooms, dragging moves, "
+                           "arrow keys move the cursor, End goes on."));
     m_note->setObjectName(u"muted"_s);
     header()->addWidget(m_note);
     header()->addWidget(m_window);
     header()->addWidget(m_pause);
+    header()->addWidget(m_export);
+    m_export->setToolTip(tr("Save what is seen as a CSV file"));
+    connect(m_export, &QPushButton::clicked, this, &MonitorPage::askExport);
+    auto *space = new QShortcut(Qt::Key_Space, m_stack, m_pause, &QPushButton::toggle);
+    space->setContext(Qt::WidgetWithChildrenShortcut);
 
     m_tree->setModel(&m_channels);
     m_tree->setAccessibleName(tr("Telemetry channels"));
@@ -72,28 +81,20 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     split->setSizes({330, 900});
     body()->addWidget(split, 1);
 
-    m_frameTimer.setTimerType(Qt::PreciseTimer);
-    connect(&m_frameTimer, &QTimer::timeout, this, &MonitorPage::frame);
     m_valueTimer.setInterval(kValuePeriod);
     connect(&m_valueTimer, &QTimer::timeout, this, [this] {
         m_channels.refresh();
         updateNote();
     });
     connect(&m_channels, &ChannelModel::ticksChanged, this, &MonitorPage::onTicks);
-    connect(m_window, &QComboBox::currentIndexChanged, this, [this] {
-        for (PlotView *plot : m_plots)
-            plot->setWindow(m_window->currentData().toDouble());
-        updateRate();
-    });
-    connect(m_pause, &QPushButton::toggled, this, [this](bool on) {
-        m_pause->setText(on ? tr("Continue") : tr("Pause"));
-        for (PlotView *plot : m_plots)
-            plot->setPaused(on);
-    });
+    connect(m_window, &QComboBox::activated, this, [this] { setSeconds(m_window->currentData().toDouble()); });
+    connect(m_pause, &QPushButton::toggled, this, &MonitorPage::setPaused);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
         if (state == DeviceClient::State::Connected)
             onStore();
     });
+    if (workspace.client().isConnected())
+        onStore();
 }
 
 void MonitorPage::onStore()
@@ -137,54 +138,129 @@ void MonitorPage::onTicks()
         delete m_plots.takeLast();
     while (m_plots.size() < byUnit.size()) {
         auto *plot = new PlotView(workspace().theme());
-        plot->setWindow(m_window->currentData().toDouble());
-        plot->setPaused(m_pause->isChecked());
+        plot->setWindow(m_seconds);
+        if (m_pause->isChecked() && !m_plots.isEmpty())
+            plot->hold(m_plots.first()->endTime());
+        connectPlot(plot);
         m_stack->addWidget(plot);
         m_plots.append(plot);
     }
     for (qsizetype i = 0; i < byUnit.size(); ++i)
         m_plots[i]->setChannels(table, byUnit[i].second, client.telemetry());
     m_empty->setVisible(byUnit.isEmpty());
-    updateRate();
+    m_export->setEnabled(!byUnit.isEmpty());
+    m_clock.setPlots(m_plots);
 }
 
 void MonitorPage::showEvent(QShowEvent *event)
 {
     Page::showEvent(event);
     m_valueTimer.start();
-    updateRate();
-    m_frameTimer.start();
+    m_clock.start();
 }
 
 void MonitorPage::hideEvent(QHideEvent *event)
 {
     Page::hideEvent(event);
-    m_frameTimer.stop();
+    m_clock.stop();
     m_valueTimer.stop();
 }
 
-void MonitorPage::frame()
+void MonitorPage::connectPlot(PlotView *plot)
 {
-    if (window()->isMinimized())
-        return;
-    QElapsedTimer timer;
-    timer.start();
-    for (PlotView *plot : m_plots)
-        plot->advance();
-    m_slowFrames = timer.elapsed() > kSlowFrameMs ? m_slowFrames + 1 : 0;
-    if (m_slowFrames >= kSlowFramesInARow && m_rateDivider < 4) {
-        m_slowFrames = 0;
-        m_rateDivider *= 2;
-        updateRate();
+    connect(plot, &PlotView::zoomRequested, this, &MonitorPage::zoom);
+    connect(plot, &PlotView::panRequested, this, [this, plot](double seconds) {
+        const double end = plot->endTime() + seconds;
+        m_pause->setChecked(true);
+        holdAt(end);
+    });
+    connect(plot, &PlotView::followRequested, this, [this] { m_pause->setChecked(false); });
+    connect(plot, &PlotView::cursorMoved, this, [this](std::optional<double> time) {
+        for (PlotView *each : m_plots)
+            each->setCursorTime(time);
+    });
+}
+
+void MonitorPage::setSeconds(double seconds)
+{
+    m_seconds = std::clamp(seconds, kShortestWindow, kLongestWindow);
+    for (PlotView *plot : m_plots) {
+        plot->setWindow(m_seconds);
+        if (plot->isHeld())
+            plot->hold(plot->endTime());
+    }
+    const int known = m_window->findData(m_seconds);
+    if (known < 0) {
+        // A span made by zooming is shown as it is.
+        const int custom = int(kWindows.size());
+        const QString text = tr("%1 s").arg(m_seconds, 0, 'g', 3);
+        if (m_window->count() == custom)
+            m_window->addItem(text, m_seconds);
+        m_window->setItemText(custom, text);
+        m_window->setItemData(custom, m_seconds);
+        m_window->setCurrentIndex(custom);
+    } else {
+        m_window->setCurrentIndex(known);
+    }
+    m_clock.updateRate();
+}
+
+void MonitorPage::setPaused(bool paused)
+{
+    m_pause->setText(paused ? tr("Continue") : tr("Pause"));
+    for (PlotView *plot : m_plots) {
+        if (paused)
+            plot->hold(plot->endTime());
+        else
+            plot->follow();
     }
 }
 
-void MonitorPage::updateRate()
+void MonitorPage::holdAt(double end)
 {
-    int rate = 10;
-    for (const PlotView *plot : m_plots)
-        rate = std::max(rate, plot->usefulRate());
-    m_frameTimer.setInterval(1000 / std::max(5, rate / m_rateDivider));
+    const auto store = workspace().client().telemetry();
+    const double newest = store ? store->secondsAt(Clock::now()) : end;
+    for (PlotView *plot : m_plots)
+        plot->hold(std::min(end, newest));
+}
+
+void MonitorPage::zoom(double factor, double around)
+{
+    const double before = m_seconds;
+    const double end = m_plots.isEmpty() ? 0.0 : m_plots.first()->endTime();
+    setSeconds(m_seconds * factor);
+    // Live pictures keep their right edge, which is now; held ones keep the time under the cursor.
+    if (m_pause->isChecked())
+        holdAt(around + (end - around) * m_seconds / before);
+}
+
+Result<qint64> MonitorPage::exportCsv(const QString &path)
+{
+    const auto store = workspace().client().telemetry();
+    if (!store || m_plots.isEmpty())
+        return failure(ErrorCode::NotConnected);
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly))
+        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
+    const double end = m_plots.first()->endTime();
+    const auto lines = writeTelemetryCsv(file, *store, workspace().client().device()->channels(), m_channels.ticked(),
+                                         end - m_seconds, end);
+    if (!lines)
+        return lines;
+    if (!file.commit())
+        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
+    return lines;
+}
+
+void MonitorPage::askExport()
+{
+    askSavePath(tr("Save samples"), u"samples.csv"_s, tr("CSV files (*.csv)"), [this](const QString &path) {
+        const auto lines = exportCsv(path);
+        if (lines)
+            emit workspace().notice(tr("%1 lines saved to %2").arg(*lines).arg(path));
+        else
+            emit workspace().problem(describe(lines.error()));
+    });
 }
 
 void MonitorPage::updateNote()

@@ -5,6 +5,8 @@
 #include "app/pages/page.h"
 #include "widgets/models/channelmodel.h"
 
+#include "widgets/plot/plotclock.h"
+
 #include <QTimer>
 
 class PlotView;
@@ -22,6 +24,11 @@ public:
 
     [[nodiscard]] ChannelModel &channels() { return m_channels; }
     [[nodiscard]] const QList<PlotView *> &plots() const { return m_plots; }
+    [[nodiscard]] QPushButton *pauseButton() const { return m_pause; }
+    /// Seconds shown.
+    [[nodiscard]] double window() const { return m_seconds; }
+    /// Saves what is seen of the ticked channels. Errors: BadFile.
+    Result<qint64> exportCsv(const QString &path);
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -30,9 +37,13 @@ protected:
 private:
     void onStore();
     void onTicks();
-    void frame();
-    void updateRate();
     void updateNote();
+    void connectPlot(PlotView *plot);
+    void setSeconds(double seconds);
+    void setPaused(bool paused);
+    void holdAt(double end);
+    void zoom(double factor, double around);
+    void askExport();
 
     ChannelModel m_channels;
     QTreeView *m_tree;
@@ -40,11 +51,11 @@ private:
     QLabel *m_empty;
     QComboBox *m_window;
     QPushButton *m_pause;
+    QPushButton *m_export;
     QLabel *m_note;
     QList<PlotView *> m_plots;
-    QTimer m_frameTimer;       // one for all plots
+    PlotClock m_clock;
     QTimer m_valueTimer;
-    int m_slowFrames = 0;
-    int m_rateDivider = 1;
+    double m_seconds = 10;
     bool m_chosen = false;     // the operator (or the first board) has chosen channels
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/page.h"
 
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -30,4 +31,25 @@ Page::Page(Workspace &workspace, const QString &key, const QString &title, QWidg
     m_header->addStretch(1);
     layout->addLayout(m_header);
     layout->addLayout(m_body, 1);
+}
+
+void Page::askSavePath(const QString &title, const QString &name, const QString &filter,
+                       const std::function<void(const QString &)> &chosen)
+{
+    auto *dialog = new QFileDialog(this, title, {}, filter);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QFileInfo(name).suffix());
+    dialog->selectFile(name);
+    connect(dialog, &QFileDialog::fileSelected, this, chosen);
+    dialog->open();
+}
+
+void Page::askOpenPath(const QString &title, const QString &filter, const std::function<void(const QString &)> &chosen)
+{
+    auto *dialog = new QFileDialog(this, title, {}, filter);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, chosen);
+    dialog->open();
 }

@@ -42,7 +42,7 @@ private:
 
 constexpr int kGroupsColumn = 168;
 constexpr int kHelpColumn = 248;
-constexpr int kNarrowColumn = 208;
+constexpr int kNarrowColumn = 196;
 constexpr int kNarrowPage = 1000;
 
 QPushButton *makeChip(const QString &text)

@@ -4,6 +4,7 @@
 
 #include "protocol/procedure/writeconfiguration.h"
 
+#include <QFileInfo>
 #include <QSet>
 
 #include <algorithm>
@@ -18,12 +19,30 @@ constexpr auto kStale = 1500ms;
 
 } // namespace
 
-Workspace::Workspace(TransportFactory transports, QList<Family> families, Theme &theme, QObject *parent)
+QString temperatureText(double celsius, bool fahrenheit)
+{
+    if (std::isnan(celsius))
+        return {};
+    return fahrenheit ? Workspace::tr("%1 °F").arg(celsius * 1.8 + 32.0, 0, 'f', 0)
+                      : Workspace::tr("%1 °C").arg(celsius, 0, 'f', 0);
+}
+
+Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings &settings, QObject *parent)
     : QObject(parent)
     , m_theme(theme)
-    , m_client(std::move(transports), std::move(families))
+    , m_settings(settings)
+    , m_links(std::move(links))
+    , m_client(m_links.transports, std::move(families))
     , m_edits(m_configuration)
+    , m_journal(m_configuration, m_edits, m_history)
 {
+    connect(&m_journal, &EditJournal::leftoverFound, this, &Workspace::offerLeftover);
+    connect(&m_journal, &EditJournal::failed, this, [this](const Error &error) {
+        ErrorText text = describe(error);
+        text.meaning = tr("Unsaved edits would not survive a crash of the program.");
+        emit problem(text);
+    });
+    connect(&m_settings, &Settings::changed, this, &Workspace::applySettings);
     connect(&m_client, &DeviceClient::stateChanged, this, &Workspace::onState);
     connect(&m_client, &DeviceClient::connectionFailed, this, [this](const Error &error) {
         emit problem(describe(error));
@@ -54,8 +73,14 @@ Workspace::Workspace(TransportFactory transports, QList<Family> families, Theme 
     connect(&m_client, &DeviceClient::statisticsChanged, this, &Workspace::followActiveProfile);
 }
 
+Workspace::~Workspace()
+{
+    m_journal.flush();
+}
+
 void Workspace::connectTo(const LinkAddress &address, const QString &family)
 {
+    m_settings.setLastAddress(address.toString());
     m_client.connectTo(address, family);
 }
 
@@ -70,8 +95,15 @@ void Workspace::onState(DeviceClient::State state)
         emit notice(tr("Connected again."));
     if (!m_client.identity().writable)
         emit problem(describe({ErrorCode::ReadOnly, m_client.identity().firmware, 0}));
+    applySettings();
     updateWish();
     readBoard();
+}
+
+void Workspace::applySettings()
+{
+    if (const auto store = m_client.telemetry())
+        store->setRetention(m_settings.retentionMinutes() * 60.0);
 }
 
 void Workspace::readBoard()
@@ -88,12 +120,14 @@ void Workspace::readBoard()
                 emit problem(describe(read.error()));
             return;
         }
+        m_offlineFile.clear();
         if (!m_configuration.rebase(*read)) {
+            m_journal.flush();   // edits of another board stay in its journal
             m_edits.undoStack().clear();
             m_configuration.reset(*read);
         }
         if (std::exchange(m_writeInterrupted, false))
-            tellInterruptedWrite();
+            offerRepair();
         emit boardRead();
     });
 }
@@ -130,6 +164,8 @@ void Workspace::onReport(const Result<WriteReport> &result)
     if (!result->snapshotPath.isEmpty())
         m_backupDone = true;
     m_configuration.setBoard(result->onBoard);
+    if (!result->snapshotPath.isEmpty())
+        emit snapshotTaken();
     const int verified = result->count(WriteState::Verified);
     if (result->isComplete()) {
         QString text = result->lines.empty() ? tr("Profile names written and read back.")
@@ -154,8 +190,7 @@ void Workspace::onReport(const Result<WriteReport> &result)
     text.what = tr("The write is not complete: %1. ").arg(counts.join(u", "_s)) + text.what;
     m_writeInterrupted = result->count(WriteState::Unknown) > 0;
     if (m_writeInterrupted) {
-        text.cure = tr("When the board is back it is read again: what still shows as changed is not on it. Write again, "
-                       "or discard.");
+        text.cure = tr("When the board is back it is read again; then the write can be finished or undone.");
     }
     QStringList names;
     for (const WriteLine &line : result->lines)
@@ -164,23 +199,150 @@ void Workspace::onReport(const Result<WriteReport> &result)
     emit problem(text);
 }
 
-// After the reconnection the board was read again, so it is known what a broken write left behind.
-void Workspace::tellInterruptedWrite()
+// After the reconnection the board was read again, so it is known what a broken write left behind: the rest can be written,
+// or what got through can be put back. Either way it is an ordinary verified write.
+void Workspace::offerRepair()
 {
+    const Configuration &board = std::as_const(m_configuration).board();
+    Configuration finished = board;
+    Configuration undone = board;
     int missing = 0;
-    const ConfigurationModel &model = m_configuration;
+    int landed = 0;
     for (const WriteLine &line : m_lastReport->lines) {
-        const ParameterSpec *spec = model.board().parameters().find(line.spec->key);
-        missing += !spec || model.board().raw(*spec, line.profile) != line.to;
+        const ParameterSpec *spec = board.parameters().find(line.spec->key);
+        if (!spec)
+            continue;
+        if (board.raw(*spec, line.profile) == line.to) {
+            ++landed;
+            std::ignore = undone.setRaw(*spec, line.profile, line.from);
+        } else {
+            ++missing;
+            std::ignore = finished.setRaw(*spec, line.profile, line.to);
+        }
     }
-    ErrorText text;
-    text.what = tr("The last write was interrupted: %1 of %2 values are not on the board.").arg(missing)
-                    .arg(m_lastReport->lines.size());
-    text.meaning = tr("The board was read again; the values that are missing show as changed.");
-    text.cure = missing > 0 ? tr("Review and write again to finish, or discard to stay with what the board has.")
-                            : tr("Nothing is left to do.");
-    text.detail = m_lastReport->snapshotPath;
-    emit problem(text);
+    if (missing == 0) {
+        emit notice(tr("The interrupted write was complete: all %1 values are on the board.").arg(landed));
+        return;
+    }
+    Offer question;
+    question.text = tr("The last write was interrupted: %1 of %2 values are not on the board.").arg(missing)
+                        .arg(missing + landed);
+    if (landed == 0)
+        question.text += u' ' + tr("The board holds the old values.");
+    question.choices.append({tr("Finish: write %n value(s)", nullptr, missing), [this, finished] { write(finished); }});
+    if (landed > 0)
+        question.choices.append({tr("Undo: put %n value(s) back", nullptr, landed), [this, undone] { write(undone); }});
+    question.choices.append({tr("Leave it so"), [] { }});
+    emit offer(question);
+}
+
+void Workspace::offerLeftover(int steps)
+{
+    Offer question;
+    question.text = tr("%n unsaved step(s) of an earlier run belong to this board.", nullptr, steps);
+    question.choices.append({tr("Restore them"), [this] {
+        if (!m_journal.restoreLeftover())
+            emit notice(tr("Nothing of it fits this board any more."));
+    }});
+    question.choices.append({tr("Throw them away"), [this] { m_journal.dropLeftover(); }});
+    emit offer(question);
+}
+
+Result<ConfigurationFile> Workspace::loadFile(const QString &path) const
+{
+    return ConfigurationFile::load(path, [this](const BoardIdentity &identity) -> std::shared_ptr<const ParameterSet> {
+        for (const Family &family : m_client.families()) {
+            if (family.key == identity.family)
+                return family.makeParameters(identity);
+        }
+        return nullptr;
+    });
+}
+
+Result<void> Workspace::openFile(const QString &path)
+{
+    if (m_client.isConnected())
+        return failure(ErrorCode::Busy, u"disconnect first"_s);
+    const auto file = loadFile(path);
+    if (!file)
+        return tl::unexpected(file.error());
+    m_journal.flush();
+    m_edits.undoStack().clear();
+    m_offlineFile = path;
+    m_configuration.reset(file->configuration);
+    if (!file->unknownKeys.isEmpty()) {
+        emit notice(tr("%n entry(s) of the file are unknown and were left out.", nullptr,
+                       int(file->unknownKeys.size())));
+    }
+    return {};
+}
+
+Result<void> Workspace::applyFile(const QString &path, std::optional<int> from, int to)
+{
+    if (m_configuration.isEmpty())
+        return failure(ErrorCode::NotConnected);
+    const auto file = loadFile(path);
+    if (!file)
+        return tl::unexpected(file.error());
+    if (file->configuration.identity().family != std::as_const(m_configuration).board().identity().family)
+        return failure(ErrorCode::BadFile, tr("The file is of another family of boards."));
+    QStringList skipped;
+    const Configuration wanted = applied(std::as_const(m_configuration).edited(), file->configuration, skipped);
+    const QString name = QFileInfo(path).fileName();
+    if (from)
+        m_edits.applyProfile(wanted, *from, to, tr("Load profile %1 from %2").arg(to + 1).arg(name));
+    else
+        m_edits.apply(wanted, tr("Load %1").arg(name));
+    if (!skipped.isEmpty()) {
+        emit notice(tr("%n value(s) of the file do not fit this board and were left out: %1", nullptr,
+                       int(skipped.size())).arg(skipped.mid(0, 8).join(u", "_s)));
+    }
+    return {};
+}
+
+Result<void> Workspace::saveFile(const QString &path) const
+{
+    return ConfigurationFile::save(path, m_configuration.edited(), u"saved by the operator"_s);
+}
+
+void Workspace::takeSnapshot()
+{
+    const auto saved = m_history.save(std::as_const(m_configuration).board(), u"by the operator"_s);
+    if (!saved) {
+        emit problem(describe(saved.error()));
+        return;
+    }
+    emit notice(tr("Snapshot taken."));
+    emit snapshotTaken();
+}
+
+QFuture<Result<ActionOutcome>> Workspace::perform(const QString &key, const QVariantMap &arguments, bool quiet)
+{
+    const auto actions = m_client.device() ? m_client.device()->actions() : std::span<const ActionSpec>();
+    const auto it = std::find_if(actions.begin(), actions.end(),
+                                 [&key](const ActionSpec &spec) { return key == QLatin1String(spec.key); });
+    const bool moving = it != actions.end() && it->isProcedure;
+    return m_client.submit<ActionOutcome>([key, arguments, history = m_history](Channel &channel, Device &device) {
+        return performSafely(channel, device, key, arguments, history);
+    }, moving ? DeviceClient::JobKind::Moving : DeviceClient::JobKind::Quiet)
+        .then(this, [this, quiet](const Result<ActionOutcome> &outcome) {
+            if (!outcome && !quiet)
+                emit problem(describe(outcome.error()));
+            if (outcome && !outcome->snapshotPath.isEmpty())
+                emit snapshotTaken();
+            return outcome;
+        });
+}
+
+bool Workspace::isSimulated() const
+{
+    return m_client.isConnected() && m_client.address().kind() == LinkAddress::Kind::Simulator;
+}
+
+void Workspace::changeWorld(const QString &assignment)
+{
+    if (const auto changed = m_links.changeWorld(m_client.address(), assignment); !changed)
+        emit problem(describe(changed.error()));
 }
 
 void Workspace::useProfile(int profile)

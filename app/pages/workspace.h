@@ -2,12 +2,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/composition/links.h"
 #include "protocol/device/deviceclient.h"
 #include "protocol/device/writereport.h"
-#include "protocol/record/boardhistory.h"
+#include "app/pages/editjournal.h"
+#include "app/pages/settings.h"
+#include "protocol/procedure/safeaction.h"
 #include "widgets/forms/editstack.h"
 #include "widgets/models/errortext.h"
 #include "widgets/theme/theme.h"
+
+/// A question to the operator with the answers to choose from, shown without stopping anything.
+struct Offer
+{
+    struct Choice
+    {
+        QString text;
+        std::function<void()> chosen;
+    };
+    QString text;
+    QList<Choice> choices;   ///< the first one is what is usually wanted
+};
+
+/// "31 °C" or "88 °F"; empty for NaN.
+[[nodiscard]] QString temperatureText(double celsius, bool fahrenheit);
 
 /// What all pages share: the client, the configuration with its edits, the history of snapshots, the theme. Turns wishes of
 /// the operator into jobs, and their results into model changes and messages.
@@ -15,13 +33,16 @@ class Workspace final : public QObject
 {
     Q_OBJECT
 public:
-    Workspace(TransportFactory transports, QList<Family> families, Theme &theme, QObject *parent = nullptr);
+    Workspace(Links links, QList<Family> families, Theme &theme, Settings &settings, QObject *parent = nullptr);
+    ~Workspace() override;
 
     [[nodiscard]] DeviceClient &client() { return m_client; }
     [[nodiscard]] ConfigurationModel &configuration() { return m_configuration; }
     [[nodiscard]] EditStack &edits() { return m_edits; }
     [[nodiscard]] Theme &theme() { return m_theme; }
     [[nodiscard]] BoardHistory &history() { return m_history; }
+    [[nodiscard]] Settings &settings() { return m_settings; }
+    [[nodiscard]] EditJournal &journal() { return m_journal; }
 
     void connectTo(const LinkAddress &address, const QString &family);
     /// Reads everything; edits are kept where the board is the same one.
@@ -29,6 +50,25 @@ public:
     /// Writes what differs between the board and this, verified, with a snapshot before the first write.
     void write(const Configuration &wanted);
     void useProfile(int profile);
+    /// Opens a configuration without a board, to look at and to edit. Errors: BadFile.
+    Result<void> openFile(const QString &path);
+    /// Understands a configuration file in terms of the board shown. Errors: BadFile.
+    Result<ConfigurationFile> loadFile(const QString &path) const;
+    /// Takes a file's values over as edits, all of them or one profile's. Errors: BadFile, NotConnected.
+    Result<void> applyFile(const QString &path, std::optional<int> from = {}, int to = 0);
+    /// Saves what the pages show, edits included. Errors: BadFile.
+    Result<void> saveFile(const QString &path) const;
+    /// The file that is being edited without a board; empty with one.
+    [[nodiscard]] QString offlineFile() const { return m_client.isConnected() ? QString() : m_offlineFile; }
+    /// Takes a snapshot of the board as it is now, or of the offline configuration.
+    void takeSnapshot();
+
+    /// Performs an action, with a snapshot before it where it writes. Failures are told by problem() unless quiet.
+    QFuture<Result<ActionOutcome>> perform(const QString &key, const QVariantMap &arguments, bool quiet = false);
+
+    /// The gimbal is a simulated one whose world can be changed.
+    [[nodiscard]] bool isSimulated() const;
+    void changeWorld(const QString &assignment);
     void setMotors(bool on);
     /// Fast channels that somebody wants to see; each page has its own wish.
     void wishTelemetry(const QObject *who, const QList<int> &channels);
@@ -47,21 +87,30 @@ signals:
     void problem(const ErrorText &text);
     /// Something that went well.
     void notice(const QString &text);
+    void offer(const Offer &offer);
     void boardRead();
+    /// A snapshot was added to the board's history.
+    void snapshotTaken();
     void writeFinished();
 
 private:
     void onState(DeviceClient::State state);
     void onReport(const Result<WriteReport> &result);
-    void tellInterruptedWrite();
+    void offerRepair();
+    void offerLeftover(int steps);
+    void applySettings();
     void updateWish();
     void followActiveProfile();
 
     Theme &m_theme;
+    Settings &m_settings;
+    Links m_links;
     DeviceClient m_client;
     ConfigurationModel m_configuration;
     EditStack m_edits;
     BoardHistory m_history;
+    EditJournal m_journal;
+    QString m_offlineFile;
     QHash<const QObject *, QList<int>> m_wishes;
     std::optional<WriteReport> m_lastReport;
     bool m_backupDone = false;

@@ -39,6 +39,46 @@ struct AdjustableValue
     double value = 0;
 };
 
+/// What is known of such a variable before any board is asked. Values are the board's own numbers; where a parameter stands
+/// behind it (ParameterSpec::adjustable), that tells unit and scale.
+struct AdjustableSpec
+{
+    int id = 0;
+    const char *key = "";
+    const char *label = "";
+    const char *group = "";
+    Axis axis = Axis::None;
+    int min = 0;
+    int max = 255;
+    int since = 0;         ///< firmware that introduced it
+};
+
+/// An inner variable of the firmware that can be watched.
+struct DebugVariable
+{
+    QString name;
+    QString type;          ///< "i16", "f32[3]"; "?" for a type we do not know
+    int elements = 1;
+    Axis axis = Axis::None;
+
+    friend bool operator==(const DebugVariable &, const DebugVariable &) = default;
+};
+
+/// A frame in words, for the console.
+struct FrameText
+{
+    QString name;          ///< "READ_PARAMS_3"
+    QString fields;        ///< "profile 1, pid.roll.p 15"
+};
+
+/// A command typed by hand.
+struct RawCommand
+{
+    QString name;
+    QByteArray bytes;      ///< the complete frame
+    ActionRisk risk = ActionRisk::Destroys;
+};
+
 /// A fault the board reports: what it is called; cause and cure are worded in widgets/.
 struct BoardFault
 {
@@ -55,6 +95,7 @@ struct ChannelRoles
     std::array<int, 3> angle{-1, -1, -1};
     std::array<int, 3> target{-1, -1, -1};
     std::array<int, 3> gyro{-1, -1, -1};
+    std::array<int, 3> acc{-1, -1, -1};       ///< x, y, z
     std::array<int, 3> frameAngle{-1, -1, -1};
     std::array<int, 3> motorPower{-1, -1, -1};
     int battery = -1;
@@ -103,6 +144,13 @@ public:
     virtual Result<std::vector<AdjustableValue>> readAdjustables(Channel &channel, const QList<int> &ids) = 0;
     virtual Result<void> writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) = 0;
 
+    /// The live-adjustable variables that this board has.
+    [[nodiscard]] virtual std::span<const AdjustableSpec> adjustables() const = 0;
+
+    virtual Result<std::vector<DebugVariable>> debugVariables(Channel &channel) = 0;
+    /// Values in the order of debugVariables(), arrays element by element.
+    virtual Result<std::vector<std::vector<double>>> readDebugVariables(Channel &channel) = 0;
+
     [[nodiscard]] virtual std::span<const ActionSpec> actions() const = 0;
     /// Performs an action with arguments from parseArguments(). Errors: InvalidArgument, Unsupported, the board's own.
     virtual Result<ActionReply> perform(Channel &channel, const QString &key, const QVariantMap &arguments) = 0;
@@ -116,6 +164,15 @@ public:
     virtual void stopTelemetry(Channel &channel) = 0;
     /// The faults behind the value of the faults channel.
     [[nodiscard]] virtual std::vector<BoardFault> faults(unsigned bits, unsigned detail) const = 0;
+
+    /// A frame in words. @param fromBoard its direction; numbers mean other things each way
+    [[nodiscard]] virtual FrameText describeFrame(const FrameView &frame, bool fromBoard) const = 0;
+    /// True for frames that carry live data, so that a log may leave them out.
+    [[nodiscard]] virtual bool isTelemetryFrame(int id) const = 0;
+    /// A name with payload bytes in hex ("EXECUTE_MENU 0B") or a complete frame in hex. Errors: InvalidArgument.
+    [[nodiscard]] virtual Result<RawCommand> parseCommand(const QString &text) const = 0;
+    /// Names that parseCommand() understands.
+    [[nodiscard]] virtual QStringList commandNames() const = 0;
 
     /// True for the board's notice that it is about to restart.
     [[nodiscard]] virtual bool announcesReset(const FrameView &frame) const = 0;

@@ -66,6 +66,7 @@ DeviceClient::DeviceClient(TransportFactory makeTransport, QList<Family> familie
 {
     m_ioThread.setObjectName(u"gimbal-io"_s);
     m_workerThread.setObjectName(u"gimbal-worker"_s);
+    m_session->addListener(&m_frames);
     m_session->moveToThread(&m_ioThread);
     m_worker->moveToThread(&m_workerThread);
     connect(&m_ioThread, &QThread::finished, m_session, &QObject::deleteLater);
@@ -100,9 +101,10 @@ DeviceClient::~DeviceClient()
     // The worker may still wait for the I/O thread, so it goes first.
     m_workerThread.quit();
     m_workerThread.wait();
-    if (m_feed)
-        QMetaObject::invokeMethod(m_session, [this] { m_session->removeListener(m_feed.get()); },
-                                  Qt::BlockingQueuedConnection);
+    QMetaObject::invokeMethod(m_session, [this] {
+        m_session->removeListener(&m_frames);
+        m_session->removeListener(m_feed.get());
+    }, Qt::BlockingQueuedConnection);
     m_ioThread.quit();
     m_ioThread.wait();
 }

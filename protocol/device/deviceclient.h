@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/device/connector.h"
+#include "protocol/session/framelog.h"
 #include "protocol/session/sessionchannel.h"
 
 #include <QFuture>
@@ -38,6 +39,8 @@ public:
     [[nodiscard]] const LinkStatistics &statistics() const { return m_statistics; }
     [[nodiscard]] std::optional<LineSettings> line() const { return m_line; }
     [[nodiscard]] bool isBusy() const { return m_jobs > 0; }
+    /// The last frames in and out.
+    [[nodiscard]] const FrameLog &frames() const { return m_frames; }
 
     /// Opens the link, finds rate and parity, identifies the board. stateChanged() and connectionFailed() tell the rest.
     void connectTo(const LinkAddress &address, const QString &family);
@@ -93,6 +96,7 @@ private:
     QThread m_workerThread;
     Session *m_session;
     QObject *m_worker;
+    FrameLog m_frames;
     std::unique_ptr<TelemetryFeed> m_feed;
     QTimer m_statisticsTimer;
 

@@ -6,6 +6,24 @@
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+// The path of the snapshot, empty where the risk needs none.
+Result<QString> backupFor(Channel &channel, Device &device, ActionRisk risk, const QString &reason,
+                          const BoardHistory &history)
+{
+    if (!device.identity().writable && risk != ActionRisk::Safe)
+        return failure(ErrorCode::ReadOnly, device.identity().firmware);
+    if (risk != ActionRisk::Writes && risk != ActionRisk::Destroys)
+        return QString();
+    const auto configuration = device.readConfiguration(channel);
+    if (!configuration)
+        return failure(ErrorCode::NoBackup, configuration.error().detail);
+    return history.save(*configuration, reason);
+}
+
+} // namespace
+
 Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QString &key, const QVariantMap &arguments,
                                     const BoardHistory &history)
 {
@@ -14,21 +32,25 @@ Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QStr
                                  [&key](const ActionSpec &action) { return key == QLatin1String(action.key); });
     if (it == actions.end())
         return failure(ErrorCode::Unsupported, key);
-    if (!device.identity().writable && it->risk != ActionRisk::Safe)
-        return failure(ErrorCode::ReadOnly, device.identity().firmware);
     ActionOutcome outcome;
-    if (it->risk == ActionRisk::Writes || it->risk == ActionRisk::Destroys) {
-        const auto configuration = device.readConfiguration(channel);
-        if (!configuration)
-            return failure(ErrorCode::NoBackup, configuration.error().detail);
-        auto path = history.save(*configuration, u"before "_s + key);
-        if (!path)
-            return tl::unexpected(path.error());
-        outcome.snapshotPath = *path;
-    }
+    auto path = backupFor(channel, device, it->risk, u"before "_s + key, history);
+    if (!path)
+        return tl::unexpected(path.error());
+    outcome.snapshotPath = *path;
     auto reply = device.perform(channel, key, arguments);
     if (!reply)
         return tl::unexpected(reply.error());
     outcome.reply = std::move(*reply);
     return outcome;
+}
+
+Result<bool> sendRaw(Channel &channel, Device &device, const RawCommand &command, const BoardHistory &history)
+{
+    if (const auto path = backupFor(channel, device, command.risk, u"before "_s + command.name, history); !path)
+        return tl::unexpected(path.error());
+    Request request;
+    request.name = command.name;
+    request.bytes = command.bytes;
+    channel.post(request);
+    return true;
 }

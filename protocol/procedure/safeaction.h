@@ -16,3 +16,7 @@ struct ActionOutcome
 /// Errors: Unsupported for an unknown key, NoBackup, and those of the action.
 Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QString &key, const QVariantMap &arguments,
                                     const BoardHistory &history);
+
+/// Sends a command typed by hand; one that writes or destroys takes a full snapshot first. Its answer goes to whoever listens.
+/// Errors: ReadOnly, NoBackup.
+Result<bool> sendRaw(Channel &channel, Device &device, const RawCommand &command, const BoardHistory &history);

@@ -3,10 +3,26 @@
 #include "protocol/record/boardhistory.h"
 
 #include <QDir>
+#include <QFile>
+#include <QJsonDocument>
 #include <QRegularExpression>
+#include <QSaveFile>
 #include <QStandardPaths>
 
+#include <algorithm>
+#include <functional>
+
 using namespace Qt::StringLiterals;
+
+namespace {
+
+const QString kStamp = u"yyyyMMdd-HHmmss-zzz"_s;
+const QString kUnsavedFolder = u"unsaved"_s;
+const QString kEditsFile = u"edits.json"_s;
+const QString kBaseFile = u"board.json"_s;
+constexpr qint64 kLargestJournal = 4 * 1024 * 1024;
+
+} // namespace
 
 BoardHistory::BoardHistory(QString root)
     : m_root(std::move(root))
@@ -31,7 +47,7 @@ Result<QString> BoardHistory::save(const Configuration &configuration, const QSt
     const QString folderPath = folder(configuration.identity().serial);
     if (!QDir().mkpath(folderPath))
         return failure(ErrorCode::NoBackup, folderPath);
-    const QString stamp = QDateTime::currentDateTimeUtc().toString(u"yyyyMMdd-HHmmss-zzz"_s);
+    const QString stamp = QDateTime::currentDateTimeUtc().toString(kStamp);
     const QString path = u"%1/%2.json"_s.arg(folderPath, stamp);
     if (const auto saved = ConfigurationFile::save(path, configuration, reason); !saved)
         return failure(ErrorCode::NoBackup, saved.error().detail);
@@ -51,5 +67,63 @@ QStringList BoardHistory::snapshots(const QString &serial) const
     QStringList paths;
     for (const QString &name : dir.entryList({u"*.json"_s}, QDir::Files, QDir::Name | QDir::Reversed))
         paths.append(dir.filePath(name));
+    return paths;
+}
+
+QDateTime BoardHistory::timeOf(const QString &path)
+{
+    QDateTime time = QDateTime::fromString(QFileInfo(path).completeBaseName(), kStamp);
+    time.setTimeSpec(Qt::UTC);
+    return time;
+}
+
+Result<void> BoardHistory::saveUnsaved(const Configuration &base, const QJsonObject &edits) const
+{
+    const QDir dir(folder(base.identity().serial) + u'/' + kUnsavedFolder);
+    if (!QDir().mkpath(dir.path()))
+        return failure(ErrorCode::BadFile, dir.path());
+    // The base first: edits without what they started from are of no use.
+    const QByteArray board = ConfigurationFile::toJson(base, u"unsaved edits"_s, {});
+    QFile known(dir.filePath(kBaseFile));
+    if (!known.open(QIODevice::ReadOnly) || known.readAll() != board) {
+        known.close();
+        QSaveFile file(dir.filePath(kBaseFile));
+        if (!file.open(QIODevice::WriteOnly) || file.write(board) != board.size() || !file.commit())
+            return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(file.fileName(), file.errorString()));
+    }
+    QSaveFile file(dir.filePath(kEditsFile));
+    const QByteArray json = QJsonDocument(edits).toJson(QJsonDocument::Compact);
+    if (!file.open(QIODevice::WriteOnly) || file.write(json) != json.size() || !file.commit())
+        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(file.fileName(), file.errorString()));
+    return {};
+}
+
+void BoardHistory::dropUnsaved(const QString &serial) const
+{
+    QDir(folder(serial) + u'/' + kUnsavedFolder).removeRecursively();
+}
+
+std::optional<QJsonObject> BoardHistory::unsaved(const QString &serial) const
+{
+    QFile file(folder(serial) + u'/' + kUnsavedFolder + u'/' + kEditsFile);
+    if (!file.open(QIODevice::ReadOnly) || file.size() > kLargestJournal)
+        return {};
+    const QJsonObject edits = QJsonDocument::fromJson(file.readAll()).object();
+    return edits.isEmpty() ? std::nullopt : std::optional(edits);
+}
+
+QStringList BoardHistory::unsavedBases() const
+{
+    QList<std::pair<QDateTime, QString>> found;
+    const QDir root(m_root);
+    for (const QString &board : root.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+        const QDir dir(root.filePath(board) + u'/' + kUnsavedFolder);
+        if (dir.exists(kEditsFile) && dir.exists(kBaseFile))
+            found.append({QFileInfo(dir.filePath(kEditsFile)).lastModified(), dir.filePath(kBaseFile)});
+    }
+    std::sort(found.begin(), found.end(), std::greater<>());
+    QStringList paths;
+    for (const auto &[time, path] : found)
+        paths.append(path);
     return paths;
 }

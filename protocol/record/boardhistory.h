@@ -4,6 +4,8 @@
 
 #include "protocol/record/configurationfile.h"
 
+#include <QJsonObject>
+
 /// The snapshots of all boards this computer has met, one folder per board, named by its serial number.
 class BoardHistory
 {
@@ -16,6 +18,16 @@ public:
     Result<QString> save(const Configuration &configuration, const QString &reason) const;
     /// Paths of a board's snapshots, newest first.
     [[nodiscard]] QStringList snapshots(const QString &serial) const;
+    /// When a snapshot was taken, from its file name (UTC).
+    [[nodiscard]] static QDateTime timeOf(const QString &path);
+
+    /// Edits that never reached the board, kept through a crash beside its snapshots: any JSON the program makes of them,
+    /// and the configuration they started from. Errors: BadFile.
+    Result<void> saveUnsaved(const Configuration &base, const QJsonObject &edits) const;
+    void dropUnsaved(const QString &serial) const;
+    [[nodiscard]] std::optional<QJsonObject> unsaved(const QString &serial) const;
+    /// Files with the configuration that unsaved edits of any board started from, newest first.
+    [[nodiscard]] QStringList unsavedBases() const;
 
 private:
     [[nodiscard]] QString folder(const QString &serial) const;

@@ -29,11 +29,7 @@ Session::Session(TransportFactory makeTransport, QObject *parent)
     : QObject(parent)
     , m_makeTransport(std::move(makeTransport))
     , m_sink([this](const FrameView &frame) { onFrame(frame); })
-    , m_queue([this](QByteArrayView bytes) {
-        m_bytesOut += static_cast<quint64>(bytes.size());
-        if (m_transport)
-            m_transport->write(bytes);
-    })
+    , m_queue([this](QByteArrayView bytes) { send(bytes); })
     , m_timer(this)
 {
     m_timer.setSingleShot(true);
@@ -44,6 +40,16 @@ Session::Session(TransportFactory makeTransport, QObject *parent)
 Session::~Session()
 {
     m_queue.cancelAll({ErrorCode::LinkClosed, {}});
+}
+
+void Session::send(QByteArrayView bytes)
+{
+    if (!m_transport)
+        return;
+    m_bytesOut += static_cast<quint64>(bytes.size());
+    m_transport->write(bytes);
+    for (FrameListener *listener : m_listeners)
+        listener->bytesSent(bytes, Clock::now());
 }
 
 void Session::open(const LinkAddress &address, std::unique_ptr<Framer> framer)
@@ -79,7 +85,7 @@ void Session::close(const Error &why)
     if (!m_transport)
         return;
     if (m_open && why.code == ErrorCode::Cancelled && !m_farewell.isEmpty())
-        m_transport->write(m_farewell);
+        send(m_farewell);
     m_farewell.clear();
     qCInfo(logSession) << "link closed:" << int(why.code) << why.detail;
     m_transport->disconnect(this);

@@ -18,6 +18,8 @@ public:
     virtual ~FrameListener() = default;
     /// @param claimed the frame was the answer to a request (polled telemetry is an answer and telemetry all the same)
     virtual void frameReceived(const FrameView &frame, TimePoint at, bool claimed) = 0;
+    /// Whole frames that left for the board.
+    virtual void bytesSent(QByteArrayView, TimePoint) { }
 };
 
 /// Counters of one link, as shown in the status bar.
@@ -71,6 +73,7 @@ signals:
     void closed(const Error &why);
 
 private:
+    void send(QByteArrayView bytes);
     void onReceived(QByteArrayView bytes, TimePoint at);
     void onFrame(const FrameView &frame);
     void onTick();

@@ -231,52 +231,23 @@ Result<ActionReply> SbgcActions::readAngles(const QVariantMap &)
     return reply;
 }
 
-Result<std::vector<DebugVar>> SbgcActions::debugVariables()
-{
-    std::vector<DebugVar> vars;
-    for (;;) {
-        // From 2.72b0 a long list comes in parts, asked for by start index (errata 3.17).
-        const QByteArray payload = vars.empty() ? QByteArray() : ByteWriter().u8(int(vars.size())).take();
-        const auto reply = m_channel.transact(replyRequest(CommandId::DebugVarsInfo3, payload,
-                                                           CommandId::DebugVarsInfo3, 255, SbgcDevice::kVersion));
-        if (!reply)
-            return tl::unexpected(reply.error());
-        const auto part = decodeDebugVarsInfo(asBytes(reply->payload));
-        if (!part)
-            return tl::unexpected(part.error());
-        vars.insert(vars.end(), part->vars.begin(), part->vars.end());
-        const bool isLater = m_device.identity().firmwareNumber >= 2720;
-        if (int(vars.size()) >= part->total || part->vars.empty() || !isLater)
-            return vars;
-    }
-}
-
 Result<ActionReply> SbgcActions::listDebugVariables(const QVariantMap &)
 {
-    const auto vars = debugVariables();
+    const auto vars = m_device.debugVariables(m_channel);
     if (!vars)
         return tl::unexpected(vars.error());
-    constexpr std::array<const char *, 8> types{"?", "u8", "i8", "u16", "i16", "u32", "i32", "f32"};
     ActionReply reply;
-    for (const DebugVar &var : *vars) {
-        QString type = QLatin1String(types[std::size_t(var.type) < types.size() ? std::size_t(var.type) : 0]);
-        if (var.count > 1)
-            type += u"[%1]"_s.arg(var.count);
-        reply.insert(var.name, type);
-    }
+    for (const DebugVariable &var : *vars)
+        reply.insert(var.name, var.type);
     return reply;
 }
 
 Result<ActionReply> SbgcActions::readDebugVariables(const QVariantMap &)
 {
-    const auto vars = debugVariables();
+    const auto vars = m_device.debugVariables(m_channel);
     if (!vars)
         return tl::unexpected(vars.error());
-    const auto frame = m_channel.transact(
-        replyRequest(CommandId::DebugVars3, {}, CommandId::DebugVars3, 255, SbgcDevice::kVersion));
-    if (!frame)
-        return tl::unexpected(frame.error());
-    const auto values = decodeDebugVars(*vars, asBytes(frame->payload));
+    const auto values = m_device.readDebugVariables(m_channel);
     if (!values)
         return tl::unexpected(values.error());
     ActionReply reply;
@@ -503,7 +474,11 @@ Result<SbgcActions::Stillness> SbgcActions::measureStillness()
                 acc[std::size_t(field.channel - AccX)] = value;
             }
         }
-        gravity += std::hypot(acc[0], acc[1], acc[2] - 1.0);
+        // Against the face that lies up, so that all six positions count alike.
+        const auto up = std::max_element(acc.begin(), acc.end(),
+                                         [](double a, double b) { return std::abs(a) < std::abs(b); });
+        *up -= std::copysign(1.0, *up);
+        gravity += std::hypot(acc[0], acc[1], acc[2]);
     }
     Stillness stillness;
     double variance = 0;

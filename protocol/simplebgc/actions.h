@@ -47,7 +47,6 @@ private:
     Result<ActionReply> useDefaults(const QVariantMap &arguments);
 
     Result<ActionReply> calibrate(sbgc::CommandId id, const QVariantMap &arguments);
-    Result<std::vector<sbgc::DebugVar>> debugVariables();
     struct Stillness { double gyroBias = 0; double gyroNoise = 0; double accError = 0; };
     Result<Stillness> measureStillness();
 

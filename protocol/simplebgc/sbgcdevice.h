@@ -37,6 +37,10 @@ public:
     Result<std::vector<AdjustableValue>> readAdjustables(Channel &channel, const QList<int> &ids) override;
     Result<void> writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) override;
 
+    [[nodiscard]] std::span<const AdjustableSpec> adjustables() const override;
+    Result<std::vector<DebugVariable>> debugVariables(Channel &channel) override;
+    Result<std::vector<std::vector<double>>> readDebugVariables(Channel &channel) override;
+
     [[nodiscard]] std::span<const ActionSpec> actions() const override;
     Result<ActionReply> perform(Channel &channel, const QString &key, const QVariantMap &arguments) override;
 
@@ -47,6 +51,11 @@ public:
                                          std::optional<LineSettings> line) override;
     void stopTelemetry(Channel &channel) override;
     [[nodiscard]] std::vector<BoardFault> faults(unsigned bits, unsigned detail) const override;
+
+    [[nodiscard]] FrameText describeFrame(const FrameView &frame, bool fromBoard) const override;
+    [[nodiscard]] bool isTelemetryFrame(int id) const override;
+    [[nodiscard]] Result<RawCommand> parseCommand(const QString &text) const override;
+    [[nodiscard]] QStringList commandNames() const override;
 
     [[nodiscard]] bool announcesReset(const FrameView &frame) const override;
     [[nodiscard]] Request motorsOffRequest() const override;
@@ -68,6 +77,7 @@ private:
     std::vector<ControlMode> m_controlModes;
     std::vector<ActionSpec> m_actions;
     std::vector<sbgc::DataStream> m_streams;   // registered with the board
+    std::vector<sbgc::DebugVar> m_debugVars;   // as the board declared them; used on the worker thread only
 };
 
 /// The row of this family in the program's table of families.

@@ -164,6 +164,7 @@ ChannelRoles SbgcDevice::roles() const
     roles.angle = {ImuRoll, ImuPitch, ImuYaw};
     roles.target = {TargetRoll, TargetPitch, TargetYaw};
     roles.gyro = {GyroRoll, GyroPitch, GyroYaw};
+    roles.acc = {AccX, AccY, AccZ};
     roles.frameAngle = {FrameRoll, FramePitch, FrameYaw};
     roles.motorPower = {PowerRoll, PowerPitch, PowerYaw};
     roles.battery = Battery;

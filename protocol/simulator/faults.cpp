@@ -42,6 +42,8 @@ const std::vector<Row> &rows()
          [](Faults &f, double v) { f.shake = v; }},
         {"swapped-axes", 0, 1, "roll and pitch motors are swapped",
          [](Faults &f, double v) { f.swappedAxes = v != 0; }},
+        {"pose", 0, 6, "0 in the gimbal; 1-6 the sensor lies still with Z, -Z, X, -X, Y, -Y up",
+         [](Faults &f, double v) { f.pose = int(v); }},
     };
     return table;
 }

@@ -13,7 +13,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <mutex>
 #include <sys/ioctl.h>
+#include <tuple>
 #include <unistd.h>
 
 using namespace Qt::StringLiterals;
@@ -418,22 +420,49 @@ void PipeHost::plugged(bool in)
 
 } // namespace
 
-TransportFactory simulatorFactory()
+struct SimulatedGimbals::Rigs
 {
-    auto rigs = std::make_shared<QMap<QString, std::shared_ptr<SimulatorRig>>>();
-    return [rigs](const LinkAddress &address) -> Result<std::unique_ptr<Transport>> {
-        const QStringList faults = address.option(u"fault"_s).split(u',', Qt::SkipEmptyParts);
-        const auto setup = parseSimulatorSetup(address.options(), faults);
-        if (!setup)
-            return tl::unexpected(setup.error());
-        std::shared_ptr<SimulatorRig> &rig = (*rigs)[address.toString()];
-        if (!rig) {
-            auto board = makeSimulatedBoard(address.target(), setup->options);
-            if (!board)
-                return tl::unexpected(board.error());
-            rig = std::make_shared<SimulatorRig>(
-                std::make_unique<SimulatedPort>(std::move(*board), setup->options, setup->line));
-        }
-        return std::make_unique<SimulatorTransport>(rig, setup->line.has_value());
-    };
+    std::mutex mutex;
+    QMap<QString, std::shared_ptr<SimulatorRig>> byAddress;
+};
+
+SimulatedGimbals::SimulatedGimbals()
+    : m_rigs(std::make_shared<Rigs>())
+{
+}
+
+Result<std::unique_ptr<Transport>> SimulatedGimbals::connectTo(const LinkAddress &address) const
+{
+    const QStringList faults = address.option(u"fault"_s).split(u',', Qt::SkipEmptyParts);
+    const auto setup = parseSimulatorSetup(address.options(), faults);
+    if (!setup)
+        return tl::unexpected(setup.error());
+    const std::lock_guard lock(m_rigs->mutex);
+    std::shared_ptr<SimulatorRig> &rig = m_rigs->byAddress[address.toString()];
+    if (!rig) {
+        auto board = makeSimulatedBoard(address.target(), setup->options);
+        if (!board)
+            return tl::unexpected(board.error());
+        rig = std::make_shared<SimulatorRig>(
+            std::make_unique<SimulatedPort>(std::move(*board), setup->options, setup->line));
+    }
+    return std::make_unique<SimulatorTransport>(rig, setup->line.has_value());
+}
+
+Result<void> SimulatedGimbals::change(const LinkAddress &address, const QString &assignment) const
+{
+    Faults check;
+    if (const auto valid = check.set(assignment); !valid)
+        return valid;
+    std::shared_ptr<SimulatorRig> rig;
+    {
+        const std::lock_guard lock(m_rigs->mutex);
+        rig = m_rigs->byAddress.value(address.toString());
+    }
+    if (!rig)
+        return failure(ErrorCode::NotConnected, address.toString());
+    QMetaObject::invokeMethod(rig->host(), [host = rig->host(), assignment] {
+        std::ignore = host->port().change(assignment);
+    }, Qt::QueuedConnection);
+    return {};
 }

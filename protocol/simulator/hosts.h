@@ -92,8 +92,22 @@ private:
 };
 
 /// The in-process pipe: transports with the simulator behind them, for `sim:` addresses. A simulated gimbal lives as long
-/// as the factory, so unplugging and connecting anew meets the same board. Called on the I/O thread only.
-[[nodiscard]] TransportFactory simulatorFactory();
+/// as this object and the transports made by it, so unplugging and connecting anew meets the same board.
+class SimulatedGimbals
+{
+public:
+    SimulatedGimbals();
+
+    /// Errors: InvalidArgument for a family or option that does not exist. Called on the I/O thread.
+    Result<std::unique_ptr<Transport>> connectTo(const LinkAddress &address) const;
+    /// Changes the world around a gimbal that was connected to: a fault as NAME=VALUE. Callable from any thread.
+    /// Errors: InvalidArgument, NotConnected.
+    Result<void> change(const LinkAddress &address, const QString &assignment) const;
+
+private:
+    struct Rigs;
+    std::shared_ptr<Rigs> m_rigs;
+};
 
 /// Reads the same options from a map, for the command line of gimbalsim and for `sim:` addresses.
 struct SimulatorSetup

@@ -242,6 +242,7 @@ void SbgcBoard::updateFaults()
 {
     const Faults &faults = m_options.faults;
     m_stabilizer.setImuPresent(!faults.noImu);
+    m_stabilizer.setPose(faults.pose);
     m_stabilizer.setSwappedMotors(faults.swappedAxes);
     m_stabilizer.hand().setStrength(isCalibrating() && faults.shake <= 2.0 ? 0.0 : faults.shake);
     const double volts = (faults.battery > 0 ? faults.battery : kNominalVoltage) - 0.04 * m_stabilizer.current();
@@ -300,7 +301,7 @@ void SbgcBoard::updateCalibration()
     SimulatedImu &imu = m_stabilizer.imu();
     const bool gyro = calibration.command == CommandId::CalibGyro;
     for (std::size_t i = 0; i < kAxisCount; ++i) {
-        const double sample = gyro ? m_stabilizer.rawGyro(kAxes[i]) : m_stabilizer.acc()[i] + imu.accCorrection[i];
+        const double sample = gyro ? m_stabilizer.rawGyro(kAxes[i]) : m_stabilizer.rawAcc(i);
         const double motion = m_stabilizer.rawGyro(kAxes[i]);
         calibration.sum[i] += sample;
         calibration.low[i] = calibration.samples ? std::min(calibration.low[i], motion) : motion;
@@ -323,20 +324,40 @@ void SbgcBoard::updateCalibration()
         return;
     }
     if (still) {
-        constexpr std::array<double, kAxisCount> level{0.0, 0.0, 1.0};
-        for (std::size_t i = 0; i < kAxisCount; ++i) {
-            const double mean = calibration.sum[i] / calibration.samples;
-            if (gyro)
-                imu.gyroCorrection[i] = mean;
-            else
-                imu.accCorrection[i] = mean - level[i];
-        }
+        std::array<double, kAxisCount> mean{};
+        for (std::size_t i = 0; i < kAxisCount; ++i)
+            mean[i] = calibration.sum[i] / calibration.samples;
+        if (gyro)
+            imu.gyroCorrection = mean;
+        else
+            finishAccCalibration(mean);
     }
     m_stabilizer.setHeld(false);
     m_stabilizer.resetEstimate();
     m_stabilizer.setMotorsOn(calibration.motorsWereOn);
     send(CommandId::Confirm, QByteArray(1, static_cast<char>(calibration.command)), calibration.version);
     calibration.left = 0;
+}
+
+// One position levels the sensor; an axis that was seen pointing up and down gets its true zero and scale.
+void SbgcBoard::finishAccCalibration(const std::array<double, kAxisCount> &mean)
+{
+    SimulatedImu &imu = m_stabilizer.imu();
+    std::size_t up = 0;
+    for (std::size_t i = 1; i < kAxisCount; ++i) {
+        if (std::abs(mean[i]) > std::abs(mean[up]))
+            up = i;
+    }
+    m_accLimits[up][mean[up] > 0] = mean[up];
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+        const auto &[low, high] = m_accLimits[i];
+        if (low && high) {
+            imu.accCorrection[i] = (*high + *low) / 2;
+            imu.accScale[i] = (*high - *low) / 2;
+        } else if (up == 2 && mean[up] > 0) {
+            imu.accCorrection[i] = mean[i] - (i == up ? 1.0 : 0.0);
+        }
+    }
 }
 
 void SbgcBoard::updateAutoPid()

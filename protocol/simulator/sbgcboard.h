@@ -25,6 +25,7 @@ public:
     void cycle() override;
     QByteArray takeOutput(qsizetype most) override;
     [[nodiscard]] bool isRunning() const override { return m_bootLeft <= 0; }
+    void setFaults(const Faults &faults) override { m_options.faults = faults; }
 
     // For tests and the demo: the world around the board.
     Stabilizer &stabilizer() { return m_stabilizer; }
@@ -105,6 +106,8 @@ private:
         int samples = 0;
         bool motorsWereOn = false;
     };
+    void finishAccCalibration(const std::array<double, kAxisCount> &mean);
+
     struct Delayed
     {
         double at = 0;
@@ -133,6 +136,7 @@ private:
     quint64 m_serialErrors = 0;
     std::vector<Stream> m_streams;
     Calibration m_calibration;
+    std::array<std::array<std::optional<double>, 2>, kAxisCount> m_accLimits;   // reading with the axis down, up
     std::unique_ptr<AutoPidSearch> m_autoPid;
     int m_autoPidVersion = 1;
     bool m_autoPidReports = false;

@@ -569,6 +569,8 @@ void SbgcBoard::startCalibration(const Frame &frame)
         if (action == 2) {
             m_stabilizer.imu().gyroCorrection = {};
             m_stabilizer.imu().accCorrection = {};
+            m_stabilizer.imu().accScale = {1.0, 1.0, 1.0};
+            m_accLimits = {};
         }
         if (action == 2 || action == 4 || action == 5) {
             reply(frame, CommandId::Reset, {});
@@ -586,7 +588,7 @@ void SbgcBoard::startCalibration(const Frame &frame)
     m_calibration.motorsWereOn = m_stabilizer.motorsOn();
     m_stabilizer.setMotorsOn(false);
     // The operator lays the camera down, level; unless he is the one who shakes it.
-    if (m_options.faults.shake <= 2.0) {
+    if (m_options.faults.shake <= 2.0 && m_options.faults.pose == 0) {
         for (const Axis axis : kAxes)
             m_stabilizer.plant(axis).setAngle(0.0);
         m_stabilizer.setHeld(true);

@@ -22,6 +22,8 @@ public:
     virtual QByteArray takeOutput(qsizetype most) = 0;
     /// False while the controller restarts and, on native USB, is gone from the bus.
     [[nodiscard]] virtual bool isRunning() const = 0;
+    /// The world around the board changes while it runs.
+    virtual void setFaults(const Faults &faults) = 0;
 };
 
 struct SimulatorOptions

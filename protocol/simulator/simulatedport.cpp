@@ -128,6 +128,20 @@ void SimulatedPort::cycle()
     m_toHost.push_back({at, damaged(asBytes(sent))});
 }
 
+Result<void> SimulatedPort::change(const QString &assignment)
+{
+    Faults changed = m_faults;
+    if (const auto set = changed.set(assignment); !set)
+        return set;
+    if (assignment.startsWith(u"unplug="_s))
+        changed.unplugAfter += seconds(m_now);
+    if (assignment.startsWith(u"other-client="_s))
+        changed.otherClient += seconds(m_now);
+    m_faults = changed;
+    m_board->setFaults(changed);
+    return {};
+}
+
 Result<std::unique_ptr<SimulatedBoard>> makeSimulatedBoard(const QString &family, const SimulatorOptions &options)
 {
     if (family == u"simplebgc"_s)

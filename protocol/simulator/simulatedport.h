@@ -29,6 +29,8 @@ public:
     [[nodiscard]] bool isPlugged() const;
     [[nodiscard]] Duration now() const { return m_now; }
     [[nodiscard]] SimulatedBoard &board() { return *m_board; }
+    /// Changes the world while it runs: a fault as NAME=VALUE; times count from now. Errors: InvalidArgument.
+    Result<void> change(const QString &assignment);
 
 private:
     struct Delayed

@@ -137,7 +137,7 @@ void Stabilizer::step()
         std::swap(torque[0], torque[1]);
     for (std::size_t i = 0; i < m_axes.size(); ++i) {
         AxisPlant &plant = m_axes[i].plant;
-        if (m_held)
+        if (m_held || m_pose != 0)
             plant.setAngle(plant.angle());
         else
             plant.step(kCycle, torque[i], m_hand.angle(kAxes[i]), m_hand.rate(kAxes[i]));
@@ -152,7 +152,12 @@ void Stabilizer::sense()
     const double roll = radians(m_axes[0].plant.angle());
     const double pitch = radians(m_axes[1].plant.angle());
     // Gravity in the camera's axes: x right, y forward, z up.
-    const std::array<double, kAxisCount> gravity{std::sin(roll), -std::sin(pitch), std::cos(roll) * std::cos(pitch)};
+    std::array<double, kAxisCount> gravity{std::sin(roll), -std::sin(pitch), std::cos(roll) * std::cos(pitch)};
+    if (m_pose != 0) {
+        constexpr std::array<std::size_t, 3> faceAxis{2, 0, 1};
+        gravity = {};
+        gravity[faceAxis[std::size_t(m_pose - 1) / 2]] = m_pose % 2 ? 1.0 : -1.0;
+    }
     for (std::size_t i = 0; i < kAxisCount; ++i) {
         AxisState &axis = m_axes[i];
         if (!m_imuPresent) {
@@ -163,7 +168,8 @@ void Stabilizer::sense()
         axis.gyroFiltered += (axis.plant.rate() - axis.gyroFiltered) * kCycle / kGyroLag;
         axis.rawGyro = axis.gyroFiltered + m_imu.gyroBias[i] + m_noise.gauss(m_imu.gyroNoise);
         axis.gyro = axis.rawGyro - m_imu.gyroCorrection[i];
-        m_acc[i] = gravity[i] + m_imu.accError[i] - m_imu.accCorrection[i] + m_noise.gauss(m_imu.accNoise);
+        const double reading = gravity[i] * m_imu.accScaleError[i] + m_imu.accError[i] + m_noise.gauss(m_imu.accNoise);
+        m_acc[i] = (reading - m_imu.accCorrection[i]) / m_imu.accScale[i];
     }
     if (!m_imuPresent)
         return;

@@ -39,7 +39,9 @@ struct SimulatedImu
     std::array<double, kAxisCount> gyroBias{1.7, -2.4, 1.1};         ///< deg/s
     std::array<double, kAxisCount> accError{0.035, -0.028, 0.02};    ///< g
     std::array<double, kAxisCount> gyroCorrection{};                 ///< found by calibration
+    std::array<double, kAxisCount> accScaleError{1.03, 0.975, 1.02}; ///< reading per true g
     std::array<double, kAxisCount> accCorrection{};
+    std::array<double, kAxisCount> accScale{1.0, 1.0, 1.0};          ///< found by calibration in both directions
     double gyroNoise = 0.06;                                         ///< deg/s per sample
     double accNoise = 0.004;                                         ///< g
 };
@@ -60,6 +62,14 @@ public:
     [[nodiscard]] bool imuPresent() const { return m_imuPresent; }
     /// Somebody holds the camera still, or it lies on the table: the sensors see no motion.
     void setHeld(bool held) { m_held = held; }
+    /// The sensor lies still on one of its faces: 1-6 with Z, -Z, X, -X, Y, -Y up; 0 = in the gimbal.
+    void setPose(int pose) { m_pose = pose; }
+    [[nodiscard]] int pose() const { return m_pose; }
+    /// The accelerometer before calibration, in g.
+    [[nodiscard]] double rawAcc(std::size_t axis) const
+    {
+        return m_acc[axis] * m_imu.accScale[axis] + m_imu.accCorrection[axis];
+    }
     /// Roll and pitch motors are plugged the wrong way round.
     void setSwappedMotors(bool swapped) { m_swapped = swapped; }
     void setVoltage(double volts) { m_voltage = volts; }
@@ -120,5 +130,6 @@ private:
     bool m_motorsOn = false;
     bool m_imuPresent = true;
     bool m_held = false;
+    int m_pose = 0;
     bool m_swapped = false;
 };

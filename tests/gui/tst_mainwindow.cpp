@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/composition/composition.h"
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/linkbar.h"
 #include "app/mainwindow/mainwindow.h"
@@ -10,6 +9,7 @@
 #include "app/pages/monitorpage.h"
 #include "app/pages/parameterspage.h"
 #include "tests/support/simprocess.h"
+#include "tests/support/windowrig.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/reviewdialog.h"
 #include "widgets/forms/valueeditor.h"
@@ -56,7 +56,6 @@ class TestMainWindow : public QObject
 {
     Q_OBJECT
 private slots:
-    void initTestCase();
     void init();
     void cleanup();
     void startCardLeadsToTheSimulator();
@@ -79,7 +78,7 @@ private slots:
     void dashboardShowsFaults();
     void readOnlyBoardCannotBeEdited();
     void unplugKeepsEdits();
-    void interruptedWriteIsToldAfterReconnecting();
+    void interruptedWriteIsFinishedAfterReconnecting();
     void conflictIsTold();
     void everyControlHasAName();
     void contrastIsEnough_data();
@@ -87,28 +86,17 @@ private slots:
     void tourMakesEveryPicture();
 
 private:
-    bool open(const QString &address = u"sim:simplebgc"_s)
-    {
-        m_window->openLink(address);
-        return QTest::qWaitFor([this] { return !model().isEmpty(); }, 15000);
-    }
-    ConfigurationModel &model() { return m_window->workspace().configuration(); }
-    DeviceClient &client() { return m_window->workspace().client(); }
+    static void checkNames(QWidget *root);
+    bool open(const QString &address = u"sim:simplebgc"_s) { return m_rig->open(address); }
+    ConfigurationModel &model() { return m_rig->model(); }
+    DeviceClient &client() { return m_rig->client(); }
     template<typename P>
     P *page()
     {
-        for (Page *candidate : m_window->pages()) {
-            if (auto *found = qobject_cast<P *>(candidate)) {
-                m_window->showPage(found->key());
-                return found;
-            }
-        }
-        return nullptr;
+        return m_rig->page<P>();
     }
-    int raw(const QString &key, int profile = 0)
-    {
-        return model().board().raw(*model().board().parameters().find(key), profile).value();
-    }
+    int raw(const QString &key, int profile = 0) { return m_rig->raw(key, profile); }
+    QString filePath(const QString &name) { return m_rig->filePath(name); }
     QDoubleSpinBox *numberBox(const QString &key)
     {
         auto *parameters = page<ParametersPage>();
@@ -117,31 +105,19 @@ private:
         return parameters->form()->findChild<QDoubleSpinBox *>(key);
     }
 
-    std::unique_ptr<QTemporaryDir> m_dir;
-    std::unique_ptr<Theme> m_theme;
-    std::unique_ptr<MainWindow> m_window;
+    std::unique_ptr<WindowRig> m_rig;
+    MainWindow *m_window = nullptr;
 };
-
-void TestMainWindow::initTestCase()
-{
-    m_theme = std::make_unique<Theme>();
-    m_theme->setMode(Theme::Mode::Light);
-    m_theme->apply();
-}
 
 void TestMainWindow::init()
 {
-    m_dir = std::make_unique<QTemporaryDir>();
-    qputenv("XDG_DATA_HOME", m_dir->path().toLocal8Bit());
-    m_window = std::make_unique<MainWindow>(allTransports(), allFamilies(), *m_theme);
-    m_window->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-    m_window->activateWindow();
+    m_rig = std::make_unique<WindowRig>();
+    m_window = &m_rig->window();
 }
 
 void TestMainWindow::cleanup()
 {
-    m_window.reset();
+    m_rig.reset();
 }
 
 void TestMainWindow::startCardLeadsToTheSimulator()
@@ -149,7 +125,7 @@ void TestMainWindow::startCardLeadsToTheSimulator()
     auto *start = m_window->findChild<StartPage *>();
     QVERIFY(start->isVisible());
     const auto buttons = start->findChildren<QPushButton *>();
-    QCOMPARE(buttons.size(), 2);
+    QCOMPARE(buttons.size(), 3);
     QTest::mouseClick(buttons.last(), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(client().isConnected() && !model().isEmpty(), 15000);
     QVERIFY(!start->isVisible());
@@ -166,8 +142,8 @@ void TestMainWindow::connectByKeyboard()
     QTRY_VERIFY_WITH_TIMEOUT(client().isConnected(), 15000);
     QTRY_VERIFY_WITH_TIMEOUT(!model().isEmpty(), 15000);
     // Ctrl+2 is the second page.
-    QTest::keyClick(m_window.get(), Qt::Key_2, Qt::ControlModifier);
-    QTRY_VERIFY(m_window->pages().at(1)->isVisible());
+    QTest::keyClick(m_window, Qt::Key_2, Qt::ControlModifier);
+    QTRY_VERIFY(m_window->page(QLatin1String(pageTable()[1].key))->isVisible());
     QTest::mouseClick(m_window->linkBar()->connectButton(), Qt::LeftButton);
     QTRY_COMPARE(client().state(), DeviceClient::State::Disconnected);
 }
@@ -221,7 +197,7 @@ void TestMainWindow::editReviewWriteByKeyboard()
     QTest::keyClicks(box, u"61"_s);
     QTest::keyClick(box, Qt::Key_Tab);
     QTRY_COMPARE(model().changeCount(), 1);
-    QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ControlModifier);
+    QTest::keyClick(m_window, Qt::Key_S, Qt::ControlModifier);
     QTRY_VERIFY(m_window->reviewDialog());
     QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
     QTest::keyClick(m_window->reviewDialog(), Qt::Key_Return);
@@ -385,9 +361,9 @@ void TestMainWindow::nothingIsCutAtTheSmallestSize()
         parameters->showGroup(i);
         QTest::qWait(20);
         for (const QWidget *editor : parameters->form()->findChildren<ValueEditor *>()) {
-            const int right = editor->mapTo(m_window.get(), QPoint(editor->width(), 0)).x();
+            const int right = editor->mapTo(m_window, QPoint(editor->width(), 0)).x();
             const QWidget *view = parameters->form()->parentWidget()->parentWidget();
-            const int edge = view->mapTo(m_window.get(), QPoint(view->width(), 0)).x();
+            const int edge = view->mapTo(m_window, QPoint(view->width(), 0)).x();
             QVERIFY2(right <= edge, qPrintable(u"%1: %2 > %3"_s.arg(groups->item(i)->text()).arg(right).arg(edge)));
         }
     }
@@ -404,7 +380,7 @@ void TestMainWindow::monitorDrawsTraces()
         const QSet<QRgb> colors = colorsOf(monitor->plots().last()->grab().toImage());
         int found = 0;
         for (const Axis axis : kAxes)
-            found += colors.contains(m_theme->axisColor(axis).rgb());
+            found += colors.contains(m_rig->theme().axisColor(axis).rgb());
         return found == 3;
     }(), 8000);
     // Ticking another unit makes another plot; the stream is arranged anew.
@@ -422,11 +398,11 @@ void TestMainWindow::monitorPauses()
     QTRY_VERIFY_WITH_TIMEOUT(client().telemetryPlan().rate == 1250.0, 5000);
     QTest::qWait(500);
     PlotView *plot = monitor->plots().first();
-    plot->setPaused(true);
+    monitor->pauseButton()->setChecked(true);
     const QImage still = plot->grab().toImage();
     QTest::qWait(300);
     QVERIFY(plot->grab().toImage() == still);
-    plot->setPaused(false);
+    monitor->pauseButton()->setChecked(false);
     QTRY_VERIFY(plot->grab().toImage() != still);
     QVERIFY(plot->usefulRate() <= 60 && plot->usefulRate() >= 10);
 }
@@ -456,7 +432,7 @@ void TestMainWindow::readOnlyBoardCannotBeEdited()
 
 void TestMainWindow::unplugKeepsEdits()
 {
-    const QString path = m_dir->filePath(u"gimbal"_s);
+    const QString path = filePath(u"gimbal"_s);
     SimProcess simulator({u"--pty"_s, path, u"--fault"_s, u"unplug=6"_s, u"--fault"_s, u"replug=1"_s});
     QVERIFY(open(u"serial:"_s + path));
     numberBox(u"pid.roll.p"_s)->setValue(47);
@@ -470,9 +446,9 @@ void TestMainWindow::unplugKeepsEdits()
     QVERIFY(m_window->unsavedBar()->writeButton()->isEnabled());
 }
 
-void TestMainWindow::interruptedWriteIsToldAfterReconnecting()
+void TestMainWindow::interruptedWriteIsFinishedAfterReconnecting()
 {
-    const QString path = m_dir->filePath(u"gimbal"_s);
+    const QString path = filePath(u"gimbal"_s);
     SimProcess simulator({u"--pty"_s, path, u"--fault"_s, u"reset-on-write=2"_s});
     QVERIFY(open(u"serial:"_s + path));
     for (int profile = 0; profile < 4; ++profile)
@@ -482,16 +458,17 @@ void TestMainWindow::interruptedWriteIsToldAfterReconnecting()
     m_window->workspace().write(model().edited());
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 20000);
     QVERIFY(!m_window->workspace().lastReport()->isComplete());
-    QTRY_VERIFY_WITH_TIMEOUT(m_window->messageBar()->text().contains(u"was interrupted"_s), 20000);
-    QVERIFY(m_window->messageBar()->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->offerBar()->text().contains(u"was interrupted"_s), 20000);
+    QVERIFY(m_window->offerBar()->isVisible());
     // What the message says is so, and the rest is still there to be written.
     int missing = 0;
     for (int profile = 0; profile < 4; ++profile)
         missing += raw(u"pid.roll.p"_s, profile) != 80 + profile;
     QVERIFY(missing > 0);
     QCOMPARE(model().changeCount(), missing);
-    QVERIFY(m_window->messageBar()->text().contains(u"%1 of 4"_s.arg(missing)));
-    m_window->workspace().write(model().edited());
+    QVERIFY(m_window->offerBar()->text().contains(u"%1 of 4"_s.arg(missing)));
+    // The first answer finishes the write.
+    QTest::mouseClick(m_window->offerBar()->buttons().first(), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 2, 20000);
     QVERIFY(m_window->workspace().lastReport()->isComplete());
     QCOMPARE(raw(u"pid.roll.p"_s, 3), 83);
@@ -516,16 +493,23 @@ void TestMainWindow::conflictIsTold()
 void TestMainWindow::everyControlHasAName()
 {
     QVERIFY(open());
-    page<ParametersPage>();
-    for (const Page *candidate : m_window->pages())
-        m_window->showPage(candidate->key());
-    for (QWidget *widget : m_window->findChildren<QWidget *>()) {
+    for (const PageEntry &entry : pageTable()) {
+        m_window->showPage(QLatin1String(entry.key));
+        checkNames(m_window);
+    }
+}
+
+void TestMainWindow::checkNames(QWidget *root)
+{
+    for (QWidget *widget : root->findChildren<QWidget *>()) {
         if (widget->focusPolicy() == Qt::NoFocus || !widget->isVisible() || qobject_cast<QScrollArea *>(widget)
             || widget->objectName().startsWith(u"qt_"_s))
             continue;
         QString name = widget->accessibleName();
         if (auto *button = qobject_cast<QAbstractButton *>(widget))
             name += button->text();
+        if (auto *label = qobject_cast<QLabel *>(widget))
+            name += label->text().isEmpty() ? u"(text)"_s : label->text();
         if (auto *line = qobject_cast<QLineEdit *>(widget))
             name += line->parentWidget()->accessibleName();
         QVERIFY2(!name.isEmpty(), qPrintable(QString::fromLatin1(widget->metaObject()->className()) + u" in "_s
@@ -563,10 +547,10 @@ void TestMainWindow::contrastIsEnough()
 
 void TestMainWindow::tourMakesEveryPicture()
 {
-    const QString folder = m_dir->filePath(u"tour"_s);
+    const QString folder = filePath(u"tour"_s);
     Tour tour(*m_window, folder, u"-light"_s);
     QSignalSpy finished(&tour, &Tour::finished);
-    QTimer::singleShot(500, m_window.get(), [this] { m_window->openLink(u"sim:simplebgc"_s); });
+    QTimer::singleShot(500, m_window, [this] { m_window->openLink(u"sim:simplebgc"_s); });
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 60000);
     QCOMPARE(finished.first().at(1).toString(), QString());
     const QStringList pictures = finished.first().at(0).toStringList();

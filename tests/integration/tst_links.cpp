@@ -35,7 +35,7 @@ Result<T> wait(QFuture<Result<T>> future, int ms = 20000)
 
 std::unique_ptr<DeviceClient> makeClient()
 {
-    return std::make_unique<DeviceClient>(allTransports(), allFamilies());
+    return std::make_unique<DeviceClient>(allLinks().transports, allFamilies());
 }
 
 bool connectTo(DeviceClient &client, const QString &address, int ms = 15000)

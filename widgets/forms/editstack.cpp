@@ -5,20 +5,29 @@
 #include "widgets/models/parametermodel.h"
 
 #include <QElapsedTimer>
+#include <QJsonArray>
 #include <QUndoCommand>
 
 #include <tuple>
+
+using namespace Qt::StringLiterals;
 
 namespace {
 
 constexpr qint64 kMergeMs = 1000;
 
-class ValueEdit final : public QUndoCommand
+/// A step that can be kept in a file.
+class Edit : public QUndoCommand
 {
 public:
-    ValueEdit(ConfigurationModel &configuration, const ParameterSpec &spec, int profile, int raw)
-        : m_configuration(configuration), m_key(spec.key), m_profile(profile),
-          m_old(configuration.value(spec, profile).value_or(raw)), m_new(raw)
+    [[nodiscard]] virtual QJsonObject toJson() const = 0;
+};
+
+class ValueEdit final : public Edit
+{
+public:
+    ValueEdit(ConfigurationModel &configuration, const ParameterSpec &spec, int profile, int from, int to)
+        : m_configuration(configuration), m_key(spec.key), m_profile(profile), m_old(from), m_new(to)
     {
         setText(parameterLabel(spec));
         m_age.start();
@@ -39,6 +48,11 @@ public:
         return true;
     }
 
+    [[nodiscard]] QJsonObject toJson() const override
+    {
+        return {{u"key"_s, m_key}, {u"profile"_s, m_profile}, {u"from"_s, m_old}, {u"to"_s, m_new}};
+    }
+
 private:
     void set(int raw)
     {
@@ -55,17 +69,20 @@ private:
     QElapsedTimer m_age;
 };
 
-class RenameEdit final : public QUndoCommand
+class RenameEdit final : public Edit
 {
 public:
-    RenameEdit(ConfigurationModel &configuration, int profile, const QString &name)
-        : m_configuration(configuration), m_profile(profile),
-          m_old(configuration.edited().profileNames().value(profile)), m_new(name)
+    RenameEdit(ConfigurationModel &configuration, int profile, const QString &from, const QString &to)
+        : m_configuration(configuration), m_profile(profile), m_old(from), m_new(to)
     {
-        setText(QObject::tr("Profile name"));
+        setText(EditStack::tr("Profile name"));
     }
     void undo() override { m_configuration.setProfileName(m_profile, m_old); }
     void redo() override { m_configuration.setProfileName(m_profile, m_new); }
+    [[nodiscard]] QJsonObject toJson() const override
+    {
+        return {{u"profile"_s, m_profile}, {u"fromName"_s, m_old}, {u"toName"_s, m_new}};
+    }
 
 private:
     ConfigurationModel &m_configuration;
@@ -89,25 +106,112 @@ bool EditStack::edit(int parameter, int profile, int raw)
     if (!now || !spec.isInRange(raw) || spec.row->state)
         return false;
     if (*now != raw)
-        m_stack.push(new ValueEdit(m_configuration, spec, profile, raw));
+        m_stack.push(new ValueEdit(m_configuration, spec, profile, *now, raw));
     return true;
 }
 
 void EditStack::rename(int profile, const QString &name)
 {
-    if (m_configuration.edited().profileNames().value(profile) != name)
-        m_stack.push(new RenameEdit(m_configuration, profile, name));
+    const QString now = m_configuration.edited().profileNames().value(profile);
+    if (now != name)
+        m_stack.push(new RenameEdit(m_configuration, profile, now, name));
 }
 
 void EditStack::discardAll()
 {
-    const auto changes = m_configuration.changes();
-    if (changes.empty() && !m_configuration.namesChanged())
+    apply(m_configuration.board(), tr("Discard all changes"));
+}
+
+void EditStack::apply(const Configuration &wanted, const QString &text)
+{
+    const auto changes = m_configuration.edited().changesTo(wanted);
+    if (changes.empty() && wanted.profileNames() == m_configuration.edited().profileNames())
         return;
-    m_stack.beginMacro(tr("Discard all changes"));
+    m_stack.beginMacro(text);
     for (const ParameterChange &change : changes)
-        edit(change.spec->id, change.profile, change.from);
-    for (int profile = 0; profile < m_configuration.board().identity().profileCount; ++profile)
-        rename(profile, m_configuration.board().profileNames().value(profile));
+        push(change);
+    for (int profile = 0; profile < wanted.identity().profileCount; ++profile)
+        rename(profile, wanted.profileNames().value(profile));
     m_stack.endMacro();
+}
+
+// Unlike edit(): values that a board or a file holds are taken as they are, even outside the documented range.
+void EditStack::push(const ParameterChange &change)
+{
+    m_stack.push(new ValueEdit(m_configuration, *change.spec, change.profile, change.from, change.to));
+}
+
+void EditStack::copyProfile(int from, int to)
+{
+    applyProfile(m_configuration.edited(), from, to,
+                 tr("Copy profile %1 onto profile %2").arg(from + 1).arg(to + 1));
+}
+
+void EditStack::applyProfile(const Configuration &wanted, int from, int to, const QString &text)
+{
+    std::vector<ParameterChange> changes;
+    for (const ParameterSpec &spec : m_configuration.edited().parameters().all()) {
+        if (spec.row->scope != Scope::Profile || spec.row->state)
+            continue;
+        const auto now = m_configuration.value(spec, to);
+        const auto then = wanted.raw(wanted.parameters().at(spec.id), from);
+        if (now && then && *now != *then)
+            changes.push_back({&spec, to, *now, *then});
+    }
+    if (changes.empty())
+        return;
+    m_stack.beginMacro(text);
+    for (const ParameterChange &change : changes)
+        push(change);
+    m_stack.endMacro();
+}
+
+QJsonObject EditStack::toJson() const
+{
+    QJsonArray steps;
+    for (int i = 0; i < m_stack.count(); ++i) {
+        const QUndoCommand *command = m_stack.command(i);
+        QJsonArray edits;
+        if (const auto *single = dynamic_cast<const Edit *>(command))
+            edits.append(single->toJson());
+        for (int child = 0; child < command->childCount(); ++child) {
+            if (const auto *edit = dynamic_cast<const Edit *>(command->child(child)))
+                edits.append(edit->toJson());
+        }
+        steps.append(QJsonObject{{u"text"_s, command->text()}, {u"edits"_s, edits}});
+    }
+    return {{u"steps"_s, steps}, {u"done"_s, m_stack.index()}};
+}
+
+bool EditStack::restore(const QJsonObject &steps)
+{
+    m_stack.clear();
+    const QJsonArray list = steps.value(u"steps"_s).toArray();
+    int undone = int(list.size()) - steps.value(u"done"_s).toInt();
+    for (const QJsonValue &step : list) {
+        m_stack.beginMacro(step.toObject().value(u"text"_s).toString());
+        for (const QJsonValue &value : step.toObject().value(u"edits"_s).toArray())
+            restoreEdit(value.toObject());
+        m_stack.endMacro();
+    }
+    for (; undone > 0; --undone)
+        m_stack.undo();
+    return m_configuration.changeCount() > 0 || m_stack.canRedo();
+}
+
+void EditStack::restoreEdit(const QJsonObject &edit)
+{
+    const int profile = edit.value(u"profile"_s).toInt(-1);
+    if (profile < 0 || profile >= m_configuration.board().identity().profileCount)
+        return;
+    if (edit.contains(u"toName"_s)) {
+        m_stack.push(new RenameEdit(m_configuration, profile, edit.value(u"fromName"_s).toString(),
+                                    edit.value(u"toName"_s).toString()));
+        return;
+    }
+    const ParameterSpec *spec = m_configuration.edited().parameters().find(edit.value(u"key"_s).toString());
+    const int to = edit.value(u"to"_s).toInt();
+    const int from = edit.value(u"from"_s).toInt();
+    if (spec && !spec->row->state && spec->isInRange(to) && m_configuration.value(*spec, profile))
+        m_stack.push(new ValueEdit(m_configuration, *spec, profile, from, to));
 }

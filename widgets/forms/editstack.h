@@ -4,6 +4,7 @@
 
 #include "widgets/models/configurationmodel.h"
 
+#include <QJsonObject>
 #include <QUndoStack>
 
 /// Edits of the configuration that can be undone, over all pages and profiles.
@@ -18,9 +19,23 @@ public:
     void rename(int profile, const QString &name);
     /// Takes back all edits, as one step that can itself be undone.
     void discardAll();
+    /// Takes the profile values of one profile over into another, as one step.
+    void copyProfile(int from, int to);
+    /// Takes all values and names of a configuration of the same parameter set over, as one step.
+    void apply(const Configuration &wanted, const QString &text);
+    /// Takes one profile's values of a configuration of the same parameter set over, as one step.
+    void applyProfile(const Configuration &wanted, int from, int to, const QString &text);
+
+    /// All steps, done and undone, as data that survives the program.
+    [[nodiscard]] QJsonObject toJson() const;
+    /// Puts such steps on an empty stack. Steps that do not fit this board are left out; false if none fits.
+    bool restore(const QJsonObject &steps);
     [[nodiscard]] QUndoStack &undoStack() { return m_stack; }
 
 private:
+    void push(const ParameterChange &change);
+    void restoreEdit(const QJsonObject &edit);
+
     ConfigurationModel &m_configuration;
     QUndoStack m_stack;
 };

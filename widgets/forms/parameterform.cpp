@@ -140,7 +140,7 @@ QWidget *ParameterForm::makeMatrix(const QList<QList<int>> &rows)
         grid->setColumnMinimumWidth(axis + 1, 112);
         grid->setColumnStretch(axis + 1, 2);
     }
-    grid->setColumnMinimumWidth(0, 168);
+    grid->setColumnMinimumWidth(0, 156);
     grid->setColumnStretch(0, 1);
     grid->setColumnStretch(4, 1);
     int line = 1;

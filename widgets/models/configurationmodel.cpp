@@ -62,6 +62,7 @@ void ConfigurationModel::setBoard(const Configuration &board)
     }
     recount();
     emit profileNamesChanged();
+    emit storedChanged();
 }
 
 void ConfigurationModel::setActiveProfile(int profile)

@@ -46,6 +46,8 @@ public:
 
 signals:
     void boardReset();
+    /// A write has changed what the board holds.
+    void storedChanged();
     void valueChanged(int parameter, int profile);
     void shownProfileChanged(int profile);
     void activeProfileChanged(int profile);

@@ -3,13 +3,18 @@
 #include "widgets/plot/plotview.h"
 
 #include "widgets/models/parametermodel.h"
+#include "widgets/plot/spanstatistics.h"
 #include "widgets/plot/traceitem.h"
 
 #include <QChart>
 #include <QGraphicsLayout>
+#include <QKeyEvent>
 #include <QLegendMarker>
 #include <QLineSeries>
+#include <QMouseEvent>
+#include <QPainter>
 #include <QValueAxis>
+#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -100,6 +105,8 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
     setAccessibleName(tr("Live plot"));
     viewport()->setAccessibleName(accessibleName());
     setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    viewport()->setMouseTracking(true);
     connect(&m_theme, &Theme::changed, this, &PlotView::applyTheme);
     connect(plot, &QChart::plotAreaChanged, this, &PlotView::updateView);
     applyTheme();
@@ -109,12 +116,13 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
 
 PlotView::~PlotView() = default;
 
-QColor PlotView::colorOf(int channel, int &next) const
+QColor PlotView::colorOf(qsizetype curve, int &next) const
 {
-    const Axis axis = m_table[std::size_t(channel)].axis;
+    const Axis axis = m_table[std::size_t(m_curves[curve].channel)].axis;
     // Axes keep their colour everywhere; a second trace of the same axis in one plot gets another one.
-    const bool taken = std::any_of(m_channels.begin(), m_channels.begin() + m_channels.indexOf(channel),
-                                   [&](int other) { return m_table[std::size_t(other)].axis == axis; });
+    const bool taken = std::any_of(m_curves.begin(), m_curves.begin() + curve, [&](const Curve &other) {
+        return m_table[std::size_t(other.channel)].axis == axis;
+    });
     if (axis != Axis::None && !taken)
         return m_theme.axisColor(axis);
     return m_theme.seriesColor(next++);
@@ -123,8 +131,16 @@ QColor PlotView::colorOf(int channel, int &next) const
 void PlotView::setChannels(ChannelTable table, const QList<int> &channels,
                            std::shared_ptr<const TelemetryStore> store)
 {
+    QList<Curve> curves;
+    for (const int channel : channels)
+        curves.append({channel, -1, {}});
+    setCurves(table, curves, std::move(store));
+}
+
+void PlotView::setCurves(ChannelTable table, const QList<Curve> &curves, std::shared_ptr<const TelemetryStore> store)
+{
     m_table = table;
-    m_channels = channels;
+    m_curves = curves;
     m_store = std::move(store);
     m_generation = -1;
     for (QLineSeries *series : std::exchange(m_series, {})) {
@@ -132,16 +148,16 @@ void PlotView::setChannels(ChannelTable table, const QList<int> &channels,
         delete series;
     }
     m_traces->traces().clear();
-    for (const int channel : channels) {
+    for (const Curve &curve : curves) {
         auto *series = new QLineSeries(this);
-        const ChannelSpec &spec = table[std::size_t(channel)];
-        series->setName(tableText(spec.label));
+        series->setName(curve.name.isEmpty() ? tableText(table[std::size_t(curve.channel)].label) : curve.name);
         chart()->addSeries(series);
         series->attachAxis(m_timeAxis);
         series->attachAxis(m_valueAxis);
         m_series.append(series);
         TraceItem::Trace trace;
-        trace.channel = channel;
+        trace.channel = curve.channel;
+        trace.minus = curve.minus;
         m_traces->traces().push_back(std::move(trace));
     }
     const auto markers = chart()->legend()->markers();
@@ -157,7 +173,7 @@ void PlotView::setChannels(ChannelTable table, const QList<int> &channels,
     }
     // The unit stands at the scale, where the numbers are.
     m_valueAxis->setTitleText(
-        channels.isEmpty() ? QString() : QString::fromUtf8(table[std::size_t(channels.first())].unit));
+        curves.isEmpty() ? QString() : QString::fromUtf8(table[std::size_t(curves.first().channel)].unit));
     applyTheme();
 }
 
@@ -174,7 +190,7 @@ void PlotView::applyTheme()
     int next = 0;
     for (qsizetype i = 0; i < m_series.size(); ++i) {
         TraceItem::Trace &trace = m_traces->traces()[std::size_t(i)];
-        trace.color = colorOf(trace.channel, next);
+        trace.color = colorOf(i, next);
         QColor shown = trace.color;
         if (!trace.visible)
             shown.setAlpha(60);
@@ -193,9 +209,35 @@ void PlotView::setWindow(double seconds)
     updateView();
 }
 
-void PlotView::setPaused(bool paused)
+void PlotView::hold(double end)
 {
-    m_paused = paused;
+    m_traces->hold(end);
+    advance();
+    viewport()->update();
+}
+
+void PlotView::follow()
+{
+    m_traces->follow();
+    viewport()->update();
+}
+
+bool PlotView::isHeld() const
+{
+    return m_traces->heldAt().has_value();
+}
+
+double PlotView::endTime() const
+{
+    return m_traces->end();
+}
+
+void PlotView::setCursorTime(std::optional<double> time)
+{
+    if (m_cursor == time)
+        return;
+    m_cursor = time;
+    viewport()->update();
 }
 
 void PlotView::setScale(double low, double high, int steps)
@@ -220,17 +262,21 @@ void PlotView::resizeEvent(QResizeEvent *event)
     const QSizeF size = viewport()->size();
     chart()->setPlotArea({kLeft, kTop, std::max(10.0, size.width() - kLeft - kRight),
                           std::max(10.0, size.height() - kTop - kBottom)});
+    // A legend made while the view had no size keeps what it found then.
+    chart()->legend()->setMaximumWidth(size.width());
+    chart()->legend()->setVisible(false);
+    chart()->legend()->setVisible(true);
     updateView();
 }
 
 bool PlotView::advance()
 {
-    if (!m_store || m_paused || m_channels.isEmpty())
+    if (!m_store || m_curves.isEmpty())
         return false;
     if (m_generation != m_store->generation()) {
         m_generation = m_store->generation();
         for (TraceItem::Trace &trace : m_traces->traces())
-            trace.tracks = m_store->tracks(trace.channel);
+            trace.sources = TraceSource::find(*m_store, trace.channel, trace.minus);
         m_traces->invalidate();
     }
     const double newest = m_traces->newestSample();
@@ -271,4 +317,124 @@ int PlotView::usefulRate() const
 {
     const double pixelsPerSecond = chart()->plotArea().width() * devicePixelRatioF() / m_window;
     return std::clamp(int(std::ceil(pixelsPerSecond)), 10, kMostFrames);
+}
+
+double PlotView::timeAt(double x) const
+{
+    const QRectF area = chart()->plotArea();
+    return endTime() - m_window * (1.0 - (x - area.left()) / std::max(1.0, area.width()));
+}
+
+QStringList PlotView::cursorTexts() const
+{
+    QStringList texts;
+    if (!m_cursor || !m_store)
+        return texts;
+    for (const Curve &curve : m_curves) {
+        const ChannelSpec &spec = m_table[std::size_t(curve.channel)];
+        const double value = valueAt(*m_store, curve.channel, curve.minus, *m_cursor);
+        const QString name = curve.name.isEmpty() ? tableText(spec.label) : curve.name;
+        texts.append(std::isnan(value) ? u"%1  –"_s.arg(name)
+                                       : u"%1  %2 %3"_s.arg(name, QString::number(value, 'f', spec.decimals),
+                                                            QString::fromUtf8(spec.unit)));
+    }
+    return texts;
+}
+
+void PlotView::drawForeground(QPainter *painter, const QRectF &rect)
+{
+    QChartView::drawForeground(painter, rect);
+    const QRectF area = chart()->plotArea();
+    if (!m_cursor)
+        return;
+    const double x = area.right() - (endTime() - *m_cursor) / m_window * area.width();
+    if (x < area.left() || x > area.right())
+        return;
+    painter->setPen(QPen(m_theme.color(ColorRole::Muted), 1, Qt::DashLine));
+    painter->drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    const QStringList texts = cursorTexts();
+    const QFontMetricsF metrics(font());
+    double width = 0;
+    for (const QString &text : texts)
+        width = std::max(width, metrics.horizontalAdvance(text));
+    const double lines = std::min<double>(double(texts.size()), std::floor((area.height() - 8) / metrics.lineSpacing()));
+    QRectF box(x + 8, area.top() + 4, width + 28, lines * metrics.lineSpacing() + 8);
+    if (box.right() > area.right())
+        box.moveRight(x - 8);
+    QColor background = m_theme.color(ColorRole::SurfaceRaised);
+    background.setAlpha(235);
+    painter->setPen(m_theme.color(ColorRole::Border));
+    painter->setBrush(background);
+    painter->drawRoundedRect(box, 4, 4);
+    for (int i = 0; i < int(lines); ++i) {
+        const double top = box.top() + 4 + i * metrics.lineSpacing();
+        painter->fillRect(QRectF(box.left() + 6, top + metrics.lineSpacing() / 2 - 4, 8, 8),
+                          m_traces->traces()[std::size_t(i)].color);
+        painter->setPen(m_theme.color(ColorRole::Text));
+        painter->drawText(QRectF(box.left() + 20, top, width + 4, metrics.lineSpacing()),
+                          Qt::AlignLeft | Qt::AlignVCenter, texts[i]);
+    }
+}
+
+void PlotView::wheelEvent(QWheelEvent *event)
+{
+    const int steps = event->angleDelta().y();
+    if (steps == 0) {
+        event->ignore();
+        return;
+    }
+    emit zoomRequested(steps > 0 ? 0.8 : 1.25, timeAt(event->position().x()));
+    event->accept();
+}
+
+void PlotView::mousePressEvent(QMouseEvent *event)
+{
+    QChartView::mousePressEvent(event);   // the legend's toggles
+    if (event->button() == Qt::LeftButton && chart()->plotArea().contains(event->position()))
+        m_dragFrom = event->position().x();
+}
+
+void PlotView::mouseMoveEvent(QMouseEvent *event)
+{
+    QChartView::mouseMoveEvent(event);
+    const QRectF area = chart()->plotArea();
+    if (m_dragFrom && (event->buttons() & Qt::LeftButton)) {
+        const double moved = event->position().x() - *m_dragFrom;
+        m_dragFrom = event->position().x();
+        emit panRequested(-moved / std::max(1.0, area.width()) * m_window);
+        return;
+    }
+    if (area.contains(event->position()))
+        emit cursorMoved(timeAt(event->position().x()));
+    else
+        emit cursorMoved({});
+}
+
+void PlotView::mouseReleaseEvent(QMouseEvent *event)
+{
+    QChartView::mouseReleaseEvent(event);
+    m_dragFrom.reset();
+}
+
+void PlotView::leaveEvent(QEvent *event)
+{
+    QChartView::leaveEvent(event);
+    emit cursorMoved({});
+}
+
+void PlotView::keyPressEvent(QKeyEvent *event)
+{
+    constexpr double kStep = 0.01;
+    const double step = m_window * kStep * (event->modifiers() & Qt::ShiftModifier ? 0.1 : 1.0);
+    const double cursor = m_cursor.value_or(endTime() - m_window / 2);
+    switch (event->key()) {
+    case Qt::Key_Left: emit cursorMoved(cursor - step); return;
+    case Qt::Key_Right: emit cursorMoved(std::min(cursor + step, endTime())); return;
+    case Qt::Key_PageUp: emit panRequested(-m_window / 2); return;
+    case Qt::Key_PageDown: emit panRequested(m_window / 2); return;
+    case Qt::Key_Plus: emit zoomRequested(0.8, cursor); return;
+    case Qt::Key_Minus: emit zoomRequested(1.25, cursor); return;
+    case Qt::Key_End: emit followRequested(); return;
+    default: QChartView::keyPressEvent(event);
+    }
 }

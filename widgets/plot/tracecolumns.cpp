@@ -12,8 +12,34 @@ constexpr double kGapSeconds = 0.6;
 
 } // namespace
 
-void TraceColumns::reset(int width, double pitch, qint64 firstColumn)
+void TraceSource::refresh()
 {
+    track.refresh();
+    if (minus)
+        minus->refresh();
+}
+
+std::vector<TraceSource> TraceSource::find(const TelemetryStore &store, int channel, int minus)
+{
+    std::vector<TraceSource> sources;
+    if (minus < 0) {
+        for (TrackView &track : store.tracks(channel))
+            sources.push_back({std::move(track), {}});
+        return sources;
+    }
+    const std::vector<TrackView> others = store.tracks(minus);
+    for (TrackView &track : store.tracks(channel)) {
+        for (const TrackView &other : others) {
+            if (other.group() == track.group())
+                sources.push_back({track, other});
+        }
+    }
+    return sources;
+}
+
+void TraceColumns::reset(int width, double pitch, qint64 firstColumn, qint64 limit)
+{
+    m_limit = limit;
     m_spans.assign(std::size_t(std::max(width, 1)), Span());
     m_pitch = pitch;
     m_first = firstColumn;
@@ -54,13 +80,14 @@ TraceColumns::Span TraceColumns::range(qint64 first, qint64 last) const
     return all;
 }
 
-std::optional<qint64> TraceColumns::update(std::vector<TrackView> &tracks)
+std::optional<qint64> TraceColumns::update(std::vector<TraceSource> &sources)
 {
     const qint64 before = m_newest;
     bool changed = false;
-    for (; m_track < tracks.size(); ++m_track) {
-        TrackView &track = tracks[m_track];
-        track.refresh();
+    for (; m_track < sources.size(); ++m_track) {
+        TraceSource &source = sources[m_track];
+        source.refresh();
+        const TrackView &track = source.track;
         if (!m_started) {
             // One sample before the window, so that the first line enters from the left.
             m_nextRow = track.rowAt(double(m_first) * m_pitch);
@@ -68,11 +95,15 @@ std::optional<qint64> TraceColumns::update(std::vector<TrackView> &tracks)
             m_started = true;
         }
         m_nextRow = std::max(m_nextRow, track.begin());
-        for (; m_nextRow < track.end(); ++m_nextRow) {
-            add(track.time(m_nextRow), track.value(m_nextRow));
+        const std::size_t end = source.minus ? std::min(track.end(), source.minus->end()) : track.end();
+        for (; m_nextRow < end; ++m_nextRow) {
+            const double time = track.time(m_nextRow);
+            if (m_limit != kNoLimit && columnOf(time) > m_limit + 1)
+                return changed ? std::optional(std::max(m_first, before)) : std::nullopt;
+            add(time, source.value(m_nextRow));
             changed = true;
         }
-        if (m_track + 1 == tracks.size())
+        if (m_track + 1 == sources.size())
             break;
         m_started = false;   // go on in the next stream that carried this channel
     }
@@ -106,7 +137,7 @@ void TraceColumns::add(double time, float value)
 
 void TraceColumns::extend(qint64 column, float value)
 {
-    if (column < m_first || column <= m_newest - qint64(m_spans.size()))
+    if (column < m_first || column > m_limit || column <= m_newest - qint64(m_spans.size()))
         return;
     // Columns that were jumped over are empty, not what stood there one turn of the ring ago.
     for (qint64 fresh = std::max(m_newest + 1, column - qint64(m_spans.size()) + 1); fresh <= column; ++fresh)

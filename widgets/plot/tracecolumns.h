@@ -4,11 +4,29 @@
 
 #include "protocol/device/telemetrystore.h"
 
+#include <limits>
+
+/// Where the samples of a trace lie: one channel, or the difference of two that come in the same rows.
+struct TraceSource
+{
+    TrackView track;
+    std::optional<TrackView> minus;
+
+    void refresh();
+    [[nodiscard]] float value(std::size_t row) const
+    {
+        return minus ? track.value(row) - minus->value(row) : track.value(row);
+    }
+    /// Everything the store has of this trace, oldest first. @param minus channel to subtract, -1 = none
+    static std::vector<TraceSource> find(const TelemetryStore &store, int channel, int minus);
+};
+
 /// One trace cut into pixel columns. Column k always covers the seconds [k*s, (k+1)*s), so nothing shimmers while the plot
 /// scrolls; finished columns are kept, only the newest one is worked on.
 class TraceColumns
 {
 public:
+    static constexpr qint64 kNoLimit = std::numeric_limits<qint64>::max();
     struct Span
     {
         float low = 0;
@@ -16,10 +34,10 @@ public:
         [[nodiscard]] bool isEmpty() const { return low > high; }
     };
 
-    /// @param width number of columns kept; @param pitch seconds per column
-    void reset(int width, double pitch, qint64 firstColumn);
+    /// @param width number of columns kept; @param pitch seconds per column; @param limit last column of interest
+    void reset(int width, double pitch, qint64 firstColumn, qint64 limit = kNoLimit);
     /// Takes all rows that are new since the last call. Returns the first column that changed, or nothing.
-    std::optional<qint64> update(std::vector<TrackView> &tracks);
+    std::optional<qint64> update(std::vector<TraceSource> &sources);
     [[nodiscard]] Span span(qint64 column) const;
     [[nodiscard]] qint64 columnOf(double time) const;
     /// Lowest and highest value in these columns; empty span when there is none.
@@ -32,6 +50,7 @@ private:
 
     std::vector<Span> m_spans;
     double m_pitch = 0.01;
+    qint64 m_limit = kNoLimit;         // columns after this one are of no interest
     qint64 m_first = 0;                // columns before this one are of no interest
     qint64 m_newest = -1;              // newest column with anything in it
     std::size_t m_track = 0;           // which of the tracks is being read

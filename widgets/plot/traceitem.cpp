@@ -36,10 +36,10 @@ double TraceItem::newestSample()
 {
     double newest = std::numeric_limits<double>::quiet_NaN();
     for (Trace &trace : m_traces) {
-        if (trace.tracks.empty())
+        if (trace.sources.empty())
             continue;
-        TrackView &track = trace.tracks.back();
-        track.refresh();
+        trace.sources.back().refresh();
+        const TrackView &track = trace.sources.back().track;
         if (track.end() > track.begin()) {
             const double time = track.time(track.end() - 1);
             newest = std::isnan(newest) ? time : std::max(newest, time);
@@ -48,18 +48,35 @@ double TraceItem::newestSample()
     return newest;
 }
 
+void TraceItem::hold(double end)
+{
+    if (m_held == end)
+        return;
+    m_held = end;
+    m_valid = false;
+}
+
+void TraceItem::follow()
+{
+    if (m_held)
+        m_valid = false;
+    m_held.reset();
+}
+
 bool TraceItem::advance(double now)
 {
-    m_now = now;
+    m_now = m_held.value_or(now);
     if (!m_valid) {
         rebuild();
         update();
         return true;
     }
+    if (m_held)
+        return false;
     const auto newColumn = static_cast<qint64>(std::floor(now / m_pitch));
     qint64 firstChanged = newColumn + 1;
     for (Trace &trace : m_traces) {
-        if (const auto changed = trace.columns.update(trace.tracks))
+        if (const auto changed = trace.columns.update(trace.sources))
             firstChanged = std::min(firstChanged, *changed);
     }
     if (newColumn == m_lastColumn && firstChanged > newColumn)
@@ -85,8 +102,9 @@ void TraceItem::rebuild()
     m_ring.fill(Qt::transparent);
     m_lastColumn = static_cast<qint64>(std::floor(m_now / m_pitch));
     for (Trace &trace : m_traces) {
-        trace.columns.reset(m_width, m_pitch, m_lastColumn - m_width + 1);
-        trace.columns.update(trace.tracks);
+        trace.columns.reset(m_width, m_pitch, m_lastColumn - m_width + 1,
+                            m_held ? m_lastColumn : TraceColumns::kNoLimit);
+        trace.columns.update(trace.sources);
     }
     m_valid = true;
     drawColumns(m_lastColumn - m_width + 1, m_lastColumn);

@@ -16,9 +16,10 @@ public:
     struct Trace
     {
         int channel = -1;
+        int minus = -1;               ///< channel to subtract, -1 = none
         QColor color;
         bool visible = true;
-        std::vector<TrackView> tracks;
+        std::vector<TraceSource> sources;
         TraceColumns columns;
     };
 
@@ -28,6 +29,12 @@ public:
     /// Area in item coordinates, seconds shown, values at the lower and upper edge, device pixels per pixel.
     void setView(const QRectF &area, double window, double low, double high, qreal scale);
     void invalidate() { m_valid = false; }
+    /// Shows the past up to that time, until follow().
+    void hold(double end);
+    void follow();
+    [[nodiscard]] std::optional<double> heldAt() const { return m_held; }
+    /// Time at the right edge.
+    [[nodiscard]] double end() const { return m_now; }
     /// Takes new samples up to that time; true if the picture changed.
     bool advance(double now);
     /// Lowest and highest value in the window over all visible traces; empty if there is none.
@@ -55,4 +62,5 @@ private:
     double m_now = 0;
     qint64 m_lastColumn = 0;       // newest column that is drawn
     bool m_valid = false;
+    std::optional<double> m_held;
 };

@@ -119,13 +119,16 @@ QFrame#unsavedBar { background: @SurfaceRaised; border: none; border-top: 2px so
 QFrame#card { background: @Surface; border: 1px solid @Border; border-radius: 6px; }
 QFrame#messageBar { background: @Surface; border: 1px solid @Ok; border-left: 4px solid @Ok; border-radius: 4px; }
 QFrame#messageBar[severe="true"] { border-color: @Danger; }
+QFrame#offerBar { background: @Surface; border: 1px solid @Accent; border-left: 4px solid @Accent; border-radius: 4px; }
 QListView#navigation { background: @Surface; border: none; border-right: 1px solid @Border; outline: none; padding: 8px 0; }
 QListView#navigation::item { padding: 8px 12px; color: @Text; border: none; border-left: 4px solid @Surface; }
 QListView#navigation::item:selected { background: @SurfaceRaised; color: @Accent; border-left: 4px solid @Accent; }
-QListView#navigation::item:disabled { color: @Muted; }
+QListView#navigation::item:disabled { color: @Muted; padding: 10px 12px 2px 12px; }
+QListView#navigation:focus { border: none; border-right: 2px solid @Accent; }
 QListView, QTreeView, QTableView { background: @Surface; border: 1px solid @Border; border-radius: 4px; }
 QListView::item { padding: 4px 8px; border: none; }
 QTreeView::item { min-height: 22px; }
+FilterTable::item, QTableWidget::item { padding: 0 6px; }
 QListView::item:selected { background: @Accent; color: @AccentText; }
 QHeaderView::section { background: @Background; color: @Muted; border: none; border-bottom: 1px solid @Border; padding: 4px 8px; }
 QScrollArea { border: none; background: transparent; }
@@ -138,6 +141,7 @@ QPushButton:checked, QToolButton:checked { background: @Accent; color: @AccentTe
 QPushButton#primary { background: @Accent; color: @AccentText; border-color: @Accent; }
 QPushButton#primary:disabled { background: @SurfaceRaised; color: @Muted; border-color: @Border; }
 QPushButton#danger { background: @Danger; color: @DangerText; border-color: @Danger; font-weight: 600; }
+QPushButton#danger:disabled { background: @SurfaceRaised; color: @Muted; border-color: @Border; }
 QPushButton#motors { font-weight: 700; padding: 6px 16px; border: 2px solid @Ok; color: @Ok; background: @Surface; }
 QPushButton#motors[running="true"] { background: @Danger; border-color: @Danger; color: @DangerText; }
 QPushButton#motors:disabled { border-color: @Border; color: @Muted; background: @Surface; }
@@ -149,6 +153,15 @@ QPushButton::menu-indicator { image: url(:/icons/down.svg); width: 10px; subcont
 QPushButton#chip { border-radius: 12px; padding: 2px 12px; background: transparent; }
 QPushButton#chip:checked { background: @Accent; color: @AccentText; }
 QLineEdit, QComboBox, QAbstractSpinBox { background: @Surface; border: 1px solid @Border; border-radius: 4px; padding: 2px 6px; min-height: 22px; }
+QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { width: 0; border: none; }
+QScrollBar:vertical { background: transparent; width: 12px; margin: 0; }
+QScrollBar:horizontal { background: transparent; height: 12px; margin: 0; }
+QScrollBar::handle { background: @Border; border-radius: 4px; margin: 2px; }
+QScrollBar::handle:vertical { min-height: 28px; }
+QScrollBar::handle:horizontal { min-width: 28px; }
+QScrollBar::handle:hover { background: @Muted; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QComboBox::drop-down { border: none; width: 22px; }
 QComboBox::down-arrow { image: url(:/icons/down.svg); width: 10px; height: 10px; }
 QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus { border: 2px solid @Accent; padding: 1px 5px; }
@@ -165,6 +178,14 @@ QLabel#warning { color: @Warning; }
 QLabel#ok { color: @Ok; }
 QCheckBox::indicator, QTreeView::indicator, QTableView::indicator { width: 14px; height: 14px; border: 1px solid @Muted; border-radius: 3px; background: @Surface; }
 QCheckBox::indicator:checked, QTreeView::indicator:checked, QTableView::indicator:checked { background: @Accent; border-color: @Accent; image: url(:/icons/@CheckIcon.svg); }
+QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: @Border; }
+QSlider::sub-page:horizontal { height: 4px; border-radius: 2px; background: @Accent; }
+QSlider::sub-page:horizontal:disabled { background: @Border; }
+QSlider::handle:horizontal { width: 14px; height: 14px; margin: -6px 0; border-radius: 7px; background: @Accent; border: 1px solid @Surface; }
+QSlider::handle:horizontal:focus { border: 3px solid @Text; margin: -7px -1px; }
+QSlider::handle:horizontal:disabled { background: @Muted; }
+QTextBrowser { background: @Surface; border: 1px solid @Border; border-radius: 4px; }
+QTextBrowser:focus, QListView:focus, QTreeView:focus, QTableView:focus { border: 2px solid @Accent; }
 QSplitter::handle { background: @Background; }
 QProgressBar { border: 1px solid @Border; border-radius: 4px; background: @Background; text-align: center; min-height: 18px; }
 QProgressBar::chunk { background: @Accent; }

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/transport/transport.h"
+
+/// Every kind of link, and the way to change the world around the simulated gimbals among them.
+struct Links
+{
+    TransportFactory transports;
+    /// A fault as NAME=VALUE for a `sim:` address that was connected to. Errors: InvalidArgument, NotConnected.
+    std::function<Result<void>(const LinkAddress &, const QString &)> changeWorld;
+};

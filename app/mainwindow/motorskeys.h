@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/pages/workspace.h"
+
+#include <QTimer>
+
+/// F12, or Esc held, switches the motors off: from every window and dialog, whatever has the focus.
+class MotorsKeys final : public QObject
+{
+    Q_OBJECT
+public:
+    explicit MotorsKeys(Workspace &workspace, QObject *parent = nullptr);
+
+signals:
+    /// Esc is down and will act after so many milliseconds.
+    void holdStarted(int ms);
+    void holdEnded();
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    Workspace &m_workspace;
+    QTimer m_hold;
+};

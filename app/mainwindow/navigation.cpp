@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mainwindow/navigation.h"
+
+#include "app/mainwindow/pagetable.h"
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kKeyRole = Qt::UserRole;
+constexpr int kTitleRole = Qt::UserRole + 1;
+constexpr int kMarkRole = Qt::UserRole + 2;
+constexpr int kIcon = 18;
+constexpr int kLastNumber = 9;      // Ctrl+1 to Ctrl+9
+
+} // namespace
+
+Navigation::Navigation(QWidget *parent)
+    : QListWidget(parent)
+{
+    setObjectName(u"navigation"_s);
+    setAccessibleName(tr("Pages"));
+    setIconSize({kIcon, kIcon});
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    QString group;
+    int number = 0;
+    for (const PageEntry &entry : pageTable()) {
+        if (group != QLatin1String(entry.group)) {
+            group = QLatin1String(entry.group);
+            auto *heading = new QListWidgetItem(pageText(entry.group).toUpper(), this);
+            heading->setFlags(Qt::NoItemFlags);
+            QFont font = heading->font();
+            font.setPointSizeF(font.pointSizeF() - 1.5);
+            font.setWeight(QFont::DemiBold);
+            heading->setFont(font);
+        }
+        const QString title = pageText(entry.title);
+        auto *item = new QListWidgetItem(QIcon(u":/icons/%1.svg"_s.arg(QLatin1String(entry.key))), title, this);
+        item->setData(kKeyRole, QString::fromLatin1(entry.key));
+        item->setData(kTitleRole, title);
+        item->setToolTip(++number <= kLastNumber ? tr("%1 (Ctrl+%2)").arg(title).arg(number) : title);
+    }
+    int width = 0;
+    for (int row = 0; row < count(); ++row)
+        width = std::max(width, sizeHintForColumn(0));
+    setFixedWidth(std::max(168, width + 22));
+    connect(this, &QListWidget::currentItemChanged, this, [this] {
+        if (!currentPage().isEmpty())
+            emit pageChosen(currentPage());
+    });
+}
+
+QString Navigation::currentPage() const
+{
+    return currentItem() ? currentItem()->data(kKeyRole).toString() : QString();
+}
+
+QListWidgetItem *Navigation::itemOf(const QString &key) const
+{
+    for (int row = 0; row < count(); ++row) {
+        if (item(row)->data(kKeyRole).toString() == key && !key.isEmpty())
+            return item(row);
+    }
+    return nullptr;
+}
+
+void Navigation::setCurrentPage(const QString &key)
+{
+    if (QListWidgetItem *found = itemOf(key))
+        setCurrentItem(found);
+}
+
+void Navigation::setMarked(const QString &key, bool marked)
+{
+    QListWidgetItem *found = itemOf(key);
+    if (!found || found->data(kMarkRole).toBool() == marked)
+        return;
+    found->setData(kMarkRole, marked);
+    const QString title = found->data(kTitleRole).toString();
+    found->setText(marked ? title + u"  •"_s : title);
+    found->setData(Qt::AccessibleTextRole, marked ? tr("%1, with unsaved changes").arg(title) : title);
+}
+
+bool Navigation::isMarked(const QString &key) const
+{
+    const QListWidgetItem *found = itemOf(key);
+    return found && found->data(kMarkRole).toBool();
+}

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QListWidget>
+
+/// The list of pages at the left: groups with headings, an icon and a word for each page, a dot for unsaved changes.
+class Navigation final : public QListWidget
+{
+    Q_OBJECT
+public:
+    explicit Navigation(QWidget *parent = nullptr);
+
+    [[nodiscard]] QString currentPage() const;
+    void setCurrentPage(const QString &key);
+    void setMarked(const QString &key, bool marked);
+    [[nodiscard]] bool isMarked(const QString &key) const;
+
+signals:
+    void pageChosen(const QString &key);
+
+private:
+    [[nodiscard]] QListWidgetItem *itemOf(const QString &key) const;
+};

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mainwindow/pagetable.h"
+
+#include "app/pages/actionspage.h"
+#include "app/pages/backupspage.h"
+#include "app/pages/consolepage.h"
+#include "app/pages/controlpage.h"
+#include "app/pages/dashboardpage.h"
+#include "app/pages/debugpage.h"
+#include "app/pages/helppage.h"
+#include "app/pages/monitorpage.h"
+#include "app/pages/parameterspage.h"
+#include "app/pages/profilespage.h"
+#include "app/pages/settingspage.h"
+#include "app/pages/tuningpage.h"
+#include "app/pages/variablespage.h"
+#include "app/wizards/autotunepage.h"
+#include "app/wizards/calibrationpage.h"
+
+#include <QCoreApplication>
+
+namespace {
+
+template<typename P>
+Page *make(Workspace &workspace)
+{
+    return new P(workspace);
+}
+
+constexpr PageEntry kPages[] = {
+    {"dashboard", QT_TRANSLATE_NOOP("Pages", "Dashboard"), QT_TRANSLATE_NOOP("Pages", "Watch"), make<DashboardPage>},
+    {"monitor", QT_TRANSLATE_NOOP("Pages", "Monitor"), QT_TRANSLATE_NOOP("Pages", "Watch"), make<MonitorPage>},
+    {"debug", QT_TRANSLATE_NOOP("Pages", "Debug variables"), QT_TRANSLATE_NOOP("Pages", "Watch"), make<DebugPage>},
+    {"parameters", QT_TRANSLATE_NOOP("Pages", "Parameters"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<ParametersPage>},
+    {"profiles", QT_TRANSLATE_NOOP("Pages", "Profiles"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<ProfilesPage>},
+    {"calibration", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<CalibrationPage>},
+    {"tuning", QT_TRANSLATE_NOOP("Pages", "Tuning"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<TuningPage>},
+    {"autotune", QT_TRANSLATE_NOOP("Pages", "Auto-tune"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<AutoTunePage>},
+    {"variables", QT_TRANSLATE_NOOP("Pages", "Adjustable variables"), QT_TRANSLATE_NOOP("Pages", "Tune"),
+     make<VariablesPage>},
+    {"control", QT_TRANSLATE_NOOP("Pages", "Control"), QT_TRANSLATE_NOOP("Pages", "Board"), make<ControlPage>},
+    {"actions", QT_TRANSLATE_NOOP("Pages", "Actions"), QT_TRANSLATE_NOOP("Pages", "Board"), make<ActionsPage>},
+    {"backups", QT_TRANSLATE_NOOP("Pages", "Backups"), QT_TRANSLATE_NOOP("Pages", "Board"), make<BackupsPage>},
+    {"console", QT_TRANSLATE_NOOP("Pages", "Console"), QT_TRANSLATE_NOOP("Pages", "Board"), make<ConsolePage>},
+    {"settings", QT_TRANSLATE_NOOP("Pages", "Settings"), QT_TRANSLATE_NOOP("Pages", "Program"), make<SettingsPage>},
+    {"help", QT_TRANSLATE_NOOP("Pages", "Help"), QT_TRANSLATE_NOOP("Pages", "Program"), make<HelpPage>},
+};
+
+} // namespace
+
+std::span<const PageEntry> pageTable()
+{
+    return kPages;
+}
+
+QString pageText(const char *text)
+{
+    return QCoreApplication::translate("Pages", text);
+}

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mainwindow/palettesource.h"
+
+#include "app/mainwindow/mainwindow.h"
+#include "app/mainwindow/pagetable.h"
+#include "app/pages/actionspage.h"
+#include "app/pages/monitorpage.h"
+#include "app/pages/parameterspage.h"
+#include "widgets/models/parametermodel.h"
+
+#include <QCoreApplication>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QString tr(const char *text)
+{
+    return QCoreApplication::translate("CommandPalette", text);
+}
+
+PaletteEntry makeEntry(const QString &kind, const QString &text, const QString &hint, const QString &more,
+                       std::function<void()> chosen)
+{
+    return {kind, text, hint, (kind + u' ' + text + u' ' + hint + u' ' + more).toLower(), std::move(chosen)};
+}
+
+} // namespace
+
+QList<PaletteEntry> paletteEntries(MainWindow &window)
+{
+    QList<PaletteEntry> entries;
+    for (const PageEntry &page : pageTable()) {
+        const QString key = QLatin1String(page.key);
+        entries.append(makeEntry(tr("Page"), pageText(page.title), pageText(page.group), key,
+                                 [&window, key] { window.showPage(key); }));
+    }
+    Workspace &workspace = window.workspace();
+    entries.append(makeEntry(tr("Command"), tr("Motors off"), u"F12"_s, {}, [&workspace] { workspace.setMotors(false); }));
+    if (workspace.client().isConnected())
+        entries.append(makeEntry(tr("Command"), tr("Motors on"), {}, {}, [&workspace] { workspace.setMotors(true); }));
+    if (!workspace.configuration().isEmpty()) {
+        entries.append(makeEntry(tr("Command"), tr("Review and write"), u"Ctrl+S"_s, {}, [&window] { window.review(); }));
+        entries.append(makeEntry(tr("Command"), tr("Take a snapshot"), {}, {}, [&workspace] { workspace.takeSnapshot(); }));
+        for (const ParameterSpec &spec : std::as_const(workspace.configuration()).board().parameters().all()) {
+            if (spec.row->state)
+                continue;
+            entries.append(makeEntry(tr("Parameter"), parameterLabel(spec), spec.key, tableText(spec.row->group),
+                                     [&window, key = spec.key] {
+                                         window.showPage(u"parameters"_s);
+                                         static_cast<ParametersPage *>(window.page(u"parameters"_s))->showParameter(key);
+                                     }));
+        }
+    }
+    const Device *device = workspace.client().device();
+    if (!device)
+        return entries;
+    const ChannelTable channels = device->channels();
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        entries.append(makeEntry(tr("Channel"), tableText(channels[i].label), QLatin1String(channels[i].key),
+                                 tableText(channels[i].group), [&window, channel = int(i)] {
+                                     window.showPage(u"monitor"_s);
+                                     ChannelModel &model = static_cast<MonitorPage *>(window.page(u"monitor"_s))->channels();
+                                     QList<int> ticked = model.ticked();
+                                     if (!ticked.contains(channel))
+                                         model.setTicked(ticked << channel);
+                                 }));
+    }
+    for (const ActionSpec &action : device->actions()) {
+        entries.append(makeEntry(tr("Action"), tableText(action.label), QLatin1String(action.key), tableText(action.help),
+                                 [&window, key = QString::fromLatin1(action.key)] {
+                                     window.showPage(u"actions"_s);
+                                     static_cast<ActionsPage *>(window.page(u"actions"_s))->showAction(key);
+                                 }));
+    }
+    return entries;
+}

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/record/boardhistory.h"
+#include "widgets/forms/editstack.h"
+
+#include <QTimer>
+
+/// Keeps the undo stack in a file beside the board's snapshots while anything is unsaved, so that a crash loses nothing.
+class EditJournal final : public QObject
+{
+    Q_OBJECT
+public:
+    EditJournal(ConfigurationModel &configuration, EditStack &edits, const BoardHistory &history,
+                QObject *parent = nullptr);
+    ~EditJournal() override;
+
+    /// Edits of the board now shown that an earlier run has left, if any and if nothing was edited since.
+    [[nodiscard]] bool hasLeftover() const { return m_leftover.has_value(); }
+    /// Puts them back on the stack. False if none of them fits this board.
+    bool restoreLeftover();
+    void dropLeftover();
+    /// Writes now what is waiting to be written.
+    void flush();
+
+signals:
+    /// The board now shown has edits from an earlier run.
+    void leftoverFound(int steps);
+    void failed(const Error &error);
+
+private:
+    void onBoard();
+    void write();
+    void keepUndecided();
+
+    ConfigurationModel &m_configuration;
+    EditStack &m_edits;
+    const BoardHistory &m_history;
+    std::optional<QJsonObject> m_leftover;
+    QString m_serial;
+    QTimer m_timer;
+    bool m_hasFile = false;
+};

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QSettings>
+
+/// What the operator has chosen, kept in an INI file after the XDG rules.
+class Settings final : public QObject
+{
+    Q_OBJECT
+public:
+    enum class ThemeChoice { System, Light, Dark };
+    Q_ENUM(ThemeChoice)
+
+    explicit Settings(const QString &path = defaultPath(), QObject *parent = nullptr);
+    [[nodiscard]] static QString defaultPath();
+
+    [[nodiscard]] ThemeChoice theme() const;
+    void setTheme(ThemeChoice theme);
+    /// Language code ("de"), empty = the system's. Takes effect at the next start.
+    [[nodiscard]] QString language() const { return m_file.value(kLanguage).toString(); }
+    void setLanguage(const QString &code) { set(kLanguage, code); }
+    [[nodiscard]] bool fahrenheit() const { return m_file.value(kFahrenheit, false).toBool(); }
+    void setFahrenheit(bool on) { set(kFahrenheit, on); }
+    /// Minutes of live data kept in memory, 1 to 60.
+    [[nodiscard]] int retentionMinutes() const;
+    void setRetentionMinutes(int minutes) { set(kRetention, minutes); }
+
+    /// Milliseconds that Esc must be held to switch the motors off, 300 to 3000; 0 = not by Esc.
+    [[nodiscard]] int escapeHoldMs() const;
+    void setEscapeHoldMs(int ms) { set(kEscapeHold, ms); }
+    /// Highest speed that the control page sends, degrees per second, 1 to 360.
+    [[nodiscard]] int controlSpeedLimit() const;
+    void setControlSpeedLimit(int degreesPerSecond) { set(kSpeedLimit, degreesPerSecond); }
+    /// Seconds without a movement of the operator's hand until control is disarmed, 2 to 120.
+    [[nodiscard]] int disarmSeconds() const;
+    void setDisarmSeconds(int seconds) { set(kDisarm, seconds); }
+    /// Motors go off when the program is closed while connected.
+    [[nodiscard]] bool motorsOffOnQuit() const { return m_file.value(kMotorsOffOnQuit, false).toBool(); }
+    void setMotorsOffOnQuit(bool on) { set(kMotorsOffOnQuit, on); }
+
+    [[nodiscard]] QString lastAddress() const { return m_file.value(kLastAddress).toString(); }
+    void setLastAddress(const QString &address) { set(kLastAddress, address); }
+    /// Sizes of windows and splitters, by name.
+    [[nodiscard]] QByteArray layout(const QString &name) const { return m_file.value(kLayout + name).toByteArray(); }
+    void setLayout(const QString &name, const QByteArray &state) { m_file.setValue(kLayout + name, state); }
+
+signals:
+    void changed();
+
+private:
+    static const QString kTheme, kLanguage, kFahrenheit, kRetention, kEscapeHold, kSpeedLimit, kDisarm, kMotorsOffOnQuit,
+        kLastAddress, kLayout;
+    void set(const QString &key, const QVariant &value);
+    [[nodiscard]] int number(const QString &key, int standard, int low, int high) const;
+
+    QSettings m_file;
+};

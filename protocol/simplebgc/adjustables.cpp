@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/simplebgc/adjustables.h"
+
+#include <algorithm>
+
+namespace sbgc {
+
+namespace {
+
+constexpr AdjustableSpec kAdjustables[] = {
+    {0, "p.roll", "P, roll", "PID", Axis::Roll, 0, 255},
+    {1, "p.pitch", "P, pitch", "PID", Axis::Pitch, 0, 255},
+    {2, "p.yaw", "P, yaw", "PID", Axis::Yaw, 0, 255},
+    {3, "i.roll", "I, roll", "PID", Axis::Roll, 0, 255},
+    {4, "i.pitch", "I, pitch", "PID", Axis::Pitch, 0, 255},
+    {5, "i.yaw", "I, yaw", "PID", Axis::Yaw, 0, 255},
+    {6, "d.roll", "D, roll", "PID", Axis::Roll, 0, 255},
+    {7, "d.pitch", "D, pitch", "PID", Axis::Pitch, 0, 255},
+    {8, "d.yaw", "D, yaw", "PID", Axis::Yaw, 0, 255},
+    {9, "power.roll", "Motor power, roll", "PID", Axis::Roll, 0, 255},
+    {10, "power.pitch", "Motor power, pitch", "PID", Axis::Pitch, 0, 255},
+    {11, "power.yaw", "Motor power, yaw", "PID", Axis::Yaw, 0, 255},
+    {12, "acc_limiter", "Acceleration limit, all axes", "Filters and limits", Axis::None, 0, 1275},
+    {13, "follow_speed.roll", "Follow speed, roll", "Follow mode", Axis::Roll, 0, 255},
+    {14, "follow_speed.pitch", "Follow speed, pitch", "Follow mode", Axis::Pitch, 0, 255},
+    {15, "follow_speed.yaw", "Follow speed, yaw", "Follow mode", Axis::Yaw, 0, 255},
+    {16, "follow_lpf.roll", "Follow low-pass, roll", "Follow mode", Axis::Roll, 0, 16},
+    {17, "follow_lpf.pitch", "Follow low-pass, pitch", "Follow mode", Axis::Pitch, 0, 16},
+    {18, "follow_lpf.yaw", "Follow low-pass, yaw", "Follow mode", Axis::Yaw, 0, 16},
+    {19, "rc_speed.roll", "RC speed, roll", "Remote control", Axis::Roll, 0, 255},
+    {20, "rc_speed.pitch", "RC speed, pitch", "Remote control", Axis::Pitch, 0, 255},
+    {21, "rc_speed.yaw", "RC speed, yaw", "Remote control", Axis::Yaw, 0, 255},
+    {22, "rc_lpf.roll", "RC low-pass, roll", "Remote control", Axis::Roll, 0, 255},
+    {23, "rc_lpf.pitch", "RC low-pass, pitch", "Remote control", Axis::Pitch, 0, 255},
+    {24, "rc_lpf.yaw", "RC low-pass, yaw", "Remote control", Axis::Yaw, 0, 255},
+    {25, "rc_trim.roll", "RC trim, roll", "Remote control", Axis::Roll, -127, 127},
+    {26, "rc_trim.pitch", "RC trim, pitch", "Remote control", Axis::Pitch, -127, 127},
+    {27, "rc_trim.yaw", "RC trim, yaw", "Remote control", Axis::Yaw, -127, 127},
+    {28, "rc_deadband", "RC dead band", "Remote control", Axis::None, 0, 255},
+    {29, "rc_expo", "RC exponential curve", "Remote control", Axis::None, 0, 100},
+    {30, "follow_mode", "Follow mode", "Follow mode", Axis::None, 0, 2},
+    {31, "follow_yaw", "Follow yaw", "Follow mode", Axis::None, 0, 2},
+    {32, "follow_deadband", "Follow dead band", "Follow mode", Axis::None, 0, 255},
+    {33, "follow_expo", "Follow exponential curve", "Follow mode", Axis::None, 0, 100},
+    {34, "follow_mix_start", "Follow roll mix, start", "Follow mode", Axis::None, 0, 90},
+    {35, "follow_mix_range", "Follow roll mix, range", "Follow mode", Axis::None, 0, 90},
+    {36, "gyro_trust", "Gyro trust", "Inertial sensors", Axis::None, 0, 255},
+    {37, "frame_heading", "Frame heading angle (0.1°)", "Inertial sensors", Axis::None, -1800, 1800},
+    {38, "gyro_heading_correction", "Gyro heading correction (0.001)", "Inertial sensors", Axis::None, -20000, 20000},
+    {39, "acc_limiter.roll", "Acceleration limit, roll", "Filters and limits", Axis::Roll, 0, 10000},
+    {40, "acc_limiter.pitch", "Acceleration limit, pitch", "Filters and limits", Axis::Pitch, 0, 10000},
+    {41, "acc_limiter.yaw", "Acceleration limit, yaw", "Filters and limits", Axis::Yaw, 0, 10000},
+    {42, "pid_gain.roll", "PID gain, roll", "PID", Axis::Roll, 0, 255},
+    {43, "pid_gain.pitch", "PID gain, pitch", "PID", Axis::Pitch, 0, 255},
+    {44, "pid_gain.yaw", "PID gain, yaw", "PID", Axis::Yaw, 0, 255},
+    {45, "lpf.roll", "Low-pass frequency, roll", "Filters and limits", Axis::Roll, 10, 400},
+    {46, "lpf.pitch", "Low-pass frequency, pitch", "Filters and limits", Axis::Pitch, 10, 400},
+    {47, "lpf.yaw", "Low-pass frequency, yaw", "Filters and limits", Axis::Yaw, 10, 400},
+    {48, "timelapse_time", "Time-lapse time (s)", "Other", Axis::None, 1, 3600, 2600},
+    {49, "mavlink_control", "MAVLink control mode", "Other", Axis::None, 0, 2, 2600},
+    {50, "h_corr_factor", "Heading correction factor", "Inertial sensors", Axis::None, 0, 255, 2687},
+    {51, "software_limit.roll.lower", "Software limit, roll, lower", "Filters and limits", Axis::Roll, -3600, 3600, 2688},
+    {52, "software_limit.roll.upper", "Software limit, roll, upper", "Filters and limits", Axis::Roll, -3600, 3600, 2688},
+    {53, "software_limit.pitch.lower", "Software limit, pitch, lower", "Filters and limits", Axis::Pitch, -3600, 3600, 2688},
+    {54, "software_limit.pitch.upper", "Software limit, pitch, upper", "Filters and limits", Axis::Pitch, -3600, 3600, 2688},
+    {55, "software_limit.yaw.lower", "Software limit, yaw, lower", "Filters and limits", Axis::Yaw, -3600, 3600, 2688},
+    {56, "software_limit.yaw.upper", "Software limit, yaw, upper", "Filters and limits", Axis::Yaw, -3600, 3600, 2688},
+    {57, "follow_range.roll", "Follow range, roll", "Follow mode", Axis::Roll, 0, 255, 2689},
+    {58, "follow_range.pitch", "Follow range, pitch", "Follow mode", Axis::Pitch, 0, 255, 2689},
+    {59, "follow_range.yaw", "Follow range, yaw", "Follow mode", Axis::Yaw, 0, 255, 2689},
+    {60, "auto_pid_target", "Auto PID target", "PID", Axis::None, 0, 255, 2689},
+    {61, "rc_mode.roll", "RC mode, roll", "Remote control", Axis::Roll, 0, 255, 2693},
+    {62, "rc_mode.pitch", "RC mode, pitch", "Remote control", Axis::Pitch, 0, 255, 2693},
+    {63, "rc_mode.yaw", "RC mode, yaw", "Remote control", Axis::Yaw, 0, 255, 2693},
+    {64, "euler_order", "Euler order", "Inertial sensors", Axis::None, 0, 255, 2693},
+    {65, "follow_inner_deadband", "Follow inner dead band", "Follow mode", Axis::None, 0, 255, 2704},
+    {66, "rc_limit.roll.lower", "RC limit, roll, lower", "Remote control", Axis::Roll, -3600, 3600, 2720},
+    {67, "rc_limit.roll.upper", "RC limit, roll, upper", "Remote control", Axis::Roll, -3600, 3600, 2720},
+    {68, "rc_limit.pitch.lower", "RC limit, pitch, lower", "Remote control", Axis::Pitch, -3600, 3600, 2720},
+    {69, "rc_limit.pitch.upper", "RC limit, pitch, upper", "Remote control", Axis::Pitch, -3600, 3600, 2720},
+    {70, "rc_limit.yaw.lower", "RC limit, yaw, lower", "Remote control", Axis::Yaw, -3600, 3600, 2720},
+    {71, "rc_limit.yaw.upper", "RC limit, yaw, upper", "Remote control", Axis::Yaw, -3600, 3600, 2720},
+    {72, "rc_deadband.pitch", "RC dead band, pitch", "Remote control", Axis::Pitch, 0, 255, 2720},
+    {73, "rc_deadband.yaw", "RC dead band, yaw", "Remote control", Axis::Yaw, 0, 255, 2720},
+    {74, "rc_expo.pitch", "RC exponential curve, pitch", "Remote control", Axis::Pitch, 0, 255, 2720},
+    {75, "rc_expo.yaw", "RC exponential curve, yaw", "Remote control", Axis::Yaw, 0, 255, 2720},
+    {76, "shake_amplitude.roll", "Shake amplitude, roll", "Shake generator", Axis::Roll, 0, 255, 2730},
+    {77, "shake_amplitude.pitch", "Shake amplitude, pitch", "Shake generator", Axis::Pitch, 0, 255, 2730},
+    {78, "shake_amplitude.yaw", "Shake amplitude, yaw", "Shake generator", Axis::Yaw, 0, 255, 2730},
+    {79, "shake_frequency", "Shake frequency", "Shake generator", Axis::None, 0, 255, 2730},
+    {80, "shake_frequency_range", "Shake frequency range", "Shake generator", Axis::None, 0, 100, 2730},
+    {81, "shake_pause", "Shake pause (ms)", "Shake generator", Axis::None, 500, 5600, 2730},
+    {82, "shake_pause_balance", "Shake pause balance", "Shake generator", Axis::None, 0, 255, 2730},
+    {83, "shake_pause_randomness", "Shake pause randomness", "Shake generator", Axis::None, 0, 100, 2730},
+    {84, "shake_resonance_gain.roll", "Shake resonance gain, roll", "Shake generator", Axis::Roll, 0, 255, 2730},
+    {85, "shake_resonance_gain.pitch", "Shake resonance gain, pitch", "Shake generator", Axis::Pitch, 0, 255, 2730},
+    {86, "shake_resonance_gain.yaw", "Shake resonance gain, yaw", "Shake generator", Axis::Yaw, 0, 255, 2730},
+    {87, "shake_frequency_shift.roll", "Shake frequency shift, roll", "Shake generator", Axis::Roll, -127, 127, 2730},
+    {88, "shake_frequency_shift.pitch", "Shake frequency shift, pitch", "Shake generator", Axis::Pitch, -127, 127, 2730},
+    {89, "shake_frequency_shift.yaw", "Shake frequency shift, yaw", "Shake generator", Axis::Yaw, -127, 127, 2730},
+    {90, "shake_gain", "Shake master gain", "Shake generator", Axis::None, 0, 255, 2730},
+    {91, "outer_p.roll", "Outer P, roll", "PID", Axis::Roll, 0, 255, 2737},
+    {92, "outer_p.pitch", "Outer P, pitch", "PID", Axis::Pitch, 0, 255, 2737},
+    {93, "outer_p.yaw", "Outer P, yaw", "PID", Axis::Yaw, 0, 255, 2737},
+    {94, "d_lpf.roll", "D low-pass frequency, roll", "Filters and limits", Axis::Roll, 0, 255, 2737},
+    {95, "d_lpf.pitch", "D low-pass frequency, pitch", "Filters and limits", Axis::Pitch, 0, 255, 2737},
+    {96, "d_lpf.yaw", "D low-pass frequency, yaw", "Filters and limits", Axis::Yaw, 0, 255, 2737},
+    {97, "imu_correction.roll", "IMU angle correction, roll (0.01°)", "Inertial sensors", Axis::Roll, -1000, 1000, 2738},
+    {98, "imu_correction.pitch", "IMU angle correction, pitch (0.01°)", "Inertial sensors", Axis::Pitch, -1000, 1000, 2738},
+    {99, "software_limit_width.roll", "Software limit width, roll", "Filters and limits", Axis::Roll, 0, 255, 2738},
+    {100, "software_limit_width.pitch", "Software limit width, pitch", "Filters and limits", Axis::Pitch, 0, 255, 2738},
+    {101, "software_limit_width.yaw", "Software limit width, yaw", "Filters and limits", Axis::Yaw, 0, 255, 2738},
+};
+
+// The board knows them by number, and each firmware has all numbers up to some last one.
+constexpr bool isOrdered()
+{
+    for (std::size_t i = 0; i < std::size(kAdjustables); ++i) {
+        if (kAdjustables[i].id != int(i) || kAdjustables[i].min >= kAdjustables[i].max
+            || (i > 0 && kAdjustables[i].since < kAdjustables[i - 1].since))
+            return false;
+    }
+    return true;
+}
+static_assert(isOrdered());
+
+} // namespace
+
+std::span<const AdjustableSpec> adjustablesOf(int firmware)
+{
+    const auto end = std::find_if(std::begin(kAdjustables), std::end(kAdjustables),
+                                  [firmware](const AdjustableSpec &spec) { return spec.since > firmware; });
+    return {std::begin(kAdjustables), end};
+}
+
+} // namespace sbgc

@@ -1,0 +1,331 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/simplebgc/frametext.h"
+
+#include "protocol/simplebgc/adjustables.h"
+#include "protocol/simplebgc/choices.h"
+#include "protocol/simplebgc/framer.h"
+#include "protocol/simplebgc/parametertables.h"
+#include "protocol/simplebgc/payloads.h"
+#include "protocol/simplebgc/telemetrytables.h"
+#include "protocol/simplebgc/units.h"
+
+#include <QRegularExpression>
+
+using namespace Qt::StringLiterals;
+
+namespace sbgc {
+
+namespace {
+
+constexpr std::array<const char *, 3> kAxisLetters{"R", "P", "Y"};
+
+// What a command does to the gimbal when sent by hand; commands not listed count as destroying.
+constexpr std::pair<CommandId, ActionRisk> kRisks[] = {
+    {CommandId::BoardInfo, ActionRisk::Safe}, {CommandId::BoardInfo3, ActionRisk::Safe},
+    {CommandId::ReadParams, ActionRisk::Safe}, {CommandId::ReadParams3, ActionRisk::Safe},
+    {CommandId::ReadParamsExt, ActionRisk::Safe}, {CommandId::ReadParamsExt2, ActionRisk::Safe},
+    {CommandId::ReadProfileNames, ActionRisk::Safe}, {CommandId::RealtimeData, ActionRisk::Safe},
+    {CommandId::RealtimeData3, ActionRisk::Safe}, {CommandId::RealtimeData4, ActionRisk::Safe},
+    {CommandId::RealtimeDataCustom, ActionRisk::Safe}, {CommandId::GetAngles, ActionRisk::Safe},
+    {CommandId::GetAnglesExt, ActionRisk::Safe}, {CommandId::GetAdjVarsVal, ActionRisk::Safe},
+    {CommandId::GetParams3, ActionRisk::Safe}, {CommandId::DebugVarsInfo3, ActionRisk::Safe},
+    {CommandId::DebugVars3, ActionRisk::Safe}, {CommandId::AhrsHelper, ActionRisk::Moves},
+    {CommandId::MotorsOff, ActionRisk::Safe}, {CommandId::BeepSound, ActionRisk::Safe},
+    {CommandId::SelectImu3, ActionRisk::Safe}, {CommandId::DataStreamInterval, ActionRisk::Safe},
+    {CommandId::MotorsOn, ActionRisk::Moves}, {CommandId::Control, ActionRisk::Moves},
+    {CommandId::ExecuteMenu, ActionRisk::Writes}, {CommandId::Reset, ActionRisk::Moves},
+    {CommandId::SetAdjVarsVal, ActionRisk::Moves}, {CommandId::SaveParams3, ActionRisk::Writes},
+    {CommandId::WriteParams, ActionRisk::Writes}, {CommandId::WriteParams3, ActionRisk::Writes},
+    {CommandId::WriteParamsExt, ActionRisk::Writes}, {CommandId::WriteParamsExt2, ActionRisk::Writes},
+    {CommandId::WriteParamsSet, ActionRisk::Writes}, {CommandId::WriteProfileNames, ActionRisk::Writes},
+    {CommandId::CalibAcc, ActionRisk::Writes}, {CommandId::CalibGyro, ActionRisk::Writes},
+    {CommandId::CalibBat, ActionRisk::Writes}, {CommandId::CalibOffset, ActionRisk::Writes},
+    {CommandId::AutoPid, ActionRisk::Writes}, {CommandId::UseDefaults, ActionRisk::Destroys},
+};
+
+ActionRisk riskOf(int id)
+{
+    for (const auto &[command, risk] : kRisks) {
+        if (number(command) == id)
+            return risk;
+    }
+    return ActionRisk::Destroys;
+}
+
+QString menuName(int action)
+{
+    for (const Choice &choice : kMenuActions) {
+        if (choice.value == action)
+            return QLatin1String(choice.name);
+    }
+    return u"menu %1"_s.arg(action);
+}
+
+QString blockText(int block, Bytes payload, const ParameterSet *parameters)
+{
+    const QByteArray bytes = toByteArray(payload);
+    QStringList parts{u"profile %1"_s.arg(int(quint8(bytes[0])) + 1)};
+    if (parameters && bytes.size() > 1) {
+        for (const ParameterSpec &spec : parameters->all()) {
+            if (spec.row->block != block || spec.row->state)
+                continue;
+            if (const auto raw = spec.read(bytes))
+                parts.append(spec.key + u' ' + spec.format(*raw));
+        }
+    }
+    return parts.join(u", "_s);
+}
+
+QString controlText(Bytes payload)
+{
+    const auto command = decodeControl(payload);
+    if (!command)
+        return {};
+    QStringList parts;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const ControlAxis &wanted = (*command)[axis];
+        const double unit = wanted.mode & ControlHighResSpeed ? kFineSpeedUnit : kControlSpeedUnit;
+        parts.append(u"%1: mode %2, %3°/s, %4°"_s.arg(QLatin1String(kAxisLetters[axis])).arg(wanted.mode & 0x0F)
+                         .arg(wanted.speed * unit, 0, 'f', 2).arg(wanted.angle * kDegreesPerCount, 0, 'f', 2));
+    }
+    return parts.join(u"; "_s);
+}
+
+QString anglesText(const Result<Angles> &angles, bool extended)
+{
+    if (!angles)
+        return {};
+    QStringList parts;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const AxisAngles &a = (*angles)[axis];
+        parts.append(u"%1: camera %2°, target %3°"_s.arg(QLatin1String(kAxisLetters[axis])).arg(a.imu, 0, 'f', 2)
+                         .arg(a.target, 0, 'f', 2));
+        if (extended)
+            parts.last() += u", motor %1°"_s.arg(a.rotor, 0, 'f', 2);
+    }
+    return parts.join(u"; "_s);
+}
+
+QString realtimeText(Bytes payload)
+{
+    QStringList parts;
+    for (const WireField &field : realtimeFields()) {
+        const float value = readField(field, payload);
+        if (std::isnan(value))
+            continue;
+        const ChannelSpec &spec = channelTable()[std::size_t(field.channel)];
+        parts.append(u"%1 %2"_s.arg(QLatin1String(spec.key)).arg(double(value), 0, 'f', spec.decimals));
+    }
+    return parts.join(u", "_s);
+}
+
+QString variablesText(Bytes payload)
+{
+    const auto vars = decodeAdjVars(payload);
+    if (!vars)
+        return {};
+    const auto known = adjustablesOf(99999);
+    QStringList parts;
+    for (const AdjVar &var : *vars) {
+        const QString name = var.id < int(known.size()) ? QLatin1String(known[std::size_t(var.id)].key)
+                                                        : QString::number(var.id);
+        parts.append(u"%1 = %2"_s.arg(name).arg(var.value));
+    }
+    return parts.join(u", "_s);
+}
+
+QString fromBoardText(CommandId id, Bytes payload, const ParameterSet *parameters)
+{
+    ByteReader reader(payload);
+    switch (id) {
+    case CommandId::Confirm:
+        return payload.empty() ? QString() : commandName(reader.u8());
+    case CommandId::Error: {
+        // The document's five-byte form names no command (errata 3.18).
+        const QString command = payload.size() >= 6 ? commandName(reader.u8()) + u": "_s : QString();
+        return command + errorCodeText(reader.u8());
+    }
+    case CommandId::BoardInfo: {
+        const auto info = BoardInfo::decode(payload);
+        return info ? u"board %1, firmware %2"_s.arg(info->boardVersion / 10.0, 0, 'f', 1).arg(info->firmwareText())
+                    : QString();
+    }
+    case CommandId::BoardInfo3: {
+        const auto info = BoardInfo3::decode(payload);
+        return info ? u"device %1"_s.arg(QString::fromLatin1(info->deviceId.toHex())) : QString();
+    }
+    case CommandId::ReadProfileNames: {
+        const auto names = decodeProfileNames(payload);
+        return names ? names->join(u", "_s) : QString();
+    }
+    case CommandId::RealtimeData3:
+    case CommandId::RealtimeData4:
+        return realtimeText(payload);
+    case CommandId::RealtimeDataCustom:
+        return u"time %1 ms, %2 bytes"_s.arg(reader.u16()).arg(payload.size());
+    case CommandId::GetAngles:
+        return anglesText(decodeAngles(payload), false);
+    case CommandId::GetAnglesExt:
+        return anglesText(decodeAnglesExt(payload), true);
+    case CommandId::SetAdjVarsVal:
+        return variablesText(payload);
+    case CommandId::AutoPid: {
+        const auto progress = AutoPidProgress::decode(payload);
+        if (!progress)
+            return {};
+        QString text = u"iteration %1"_s.arg(progress->iteration);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            text += u"; %1: P %2 I %3 D %4 error %5"_s.arg(QLatin1String(kAxisLetters[axis])).arg(progress->p[axis])
+                        .arg(progress->i[axis]).arg(progress->d[axis]).arg(double(progress->trackingError[axis]), 0, 'f', 3);
+        }
+        return text;
+    }
+    case CommandId::DebugVarsInfo3: {
+        const auto vars = decodeDebugVarsInfo(payload);
+        if (!vars)
+            return {};
+        QStringList names;
+        for (const DebugVar &var : vars->vars)
+            names.append(var.name);
+        return u"%1 variables: %2"_s.arg(vars->total).arg(names.join(u", "_s));
+    }
+    case CommandId::ReadParams3:
+    case CommandId::ReadParams:
+        return payload.empty() ? QString() : blockText(Params3, payload, parameters);
+    case CommandId::ReadParamsExt:
+        return payload.empty() ? QString() : blockText(ParamsExt, payload, parameters);
+    case CommandId::ReadParamsExt2:
+        return payload.empty() ? QString() : blockText(ParamsExt2, payload, parameters);
+    default:
+        return {};
+    }
+}
+
+QString toBoardText(CommandId id, Bytes payload, const ParameterSet *parameters)
+{
+    ByteReader reader(payload);
+    if (payload.empty())
+        return {};
+    switch (id) {
+    case CommandId::Control:
+        return controlText(payload);
+    case CommandId::ExecuteMenu:
+        return menuName(reader.u8());
+    case CommandId::CalibAcc:
+    case CommandId::CalibGyro: {
+        const int imu = reader.u8();
+        return u"sensor %1, action %2"_s.arg(imu).arg(reader.u8());
+    }
+    case CommandId::CalibBat:
+        return u"%1 V"_s.arg(reader.u16() * 0.01, 0, 'f', 2);
+    case CommandId::SetAdjVarsVal:
+        return variablesText(payload);
+    case CommandId::GetAdjVarsVal: {
+        QStringList ids;
+        for (std::size_t i = 1; i < payload.size(); ++i)
+            ids.append(QString::number(std::to_integer<int>(payload[i])));
+        return u"variables %1"_s.arg(ids.join(u", "_s));
+    }
+    case CommandId::DataStreamInterval: {
+        const auto stream = DataStream::decode(payload);
+        if (!stream)
+            return {};
+        const QString every = stream->intervalMs ? u"every %1 ms"_s.arg(stream->intervalMs) : u"stop"_s;
+        return u"%1, %2, configuration %3"_s.arg(commandName(stream->command), every,
+                                                QString::fromLatin1(stream->config.toHex(' ')));
+    }
+    case CommandId::AutoPid: {
+        const int profile = reader.u8() + 1;
+        return u"profile %1, flags 0x%2"_s.arg(profile).arg(reader.u8(), 2, 16, QChar(u'0'));
+    }
+    case CommandId::UseDefaults:
+        return u"profile %1"_s.arg(reader.u8() + 1);
+    case CommandId::Reset: {
+        const int flags = reader.u8();
+        return u"notice %1, delay %2 ms"_s.arg(flags).arg(payload.size() > 2 ? reader.u16() : 0);
+    }
+    case CommandId::WriteProfileNames: {
+        const auto names = decodeProfileNames(payload);
+        return names ? names->join(u", "_s) : QString();
+    }
+    case CommandId::ReadParams3:
+    case CommandId::ReadParamsExt:
+    case CommandId::ReadParamsExt2:
+    case CommandId::ReadParams:
+        return u"profile %1"_s.arg(reader.u8() + 1);
+    case CommandId::WriteParams3:
+    case CommandId::WriteParams:
+        return blockText(Params3, payload, parameters);
+    case CommandId::WriteParamsExt:
+        return blockText(ParamsExt, payload, parameters);
+    case CommandId::WriteParamsExt2:
+        return blockText(ParamsExt2, payload, parameters);
+    default:
+        return {};
+    }
+}
+
+} // namespace
+
+FrameText describeFrame(const FrameView &frame, bool fromBoard, const ParameterSet *parameters)
+{
+    const auto id = static_cast<CommandId>(frame.id);
+    FrameText text;
+    text.name = id == CommandId::Control ? (fromBoard ? u"CONFIRM"_s : u"CONTROL"_s) : commandName(frame.id);
+    text.fields = fromBoard ? fromBoardText(id, frame.payload, parameters) : toBoardText(id, frame.payload, parameters);
+    return text;
+}
+
+QStringList commandNames()
+{
+    QStringList names;
+    for (int id = 0; id < 255; ++id) {
+        const QString name = id == number(CommandId::Control) ? u"CONTROL"_s : commandName(id);
+        if (!name.startsWith(u"CMD_"_s))
+            names.append(name);
+    }
+    names.sort();
+    return names;
+}
+
+Result<RawCommand> parseCommand(const QString &text, int version)
+{
+    const auto hex = [](QString digits) -> std::optional<QByteArray> {
+        digits.remove(QRegularExpression(u"\\s"_s));
+        static const QRegularExpression valid(u"^([0-9A-Fa-f]{2})*$"_s);
+        if (!valid.match(digits).hasMatch())
+            return {};
+        return QByteArray::fromHex(digits.toLatin1());
+    };
+    const QString trimmed = text.trimmed();
+    if (trimmed.isEmpty())
+        return failure(ErrorCode::InvalidArgument, u"nothing to send"_s);
+
+    if (const auto whole = hex(trimmed)) {
+        std::optional<Frame> found;
+        SbgcFramer framer;
+        const FrameSink sink = [&found](const FrameView &frame) { found = Frame(frame); };
+        framer.feed(asBytes(*whole), sink);
+        framer.flush(sink);
+        if (!found || framer.statistics().frames != 1 || framer.statistics().skippedBytes != 0)
+            return failure(ErrorCode::InvalidArgument, u"these bytes are not one complete frame with valid checksums"_s);
+        return RawCommand{describeFrame({found->id, asBytes(found->payload), found->version}, false, nullptr).name,
+                          *whole, riskOf(found->id)};
+    }
+    const QString name = trimmed.section(QRegularExpression(u"\\s"_s), 0, 0).toUpper();
+    for (int id = 0; id < 255; ++id) {
+        const QString known = id == number(CommandId::Control) ? u"CONTROL"_s : commandName(id);
+        if (known != name)
+            continue;
+        const auto payload = hex(trimmed.mid(name.size()));
+        if (!payload)
+            return failure(ErrorCode::InvalidArgument, u"after %1 come payload bytes in hex"_s.arg(name));
+        if (payload->size() > 255)
+            return failure(ErrorCode::InvalidArgument, u"%1 payload bytes, a frame holds 255"_s.arg(payload->size()));
+        return RawCommand{name, encodeFrame(id, *payload, version), riskOf(id)};
+    }
+    return failure(ErrorCode::InvalidArgument, u"there is no command '%1'"_s.arg(name));
+}
+
+} // namespace sbgc

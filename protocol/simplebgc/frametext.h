@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/device/device.h"
+
+namespace sbgc {
+
+/// A frame in words: the command's name and the fields that are known. @param parameters names the values of parameter
+/// blocks, may be null
+[[nodiscard]] FrameText describeFrame(const FrameView &frame, bool fromBoard, const ParameterSet *parameters);
+
+/// "EXECUTE_MENU 0B" or a complete frame in hex. Errors: InvalidArgument that says what is wrong.
+[[nodiscard]] Result<RawCommand> parseCommand(const QString &text, int version);
+
+/// Commands that can be sent by name.
+[[nodiscard]] QStringList commandNames();
+
+} // namespace sbgc

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/adjustablemodel.h"
+
+#include "widgets/models/parametermodel.h"
+
+using namespace Qt::StringLiterals;
+
+AdjustableModel::AdjustableModel(DeviceClient &client, QObject *parent)
+    : QAbstractTableModel(parent)
+    , m_client(client)
+{
+}
+
+void AdjustableModel::reset()
+{
+    beginResetModel();
+    m_specs = m_client.device() ? m_client.device()->adjustables() : std::span<const AdjustableSpec>();
+    m_parameters = m_client.device() ? m_client.device()->parameters() : nullptr;
+    m_values.assign(m_specs.size(), {});
+    m_behind.assign(m_specs.size(), nullptr);
+    m_asking = false;
+    for (std::size_t row = 0; row < m_specs.size(); ++row) {
+        for (const ParameterSpec &spec : m_parameters->all()) {
+            if (spec.adjustable == m_specs[row].id)
+                m_behind[row] = &spec;
+        }
+    }
+    endResetModel();
+}
+
+void AdjustableModel::refresh()
+{
+    if (m_asking || !m_client.isConnected() || m_specs.empty())
+        return;
+    m_asking = true;
+    QList<int> ids;
+    for (const AdjustableSpec &spec : m_specs)
+        ids.append(spec.id);
+    m_client.submit<std::vector<AdjustableValue>>([ids](Channel &channel, Device &device) {
+        return device.readAdjustables(channel, ids);
+    }).then(this, [this, asked = m_specs.data()](const Result<std::vector<AdjustableValue>> &read) {
+        m_asking = false;
+        if (asked != m_specs.data())
+            return;
+        if (!read) {
+            emit failed(read.error());
+            return;
+        }
+        int first = -1;
+        int last = -1;
+        for (const AdjustableValue &variable : *read) {
+            for (std::size_t row = 0; row < m_specs.size(); ++row) {
+                if (m_specs[row].id != variable.id || m_values[row] == int(variable.value))
+                    continue;
+                m_values[row] = int(variable.value);
+                first = first < 0 ? int(row) : std::min(first, int(row));
+                last = std::max(last, int(row));
+            }
+        }
+        if (first >= 0)
+            emit dataChanged(index(first, ValueColumn), index(last, MeaningColumn));
+    });
+}
+
+int AdjustableModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : int(m_specs.size());
+}
+
+int AdjustableModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QString AdjustableModel::meaning(int row) const
+{
+    const ParameterSpec *behind = m_behind[std::size_t(row)];
+    const auto value = m_values[std::size_t(row)];
+    if (!behind || !value)
+        return {};
+    const QString text = parameterValueText(*behind, *value / behind->row->adjustableScale);
+    return u"%1: %2"_s.arg(parameterLabel(*behind), text);
+}
+
+QVariant AdjustableModel::data(const QModelIndex &index, int role) const
+{
+    if (!index.isValid())
+        return {};
+    const AdjustableSpec &spec = m_specs[std::size_t(index.row())];
+    const auto value = m_values[std::size_t(index.row())];
+    if (role == IdRole)
+        return spec.id;
+    if (role == SearchRole)
+        return u"%1 %2 %3 %4"_s.arg(spec.id).arg(tableText(spec.label), QLatin1String(spec.key), tableText(spec.group)).toLower();
+    if (role == Qt::TextAlignmentRole && (index.column() == ValueColumn || index.column() == NumberColumn))
+        return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    if (role == Qt::EditRole && index.column() == ValueColumn)
+        return value ? QVariant(*value) : QVariant();
+    if (role == Qt::ToolTipRole && index.column() == ValueColumn)
+        return tr("Takes effect at once, in volatile memory, from %1 to %2").arg(spec.min).arg(spec.max);
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (index.column()) {
+    case NumberColumn: return spec.id;
+    case NameColumn: return tableText(spec.label);
+    case GroupColumn: return tableText(spec.group);
+    case ValueColumn: return value ? QString::number(*value) : u"–"_s;
+    case MeaningColumn: return meaning(index.row());
+    case RangeColumn: return tr("%1 to %2").arg(spec.min).arg(spec.max);
+    case KeyColumn: return QLatin1String(spec.key);
+    default: return {};
+    }
+}
+
+bool AdjustableModel::setData(const QModelIndex &index, const QVariant &value, int role)
+{
+    if (role != Qt::EditRole || index.column() != ValueColumn || !m_client.isConnected())
+        return false;
+    const AdjustableSpec &spec = m_specs[std::size_t(index.row())];
+    bool ok = false;
+    const int wanted = value.toInt(&ok);
+    if (!ok || wanted < spec.min || wanted > spec.max) {
+        emit failed({ErrorCode::OutOfRange, tr("%1: %2 to %3").arg(tableText(spec.label)).arg(spec.min).arg(spec.max), 0});
+        return false;
+    }
+    m_client.submit<bool>([id = spec.id, wanted](Channel &channel, Device &device) -> Result<bool> {
+        const auto done = device.writeAdjustables(channel, {{id, double(wanted)}});
+        return done ? Result<bool>(true) : tl::unexpected(done.error());
+    }).then(this, [this, id = spec.id, wanted](const Result<bool> &done) {
+        if (!done)
+            emit failed(done.error());
+        else
+            emit written(id, wanted);
+        refresh();   // what the board made of it
+    });
+    return true;
+}
+
+Qt::ItemFlags AdjustableModel::flags(const QModelIndex &index) const
+{
+    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    if (index.isValid() && index.column() == ValueColumn && m_client.isConnected() && m_client.identity().writable)
+        flags |= Qt::ItemIsEditable;
+    return flags;
+}
+
+QVariant AdjustableModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case NumberColumn: return tr("No.");
+    case NameColumn: return tr("Variable");
+    case GroupColumn: return tr("Group");
+    case ValueColumn: return tr("In use");
+    case MeaningColumn: return tr("Meaning");
+    case RangeColumn: return tr("Range");
+    case KeyColumn: return tr("Key");
+    default: return {};
+    }
+}

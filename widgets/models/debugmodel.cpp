@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/debugmodel.h"
+
+#include "widgets/models/parametermodel.h"
+
+#include <cmath>
+#include <limits>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QString valueText(double value)
+{
+    return std::isnan(value) ? u"–"_s : QString::number(value, 'g', 7);
+}
+
+struct DebugRead
+{
+    std::vector<DebugVariable> variables;   // empty when they were known
+    std::vector<std::vector<double>> values;
+};
+
+} // namespace
+
+DebugModel::DebugModel(DeviceClient &client, QObject *parent)
+    : QAbstractTableModel(parent)
+    , m_client(client)
+{
+}
+
+void DebugModel::reset()
+{
+    beginResetModel();
+    m_rows.clear();
+    m_listed = m_asking = false;
+    ++m_generation;
+    endResetModel();
+}
+
+void DebugModel::refresh()
+{
+    if (m_asking || !m_client.isConnected())
+        return;
+    m_asking = true;
+    m_client.submit<DebugRead>([list = !m_listed](Channel &channel, Device &device) -> Result<DebugRead> {
+        DebugRead read;
+        if (list) {
+            const auto variables = device.debugVariables(channel);
+            if (!variables)
+                return tl::unexpected(variables.error());
+            read.variables = *variables;
+        }
+        const auto values = device.readDebugVariables(channel);
+        if (!values)
+            return tl::unexpected(values.error());
+        read.values = *values;
+        return read;
+    }).then(this, [this, generation = m_generation](const Result<DebugRead> &read) {
+        if (generation != m_generation)
+            return;
+        m_asking = false;
+        if (!read) {
+            emit failed(read.error());
+            return;
+        }
+        if (!m_listed)
+            setVariables(read->variables);
+        setValues(read->values);
+        emit refreshed();
+    });
+}
+
+void DebugModel::setVariables(const std::vector<DebugVariable> &variables)
+{
+    beginResetModel();
+    m_rows.clear();
+    for (const DebugVariable &variable : variables) {
+        for (int element = 0; element < variable.elements; ++element) {
+            Row row;
+            row.name = variable.elements > 1 ? u"%1[%2]"_s.arg(variable.name).arg(element) : variable.name;
+            row.type = variable.type.section(u'[', 0, 0);
+            row.axis = variable.axis;
+            row.known = row.type != u"?"_s;
+            row.value = row.low = row.high = std::numeric_limits<double>::quiet_NaN();
+            m_rows.push_back(std::move(row));
+        }
+    }
+    m_listed = true;
+    endResetModel();
+}
+
+void DebugModel::setValues(const std::vector<std::vector<double>> &values)
+{
+    std::size_t at = 0;
+    for (const std::vector<double> &elements : values) {
+        for (const double value : elements) {
+            if (at >= m_rows.size())
+                break;
+            Row &row = m_rows[at++];
+            row.value = value;
+            row.low = std::isnan(row.low) ? value : std::min(row.low, value);
+            row.high = std::isnan(row.high) ? value : std::max(row.high, value);
+            row.history.push_back(value);
+            if (row.history.size() > kHistory)
+                row.history.pop_front();
+        }
+    }
+    if (!m_rows.empty())
+        emit dataChanged(index(0, ValueColumn), index(int(m_rows.size()) - 1, HighColumn), {Qt::DisplayRole});
+}
+
+void DebugModel::clearHistory()
+{
+    for (Row &row : m_rows) {
+        row.low = row.high = row.value;
+        row.history.clear();
+    }
+    if (!m_rows.empty())
+        emit dataChanged(index(0, ValueColumn), index(int(m_rows.size()) - 1, HighColumn), {Qt::DisplayRole});
+}
+
+QString DebugModel::name(int row) const
+{
+    return m_rows[std::size_t(row)].name;
+}
+
+int DebugModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : int(m_rows.size());
+}
+
+int DebugModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QVariant DebugModel::data(const QModelIndex &index, int role) const
+{
+    if (!index.isValid())
+        return {};
+    const Row &row = m_rows[std::size_t(index.row())];
+    if (role == Qt::TextAlignmentRole && index.column() >= ValueColumn)
+        return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (index.column()) {
+    case NameColumn: return row.name;
+    case TypeColumn: return row.known ? row.type : tr("unknown type");
+    case AxisColumn: return row.axis == Axis::None ? QString() : axisLabel(row.axis);
+    case ValueColumn: return valueText(row.value);
+    case LowColumn: return valueText(row.low);
+    case HighColumn: return valueText(row.high);
+    default: return {};
+    }
+}
+
+QVariant DebugModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case NameColumn: return tr("Variable");
+    case TypeColumn: return tr("Type");
+    case AxisColumn: return tr("Axis");
+    case ValueColumn: return tr("Now");
+    case LowColumn: return tr("Lowest");
+    case HighColumn: return tr("Highest");
+    default: return {};
+    }
+}

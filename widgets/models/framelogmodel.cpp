@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/framelogmodel.h"
+
+using namespace Qt::StringLiterals;
+
+FrameLogModel::FrameLogModel(DeviceClient &client, QObject *parent)
+    : QAbstractTableModel(parent)
+    , m_client(client)
+{
+}
+
+void FrameLogModel::refresh()
+{
+    std::vector<LoggedFrame> fresh = m_client.frames().after(m_seen);
+    if (fresh.empty())
+        return;
+    m_seen = fresh.back().number;
+    if (!m_showsStreams) {
+        // A frame from the board that nobody asked for, again and again, is live data; errors and notices are not.
+        std::erase_if(fresh, [this](const LoggedFrame &frame) {
+            return frame.fromBoard && !frame.claimed && m_client.device() && m_client.device()->isTelemetryFrame(frame.id);
+        });
+    }
+    if (fresh.empty())
+        return;
+    const qsizetype surplus = qsizetype(m_rows.size() + fresh.size()) - qsizetype(kCapacity);
+    if (surplus > 0) {
+        const int gone = int(std::min<qsizetype>(surplus, qsizetype(m_rows.size())));
+        if (gone > 0) {
+            beginRemoveRows({}, 0, gone - 1);
+            m_rows.erase(m_rows.begin(), m_rows.begin() + gone);
+            endRemoveRows();
+        }
+    }
+    const int first = int(m_rows.size());
+    beginInsertRows({}, first, first + int(fresh.size()) - 1);
+    for (LoggedFrame &frame : fresh)
+        m_rows.push_back({std::move(frame), {}});
+    endInsertRows();
+}
+
+void FrameLogModel::clear()
+{
+    m_seen = m_client.frames().newest();
+    beginResetModel();
+    m_rows.clear();
+    endResetModel();
+}
+
+const FrameText &FrameLogModel::textOf(const Row &row) const
+{
+    if (row.text)
+        return *row.text;
+    row.text = FrameText{u"?"_s, {}};
+    const Device *device = m_client.device();
+    if (!device)
+        return *row.text;
+    if (row.frame.fromBoard) {
+        row.text = device->describeFrame({row.frame.id, asBytes(row.frame.bytes), row.frame.version}, true);
+        return *row.text;
+    }
+    // What was sent may be several frames in one go.
+    QStringList names;
+    QStringList fields;
+    const FrameSink sink = [&](const FrameView &frame) {
+        const FrameText one = device->describeFrame(frame, false);
+        names.append(one.name);
+        fields.append(one.fields);
+    };
+    const auto framer = device->makeFramer();
+    framer->feed(asBytes(row.frame.bytes), sink);
+    framer->flush(sink);
+    row.text = FrameText{names.join(u" + "_s), fields.join(u" + "_s)};
+    return *row.text;
+}
+
+QString FrameLogModel::timeText(const Row &row) const
+{
+    return QString::number(seconds(row.frame.at - m_origin), 'f', 4);
+}
+
+QString FrameLogModel::text() const
+{
+    QString all;
+    for (const Row &row : m_rows) {
+        const FrameText &words = textOf(row);
+        all += u"%1 %2 %3 %4  [%5]\n"_s.arg(timeText(row).rightJustified(12), row.frame.fromBoard ? u"<"_s : u">"_s,
+                                            words.name, words.fields, QString::fromLatin1(row.frame.bytes.toHex(' ')));
+    }
+    return all;
+}
+
+int FrameLogModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : int(m_rows.size());
+}
+
+int FrameLogModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QVariant FrameLogModel::data(const QModelIndex &index, int role) const
+{
+    if (!index.isValid())
+        return {};
+    const Row &row = m_rows[std::size_t(index.row())];
+    if (role == FromBoardRole)
+        return row.frame.fromBoard;
+    if (role == SearchRole)
+        return u"%1 %2"_s.arg(textOf(row).name, textOf(row).fields).toLower();
+    if (role == Qt::ToolTipRole && index.column() == BytesColumn)
+        return row.frame.fromBoard ? tr("Payload") : tr("Complete frames");
+    if (role == Qt::TextAlignmentRole && index.column() == TimeColumn)
+        return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (index.column()) {
+    case TimeColumn: return timeText(row);
+    case DirectionColumn: return row.frame.fromBoard ? tr("← board") : tr("→ board");
+    case NameColumn: return textOf(row).name;
+    case FieldsColumn: return textOf(row).fields;
+    case BytesColumn: return QString::fromLatin1(row.frame.bytes.toHex(' '));
+    default: return {};
+    }
+}
+
+QVariant FrameLogModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case TimeColumn: return tr("Seconds");
+    case DirectionColumn: return tr("Direction");
+    case NameColumn: return tr("Frame");
+    case FieldsColumn: return tr("Fields");
+    case BytesColumn: return tr("Bytes");
+    default: return {};
+    }
+}

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/device/deviceclient.h"
+
+#include <QAbstractTableModel>
+
+#include <deque>
+
+/// Frames in and out as rows, decoded when they are looked at. Keeps the newest kCapacity.
+class FrameLogModel final : public QAbstractTableModel
+{
+    Q_OBJECT
+public:
+    enum Column { TimeColumn, DirectionColumn, NameColumn, FieldsColumn, BytesColumn, ColumnCount };
+    enum Role { FromBoardRole = Qt::UserRole, SearchRole };
+    static constexpr std::size_t kCapacity = 20000;
+
+    explicit FrameLogModel(DeviceClient &client, QObject *parent = nullptr);
+
+    /// Takes over what is new; call at most 10 times a second. Live data is left out unless wanted.
+    void refresh();
+    void setShowsStreams(bool on) { m_showsStreams = on; }
+    void clear();
+    /// All rows as text, one line each.
+    [[nodiscard]] QString text() const;
+
+    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    struct Row
+    {
+        LoggedFrame frame;
+        mutable std::optional<FrameText> text;
+    };
+    [[nodiscard]] const FrameText &textOf(const Row &row) const;
+    [[nodiscard]] QString timeText(const Row &row) const;
+
+    DeviceClient &m_client;
+    std::deque<Row> m_rows;
+    quint64 m_seen = 0;
+    TimePoint m_origin = Clock::now();
+    bool m_showsStreams = false;
+};

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/livemodel.h"
+
+#include <utility>
+
+LiveModel::LiveModel(DeviceClient &client, ConfigurationModel &configuration, QObject *parent)
+    : QObject(parent)
+    , m_client(client)
+    , m_configuration(configuration)
+{
+    connect(&configuration, &ConfigurationModel::boardReset, this, &LiveModel::reset);
+    connect(&configuration, &ConfigurationModel::activeProfileChanged, this, &LiveModel::reset);
+    connect(&configuration, &ConfigurationModel::storedChanged, this, [this] {
+        // After a write the board has loaded what was written.
+        read();
+    });
+    reset();
+}
+
+const ParameterSpec &LiveModel::spec(int parameter) const
+{
+    return m_set->at(parameter);
+}
+
+void LiveModel::reset()
+{
+    ++m_generation;
+    m_wanted.clear();
+    m_writing = false;
+    m_parameters.clear();
+    const Configuration &board = std::as_const(m_configuration).board();
+    const QString key = m_configuration.isEmpty() ? QString()
+        : board.identity().serial + u'/' + board.identity().firmware + u'/' + QString::number(board.activeProfile());
+    // The same board read anew keeps the two sets; ids mean the same for the same firmware.
+    if (key != std::exchange(m_boardKey, key)) {
+        m_values.clear();
+        m_other.clear();
+        m_otherKnown = false;
+        m_slot = Slot::A;
+    }
+    m_set = m_configuration.isEmpty() ? nullptr : std::as_const(m_configuration).board().parameterSet();
+    if (m_set) {
+        for (const ParameterSpec &candidate : m_set->all()) {
+            if (candidate.adjustable >= 0)
+                m_parameters.append(candidate.id);
+        }
+    }
+    recount();
+    emit modelReset();
+    emit slotChanged();
+    read();
+}
+
+std::optional<int> LiveModel::value(int parameter) const
+{
+    const auto it = m_values.find(parameter);
+    return it == m_values.end() ? std::nullopt : std::optional(*it);
+}
+
+std::optional<int> LiveModel::stored(int parameter) const
+{
+    if (!m_set)
+        return {};
+    return m_configuration.boardValue(spec(parameter), std::as_const(m_configuration).board().activeProfile());
+}
+
+bool LiveModel::isChanged(int parameter) const
+{
+    const auto now = value(parameter);
+    return now && stored(parameter) != now;
+}
+
+void LiveModel::read()
+{
+    if (!m_client.isConnected() || m_parameters.isEmpty())
+        return;
+    QList<int> ids;
+    for (const int parameter : std::as_const(m_parameters))
+        ids.append(spec(parameter).adjustable);
+    m_client.submit<std::vector<AdjustableValue>>([ids](Channel &channel, Device &device) {
+        return device.readAdjustables(channel, ids);
+    }).then(this, [this, generation = m_generation](const Result<std::vector<AdjustableValue>> &read) {
+        if (generation != m_generation)
+            return;
+        if (!read) {
+            emit failed(read.error());
+            return;
+        }
+        QHash<int, double> byId;
+        for (const AdjustableValue &variable : *read)
+            byId.insert(variable.id, variable.value);
+        for (const int parameter : std::as_const(m_parameters)) {
+            const auto it = byId.find(spec(parameter).adjustable);
+            if (it == byId.end() || m_wanted.contains(parameter))
+                continue;
+            const int raw = int(*it) / spec(parameter).row->adjustableScale;
+            if (value(parameter) == raw)
+                continue;
+            m_values.insert(parameter, raw);
+            emit valueChanged(parameter);
+        }
+        recount();
+    });
+}
+
+void LiveModel::setValue(int parameter, int raw)
+{
+    if (!m_client.isConnected() || !m_parameters.contains(parameter))
+        return;
+    put(parameter, spec(parameter).clamped(raw));
+    flush();
+}
+
+void LiveModel::put(int parameter, int raw)
+{
+    if (value(parameter) == raw)
+        return;
+    m_values.insert(parameter, raw);
+    m_wanted.insert(parameter, raw);
+    emit valueChanged(parameter);
+    recount();
+}
+
+void LiveModel::flush()
+{
+    if (m_writing || m_wanted.isEmpty())
+        return;
+    m_writing = true;
+    std::vector<AdjustableValue> values;
+    for (auto it = m_wanted.begin(); it != m_wanted.end(); ++it)
+        values.push_back({spec(it.key()).adjustable, double(it.value() * spec(it.key()).row->adjustableScale)});
+    m_wanted.clear();
+    m_client.submit<bool>([values](Channel &channel, Device &device) -> Result<bool> {
+        const auto done = device.writeAdjustables(channel, values);
+        return done ? Result<bool>(true) : tl::unexpected(done.error());
+    }).then(this, [this, generation = m_generation](const Result<bool> &done) {
+        if (generation != m_generation)
+            return;
+        m_writing = false;
+        if (!done) {
+            // What is in use is not known any more: ask.
+            m_wanted.clear();
+            emit failed(done.error());
+            read();
+            return;
+        }
+        flush();
+        if (isSettled())
+            emit settled();
+    });
+}
+
+void LiveModel::revert()
+{
+    m_wanted.clear();
+    for (const int parameter : std::as_const(m_parameters)) {
+        const auto kept = stored(parameter);
+        if (!kept || !value(parameter))
+            continue;
+        // Also what looks unchanged: a value still on its way must not win.
+        if (m_writing && value(parameter) == *kept)
+            m_wanted.insert(parameter, *kept);
+        put(parameter, *kept);
+    }
+    flush();
+}
+
+void LiveModel::useSlot(Slot slot)
+{
+    if (slot == m_slot)
+        return;
+    const Values present = m_values;
+    if (!m_otherKnown)
+        m_other = present;
+    m_otherKnown = true;
+    const Values wanted = std::exchange(m_other, present);
+    m_slot = slot;
+    for (auto it = wanted.begin(); it != wanted.end(); ++it)
+        put(it.key(), it.value());
+    flush();
+    emit slotChanged();
+}
+
+void LiveModel::copyToOther()
+{
+    m_other = m_values;
+    m_otherKnown = true;
+    emit slotChanged();
+}
+
+int LiveModel::slotDifference() const
+{
+    if (!m_otherKnown)
+        return 0;
+    int count = 0;
+    for (auto it = m_values.begin(); it != m_values.end(); ++it)
+        count += m_other.value(it.key(), it.value()) != it.value();
+    return count;
+}
+
+void LiveModel::recount()
+{
+    int count = 0;
+    for (const int parameter : std::as_const(m_parameters))
+        count += isChanged(parameter);
+    if (count == m_changeCount)
+        return;
+    m_changeCount = count;
+    emit changeCountChanged(count);
+}

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/device/deviceclient.h"
+#include "widgets/models/configurationmodel.h"
+
+#include <QHash>
+
+/// Parameters that the board changes at once, in its volatile memory: what is in use now, what is stored, and two sets to
+/// compare. Values are raw parameter values; writes go out one after the other, the newest value of each wins.
+class LiveModel final : public QObject
+{
+    Q_OBJECT
+public:
+    enum class Slot { A, B };
+
+    LiveModel(DeviceClient &client, ConfigurationModel &configuration, QObject *parent = nullptr);
+
+    /// Ids of the parameters that can be changed live on this board, in table order.
+    [[nodiscard]] const QList<int> &parameters() const { return m_parameters; }
+    /// In use now; empty until the board has said so.
+    [[nodiscard]] std::optional<int> value(int parameter) const;
+    /// What the active profile holds in permanent memory.
+    [[nodiscard]] std::optional<int> stored(int parameter) const;
+    [[nodiscard]] bool isChanged(int parameter) const;
+    /// How many values in use are not stored.
+    [[nodiscard]] int changeCount() const { return m_changeCount; }
+    /// All that was asked for has reached the board.
+    [[nodiscard]] bool isSettled() const { return m_wanted.isEmpty() && !m_writing; }
+
+    /// Asks the board what is in use.
+    void read();
+    void setValue(int parameter, int raw);
+    /// Everything back to what is stored, ahead of changes still waiting.
+    void revert();
+
+    [[nodiscard]] Slot slot() const { return m_slot; }
+    /// Keeps the present values in the present slot and puts the other slot's values into use.
+    void useSlot(Slot slot);
+    /// Makes the other slot the same as the present values.
+    void copyToOther();
+    /// How many values differ between the two slots.
+    [[nodiscard]] int slotDifference() const;
+
+signals:
+    /// Another board or profile: all values are new.
+    void modelReset();
+    void valueChanged(int parameter);
+    void changeCountChanged(int count);
+    void slotChanged();
+    void failed(const Error &error);
+    void settled();
+
+private:
+    using Values = QHash<int, int>;   // parameter id -> raw
+    void reset();
+    void put(int parameter, int raw);
+    void flush();
+    void recount();
+    [[nodiscard]] const ParameterSpec &spec(int parameter) const;
+
+    DeviceClient &m_client;
+    ConfigurationModel &m_configuration;
+    std::shared_ptr<const ParameterSet> m_set;
+    QList<int> m_parameters;
+    Values m_values;
+    Values m_wanted;          // waiting to be written
+    Values m_other;           // of the slot not in use
+    Slot m_slot = Slot::A;
+    bool m_otherKnown = false;
+    bool m_writing = false;
+    int m_changeCount = 0;
+    QString m_boardKey;       // which board, firmware and profile the values belong to
+    int m_generation = 0;     // answers to questions of an earlier board or profile are dropped
+};

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plot/spanstatistics.h"
+
+#include "widgets/plot/tracecolumns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace {
+
+// A value older than this says nothing about the moment asked for.
+constexpr double kGapSeconds = 0.6;
+
+} // namespace
+
+SpanStatistics spanStatistics(const TelemetryStore &store, int channel, int minus, double from, double to)
+{
+    SpanStatistics result;
+    double sum = 0;
+    double squares = 0;
+    for (TraceSource &source : TraceSource::find(store, channel, minus)) {
+        source.refresh();
+        for (std::size_t row = source.track.rowAt(from); row < source.track.end(); ++row) {
+            if (source.track.time(row) > to)
+                break;
+            if (source.minus && row >= source.minus->end())
+                break;
+            const double value = double(source.value(row));
+            if (std::isnan(value))
+                continue;
+            sum += value;
+            squares += value * value;
+            result.peak = std::max(result.peak, std::abs(value));
+            ++result.samples;
+        }
+    }
+    if (result.samples == 0) {
+        result.mean = result.rms = result.peak = std::numeric_limits<double>::quiet_NaN();
+        return result;
+    }
+    result.mean = sum / double(result.samples);
+    result.rms = std::sqrt(squares / double(result.samples));
+    return result;
+}
+
+double valueAt(const TelemetryStore &store, int channel, int minus, double time)
+{
+    double best = std::numeric_limits<double>::quiet_NaN();
+    double bestTime = time - kGapSeconds;
+    for (TraceSource &source : TraceSource::find(store, channel, minus)) {
+        source.refresh();
+        std::size_t row = source.track.rowAt(time);
+        if (row >= source.track.end() || source.track.time(row) > time) {
+            if (row == source.track.begin())
+                continue;
+            --row;
+        }
+        if (source.track.time(row) >= bestTime && (!source.minus || row < source.minus->end())) {
+            bestTime = source.track.time(row);
+            best = double(source.value(row));
+        }
+    }
+    return best;
+}
