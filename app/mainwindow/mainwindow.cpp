@@ -63,6 +63,7 @@ MainWindow::MainWindow(Links links, QList<Family> families, Theme &theme, Settin
 
 MainWindow::~MainWindow()
 {
+    m_workspace->shutDown();
     // Dialogs and pages refer to the workspace, which goes first otherwise.
     delete m_review;
     delete m_palette;

@@ -108,8 +108,7 @@ ActionsPage::ActionsPage(Workspace &workspace, QWidget *parent)
     connect(m_run, &QPushButton::clicked, this, &ActionsPage::run);
     connect(m_cancel, &QPushButton::clicked, &workspace.client(), &DeviceClient::cancelJobs);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &ActionsPage::fillList);
-    auto *find = new QShortcut(QKeySequence::Find, this, [this] { m_search->setFocus(); });
-    find->setContext(Qt::WidgetWithChildrenShortcut);
+    new QShortcut(QKeySequence::Find, this, [this] { m_search->setFocus(); });
     fillList();
 }
 

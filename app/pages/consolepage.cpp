@@ -101,8 +101,7 @@ ConsolePage::ConsolePage(Workspace &workspace, QWidget *parent)
     });
     m_timer.setInterval(kPeriod);
     connect(&m_timer, &QTimer::timeout, this, &ConsolePage::refresh);
-    auto *find = new QShortcut(QKeySequence::Find, this, [this] { m_filter->setFocus(); });
-    find->setContext(Qt::WidgetWithChildrenShortcut);
+    new QShortcut(QKeySequence::Find, this, [this] { m_filter->setFocus(); });
 }
 
 void ConsolePage::refresh()
@@ -145,8 +144,8 @@ void ConsolePage::send()
         emit workspace().problem(text);
         return;
     }
-    client.submit<bool>([command = *command, history = workspace().history()](Channel &channel, Device &device) {
-        return sendRaw(channel, device, command, history);
+    client.submit<bool>([command = *command, history = workspace().history(), live = workspace().live().unsaved()](Channel &channel, Device &device) {
+        return sendRaw(channel, device, command, history, live);
     }).then(this, [this](const Result<bool> &sent) {
         if (!sent)
             emit workspace().problem(describe(sent.error()));

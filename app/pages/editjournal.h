@@ -23,6 +23,8 @@ public:
     void dropLeftover();
     /// Writes now what is waiting to be written.
     void flush();
+    /// Writes nothing any more, as if the program were gone. For tests.
+    void abandon();
 
 signals:
     /// The board now shown has edits from an earlier run.

@@ -69,8 +69,7 @@ HelpPage::HelpPage(Workspace &workspace, QWidget *parent)
     body()->addLayout(row, 1);
     connect(m_topics, &QListWidget::currentRowChanged, this, &HelpPage::showCurrent);
     connect(m_search, &QLineEdit::textChanged, this, &HelpPage::refilter);
-    auto *find = new QShortcut(QKeySequence::Find, this, [this] { m_search->setFocus(); });
-    find->setContext(Qt::WidgetWithChildrenShortcut);
+    new QShortcut(QKeySequence::Find, this, [this] { m_search->setFocus(); });
     m_topics->setCurrentRow(0);
 }
 

@@ -149,11 +149,10 @@ ParametersPage::ParametersPage(Workspace &workspace, QWidget *parent)
         updateGroupMarks();
         emit changesChanged();
     });
-    auto *find = new QShortcut(QKeySequence::Find, this, [this] {
+    new QShortcut(QKeySequence::Find, this, [this] {
         m_search->setFocus();
         m_search->selectAll();
     });
-    find->setContext(Qt::WidgetWithChildrenShortcut);
     onBoard();
 }
 

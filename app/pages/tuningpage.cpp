@@ -46,7 +46,7 @@ QString figure(double value)
 
 TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"tuning"_s, tr("Tuning"), parent)
-    , m_live(workspace.client(), workspace.configuration())
+    , m_live(workspace.live())
     , m_scroll(new QScrollArea)
     , m_a(makeButton(tr("Set A"), tr("Use the first set of values (F6 switches)")))
     , m_b(makeButton(tr("Set B"), tr("Use the second set of values (F6 switches)")))
@@ -126,12 +126,10 @@ TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
     connect(m_copy, &QPushButton::clicked, &m_live, &LiveModel::copyToOther);
     connect(m_revert, &QPushButton::clicked, &m_live, &LiveModel::revert);
     connect(m_save, &QPushButton::clicked, this, &TuningPage::save);
-    auto *toggle = new QShortcut(Qt::Key_F6, this, [this] {
+    new QShortcut(Qt::Key_F6, this, [this] {
         (m_live.slot() == LiveModel::Slot::A ? m_b : m_a)->click();
     });
-    auto *revert = new QShortcut(Qt::Key_F9, this, [this] { m_revert->click(); });
-    toggle->setContext(Qt::WidgetWithChildrenShortcut);
-    revert->setContext(Qt::WidgetWithChildrenShortcut);
+    new QShortcut(Qt::Key_F9, this, [this] { m_revert->click(); });
     connect(&m_live, &LiveModel::modelReset, this, &TuningPage::rebuild);
     connect(&m_live, &LiveModel::valueChanged, this, [this](int parameter) {
         if (LiveSlider *shown = m_controls.value(parameter))
@@ -336,13 +334,8 @@ void TuningPage::save()
 {
     m_saving = true;
     updateState();
-    workspace().perform(u"variables.save"_s, {}).then(this, [this](const Result<ActionOutcome> &outcome) {
+    workspace().saveLive().then(this, [this](bool) {
         m_saving = false;
         updateState();
-        if (!outcome)
-            return;
-        emit workspace().notice(tr("Stored in the active profile. The board as it was is kept in %1")
-                                    .arg(outcome->snapshotPath));
-        workspace().readBoard();   // what is stored now is what the board says, not what was meant
     });
 }

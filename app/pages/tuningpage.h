@@ -46,7 +46,7 @@ private:
         double rms = 0;
         double peak = 0;
     };
-    LiveModel m_live;
+    LiveModel &m_live;
     QScrollArea *m_scroll;
     QHash<int, LiveSlider *> m_controls;
     QPushButton *m_a;

@@ -12,6 +12,8 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
+#include <tuple>
+
 using namespace Qt::StringLiterals;
 
 namespace {
@@ -54,11 +56,9 @@ VariablesPage::VariablesPage(Workspace &workspace, QWidget *parent)
         if (error.code != ErrorCode::LinkClosed && error.code != ErrorCode::Cancelled)
             emit this->workspace().problem(describe(error));
     });
+    connect(&m_model, &AdjustableModel::written, &workspace.live(), &LiveModel::read);
     connect(save, &QPushButton::clicked, this, [this] {
-        this->workspace().perform(u"variables.save"_s, {}).then(this, [this](const Result<ActionOutcome> &done) {
-            if (done)
-                this->workspace().readBoard();
-        });
+        std::ignore = this->workspace().saveLive();
     });
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &VariablesPage::onState);
     m_timer.setInterval(kPeriod);
@@ -66,8 +66,7 @@ VariablesPage::VariablesPage(Workspace &workspace, QWidget *parent)
         if (m_live->isChecked() && !m_table->isEditing())
             m_model.refresh();
     });
-    auto *find = new QShortcut(QKeySequence::Find, this, [this] { m_search->setFocus(); });
-    find->setContext(Qt::WidgetWithChildrenShortcut);
+    new QShortcut(QKeySequence::Find, this, [this] { m_search->setFocus(); });
     onState();
 }
 

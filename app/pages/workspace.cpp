@@ -33,6 +33,7 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     , m_settings(settings)
     , m_links(std::move(links))
     , m_client(m_links.transports, std::move(families))
+    , m_live(m_client, m_configuration)
     , m_edits(m_configuration)
     , m_journal(m_configuration, m_edits, m_history)
 {
@@ -75,7 +76,13 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
 
 Workspace::~Workspace()
 {
+    shutDown();
+}
+
+void Workspace::shutDown()
+{
     m_journal.flush();
+    m_client.shutDown();
 }
 
 void Workspace::connectTo(const LinkAddress &address, const QString &family)
@@ -113,18 +120,21 @@ void Workspace::readBoard()
     m_reading = true;
     m_client.submit<Configuration>([](Channel &channel, Device &device) {
         return device.readConfiguration(channel);
-    }).then(this, [this](const Result<Configuration> &read) {
+    }).then(this, [this](const Result<Configuration> &answer) {
         m_reading = false;
-        if (!read) {
-            if (read.error().code != ErrorCode::Cancelled && read.error().code != ErrorCode::LinkClosed)
-                emit problem(describe(read.error()));
+        if (!answer) {
+            if (answer.error().code != ErrorCode::Cancelled && answer.error().code != ErrorCode::LinkClosed)
+                emit problem(describe(answer.error()));
             return;
         }
+        const bool sameBoard = !m_configuration.isEmpty()
+            && answer->identity().serial == std::as_const(m_configuration).board().identity().serial;
+        const Configuration read = sameBoard ? withoutLive(*answer, m_live.unsaved()) : *answer;
         m_offlineFile.clear();
-        if (!m_configuration.rebase(*read)) {
+        if (!m_configuration.rebase(read)) {
             m_journal.flush();   // edits of another board stay in its journal
             m_edits.undoStack().clear();
-            m_configuration.reset(*read);
+            m_configuration.reset(read);
         }
         if (std::exchange(m_writeInterrupted, false))
             offerRepair();
@@ -140,14 +150,19 @@ void Workspace::write(const Configuration &wanted)
     }
     m_writing = true;
     m_client.submit<WriteReport>([base = m_configuration.board(), wanted, history = m_history,
-                                  backupDone = m_backupDone](Channel &channel, Device &device) {
+                                  backupDone = m_backupDone, live = m_live.unsaved()](Channel &channel, Device &device) {
         WriteOptions options;
         options.history = &history;
         options.backupDone = backupDone;
+        options.live = live;
         return writeConfiguration(channel, device, base, wanted, options);
-    }).then(this, [this](const Result<WriteReport> &result) {
+    }).then(this, [this, live = m_live.unsaved()](const Result<WriteReport> &result) {
         m_writing = false;
         onReport(result);
+        restoreLive(live);
+        // What was wanted is not lost: it is unsaved again.
+        if (const auto again = std::exchange(m_wantedAgain, std::nullopt); again && result && result->isComplete())
+            m_edits.apply(*again, tr("Changes of the interrupted write"));
         emit writeFinished();
     });
 }
@@ -231,7 +246,10 @@ void Workspace::offerRepair()
         question.text += u' ' + tr("The board holds the old values.");
     question.choices.append({tr("Finish: write %n value(s)", nullptr, missing), [this, finished] { write(finished); }});
     if (landed > 0)
-        question.choices.append({tr("Undo: put %n value(s) back", nullptr, landed), [this, undone] { write(undone); }});
+        question.choices.append({tr("Undo: put %n value(s) back", nullptr, landed), [this, undone, finished] {
+            m_wantedAgain = finished;
+            write(undone);
+        }});
     question.choices.append({tr("Leave it so"), [] { }});
     emit offer(question);
 }
@@ -322,8 +340,9 @@ QFuture<Result<ActionOutcome>> Workspace::perform(const QString &key, const QVar
     const auto it = std::find_if(actions.begin(), actions.end(),
                                  [&key](const ActionSpec &spec) { return key == QLatin1String(spec.key); });
     const bool moving = it != actions.end() && it->isProcedure;
-    return m_client.submit<ActionOutcome>([key, arguments, history = m_history](Channel &channel, Device &device) {
-        return performSafely(channel, device, key, arguments, history);
+    return m_client.submit<ActionOutcome>([key, arguments, history = m_history,
+                                           live = m_live.unsaved()](Channel &channel, Device &device) {
+        return performSafely(channel, device, key, arguments, history, live);
     }, moving ? DeviceClient::JobKind::Moving : DeviceClient::JobKind::Quiet)
         .then(this, [this, quiet](const Result<ActionOutcome> &outcome) {
             if (!outcome && !quiet)
@@ -343,6 +362,39 @@ void Workspace::changeWorld(const QString &assignment)
 {
     if (const auto changed = m_links.changeWorld(m_client.address(), assignment); !changed)
         emit problem(describe(changed.error()));
+}
+
+// A written block is loaded by the board at once, stored values and all: what was in use beside it is put into use again.
+void Workspace::restoreLive(const LiveValues &before)
+{
+    if (!m_client.isConnected())
+        return;
+    QHash<int, int> values;
+    for (const LiveValue &value : before) {
+        const ParameterSpec *spec = std::as_const(m_configuration).board().parameters().find(value.key);
+        if (spec && m_live.stored(spec->id) == value.stored)
+            values.insert(spec->id, value.inUse);
+    }
+    m_live.forget();
+    m_live.read();
+    m_live.setValues(values);
+}
+
+QFuture<bool> Workspace::saveLive()
+{
+    return perform(u"variables.save"_s, {}).then(this, [this, live = m_live.unsaved()](const Result<ActionOutcome> &saved) {
+        if (!saved)
+            return false;
+        Configuration board = std::as_const(m_configuration).board();
+        for (const LiveValue &value : live) {
+            if (const ParameterSpec *spec = board.parameters().find(value.key))
+                std::ignore = board.setRaw(*spec, board.activeProfile(), value.inUse);
+        }
+        m_configuration.setBoard(board);
+        emit notice(tr("Stored in the active profile. The board as it was is kept in %1").arg(saved->snapshotPath));
+        readBoard();   // what is stored now is what the board says, not what was meant
+        return true;
+    });
 }
 
 void Workspace::useProfile(int profile)

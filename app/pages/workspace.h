@@ -10,6 +10,7 @@
 #include "protocol/procedure/safeaction.h"
 #include "widgets/forms/editstack.h"
 #include "widgets/models/errortext.h"
+#include "widgets/models/livemodel.h"
 #include "widgets/theme/theme.h"
 
 /// A question to the operator with the answers to choose from, shown without stopping anything.
@@ -35,12 +36,16 @@ class Workspace final : public QObject
 public:
     Workspace(Links links, QList<Family> families, Theme &theme, Settings &settings, QObject *parent = nullptr);
     ~Workspace() override;
+    /// Ends the link and keeps what is unsaved; before pages are taken down.
+    void shutDown();
 
     [[nodiscard]] DeviceClient &client() { return m_client; }
     [[nodiscard]] ConfigurationModel &configuration() { return m_configuration; }
     [[nodiscard]] EditStack &edits() { return m_edits; }
     [[nodiscard]] Theme &theme() { return m_theme; }
     [[nodiscard]] BoardHistory &history() { return m_history; }
+    /// Values that the board changes at once, shared by all pages.
+    [[nodiscard]] LiveModel &live() { return m_live; }
     [[nodiscard]] Settings &settings() { return m_settings; }
     [[nodiscard]] EditJournal &journal() { return m_journal; }
 
@@ -49,6 +54,8 @@ public:
     void readBoard();
     /// Writes what differs between the board and this, verified, with a snapshot before the first write.
     void write(const Configuration &wanted);
+    /// Stores the values in use in the active profile, with a snapshot of what was stored before. True when it was done.
+    QFuture<bool> saveLive();
     void useProfile(int profile);
     /// Opens a configuration without a board, to look at and to edit. Errors: BadFile.
     Result<void> openFile(const QString &path);
@@ -96,6 +103,7 @@ signals:
 private:
     void onState(DeviceClient::State state);
     void onReport(const Result<WriteReport> &result);
+    void restoreLive(const LiveValues &before);
     void offerRepair();
     void offerLeftover(int steps);
     void applySettings();
@@ -107,12 +115,14 @@ private:
     Links m_links;
     DeviceClient m_client;
     ConfigurationModel m_configuration;
+    LiveModel m_live;
     EditStack m_edits;
     BoardHistory m_history;
     EditJournal m_journal;
     QString m_offlineFile;
     QHash<const QObject *, QList<int>> m_wishes;
     std::optional<WriteReport> m_lastReport;
+    std::optional<Configuration> m_wantedAgain;   // becomes edits once an interrupted write is undone
     bool m_backupDone = false;
     bool m_writing = false;
     bool m_writeInterrupted = false;   // the link broke during a write; told again once the board can be read

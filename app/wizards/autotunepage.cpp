@@ -36,7 +36,7 @@ const ActionSpec *findAction(const Device *device, const QString &key)
 
 AutoTunePage::AutoTunePage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"autotune"_s, tr("Auto-tune"), parent)
-    , m_live(workspace.client(), workspace.configuration())
+    , m_live(workspace.live())
     , m_ask(new Card(tr("What to search")))
     , m_text(new QLabel)
     , m_start(new QPushButton(tr("Start: the camera will shake")))
@@ -181,8 +181,8 @@ void AutoTunePage::onProgress(const Progress &progress)
 
 void AutoTunePage::onFinished(const Result<ActionOutcome> &outcome)
 {
+    m_live.read();
     if (outcome) {
-        m_live.read();
         setState(State::Finished);
         return;
     }
@@ -202,38 +202,20 @@ void AutoTunePage::onFinished(const Result<ActionOutcome> &outcome)
 
 void AutoTunePage::accept()
 {
-    workspace().perform(u"variables.save"_s, {}).then(this, [this](const Result<ActionOutcome> &saved) {
+    workspace().saveLive().then(this, [this](bool saved) {
         if (!saved)
             return;
-        emit workspace().notice(tr("The new gains are saved in the active profile. The board as it was is kept in %1")
-                                    .arg(saved->snapshotPath));
         m_before.clear();
         setState(State::Ready);
-        workspace().readBoard();
     });
 }
 
 void AutoTunePage::revert()
 {
-    std::vector<AdjustableValue> values;
-    const ConfigurationModel &model = workspace().configuration();
-    for (auto it = m_before.begin(); it != m_before.end(); ++it) {
-        const ParameterSpec &spec = model.board().parameters().at(it.key());
-        values.push_back({spec.adjustable, double(it.value() * spec.row->adjustableScale)});
-    }
-    workspace().client().submit<bool>([values](Channel &channel, Device &device) -> Result<bool> {
-        const auto done = device.writeAdjustables(channel, values);
-        return done ? Result<bool>(true) : tl::unexpected(done.error());
-    }).then(this, [this](const Result<bool> &done) {
-        if (!done) {
-            emit workspace().problem(describe(done.error()));
-        } else {
-            emit workspace().notice(tr("The gains of before are in use again."));
-            m_before.clear();
-        }
-        setState(m_before.isEmpty() ? State::Ready : State::Finished);
-        m_live.read();
-    });
+    m_live.setValues(m_before);
+    m_before.clear();
+    setState(State::Ready);
+    emit workspace().notice(tr("The gains of before are in use again."));
 }
 
 void AutoTunePage::fillTable()

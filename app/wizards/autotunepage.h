@@ -39,7 +39,7 @@ private:
     void setState(State state);
     void fillTable();
 
-    LiveModel m_live;
+    LiveModel &m_live;
     ArgumentForm *m_form = nullptr;
     Card *m_ask;
     QLabel *m_text;

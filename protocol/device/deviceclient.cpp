@@ -92,11 +92,19 @@ DeviceClient::DeviceClient(TransportFactory makeTransport, QList<Family> familie
 
 DeviceClient::~DeviceClient()
 {
+    shutDown();
+}
+
+void DeviceClient::shutDown()
+{
+    if (!m_ioThread.isRunning())
+        return;
     m_statisticsTimer.stop();
     m_session->disconnect(this);
     cancelJobs();
     if (m_attemptControl)
         m_attemptControl->cancel();
+    m_state = State::Disconnected;   // nothing new is begun
     closeSession();
     // The worker may still wait for the I/O thread, so it goes first.
     m_workerThread.quit();
@@ -136,6 +144,8 @@ void DeviceClient::closeSession()
         const std::lock_guard lock(m_urgentMutex);
         m_motorsOff.reset();
     }
+    if (!m_ioThread.isRunning())
+        return;
     QMetaObject::invokeMethod(m_session, [session = m_session] { session->close({ErrorCode::Cancelled, {}}); },
                               Qt::QueuedConnection);
 }
@@ -276,6 +286,8 @@ void DeviceClient::setControl(const ControlSetpoint &setpoint)
 
 void DeviceClient::releaseControl()
 {
+    if (m_state != State::Connected)
+        return;
     QMetaObject::invokeMethod(m_session, [session = m_session] { session->endControl(); }, Qt::QueuedConnection);
 }
 

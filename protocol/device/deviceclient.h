@@ -45,6 +45,9 @@ public:
     /// Opens the link, finds rate and parity, identifies the board. stateChanged() and connectionFailed() tell the rest.
     void connectTo(const LinkAddress &address, const QString &family);
     void disconnectFromBoard();
+    /// Ends link and threads; every future has its result afterwards. Whoever waits for one (`future.then(this, ...)`) must
+    /// live until then, so this comes before anything that uses the client is taken down. The destructor does it too.
+    void shutDown();
 
     /// Runs sequential code on the worker thread. The future always gets a result; NotConnected when there is no board.
     template<typename T>

@@ -10,7 +10,7 @@ namespace {
 
 // The path of the snapshot, empty where the risk needs none.
 Result<QString> backupFor(Channel &channel, Device &device, ActionRisk risk, const QString &reason,
-                          const BoardHistory &history)
+                          const BoardHistory &history, const LiveValues &live)
 {
     if (!device.identity().writable && risk != ActionRisk::Safe)
         return failure(ErrorCode::ReadOnly, device.identity().firmware);
@@ -19,13 +19,13 @@ Result<QString> backupFor(Channel &channel, Device &device, ActionRisk risk, con
     const auto configuration = device.readConfiguration(channel);
     if (!configuration)
         return failure(ErrorCode::NoBackup, configuration.error().detail);
-    return history.save(*configuration, reason);
+    return history.save(withoutLive(*configuration, live), reason);
 }
 
 } // namespace
 
 Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QString &key, const QVariantMap &arguments,
-                                    const BoardHistory &history)
+                                    const BoardHistory &history, const LiveValues &live)
 {
     const auto actions = device.actions();
     const auto it = std::find_if(actions.begin(), actions.end(),
@@ -33,7 +33,7 @@ Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QStr
     if (it == actions.end())
         return failure(ErrorCode::Unsupported, key);
     ActionOutcome outcome;
-    auto path = backupFor(channel, device, it->risk, u"before "_s + key, history);
+    auto path = backupFor(channel, device, it->risk, u"before "_s + key, history, live);
     if (!path)
         return tl::unexpected(path.error());
     outcome.snapshotPath = *path;
@@ -44,9 +44,10 @@ Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QStr
     return outcome;
 }
 
-Result<bool> sendRaw(Channel &channel, Device &device, const RawCommand &command, const BoardHistory &history)
+Result<bool> sendRaw(Channel &channel, Device &device, const RawCommand &command, const BoardHistory &history,
+                     const LiveValues &live)
 {
-    if (const auto path = backupFor(channel, device, command.risk, u"before "_s + command.name, history); !path)
+    if (const auto path = backupFor(channel, device, command.risk, u"before "_s + command.name, history, live); !path)
         return tl::unexpected(path.error());
     Request request;
     request.name = command.name;

@@ -94,7 +94,8 @@ Result<void> Writer::backUp()
         return {};
     if (!m_options.history)
         return failure(ErrorCode::NoBackup);
-    auto fresh = m_device.readConfiguration(m_channel);
+    auto fresh = m_device.readConfiguration(m_channel).map(
+        [this](Configuration read) { return withoutLive(std::move(read), m_options.live); });
     if (!fresh)
         return tl::unexpected(fresh.error());
     auto path = m_options.history->save(*fresh, u"before the first write"_s);
@@ -123,6 +124,8 @@ Result<void> Writer::readBoard()
         auto bytes = m_device.readBlock(m_channel, key);
         if (!bytes)
             return tl::unexpected(bytes.error());
+        if (key.profile == m_base.activeProfile())
+            *bytes = withoutLive(std::move(*bytes), key.block, m_base.parameters(), m_options.live);
         m_board[key] = std::move(*bytes);
     }
     return {};

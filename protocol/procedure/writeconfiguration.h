@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/device/device.h"
+#include "protocol/device/livevalues.h"
 #include "protocol/device/writereport.h"
 #include "protocol/record/boardhistory.h"
 
@@ -11,6 +12,7 @@ struct WriteOptions
 {
     const BoardHistory *history = nullptr;  ///< where the safety copy goes; without one nothing is written
     bool backupDone = false;                ///< this board was already saved on this connection
+    LiveValues live;                        ///< values in use that are not stored
 };
 
 /// Writes the differences between base (what was read) and edited (what is wanted), and knows that they are written:

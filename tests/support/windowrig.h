@@ -35,7 +35,7 @@ public:
     /// The program is gone from one moment to the next: nothing is written any more.
     void crash()
     {
-        m_window->workspace().journal().disconnect();
+        m_window->workspace().journal().abandon();
         m_window.reset();
     }
 

@@ -12,8 +12,9 @@ LiveModel::LiveModel(DeviceClient &client, ConfigurationModel &configuration, QO
     connect(&configuration, &ConfigurationModel::boardReset, this, &LiveModel::reset);
     connect(&configuration, &ConfigurationModel::activeProfileChanged, this, &LiveModel::reset);
     connect(&configuration, &ConfigurationModel::storedChanged, this, [this] {
-        // After a write the board has loaded what was written.
-        read();
+        recount();
+        for (const int parameter : std::as_const(m_parameters))
+            emit valueChanged(parameter);   // against what is stored now
     });
     reset();
 }
@@ -110,6 +111,30 @@ void LiveModel::setValue(int parameter, int raw)
         return;
     put(parameter, spec(parameter).clamped(raw));
     flush();
+}
+
+void LiveModel::setValues(const QHash<int, int> &values)
+{
+    if (!m_client.isConnected())
+        return;
+    for (auto it = values.begin(); it != values.end(); ++it) {
+        if (!m_parameters.contains(it.key()))
+            continue;
+        // Written in any case: what is believed to be in use may be old by now.
+        put(it.key(), spec(it.key()).clamped(it.value()));
+        m_wanted.insert(it.key(), spec(it.key()).clamped(it.value()));
+    }
+    flush();
+}
+
+LiveValues LiveModel::unsaved() const
+{
+    LiveValues values;
+    for (const int parameter : m_parameters) {
+        if (isChanged(parameter))
+            values.push_back({spec(parameter).key, stored(parameter).value_or(*value(parameter)), *value(parameter)});
+    }
+    return values;
 }
 
 void LiveModel::put(int parameter, int raw)

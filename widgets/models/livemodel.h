@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/device/deviceclient.h"
+#include "protocol/device/livevalues.h"
 #include "widgets/models/configurationmodel.h"
 
 #include <QHash>
@@ -31,7 +32,12 @@ public:
 
     /// Asks the board what is in use.
     void read();
+    /// Forgets what is in use: the board has loaded a profile anew.
+    void forget() { m_values.clear(); }
     void setValue(int parameter, int raw);
+    void setValues(const QHash<int, int> &values);
+    /// Values in use that are not stored.
+    [[nodiscard]] LiveValues unsaved() const;
     /// Everything back to what is stored, ahead of changes still waiting.
     void revert();
 

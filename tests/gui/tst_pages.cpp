@@ -1,0 +1,797 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mainwindow/bars.h"
+#include "app/mainwindow/linkbar.h"
+#include "app/mainwindow/navigation.h"
+#include "app/mainwindow/startpage.h"
+#include "app/pages/actionspage.h"
+#include "app/pages/backupspage.h"
+#include "app/pages/consolepage.h"
+#include "app/pages/debugpage.h"
+#include "app/pages/helppage.h"
+#include "app/pages/monitorpage.h"
+#include "app/pages/parameterspage.h"
+#include "app/pages/profilespage.h"
+#include "app/pages/settingspage.h"
+#include "app/pages/tuningpage.h"
+#include "app/pages/variablespage.h"
+#include "tests/support/simprocess.h"
+#include "tests/support/windowrig.h"
+#include "widgets/forms/argumentform.h"
+#include "widgets/forms/filtertable.h"
+#include "widgets/forms/liveslider.h"
+#include "widgets/forms/parameterform.h"
+#include "widgets/forms/valueeditor.h"
+#include "widgets/plot/plotview.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTableWidget>
+#include <QTextBrowser>
+#include <QTreeWidget>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+/// Every page as an operator uses it, on simulated boards.
+class TestPages : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { m_rig = std::make_unique<WindowRig>(); }
+    void cleanup() { m_rig.reset(); }
+
+    void profileRenamedCopiedAndWritten();
+    void profileNameTooLongIsRefused();
+    void profileSavedAndLoaded();
+    void profileMadeActive();
+    void damagedFileIsExplained();
+    void liveSliderIsHeardAtOnceAndForgotten();
+    void savedValuesStay();
+    void setsAAndB();
+    void revertPutsEverythingBack();
+    void aFastDragEndsAtTheLastValue();
+    void unplugWhileTuning();
+    void figuresTellTheError();
+    void adjustableVariables();
+    void debugVariablesOfOddTypes();
+    void actionsAreSearchableAndReply();
+    void actionThatDestroysTakesASnapshot();
+    void consoleShowsAndSends();
+    void consoleGuardsDangerousCommands();
+    void backupComparedAndRestored();
+    void monitorZoomsMovesAndExports();
+    void crashLosesNoEdit();
+    void leftoverCanBeThrownAway();
+    void newEditsKeepAnUndecidedLeftover();
+    void offlineEditingOfASnapshot();
+    void brokenWriteIsUndone();
+    void paletteFindsEverything();
+    void escHeldStopsTheMotors();
+    void escTappedDoesNot();
+    void settingsAreKept();
+    void helpForEveryPage();
+    void helpIsSearchable();
+
+private:
+    Workspace &workspace() { return m_rig->workspace(); }
+    MainWindow &window() { return m_rig->window(); }
+    /// What the board uses now, asked past all models.
+    int inUse(int variable)
+    {
+        std::optional<double> value;
+        m_rig->client().submit<std::vector<AdjustableValue>>([variable](Channel &channel, Device &device) {
+            return device.readAdjustables(channel, {variable});
+        }).then(this, [&value](const Result<std::vector<AdjustableValue>> &read) {
+            value = read ? read->front().value : std::nan("");
+        });
+        if (!QTest::qWaitFor([&value] { return value.has_value(); }, 5000) || std::isnan(*value))
+            return -1;
+        return int(*value);
+    }
+    bool write()
+    {
+        QSignalSpy finished(&workspace(), &Workspace::writeFinished);
+        workspace().write(m_rig->model().edited());
+        return QTest::qWaitFor([&finished] { return finished.count() == 1; }, 20000)
+            && workspace().lastReport()->isComplete();
+    }
+    bool readAgain()
+    {
+        QSignalSpy read(&workspace(), &Workspace::boardRead);
+        workspace().readBoard();
+        return QTest::qWaitFor([&read] { return read.count() == 1; }, 15000);
+    }
+    TuningPage *tuning()
+    {
+        auto *page = m_rig->page<TuningPage>();
+        const int p = m_rig->spec(u"pid.roll.p"_s).id;
+        if (!QTest::qWaitFor([&] { return page->live().value(p).has_value(); }, 5000))
+            return nullptr;
+        return page;
+    }
+
+    std::unique_ptr<WindowRig> m_rig;
+};
+
+void TestPages::profileRenamedCopiedAndWritten()
+{
+    QVERIFY(m_rig->open());
+    auto *page = m_rig->page<ProfilesPage>();
+    m_rig->edit(u"pid.roll.p"_s, 0, 61);
+    // Typed into the table, as the operator does.
+    page->table()->setFocus();
+    page->table()->setCurrentIndex(page->table()->model()->index(1, ProfileModel::NameColumn));
+    QTest::keyClick(page->table(), Qt::Key_F2);
+    auto *editor = page->table()->findChild<QLineEdit *>();
+    QTRY_VERIFY(editor || (editor = page->table()->findChild<QLineEdit *>()));
+    editor->selectAll();
+    QTest::keyClicks(editor, u"Wedding"_s);
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTRY_COMPARE(m_rig->model().edited().profileName(1), u"Wedding"_s);
+    QVERIFY(page->hasChanges());
+    QVERIFY(window().navigation()->isMarked(u"profiles"_s));
+
+    page->table()->selectRow(0);
+    page->targetBox()->setCurrentIndex(page->targetBox()->findData(1));
+    QTest::mouseClick(page->copyButton(), Qt::LeftButton);
+    const ParameterSpec &p = m_rig->spec(u"pid.roll.p"_s);
+    QCOMPARE(m_rig->model().value(p, 1), 61);
+    // One step back takes the whole copy away.
+    workspace().edits().undoStack().undo();
+    QVERIFY(m_rig->model().value(p, 1) != 61);
+    workspace().edits().undoStack().redo();
+    QVERIFY(write());
+    QVERIFY(readAgain());
+    QCOMPARE(m_rig->raw(u"pid.roll.p"_s, 1), 61);
+    QCOMPARE(std::as_const(m_rig->model()).board().profileName(1), u"Wedding"_s);
+    QCOMPARE(m_rig->model().changeCount(), 0);
+    QVERIFY(!window().navigation()->isMarked(u"profiles"_s));
+}
+
+void TestPages::profileNameTooLongIsRefused()
+{
+    QVERIFY(m_rig->open());
+    auto *page = m_rig->page<ProfilesPage>();
+    QVERIFY(!page->table()->model()->setData(page->table()->model()->index(0, ProfileModel::NameColumn),
+                                             QString(25, QChar(0xE4))));
+    QVERIFY2(window().messageBar()->text().contains(u"50 bytes"_s), qPrintable(window().messageBar()->text()));
+    QVERIFY(page->table()->model()->setData(page->table()->model()->index(0, ProfileModel::NameColumn),
+                                            QString(24, QChar(0xE4))));
+}
+
+void TestPages::profileSavedAndLoaded()
+{
+    QVERIFY(m_rig->open());
+    auto *page = m_rig->page<ProfilesPage>();
+    m_rig->edit(u"pid.yaw.p"_s, 1, 77);
+    const QString path = m_rig->filePath(u"studio.json"_s);
+    page->saveTo(path);
+    workspace().edits().discardAll();
+    QCOMPARE(m_rig->model().changeCount(), 0);
+    // Profile 2 of the file into profile 3 here, by the dialog that asks which.
+    page->loadInto(path, 2);
+    QTRY_VERIFY(page->findChild<QDialog *>());
+    auto *dialog = page->findChild<QDialog *>();
+    dialog->findChild<QListWidget *>()->setCurrentRow(1);
+    QTest::keyClick(dialog->findChild<QListWidget *>(), Qt::Key_Return);
+    QTRY_COMPARE(m_rig->model().value(m_rig->spec(u"pid.yaw.p"_s), 2), 77);
+    QVERIFY(m_rig->model().value(m_rig->spec(u"pid.yaw.p"_s), 1) != 77);
+    workspace().edits().undoStack().undo();
+    QCOMPARE(m_rig->model().changeCount(), 0);
+    // Everything at once.
+    QVERIFY(workspace().applyFile(path));
+    QCOMPARE(m_rig->model().value(m_rig->spec(u"pid.yaw.p"_s), 1), 77);
+    QCOMPARE(m_rig->model().changeCount(), 1);
+}
+
+void TestPages::profileMadeActive()
+{
+    QVERIFY(m_rig->open());
+    auto *page = m_rig->page<ProfilesPage>();
+    page->table()->selectRow(2);
+    QTest::mouseClick(page->activeButton(), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(std::as_const(m_rig->model()).board().activeProfile(), 2, 5000);
+    QVERIFY(!page->activeButton()->isEnabled());
+}
+
+void TestPages::damagedFileIsExplained()
+{
+    QVERIFY(m_rig->open());
+    const QString path = m_rig->filePath(u"broken.json"_s);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("{\"format\": \"gimbaldesk-conf");
+    file.close();
+    m_rig->page<ProfilesPage>()->loadInto(path, 0);
+    QVERIFY2(window().messageBar()->text().contains(u"cannot be used"_s), qPrintable(window().messageBar()->text()));
+    QVERIFY(window().messageBar()->text().contains(u"byte"_s));
+    QCOMPARE(m_rig->model().changeCount(), 0);
+}
+
+void TestPages::liveSliderIsHeardAtOnceAndForgotten()
+{
+    QVERIFY(m_rig->open());
+    TuningPage *page = tuning();
+    QVERIFY(page);
+    const int before = inUse(0);
+    QSlider *slider = page->control(u"pid.roll.p"_s)->slider();
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_Right);
+    const int after = slider->value();
+    QVERIFY(after > before);
+    QTRY_VERIFY(page->live().isSettled());
+    QCOMPARE(inUse(0), after);
+    QVERIFY(page->hasChanges());
+    QVERIFY(window().navigation()->isMarked(u"tuning"_s));
+    // With Shift by single counts.
+    QTest::keyClick(slider, Qt::Key_Left, Qt::ShiftModifier);
+    QCOMPARE(slider->value(), after - 1);
+    // Nothing of it is stored: a restart of the board forgets it.
+    QSignalSpy read(&workspace(), &Workspace::boardRead);
+    workspace().perform(u"reset"_s, {{u"delay"_s, 500}});
+    QTRY_COMPARE_WITH_TIMEOUT(read.count(), 1, 20000);
+    QCOMPARE(m_rig->raw(u"pid.roll.p"_s), before);
+    QCOMPARE(inUse(0), before);
+    QTRY_VERIFY(!page->hasChanges());
+    QTRY_COMPARE(page->control(u"pid.roll.p"_s)->slider()->value(), before);   // made anew for the board that came back
+}
+
+void TestPages::savedValuesStay()
+{
+    QVERIFY(m_rig->open());
+    TuningPage *page = tuning();
+    const ParameterSpec &i = m_rig->spec(u"pid.pitch.i"_s);
+    page->live().setValue(i.id, 44);
+    QTRY_VERIFY(page->live().isSettled());
+    QTest::mouseClick(page->saveButton(), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(m_rig->raw(u"pid.pitch.i"_s), 44, 10000);
+    QTRY_VERIFY(!page->hasChanges());
+    QVERIFY(!page->saveButton()->isEnabled());
+    // The way back was kept.
+    QVERIFY(!workspace().history().snapshots(std::as_const(m_rig->model()).board().identity().serial).isEmpty());
+    QSignalSpy read(&workspace(), &Workspace::boardRead);
+    workspace().perform(u"reset"_s, {{u"delay"_s, 500}});
+    QTRY_COMPARE_WITH_TIMEOUT(read.count(), 1, 20000);
+    QCOMPARE(m_rig->raw(u"pid.pitch.i"_s), 44);
+    QCOMPARE(inUse(4), 44);
+}
+
+void TestPages::setsAAndB()
+{
+    QVERIFY(m_rig->open());
+    TuningPage *page = tuning();
+    const int first = inUse(0);
+    const int p = m_rig->spec(u"pid.roll.p"_s).id;
+    QTest::mouseClick(page->slotButton(LiveModel::Slot::B), Qt::LeftButton);
+    page->live().setValue(p, 90);
+    QTRY_VERIFY(page->live().isSettled());
+    QCOMPARE(page->live().slotDifference(), 1);
+    QTest::mouseClick(page->slotButton(LiveModel::Slot::A), Qt::LeftButton);
+    QTRY_VERIFY(page->live().isSettled());
+    QCOMPARE(inUse(0), first);
+    QTest::keyClick(page, Qt::Key_F6);
+    QTRY_COMPARE(page->live().slot(), LiveModel::Slot::B);
+    QTRY_VERIFY(page->live().isSettled());
+    QCOMPARE(inUse(0), 90);
+    page->live().copyToOther();
+    QCOMPARE(page->live().slotDifference(), 0);
+}
+
+void TestPages::revertPutsEverythingBack()
+{
+    QVERIFY(m_rig->open());
+    TuningPage *page = tuning();
+    const int p = inUse(0);
+    const int power = inUse(11);
+    page->live().setValue(m_rig->spec(u"pid.roll.p"_s).id, 200);
+    page->live().setValue(m_rig->spec(u"motor.yaw.power"_s).id, 255);
+    QCOMPARE(page->live().changeCount(), 2);
+    // At once, while the changes may still be on their way.
+    QTest::keyClick(page, Qt::Key_F9);
+    QCOMPARE(page->live().changeCount(), 0);
+    QTRY_VERIFY(page->live().isSettled());
+    QCOMPARE(inUse(0), p);
+    QCOMPARE(inUse(11), power);
+}
+
+void TestPages::aFastDragEndsAtTheLastValue()
+{
+    QVERIFY(m_rig->open());
+    TuningPage *page = tuning();
+    QSlider *slider = page->control(u"pid.yaw.d"_s)->slider();
+    for (int value = 20; value <= 220; ++value)
+        slider->setValue(value);
+    QTRY_VERIFY(page->live().isSettled());
+    QCOMPARE(inUse(8), 220);
+}
+
+void TestPages::unplugWhileTuning()
+{
+    QVERIFY(m_rig->open());
+    TuningPage *page = tuning();
+    page->live().setValue(m_rig->spec(u"pid.roll.p"_s).id, 55);
+    QTRY_VERIFY(page->live().isSettled());
+    workspace().changeWorld(u"replug=1"_s);
+    workspace().changeWorld(u"unplug=0"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Reconnecting, 5000);
+    QVERIFY(!page->saveButton()->isEnabled());
+    QSignalSpy read(&workspace(), &Workspace::boardRead);
+    QTRY_COMPARE_WITH_TIMEOUT(read.count(), 1, 15000);
+    // The board was not restarted: it still uses the value, and the page says that it is not stored.
+    QTRY_COMPARE(page->live().value(m_rig->spec(u"pid.roll.p"_s).id), 55);
+    QVERIFY(page->hasChanges());
+}
+
+void TestPages::figuresTellTheError()
+{
+    QVERIFY(m_rig->open());
+    TuningPage *page = tuning();
+    const auto texts = [page] {
+        QStringList list;
+        for (const QLabel *label : page->findChildren<QLabel *>())
+            list.append(label->text());
+        return list.join(u'\n');
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(texts().contains(QRegularExpression(u"\\n0\\.\\d{3}°"_s)), 8000);
+    QVERIFY(!page->plots().first()->curves().isEmpty());
+    QVERIFY(page->plots().first()->curves().first().minus >= 0);
+}
+
+void TestPages::adjustableVariables()
+{
+    QVERIFY(m_rig->open());
+    auto *page = m_rig->page<VariablesPage>();
+    AdjustableModel &model = page->model();
+    QTRY_VERIFY_WITH_TIMEOUT(model.rowCount() == 48, 5000);
+    const auto shown = [&](int id) { return model.index(id, AdjustableModel::ValueColumn).data().toString(); };
+    QTRY_COMPARE_WITH_TIMEOUT(shown(0), u"35"_s, 5000);
+    QVERIFY(model.index(0, AdjustableModel::MeaningColumn).data().toString().contains(u"35"_s));
+    QVERIFY(model.setData(model.index(36, AdjustableModel::ValueColumn), 150));
+    QTRY_COMPARE(shown(36), u"150"_s);
+    QCOMPARE(inUse(36), 150);
+    // Out of range: refused with the range, and not sent.
+    QVERIFY(!model.setData(model.index(36, AdjustableModel::ValueColumn), 300));
+    QVERIFY(window().messageBar()->text().contains(u"0 to 255"_s));
+    QCOMPARE(inUse(36), 150);
+    page->table()->setFilter(u"follow speed"_s);
+    QCOMPARE(page->table()->model()->rowCount(), 3);
+}
+
+void TestPages::debugVariablesOfOddTypes()
+{
+    QVERIFY(m_rig->open(u"sim:simplebgc?firmware=2.73.4"_s));
+    auto *page = m_rig->page<DebugPage>();
+    DebugModel &model = page->model();
+    QTRY_VERIFY_WITH_TIMEOUT(model.rowCount() > 0, 5000);
+    QStringList names;
+    QStringList types;
+    for (int row = 0; row < model.rowCount(); ++row) {
+        names.append(model.index(row, DebugModel::NameColumn).data().toString());
+        types.append(model.index(row, DebugModel::TypeColumn).data().toString());
+    }
+    // An array is one row for each element; every integer width and floats are there.
+    QVERIFY(names.contains(u"MOTOR_OUT[0]"_s) && names.contains(u"MOTOR_OUT[2]"_s));
+    for (const char *type : {"u8", "i8", "u16", "i16", "u32", "i32", "f32"})
+        QVERIFY2(types.contains(QLatin1String(type)), type);
+    const int uptime = int(names.indexOf(u"UPTIME_MS"_s));
+    const auto value = [&] { return model.index(uptime, DebugModel::ValueColumn).data().toString().toDouble(); };
+    QTRY_VERIFY(value() > 0);
+    const double before = value();
+    QTRY_VERIFY(value() > before);
+    page->table()->selectRow(uptime);
+    QTRY_VERIFY(model.history(uptime).size() > 3);
+    QVERIFY(model.index(uptime, DebugModel::LowColumn).data().toDouble() < value());
+    model.clearHistory();
+    QVERIFY(model.history(uptime).size() < 2);
+}
+
+void TestPages::actionsAreSearchableAndReply()
+{
+    QVERIFY(m_rig->open());
+    auto *page = m_rig->page<ActionsPage>();
+    page->search()->setText(u"melody"_s);
+    int visible = 0;
+    for (int g = 0; g < page->list()->topLevelItemCount(); ++g) {
+        for (int i = 0; i < page->list()->topLevelItem(g)->childCount(); ++i)
+            visible += !page->list()->topLevelItem(g)->child(i)->isHidden();
+    }
+    QCOMPARE(visible, 1);
+    page->search()->clear();
+    QVERIFY(page->showAction(u"angles"_s));
+    QTest::mouseClick(page->runButton(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(page->reply()->toPlainText().contains(u"imu.roll"_s)
+                                 || page->reply()->toPlainText().contains(u"roll"_s), 5000);
+    // A wrong argument is named, and nothing is sent.
+    QVERIFY(page->showAction(u"beep"_s));
+    page->form()->setText(u"sound"_s, u"32768"_s);
+    page->form()->setText(u"notes"_s, u"loud"_s);
+    QTest::mouseClick(page->runButton(), Qt::LeftButton);
+    QTRY_VERIFY2(page->reply()->toPlainText().contains(u"loud"_s), qPrintable(page->reply()->toPlainText()));
+    page->form()->setText(u"notes"_s, u"988,1175"_s);
+    QTest::mouseClick(page->runButton(), Qt::LeftButton);
+    QTRY_VERIFY(page->reply()->toPlainText().contains(u"done"_s));
+    // Every action can be chosen and has a form.
+    for (const ActionSpec &action : m_rig->client().device()->actions()) {
+        QVERIFY(page->showAction(QString::fromLatin1(action.key)));
+        QVERIFY(page->form());
+        for (const ArgumentSpec &argument : action.arguments)
+            QVERIFY2(page->form()->field(QString::fromLatin1(argument.key)), argument.key);
+    }
+}
+
+void TestPages::actionThatDestroysTakesASnapshot()
+{
+    QVERIFY(m_rig->open());
+    m_rig->edit(u"pid.roll.p"_s, 1, 99);
+    QVERIFY(write());
+    const QString serial = std::as_const(m_rig->model()).board().identity().serial;
+    const auto before = workspace().history().snapshots(serial).size();
+    auto *page = m_rig->page<ActionsPage>();
+    QVERIFY(page->showAction(u"defaults"_s));
+    QCOMPARE(page->runButton()->objectName(), u"danger"_s);
+    page->form()->setText(u"what"_s, u"1"_s);   // profile 2
+    QSignalSpy read(&workspace(), &Workspace::boardRead);
+    QTest::mouseClick(page->runButton(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(read.count() >= 1 && m_rig->client().isConnected()
+                                 && m_rig->raw(u"pid.roll.p"_s, 1) != 99, 25000);
+    QCOMPARE(workspace().history().snapshots(serial).size(), before + 1);
+}
+
+void TestPages::consoleShowsAndSends()
+{
+    QVERIFY(m_rig->open());
+    auto *page = m_rig->page<ConsolePage>();
+    FrameLogModel &model = page->model();
+    const auto names = [&model] {
+        QStringList list;
+        for (int row = 0; row < model.rowCount(); ++row)
+            list.append(model.index(row, FrameLogModel::NameColumn).data().toString());
+        return list;
+    };
+    QTRY_VERIFY(names().contains(u"READ_PARAMS_3"_s));
+    QVERIFY(names().contains(u"BOARD_INFO"_s));
+    // Live data is left out unless asked for.
+    QVERIFY(!names().contains(u"REALTIME_DATA_4"_s));
+    model.clear();
+    page->input()->setText(u"read_params_3 01"_s);
+    QTest::keyClick(page->input(), Qt::Key_Return);
+    QTRY_VERIFY(names().count(u"READ_PARAMS_3"_s) >= 2);
+    const auto fields = [&model](int row) { return model.index(row, FrameLogModel::FieldsColumn).data().toString(); };
+    const int answer = int(names().lastIndexOf(u"READ_PARAMS_3"_s));
+    QVERIFY2(fields(answer).contains(u"profile 2"_s) && fields(answer).contains(u"pid.roll.p"_s), qPrintable(fields(answer)));
+    // A whole frame in hex, and one with a wrong checksum.
+    page->input()->setText(u"3E 56 00 56 00"_s);
+    page->send();
+    QTRY_VERIFY(names().contains(u"BOARD_INFO"_s));
+    page->input()->setText(u"3E 56 00 57 00"_s);
+    page->send();
+    QVERIFY(window().messageBar()->text().contains(u"checksum"_s));
+    page->input()->setText(u"NO_SUCH_THING"_s);
+    page->send();
+    QVERIFY(window().messageBar()->text().contains(u"NO_SUCH_THING"_s));
+    const QString path = m_rig->filePath(u"frames.txt"_s);
+    QVERIFY(page->saveText(path));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray text = file.readAll();
+    QVERIFY(text.contains("READ_PARAMS_3") && text.contains("3e 56 00 56 00"));
+}
+
+void TestPages::consoleGuardsDangerousCommands()
+{
+    QVERIFY(m_rig->open());
+    auto *page = m_rig->page<ConsolePage>();
+    const QString serial = std::as_const(m_rig->model()).board().identity().serial;
+    page->input()->setText(u"USE_DEFAULTS 01"_s);
+    page->send();
+    QVERIFY(window().messageBar()->text().contains(u"not sent"_s));
+    QVERIFY(workspace().history().snapshots(serial).isEmpty());
+    page->allowBox()->setChecked(true);
+    page->input()->setText(u"SAVE_PARAMS_3"_s);
+    page->send();
+    QTRY_COMPARE_WITH_TIMEOUT(workspace().history().snapshots(serial).size(), 1, 10000);
+}
+
+void TestPages::backupComparedAndRestored()
+{
+    QVERIFY(m_rig->open());
+    auto *page = m_rig->page<BackupsPage>();
+    QCOMPARE(page->table()->rowCount(), 0);
+    QTest::mouseClick(page->takeButton(), Qt::LeftButton);
+    QTRY_COMPARE(page->table()->rowCount(), 1);
+    const int before = m_rig->raw(u"pid.roll.p"_s);
+    m_rig->edit(u"pid.roll.p"_s, 0, before + 30);
+    QVERIFY(write());
+    QTRY_COMPARE(page->table()->rowCount(), 2);   // the automatic one
+    page->table()->selectRow(1);
+    QVERIFY(page->restoreButton()->isEnabled());
+    QTest::mouseClick(page->restoreButton(), Qt::LeftButton);
+    QCOMPARE(m_rig->model().changeCount(), 1);
+    QVERIFY(!page->restoreButton()->isEnabled());
+    QVERIFY(write());
+    QVERIFY(readAgain());
+    QCOMPARE(m_rig->raw(u"pid.roll.p"_s), before);
+}
+
+void TestPages::monitorZoomsMovesAndExports()
+{
+    QVERIFY(m_rig->open());
+    auto *page = m_rig->page<MonitorPage>();
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().telemetryPlan().rate == 1250.0, 5000);
+    QTest::qWait(1500);
+    PlotView *plot = page->plots().first();
+    plot->setFocus();
+    QTest::keyClick(plot, Qt::Key_Space);
+    QVERIFY(plot->isHeld());
+    QVERIFY(page->pauseButton()->isChecked());
+    const double end = plot->endTime();
+    const double window = page->window();
+    QTest::keyClick(plot, Qt::Key_Plus);
+    QVERIFY(page->window() < window);
+    QTest::keyClick(plot, Qt::Key_PageUp);
+    QVERIFY(plot->endTime() < end);
+    // The cursor reads the same time in every plot, and the values come from the store.
+    QTest::keyClick(plot, Qt::Key_Right);
+    QVERIFY(plot->cursorTime().has_value());
+    QCOMPARE(page->plots().last()->cursorTime(), plot->cursorTime());
+    emit plot->cursorMoved(end - 0.5);
+    QCOMPARE(plot->cursorTexts().size(), plot->curves().size());
+    QVERIFY2(plot->cursorTexts().first().contains(u"°"_s), qPrintable(plot->cursorTexts().first()));
+    QTest::keyClick(plot, Qt::Key_End);
+    QVERIFY(!plot->isHeld());
+    QTRY_VERIFY(plot->endTime() > end);
+
+    const QString path = m_rig->filePath(u"samples.csv"_s);
+    const auto lines = page->exportCsv(path);
+    QVERIFY(lines && *lines > 500);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QList<QByteArray> rows = file.readAll().trimmed().split('\n');
+    QVERIFY(rows.first().startsWith("time_s,imu.angle.roll [°]"));
+    QCOMPARE(rows.size(), *lines + 1);
+    double last = -1;
+    for (qsizetype i = 1; i < rows.size(); ++i) {
+        const double time = rows[i].split(',').first().toDouble();
+        QVERIFY(time >= last);
+        last = time;
+    }
+}
+
+void TestPages::crashLosesNoEdit()
+{
+    QVERIFY(m_rig->open());
+    m_rig->edit(u"pid.roll.p"_s, 0, 71);
+    m_rig->edit(u"pid.yaw.d"_s, 1, 12);
+    workspace().edits().rename(2, u"Night"_s);
+    m_rig->edit(u"pid.roll.p"_s, 2, 5);
+    workspace().edits().undoStack().undo();
+    const QString serial = std::as_const(m_rig->model()).board().identity().serial;
+    QTRY_VERIFY(workspace().history().unsaved(serial).has_value());
+    QTest::qWait(400);   // the journal follows the last step
+    m_rig->crash();
+    m_rig->restart();
+    QVERIFY(m_rig->open());
+    QTRY_VERIFY(window().offerBar()->isVisible());
+    QVERIFY(window().offerBar()->text().contains(u"4"_s));
+    QTest::mouseClick(window().offerBar()->buttons().first(), Qt::LeftButton);
+    QCOMPARE(m_rig->model().changeCount(), 3);
+    QCOMPARE(m_rig->model().value(m_rig->spec(u"pid.roll.p"_s), 0), 71);
+    QCOMPARE(m_rig->model().value(m_rig->spec(u"pid.yaw.d"_s), 1), 12);
+    QCOMPARE(m_rig->model().edited().profileName(2), u"Night"_s);
+    // Undo and redo are there as before.
+    QUndoStack &stack = workspace().edits().undoStack();
+    QVERIFY(stack.canRedo());
+    stack.redo();
+    QCOMPARE(m_rig->model().value(m_rig->spec(u"pid.roll.p"_s), 2), 5);
+    for (int i = 0; i < 4; ++i)
+        stack.undo();
+    QCOMPARE(m_rig->model().changeCount(), 0);
+    // Nothing unsaved, nothing kept.
+    QTRY_VERIFY(!workspace().history().unsaved(serial).has_value());
+}
+
+void TestPages::leftoverCanBeThrownAway()
+{
+    QVERIFY(m_rig->open());
+    m_rig->edit(u"pid.roll.p"_s, 0, 71);
+    const QString serial = std::as_const(m_rig->model()).board().identity().serial;
+    QTRY_VERIFY(workspace().history().unsaved(serial).has_value());
+    m_rig->crash();
+    m_rig->restart();
+    // The first card offers them without a board as well.
+    QVERIFY(!workspace().history().unsavedBases().isEmpty());
+    QVERIFY(window().startPage()->findChildren<QPushButton *>().size() > 3);
+    QVERIFY(m_rig->open());
+    QTRY_VERIFY(window().offerBar()->isVisible());
+    QTest::mouseClick(window().offerBar()->buttons().at(1), Qt::LeftButton);
+    QCOMPARE(m_rig->model().changeCount(), 0);
+    QVERIFY(!workspace().history().unsaved(serial).has_value());
+    QVERIFY(!window().offerBar()->isVisible());
+}
+
+void TestPages::newEditsKeepAnUndecidedLeftover()
+{
+    QVERIFY(m_rig->open());
+    m_rig->edit(u"pid.roll.p"_s, 0, 71);
+    const QString serial = std::as_const(m_rig->model()).board().identity().serial;
+    QTRY_VERIFY(workspace().history().unsaved(serial).has_value());
+    m_rig->crash();
+    m_rig->restart();
+    QVERIFY(m_rig->open());
+    QTRY_VERIFY(window().offerBar()->isVisible());
+    m_rig->edit(u"pid.pitch.p"_s, 0, 72);
+    // They are a snapshot now.
+    QTRY_COMPARE(workspace().history().snapshots(serial).size(), 1);
+    const auto file = workspace().loadFile(workspace().history().snapshots(serial).first());
+    QVERIFY(file);
+    QCOMPARE(file->configuration.raw(*file->configuration.parameters().find(u"pid.roll.p"_s), 0), 71);
+}
+
+void TestPages::offlineEditingOfASnapshot()
+{
+    QVERIFY(m_rig->open());
+    workspace().takeSnapshot();
+    const QString serial = std::as_const(m_rig->model()).board().identity().serial;
+    const QString path = workspace().history().snapshots(serial).first();
+    QTest::mouseClick(window().linkBar()->connectButton(), Qt::LeftButton);
+    QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
+    m_rig->restart();
+    QVERIFY(window().startPage()->isVisible());
+    window().openFile(path);
+    QCOMPARE(workspace().offlineFile(), path);
+    auto *parameters = m_rig->page<ParametersPage>();
+    QVERIFY(parameters->isVisible());
+    parameters->showParameter(u"pid.roll.p"_s);
+    m_rig->edit(u"pid.roll.p"_s, 0, 88);
+    QTRY_VERIFY(window().unsavedBar()->isVisible());
+    QVERIFY(!window().unsavedBar()->writeButton()->isEnabled());
+    QVERIFY(window().unsavedBar()->saveFileButton()->isVisible());
+    const QString copy = m_rig->filePath(u"edited.json"_s);
+    QVERIFY(workspace().saveFile(copy));
+    QCOMPARE(workspace().loadFile(copy)->configuration.raw(m_rig->spec(u"pid.roll.p"_s), 0), 88);
+    // The board comes: the edits stay edits, against what the board really holds.
+    QVERIFY(m_rig->open());
+    QTRY_VERIFY(workspace().offlineFile().isEmpty());
+    QTRY_COMPARE(m_rig->model().changeCount(), 1);
+    QVERIFY(write());
+    QCOMPARE(m_rig->raw(u"pid.roll.p"_s), 88);
+}
+
+void TestPages::brokenWriteIsUndone()
+{
+    const QString path = m_rig->filePath(u"gimbal"_s);
+    SimProcess simulator({u"--pty"_s, path, u"--fault"_s, u"reset-on-write=3"_s});
+    QVERIFY(m_rig->open(u"serial:"_s + path));
+    std::array<int, 4> old{};
+    for (int profile = 0; profile < 4; ++profile) {
+        old[std::size_t(profile)] = m_rig->raw(u"pid.roll.p"_s, profile);
+        m_rig->edit(u"pid.roll.p"_s, profile, 80 + profile);
+    }
+    QSignalSpy finished(&workspace(), &Workspace::writeFinished);
+    workspace().write(m_rig->model().edited());
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window().offerBar()->isVisible(), 20000);
+    QCOMPARE(window().offerBar()->buttons().size(), 3);
+    QTest::mouseClick(window().offerBar()->buttons().at(1), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 2, 20000);
+    QVERIFY(workspace().lastReport()->isComplete());
+    QVERIFY(readAgain());
+    for (int profile = 0; profile < 4; ++profile)
+        QCOMPARE(m_rig->raw(u"pid.roll.p"_s, profile), old[std::size_t(profile)]);
+    // What was wanted is not lost: it is unsaved again.
+    QCOMPARE(m_rig->model().changeCount(), 4);
+}
+
+void TestPages::paletteFindsEverything()
+{
+    QVERIFY(m_rig->open());
+    const auto choose = [this](const QString &words) {
+        window().activateWindow();
+        if (!QTest::qWaitForWindowActive(&window()))
+            return QString();
+        QTest::keyClick(&window(), Qt::Key_K, Qt::ControlModifier);
+        if (!window().commandPalette())
+            return QString();
+        QTest::keyClicks(window().commandPalette()->input(), words);
+        const QString first = window().commandPalette()->list()->count()
+            ? window().commandPalette()->list()->item(0)->text() : QString();
+        QTest::keyClick(window().commandPalette()->input(), Qt::Key_Return);
+        return first;
+    };
+    QVERIFY(choose(u"console"_s).contains(u"Console"_s));
+    QVERIFY(window().page(u"console"_s)->isVisible());
+    QTRY_VERIFY(!window().commandPalette());
+    QVERIFY(choose(u"pid.yaw.d"_s).contains(u"pid.yaw.d"_s));
+    QTRY_VERIFY(window().page(u"parameters"_s)->isVisible());
+    QTRY_VERIFY(!window().commandPalette());
+    QVERIFY(choose(u"acc.z"_s).contains(u"acc.z"_s));
+    auto *monitor = static_cast<MonitorPage *>(window().page(u"monitor"_s));
+    QTRY_VERIFY(monitor->isVisible());
+    QVERIFY(monitor->channels().ticked().contains(findChannel(m_rig->client().device()->channels(), u"acc.z"_s)));
+    QTRY_VERIFY(!window().commandPalette());
+    QVERIFY(choose(u"restart board"_s).contains(u"reset"_s));
+    QTRY_VERIFY(window().page(u"actions"_s)->isVisible());
+}
+
+void TestPages::escHeldStopsTheMotors()
+{
+    QVERIFY(m_rig->open());
+    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning() == std::optional(true), 5000);
+    // From a dialog that Esc itself closes.
+    window().showPalette();
+    QTRY_VERIFY(window().commandPalette());
+    QTest::keyPress(window().commandPalette(), Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning() == std::optional(false), 5000);
+    QTest::keyRelease(&window(), Qt::Key_Escape);
+}
+
+void TestPages::escTappedDoesNot()
+{
+    QVERIFY(m_rig->open());
+    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning() == std::optional(true), 5000);
+    QSignalSpy off(&m_rig->client(), &DeviceClient::motorsOffFinished);
+    QTest::keyPress(&window(), Qt::Key_Escape);
+    QTest::keyRelease(&window(), Qt::Key_Escape);
+    QTest::qWait(m_rig->settings().escapeHoldMs() + 300);
+    QCOMPARE(off.count(), 0);
+    QCOMPARE(workspace().motorsRunning(), std::optional(true));
+}
+
+void TestPages::settingsAreKept()
+{
+    m_rig->page<SettingsPage>();
+    QVERIFY(window().page(u"settings"_s)->isVisible());   // needs no board
+    m_rig->settings().setTheme(Settings::ThemeChoice::Dark);
+    QVERIFY(m_rig->theme().isDark());
+    m_rig->settings().setRetentionMinutes(3);
+    m_rig->settings().setFahrenheit(true);
+    m_rig->settings().setEscapeHoldMs(10);   // too short to be meant
+    QCOMPARE(m_rig->settings().escapeHoldMs(), 300);
+    window().resize(1111, 700);
+    window().close();
+    m_rig->restart();
+    QCOMPARE(m_rig->settings().theme(), Settings::ThemeChoice::Dark);
+    QCOMPARE(m_rig->settings().retentionMinutes(), 3);
+    QCOMPARE(temperatureText(20, m_rig->settings().fahrenheit()), u"68 °F"_s);
+    QCOMPARE(window().width(), 1111);
+    m_rig->settings().setTheme(Settings::ThemeChoice::Light);
+}
+
+void TestPages::helpForEveryPage()
+{
+    QVERIFY(m_rig->open());
+    for (const PageEntry &entry : pageTable()) {
+        const QString key = QLatin1String(entry.key);
+        if (key == u"help"_s)
+            continue;
+        window().showPage(key);
+        QTest::keyClick(&window(), Qt::Key_F1);
+        auto *help = static_cast<HelpPage *>(window().page(u"help"_s));
+        QTRY_VERIFY(help->isVisible());
+        QCOMPARE(help->topic(), key);
+        QVERIFY2(help->browser()->toPlainText().size() > 80, entry.key);
+    }
+}
+
+void TestPages::helpIsSearchable()
+{
+    auto *help = m_rig->page<HelpPage>();
+    help->search()->setText(u"six faces"_s);
+    int visible = 0;
+    for (int i = 0; i < help->topics()->count(); ++i)
+        visible += !help->topics()->item(i)->isHidden();
+    QCOMPARE(visible, 1);
+    QCOMPARE(help->topic(), u"calibration"_s);
+}
+
+QTEST_MAIN(TestPages)
+#include "tst_pages.moc"
