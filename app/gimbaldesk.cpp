@@ -3,11 +3,14 @@
 #include "app/composition/composition.h"
 #include "app/mainwindow/mainwindow.h"
 #include "app/mainwindow/tour.h"
+#include "app/mainwindow/tourrunner.h"
+#include "app/mainwindow/translations.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QTemporaryDir>
 #include <QTextStream>
-#include <QTranslator>
+#include <QTimer>
 
 using namespace Qt::StringLiterals;
 
@@ -35,6 +38,19 @@ QStringList withDemoFamily(QStringList arguments)
     return arguments;
 }
 
+int runWholeTour(const QString &folder, const QStringList &more)
+{
+    TourRunner runner(folder, more);
+    QObject::connect(&runner, &TourRunner::finished, qApp, [](const QString &paths, const QString &error) {
+        QTextStream(stdout) << paths;
+        if (!error.isEmpty())
+            QTextStream(stderr) << "gimbaldesk: " << error << "\n";
+        QCoreApplication::exit(error.isEmpty() ? 0 : 1);
+    });
+    QTimer::singleShot(0, &runner, &TourRunner::start);
+    return QApplication::exec();
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -51,18 +67,17 @@ int main(int argc, char **argv)
     QApplication::setApplicationVersion(QStringLiteral(GIMBAL_VERSION));
     QApplication::setDesktopFileName(u"gimbaldesk"_s);
 
-    QTranslator translator;
-    if (translator.load(u":/translations/gimbaldesk_en.qm"_s))
-        QApplication::installTranslator(&translator);
-
     QCommandLineParser parser;
     parser.setApplicationDescription(u"Configure, tune and watch gimbal controllers."_s);
     const QCommandLineOption link(u"link"_s, u"Connect to this address at start."_s, u"address"_s);
     const QCommandLineOption demo(u"demo"_s, u"Connect to a simulated board (of this family)."_s, u"family"_s);
     const QCommandLineOption tour(u"tour"_s, u"Write a picture of each page to this folder and end."_s, u"dir"_s);
+    const QCommandLineOption tourAll(u"tour-all"_s, u"With --tour: every page, wizard step and dialog, light and dark, at 100 and 200 %."_s);
+    const QCommandLineOption everything(u"everything"_s, u"With --tour: every page, wizard step and dialog in one look."_s);
+    const QCommandLineOption language(u"language"_s, u"en or de; without it, as set or as the system."_s, u"code"_s);
     const QCommandLineOption page(u"page"_s, u"Page to begin with: dashboard, parameters, monitor, ..."_s, u"name"_s);
     const QCommandLineOption themeOption(u"theme"_s, u"light or dark; without it, the system's."_s, u"theme"_s);
-    parser.addOptions({link, demo, tour, page, themeOption});
+    parser.addOptions({link, demo, tour, tourAll, everything, page, themeOption, language});
     parser.addHelpOption();
     parser.addVersionOption();
     if (!parser.parse(withDemoFamily(QApplication::arguments())))
@@ -72,7 +87,21 @@ int main(int argc, char **argv)
     if (!parser.positionalArguments().isEmpty())
         return wrong(u"'%1' is not understood (gimbaldesk --help)"_s.arg(parser.positionalArguments().first()));
 
-    Settings settings;
+    if ((parser.isSet(tourAll) || parser.isSet(everything)) && !parser.isSet(tour))
+        return wrong(u"--tour-all and --everything go with --tour DIR"_s);
+    if (parser.isSet(tourAll))
+        return runWholeTour(parser.value(tour), parser.isSet(language) ? QStringList{u"--language"_s, parser.value(language)}
+                                                                     : QStringList());
+
+    // Pictures show a program that was never used before.
+    QTemporaryDir pristine;
+    if (parser.isSet(tour))
+        qputenv("XDG_DATA_HOME", pristine.path().toLocal8Bit());
+    Settings settings(parser.isSet(tour) ? pristine.filePath(u"gimbaldesk.ini"_s) : Settings::defaultPath());
+    const QString code = parser.isSet(language) ? parser.value(language) : settings.language();
+    if (!code.isEmpty() && code != u"en"_s && code != u"de"_s)
+        return wrong(u"--language is en or de, not '%1'"_s.arg(code));
+    Translations translations(code);
     Theme theme;
     if (settings.theme() != Settings::ThemeChoice::System)
         theme.setMode(settings.theme() == Settings::ThemeChoice::Dark ? Theme::Mode::Dark : Theme::Mode::Light);
@@ -106,7 +135,13 @@ int main(int argc, char **argv)
     window.show();
     std::unique_ptr<Tour> guide;
     if (parser.isSet(tour)) {
-        guide = std::make_unique<Tour>(window, parser.value(tour), theme.isDark() ? u"-dark"_s : u"-light"_s);
+        QString suffix = theme.isDark() ? u"-dark"_s : u"-light"_s;
+        if (window.devicePixelRatioF() > 1.5)
+            suffix += u"@2x"_s;
+        if (!code.isEmpty() && code != u"en"_s)
+            suffix += u'-' + code;
+        guide = std::make_unique<Tour>(window, parser.value(tour), suffix,
+                                       parser.isSet(everything) ? Tour::Extent::Everything : Tour::Extent::Pages);
         QObject::connect(guide.get(), &Tour::finished, &application,
                          [](const QStringList &pictures, const QString &error) {
                              QTextStream out(error.isEmpty() ? stdout : stderr);
@@ -117,7 +152,7 @@ int main(int argc, char **argv)
                              out.flush();
                              QCoreApplication::exit(error.isEmpty() ? 0 : 1);
                          });
-        QTimer::singleShot(1000, &window, [&window, address] { window.openLink(address); });
+        guide->start();
     } else if (!address.isEmpty()) {
         window.openLink(address);
     }

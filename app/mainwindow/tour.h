@@ -2,33 +2,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
+#include <functional>
+
 class MainWindow;
 
-/// Visits every page with a living board and writes one PNG of each.
+/// Visits pages, wizard steps and dialogs with a living simulated board and writes one PNG of each.
 class Tour final : public QObject
 {
     Q_OBJECT
 public:
-    /// Pictures go to this folder, which is made if need be.
-    Tour(MainWindow &window, QString folder, QString suffix, QObject *parent = nullptr);
+    enum class Extent { Pages, Everything };
+
+    /// Pictures go to this folder, which is made if need be; their names end in the suffix.
+    Tour(MainWindow &window, QString folder, QString suffix, Extent extent, QObject *parent = nullptr);
+
+    /// Goes through all steps by itself once the board has been read.
+    void start();
 
 signals:
     /// Paths of the pictures; empty when something failed, then the error says what.
     void finished(const QStringList &pictures, const QString &error);
 
 private:
-    void next();
-    bool save(QWidget *widget, const QString &name);
+    struct Step
+    {
+        QString name;                          ///< of the picture; empty = none
+        std::function<void()> prepare;
+        std::function<bool()> ready;           ///< empty = only the time counts
+        int settleMs = 400;
+        std::function<QWidget *()> what;       ///< empty = the window
+        bool everythingOnly = false;
+    };
+    void addSteps();
+    void addEditSteps();
+    void addCalibrationSteps();
+    void addMotionSteps();
+    void addDialogSteps();
+    void begin();
+    void poll();
     void fail(const QString &error);
+    bool save(const Step &step);
+    [[nodiscard]] std::function<void()> show(const QString &page);
 
     MainWindow &m_window;
     QString m_folder;
     QString m_suffix;
-    QTimer m_step;
-    QTimer m_limit;
-    int m_stage = -1;
+    Extent m_extent;
+    QList<Step> m_steps;
+    qsizetype m_at = -1;
+    QTimer m_timer;
+    QElapsedTimer m_since;
     QStringList m_pictures;
 };

@@ -240,7 +240,6 @@ void ControlPage::setArmed(bool on)
         }
         m_filling = false;
         m_send.start();
-        m_pad->setFocus();
     } else if (!allowed && isArmed()) {
         m_send.stop();
         m_pad->reset();
@@ -253,6 +252,8 @@ void ControlPage::setArmed(bool on)
     repolish(m_arm);
     for (QWidget *widget : {static_cast<QWidget *>(m_pad), static_cast<QWidget *>(m_roll)})
         widget->setEnabled(isArmed());
+    if (allowed)
+        m_pad->setFocus();
     m_state->setText(isArmed() ? tr("Armed: the camera follows you. It stops when you let go, leave this page, or do nothing "
                                     "for %1 s.").arg(workspace().settings().disarmSeconds())
                                : tr("Not armed: nothing is sent. Choose a mode, then arm."));
