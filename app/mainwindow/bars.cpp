@@ -183,12 +183,18 @@ UnsavedBar::UnsavedBar(Workspace &workspace, QWidget *parent)
     connect(m_redo, &QPushButton::clicked, &stack, &QUndoStack::redo);
     connect(m_discard, &QPushButton::clicked, &workspace.edits(), &EditStack::discardAll);
     connect(m_write, &QPushButton::clicked, this, &UnsavedBar::reviewRequested);
-    connect(&stack, &QUndoStack::indexChanged, this, &UnsavedBar::refresh);
+    connect(&stack, &QUndoStack::indexChanged, this, [this] {
+        m_written = false;
+        refresh();
+    });
     connect(&stack, &QUndoStack::cleanChanged, this, &UnsavedBar::refresh);
     connect(&workspace.configuration(), &ConfigurationModel::changeCountChanged, this, &UnsavedBar::refresh);
     connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &UnsavedBar::refresh);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &UnsavedBar::refresh);
-    connect(&workspace, &Workspace::writeFinished, this, &UnsavedBar::refresh);
+    connect(&workspace, &Workspace::writeFinished, this, [this] {
+        m_written = true;
+        refresh();
+    });
     refresh();
 }
 
@@ -216,7 +222,8 @@ void UnsavedBar::refresh()
     const QString offline = m_workspace.offlineFile();
     m_saveFile->setVisible(!model.isEmpty() && !m_workspace.client().isConnected());
     m_saveFile->setToolTip(offline);
-    setVisible(count > 0 || stack.canRedo());
+    // Once written, what could be redone is only reached by its key; the bar is for what is unsaved.
+    setVisible(count > 0 || (stack.canRedo() && !m_written));
 }
 
 StatusStrip::StatusStrip(Workspace &workspace, QWidget *parent)

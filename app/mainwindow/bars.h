@@ -82,6 +82,7 @@ private:
     QPushButton *m_undo;
     QPushButton *m_redo;
     QPushButton *m_discard;
+    bool m_written = false;    // since the last step
     QPushButton *m_saveFile;
     QPushButton *m_write;
 };

@@ -11,6 +11,7 @@
 #include "app/mainwindow/startpage.h"
 #include "app/pages/helppage.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QComboBox>
@@ -216,6 +217,11 @@ Page *MainWindow::page(const QString &key)
         Page *made = entry.make(*m_workspace);
         m_pages.insert(key, made);
         m_stack->addWidget(made);
+        // Rows measured before the style was there would keep their height.
+        for (auto *view : made->findChildren<QAbstractItemView *>()) {
+            view->ensurePolished();
+            view->doItemsLayout();
+        }
         connect(made, &Page::changesChanged, this, &MainWindow::updateMarks);
         return made;
     }
@@ -309,7 +315,7 @@ void MainWindow::paintEvent(QPaintEvent *event)
 
 void MainWindow::askBeforeLeaving()
 {
-    auto *box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
+    auto *box = new QMessageBox(QMessageBox::NoIcon, tr("Unsaved changes"),
                                 tr("%n change(s) are not on the board.", nullptr,
                                    m_workspace->configuration().changeCount()),
                                 QMessageBox::NoButton, this);

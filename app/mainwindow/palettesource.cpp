@@ -9,16 +9,9 @@
 #include "app/pages/parameterspage.h"
 #include "widgets/models/parametermodel.h"
 
-#include <QCoreApplication>
-
 using namespace Qt::StringLiterals;
 
 namespace {
-
-QString tr(const char *text)
-{
-    return QCoreApplication::translate("CommandPalette", text);
-}
 
 PaletteEntry makeEntry(const QString &kind, const QString &text, const QString &hint, const QString &more,
                        std::function<void()> chosen)
@@ -33,20 +26,20 @@ QList<PaletteEntry> paletteEntries(MainWindow &window)
     QList<PaletteEntry> entries;
     for (const PageEntry &page : pageTable()) {
         const QString key = QLatin1String(page.key);
-        entries.append(makeEntry(tr("Page"), pageText(page.title), pageText(page.group), key,
+        entries.append(makeEntry(CommandPalette::tr("Page"), pageText(page.title), pageText(page.group), key,
                                  [&window, key] { window.showPage(key); }));
     }
     Workspace &workspace = window.workspace();
-    entries.append(makeEntry(tr("Command"), tr("Motors off"), u"F12"_s, {}, [&workspace] { workspace.setMotors(false); }));
+    entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Motors off"), u"F12"_s, {}, [&workspace] { workspace.setMotors(false); }));
     if (workspace.client().isConnected())
-        entries.append(makeEntry(tr("Command"), tr("Motors on"), {}, {}, [&workspace] { workspace.setMotors(true); }));
+        entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Motors on"), {}, {}, [&workspace] { workspace.setMotors(true); }));
     if (!workspace.configuration().isEmpty()) {
-        entries.append(makeEntry(tr("Command"), tr("Review and write"), u"Ctrl+S"_s, {}, [&window] { window.review(); }));
-        entries.append(makeEntry(tr("Command"), tr("Take a snapshot"), {}, {}, [&workspace] { workspace.takeSnapshot(); }));
+        entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Review and write"), u"Ctrl+S"_s, {}, [&window] { window.review(); }));
+        entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Take a snapshot"), {}, {}, [&workspace] { workspace.takeSnapshot(); }));
         for (const ParameterSpec &spec : std::as_const(workspace.configuration()).board().parameters().all()) {
             if (spec.row->state)
                 continue;
-            entries.append(makeEntry(tr("Parameter"), parameterLabel(spec), spec.key, tableText(spec.row->group),
+            entries.append(makeEntry(CommandPalette::tr("Parameter"), parameterLabel(spec), spec.key, tableText(spec.row->group),
                                      [&window, key = spec.key] {
                                          window.showPage(u"parameters"_s);
                                          static_cast<ParametersPage *>(window.page(u"parameters"_s))->showParameter(key);
@@ -58,7 +51,7 @@ QList<PaletteEntry> paletteEntries(MainWindow &window)
         return entries;
     const ChannelTable channels = device->channels();
     for (std::size_t i = 0; i < channels.size(); ++i) {
-        entries.append(makeEntry(tr("Channel"), tableText(channels[i].label), QLatin1String(channels[i].key),
+        entries.append(makeEntry(CommandPalette::tr("Channel"), tableText(channels[i].label), QLatin1String(channels[i].key),
                                  tableText(channels[i].group), [&window, channel = int(i)] {
                                      window.showPage(u"monitor"_s);
                                      ChannelModel &model = static_cast<MonitorPage *>(window.page(u"monitor"_s))->channels();
@@ -68,7 +61,7 @@ QList<PaletteEntry> paletteEntries(MainWindow &window)
                                  }));
     }
     for (const ActionSpec &action : device->actions()) {
-        entries.append(makeEntry(tr("Action"), tableText(action.label), QLatin1String(action.key), tableText(action.help),
+        entries.append(makeEntry(CommandPalette::tr("Action"), tableText(action.label), QLatin1String(action.key), tableText(action.help),
                                  [&window, key = QString::fromLatin1(action.key)] {
                                      window.showPage(u"actions"_s);
                                      static_cast<ActionsPage *>(window.page(u"actions"_s))->showAction(key);

@@ -16,6 +16,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+constexpr int kLabelWidth = 230;
 constexpr double kBytesPerMinute = 24 * 1250 * 60 * 4.0;   // 24 channels at the firmware's full rate
 
 } // namespace
@@ -81,7 +82,10 @@ SettingsPage::SettingsPage(Workspace &workspace, QWidget *parent)
     const auto row = [](QFormLayout *form, const QString &label, QWidget *field) {
         field->setAccessibleName(label);
         field->setMinimumWidth(220);
-        form->addRow(label, field);
+        auto *name = new QLabel(label);
+        name->setMinimumWidth(kLabelWidth);
+        name->setBuddy(field);
+        form->addRow(name, field);
     };
     QFormLayout *look = section(tr("Look and language"));
     row(look, tr("Colours"), m_theme);

@@ -101,6 +101,7 @@ void AutoTunePage::onState()
     if (m_state == State::Finished && m_before.isEmpty())
         m_state = State::Ready;
     setState(m_state);
+    fillTable();
 }
 
 void AutoTunePage::setState(State state)

@@ -157,10 +157,13 @@ QWidget *CalibrationPage::makeWizard()
     m_what->setWordWrap(true);
     m_sees->setWordWrap(true);
     m_result->setWordWrap(true);
+    m_result->setAlignment(Qt::AlignTop);
     m_result->setTextFormat(Qt::RichText);
     m_stillness->setRange(0, 100);
+    m_stillness->setTextVisible(false);   // the sentence above says it
     m_stillness->setAccessibleName(tr("Stillness"));
     m_progress->setRange(0, 100);
+    m_progress->setTextVisible(false);
     m_progress->setAccessibleName(tr("Progress of the measurement"));
     m_positions->setAccessibleName(tr("Positions"));
     m_positions->setMaximumWidth(240);
@@ -314,7 +317,6 @@ void CalibrationPage::look()
     }
     m_cube->setPosition(m_face);
     m_stillness->setValue(std::isnan(m_motion) ? 0 : int(100.0 * std::clamp(1.0 - m_motion / (4 * kStillEnough), 0.0, 1.0)));
-    m_stillness->setFormat(std::isnan(m_motion) ? QString() : tr("stillness: %1 °/s of movement").arg(m_motion, 0, 'f', 2));
     const QString waiting = waitingFor();
     m_satisfied = waiting.isEmpty();
     m_sees->setText(m_satisfied ? tr("✓ Still, %1. Ready.").arg(faceName(m_face)) : waiting);

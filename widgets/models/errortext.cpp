@@ -8,10 +8,11 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QString tr(const char *text)
+/// The context of the catalogue.
+class Words
 {
-    return QCoreApplication::translate("ErrorText", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(ErrorText)
+};
 
 } // namespace
 
@@ -34,100 +35,100 @@ ErrorText describe(const Error &error)
     text.detail = error.detail;
     switch (error.code) {
     case ErrorCode::Cancelled:
-        text.what = tr("Cancelled.");
+        text.what = Words::tr("Cancelled.");
         break;
     case ErrorCode::Timeout:
-        text.what = tr("The board did not answer in time.");
-        text.meaning = tr("It may be busy, restarting, or the cable may be disturbed.");
-        text.cure = tr("Try again; if it stays so, check cable and power.");
+        text.what = Words::tr("The board did not answer in time.");
+        text.meaning = Words::tr("It may be busy, restarting, or the cable may be disturbed.");
+        text.cure = Words::tr("Try again; if it stays so, check cable and power.");
         break;
     case ErrorCode::LinkClosed:
-        text.what = tr("The link to the board broke.");
-        text.meaning = tr("The board keeps doing what it did.");
-        text.cure = tr("Check cable and power; the program connects again by itself.");
+        text.what = Words::tr("The link to the board broke.");
+        text.meaning = Words::tr("The board keeps doing what it did.");
+        text.cure = Words::tr("Check cable and power; the program connects again by itself.");
         break;
     case ErrorCode::PortNotFound:
-        text.what = tr("There is no such port.");
-        text.meaning = tr("The adapter is not plugged in, or it has another name now.");
-        text.cure = tr("Plug it in and choose it from the list.");
+        text.what = Words::tr("There is no such port.");
+        text.meaning = Words::tr("The adapter is not plugged in, or it has another name now.");
+        text.cure = Words::tr("Plug it in and choose it from the list.");
         break;
     case ErrorCode::NoPermission:
-        text.what = tr("You may not open this port.");
-        text.meaning = tr("On Linux, serial ports belong to the group dialout.");
-        text.cure = tr("Run “sudo usermod -aG dialout $USER”, then log in anew.");
+        text.what = Words::tr("You may not open this port.");
+        text.meaning = Words::tr("On Linux, serial ports belong to the group dialout.");
+        text.cure = Words::tr("Run “sudo usermod -aG dialout $USER”, then log in anew.");
         break;
     case ErrorCode::PortBusy:
-        text.what = tr("Another program holds this port.");
-        text.meaning = tr("Only one program can talk to a board at a time.");
-        text.cure = tr("Close the other program (ModemManager is a usual suspect), then connect again.");
+        text.what = Words::tr("Another program holds this port.");
+        text.meaning = Words::tr("Only one program can talk to a board at a time.");
+        text.cure = Words::tr("Close the other program (ModemManager is a usual suspect), then connect again.");
         break;
     case ErrorCode::HostUnreachable:
-        text.what = tr("Nothing answers at this network address.");
-        text.cure = tr("Check address and port, and that the bridge or simulator is running.");
+        text.what = Words::tr("Nothing answers at this network address.");
+        text.cure = Words::tr("Check address and port, and that the bridge or simulator is running.");
         break;
     case ErrorCode::Silent:
-        text.what = tr("The port is open, but no board answers.");
-        text.meaning = tr("All rates and parities were tried.");
-        text.cure = tr("Check that the board has power, that RX and TX are crossed, and that this is the right port.");
+        text.what = Words::tr("The port is open, but no board answers.");
+        text.meaning = Words::tr("All rates and parities were tried.");
+        text.cure = Words::tr("Check that the board has power, that RX and TX are crossed, and that this is the right port.");
         break;
     case ErrorCode::Garbage:
-        text.what = tr("Bytes arrive, but they make no sense.");
-        text.meaning = tr("The rate is unknown, the cable is disturbed, or it is another kind of device.");
-        text.cure = tr("Check cable and ground, and that this is the gimbal's port.");
+        text.what = Words::tr("Bytes arrive, but they make no sense.");
+        text.meaning = Words::tr("The rate is unknown, the cable is disturbed, or it is another kind of device.");
+        text.cure = Words::tr("Check cable and ground, and that this is the gimbal's port.");
         break;
     case ErrorCode::WrongProtocol:
-        text.what = tr("This device speaks another protocol.");
-        text.meaning = tr("It is not a board of the chosen family.");
-        text.cure = tr("Choose the right family, or another port.");
+        text.what = Words::tr("This device speaks another protocol.");
+        text.meaning = Words::tr("It is not a board of the chosen family.");
+        text.cure = Words::tr("Choose the right family, or another port.");
         break;
     case ErrorCode::ReadOnly:
-        text.what = tr("This board is open for reading only.");
-        text.meaning = tr("Its firmware, or this value, must not be written by this version of the program.");
-        text.cure = tr("Update the program, or change the value with the board maker's tool.");
+        text.what = Words::tr("This board is open for reading only.");
+        text.meaning = Words::tr("Its firmware, or this value, must not be written by this version of the program.");
+        text.cure = Words::tr("Update the program, or change the value with the board maker's tool.");
         break;
     case ErrorCode::BoardError:
-        text.what = tr("The board refused.");
-        text.meaning = tr("Nothing was changed by this command.");
+        text.what = Words::tr("The board refused.");
+        text.meaning = Words::tr("Nothing was changed by this command.");
         break;
     case ErrorCode::BadReply:
-        text.what = tr("The board's answer is not what its document promises.");
-        text.cure = tr("Try again; if it stays so, the firmware is not supported.");
+        text.what = Words::tr("The board's answer is not what its document promises.");
+        text.cure = Words::tr("Try again; if it stays so, the firmware is not supported.");
         break;
     case ErrorCode::InvalidArgument:
-        text.what = tr("That does not make sense.");
+        text.what = Words::tr("That does not make sense.");
         break;
     case ErrorCode::OutOfRange:
-        text.what = tr("The value is outside its range.");
-        text.meaning = tr("Nothing was changed.");
+        text.what = Words::tr("The value is outside its range.");
+        text.meaning = Words::tr("Nothing was changed.");
         break;
     case ErrorCode::Unsupported:
-        text.what = tr("This board cannot do that.");
+        text.what = Words::tr("This board cannot do that.");
         break;
     case ErrorCode::Conflict:
-        text.what = tr("Somebody else changed the board since it was read.");
-        text.meaning = tr("Nothing was written.");
-        text.cure = tr("Read the board again, look at the differences, then write.");
+        text.what = Words::tr("Somebody else changed the board since it was read.");
+        text.meaning = Words::tr("Nothing was written.");
+        text.cure = Words::tr("Read the board again, look at the differences, then write.");
         break;
     case ErrorCode::VerifyFailed:
-        text.what = tr("The board does not hold what was written.");
-        text.meaning = tr("The old values were put back as far as the board let us.");
-        text.cure = tr("Look at the report; try again, or restore the snapshot.");
+        text.what = Words::tr("The board does not hold what was written.");
+        text.meaning = Words::tr("The old values were put back as far as the board let us.");
+        text.cure = Words::tr("Look at the report; try again, or restore the snapshot.");
         break;
     case ErrorCode::BadFile:
-        text.what = tr("The file cannot be used.");
+        text.what = Words::tr("The file cannot be used.");
         break;
     case ErrorCode::NotConnected:
-        text.what = tr("No board is connected.");
-        text.cure = tr("Connect one, or try the simulated gimbal.");
+        text.what = Words::tr("No board is connected.");
+        text.cure = Words::tr("Connect one, or try the simulated gimbal.");
         break;
     case ErrorCode::NoBackup:
-        text.what = tr("No safety copy could be made.");
-        text.meaning = tr("Therefore nothing was changed.");
-        text.cure = tr("Check that the disk has space and that the folder may be written.");
+        text.what = Words::tr("No safety copy could be made.");
+        text.meaning = Words::tr("Therefore nothing was changed.");
+        text.cure = Words::tr("Check that the disk has space and that the folder may be written.");
         break;
     case ErrorCode::Busy:
-        text.what = tr("Another job is still running.");
-        text.cure = tr("Wait for it or cancel it.");
+        text.what = Words::tr("Another job is still running.");
+        text.cure = Words::tr("Wait for it or cancel it.");
         break;
     }
     return text;
@@ -136,22 +137,22 @@ ErrorText describe(const Error &error)
 QString describe(const Progress &progress)
 {
     if (progress.step == u"probe"_s) {
-        return progress.subject.isEmpty() ? tr("Looking for a board")
-                                          : tr("Looking for a board at %1").arg(progress.subject);
+        return progress.subject.isEmpty() ? Words::tr("Looking for a board")
+                                          : Words::tr("Looking for a board at %1").arg(progress.subject);
     }
     if (progress.step == u"read-block"_s)
-        return tr("Reading %1").arg(progress.subject);
+        return Words::tr("Reading %1").arg(progress.subject);
     if (progress.step == u"write-block"_s)
-        return tr("Writing %1").arg(progress.subject);
+        return Words::tr("Writing %1").arg(progress.subject);
     if (progress.step == u"verify-block"_s)
-        return tr("Reading back %1").arg(progress.subject);
+        return Words::tr("Reading back %1").arg(progress.subject);
     if (progress.step == u"roll-back"_s)
-        return tr("Putting back %1").arg(progress.subject);
+        return Words::tr("Putting back %1").arg(progress.subject);
     if (progress.step == u"calibrate"_s)
-        return tr("Calibrating: keep the camera absolutely still");
+        return Words::tr("Calibrating: keep the camera absolutely still");
     if (progress.step == u"autotune"_s)
-        return tr("Auto-tune, iteration %1").arg(progress.done);
+        return Words::tr("Auto-tune, iteration %1").arg(progress.done);
     if (progress.step == u"steer"_s)
-        return tr("Steering");
+        return Words::tr("Steering");
     return progress.step;
 }

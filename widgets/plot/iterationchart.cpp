@@ -68,6 +68,7 @@ void IterationChart::addPoint(const QString &name, Axis axis, int step, double v
     m_high = std::max(m_high, value);
     m_lastStep = std::max(m_lastStep, step);
     m_steps->setRange(0, std::max(5, m_lastStep));
+    m_steps->applyNiceNumbers();
     m_values->setRange(0, m_high > 0 ? m_high : 1);
     m_values->applyNiceNumbers();
 }

@@ -106,6 +106,9 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
     viewport()->setAccessibleName(accessibleName());
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
+    m_legendTimer.setSingleShot(true);
+    m_legendTimer.setInterval(0);
+    connect(&m_legendTimer, &QTimer::timeout, this, &PlotView::layoutLegend);
     viewport()->setMouseTracking(true);
     connect(&m_theme, &Theme::changed, this, &PlotView::applyTheme);
     connect(plot, &QChart::plotAreaChanged, this, &PlotView::updateView);
@@ -115,6 +118,21 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
 }
 
 PlotView::~PlotView() = default;
+
+// A legend made while the view had no size, or was hidden, keeps the room it found then.
+void PlotView::layoutLegend()
+{
+    chart()->legend()->setVisible(false);
+    chart()->legend()->setVisible(true);
+    chart()->layout()->invalidate();
+    chart()->layout()->activate();
+}
+
+void PlotView::showEvent(QShowEvent *event)
+{
+    QChartView::showEvent(event);
+    m_legendTimer.start();
+}
 
 QColor PlotView::colorOf(qsizetype curve, int &next) const
 {
@@ -171,6 +189,7 @@ void PlotView::setCurves(ChannelTable table, const QList<Curve> &curves, std::sh
             applyTheme();
         });
     }
+    m_legendTimer.start();
     // The unit stands at the scale, where the numbers are.
     m_valueAxis->setTitleText(
         curves.isEmpty() ? QString() : QString::fromUtf8(table[std::size_t(curves.first().channel)].unit));
@@ -262,10 +281,7 @@ void PlotView::resizeEvent(QResizeEvent *event)
     const QSizeF size = viewport()->size();
     chart()->setPlotArea({kLeft, kTop, std::max(10.0, size.width() - kLeft - kRight),
                           std::max(10.0, size.height() - kTop - kBottom)});
-    // A legend made while the view had no size keeps what it found then.
-    chart()->legend()->setMaximumWidth(size.width());
-    chart()->legend()->setVisible(false);
-    chart()->legend()->setVisible(true);
+    m_legendTimer.start();
     updateView();
 }
 

@@ -7,6 +7,7 @@
 
 #include <QChartView>
 #include <QElapsedTimer>
+#include <QTimer>
 
 #include <optional>
 
@@ -63,6 +64,7 @@ signals:
     void followRequested();
 
 protected:
+    void showEvent(QShowEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
@@ -77,6 +79,7 @@ private:
     void fitScale();
     void setScale(double low, double high, int steps);
     void updateView();
+    void layoutLegend();
     [[nodiscard]] QColor colorOf(qsizetype curve, int &next) const;
     [[nodiscard]] double timeAt(double x) const;
 
@@ -95,4 +98,5 @@ private:
     std::optional<double> m_cursor;
     std::optional<double> m_dragFrom;      // x of the last mouse position while the picture is dragged
     QElapsedTimer m_shrinkTimer;
+    QTimer m_legendTimer;
 };

@@ -121,9 +121,9 @@ QFrame#messageBar { background: @Surface; border: 1px solid @Ok; border-left: 4p
 QFrame#messageBar[severe="true"] { border-color: @Danger; }
 QFrame#offerBar { background: @Surface; border: 1px solid @Accent; border-left: 4px solid @Accent; border-radius: 4px; }
 QListView#navigation { background: @Surface; border: none; border-right: 1px solid @Border; outline: none; padding: 8px 0; }
-QListView#navigation::item { padding: 8px 12px; color: @Text; border: none; border-left: 4px solid @Surface; }
+QListView#navigation::item { padding: 6px 12px; color: @Text; border: none; border-left: 4px solid @Surface; }
 QListView#navigation::item:selected { background: @SurfaceRaised; color: @Accent; border-left: 4px solid @Accent; }
-QListView#navigation::item:disabled { color: @Muted; padding: 10px 12px 2px 12px; }
+QListView#navigation::item:disabled { color: @Muted; padding: 8px 12px 2px 12px; }
 QListView#navigation:focus { border: none; border-right: 2px solid @Accent; }
 QListView, QTreeView, QTableView { background: @Surface; border: 1px solid @Border; border-radius: 4px; }
 QListView::item { padding: 4px 8px; border: none; }

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Prints every text of the tables as a line that lupdate understands: tables hold plain literals, translated in the context
+// "Tables" where they are shown.
+#include "protocol/simplebgc/actions.h"
+#include "protocol/simplebgc/adjustables.h"
+#include "protocol/simplebgc/parametertables.h"
+#include "protocol/simplebgc/telemetrytables.h"
+#include "tests/support/virtualboard.h"
+
+#include <QMap>
+#include <QTextStream>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+class Texts
+{
+public:
+    void add(const char *text)
+    {
+        const QString string = QString::fromUtf8(text);
+        // Numbers and names of signals are the same in every language.
+        const bool hasWord = std::any_of(string.begin(), string.end(), [](QChar c) { return c.isLower(); });
+        if (hasWord && !m_texts.contains(string))
+            m_texts.insert(string, int(m_texts.size()));
+    }
+    void add(std::span<const Choice> choices)
+    {
+        for (const Choice &choice : choices)
+            add(choice.name);
+    }
+    void add(const BoardFault &fault)
+    {
+        add(fault.name.toUtf8().constData());
+        add(fault.meaning.toUtf8().constData());
+        add(fault.cure.toUtf8().constData());
+    }
+    void add(std::span<const ActionSpec> actions)
+    {
+        for (const ActionSpec &action : actions) {
+            for (const char *text : {action.label, action.help, action.group})
+                add(text);
+            for (const ArgumentSpec &argument : action.arguments) {
+                add(argument.label);
+                add(argument.choices);
+            }
+        }
+    }
+
+    void print() const
+    {
+        QTextStream out(stdout);
+        for (auto it = m_texts.begin(); it != m_texts.end(); ++it) {
+            QString escaped = it.key();
+            escaped.replace(u'\\', u"\\\\"_s).replace(u'"', u"\\\""_s);
+            out << "QT_TRANSLATE_NOOP(\"Tables\", \"" << escaped << "\")\n";
+        }
+    }
+
+private:
+    QMap<QString, int> m_texts;
+};
+
+} // namespace
+
+int main()
+{
+    Texts texts;
+    for (const ParameterRow &row : sbgc::parameterRows()) {
+        for (const char *text : {row.label, row.group, row.help})
+            texts.add(text);
+        texts.add(row.choices);
+    }
+    for (const ChannelSpec &channel : sbgc::channelTable()) {
+        texts.add(channel.label);
+        texts.add(channel.group);
+    }
+    for (const AdjustableSpec &variable : sbgc::adjustablesOf(99999)) {
+        texts.add(variable.label);
+        texts.add(variable.group);
+    }
+    for (unsigned bit = 0; bit < 16; ++bit) {
+        for (unsigned detail = 0; detail < 64; ++detail) {
+            for (const BoardFault &fault : faultsOf(1U << bit, detail))
+                texts.add(fault);
+        }
+    }
+    SimulatorOptions options;
+    options.firmware = SbgcDevice::kNewestFirmware;
+    VirtualBoard board(options);
+    if (!board.identify())
+        return 1;
+    texts.add(board.device.actions());
+    for (const ControlMode &mode : board.device.controlModes())
+        texts.add(mode.label);
+    for (const char *axis : {"Roll", "Pitch", "Yaw"})
+        texts.add(axis);
+    texts.print();
+    return 0;
+}
