@@ -5,1366 +5,1366 @@
     <name>ActionsPage</name>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>ja</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>nein</translation>
     </message>
     <message>
         <source>Changes nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Ändert nichts</translation>
     </message>
     <message>
         <source>⚠ Can move the camera or change how it is held, until the next start</source>
-        <translation type="unfinished"></translation>
+        <translation>⚠ Kann die Kamera bewegen oder ändern, wie sie gehalten wird, bis zum nächsten Start</translation>
     </message>
     <message>
         <source>⚠ Changes permanent memory; a snapshot is taken first</source>
-        <translation type="unfinished"></translation>
+        <translation>⚠ Ändert den Festspeicher; vorher wird eine Sicherung gemacht</translation>
     </message>
     <message>
         <source>⚠ Overwrites settings; a snapshot is taken first</source>
-        <translation type="unfinished"></translation>
+        <translation>⚠ Überschreibt Einstellungen; vorher wird eine Sicherung gemacht</translation>
     </message>
     <message>
         <source>Actions</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktionen</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Search (Ctrl+F)</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen (Strg+F)</translation>
     </message>
     <message>
         <source>Search actions</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktionen durchsuchen</translation>
     </message>
     <message>
         <source>Actions of this board</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktionen dieses Boards</translation>
     </message>
     <message>
         <source>Reply</source>
-        <translation type="unfinished"></translation>
+        <translation>Antwort</translation>
     </message>
     <message>
         <source>The reply of the board comes here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier erscheint die Antwort des Boards.</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausführen</translation>
     </message>
     <message>
         <source>%1: overwrite settings</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Einstellungen überschreiben</translation>
     </message>
     <message>
         <source>%1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 …</translation>
     </message>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>erledigt</translation>
     </message>
     <message>
         <source>The board as it was is kept in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board, wie es war, liegt in %1</translation>
     </message>
 </context>
 <context>
     <name>AdjustableModel</name>
     <message>
         <source>Takes effect at once, in volatile memory, from %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Wirkt sofort, im flüchtigen Speicher, von %1 bis %2</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bis %2</translation>
     </message>
     <message>
         <source>%1: %2 to %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 bis %3</translation>
     </message>
     <message>
         <source>No.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nr.</translation>
     </message>
     <message>
         <source>Variable</source>
-        <translation type="unfinished"></translation>
+        <translation>Variable</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe</translation>
     </message>
     <message>
         <source>In use</source>
-        <translation type="unfinished"></translation>
+        <translation>In Gebrauch</translation>
     </message>
     <message>
         <source>Meaning</source>
-        <translation type="unfinished"></translation>
+        <translation>Bedeutung</translation>
     </message>
     <message>
         <source>Range</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereich</translation>
     </message>
     <message>
         <source>Key</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlüssel</translation>
     </message>
 </context>
 <context>
     <name>ArgumentForm</name>
     <message>
         <source>leave alone (%1 to %2 %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>unberührt lassen (%1 bis %2 %3)</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bis %2</translation>
     </message>
 </context>
 <context>
     <name>AttitudeView</name>
     <message>
         <source>Attitude of the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage der Kamera</translation>
     </message>
     <message>
         <source>Roll %1°, pitch %2°, yaw %3°</source>
-        <translation type="unfinished"></translation>
+        <translation>Roll %1°, Pitch %2°, Yaw %3°</translation>
     </message>
     <message>
         <source>No data</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Daten</translation>
     </message>
     <message>
         <source>No attitude yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Lage</translation>
     </message>
 </context>
 <context>
     <name>AutoTunePage</name>
     <message>
         <source>Auto-tune</source>
-        <translation type="unfinished"></translation>
+        <translation>Auto-Abstimmung</translation>
     </message>
     <message>
         <source>What to search</source>
-        <translation type="unfinished"></translation>
+        <translation>Was gesucht wird</translation>
     </message>
     <message>
         <source>Start: the camera will shake</source>
-        <translation type="unfinished"></translation>
+        <translation>Starten: die Kamera wird rütteln</translation>
     </message>
     <message>
         <source>Stop and put the old gains back</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten und alte Werte zurück</translation>
     </message>
     <message>
         <source>Accept and save</source>
-        <translation type="unfinished"></translation>
+        <translation>Annehmen und speichern</translation>
     </message>
     <message>
         <source>Put the old gains back</source>
-        <translation type="unfinished"></translation>
+        <translation>Alte Werte zurück</translation>
     </message>
     <message>
         <source>Gains by iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>Verstärkungen je Durchgang</translation>
     </message>
     <message>
         <source>Tracking error by iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>Regelfehler je Durchgang</translation>
     </message>
     <message>
         <source>Gains before and now</source>
-        <translation type="unfinished"></translation>
+        <translation>Verstärkungen vorher und jetzt</translation>
     </message>
     <message>
         <source>Parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorher</translation>
     </message>
     <message>
         <source>Now</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt</translation>
     </message>
     <message>
         <source>Change</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung</translation>
     </message>
     <message>
         <source>Search again: the camera will shake</source>
-        <translation type="unfinished"></translation>
+        <translation>Nochmals: die Kamera wird rütteln</translation>
     </message>
     <message>
         <source>Hold the gimbal in your hand or on a stand, balanced, with all motors running. The board moves the camera a little to find gains; the lower “gain against stability”, the calmer the result. Nothing is saved before you accept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Halten Sie den Gimbal in der Hand oder auf einem Stativ, ausbalanciert, mit laufenden Motoren. Das Board bewegt die Kamera ein wenig, um Verstärkungen zu finden; je niedriger „Verstärkung gegen Stabilität“, desto ruhiger das Ergebnis. Gespeichert wird erst, wenn Sie annehmen.</translation>
     </message>
     <message>
         <source>The board is searching. Keep the gimbal as it is. F12 or the red button stops everything.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board sucht. Lassen Sie den Gimbal, wie er ist. F12 oder der rote Knopf hält alles an.</translation>
     </message>
     <message>
         <source>The new gains are in use, but not saved. Try them: turn the gimbal by hand and look at Tuning. Then accept them or put the old ones back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die neuen Werte sind in Gebrauch, aber nicht gespeichert. Probieren Sie: drehen Sie den Gimbal von Hand und sehen Sie auf „Abstimmen“. Dann nehmen Sie an oder holen die alten zurück.</translation>
     </message>
     <message>
         <source>Error</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>Iteration %1. Keep the gimbal as it is. F12 or the red button stops everything.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgang %1. Lassen Sie den Gimbal, wie er ist. F12 oder der rote Knopf hält alles an.</translation>
     </message>
     <message>
         <source>Nothing was saved. The board may still use what it has found so far, until its next start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gespeichert. Das Board benutzt vielleicht noch, was es bisher fand, bis zum nächsten Start.</translation>
     </message>
     <message>
         <source>When it is connected again, look at Tuning: “Revert all” puts the stored gains back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wenn es wieder verbunden ist, sehen Sie auf „Abstimmen“: „Alles zurück“ holt die gespeicherten Werte.</translation>
     </message>
     <message>
         <source>The gains of before are in use again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Werte von vorher sind wieder in Gebrauch.</translation>
     </message>
 </context>
 <context>
     <name>AxisDial</name>
     <message>
         <source>Angle %1°, target %2°, motor power %3 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel %1°, Ziel %2°, Motorleistung %3 %</translation>
     </message>
     <message>
         <source>No data</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Daten</translation>
     </message>
     <message>
         <source>Motor power %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Motorleistung %1 %</translation>
     </message>
 </context>
 <context>
     <name>BackupsPage</name>
     <message>
         <source>by the operator</source>
-        <translation type="unfinished"></translation>
+        <translation>von Hand</translation>
     </message>
     <message>
         <source>before the first write</source>
-        <translation type="unfinished"></translation>
+        <translation>vor dem ersten Schreiben</translation>
     </message>
     <message>
         <source>unsaved edits of an earlier run</source>
-        <translation type="unfinished"></translation>
+        <translation>ungesicherte Änderungen von früher</translation>
     </message>
     <message>
         <source>before the action %1</source>
-        <translation type="unfinished"></translation>
+        <translation>vor der Aktion %1</translation>
     </message>
     <message>
         <source>Backups</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherungen</translation>
     </message>
     <message>
         <source>Take a snapshot now</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt sichern</translation>
     </message>
     <message>
         <source>Restore as edits</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Änderungen übernehmen</translation>
     </message>
     <message>
         <source>Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren…</translation>
     </message>
     <message>
-        <source>Put the snapshot&apos;s values into the forms; nothing is on the board before you review and write</source>
-        <translation type="unfinished"></translation>
+        <source>Put the snapshot's values into the forms; nothing is on the board before you review and write</source>
+        <translation>Setzt die Werte der Sicherung in die Formulare; auf dem Board ist erst etwas, wenn Sie prüfen und schreiben</translation>
     </message>
     <message>
         <source>Copy the snapshot to a file of your choice</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopiert die Sicherung in eine Datei Ihrer Wahl</translation>
     </message>
     <message>
         <source>Taken</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemacht</translation>
     </message>
     <message>
         <source>Why</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>Snapshots of this board</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherungen dieses Boards</translation>
     </message>
     <message>
         <source>Parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>Profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil</translation>
     </message>
     <message>
         <source>Snapshot</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherung</translation>
     </message>
     <message>
         <source>Now</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt</translation>
     </message>
     <message>
         <source>Differences between the snapshot and now</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterschiede zwischen der Sicherung und jetzt</translation>
     </message>
     <message>
         <source>What differs from now</source>
-        <translation type="unfinished"></translation>
+        <translation>Was sich unterscheidet</translation>
     </message>
     <message>
         <source>Export snapshot</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherung exportieren</translation>
     </message>
     <message>
         <source>GimbalDesk configurations (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>GimbalDesk-Konfigurationen (*.json)</translation>
     </message>
     <message>
         <source>Saved to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespeichert in %1</translation>
     </message>
     <message>
         <source>damaged</source>
-        <translation type="unfinished"></translation>
+        <translation>beschädigt</translation>
     </message>
     <message>
         <source>No snapshot yet. One is taken before the first write to a board, and before each action that writes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Sicherung. Es wird eine gemacht vor dem ersten Schreiben auf ein Board und vor jeder Aktion, die schreibt.</translation>
     </message>
     <message>
         <source>All values are the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Werte sind gleich.</translation>
     </message>
     <message numerus="yes">
         <source>%n value(s) differ.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Wert ist anders.</numerusform>
+            <numerusform>%n Werte sind anders.</numerusform>
         </translation>
     </message>
     <message>
         <source>Profile names differ.</source>
-        <translation type="unfinished"></translation>
+        <translation>Profilnamen sind anders.</translation>
     </message>
     <message>
         <source>all</source>
-        <translation type="unfinished"></translation>
+        <translation>alle</translation>
     </message>
 </context>
 <context>
     <name>CalibrationPage</name>
     <message>
         <source>Z up (level)</source>
-        <translation type="unfinished"></translation>
+        <translation>Z oben (waagerecht)</translation>
     </message>
     <message>
         <source>Z down (upside down)</source>
-        <translation type="unfinished"></translation>
+        <translation>Z unten (kopfüber)</translation>
     </message>
     <message>
         <source>X up</source>
-        <translation type="unfinished"></translation>
+        <translation>X oben</translation>
     </message>
     <message>
         <source>X down</source>
-        <translation type="unfinished"></translation>
+        <translation>X unten</translation>
     </message>
     <message>
         <source>Y up</source>
-        <translation type="unfinished"></translation>
+        <translation>Y oben</translation>
     </message>
     <message>
         <source>Y down</source>
-        <translation type="unfinished"></translation>
+        <translation>Y unten</translation>
     </message>
     <message>
         <source>tilted</source>
-        <translation type="unfinished"></translation>
+        <translation>schräg</translation>
     </message>
     <message>
         <source>good</source>
-        <translation type="unfinished"></translation>
+        <translation>gut</translation>
     </message>
     <message>
         <source>usable</source>
-        <translation type="unfinished"></translation>
+        <translation>brauchbar</translation>
     </message>
     <message>
         <source>poor, repeat it</source>
-        <translation type="unfinished"></translation>
+        <translation>schlecht, bitte wiederholen</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>Simulated gimbal: your hands</source>
-        <translation type="unfinished"></translation>
+        <translation>Simulierter Gimbal: Ihre Hände</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Continue</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>Where the simulated sensor is</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo der simulierte Sensor ist</translation>
     </message>
     <message>
         <source>in the gimbal, in your hand</source>
-        <translation type="unfinished"></translation>
+        <translation>im Gimbal, in Ihrer Hand</translation>
     </message>
     <message>
         <source>lies still: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>liegt still: %1</translation>
     </message>
     <message>
         <source>Gyroscope</source>
-        <translation type="unfinished"></translation>
+        <translation>Gyroskop</translation>
     </message>
     <message>
         <source>Finds the zero of the turn-rate sensor. Do it when the camera drifts, after great changes of temperature, and before anything else. Takes about ten seconds, with the camera lying still.</source>
-        <translation type="unfinished"></translation>
+        <translation>Findet den Nullpunkt des Drehratensensors. Nötig, wenn die Kamera wandert, nach großen Temperaturwechseln und vor allem anderen. Dauert etwa zehn Sekunden, während die Kamera still liegt.</translation>
     </message>
     <message>
         <source>Calibrate the gyroscope</source>
-        <translation type="unfinished"></translation>
+        <translation>Gyroskop kalibrieren</translation>
     </message>
     <message>
         <source>Accelerometer, level</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigungssensor, waagerecht</translation>
     </message>
     <message>
         <source>Finds what is level. Do it when the horizon is crooked. Takes about ten seconds, with the sensor lying level.</source>
-        <translation type="unfinished"></translation>
+        <translation>Findet, was waagerecht ist. Nötig, wenn der Horizont schief ist. Dauert etwa zehn Sekunden, während der Sensor waagerecht liegt.</translation>
     </message>
     <message>
         <source>Calibrate level</source>
-        <translation type="unfinished"></translation>
+        <translation>Waagerechte kalibrieren</translation>
     </message>
     <message>
         <source>Accelerometer, six positions</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigungssensor, sechs Lagen</translation>
     </message>
     <message>
         <source>Finds zero and scale of all three directions, for a horizon that stays straight at every angle. Do it once for each sensor; each of its six faces has to lie up once. Takes about two minutes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Findet Nullpunkt und Maßstab aller drei Richtungen, für einen Horizont, der bei jedem Winkel gerade bleibt. Einmal je Sensor; jede seiner sechs Seiten muss einmal oben liegen. Dauert etwa zwei Minuten.</translation>
     </message>
     <message>
         <source>Calibrate six positions</source>
-        <translation type="unfinished"></translation>
+        <translation>Sechs Lagen kalibrieren</translation>
     </message>
     <message>
         <source>Stillness</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruhe</translation>
     </message>
     <message>
         <source>Progress of the measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt der Messung</translation>
     </message>
     <message>
         <source>Positions</source>
-        <translation type="unfinished"></translation>
+        <translation>Lagen</translation>
     </message>
     <message>
         <source>Finish</source>
-        <translation type="unfinished"></translation>
+        <translation>Fertig</translation>
     </message>
     <message>
         <source>Lay the camera down so that nothing moves it. Take your hands off the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>Legen Sie die Kamera so hin, dass nichts sie bewegt. Hände vom Tisch.</translation>
     </message>
     <message>
         <source>Put the sensor level, Z up, and let it lie still.</source>
-        <translation type="unfinished"></translation>
+        <translation>Legen Sie den Sensor waagerecht, Z oben, und lassen Sie ihn still liegen.</translation>
     </message>
     <message>
         <source>Lay the sensor on one of its six faces. Begin with Z up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Legen Sie den Sensor auf eine seiner sechs Seiten. Beginnen Sie mit Z oben.</translation>
     </message>
     <message>
         <source>%1 of 6 done. Lay the sensor on another face.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von 6 erledigt. Legen Sie den Sensor auf eine andere Seite.</translation>
     </message>
     <message>
         <source>Measuring. Leave it absolutely still for about %1 seconds; the motors are off meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>Messung läuft. Lassen Sie ihn etwa %1 Sekunden völlig still; die Motoren sind so lange aus.</translation>
     </message>
     <message>
         <source>If it is moved, the board begins again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird er bewegt, beginnt das Board von vorn.</translation>
     </message>
     <message>
         <source>Waiting for live data of the sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Warte auf Daten des Sensors.</translation>
     </message>
     <message>
         <source>It moves (%1 °/s). Waiting until it is still.</source>
-        <translation type="unfinished"></translation>
+        <translation>Er bewegt sich (%1 °/s). Warte, bis er still ist.</translation>
     </message>
     <message>
         <source>Still, but not level: %1. Waiting for Z up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Still, aber nicht waagerecht: %1. Warte auf Z oben.</translation>
     </message>
     <message>
         <source>Still, but tilted. Waiting until one face lies up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Still, aber schräg. Warte, bis eine Seite oben liegt.</translation>
     </message>
     <message>
         <source>%1 is done already. Waiting for another face.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist schon erledigt. Warte auf eine andere Seite.</translation>
     </message>
     <message>
         <source>✓ Still, %1. Ready.</source>
-        <translation type="unfinished"></translation>
+        <translation>✓ Still, %1. Bereit.</translation>
     </message>
     <message>
         <source>The calibration was cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kalibrierung wurde abgebrochen.</translation>
     </message>
     <message>
         <source>The board may still finish this measurement by itself within a few seconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board beendet diese Messung vielleicht noch selbst, in wenigen Sekunden.</translation>
     </message>
     <message>
         <source>Calibrate again when the sensor lies still.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrieren Sie nochmals, wenn der Sensor still liegt.</translation>
     </message>
     <message>
         <source>Gyroscope: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gyroskop: %1</translation>
     </message>
     <message>
         <source>Accelerometer: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigungssensor: %1</translation>
     </message>
     <message>
         <source>Drift before</source>
-        <translation type="unfinished"></translation>
+        <translation>Drift vorher</translation>
     </message>
     <message>
         <source>%1 °/s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 °/s</translation>
     </message>
     <message>
         <source>Drift now</source>
-        <translation type="unfinished"></translation>
+        <translation>Drift jetzt</translation>
     </message>
     <message>
         <source>Noise of the sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Rauschen des Sensors</translation>
     </message>
     <message>
         <source>Good is a drift below %1 °/s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gut ist eine Drift unter %1 °/s.</translation>
     </message>
     <message>
         <source>Error against gravity</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler gegen die Schwerkraft</translation>
     </message>
     <message>
         <source>%1 g</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 g</translation>
     </message>
     <message>
         <source>That is a tilt of about</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist eine Neigung von etwa</translation>
     </message>
     <message>
         <source>%1°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1°</translation>
     </message>
     <message>
         <source>Good is an error below %1 g; the noise of the sensor is part of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gut ist ein Fehler unter %1 g; das Rauschen des Sensors gehört dazu.</translation>
     </message>
     <message>
-        <source>The result is stored in the sensor&apos;s memory; the settings as they were are among the backups.</source>
-        <translation type="unfinished"></translation>
+        <source>The result is stored in the sensor's memory; the settings as they were are among the backups.</source>
+        <translation>Das Ergebnis steht im Speicher des Sensors; die Einstellungen, wie sie waren, liegen bei den Sicherungen.</translation>
     </message>
 </context>
 <context>
     <name>ChangeModel</name>
     <message>
         <source>Profile name</source>
-        <translation type="unfinished"></translation>
+        <translation>Profilname</translation>
     </message>
     <message>
         <source>All profiles</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Profile</translation>
     </message>
     <message>
         <source>Parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>Profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil</translation>
     </message>
     <message>
         <source>On the board</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf dem Board</translation>
     </message>
     <message>
         <source>New</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu</translation>
     </message>
 </context>
 <context>
     <name>ChannelModel</name>
     <message>
         <source>Channel</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanal</translation>
     </message>
     <message>
         <source>Now</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt</translation>
     </message>
 </context>
 <context>
     <name>CommandPalette</name>
     <message>
         <source>Go to or do</source>
-        <translation type="unfinished"></translation>
+        <translation>Gehe zu oder tue</translation>
     </message>
     <message>
         <source>Page, parameter, channel or action</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite, Parameter, Kanal oder Aktion</translation>
     </message>
     <message>
         <source>Matches</source>
-        <translation type="unfinished"></translation>
+        <translation>Treffer</translation>
     </message>
     <message>
         <source>Page</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite</translation>
     </message>
     <message>
         <source>Command</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehl</translation>
     </message>
     <message>
         <source>Motors off</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren aus</translation>
     </message>
     <message>
         <source>Motors on</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren ein</translation>
     </message>
     <message>
         <source>Review and write</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen und schreiben</translation>
     </message>
     <message>
         <source>Take a snapshot</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherung machen</translation>
     </message>
     <message>
         <source>Parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>Channel</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanal</translation>
     </message>
     <message>
         <source>Action</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktion</translation>
     </message>
 </context>
 <context>
     <name>ConsolePage</name>
     <message>
         <source>Console</source>
-        <translation type="unfinished"></translation>
+        <translation>Konsole</translation>
     </message>
     <message>
         <source>Live data too</source>
-        <translation type="unfinished"></translation>
+        <translation>Auch Live-Daten</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Allow commands that change something</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehle erlauben, die etwas ändern</translation>
     </message>
     <message>
         <source>Filter (Ctrl+F)</source>
-        <translation type="unfinished"></translation>
+        <translation>Filtern (Strg+F)</translation>
     </message>
     <message>
         <source>Filter frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames filtern</translation>
     </message>
     <message>
         <source>Show the frames of streamed live data as well</source>
-        <translation type="unfinished"></translation>
+        <translation>Auch die Frames der Live-Daten zeigen</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>Leeren</translation>
     </message>
     <message>
         <source>Save…</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern…</translation>
     </message>
     <message>
         <source>Save all frames listed as text</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle aufgeführten Frames als Text speichern</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames</translation>
     </message>
     <message>
         <source>The chosen frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Der gewählte Frame</translation>
     </message>
     <message>
         <source>Choose a frame to see all of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie einen Frame, um alles davon zu sehen.</translation>
     </message>
     <message>
         <source>Command to send</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu sendender Befehl</translation>
     </message>
     <message>
         <source>Command: a name with payload bytes (READ_PARAMS_3 00), or a whole frame in hex</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehl: ein Name mit Datenbytes (READ_PARAMS_3 00) oder ein ganzer Frame in Hex</translation>
     </message>
     <message>
         <source>Commands that write take a snapshot first; motors may move</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehle, die schreiben, machen vorher eine Sicherung; Motoren können sich bewegen</translation>
     </message>
     <message>
         <source>Send</source>
-        <translation type="unfinished"></translation>
+        <translation>Senden</translation>
     </message>
     <message>
         <source>Continue</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>Save frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames speichern</translation>
     </message>
     <message>
         <source>Text files (*.txt)</source>
-        <translation type="unfinished"></translation>
+        <translation>Textdateien (*.txt)</translation>
     </message>
     <message>
         <source>%1 was not sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde nicht gesendet.</translation>
     </message>
     <message>
         <source>It can move the camera or change settings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es kann die Kamera bewegen oder Einstellungen ändern.</translation>
     </message>
     <message>
         <source>Tick “Allow commands that change something” to send it all the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Haken Sie „Befehle erlauben, die etwas ändern“ an, um es trotzdem zu senden.</translation>
     </message>
 </context>
 <context>
     <name>ControlPad</name>
     <message>
         <source>Steering pad</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerfeld</translation>
     </message>
     <message>
         <source>Drag, or hold the arrow keys; Shift for slow</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen oder Pfeiltasten halten; Umschalt für langsam</translation>
     </message>
 </context>
 <context>
     <name>ControlPage</name>
     <message>
         <source>Control</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuern</translation>
     </message>
     <message>
         <source>To the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur Mitte</translation>
     </message>
     <message>
         <source>While armed the camera moves as you steer. Let go, leave this page or press Esc to end it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solange scharf, bewegt sich die Kamera, wie Sie steuern. Loslassen, Seite verlassen oder Esc beendet es.</translation>
     </message>
     <message>
         <source>Mode of control</source>
-        <translation type="unfinished"></translation>
+        <translation>Art der Steuerung</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>Steer</source>
-        <translation type="unfinished"></translation>
+        <translation>Lenken</translation>
     </message>
     <message>
         <source>Angles to go to</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielwinkel</translation>
     </message>
     <message>
         <source>Angle, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel, %1</translation>
     </message>
     <message>
         <source>Camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera</translation>
     </message>
     <message>
         <source>%1 °/s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 °/s</translation>
     </message>
     <message>
         <source>■ Disarm</source>
-        <translation type="unfinished"></translation>
+        <translation>■ Entschärfen</translation>
     </message>
     <message>
         <source>Arm</source>
-        <translation type="unfinished"></translation>
+        <translation>Scharf schalten</translation>
     </message>
     <message>
         <source>Armed: the camera follows you. It stops when you let go, leave this page, or do nothing for %1 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scharf: die Kamera folgt Ihnen. Sie hält an, wenn Sie loslassen, die Seite verlassen oder %1 s nichts tun.</translation>
     </message>
     <message>
         <source>Not armed: nothing is sent. Choose a mode, then arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht scharf: nichts wird gesendet. Art wählen, dann scharf schalten.</translation>
     </message>
     <message>
         <source>Control was disarmed: nothing was moved for %1 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung wurde entschärft: %1 s lang wurde nichts bewegt.</translation>
     </message>
     <message>
         <source>is</source>
-        <translation type="unfinished"></translation>
+        <translation>ist</translation>
     </message>
     <message>
         <source>target</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel</translation>
     </message>
 </context>
 <context>
     <name>DashboardPage</name>
     <message>
         <source>Dashboard</source>
-        <translation type="unfinished"></translation>
+        <translation>Übersicht</translation>
     </message>
     <message>
         <source>Attitude</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage</translation>
     </message>
     <message>
         <source>Axes: angle and target</source>
-        <translation type="unfinished"></translation>
+        <translation>Achsen: Winkel und Ziel</translation>
     </message>
     <message>
         <source>Battery</source>
-        <translation type="unfinished"></translation>
+        <translation>Akku</translation>
     </message>
     <message>
         <source>State of the board</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand des Boards</translation>
     </message>
     <message>
         <source>Current</source>
-        <translation type="unfinished"></translation>
+        <translation>Strom</translation>
     </message>
     <message>
         <source>Sensor temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensortemperatur</translation>
     </message>
     <message>
         <source>Control cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>Regeltakt</translation>
     </message>
     <message>
         <source>Sensor bus errors</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler am Sensorbus</translation>
     </message>
     <message>
         <source>Frames received</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames empfangen</translation>
     </message>
     <message>
         <source>%1 per second</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 je Sekunde</translation>
     </message>
     <message>
         <source>Damaged frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschädigte Frames</translation>
     </message>
     <message>
         <source>Answer time</source>
-        <translation type="unfinished"></translation>
+        <translation>Antwortzeit</translation>
     </message>
     <message>
         <source>%1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms</translation>
     </message>
     <message>
         <source>Not connected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht verbunden.</translation>
     </message>
     <message>
         <source>No live data yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Live-Daten.</translation>
     </message>
     <message>
         <source>● Motors are running.</source>
-        <translation type="unfinished"></translation>
+        <translation>● Motoren laufen.</translation>
     </message>
     <message>
         <source>○ Motors are off.</source>
-        <translation type="unfinished"></translation>
+        <translation>○ Motoren sind aus.</translation>
     </message>
     <message>
         <source>✓ The board reports no errors.</source>
-        <translation type="unfinished"></translation>
+        <translation>✓ Das Board meldet keine Fehler.</translation>
     </message>
 </context>
 <context>
     <name>DebugModel</name>
     <message>
         <source>unknown type</source>
-        <translation type="unfinished"></translation>
+        <translation>unbekannter Typ</translation>
     </message>
     <message>
         <source>Variable</source>
-        <translation type="unfinished"></translation>
+        <translation>Variable</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished"></translation>
+        <translation>Typ</translation>
     </message>
     <message>
         <source>Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse</translation>
     </message>
     <message>
         <source>Now</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt</translation>
     </message>
     <message>
         <source>Lowest</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinster</translation>
     </message>
     <message>
         <source>Highest</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter</translation>
     </message>
 </context>
 <context>
     <name>DebugPage</name>
     <message>
         <source>Debug variables</source>
-        <translation type="unfinished"></translation>
+        <translation>Debug-Variablen</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Forget bounds</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenzen vergessen</translation>
     </message>
     <message>
         <source>Start lowest, highest and the curve anew</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinsten, größten Wert und Kurve neu beginnen</translation>
     </message>
     <message>
         <source>Course</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlauf</translation>
     </message>
     <message>
-        <source>What these variables mean is known to the firmware&apos;s makers only; they help a supporter.</source>
-        <translation type="unfinished"></translation>
+        <source>What these variables mean is known to the firmware's makers only; they help a supporter.</source>
+        <translation>Was diese Variablen bedeuten, wissen nur die Hersteller der Firmware; sie helfen dem Support.</translation>
     </message>
     <message>
         <source>Continue</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter</translation>
     </message>
 </context>
 <context>
     <name>EditStack</name>
     <message>
         <source>Profile name</source>
-        <translation type="unfinished"></translation>
+        <translation>Profilname</translation>
     </message>
     <message>
         <source>Discard all changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Änderungen verwerfen</translation>
     </message>
     <message>
         <source>Copy profile %1 onto profile %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil %1 auf Profil %2 kopieren</translation>
     </message>
 </context>
 <context>
     <name>ErrorText</name>
     <message>
         <source>Cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgebrochen.</translation>
     </message>
     <message>
         <source>The board did not answer in time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board hat nicht rechtzeitig geantwortet.</translation>
     </message>
     <message>
         <source>It may be busy, restarting, or the cable may be disturbed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist vielleicht beschäftigt, startet neu, oder das Kabel ist gestört.</translation>
     </message>
     <message>
         <source>Try again; if it stays so, check cable and power.</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuchen Sie es nochmals; bleibt es so, prüfen Sie Kabel und Strom.</translation>
     </message>
     <message>
         <source>The link to the board broke.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Verbindung zum Board ist abgerissen.</translation>
     </message>
     <message>
         <source>The board keeps doing what it did.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board tut weiter, was es tat.</translation>
     </message>
     <message>
         <source>Check cable and power; the program connects again by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen Sie Kabel und Strom; das Programm verbindet sich von selbst wieder.</translation>
     </message>
     <message>
         <source>There is no such port.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Anschluss gibt es nicht.</translation>
     </message>
     <message>
         <source>The adapter is not plugged in, or it has another name now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Adapter ist nicht eingesteckt oder heißt jetzt anders.</translation>
     </message>
     <message>
         <source>Plug it in and choose it from the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stecken Sie ihn ein und wählen Sie ihn aus der Liste.</translation>
     </message>
     <message>
         <source>You may not open this port.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie dürfen diesen Anschluss nicht öffnen.</translation>
     </message>
     <message>
         <source>On Linux, serial ports belong to the group dialout.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unter Linux gehören serielle Anschlüsse der Gruppe dialout.</translation>
     </message>
     <message>
         <source>Run “sudo usermod -aG dialout $USER”, then log in anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Führen Sie „sudo usermod -aG dialout $USER“ aus und melden Sie sich neu an.</translation>
     </message>
     <message>
         <source>Another program holds this port.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein anderes Programm hält diesen Anschluss.</translation>
     </message>
     <message>
         <source>Only one program can talk to a board at a time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur ein Programm kann zur Zeit mit einem Board sprechen.</translation>
     </message>
     <message>
         <source>Close the other program (ModemManager is a usual suspect), then connect again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen Sie das andere Programm (oft ist es ModemManager) und verbinden Sie nochmals.</translation>
     </message>
     <message>
         <source>Nothing answers at this network address.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unter dieser Netzadresse antwortet nichts.</translation>
     </message>
     <message>
         <source>Check address and port, and that the bridge or simulator is running.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen Sie Adresse und Port und ob die Brücke oder der Simulator läuft.</translation>
     </message>
     <message>
         <source>The port is open, but no board answers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Anschluss ist offen, aber kein Board antwortet.</translation>
     </message>
     <message>
         <source>All rates and parities were tried.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Raten und Paritäten wurden versucht.</translation>
     </message>
     <message>
         <source>Check that the board has power, that RX and TX are crossed, and that this is the right port.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen Sie, ob das Board Strom hat, RX und TX gekreuzt sind und dies der richtige Anschluss ist.</translation>
     </message>
     <message>
         <source>Bytes arrive, but they make no sense.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es kommen Bytes, aber sie ergeben keinen Sinn.</translation>
     </message>
     <message>
         <source>The rate is unknown, the cable is disturbed, or it is another kind of device.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Rate ist unbekannt, das Kabel gestört, oder es ist ein anderes Gerät.</translation>
     </message>
     <message>
-        <source>Check cable and ground, and that this is the gimbal&apos;s port.</source>
-        <translation type="unfinished"></translation>
+        <source>Check cable and ground, and that this is the gimbal's port.</source>
+        <translation>Prüfen Sie Kabel und Masse und ob dies der Anschluss des Gimbals ist.</translation>
     </message>
     <message>
         <source>This device speaks another protocol.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Gerät spricht ein anderes Protokoll.</translation>
     </message>
     <message>
         <source>It is not a board of the chosen family.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist kein Board der gewählten Familie.</translation>
     </message>
     <message>
         <source>Choose the right family, or another port.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie die richtige Familie oder einen anderen Anschluss.</translation>
     </message>
     <message>
         <source>This board is open for reading only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Board ist nur zum Lesen offen.</translation>
     </message>
     <message>
         <source>Its firmware, or this value, must not be written by this version of the program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seine Firmware, oder dieser Wert, darf von dieser Programmversion nicht geschrieben werden.</translation>
     </message>
     <message>
-        <source>Update the program, or change the value with the board maker&apos;s tool.</source>
-        <translation type="unfinished"></translation>
+        <source>Update the program, or change the value with the board maker's tool.</source>
+        <translation>Aktualisieren Sie das Programm, oder ändern Sie den Wert mit dem Werkzeug des Herstellers.</translation>
     </message>
     <message>
         <source>The board refused.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board hat abgelehnt.</translation>
     </message>
     <message>
         <source>Nothing was changed by this command.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch diesen Befehl wurde nichts geändert.</translation>
     </message>
     <message>
-        <source>The board&apos;s answer is not what its document promises.</source>
-        <translation type="unfinished"></translation>
+        <source>The board's answer is not what its document promises.</source>
+        <translation>Die Antwort des Boards ist nicht, was sein Dokument verspricht.</translation>
     </message>
     <message>
         <source>Try again; if it stays so, the firmware is not supported.</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuchen Sie es nochmals; bleibt es so, wird die Firmware nicht unterstützt.</translation>
     </message>
     <message>
         <source>That does not make sense.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ergibt keinen Sinn.</translation>
     </message>
     <message>
         <source>The value is outside its range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Wert liegt außerhalb seines Bereichs.</translation>
     </message>
     <message>
         <source>Nothing was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert.</translation>
     </message>
     <message>
         <source>This board cannot do that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Board kann das nicht.</translation>
     </message>
     <message>
         <source>Somebody else changed the board since it was read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jemand anderes hat das Board seit dem Lesen geändert.</translation>
     </message>
     <message>
         <source>Nothing was written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geschrieben.</translation>
     </message>
     <message>
         <source>Read the board again, look at the differences, then write.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lesen Sie das Board neu, sehen Sie die Unterschiede an, dann schreiben Sie.</translation>
     </message>
     <message>
         <source>The board does not hold what was written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board hält nicht, was geschrieben wurde.</translation>
     </message>
     <message>
         <source>The old values were put back as far as the board let us.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die alten Werte wurden zurückgelegt, so weit das Board es zuließ.</translation>
     </message>
     <message>
         <source>Look at the report; try again, or restore the snapshot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sehen Sie den Bericht an; versuchen Sie es nochmals oder holen Sie die Sicherung zurück.</translation>
     </message>
     <message>
         <source>The file cannot be used.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei ist nicht zu gebrauchen.</translation>
     </message>
     <message>
         <source>No board is connected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Board ist verbunden.</translation>
     </message>
     <message>
         <source>Connect one, or try the simulated gimbal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbinden Sie eines oder probieren Sie den simulierten Gimbal.</translation>
     </message>
     <message>
         <source>No safety copy could be made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ließ sich keine Sicherung machen.</translation>
     </message>
     <message>
         <source>Therefore nothing was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Darum wurde nichts geändert.</translation>
     </message>
     <message>
         <source>Check that the disk has space and that the folder may be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen Sie, ob Platz auf dem Datenträger ist und der Ordner beschrieben werden darf.</translation>
     </message>
     <message>
         <source>Another job is still running.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein anderer Auftrag läuft noch.</translation>
     </message>
     <message>
         <source>Wait for it or cancel it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Warten Sie, oder brechen Sie ihn ab.</translation>
     </message>
     <message>
         <source>Looking for a board</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche ein Board</translation>
     </message>
     <message>
         <source>Looking for a board at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche ein Board bei %1</translation>
     </message>
     <message>
         <source>Reading %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Lese %1</translation>
     </message>
     <message>
         <source>Writing %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreibe %1</translation>
     </message>
     <message>
         <source>Reading back %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Lese zurück: %1</translation>
     </message>
     <message>
         <source>Putting back %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Lege zurück: %1</translation>
     </message>
     <message>
         <source>Calibrating: keep the camera absolutely still</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung: Kamera völlig still halten</translation>
     </message>
     <message>
         <source>Auto-tune, iteration %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Auto-Abstimmung, Durchgang %1</translation>
     </message>
     <message>
         <source>Steering</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuere</translation>
     </message>
 </context>
 <context>
     <name>FrameLogModel</name>
     <message>
         <source>Payload</source>
-        <translation type="unfinished"></translation>
+        <translation>Nutzdaten</translation>
     </message>
     <message>
         <source>Complete frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganze Frames</translation>
     </message>
     <message>
         <source>← board</source>
-        <translation type="unfinished"></translation>
+        <translation>← Board</translation>
     </message>
     <message>
         <source>→ board</source>
-        <translation type="unfinished"></translation>
+        <translation>→ Board</translation>
     </message>
     <message>
         <source>Seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>Sekunden</translation>
     </message>
     <message>
         <source>Direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame</translation>
     </message>
     <message>
         <source>Fields</source>
-        <translation type="unfinished"></translation>
+        <translation>Felder</translation>
     </message>
     <message>
         <source>Bytes</source>
-        <translation type="unfinished"></translation>
+        <translation>Bytes</translation>
     </message>
 </context>
 <context>
     <name>HelpCard</name>
     <message>
         <source>What a value does</source>
-        <translation type="unfinished"></translation>
+        <translation>Was ein Wert bewirkt</translation>
     </message>
     <message>
         <source>Choose a field: its effect, range, default and what the board holds stand here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie ein Feld: Wirkung, Bereich, Vorgabe und was das Board hat, stehen dann hier.</translation>
     </message>
     <message>
         <source>On the board</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf dem Board</translation>
     </message>
     <message>
         <source>Default</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorgabe</translation>
     </message>
     <message>
         <source>Range</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereich</translation>
     </message>
     <message>
         <source>Belongs to</source>
-        <translation type="unfinished"></translation>
+        <translation>Gehört zu</translation>
     </message>
     <message>
         <source>the whole board</source>
-        <translation type="unfinished"></translation>
+        <translation>dem ganzen Board</translation>
     </message>
     <message>
         <source>this profile</source>
-        <translation type="unfinished"></translation>
+        <translation>diesem Profil</translation>
     </message>
     <message>
         <source>Key</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlüssel</translation>
     </message>
     <message>
         <source>⚠ Risk: a wrong value can make a motor run away or overheat.</source>
-        <translation type="unfinished"></translation>
+        <translation>⚠ Risiko: ein falscher Wert kann einen Motor durchgehen lassen oder überhitzen.</translation>
     </message>
 </context>
 <context>
@@ -1372,5011 +1372,5020 @@
     <message>
         <source>en</source>
         <comment>folder of the help texts</comment>
-        <translation type="unfinished"></translation>
+        <translation>de</translation>
     </message>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe</translation>
     </message>
     <message>
         <source>Search all texts (Ctrl+F)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Texte durchsuchen (Strg+F)</translation>
     </message>
     <message>
         <source>Search help</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe durchsuchen</translation>
     </message>
     <message>
         <source>Topics</source>
-        <translation type="unfinished"></translation>
+        <translation>Themen</translation>
     </message>
     <message>
         <source>Help text</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfetext</translation>
     </message>
 </context>
 <context>
     <name>LinkBar</name>
     <message>
         <source>Connect</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbinden</translation>
     </message>
     <message>
         <source>Port or address of the board</source>
-        <translation type="unfinished"></translation>
+        <translation>Anschluss oder Adresse des Boards</translation>
     </message>
     <message>
         <source>Serial port, tcp://host:port, or the simulated gimbal</source>
-        <translation type="unfinished"></translation>
+        <translation>Serieller Anschluss, tcp://host:port oder der simulierte Gimbal</translation>
     </message>
     <message>
         <source>Port or tcp://host:port</source>
-        <translation type="unfinished"></translation>
+        <translation>Anschluss oder tcp://host:port</translation>
     </message>
     <message>
         <source>Active profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktives Profil</translation>
     </message>
     <message>
         <source>Active profile of the board</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktives Profil des Boards</translation>
     </message>
     <message>
         <source>F12 switches the motors off from anywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>F12 schaltet die Motoren von überall aus</translation>
     </message>
     <message>
         <source>&amp;Profile</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Profil</translation>
     </message>
     <message>
         <source>Simulated %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Simulierter %1</translation>
     </message>
     <message>
         <source>Not connected</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht verbunden</translation>
     </message>
     <message>
         <source>Connecting…</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbinde…</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Link lost, connecting again…</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbindung verloren, verbinde neu…</translation>
     </message>
     <message>
         <source>Give up</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufgeben</translation>
     </message>
     <message>
         <source>%1 · firmware %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · Firmware %2</translation>
     </message>
     <message>
         <source>Disconnect</source>
-        <translation type="unfinished"></translation>
+        <translation>Trennen</translation>
     </message>
     <message>
         <source>■ MOTORS OFF</source>
-        <translation type="unfinished"></translation>
+        <translation>■ MOTOREN AUS</translation>
     </message>
     <message>
         <source>▶ Motors on</source>
-        <translation type="unfinished"></translation>
+        <translation>▶ Motoren ein</translation>
     </message>
     <message>
         <source>Switch motors off</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren ausschalten</translation>
     </message>
     <message>
         <source>Switch motors on</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren einschalten</translation>
     </message>
 </context>
 <context>
     <name>MainWindow</name>
     <message>
         <source>Hold Esc to switch the motors off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esc halten, um die Motoren auszuschalten.</translation>
     </message>
     <message>
         <source>Open a configuration</source>
-        <translation type="unfinished"></translation>
+        <translation>Konfiguration öffnen</translation>
     </message>
     <message>
         <source>GimbalDesk configurations (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>GimbalDesk-Konfigurationen (*.json)</translation>
     </message>
     <message>
         <source>Save the configuration</source>
-        <translation type="unfinished"></translation>
+        <translation>Konfiguration speichern</translation>
     </message>
     <message>
         <source>Saved to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespeichert in %1</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungesicherte Änderungen</translation>
     </message>
     <message numerus="yes">
         <source>%n change(s) are not on the board.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Änderung ist nicht auf dem Board.</numerusform>
+            <numerusform>%n Änderungen sind nicht auf dem Board.</numerusform>
         </translation>
     </message>
     <message>
         <source>Quit and keep them for next time</source>
-        <translation type="unfinished"></translation>
+        <translation>Beenden und für nächstes Mal behalten</translation>
     </message>
     <message>
         <source>Discard and quit</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwerfen und beenden</translation>
     </message>
     <message>
         <source>Stay</source>
-        <translation type="unfinished"></translation>
+        <translation>Bleiben</translation>
     </message>
 </context>
 <context>
     <name>MessageBar</name>
     <message>
         <source>Details</source>
-        <translation type="unfinished"></translation>
+        <translation>Einzelheiten</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren</translation>
     </message>
     <message>
         <source>Copy everything a supporter needs</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles kopieren, was der Support braucht</translation>
     </message>
     <message>
         <source>Close message</source>
-        <translation type="unfinished"></translation>
+        <translation>Meldung schließen</translation>
     </message>
 </context>
 <context>
     <name>MonitorPage</name>
     <message>
         <source>Monitor</source>
-        <translation type="unfinished"></translation>
+        <translation>Monitor</translation>
     </message>
     <message>
         <source>Tick channels on the left to see them here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Haken Sie links Kanäle an, um sie hier zu sehen.</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren…</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>%1 min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 min</translation>
     </message>
     <message>
         <source>Time shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeigte Zeit</translation>
     </message>
     <message>
         <source>Hold the picture still while data goes on (Space in the plot). The wheel zooms, dragging moves, arrow keys move the cursor, End goes on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hält das Bild an, während Daten weiterlaufen (Leertaste im Bild). Das Rad zoomt, Ziehen verschiebt, Pfeiltasten bewegen den Cursor, Ende geht weiter.</translation>
     </message>
     <message>
         <source>Save what is seen as a CSV file</source>
-        <translation type="unfinished"></translation>
+        <translation>Was zu sehen ist, als CSV-Datei speichern</translation>
     </message>
     <message>
         <source>Telemetry channels</source>
-        <translation type="unfinished"></translation>
+        <translation>Telemetriekanäle</translation>
     </message>
     <message>
         <source>Continue</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>Save samples</source>
-        <translation type="unfinished"></translation>
+        <translation>Messwerte speichern</translation>
     </message>
     <message>
         <source>CSV files (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV-Dateien (*.csv)</translation>
     </message>
     <message>
         <source>%1 lines saved to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Zeilen gespeichert in %2</translation>
     </message>
     <message>
         <source>%1 samples/s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Werte/s</translation>
     </message>
     <message>
         <source>polled, up to %1 samples/s</source>
-        <translation type="unfinished"></translation>
+        <translation>abgefragt, bis %1 Werte/s</translation>
     </message>
     <message>
         <source>%1 lost</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 verloren</translation>
     </message>
 </context>
 <context>
     <name>Navigation</name>
     <message>
         <source>Pages</source>
-        <translation type="unfinished"></translation>
+        <translation>Seiten</translation>
     </message>
     <message>
         <source>%1 (Ctrl+%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (Strg+%2)</translation>
     </message>
     <message>
         <source>%1, with unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, mit ungesicherten Änderungen</translation>
     </message>
 </context>
 <context>
     <name>Pages</name>
     <message>
         <source>Dashboard</source>
-        <translation type="unfinished"></translation>
+        <translation>Übersicht</translation>
     </message>
     <message>
         <source>Watch</source>
-        <translation type="unfinished"></translation>
+        <translation>Beobachten</translation>
     </message>
     <message>
         <source>Monitor</source>
-        <translation type="unfinished"></translation>
+        <translation>Monitor</translation>
     </message>
     <message>
         <source>Debug variables</source>
-        <translation type="unfinished"></translation>
+        <translation>Debug-Variablen</translation>
     </message>
     <message>
         <source>Parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>Set up</source>
-        <translation type="unfinished"></translation>
+        <translation>Einrichten</translation>
     </message>
     <message>
         <source>Profiles</source>
-        <translation type="unfinished"></translation>
+        <translation>Profile</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>Tuning</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstimmen</translation>
     </message>
     <message>
         <source>Tune</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstimmen</translation>
     </message>
     <message>
         <source>Auto-tune</source>
-        <translation type="unfinished"></translation>
+        <translation>Auto-Abstimmung</translation>
     </message>
     <message>
         <source>Adjustable variables</source>
-        <translation type="unfinished"></translation>
+        <translation>Live-Variablen</translation>
     </message>
     <message>
         <source>Control</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuern</translation>
     </message>
     <message>
         <source>Board</source>
-        <translation type="unfinished"></translation>
+        <translation>Board</translation>
     </message>
     <message>
         <source>Actions</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktionen</translation>
     </message>
     <message>
         <source>Backups</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherungen</translation>
     </message>
     <message>
         <source>Console</source>
-        <translation type="unfinished"></translation>
+        <translation>Konsole</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Program</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm</translation>
     </message>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe</translation>
     </message>
 </context>
 <context>
     <name>ParameterModel</name>
     <message>
         <source>Parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>Wert</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>On the board</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf dem Board</translation>
     </message>
     <message>
         <source>Default</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorgabe</translation>
     </message>
     <message>
         <source>Range</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereich</translation>
     </message>
     <message>
         <source>Key</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlüssel</translation>
     </message>
 </context>
 <context>
     <name>ParametersPage</name>
     <message>
         <source>Parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>Changed</source>
-        <translation type="unfinished"></translation>
+        <translation>Geändert</translation>
     </message>
     <message>
         <source>Not default</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht Vorgabe</translation>
     </message>
     <message>
         <source>⚠ Risk</source>
-        <translation type="unfinished"></translation>
+        <translation>⚠ Risiko</translation>
     </message>
     <message>
         <source>Table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle</translation>
     </message>
     <message>
         <source>Nothing matches. Change the search, the filters or the level.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts passt. Ändern Sie Suche, Filter oder Stufe.</translation>
     </message>
     <message>
         <source>Basic</source>
-        <translation type="unfinished"></translation>
+        <translation>Einfach</translation>
     </message>
     <message>
         <source>Advanced</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweitert</translation>
     </message>
     <message>
         <source>Expert</source>
-        <translation type="unfinished"></translation>
+        <translation>Experte</translation>
     </message>
     <message>
         <source>How much to show</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viel gezeigt wird</translation>
     </message>
     <message>
         <source>Search (Ctrl+F)</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen (Strg+F)</translation>
     </message>
     <message>
         <source>Search parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter durchsuchen</translation>
     </message>
     <message>
         <source>Looks in names, keys and help of all parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Sucht in Namen, Schlüsseln und Hilfe aller Parameter</translation>
     </message>
     <message>
         <source>Groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppen</translation>
     </message>
     <message>
         <source>All parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Parameter</translation>
     </message>
 </context>
 <context>
     <name>PlotView</name>
     <message>
         <source>Live plot</source>
-        <translation type="unfinished"></translation>
+        <translation>Live-Kurve</translation>
     </message>
 </context>
 <context>
     <name>ProfileModel</name>
     <message>
         <source>● active</source>
-        <translation type="unfinished"></translation>
+        <translation>● aktiv</translation>
     </message>
     <message numerus="yes">
         <source>%n unsaved</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n ungesichert</numerusform>
+            <numerusform>%n ungesichert</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>differs in %n value(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>anders in %n Wert</numerusform>
+            <numerusform>anders in %n Werten</numerusform>
         </translation>
     </message>
     <message>
         <source>same values</source>
-        <translation type="unfinished"></translation>
+        <translation>gleiche Werte</translation>
     </message>
     <message>
         <source>No.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nr.</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>Changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen</translation>
     </message>
     <message>
         <source>Against the active profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Gegenüber dem aktiven Profil</translation>
     </message>
 </context>
 <context>
     <name>ProfilesPage</name>
     <message>
         <source>GimbalDesk configurations (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>GimbalDesk-Konfigurationen (*.json)</translation>
     </message>
     <message>
         <source>Profiles</source>
-        <translation type="unfinished"></translation>
+        <translation>Profile</translation>
     </message>
     <message>
         <source>Make active</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktiv machen</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>Umbenennen</translation>
     </message>
     <message>
         <source>Copy onto</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren auf</translation>
     </message>
     <message>
         <source>Load from file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus Datei laden…</translation>
     </message>
     <message>
         <source>Save to file…</source>
-        <translation type="unfinished"></translation>
+        <translation>In Datei speichern…</translation>
     </message>
     <message>
         <source>Load all profiles…</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Profile laden…</translation>
     </message>
     <message>
         <source>Profile to copy onto</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil, auf das kopiert wird</translation>
     </message>
     <message>
         <source>The board uses this profile from now on</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board benutzt ab jetzt dieses Profil</translation>
     </message>
     <message>
         <source>Change the name (F2)</source>
-        <translation type="unfinished"></translation>
+        <translation>Namen ändern (F2)</translation>
     </message>
     <message>
         <source>Take all values of the chosen profile over into another one, as an edit that can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>Übernimmt alle Werte des gewählten Profils in ein anderes, als Änderung, die sich zurücknehmen lässt</translation>
     </message>
     <message>
         <source>Take one profile of a file over into the chosen profile, as an edit that can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>Übernimmt ein Profil einer Datei in das gewählte Profil, als Änderung, die sich zurücknehmen lässt</translation>
     </message>
     <message>
         <source>Save all profiles with their unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichert alle Profile mit ihren ungesicherten Änderungen</translation>
     </message>
     <message>
         <source>Take everything in a file over, as one edit that can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>Übernimmt alles aus einer Datei, als eine Änderung, die sich zurücknehmen lässt</translation>
     </message>
     <message>
-        <source>Copying, renaming and loading are edits: nothing is on the board before you review and write. Board-wide values (sensors, motors&apos; outputs, ports) belong to no profile and stay.</source>
-        <translation type="unfinished"></translation>
+        <source>Copying, renaming and loading are edits: nothing is on the board before you review and write. Board-wide values (sensors, motors' outputs, ports) belong to no profile and stay.</source>
+        <translation>Kopieren, Umbenennen und Laden sind Änderungen: auf dem Board ist erst etwas, wenn Sie prüfen und schreiben. Werte des ganzen Boards (Sensoren, Motorausgänge, Anschlüsse) gehören zu keinem Profil und bleiben.</translation>
     </message>
     <message>
         <source>The name of profile %1 is too long.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Name von Profil %1 ist zu lang.</translation>
     </message>
     <message>
         <source>It has %1 bytes, the board holds %2; an accented letter counts as two.</source>
-        <translation type="unfinished"></translation>
+        <translation>Er hat %1 Bytes, das Board fasst %2; ein Umlaut zählt als zwei.</translation>
     </message>
     <message>
         <source>Choose a shorter one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie einen kürzeren.</translation>
     </message>
     <message>
         <source>Load a profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil laden</translation>
     </message>
     <message>
         <source>Load all profiles</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Profile laden</translation>
     </message>
     <message>
         <source>Save profiles</source>
-        <translation type="unfinished"></translation>
+        <translation>Profile speichern</translation>
     </message>
     <message>
         <source>Load into profile %1</source>
-        <translation type="unfinished"></translation>
+        <translation>In Profil %1 laden</translation>
     </message>
     <message>
         <source>Profiles of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Profile der Datei</translation>
     </message>
     <message>
         <source>Which profile of %1?</source>
-        <translation type="unfinished"></translation>
+        <translation>Welches Profil aus %1?</translation>
     </message>
     <message>
         <source>Load</source>
-        <translation type="unfinished"></translation>
+        <translation>Laden</translation>
     </message>
     <message>
         <source>Saved to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespeichert in %1</translation>
     </message>
 </context>
 <context>
     <name>ReviewDialog</name>
     <message>
         <source>Review and write</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen und schreiben</translation>
     </message>
     <message>
         <source>These values go to the board. They are read back and compared, and a copy of the whole board is kept before the first write.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Werte gehen auf das Board. Sie werden zurückgelesen und verglichen, und vor dem ersten Schreiben wird das ganze Board gesichert.</translation>
     </message>
     <message>
         <source>Changes to write</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu schreibende Änderungen</translation>
     </message>
     <message>
         <source>⚠ Values of the risk class are among them: hold the camera, or take it off, while motors start.</source>
-        <translation type="unfinished"></translation>
+        <translation>⚠ Werte der Risikoklasse sind dabei: halten Sie die Kamera oder nehmen Sie sie ab, während Motoren anlaufen.</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück</translation>
     </message>
     <message numerus="yes">
         <source>%n value(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Wert</numerusform>
+            <numerusform>%n Werte</numerusform>
         </translation>
     </message>
     <message>
         <source>Write %1 to %2 profiles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 in %2 Profile schreiben</translation>
     </message>
     <message>
         <source>Write %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 schreiben</translation>
     </message>
 </context>
 <context>
     <name>SensorCube</name>
     <message>
         <source>Position of the sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage des Sensors</translation>
     </message>
     <message>
         <source>tilted</source>
-        <translation type="unfinished"></translation>
+        <translation>schräg</translation>
     </message>
 </context>
 <context>
     <name>SettingsPage</name>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Switch the motors off when the program is closed</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren ausschalten, wenn das Programm geschlossen wird</translation>
     </message>
     <message>
         <source>The language changes at the next start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sprache wechselt beim nächsten Start.</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das System</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Hell</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Dunkel</translation>
     </message>
     <message>
         <source>Degrees Celsius</source>
-        <translation type="unfinished"></translation>
+        <translation>Grad Celsius</translation>
     </message>
     <message>
         <source>Degrees Fahrenheit</source>
-        <translation type="unfinished"></translation>
+        <translation>Grad Fahrenheit</translation>
     </message>
     <message>
         <source> min</source>
-        <translation type="unfinished"></translation>
+        <translation> min</translation>
     </message>
     <message>
         <source> ms</source>
-        <translation type="unfinished"></translation>
+        <translation> ms</translation>
     </message>
     <message>
         <source>not by Esc</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht durch Esc</translation>
     </message>
     <message>
         <source> °/s</source>
-        <translation type="unfinished"></translation>
+        <translation> °/s</translation>
     </message>
     <message>
         <source> s</source>
-        <translation type="unfinished"></translation>
+        <translation> s</translation>
     </message>
     <message>
         <source>Look and language</source>
-        <translation type="unfinished"></translation>
+        <translation>Aussehen und Sprache</translation>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache</translation>
     </message>
     <message>
         <source>Temperatures</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperaturen</translation>
     </message>
     <message>
         <source>Live data</source>
-        <translation type="unfinished"></translation>
+        <translation>Live-Daten</translation>
     </message>
     <message>
         <source>Keep in memory</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Speicher behalten</translation>
     </message>
     <message>
         <source>Safety</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherheit</translation>
     </message>
     <message>
         <source>Hold Esc to switch motors off</source>
-        <translation type="unfinished"></translation>
+        <translation>Esc halten für Motoren aus</translation>
     </message>
     <message>
         <source>Highest speed on Control</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Geschwindigkeit</translation>
     </message>
     <message>
         <source>Disarm control after</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerung entschärfen nach</translation>
     </message>
     <message>
         <source>Always so, and not to be switched off: a snapshot before the first write, reading back of every byte, F12 for motors off, and control that ends when the program does not refresh it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Immer so und nicht abzuschalten: eine Sicherung vor dem ersten Schreiben, Zurücklesen jedes Bytes, F12 für Motoren aus und eine Steuerung, die endet, wenn das Programm sie nicht erneuert.</translation>
     </message>
     <message>
         <source>About</source>
-        <translation type="unfinished"></translation>
+        <translation>Über</translation>
     </message>
     <message>
         <source>GimbalDesk %1, GPL 3.0 or later. Settings: %2. Snapshots: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>GimbalDesk %1, GPL 3.0 oder neuer. Einstellungen: %2. Sicherungen: %3.</translation>
     </message>
     <message>
         <source>At most %1 MB with 24 channels at full rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchstens %1 MB mit 24 Kanälen bei voller Rate.</translation>
     </message>
 </context>
 <context>
     <name>Sparkline</name>
     <message>
         <source>Course of the chosen variable</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlauf der gewählten Variablen</translation>
     </message>
     <message>
         <source>Choose a variable to see its course</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie eine Variable, um ihren Verlauf zu sehen</translation>
     </message>
 </context>
 <context>
     <name>StartPage</name>
     <message>
         <source>No gimbal yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch kein Gimbal</translation>
     </message>
     <message>
         <source>Plug the controller in with USB or a serial adapter, choose its port at the top left and connect. Rate and parity are found by the program. Nothing is sent to a port you did not choose, and nothing is written without your review.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stecken Sie den Controller mit USB oder einem seriellen Adapter ein, wählen Sie oben links seinen Anschluss und verbinden Sie. Rate und Parität findet das Programm. An einen Anschluss, den Sie nicht gewählt haben, wird nichts gesendet, und ohne Ihre Prüfung wird nichts geschrieben.</translation>
     </message>
     <message>
         <source>&amp;Choose a port</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Anschluss wählen</translation>
     </message>
     <message>
         <source>&amp;Try the simulated gimbal</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Simulierten Gimbal probieren</translation>
     </message>
     <message>
         <source>&amp;Open a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei &amp;öffnen</translation>
     </message>
     <message>
         <source>Look at a snapshot or a saved configuration and edit it without a board</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Sicherung oder gespeicherte Konfiguration ansehen und ohne Board bearbeiten</translation>
     </message>
     <message>
         <source>The simulated gimbal shakes, drifts and answers like a real one: a safe place to learn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der simulierte Gimbal wackelt, driftet und antwortet wie ein echter: ein sicherer Ort zum Lernen.</translation>
     </message>
     <message>
         <source>Unsaved changes of an earlier run:</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungesicherte Änderungen von früher:</translation>
     </message>
     <message>
         <source>Board %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Board %1, %2</translation>
     </message>
 </context>
 <context>
     <name>StatusStrip</name>
     <message>
         <source>Frames received per second, samples lost, answer time</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames je Sekunde, verlorene Messwerte, Antwortzeit</translation>
     </message>
     <message>
         <source>no link</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Verbindung</translation>
     </message>
     <message>
         <source>offline: editing %1</source>
-        <translation type="unfinished"></translation>
+        <translation>offline: %1 in Arbeit</translation>
     </message>
     <message>
         <source>%1/s · %2 lost</source>
-        <translation type="unfinished"></translation>
+        <translation>%1/s · %2 verloren</translation>
     </message>
     <message>
         <source>%1 damaged</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 beschädigt</translation>
     </message>
     <message>
         <source>%1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms</translation>
     </message>
     <message>
         <source>%1 V</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 V</translation>
     </message>
     <message>
         <source>no errors</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Fehler</translation>
     </message>
 </context>
 <context>
     <name>Tables</name>
     <message>
         <source>Roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Roll</translation>
     </message>
     <message>
         <source>Pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Pitch</translation>
     </message>
     <message>
         <source>Yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Yaw</translation>
     </message>
     <message>
         <source>On</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein</translation>
     </message>
     <message>
         <source>Off</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bis %2</translation>
     </message>
     <message>
         <source>1 MHz</source>
-        <translation type="unfinished"></translation>
+        <translation>1 MHz</translation>
     </message>
     <message>
         <source>2 MHz</source>
-        <translation type="unfinished"></translation>
+        <translation>2 MHz</translation>
     </message>
     <message>
         <source>4 MHz</source>
-        <translation type="unfinished"></translation>
+        <translation>4 MHz</translation>
     </message>
     <message>
         <source>500 kHz</source>
-        <translation type="unfinished"></translation>
+        <translation>500 kHz</translation>
     </message>
     <message>
         <source>A motor could not hold the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Motor konnte die Kamera nicht halten.</translation>
     </message>
     <message>
         <source>ADC1 (analog)</source>
-        <translation type="unfinished"></translation>
+        <translation>ADC1 (analog)</translation>
     </message>
     <message>
         <source>ADC2 (analog)</source>
-        <translation type="unfinished"></translation>
+        <translation>ADC2 (analog)</translation>
     </message>
     <message>
         <source>ADC3 (analog)</source>
-        <translation type="unfinished"></translation>
+        <translation>ADC3 (analog)</translation>
     </message>
     <message>
         <source>ADC4 (analog)</source>
-        <translation type="unfinished"></translation>
+        <translation>ADC4 (analog)</translation>
     </message>
     <message>
         <source>API channel 1</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 1</translation>
     </message>
     <message>
         <source>API channel 10</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 10</translation>
     </message>
     <message>
         <source>API channel 11</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 11</translation>
     </message>
     <message>
         <source>API channel 12</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 12</translation>
     </message>
     <message>
         <source>API channel 13</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 13</translation>
     </message>
     <message>
         <source>API channel 14</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 14</translation>
     </message>
     <message>
         <source>API channel 15</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 15</translation>
     </message>
     <message>
         <source>API channel 16</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 16</translation>
     </message>
     <message>
         <source>API channel 17</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 17</translation>
     </message>
     <message>
         <source>API channel 18</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 18</translation>
     </message>
     <message>
         <source>API channel 19</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 19</translation>
     </message>
     <message>
         <source>API channel 2</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 2</translation>
     </message>
     <message>
         <source>API channel 20</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 20</translation>
     </message>
     <message>
         <source>API channel 21</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 21</translation>
     </message>
     <message>
         <source>API channel 22</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 22</translation>
     </message>
     <message>
         <source>API channel 23</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 23</translation>
     </message>
     <message>
         <source>API channel 24</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 24</translation>
     </message>
     <message>
         <source>API channel 25</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 25</translation>
     </message>
     <message>
         <source>API channel 26</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 26</translation>
     </message>
     <message>
         <source>API channel 27</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 27</translation>
     </message>
     <message>
         <source>API channel 28</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 28</translation>
     </message>
     <message>
         <source>API channel 29</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 29</translation>
     </message>
     <message>
         <source>API channel 3</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 3</translation>
     </message>
     <message>
         <source>API channel 30</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 30</translation>
     </message>
     <message>
         <source>API channel 31</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 31</translation>
     </message>
     <message>
         <source>API channel 4</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 4</translation>
     </message>
     <message>
         <source>API channel 5</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 5</translation>
     </message>
     <message>
         <source>API channel 6</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 6</translation>
     </message>
     <message>
         <source>API channel 7</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 7</translation>
     </message>
     <message>
         <source>API channel 8</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 8</translation>
     </message>
     <message>
         <source>API channel 9</source>
-        <translation type="unfinished"></translation>
+        <translation>API-Kanal 9</translation>
     </message>
     <message>
         <source>Above yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Über Yaw</translation>
     </message>
     <message>
         <source>Acceleration limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigungsgrenze</translation>
     </message>
     <message>
         <source>Acceleration limit, all axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigungsgrenze, alle Achsen</translation>
     </message>
     <message>
         <source>Acceleration limit, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigungsgrenze, Pitch</translation>
     </message>
     <message>
         <source>Acceleration limit, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigungsgrenze, Roll</translation>
     </message>
     <message>
         <source>Acceleration limit, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigungsgrenze, Yaw</translation>
     </message>
     <message>
         <source>Acceleration of moves the board makes by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigung von Bewegungen, die das Board selbst macht.</translation>
     </message>
     <message>
         <source>Acceleration, X</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigung, X</translation>
     </message>
     <message>
         <source>Acceleration, Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigung, Y</translation>
     </message>
     <message>
         <source>Acceleration, Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigung, Z</translation>
     </message>
     <message>
         <source>Accelerometer low-pass</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefpass des Beschleunigungssensors</translation>
     </message>
     <message>
         <source>Accelerometer not calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigungssensor nicht kalibriert</translation>
     </message>
     <message>
         <source>Action at start; 128 is added where the menu button must be held.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktion beim Start; 128 kommt dazu, wo die Menütaste gehalten werden muss.</translation>
     </message>
     <message>
         <source>Action for so many presses of the menu button.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktion für so viele Drücke der Menütaste.</translation>
     </message>
     <message>
         <source>Action when the command channel is high.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktion, wenn der Befehlskanal hoch ist.</translation>
     </message>
     <message>
         <source>Action when the command channel is in the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktion, wenn der Befehlskanal in der Mitte ist.</translation>
     </message>
     <message>
         <source>Action when the command channel is low.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktion, wenn der Befehlskanal niedrig ist.</translation>
     </message>
     <message>
         <source>Action when the menu button is held.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktion, wenn die Menütaste gehalten wird.</translation>
     </message>
     <message>
         <source>Active profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktives Profil</translation>
     </message>
     <message>
         <source>Adaptive PID</source>
-        <translation type="unfinished"></translation>
+        <translation>Adaptives PID</translation>
     </message>
     <message>
         <source>Adaptive PID: rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Adaptives PID: Tempo</translation>
     </message>
     <message>
         <source>Adaptive PID: recovery</source>
-        <translation type="unfinished"></translation>
+        <translation>Adaptives PID: Erholung</translation>
     </message>
     <message>
         <source>Adaptive PID: threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>Adaptives PID: Schwelle</translation>
     </message>
     <message>
         <source>Adaptive gyro trust</source>
-        <translation type="unfinished"></translation>
+        <translation>Adaptives Kreiselvertrauen</translation>
     </message>
     <message>
         <source>Added to the signal, in 1/128 of half the range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird zum Signal addiert, in 1/128 des halben Bereichs.</translation>
     </message>
     <message>
         <source>Alarm</source>
-        <translation type="unfinished"></translation>
+        <translation>Alarm</translation>
     </message>
     <message>
         <source>Alarm below</source>
-        <translation type="unfinished"></translation>
+        <translation>Alarm unter</translation>
     </message>
     <message>
         <source>All axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Achsen</translation>
     </message>
     <message>
         <source>All profiles</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Profile</translation>
     </message>
     <message>
         <source>Always calibrate</source>
-        <translation type="unfinished"></translation>
+        <translation>Immer kalibrieren</translation>
     </message>
     <message>
         <source>Analog</source>
-        <translation type="unfinished"></translation>
+        <translation>Analog</translation>
     </message>
     <message>
         <source>Angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel</translation>
     </message>
     <message>
         <source>Angle at start</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel beim Start</translation>
     </message>
     <message>
-        <source>Angle between encoder zero and the motor&apos;s field; found by calibration. Wrong, the motor runs away.</source>
-        <translation type="unfinished"></translation>
+        <source>Angle between encoder zero and the motor's field; found by calibration. Wrong, the motor runs away.</source>
+        <translation>Winkel zwischen Geber-Null und Motorfeld; wird durch Kalibrierung gefunden. Falsch geht der Motor durch.</translation>
     </message>
     <message>
         <source>Angle between frame and camera that the axis does not go above.</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel zwischen Rahmen und Kamera, über den die Achse nicht hinausgeht.</translation>
     </message>
     <message>
         <source>Angle between frame and camera that the axis does not go below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel zwischen Rahmen und Kamera, unter den die Achse nicht geht.</translation>
     </message>
     <message>
         <source>Angle between magnetic and true north at this place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel zwischen magnetisch und geografisch Nord an diesem Ort.</translation>
     </message>
     <message>
         <source>Angle over which following of roll comes in.</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel, über den das Folgen von Roll einsetzt.</translation>
     </message>
     <message>
         <source>Angle relative to frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel gegen den Rahmen</translation>
     </message>
     <message>
         <source>Angle, shortest way</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel, kürzester Weg</translation>
     </message>
     <message>
         <source>Angle: the stick position is the camera angle. Speed: the stick position is the speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel: die Knüppelstellung ist der Kamerawinkel. Geschwindigkeit: die Knüppelstellung ist die Geschwindigkeit.</translation>
     </message>
     <message>
         <source>Angles</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel</translation>
     </message>
     <message>
         <source>As RC signal</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie RC-Signal</translation>
     </message>
     <message>
         <source>As RC signal, fine</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie RC-Signal, fein</translation>
     </message>
     <message>
         <source>At start</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim Start</translation>
     </message>
     <message>
         <source>Attitude vectors</source>
-        <translation type="unfinished"></translation>
+        <translation>Lagevektoren</translation>
     </message>
     <message>
         <source>Auto PID</source>
-        <translation type="unfinished"></translation>
+        <translation>Auto-PID</translation>
     </message>
     <message>
         <source>Auto PID gain against stability</source>
-        <translation type="unfinished"></translation>
+        <translation>Auto-PID: Verstärkung gegen Stabilität</translation>
     </message>
     <message>
         <source>Auto PID momentum</source>
-        <translation type="unfinished"></translation>
+        <translation>Auto-PID: Trägheit</translation>
     </message>
     <message>
         <source>Auto PID options</source>
-        <translation type="unfinished"></translation>
+        <translation>Auto-PID: Optionen</translation>
     </message>
     <message>
         <source>Auto PID target</source>
-        <translation type="unfinished"></translation>
+        <translation>Auto-PID: Ziel</translation>
     </message>
     <message>
         <source>Auto PID, gain only</source>
-        <translation type="unfinished"></translation>
+        <translation>Auto-PID, nur Verstärkung</translation>
     </message>
     <message>
         <source>Auto-tune PID</source>
-        <translation type="unfinished"></translation>
+        <translation>Auto-Abstimmung PID</translation>
     </message>
     <message>
         <source>Automatic move: acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigene Bewegung: Beschleunigung</translation>
     </message>
     <message>
         <source>Automatic move: speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigene Bewegung: Geschwindigkeit</translation>
     </message>
     <message>
         <source>Axes among which the board chooses by position.</source>
-        <translation type="unfinished"></translation>
+        <translation>Achsen, unter denen das Board nach der Lage wählt.</translation>
     </message>
     <message>
         <source>Axes and options that the automatic tuning on the board starts with.</source>
-        <translation type="unfinished"></translation>
+        <translation>Achsen und Optionen, mit denen die Abstimmung am Board beginnt.</translation>
     </message>
     <message>
         <source>Axes that MAVLink commands steer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Achsen, die MAVLink-Befehle steuern.</translation>
     </message>
     <message>
         <source>Axes whose gains are lowered while they vibrate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Achsen, deren Verstärkung gesenkt wird, solange sie vibrieren.</translation>
     </message>
     <message>
         <source>Axis of the camera that this motor stabilizes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse der Kamera, die dieser Motor stabilisiert.</translation>
     </message>
     <message>
         <source>Bad frames received</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehlerhafte Frames empfangen</translation>
     </message>
     <message>
         <source>Balance error, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Balancefehler, Pitch</translation>
     </message>
     <message>
         <source>Balance error, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Balancefehler, Roll</translation>
     </message>
     <message>
         <source>Balance error, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Balancefehler, Yaw</translation>
     </message>
     <message>
         <source>Balance the camera, or raise the power of that motor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Balancieren Sie die Kamera aus oder erhöhen Sie die Leistung dieses Motors.</translation>
     </message>
     <message>
         <source>Battery</source>
-        <translation type="unfinished"></translation>
+        <translation>Akku</translation>
     </message>
     <message>
         <source>Battery is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>Akku ist leer</translation>
     </message>
     <message>
         <source>Battery is low</source>
-        <translation type="unfinished"></translation>
+        <translation>Akku ist schwach</translation>
     </message>
     <message>
         <source>Battery voltage at which the alarm sounds; negative = off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Akkuspannung, bei der Alarm ertönt; negativ = aus.</translation>
     </message>
     <message>
         <source>Battery voltage at which the motors are switched off; negative = never.</source>
-        <translation type="unfinished"></translation>
+        <translation>Akkuspannung, bei der die Motoren ausgehen; negativ = nie.</translation>
     </message>
     <message>
         <source>Beeper</source>
-        <translation type="unfinished"></translation>
+        <translation>Piepser</translation>
     </message>
     <message>
         <source>Beeper volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Lautstärke des Piepsers</translation>
     </message>
     <message>
         <source>Below yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Unter Yaw</translation>
     </message>
     <message>
         <source>Below yaw, PID source</source>
-        <translation type="unfinished"></translation>
+        <translation>Unter Yaw, PID-Quelle</translation>
     </message>
     <message>
         <source>Bind RC receiver</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Empfänger binden</translation>
     </message>
     <message>
         <source>Bit 3 of the snap byte, without documented meaning. Kept as read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bit 3 des Rastbytes, ohne beschriebene Bedeutung. Bleibt wie gelesen.</translation>
     </message>
     <message>
         <source>Bit 4, without documented meaning. Kept as read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bit 4, ohne beschriebene Bedeutung. Bleibt wie gelesen.</translation>
     </message>
     <message>
         <source>Bits 4-7 of the mode byte, without documented meaning. Kept as read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bits 4-7 des Modusbytes, ohne beschriebene Bedeutung. Bleiben wie gelesen.</translation>
     </message>
     <message>
         <source>Bits 5 and 6 of the type byte, without documented meaning. Kept as read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bits 5 und 6 des Typbytes, ohne beschriebene Bedeutung. Bleiben wie gelesen.</translation>
     </message>
     <message>
         <source>Bits 7-15, without documented meaning. Kept as read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bits 7-15, ohne beschriebene Bedeutung. Bleiben wie gelesen.</translation>
     </message>
     <message>
         <source>Blink the battery state</source>
-        <translation type="unfinished"></translation>
+        <translation>Akkuzustand blinken</translation>
     </message>
     <message>
         <source>Blink the profile number</source>
-        <translation type="unfinished"></translation>
+        <translation>Profilnummer blinken</translation>
     </message>
     <message>
         <source>Board</source>
-        <translation type="unfinished"></translation>
+        <translation>Board</translation>
     </message>
     <message>
         <source>Board options</source>
-        <translation type="unfinished"></translation>
+        <translation>Board-Optionen</translation>
     </message>
     <message>
         <source>Board state</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand des Boards</translation>
     </message>
     <message>
         <source>Boost power</source>
-        <translation type="unfinished"></translation>
+        <translation>Zusatzleistung</translation>
     </message>
     <message>
         <source>Both</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide</translation>
     </message>
     <message>
         <source>Buzzer</source>
-        <translation type="unfinished"></translation>
+        <translation>Summer</translation>
     </message>
     <message>
         <source>By button</source>
-        <translation type="unfinished"></translation>
+        <translation>Per Taste</translation>
     </message>
     <message>
         <source>Calibrate accelerometer</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigungssensor kalibrieren</translation>
     </message>
     <message>
         <source>Calibrate accelerometer (automatic)</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigungssensor kalibrieren (automatisch)</translation>
     </message>
     <message>
         <source>Calibrate accelerometer (temperature)</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigungssensor kalibrieren (Temperatur)</translation>
     </message>
     <message>
         <source>Calibrate external gyroscope</source>
-        <translation type="unfinished"></translation>
+        <translation>Externes Gyroskop kalibrieren</translation>
     </message>
     <message>
         <source>Calibrate follow offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Folgeversatz kalibrieren</translation>
     </message>
     <message>
         <source>Calibrate gyroscope</source>
-        <translation type="unfinished"></translation>
+        <translation>Gyroskop kalibrieren</translation>
     </message>
     <message>
         <source>Calibrate gyroscope (temperature)</source>
-        <translation type="unfinished"></translation>
+        <translation>Gyroskop kalibrieren (Temperatur)</translation>
     </message>
     <message>
         <source>Calibrate magnetometer</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnetometer kalibrieren</translation>
     </message>
     <message>
         <source>Calibrate momentum</source>
-        <translation type="unfinished"></translation>
+        <translation>Trägheit kalibrieren</translation>
     </message>
     <message>
         <source>Calibrate momentum automatically</source>
-        <translation type="unfinished"></translation>
+        <translation>Trägheit automatisch kalibrieren</translation>
     </message>
     <message>
         <source>Calibrate voltage sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Spannungssensor kalibrieren</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>Calibration stimulus</source>
-        <translation type="unfinished"></translation>
+        <translation>Anregung der Kalibrierung</translation>
     </message>
     <message>
         <source>Camera angle taken at power-up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamerawinkel beim Einschalten.</translation>
     </message>
     <message>
         <source>Camera angle, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamerawinkel, Pitch</translation>
     </message>
     <message>
         <source>Camera angle, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamerawinkel, Roll</translation>
     </message>
     <message>
         <source>Camera angle, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamerawinkel, Yaw</translation>
     </message>
     <message>
         <source>Camera may work upside-down</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera darf kopfüber arbeiten</translation>
     </message>
     <message>
         <source>Camera, target and motor angles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera-, Ziel- und Motorwinkel.</translation>
     </message>
     <message>
         <source>Camera: photo</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera: Foto</translation>
     </message>
     <message>
         <source>Camera: record or photo</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera: Aufnahme oder Foto</translation>
     </message>
     <message>
         <source>Center of the band that is taken out; set it on the resonance of the structure.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte des Bandes, das entfernt wird; auf die Resonanz des Aufbaus setzen.</translation>
     </message>
     <message>
         <source>Center yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Yaw zentrieren</translation>
     </message>
     <message>
         <source>Center yaw at start</source>
-        <translation type="unfinished"></translation>
+        <translation>Yaw beim Start zentrieren</translation>
     </message>
     <message>
         <source>Center yaw, shortest way</source>
-        <translation type="unfinished"></translation>
+        <translation>Yaw zentrieren, kürzester Weg</translation>
     </message>
     <message>
         <source>Change the battery soon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wechseln Sie bald den Akku.</translation>
     </message>
     <message>
         <source>Change the battery.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wechseln Sie den Akku.</translation>
     </message>
     <message>
         <source>Changes a value in volatile memory; lost at the next start unless saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ändert einen Wert im flüchtigen Speicher; beim nächsten Start verloren, wenn nicht gespeichert.</translation>
     </message>
     <message>
         <source>Check the cable and its ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen Sie das Kabel und seine Masse.</translation>
     </message>
     <message>
         <source>Check the sensor cable and its connectors, then restart the board.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen Sie Sensorkabel und Stecker, dann starten Sie das Board neu.</translation>
     </message>
     <message>
         <source>Check the values before writing any.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen Sie die Werte, bevor Sie welche schreiben.</translation>
     </message>
     <message>
         <source>Clock of an SPI encoder; for an I2C driver the type of its own encoder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Takt eines SPI-Gebers; bei einem I2C-Treiber die Art seines eigenen Gebers.</translation>
     </message>
     <message>
         <source>Command</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehl</translation>
     </message>
     <message>
         <source>Compensate from</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgleichen ab</translation>
     </message>
     <message>
         <source>Component ID of the gimbal; 154 is the standard one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Komponenten-ID des Gimbals; 154 ist üblich.</translation>
     </message>
     <message>
         <source>Confirmation</source>
-        <translation type="unfinished"></translation>
+        <translation>Bestätigung</translation>
     </message>
     <message>
         <source>Control in camera axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerung in Kameraachsen</translation>
     </message>
     <message>
         <source>Cooling factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Abkühlfaktor</translation>
     </message>
     <message>
         <source>Corrects the neutral point of following, where the magnets do not meet the frame exactly.</source>
-        <translation type="unfinished"></translation>
+        <translation>Berichtigt den Neutralpunkt des Folgens, wo die Magnete nicht genau zum Rahmen passen.</translation>
     </message>
     <message>
         <source>Current</source>
-        <translation type="unfinished"></translation>
+        <translation>Strom</translation>
     </message>
     <message>
         <source>Current at which power is lowered; 0 = no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Strom, bei dem die Leistung gesenkt wird; 0 = keine Grenze.</translation>
     </message>
     <message>
         <source>Current limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Stromgrenze</translation>
     </message>
     <message>
         <source>Cycle time</source>
-        <translation type="unfinished"></translation>
+        <translation>Taktzeit</translation>
     </message>
     <message>
         <source>D low-pass frequency, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>D-Tiefpassfrequenz, Pitch</translation>
     </message>
     <message>
         <source>D low-pass frequency, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>D-Tiefpassfrequenz, Roll</translation>
     </message>
     <message>
         <source>D low-pass frequency, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>D-Tiefpassfrequenz, Yaw</translation>
     </message>
     <message>
         <source>D, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>D, Pitch</translation>
     </message>
     <message>
         <source>D, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>D, Roll</translation>
     </message>
     <message>
         <source>D, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>D, Yaw</translation>
     </message>
     <message>
         <source>D-term low-pass</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefpass des D-Anteils</translation>
     </message>
     <message>
         <source>DSM2 11 ms 10 bit</source>
-        <translation type="unfinished"></translation>
+        <translation>DSM2 11 ms 10 bit</translation>
     </message>
     <message>
         <source>DSM2 11 ms 11 bit</source>
-        <translation type="unfinished"></translation>
+        <translation>DSM2 11 ms 11 bit</translation>
     </message>
     <message>
         <source>DSM2 22 ms 10 bit</source>
-        <translation type="unfinished"></translation>
+        <translation>DSM2 22 ms 10 bit</translation>
     </message>
     <message>
         <source>DSM2 22 ms 11 bit</source>
-        <translation type="unfinished"></translation>
+        <translation>DSM2 22 ms 11 bit</translation>
     </message>
     <message>
         <source>DSMX 11 ms 10 bit</source>
-        <translation type="unfinished"></translation>
+        <translation>DSMX 11 ms 10 bit</translation>
     </message>
     <message>
         <source>DSMX 11 ms 11 bit</source>
-        <translation type="unfinished"></translation>
+        <translation>DSMX 11 ms 11 bit</translation>
     </message>
     <message>
         <source>DSMX 22 ms 10 bit</source>
-        <translation type="unfinished"></translation>
+        <translation>DSMX 22 ms 10 bit</translation>
     </message>
     <message>
         <source>DSMX 22 ms 11 bit</source>
-        <translation type="unfinished"></translation>
+        <translation>DSMX 22 ms 11 bit</translation>
     </message>
     <message>
         <source>Damps the response. Too little overshoots, too much makes the structure ring at a high tone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dämpft die Antwort. Zu wenig schwingt über, zu viel lässt den Aufbau hell klingen.</translation>
     </message>
     <message>
         <source>Dead band</source>
-        <translation type="unfinished"></translation>
+        <translation>Totbereich</translation>
     </message>
     <message>
         <source>Decay</source>
-        <translation type="unfinished"></translation>
+        <translation>Abklingen</translation>
     </message>
     <message>
         <source>Default</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorgabe</translation>
     </message>
     <message>
         <source>Delay</source>
-        <translation type="unfinished"></translation>
+        <translation>Verzögerung</translation>
     </message>
     <message>
         <source>Depth of the notch; negative makes it a peak.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe der Kerbe; negativ wird sie zur Spitze.</translation>
     </message>
     <message>
         <source>Detect</source>
-        <translation type="unfinished"></translation>
+        <translation>Erkennen</translation>
     </message>
     <message>
         <source>Detect ADC1</source>
-        <translation type="unfinished"></translation>
+        <translation>ADC1 erkennen</translation>
     </message>
     <message>
         <source>Detect ADC2</source>
-        <translation type="unfinished"></translation>
+        <translation>ADC2 erkennen</translation>
     </message>
     <message>
         <source>Detect ADC3</source>
-        <translation type="unfinished"></translation>
+        <translation>ADC3 erkennen</translation>
     </message>
     <message>
         <source>Detect briefcase mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Koffermodus erkennen</translation>
     </message>
     <message>
         <source>Detect upside-down frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Rahmen kopfüber erkennen</translation>
     </message>
     <message>
         <source>Do not check encoder limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Gebergrenzen nicht prüfen</translation>
     </message>
     <message>
         <source>Do not test the encoder at start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Geber beim Start nicht prüfen.</translation>
     </message>
     <message>
         <source>Do not use the accelerometer</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigungssensor nicht benutzen</translation>
     </message>
     <message>
         <source>Doubles the rate of the sensor bus; needs short, good cables.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verdoppelt die Rate des Sensorbusses; braucht kurze, gute Kabel.</translation>
     </message>
     <message>
         <source>Duration</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauer</translation>
     </message>
     <message>
         <source>Electrical field offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Elektrischer Feldversatz</translation>
     </message>
     <message>
         <source>Ellipticity</source>
-        <translation type="unfinished"></translation>
+        <translation>Elliptizität</translation>
     </message>
     <message>
         <source>Emergency stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt</translation>
     </message>
     <message>
         <source>Emergency stop (cause 19)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 19)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 20)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 20)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 21)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 21)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 22)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 22)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 23)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 23)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 24)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 24)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 25)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 25)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 26)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 26)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 27)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 27)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 28)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 28)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 29)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 29)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 30)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 30)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 31)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 31)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 32)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 32)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 33)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 33)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 34)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 34)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 35)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 35)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 36)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 36)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 37)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 37)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 38)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 38)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 39)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 39)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 40)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 40)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 41)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 41)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 42)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 42)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 43)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 43)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 44)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 44)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 45)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 45)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 46)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 46)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 47)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 47)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 48)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 48)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 49)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 49)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 50)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 50)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 51)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 51)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 52)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 52)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 53)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 53)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 54)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 54)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 55)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 55)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 56)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 56)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 57)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 57)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 58)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 58)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 59)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 59)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 60)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 60)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 61)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 61)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 62)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 62)</translation>
     </message>
     <message>
         <source>Emergency stop (cause 63)</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt (Ursache 63)</translation>
     </message>
     <message>
         <source>Emergency stop cause</source>
-        <translation type="unfinished"></translation>
+        <translation>Ursache des Not-Halts</translation>
     </message>
     <message>
         <source>Emergency stop: CAN hardware</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt: CAN-Hardware</translation>
     </message>
     <message>
         <source>Emergency stop: I2C errors</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt: I2C-Fehler</translation>
     </message>
     <message>
         <source>Emergency stop: IMU lost</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt: IMU verloren</translation>
     </message>
     <message>
         <source>Emergency stop: bad IMU</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt: schlechte IMU</translation>
     </message>
     <message>
         <source>Emergency stop: calibration failed</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt: Kalibrierung misslungen</translation>
     </message>
     <message>
         <source>Emergency stop: driver fault</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt: Treiberfehler</translation>
     </message>
     <message>
         <source>Emergency stop: driver too hot</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt: Treiber zu heiß</translation>
     </message>
     <message>
         <source>Emergency stop: encoder and IMU disagree</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt: Geber und IMU widersprechen sich</translation>
     </message>
     <message>
         <source>Emergency stop: encoder scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt: Gebermaßstab</translation>
     </message>
     <message>
         <source>Emergency stop: endless restarts</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt: endlose Neustarts</translation>
     </message>
     <message>
         <source>Emergency stop: internal fault</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt: innerer Fehler</translation>
     </message>
     <message>
         <source>Emergency stop: memory</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt: Speicher</translation>
     </message>
     <message>
         <source>Emergency stop: motor blocked</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt: Motor blockiert</translation>
     </message>
     <message>
         <source>Emergency stop: motor poles or inversion</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt: Motorpole oder Richtung</translation>
     </message>
     <message>
         <source>Emergency stop: motor too hot</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt: Motor zu heiß</translation>
     </message>
     <message>
         <source>Emergency stop: overload too long</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt: zu lange überlastet</translation>
     </message>
     <message>
         <source>Emergency stop: too hot</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt: zu heiß</translation>
     </message>
     <message>
         <source>Emergency stop: wrong start position</source>
-        <translation type="unfinished"></translation>
+        <translation>Not-Halt: falsche Startlage</translation>
     </message>
     <message>
         <source>Encoder bus speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Bustakt der Geber</translation>
     </message>
     <message>
         <source>Encoder gear ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>Getriebe des Gebers</translation>
     </message>
     <message>
         <source>Encoder offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Geberversatz</translation>
     </message>
     <message>
         <source>Encoder reading in the normal position; found by calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geberwert in Normallage; wird durch Kalibrierung gefunden.</translation>
     </message>
     <message>
         <source>Encoder type</source>
-        <translation type="unfinished"></translation>
+        <translation>Gebertyp</translation>
     </message>
     <message>
         <source>Encoder type, further bits</source>
-        <translation type="unfinished"></translation>
+        <translation>Gebertyp, weitere Bits</translation>
     </message>
     <message>
         <source>Encoders</source>
-        <translation type="unfinished"></translation>
+        <translation>Geber</translation>
     </message>
     <message>
         <source>Ends of travel that count as parking position.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enden des Wegs, die als Parklage gelten.</translation>
     </message>
     <message>
         <source>Entering parking position</source>
-        <translation type="unfinished"></translation>
+        <translation>Eintritt in Parklage</translation>
     </message>
     <message>
         <source>Environment temperature unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Umgebungstemperatur unbekannt</translation>
     </message>
     <message>
         <source>Error</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>Estimates acceleration of the frame from a motion model.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzt die Beschleunigung des Rahmens aus einem Bewegungsmodell.</translation>
     </message>
     <message>
-        <source>Estimates the frame&apos;s tilt from the motors&apos; positions.</source>
-        <translation type="unfinished"></translation>
+        <source>Estimates the frame's tilt from the motors' positions.</source>
+        <translation>Schätzt die Neigung des Rahmens aus den Motorlagen.</translation>
     </message>
     <message>
         <source>Euler order</source>
-        <translation type="unfinished"></translation>
+        <translation>Euler-Reihenfolge</translation>
     </message>
     <message>
         <source>Even parity</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerade Parität</translation>
     </message>
     <message>
         <source>Events that are signalled on the interrupt pin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ereignisse, die am Interrupt-Pin gemeldet werden.</translation>
     </message>
     <message>
         <source>Events that make a sound, and whether the motors make it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ereignisse, die tönen, und ob die Motoren das tun.</translation>
     </message>
     <message>
         <source>Exponential curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Exponentialkurve</translation>
     </message>
     <message>
         <source>Extended low-pass range</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterter Tiefpassbereich</translation>
     </message>
     <message>
         <source>External LED pin</source>
-        <translation type="unfinished"></translation>
+        <translation>Pin für externe LED</translation>
     </message>
     <message>
         <source>Factory defaults</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkseinstellungen</translation>
     </message>
     <message>
         <source>Fast I2C (800 kHz)</source>
-        <translation type="unfinished"></translation>
+        <translation>Schneller I2C (800 kHz)</translation>
     </message>
     <message>
         <source>Filters</source>
-        <translation type="unfinished"></translation>
+        <translation>Filter</translation>
     </message>
     <message>
         <source>Filters and limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Filter und Grenzen</translation>
     </message>
     <message>
         <source>Filters in use</source>
-        <translation type="unfinished"></translation>
+        <translation>Benutzte Filter</translation>
     </message>
     <message>
         <source>Fine adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>Feineinstellung</translation>
     </message>
     <message>
         <source>Firmware and tool differ</source>
-        <translation type="unfinished"></translation>
+        <translation>Firmware und Werkzeug passen nicht</translation>
     </message>
     <message>
         <source>Flight controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Flugregler</translation>
     </message>
     <message>
         <source>Flight controller below middle motor</source>
-        <translation type="unfinished"></translation>
+        <translation>Flugregler unter dem mittleren Motor</translation>
     </message>
     <message>
         <source>Flight controller below outer motor</source>
-        <translation type="unfinished"></translation>
+        <translation>Flugregler unter dem äußeren Motor</translation>
     </message>
     <message>
         <source>Flight controller gain</source>
-        <translation type="unfinished"></translation>
+        <translation>Verstärkung des Flugreglers</translation>
     </message>
     <message>
         <source>Flight controller input, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Flugreglereingang, Pitch</translation>
     </message>
     <message>
         <source>Flight controller input, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Flugreglereingang, Roll</translation>
     </message>
     <message>
         <source>Follow</source>
-        <translation type="unfinished"></translation>
+        <translation>Folgen</translation>
     </message>
     <message>
         <source>Follow dead band</source>
-        <translation type="unfinished"></translation>
+        <translation>Totbereich des Folgens</translation>
     </message>
     <message>
         <source>Follow exponential curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Exponentialkurve des Folgens</translation>
     </message>
     <message>
         <source>Follow flight controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Flugregler folgen</translation>
     </message>
     <message>
         <source>Follow inner dead band</source>
-        <translation type="unfinished"></translation>
+        <translation>Innerer Totbereich des Folgens</translation>
     </message>
     <message>
         <source>Follow lock offset correction</source>
-        <translation type="unfinished"></translation>
+        <translation>Versatzausgleich der Folgesperre</translation>
     </message>
     <message>
         <source>Follow low-pass, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Folge-Tiefpass, Pitch</translation>
     </message>
     <message>
         <source>Follow low-pass, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Folge-Tiefpass, Roll</translation>
     </message>
     <message>
         <source>Follow low-pass, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Folge-Tiefpass, Yaw</translation>
     </message>
     <message>
         <source>Follow mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Folgemodus</translation>
     </message>
     <message>
         <source>Follow off/on</source>
-        <translation type="unfinished"></translation>
+        <translation>Folgen aus/ein</translation>
     </message>
     <message>
         <source>Follow pitch and roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Pitch und Roll folgen</translation>
     </message>
     <message>
         <source>Follow range, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Folgebereich, Pitch</translation>
     </message>
     <message>
         <source>Follow range, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Folgebereich, Roll</translation>
     </message>
     <message>
         <source>Follow range, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Folgebereich, Yaw</translation>
     </message>
     <message>
         <source>Follow rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Folgeanteil</translation>
     </message>
     <message>
         <source>Follow roll mix, range</source>
-        <translation type="unfinished"></translation>
+        <translation>Roll-Mischung beim Folgen, Bereich</translation>
     </message>
     <message>
         <source>Follow roll mix, start</source>
-        <translation type="unfinished"></translation>
+        <translation>Roll-Mischung beim Folgen, Beginn</translation>
     </message>
     <message>
         <source>Follow speed, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Folgegeschwindigkeit, Pitch</translation>
     </message>
     <message>
         <source>Follow speed, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Folgegeschwindigkeit, Roll</translation>
     </message>
     <message>
         <source>Follow speed, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Folgegeschwindigkeit, Yaw</translation>
     </message>
     <message>
         <source>Follow uses the frame IMU</source>
-        <translation type="unfinished"></translation>
+        <translation>Folgen benutzt die Rahmen-IMU</translation>
     </message>
     <message>
         <source>Follow yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Yaw folgen</translation>
     </message>
     <message>
         <source>Forced follow on/off</source>
-        <translation type="unfinished"></translation>
+        <translation>Erzwungenes Folgen ein/aus</translation>
     </message>
     <message>
         <source>Form of the command</source>
-        <translation type="unfinished"></translation>
+        <translation>Form des Befehls</translation>
     </message>
     <message>
         <source>Format of the Spektrum satellite receiver.</source>
-        <translation type="unfinished"></translation>
+        <translation>Format des Spektrum-Satelliten.</translation>
     </message>
     <message>
         <source>Frame IMU</source>
-        <translation type="unfinished"></translation>
+        <translation>Rahmen-IMU</translation>
     </message>
     <message>
         <source>Frame IMU feed-forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorsteuerung der Rahmen-IMU</translation>
     </message>
     <message>
         <source>Frame IMU low-pass</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefpass der Rahmen-IMU</translation>
     </message>
     <message>
         <source>Frame IMU temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur der Rahmen-IMU</translation>
     </message>
     <message>
         <source>Frame IMU: axis right</source>
-        <translation type="unfinished"></translation>
+        <translation>Rahmen-IMU: Achse nach rechts</translation>
     </message>
     <message>
         <source>Frame IMU: axis up</source>
-        <translation type="unfinished"></translation>
+        <translation>Rahmen-IMU: Achse nach oben</translation>
     </message>
     <message>
         <source>Frame IMU: place</source>
-        <translation type="unfinished"></translation>
+        <translation>Rahmen-IMU: Ort</translation>
     </message>
     <message>
         <source>Frame angle at which following reaches full speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rahmenwinkel, bei dem das Folgen volle Geschwindigkeit erreicht.</translation>
     </message>
     <message>
         <source>Frame angle, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Rahmenwinkel, Pitch</translation>
     </message>
     <message>
         <source>Frame angle, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Rahmenwinkel, Roll</translation>
     </message>
     <message>
         <source>Frame angle, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Rahmenwinkel, Yaw</translation>
     </message>
     <message>
         <source>Frame angles from motors</source>
-        <translation type="unfinished"></translation>
+        <translation>Rahmenwinkel aus Motoren</translation>
     </message>
     <message>
         <source>Frame heading angle (0.1°)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurswinkel des Rahmens (0,1°)</translation>
     </message>
     <message>
         <source>Frame is upside-down</source>
-        <translation type="unfinished"></translation>
+        <translation>Rahmen ist kopfüber</translation>
     </message>
     <message>
         <source>Frame motion around the neutral point that is not followed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rahmenbewegung um den Neutralpunkt, der nicht gefolgt wird.</translation>
     </message>
     <message>
         <source>Frame upside-down</source>
-        <translation type="unfinished"></translation>
+        <translation>Rahmen kopfüber</translation>
     </message>
     <message>
         <source>Frequency above which the controller no longer reacts. Lower is quieter and slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frequenz, über der der Regler nicht mehr antwortet. Niedriger ist leiser und langsamer.</translation>
     </message>
     <message>
         <source>Further board options</source>
-        <translation type="unfinished"></translation>
+        <translation>Weitere Board-Optionen</translation>
     </message>
     <message>
         <source>Gain</source>
-        <translation type="unfinished"></translation>
+        <translation>Verstärkung</translation>
     </message>
     <message>
         <source>Gain against stability</source>
-        <translation type="unfinished"></translation>
+        <translation>Verstärkung gegen Stabilität</translation>
     </message>
     <message>
         <source>Gain of the outer loop, from angle error to wanted speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verstärkung der äußeren Schleife, vom Winkelfehler zur Sollgeschwindigkeit.</translation>
     </message>
     <message>
         <source>Geared encoder</source>
-        <translation type="unfinished"></translation>
+        <translation>Geber am Getriebe</translation>
     </message>
     <message>
         <source>Gearing</source>
-        <translation type="unfinished"></translation>
+        <translation>Getriebe</translation>
     </message>
     <message>
         <source>Gravity error</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwerkraftfehler</translation>
     </message>
     <message>
         <source>Gravity vector, x</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwerkraftvektor, x</translation>
     </message>
     <message>
         <source>Gravity vector, y</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwerkraftvektor, y</translation>
     </message>
     <message>
         <source>Gravity vector, z</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwerkraftvektor, z</translation>
     </message>
     <message>
         <source>Gyro calibration at start</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreiselkalibrierung beim Start</translation>
     </message>
     <message>
         <source>Gyro dead band</source>
-        <translation type="unfinished"></translation>
+        <translation>Totbereich des Kreisels</translation>
     </message>
     <message>
         <source>Gyro heading correction (0.001)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurskorrektur des Kreisels (0,001)</translation>
     </message>
     <message>
         <source>Gyro sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>Empfindlichkeit des Kreisels</translation>
     </message>
     <message>
         <source>Gyro trust</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreiselvertrauen</translation>
     </message>
     <message>
         <source>Gyro, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreisel, Pitch</translation>
     </message>
     <message>
         <source>Gyro, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreisel, Roll</translation>
     </message>
     <message>
         <source>Gyro, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreisel, Yaw</translation>
     </message>
     <message>
         <source>Heading correction factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Faktor der Kurskorrektur</translation>
     </message>
     <message>
         <source>Heading error</source>
-        <translation type="unfinished"></translation>
+        <translation>Kursfehler</translation>
     </message>
     <message>
         <source>Heading vector, x</source>
-        <translation type="unfinished"></translation>
+        <translation>Kursvektor, x</translation>
     </message>
     <message>
         <source>Heading vector, y</source>
-        <translation type="unfinished"></translation>
+        <translation>Kursvektor, y</translation>
     </message>
     <message>
         <source>Heading vector, z</source>
-        <translation type="unfinished"></translation>
+        <translation>Kursvektor, z</translation>
     </message>
     <message>
         <source>Heating factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Erwärmungsfaktor</translation>
     </message>
     <message>
         <source>High</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoch</translation>
     </message>
     <message>
         <source>Home position</source>
-        <translation type="unfinished"></translation>
+        <translation>Grundstellung</translation>
     </message>
     <message>
         <source>Home position of motors</source>
-        <translation type="unfinished"></translation>
+        <translation>Grundstellung der Motoren</translation>
     </message>
     <message>
         <source>Home position, shortest way</source>
-        <translation type="unfinished"></translation>
+        <translation>Grundstellung, kürzester Weg</translation>
     </message>
     <message>
         <source>How fast gains are lowered.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell Verstärkungen gesenkt werden.</translation>
     </message>
     <message>
         <source>How fast the camera follows the frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell die Kamera dem Rahmen folgt.</translation>
     </message>
     <message>
         <source>How fast this motor is taken to cool down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell dieser Motor als abgekühlt gilt.</translation>
     </message>
     <message>
         <source>How fast this motor is taken to warm up; 0 = no heat model.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell dieser Motor als erwärmt gilt; 0 = kein Wärmemodell.</translation>
     </message>
     <message>
         <source>How long a time-lapse move takes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie lange eine Zeitrafferbewegung dauert.</translation>
     </message>
     <message>
         <source>How long the camera must be held before its new position is taken over.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie lange die Kamera gehalten werden muss, bis die neue Lage gilt.</translation>
     </message>
     <message>
         <source>How much is still followed inside the dead band.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viel im Totbereich noch gefolgt wird.</translation>
     </message>
     <message>
         <source>How much the gyroscope counts against the accelerometer. More suits vehicles, less suits tripods.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viel das Gyroskop gegen den Beschleunigungssensor zählt. Mehr passt zu Fahrzeugen, weniger zu Stativen.</translation>
     </message>
     <message>
-        <source>How much the inertia depends on the camera&apos;s position.</source>
-        <translation type="unfinished"></translation>
+        <source>How much the inertia depends on the camera's position.</source>
+        <translation>Wie stark die Trägheit von der Lage der Kamera abhängt.</translation>
     </message>
     <message>
         <source>How slowly gains come back; more is slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie langsam Verstärkungen zurückkommen; mehr ist langsamer.</translation>
     </message>
     <message>
         <source>How strongly the heading follows the magnetometer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie stark der Kurs dem Magnetometer folgt.</translation>
     </message>
     <message>
         <source>I, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>I, Pitch</translation>
     </message>
     <message>
         <source>I, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>I, Roll</translation>
     </message>
     <message>
         <source>I, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>I, Yaw</translation>
     </message>
     <message>
         <source>I2C driver 1</source>
-        <translation type="unfinished"></translation>
+        <translation>I2C-Treiber 1</translation>
     </message>
     <message>
         <source>I2C driver 2</source>
-        <translation type="unfinished"></translation>
+        <translation>I2C-Treiber 2</translation>
     </message>
     <message>
         <source>I2C driver 3</source>
-        <translation type="unfinished"></translation>
+        <translation>I2C-Treiber 3</translation>
     </message>
     <message>
         <source>I2C driver 4</source>
-        <translation type="unfinished"></translation>
+        <translation>I2C-Treiber 4</translation>
     </message>
     <message>
         <source>I2C errors</source>
-        <translation type="unfinished"></translation>
+        <translation>I2C-Fehler</translation>
     </message>
     <message>
         <source>IMU angle correction, pitch (0.01°)</source>
-        <translation type="unfinished"></translation>
+        <translation>IMU-Winkelkorrektur, Pitch (0,01°)</translation>
     </message>
     <message>
         <source>IMU angle correction, roll (0.01°)</source>
-        <translation type="unfinished"></translation>
+        <translation>IMU-Winkelkorrektur, Roll (0,01°)</translation>
     </message>
     <message>
         <source>IMU temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>IMU-Temperatur</translation>
     </message>
     <message>
         <source>Ignore limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenzen nicht beachten</translation>
     </message>
     <message>
         <source>Inertia of the axis as measured by calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Trägheit der Achse, wie die Kalibrierung sie maß.</translation>
     </message>
     <message>
         <source>Inertial sensors</source>
-        <translation type="unfinished"></translation>
+        <translation>Inertialsensoren</translation>
     </message>
     <message>
-        <source>Input that carries the flight controller&apos;s angle.</source>
-        <translation type="unfinished"></translation>
+        <source>Input that carries the flight controller's angle.</source>
+        <translation>Eingang mit dem Winkel des Flugreglers.</translation>
     </message>
     <message>
         <source>Input that controls this axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingang, der diese Achse steuert.</translation>
     </message>
     <message>
         <source>Input that is corrected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingang, der berichtigt wird.</translation>
     </message>
     <message>
         <source>Input whose pulses step the signal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingang, dessen Impulse das Signal schrittweise ändern.</translation>
     </message>
     <message>
         <source>Input whose three positions run the commands low, middle and high.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingang, dessen drei Stellungen die Befehle niedrig, Mitte und hoch auslösen.</translation>
     </message>
     <message>
         <source>Integral part of the outer loop.</source>
-        <translation type="unfinished"></translation>
+        <translation>Integralanteil der äußeren Schleife.</translation>
     </message>
     <message>
         <source>Internal I2C pull-ups</source>
-        <translation type="unfinished"></translation>
+        <translation>Innere I2C-Pull-ups</translation>
     </message>
     <message>
         <source>Interrupt events</source>
-        <translation type="unfinished"></translation>
+        <translation>Interrupt-Ereignisse</translation>
     </message>
     <message>
         <source>Interrupt pin</source>
-        <translation type="unfinished"></translation>
+        <translation>Interrupt-Pin</translation>
     </message>
     <message>
         <source>Interrupt, further bits</source>
-        <translation type="unfinished"></translation>
+        <translation>Interrupt, weitere Bits</translation>
     </message>
     <message>
         <source>Invert</source>
-        <translation type="unfinished"></translation>
+        <translation>Umkehren</translation>
     </message>
     <message>
         <source>Invert RC pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Pitch umkehren</translation>
     </message>
     <message>
         <source>Invert RC roll</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Roll umkehren</translation>
     </message>
     <message>
         <source>Invert RC when upside-down</source>
-        <translation type="unfinished"></translation>
+        <translation>RC kopfüber umkehren</translation>
     </message>
     <message>
         <source>Invert RC yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Yaw umkehren</translation>
     </message>
     <message>
         <source>Inverted</source>
-        <translation type="unfinished"></translation>
+        <translation>Umgekehrt</translation>
     </message>
     <message>
         <source>Jerk limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruckgrenze</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Art</translation>
     </message>
     <message>
         <source>Leave alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Unberührt lassen</translation>
     </message>
     <message>
         <source>Length of a note</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge eines Tons</translation>
     </message>
     <message>
         <source>Let the motors cool, then lower the power.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lassen Sie die Motoren abkühlen, dann senken Sie die Leistung.</translation>
     </message>
     <message>
         <source>Level of the input that makes a step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pegel des Eingangs, der einen Schritt macht.</translation>
     </message>
     <message>
         <source>Level pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Pitch waagerecht</translation>
     </message>
     <message>
         <source>Level roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Roll waagerecht</translation>
     </message>
     <message>
         <source>Level roll and pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Roll und Pitch waagerecht</translation>
     </message>
     <message>
         <source>Limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenzen</translation>
     </message>
     <message>
         <source>Limits how fast commanded motion speeds up; 0 = no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Begrenzt, wie schnell befohlene Bewegung schneller wird; 0 = keine Grenze.</translation>
     </message>
     <message>
         <source>Limits how fast commanded motion speeds up; 0 = no limit. Replaced by the limit per axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Begrenzt, wie schnell befohlene Bewegung schneller wird; 0 = keine Grenze. Ersetzt durch die Grenze je Achse.</translation>
     </message>
     <message>
         <source>List debug variables</source>
-        <translation type="unfinished"></translation>
+        <translation>Debug-Variablen auflisten</translation>
     </message>
     <message>
-        <source>Live values in the board&apos;s memory.</source>
-        <translation type="unfinished"></translation>
+        <source>Live values in the board's memory.</source>
+        <translation>Werte in Gebrauch im Speicher des Boards.</translation>
     </message>
     <message>
         <source>Load backup set</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherungssatz laden</translation>
     </message>
     <message>
         <source>Load profile set 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Profilsatz laden: 1</translation>
     </message>
     <message>
         <source>Load profile set 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Profilsatz laden: 2</translation>
     </message>
     <message>
         <source>Load profile set 3</source>
-        <translation type="unfinished"></translation>
+        <translation>Profilsatz laden: 3</translation>
     </message>
     <message>
         <source>Load profile set 4</source>
-        <translation type="unfinished"></translation>
+        <translation>Profilsatz laden: 4</translation>
     </message>
     <message>
         <source>Load profile set 5</source>
-        <translation type="unfinished"></translation>
+        <translation>Profilsatz laden: 5</translation>
     </message>
     <message>
         <source>Look down</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach unten sehen</translation>
     </message>
     <message>
         <source>Loudness of the sounds made by the motors.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lautstärke der Töne, die die Motoren machen.</translation>
     </message>
     <message>
         <source>Low</source>
-        <translation type="unfinished"></translation>
+        <translation>Niedrig</translation>
     </message>
     <message>
         <source>Low (audible)</source>
-        <translation type="unfinished"></translation>
+        <translation>Niedrig (hörbar)</translation>
     </message>
     <message>
         <source>Low-pass</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefpass</translation>
     </message>
     <message>
         <source>Low-pass filter of following; more is smoother and later.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefpass des Folgens; mehr ist weicher und später.</translation>
     </message>
     <message>
         <source>Low-pass filter of the stick signal; more is smoother and later.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefpass des Knüppelsignals; mehr ist weicher und später.</translation>
     </message>
     <message>
         <source>Low-pass filter of the stick signal; more is smoother and later. Above 15 only with the extended range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefpass des Knüppelsignals; mehr ist weicher und später. Über 15 nur mit erweitertem Bereich.</translation>
     </message>
     <message>
         <source>Low-pass frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefpassfrequenz</translation>
     </message>
     <message>
         <source>Low-pass frequency, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefpassfrequenz, Pitch</translation>
     </message>
     <message>
         <source>Low-pass frequency, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefpassfrequenz, Roll</translation>
     </message>
     <message>
         <source>Low-pass frequency, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefpassfrequenz, Yaw</translation>
     </message>
     <message>
         <source>Lower end of the range that remote control can reach.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unteres Ende des Bereichs, den die Fernsteuerung erreicht.</translation>
     </message>
     <message>
         <source>Lower limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Untere Grenze</translation>
     </message>
     <message>
         <source>MA3 10 bit</source>
-        <translation type="unfinished"></translation>
+        <translation>MA3 10 bit</translation>
     </message>
     <message>
         <source>MA3 12 bit</source>
-        <translation type="unfinished"></translation>
+        <translation>MA3 12 bit</translation>
     </message>
     <message>
         <source>MAVLink</source>
-        <translation type="unfinished"></translation>
+        <translation>MAVLink</translation>
     </message>
     <message>
         <source>MAVLink channel %1: component ID</source>
-        <translation type="unfinished"></translation>
+        <translation>MAVLink-Kanal %1: Komponenten-ID</translation>
     </message>
     <message>
         <source>MAVLink channel %1: options</source>
-        <translation type="unfinished"></translation>
+        <translation>MAVLink-Kanal %1: Optionen</translation>
     </message>
     <message>
         <source>MAVLink channel %1: port</source>
-        <translation type="unfinished"></translation>
+        <translation>MAVLink-Kanal %1: Anschluss</translation>
     </message>
     <message>
         <source>MAVLink channel %1: system ID</source>
-        <translation type="unfinished"></translation>
+        <translation>MAVLink-Kanal %1: System-ID</translation>
     </message>
     <message>
         <source>MAVLink control</source>
-        <translation type="unfinished"></translation>
+        <translation>MAVLink-Steuerung</translation>
     </message>
     <message>
         <source>MAVLink control mode</source>
-        <translation type="unfinished"></translation>
+        <translation>MAVLink-Steuerungsart</translation>
     </message>
     <message>
         <source>Magnetic declination</source>
-        <translation type="unfinished"></translation>
+        <translation>Missweisung</translation>
     </message>
     <message>
         <source>Magnetic link</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnetische Kopplung</translation>
     </message>
     <message>
         <source>Magnetic link (old)</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnetische Kopplung (alt)</translation>
     </message>
     <message>
         <source>Magnetometer on the frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnetometer am Rahmen</translation>
     </message>
     <message>
         <source>Magnetometer trust</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnetometervertrauen</translation>
     </message>
     <message>
         <source>Magnetometer, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnetometer, Pitch</translation>
     </message>
     <message>
         <source>Magnetometer, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnetometer, Roll</translation>
     </message>
     <message>
         <source>Magnetometer, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnetometer, Yaw</translation>
     </message>
     <message>
         <source>Magnetometer: axis right</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnetometer: Achse nach rechts</translation>
     </message>
     <message>
         <source>Magnetometer: axis up</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnetometer: Achse nach oben</translation>
     </message>
     <message>
         <source>Main IMU</source>
-        <translation type="unfinished"></translation>
+        <translation>Haupt-IMU</translation>
     </message>
     <message>
         <source>Main IMU: axis right</source>
-        <translation type="unfinished"></translation>
+        <translation>Haupt-IMU: Achse nach rechts</translation>
     </message>
     <message>
         <source>Main IMU: axis up</source>
-        <translation type="unfinished"></translation>
+        <translation>Haupt-IMU: Achse nach oben</translation>
     </message>
     <message>
         <source>Make a sound</source>
-        <translation type="unfinished"></translation>
+        <translation>Ton geben</translation>
     </message>
     <message>
         <source>Makes a profile the active one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Macht ein Profil zum aktiven.</translation>
     </message>
     <message>
         <source>Makes following soft near the neutral point and fast far from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Macht das Folgen nahe am Neutralpunkt weich und weit davon schnell.</translation>
     </message>
     <message>
         <source>Makes the middle of the stick finer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Macht die Mitte des Knüppels feiner.</translation>
     </message>
     <message>
-        <source>Matches the flight controller&apos;s angle signal to the frame; found by calibration.</source>
-        <translation type="unfinished"></translation>
+        <source>Matches the flight controller's angle signal to the frame; found by calibration.</source>
+        <translation>Passt das Winkelsignal des Flugreglers an den Rahmen an; wird durch Kalibrierung gefunden.</translation>
     </message>
     <message>
         <source>Maximum angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter Winkel</translation>
     </message>
     <message>
         <source>Measured voltage</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Spannung</translation>
     </message>
     <message>
         <source>Measures the zero of the accelerometer in this position. The sensor must be level and still.</source>
-        <translation type="unfinished"></translation>
+        <translation>Misst den Nullpunkt des Beschleunigungssensors in dieser Lage. Der Sensor muss waagerecht und still liegen.</translation>
     </message>
     <message>
         <source>Measures the zero of the gyroscope. The camera must stand absolutely still.</source>
-        <translation type="unfinished"></translation>
+        <translation>Misst den Nullpunkt des Gyroskops. Die Kamera muss völlig still stehen.</translation>
     </message>
     <message>
         <source>Menu button disables follow</source>
-        <translation type="unfinished"></translation>
+        <translation>Menütaste schaltet Folgen ab</translation>
     </message>
     <message>
         <source>Menu button press</source>
-        <translation type="unfinished"></translation>
+        <translation>Druck auf die Menütaste</translation>
     </message>
     <message>
         <source>Menu button, %1 presses</source>
-        <translation type="unfinished"></translation>
+        <translation>Menütaste, %1 Drücke</translation>
     </message>
     <message>
         <source>Menu button, long press</source>
-        <translation type="unfinished"></translation>
+        <translation>Menütaste, langer Druck</translation>
     </message>
     <message>
         <source>Menu command</source>
-        <translation type="unfinished"></translation>
+        <translation>Menübefehl</translation>
     </message>
     <message>
         <source>Minimum angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinster Winkel</translation>
     </message>
     <message>
         <source>Mix into</source>
-        <translation type="unfinished"></translation>
+        <translation>Mischen in</translation>
     </message>
     <message>
         <source>Mix rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Mischanteil</translation>
     </message>
     <message>
         <source>Mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Modus</translation>
     </message>
     <message>
         <source>Mode, further bits</source>
-        <translation type="unfinished"></translation>
+        <translation>Modus, weitere Bits</translation>
     </message>
     <message>
         <source>Model of the encoder on this axis. Wrong, the motor runs away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Modell des Gebers an dieser Achse. Falsch geht der Motor durch.</translation>
     </message>
     <message>
         <source>Momentum</source>
-        <translation type="unfinished"></translation>
+        <translation>Trägheit</translation>
     </message>
     <message>
         <source>Momentum assumed by automatic tuning; 0 = found by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Trägheit für die Auto-Abstimmung; 0 = selbst finden.</translation>
     </message>
     <message>
         <source>Momentum feed-forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorsteuerung der Trägheit</translation>
     </message>
     <message>
         <source>More gives higher gains and less reserve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehr gibt höhere Verstärkung und weniger Reserve.</translation>
     </message>
     <message>
         <source>Motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegung</translation>
     </message>
     <message>
         <source>Motor angle that the axis does not go above.</source>
-        <translation type="unfinished"></translation>
+        <translation>Motorwinkel, über den die Achse nicht hinausgeht.</translation>
     </message>
     <message>
         <source>Motor angle that the axis does not go below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Motorwinkel, unter den die Achse nicht geht.</translation>
     </message>
     <message>
         <source>Motor angle, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Motorwinkel, Pitch</translation>
     </message>
     <message>
         <source>Motor angle, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Motorwinkel, Roll</translation>
     </message>
     <message>
         <source>Motor angle, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Motorwinkel, Yaw</translation>
     </message>
     <message>
         <source>Motor connector that drives this axis. Wrong, an axis turns the wrong motor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Motorstecker, der diese Achse treibt. Falsch dreht eine Achse den falschen Motor.</translation>
     </message>
     <message>
         <source>Motor lost steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Motor hat Schritte verloren</translation>
     </message>
     <message>
         <source>Motor power is not set</source>
-        <translation type="unfinished"></translation>
+        <translation>Motorleistung ist nicht gesetzt</translation>
     </message>
     <message>
         <source>Motor power, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Motorleistung, Pitch</translation>
     </message>
     <message>
         <source>Motor power, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Motorleistung, Roll</translation>
     </message>
     <message>
         <source>Motor power, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Motorleistung, Yaw</translation>
     </message>
     <message>
         <source>Motors</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren</translation>
     </message>
     <message>
         <source>Motors off</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren aus</translation>
     </message>
     <message>
         <source>Motors off at start</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren beim Start aus</translation>
     </message>
     <message>
         <source>Motors off below</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren aus unter</translation>
     </message>
     <message>
         <source>Motors on</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren ein</translation>
     </message>
     <message>
         <source>Motors on/off</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren ein/aus</translation>
     </message>
     <message>
         <source>Motors running</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren laufen</translation>
     </message>
     <message>
         <source>Motors: safe stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren: sicherer Halt</translation>
     </message>
     <message>
         <source>Motors: safe stop/on</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren: sicherer Halt/ein</translation>
     </message>
     <message>
         <source>Mounting angle of the middle motor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einbauwinkel des mittleren Motors.</translation>
     </message>
     <message>
         <source>Mounting angle of the outer motor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einbauwinkel des äußeren Motors.</translation>
     </message>
     <message>
         <source>Moves the camera for a time, then gives control back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegt die Kamera eine Zeit lang und gibt dann die Steuerung zurück.</translation>
     </message>
     <message>
         <source>Moves the middle of the stick signal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschiebt die Mitte des Knüppelsignals.</translation>
     </message>
     <message>
         <source>Multiplies P, I and D together; turn this one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vervielfacht P, I und D zusammen; hieran zuerst drehen.</translation>
     </message>
     <message>
-        <source>Names and types of the board&apos;s inner variables.</source>
-        <translation type="unfinished"></translation>
+        <source>Names and types of the board's inner variables.</source>
+        <translation>Namen und Typen der inneren Variablen des Boards.</translation>
     </message>
     <message>
         <source>No IMU</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine IMU</translation>
     </message>
     <message>
         <source>No action</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Aktion</translation>
     </message>
     <message>
         <source>No control</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Steuerung</translation>
     </message>
     <message>
         <source>No power manager</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Leistungswächter</translation>
     </message>
     <message>
         <source>Normal PWM</source>
-        <translation type="unfinished"></translation>
+        <translation>Normales PWM</translation>
     </message>
     <message>
         <source>Not used</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht benutzt</translation>
     </message>
     <message>
         <source>Not used by current firmware.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von heutiger Firmware nicht benutzt.</translation>
     </message>
     <message>
         <source>Notch %1 frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>Kerbe %1: Frequenz</translation>
     </message>
     <message>
         <source>Notch %1 gain</source>
-        <translation type="unfinished"></translation>
+        <translation>Kerbe %1: Tiefe</translation>
     </message>
     <message>
         <source>Notch %1 width</source>
-        <translation type="unfinished"></translation>
+        <translation>Kerbe %1: Breite</translation>
     </message>
     <message>
         <source>Notch 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Kerbe 1</translation>
     </message>
     <message>
         <source>Notch 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Kerbe 2</translation>
     </message>
     <message>
         <source>Notch 3</source>
-        <translation type="unfinished"></translation>
+        <translation>Kerbe 3</translation>
     </message>
     <message>
         <source>Notes of a melody (Hz, comma between)</source>
-        <translation type="unfinished"></translation>
+        <translation>Töne einer Melodie (Hz, Komma dazwischen)</translation>
     </message>
     <message>
         <source>Number</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer</translation>
     </message>
     <message>
         <source>Number of magnet poles of the motor. Wrong, gains are off by the same factor and steps are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl der Magnetpole des Motors. Falsch sind die Verstärkungen um denselben Faktor falsch, und Schritte gehen verloren.</translation>
     </message>
     <message>
         <source>Number of steps over the whole range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl der Schritte über den ganzen Bereich.</translation>
     </message>
     <message>
         <source>Numbers (comma between)</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummern (Komma dazwischen)</translation>
     </message>
     <message>
         <source>Offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Versatz</translation>
     </message>
     <message>
         <source>On-board IMU may be main</source>
-        <translation type="unfinished"></translation>
+        <translation>IMU des Boards darf Haupt-IMU sein</translation>
     </message>
     <message>
         <source>Options</source>
-        <translation type="unfinished"></translation>
+        <translation>Optionen</translation>
     </message>
     <message>
         <source>Options of this profile.</source>
-        <translation type="unfinished"></translation>
+        <translation>Optionen dieses Profils.</translation>
     </message>
     <message>
         <source>Options that hold for all profiles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Optionen, die für alle Profile gelten.</translation>
     </message>
     <message>
         <source>Order of Euler angles</source>
-        <translation type="unfinished"></translation>
+        <translation>Reihenfolge der Euler-Winkel</translation>
     </message>
     <message>
         <source>Order of motors</source>
-        <translation type="unfinished"></translation>
+        <translation>Reihenfolge der Motoren</translation>
     </message>
     <message>
         <source>Order of rotations in which angles and targets are expressed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Reihenfolge der Drehungen, in der Winkel und Ziele ausgedrückt sind.</translation>
     </message>
     <message>
         <source>Order of the motors, counted from the camera outwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Reihenfolge der Motoren, von der Kamera nach außen gezählt.</translation>
     </message>
     <message>
         <source>Other</source>
-        <translation type="unfinished"></translation>
+        <translation>Sonstiges</translation>
     </message>
     <message>
         <source>Outer I</source>
-        <translation type="unfinished"></translation>
+        <translation>Äußeres I</translation>
     </message>
     <message>
         <source>Outer P</source>
-        <translation type="unfinished"></translation>
+        <translation>Äußeres P</translation>
     </message>
     <message>
         <source>Outer P, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Äußeres P, Pitch</translation>
     </message>
     <message>
         <source>Outer P, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Äußeres P, Roll</translation>
     </message>
     <message>
         <source>Outer P, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Äußeres P, Yaw</translation>
     </message>
     <message>
         <source>Outer motor turns freely</source>
-        <translation type="unfinished"></translation>
+        <translation>Äußerer Motor dreht frei</translation>
     </message>
     <message>
         <source>Output</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgang</translation>
     </message>
     <message>
         <source>Overheating stops motors</source>
-        <translation type="unfinished"></translation>
+        <translation>Überhitzung hält Motoren an</translation>
     </message>
     <message>
         <source>Overload time</source>
-        <translation type="unfinished"></translation>
+        <translation>Überlastzeit</translation>
     </message>
     <message>
         <source>Overwrites a profile, or everything, with defaults.</source>
-        <translation type="unfinished"></translation>
+        <translation>Überschreibt ein Profil, oder alles, mit Werkseinstellungen.</translation>
     </message>
     <message>
         <source>P, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>P, Pitch</translation>
     </message>
     <message>
         <source>P, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>P, Roll</translation>
     </message>
     <message>
         <source>P, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>P, Yaw</translation>
     </message>
     <message>
         <source>PID gain, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>PID-Verstärkung, Pitch</translation>
     </message>
     <message>
         <source>PID gain, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>PID-Verstärkung, Roll</translation>
     </message>
     <message>
         <source>PID gain, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>PID-Verstärkung, Yaw</translation>
     </message>
     <message>
         <source>PWM frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>PWM-Frequenz</translation>
     </message>
     <message>
         <source>Parking position</source>
-        <translation type="unfinished"></translation>
+        <translation>Parklage</translation>
     </message>
     <message>
         <source>Pin that repeats the status LED.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pin, der die Status-LED wiederholt.</translation>
     </message>
     <message>
         <source>Pin that signals events to another device.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pin, der einem anderen Gerät Ereignisse meldet.</translation>
     </message>
     <message>
         <source>Pitch (motor), roll, yaw (motor)</source>
-        <translation type="unfinished"></translation>
+        <translation>Pitch (Motor), Roll, Yaw (Motor)</translation>
     </message>
     <message>
         <source>Pitch +</source>
-        <translation type="unfinished"></translation>
+        <translation>Pitch +</translation>
     </message>
     <message>
         <source>Pitch angle from which the roll axis begins to follow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pitch-Winkel, ab dem die Roll-Achse zu folgen beginnt.</translation>
     </message>
     <message>
         <source>Pitch port</source>
-        <translation type="unfinished"></translation>
+        <translation>Pitch-Anschluss</translation>
     </message>
     <message>
         <source>Pitch −</source>
-        <translation type="unfinished"></translation>
+        <translation>Pitch −</translation>
     </message>
     <message>
         <source>Pitch, roll, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Pitch, Roll, Yaw</translation>
     </message>
     <message>
         <source>Poles</source>
-        <translation type="unfinished"></translation>
+        <translation>Pole</translation>
     </message>
     <message>
         <source>Poles are not calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>Pole sind nicht kalibriert</translation>
     </message>
     <message>
         <source>Port on which this MAVLink channel works.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anschluss, an dem dieser MAVLink-Kanal arbeitet.</translation>
     </message>
     <message>
         <source>Ports</source>
-        <translation type="unfinished"></translation>
+        <translation>Anschlüsse</translation>
     </message>
     <message>
         <source>Power</source>
-        <translation type="unfinished"></translation>
+        <translation>Leistung</translation>
     </message>
     <message>
         <source>Power added to bring a motor back that lost its step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zusätzliche Leistung, um einen Motor zurückzuholen, der Schritte verlor.</translation>
     </message>
     <message>
         <source>Profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil</translation>
     </message>
     <message>
         <source>Profile (0 = active)</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil (0 = aktives)</translation>
     </message>
     <message>
         <source>Profile of this block</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil dieses Blocks</translation>
     </message>
     <message>
         <source>Profile options</source>
-        <translation type="unfinished"></translation>
+        <translation>Profiloptionen</translation>
     </message>
     <message>
         <source>Profiles</source>
-        <translation type="unfinished"></translation>
+        <translation>Profile</translation>
     </message>
     <message>
         <source>Protection is active</source>
-        <translation type="unfinished"></translation>
+        <translation>Schutz hat angesprochen</translation>
     </message>
     <message>
         <source>Pulse rate of the servo outputs. Analog servos want 50 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pulsrate der Servoausgänge. Analoge Servos wollen 50 Hz.</translation>
     </message>
     <message>
         <source>RC calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kalibrierung</translation>
     </message>
     <message>
         <source>RC calibration %1: offset</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kalibrierung %1: Versatz</translation>
     </message>
     <message>
         <source>RC calibration %1: scale above zero</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kalibrierung %1: Maßstab über null</translation>
     </message>
     <message>
         <source>RC calibration %1: scale below zero</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kalibrierung %1: Maßstab unter null</translation>
     </message>
     <message>
         <source>RC calibration %1: source</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kalibrierung %1: Quelle</translation>
     </message>
     <message>
         <source>RC channel 1</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 1</translation>
     </message>
     <message>
         <source>RC channel 10</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 10</translation>
     </message>
     <message>
         <source>RC channel 11</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 11</translation>
     </message>
     <message>
         <source>RC channel 12</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 12</translation>
     </message>
     <message>
         <source>RC channel 13</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 13</translation>
     </message>
     <message>
         <source>RC channel 14</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 14</translation>
     </message>
     <message>
         <source>RC channel 15</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 15</translation>
     </message>
     <message>
         <source>RC channel 16</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 16</translation>
     </message>
     <message>
         <source>RC channel 17</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 17</translation>
     </message>
     <message>
         <source>RC channel 18</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 18</translation>
     </message>
     <message>
         <source>RC channel 19</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 19</translation>
     </message>
     <message>
         <source>RC channel 2</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 2</translation>
     </message>
     <message>
         <source>RC channel 20</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 20</translation>
     </message>
     <message>
         <source>RC channel 21</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 21</translation>
     </message>
     <message>
         <source>RC channel 22</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 22</translation>
     </message>
     <message>
         <source>RC channel 23</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 23</translation>
     </message>
     <message>
         <source>RC channel 24</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 24</translation>
     </message>
     <message>
         <source>RC channel 25</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 25</translation>
     </message>
     <message>
         <source>RC channel 26</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 26</translation>
     </message>
     <message>
         <source>RC channel 27</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 27</translation>
     </message>
     <message>
         <source>RC channel 28</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 28</translation>
     </message>
     <message>
         <source>RC channel 29</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 29</translation>
     </message>
     <message>
         <source>RC channel 3</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 3</translation>
     </message>
     <message>
         <source>RC channel 30</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 30</translation>
     </message>
     <message>
         <source>RC channel 31</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 31</translation>
     </message>
     <message>
         <source>RC channel 4</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 4</translation>
     </message>
     <message>
         <source>RC channel 5</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 5</translation>
     </message>
     <message>
         <source>RC channel 6</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 6</translation>
     </message>
     <message>
         <source>RC channel 7</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 7</translation>
     </message>
     <message>
         <source>RC channel 8</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 8</translation>
     </message>
     <message>
         <source>RC channel 9</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanal 9</translation>
     </message>
     <message>
         <source>RC channels</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Kanäle</translation>
     </message>
     <message>
         <source>RC command high</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Befehl hoch</translation>
     </message>
     <message>
         <source>RC command low</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Befehl niedrig</translation>
     </message>
     <message>
         <source>RC command middle</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Befehl Mitte</translation>
     </message>
     <message>
         <source>RC dead band</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Totbereich</translation>
     </message>
     <message>
         <source>RC dead band, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Totbereich, Pitch</translation>
     </message>
     <message>
         <source>RC dead band, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Totbereich, Yaw</translation>
     </message>
     <message>
         <source>RC exponential curve</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Exponentialkurve</translation>
     </message>
     <message>
         <source>RC exponential curve, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Exponentialkurve, Pitch</translation>
     </message>
     <message>
         <source>RC exponential curve, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Exponentialkurve, Yaw</translation>
     </message>
     <message>
         <source>RC input, command</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Eingang, Befehl</translation>
     </message>
     <message>
         <source>RC input, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Eingang, Pitch</translation>
     </message>
     <message>
         <source>RC input, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Eingang, Roll</translation>
     </message>
     <message>
         <source>RC input, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Eingang, Yaw</translation>
     </message>
     <message>
         <source>RC keeps mix rate</source>
-        <translation type="unfinished"></translation>
+        <translation>RC behält Mischanteil</translation>
     </message>
     <message>
         <source>RC keeps position at start</source>
-        <translation type="unfinished"></translation>
+        <translation>RC behält Lage beim Start</translation>
     </message>
     <message>
         <source>RC limit, pitch, lower</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Grenze, Pitch, unten</translation>
     </message>
     <message>
         <source>RC limit, pitch, upper</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Grenze, Pitch, oben</translation>
     </message>
     <message>
         <source>RC limit, roll, lower</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Grenze, Roll, unten</translation>
     </message>
     <message>
         <source>RC limit, roll, upper</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Grenze, Roll, oben</translation>
     </message>
     <message>
         <source>RC limit, yaw, lower</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Grenze, Yaw, unten</translation>
     </message>
     <message>
         <source>RC limit, yaw, upper</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Grenze, Yaw, oben</translation>
     </message>
     <message>
         <source>RC low-pass, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Tiefpass, Pitch</translation>
     </message>
     <message>
         <source>RC low-pass, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Tiefpass, Roll</translation>
     </message>
     <message>
         <source>RC low-pass, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Tiefpass, Yaw</translation>
     </message>
     <message>
         <source>RC mode, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Modus, Pitch</translation>
     </message>
     <message>
         <source>RC mode, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Modus, Roll</translation>
     </message>
     <message>
         <source>RC mode, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Modus, Yaw</translation>
     </message>
     <message>
         <source>RC serial</source>
-        <translation type="unfinished"></translation>
+        <translation>RC seriell</translation>
     </message>
     <message>
         <source>RC serial speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Rate RC seriell</translation>
     </message>
     <message>
         <source>RC signal, FC pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Signal, FC-Pitch</translation>
     </message>
     <message>
         <source>RC signal, FC roll</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Signal, FC-Roll</translation>
     </message>
     <message>
         <source>RC signal, command</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Signal, Befehl</translation>
     </message>
     <message>
         <source>RC signal, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Signal, Pitch</translation>
     </message>
     <message>
         <source>RC signal, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Signal, Roll</translation>
     </message>
     <message>
         <source>RC signal, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Signal, Yaw</translation>
     </message>
     <message>
         <source>RC speed, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Geschwindigkeit, Pitch</translation>
     </message>
     <message>
         <source>RC speed, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Geschwindigkeit, Roll</translation>
     </message>
     <message>
         <source>RC speed, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Geschwindigkeit, Yaw</translation>
     </message>
     <message>
         <source>RC trim, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Trimmung, Pitch</translation>
     </message>
     <message>
         <source>RC trim, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Trimmung, Roll</translation>
     </message>
     <message>
         <source>RC trim, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Trimmung, Yaw</translation>
     </message>
     <message>
         <source>RLS Orbis</source>
-        <translation type="unfinished"></translation>
+        <translation>RLS Orbis</translation>
     </message>
     <message>
         <source>RLS Orbis PWM</source>
-        <translation type="unfinished"></translation>
+        <translation>RLS Orbis PWM</translation>
     </message>
     <message>
         <source>Range</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereich</translation>
     </message>
     <message>
         <source>Raster of positions the axis snaps to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Raster der Lagen, in die die Achse einrastet.</translation>
     </message>
     <message>
         <source>Rate and content of this MAVLink channel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rate und Inhalt dieses MAVLink-Kanals.</translation>
     </message>
     <message>
         <source>Rate bit 0</source>
-        <translation type="unfinished"></translation>
+        <translation>Rate Bit 0</translation>
     </message>
     <message>
         <source>Rate bit 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Rate Bit 1</translation>
     </message>
     <message>
         <source>Rate bit 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Rate Bit 2</translation>
     </message>
     <message>
         <source>Rate inside the dead band</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil im Totbereich</translation>
     </message>
     <message>
         <source>Rate of the RC serial port after the next restart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rate des RC-Anschlusses nach dem nächsten Neustart.</translation>
     </message>
     <message>
         <source>Rate of the first UART after the next restart. The USB port does not care.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rate des ersten UART nach dem nächsten Neustart. Den USB-Anschluss kümmert das nicht.</translation>
     </message>
     <message>
         <source>Rate of the second UART after the next restart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rate des zweiten UART nach dem nächsten Neustart.</translation>
     </message>
     <message>
         <source>Read</source>
-        <translation type="unfinished"></translation>
+        <translation>Lesen</translation>
     </message>
     <message>
         <source>Read adjustable variables</source>
-        <translation type="unfinished"></translation>
+        <translation>Live-Variablen lesen</translation>
     </message>
     <message>
         <source>Read angles</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel lesen</translation>
     </message>
     <message>
         <source>Read debug variables</source>
-        <translation type="unfinished"></translation>
+        <translation>Debug-Variablen lesen</translation>
     </message>
     <message>
         <source>Release control at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerung am Ende abgeben</translation>
     </message>
     <message>
         <source>Remember last profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Letztes Profil merken</translation>
     </message>
     <message>
         <source>Remote control</source>
-        <translation type="unfinished"></translation>
+        <translation>Fernsteuerung</translation>
     </message>
     <message>
         <source>Remote control axis that the flight controller signal is added to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse der Fernsteuerung, zu der das Flugreglersignal addiert wird.</translation>
     </message>
     <message>
-        <source>Remote control turns about the camera&apos;s own axes.</source>
-        <translation type="unfinished"></translation>
+        <source>Remote control turns about the camera's own axes.</source>
+        <translation>Fernsteuerung dreht um die Achsen der Kamera.</translation>
     </message>
     <message>
         <source>Remove the cause, then restart the board.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beheben Sie die Ursache, dann starten Sie das Board neu.</translation>
     </message>
     <message>
         <source>Removes what remains of an error over time. Too much sways slowly.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beseitigt, was von einem Fehler auf Dauer bleibt. Zu viel schwankt langsam.</translation>
     </message>
     <message>
         <source>Repeat time-lapse</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitraffer wiederholen</translation>
     </message>
     <message>
         <source>Replaced by the fine magnetic link.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ersetzt durch die feine magnetische Kopplung.</translation>
     </message>
     <message>
         <source>Report progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt melden</translation>
     </message>
     <message>
         <source>Reset IMU</source>
-        <translation type="unfinished"></translation>
+        <translation>IMU zurücksetzen</translation>
     </message>
     <message>
         <source>Reset board</source>
-        <translation type="unfinished"></translation>
+        <translation>Board zurücksetzen</translation>
     </message>
     <message>
-        <source>Resistance of the motor&apos;s windings, for the current estimate.</source>
-        <translation type="unfinished"></translation>
+        <source>Resistance of the motor's windings, for the current estimate.</source>
+        <translation>Widerstand der Motorwicklungen, für die Stromschätzung.</translation>
     </message>
     <message>
         <source>Restart after emergency stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Neustart nach Not-Halt</translation>
     </message>
     <message>
         <source>Restart board</source>
-        <translation type="unfinished"></translation>
+        <translation>Board neu starten</translation>
     </message>
     <message>
         <source>Restart the board.</source>
-        <translation type="unfinished"></translation>
+        <translation>Starten Sie das Board neu.</translation>
     </message>
     <message>
         <source>Restarts the controller; motors go off meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>Startet den Controller neu; die Motoren gehen so lange aus.</translation>
     </message>
     <message>
         <source>Retracted position</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingezogene Lage</translation>
     </message>
     <message>
         <source>Roll +</source>
-        <translation type="unfinished"></translation>
+        <translation>Roll +</translation>
     </message>
     <message>
         <source>Roll and pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Roll und Pitch</translation>
     </message>
     <message>
-        <source>Roll and pitch: how much the flight controller&apos;s angle is followed. Yaw: not 0 = follow the frame.</source>
-        <translation type="unfinished"></translation>
+        <source>Roll and pitch: how much the flight controller's angle is followed. Yaw: not 0 = follow the frame.</source>
+        <translation>Roll und Pitch: wie viel dem Winkel des Flugreglers gefolgt wird. Yaw: nicht 0 = dem Rahmen folgen.</translation>
     </message>
     <message>
         <source>Roll mix range</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereich der Roll-Mischung</translation>
     </message>
     <message>
         <source>Roll mix start</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginn der Roll-Mischung</translation>
     </message>
     <message>
         <source>Roll port</source>
-        <translation type="unfinished"></translation>
+        <translation>Roll-Anschluss</translation>
     </message>
     <message>
         <source>Roll −</source>
-        <translation type="unfinished"></translation>
+        <translation>Roll −</translation>
     </message>
     <message>
         <source>Roll, pitch (motor), yaw (motor)</source>
-        <translation type="unfinished"></translation>
+        <translation>Roll, Pitch (Motor), Yaw (Motor)</translation>
     </message>
     <message>
         <source>Roll, pitch, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Roll, Pitch, Yaw</translation>
     </message>
     <message>
         <source>Roll, yaw, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Roll, Yaw, Pitch</translation>
     </message>
     <message>
         <source>Rotate when upside-down</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopfüber drehen</translation>
     </message>
     <message>
         <source>Rotate yaw 180 deg</source>
-        <translation type="unfinished"></translation>
+        <translation>Yaw um 180 Grad drehen</translation>
     </message>
     <message>
         <source>Rotate yaw 180 deg, relative to frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Yaw um 180 Grad drehen, gegen den Rahmen</translation>
     </message>
     <message>
         <source>Rotation below this is taken for noise, in gyro units.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung darunter gilt als Rauschen, in Kreiseleinheiten.</translation>
     </message>
     <message>
         <source>Run script 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Skript ausführen: 1</translation>
     </message>
     <message>
         <source>Run script 10</source>
-        <translation type="unfinished"></translation>
+        <translation>Skript ausführen: 10</translation>
     </message>
     <message>
         <source>Run script 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Skript ausführen: 2</translation>
     </message>
     <message>
         <source>Run script 3</source>
-        <translation type="unfinished"></translation>
+        <translation>Skript ausführen: 3</translation>
     </message>
     <message>
         <source>Run script 4</source>
-        <translation type="unfinished"></translation>
+        <translation>Skript ausführen: 4</translation>
     </message>
     <message>
         <source>Run script 5</source>
-        <translation type="unfinished"></translation>
+        <translation>Skript ausführen: 5</translation>
     </message>
     <message>
         <source>Run script 6</source>
-        <translation type="unfinished"></translation>
+        <translation>Skript ausführen: 6</translation>
     </message>
     <message>
         <source>Run script 7</source>
-        <translation type="unfinished"></translation>
+        <translation>Skript ausführen: 7</translation>
     </message>
     <message>
         <source>Run script 8</source>
-        <translation type="unfinished"></translation>
+        <translation>Skript ausführen: 8</translation>
     </message>
     <message>
         <source>Run script 9</source>
-        <translation type="unfinished"></translation>
+        <translation>Skript ausführen: 9</translation>
     </message>
     <message>
         <source>Run the accelerometer calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrieren Sie den Beschleunigungssensor.</translation>
     </message>
     <message>
-        <source>Runs a command of the board&apos;s menu.</source>
-        <translation type="unfinished"></translation>
+        <source>Runs a command of the board's menu.</source>
+        <translation>Führt einen Befehl des Board-Menüs aus.</translation>
     </message>
     <message>
         <source>S-bus</source>
-        <translation type="unfinished"></translation>
+        <translation>S-bus</translation>
     </message>
     <message>
         <source>Save backup automatically</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherung automatisch speichern</translation>
     </message>
     <message>
         <source>Save statistics</source>
-        <translation type="unfinished"></translation>
+        <translation>Statistik speichern</translation>
     </message>
     <message>
         <source>Save the result</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnis speichern</translation>
     </message>
     <message>
         <source>Save variables</source>
-        <translation type="unfinished"></translation>
+        <translation>Variablen speichern</translation>
     </message>
     <message>
         <source>Search limits of pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenzen von Pitch suchen</translation>
     </message>
     <message>
         <source>Search limits of roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenzen von Roll suchen</translation>
     </message>
     <message>
         <source>Search limits of yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenzen von Yaw suchen</translation>
     </message>
     <message>
         <source>Second signal that the start-up action depends on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweites Signal, von dem die Startaktion abhängt.</translation>
     </message>
     <message>
         <source>Selected IMU</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewählte IMU</translation>
     </message>
     <message>
         <source>Send debug data</source>
-        <translation type="unfinished"></translation>
+        <translation>Debug-Daten senden</translation>
     </message>
     <message>
         <source>Send heartbeat</source>
-        <translation type="unfinished"></translation>
+        <translation>Heartbeat senden</translation>
     </message>
     <message>
         <source>Sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensor</translation>
     </message>
     <message>
         <source>Sensor mounting correction</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrektur des Sensoreinbaus</translation>
     </message>
     <message>
         <source>Sensors</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensoren</translation>
     </message>
     <message>
         <source>Serial API</source>
-        <translation type="unfinished"></translation>
+        <translation>Serielle API</translation>
     </message>
     <message>
         <source>Serial error</source>
-        <translation type="unfinished"></translation>
+        <translation>Serieller Fehler</translation>
     </message>
     <message>
         <source>Serial speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Serielle Rate</translation>
     </message>
     <message>
         <source>Service</source>
-        <translation type="unfinished"></translation>
+        <translation>Wartung</translation>
     </message>
     <message>
         <source>Servo mode off</source>
-        <translation type="unfinished"></translation>
+        <translation>Servomodus aus</translation>
     </message>
     <message>
         <source>Servo mode on</source>
-        <translation type="unfinished"></translation>
+        <translation>Servomodus ein</translation>
     </message>
     <message>
         <source>Servo mode on/off</source>
-        <translation type="unfinished"></translation>
+        <translation>Servomodus ein/aus</translation>
     </message>
     <message>
         <source>Servo output %1: source</source>
-        <translation type="unfinished"></translation>
+        <translation>Servoausgang %1: Quelle</translation>
     </message>
     <message>
         <source>Servo rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Servorate</translation>
     </message>
     <message>
         <source>Set RC trim</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Trimmung setzen</translation>
     </message>
     <message>
         <source>Set adjustable variable</source>
-        <translation type="unfinished"></translation>
+        <translation>Live-Variable setzen</translation>
     </message>
     <message>
         <source>Set poles and direction of each motor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzen Sie Pole und Richtung jedes Motors.</translation>
     </message>
     <message>
         <source>Set the power of each motor on the Parameters page.</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzen Sie die Leistung jedes Motors auf der Seite „Parameter“.</translation>
     </message>
     <message>
         <source>Set tilt angles by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung von Hand setzen</translation>
     </message>
     <message>
         <source>Set tilt angles by hand, do not save</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung von Hand setzen, nicht speichern</translation>
     </message>
     <message>
         <source>Set-by-hand time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit für Setzen von Hand</translation>
     </message>
     <message>
         <source>Shake amplitude, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Rüttelstärke, Pitch</translation>
     </message>
     <message>
         <source>Shake amplitude, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Rüttelstärke, Roll</translation>
     </message>
     <message>
         <source>Shake amplitude, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Rüttelstärke, Yaw</translation>
     </message>
     <message>
         <source>Shake frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>Rüttelfrequenz</translation>
     </message>
     <message>
         <source>Shake frequency range</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereich der Rüttelfrequenz</translation>
     </message>
     <message>
         <source>Shake frequency shift, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschiebung der Rüttelfrequenz, Pitch</translation>
     </message>
     <message>
         <source>Shake frequency shift, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschiebung der Rüttelfrequenz, Roll</translation>
     </message>
     <message>
         <source>Shake frequency shift, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschiebung der Rüttelfrequenz, Yaw</translation>
     </message>
     <message>
         <source>Shake generator</source>
-        <translation type="unfinished"></translation>
+        <translation>Rüttelgenerator</translation>
     </message>
     <message>
         <source>Shake generator off</source>
-        <translation type="unfinished"></translation>
+        <translation>Rüttelgenerator aus</translation>
     </message>
     <message>
         <source>Shake generator on</source>
-        <translation type="unfinished"></translation>
+        <translation>Rüttelgenerator ein</translation>
     </message>
     <message>
         <source>Shake master gain</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesamtstärke des Rüttelns</translation>
     </message>
     <message>
         <source>Shake pause (ms)</source>
-        <translation type="unfinished"></translation>
+        <translation>Rüttelpause (ms)</translation>
     </message>
     <message>
         <source>Shake pause balance</source>
-        <translation type="unfinished"></translation>
+        <translation>Balance der Rüttelpausen</translation>
     </message>
     <message>
         <source>Shake pause randomness</source>
-        <translation type="unfinished"></translation>
+        <translation>Zufall der Rüttelpausen</translation>
     </message>
     <message>
         <source>Shake resonance gain, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Rüttelresonanz, Pitch</translation>
     </message>
     <message>
         <source>Shake resonance gain, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Rüttelresonanz, Roll</translation>
     </message>
     <message>
         <source>Shake resonance gain, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Rüttelresonanz, Yaw</translation>
     </message>
     <message>
         <source>Share of the flight controller signal added to a remote control axis; 63 = all of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil des Flugreglersignals, der zu einer Fernsteuerachse kommt; 63 = alles.</translation>
     </message>
     <message>
         <source>Share of the move spent speeding up and slowing down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Bewegung für Anfahren und Bremsen.</translation>
     </message>
     <message>
         <source>Share of the supply voltage a motor may get. Too little loses steps, too much overheats the motor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Versorgungsspannung, den ein Motor bekommt. Zu wenig verliert Schritte, zu viel überhitzt den Motor.</translation>
     </message>
     <message>
         <source>Signal level of the condition, in tenths of the RC range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Signalpegel der Bedingung, in Zehnteln des RC-Bereichs.</translation>
     </message>
     <message>
         <source>Signal level of the second condition.</source>
-        <translation type="unfinished"></translation>
+        <translation>Signalpegel der zweiten Bedingung.</translation>
     </message>
     <message>
         <source>Signal on RC_ROLL</source>
-        <translation type="unfinished"></translation>
+        <translation>Signal an RC_ROLL</translation>
     </message>
     <message>
         <source>Signal that the start-up action depends on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Signal, von dem die Startaktion abhängt.</translation>
     </message>
     <message>
         <source>Skip</source>
-        <translation type="unfinished"></translation>
+        <translation>Überspringen</translation>
     </message>
     <message>
         <source>Skip detection</source>
-        <translation type="unfinished"></translation>
+        <translation>Erkennung überspringen</translation>
     </message>
     <message>
         <source>Skip when moving</source>
-        <translation type="unfinished"></translation>
+        <translation>Überspringen, wenn bewegt</translation>
     </message>
     <message>
         <source>Small correction for a sensor that is not mounted quite straight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleine Korrektur für einen Sensor, der nicht ganz gerade sitzt.</translation>
     </message>
     <message>
         <source>Smooth gimbal-lock transition</source>
-        <translation type="unfinished"></translation>
+        <translation>Sanfter Übergang bei Gimbal-Lock</translation>
     </message>
     <message>
         <source>Smoothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Glättung</translation>
     </message>
     <message>
         <source>Smooths the D term alone; 0 = off. Lower lets D be higher before noise is heard.</source>
-        <translation type="unfinished"></translation>
+        <translation>Glättet nur den D-Anteil; 0 = aus. Niedriger erlaubt mehr D, bevor es rauscht.</translation>
     </message>
     <message>
         <source>Smooths the accelerometer against vibration and accelerated motion; 0 = off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Glättet den Beschleunigungssensor gegen Vibration und beschleunigte Bewegung; 0 = aus.</translation>
     </message>
     <message>
         <source>Smooths the frame sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Glättet den Rahmensensor.</translation>
     </message>
     <message>
         <source>Snap angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Rastwinkel</translation>
     </message>
     <message>
         <source>Snap options</source>
-        <translation type="unfinished"></translation>
+        <translation>Rastoptionen</translation>
     </message>
     <message>
         <source>Snap to fixed position</source>
-        <translation type="unfinished"></translation>
+        <translation>In feste Lage einrasten</translation>
     </message>
     <message>
         <source>Snap, further bit</source>
-        <translation type="unfinished"></translation>
+        <translation>Rasten, weiteres Bit</translation>
     </message>
     <message>
         <source>Softens the start and end of commanded motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>Macht Anfang und Ende befohlener Bewegung weich.</translation>
     </message>
     <message>
         <source>Software limit width, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite der Softwaregrenze, Pitch</translation>
     </message>
     <message>
         <source>Software limit width, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite der Softwaregrenze, Roll</translation>
     </message>
     <message>
         <source>Software limit width, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite der Softwaregrenze, Yaw</translation>
     </message>
     <message>
         <source>Software limit, pitch, lower</source>
-        <translation type="unfinished"></translation>
+        <translation>Softwaregrenze, Pitch, unten</translation>
     </message>
     <message>
         <source>Software limit, pitch, upper</source>
-        <translation type="unfinished"></translation>
+        <translation>Softwaregrenze, Pitch, oben</translation>
     </message>
     <message>
         <source>Software limit, roll, lower</source>
-        <translation type="unfinished"></translation>
+        <translation>Softwaregrenze, Roll, unten</translation>
     </message>
     <message>
         <source>Software limit, roll, upper</source>
-        <translation type="unfinished"></translation>
+        <translation>Softwaregrenze, Roll, oben</translation>
     </message>
     <message>
         <source>Software limit, yaw, lower</source>
-        <translation type="unfinished"></translation>
+        <translation>Softwaregrenze, Yaw, unten</translation>
     </message>
     <message>
         <source>Software limit, yaw, upper</source>
-        <translation type="unfinished"></translation>
+        <translation>Softwaregrenze, Yaw, oben</translation>
     </message>
     <message>
         <source>Sound</source>
-        <translation type="unfinished"></translation>
+        <translation>Ton</translation>
     </message>
     <message>
         <source>Sound by the motors</source>
-        <translation type="unfinished"></translation>
+        <translation>Ton durch die Motoren</translation>
     </message>
     <message>
         <source>Source</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle</translation>
     </message>
     <message>
         <source>Source of commands</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle der Befehle</translation>
     </message>
     <message>
         <source>Source of the flight controller signal</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle des Flugreglersignals</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>Speed and angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit und Winkel</translation>
     </message>
     <message>
         <source>Speed of motion at full stick, and the default speed of commanded moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit bei vollem Knüppel und übliche Geschwindigkeit befohlener Bewegungen.</translation>
     </message>
     <message>
         <source>Speed of moves the board makes by itself, such as going home.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit von Bewegungen, die das Board selbst macht, etwa zur Grundstellung.</translation>
     </message>
     <message>
         <source>Spektrum</source>
-        <translation type="unfinished"></translation>
+        <translation>Spektrum</translation>
     </message>
     <message>
         <source>Spektrum mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Spektrum-Modus</translation>
     </message>
     <message>
         <source>Spektrum power</source>
-        <translation type="unfinished"></translation>
+        <translation>Spektrum-Stromversorgung</translation>
     </message>
     <message>
         <source>Stabilization</source>
-        <translation type="unfinished"></translation>
+        <translation>Stabilisierung</translation>
     </message>
     <message>
-        <source>Stabilization works about the camera&apos;s own axes.</source>
-        <translation type="unfinished"></translation>
+        <source>Stabilization works about the camera's own axes.</source>
+        <translation>Stabilisierung wirkt um die Achsen der Kamera.</translation>
     </message>
     <message>
         <source>Stabilize in camera axes</source>
-        <translation type="unfinished"></translation>
+        <translation>In Kameraachsen stabilisieren</translation>
     </message>
     <message>
         <source>Stabilized axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Stabilisierte Achse</translation>
     </message>
     <message>
         <source>Stabilized axis, automatic</source>
-        <translation type="unfinished"></translation>
+        <translation>Stabilisierte Achse, automatisch</translation>
     </message>
     <message>
         <source>Standard sound or melody; helps to find the right board.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardton oder Melodie; hilft, das richtige Board zu finden.</translation>
     </message>
     <message>
         <source>Start from current gains</source>
-        <translation type="unfinished"></translation>
+        <translation>Von jetzigen Werten ausgehen</translation>
     </message>
     <message>
         <source>Start in neutral position</source>
-        <translation type="unfinished"></translation>
+        <translation>In Neutrallage starten</translation>
     </message>
     <message>
         <source>Start time-lapse</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitraffer starten</translation>
     </message>
     <message>
         <source>Start-up</source>
-        <translation type="unfinished"></translation>
+        <translation>Start</translation>
     </message>
     <message>
         <source>Start-up action %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Startaktion %1</translation>
     </message>
     <message>
         <source>Start-up condition A%1: source</source>
-        <translation type="unfinished"></translation>
+        <translation>Startbedingung A%1: Quelle</translation>
     </message>
     <message>
         <source>Start-up condition A%1: threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>Startbedingung A%1: Schwelle</translation>
     </message>
     <message>
         <source>Start-up condition B%1: source</source>
-        <translation type="unfinished"></translation>
+        <translation>Startbedingung B%1: Quelle</translation>
     </message>
     <message>
         <source>Start-up condition B%1: threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>Startbedingung B%1: Schwelle</translation>
     </message>
     <message>
         <source>Starts stabilization.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginnt die Stabilisierung.</translation>
     </message>
     <message>
         <source>Steer</source>
-        <translation type="unfinished"></translation>
+        <translation>Lenken</translation>
     </message>
     <message>
         <source>Step signal %1: further bit</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittsignal %1: weiteres Bit</translation>
     </message>
     <message>
         <source>Step signal %1: needs button</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittsignal %1: braucht Taste</translation>
     </message>
     <message>
         <source>Step signal %1: source</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittsignal %1: Quelle</translation>
     </message>
     <message>
         <source>Step signal %1: start at zero</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittsignal %1: beginnt bei null</translation>
     </message>
     <message>
         <source>Step signal %1: steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittsignal %1: Schritte</translation>
     </message>
     <message>
         <source>Step signal %1: trigger</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittsignal %1: Auslöser</translation>
     </message>
     <message>
         <source>Step signal 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittsignal 1</translation>
     </message>
     <message>
         <source>Step signal 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittsignal 2</translation>
     </message>
     <message>
         <source>Step signal 3</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittsignal 3</translation>
     </message>
     <message>
         <source>Step signal 4</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittsignal 4</translation>
     </message>
     <message>
         <source>Step signal 5</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittsignal 5</translation>
     </message>
     <message>
         <source>Step signal 6</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittsignal 6</translation>
     </message>
     <message>
         <source>Step signals</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittsignale</translation>
     </message>
     <message>
         <source>Steps only while the menu button is held.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte nur, solange die Menütaste gehalten wird.</translation>
     </message>
     <message>
         <source>Stick movement around the middle that is ignored.</source>
-        <translation type="unfinished"></translation>
+        <translation>Knüppelbewegung um die Mitte, die nicht zählt.</translation>
     </message>
     <message>
-        <source>Stiffness of the motor&apos;s magnetic field as measured by calibration.</source>
-        <translation type="unfinished"></translation>
+        <source>Stiffness of the motor's magnetic field as measured by calibration.</source>
+        <translation>Steifigkeit des Motorfelds, wie die Kalibrierung sie maß.</translation>
     </message>
     <message>
         <source>Stop script</source>
-        <translation type="unfinished"></translation>
+        <translation>Skript anhalten</translation>
     </message>
     <message>
         <source>Stores the live values in the active profile.</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichert die Werte in Gebrauch im aktiven Profil.</translation>
     </message>
     <message>
         <source>Strength of the motion used to measure the momentum.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stärke der Bewegung, mit der die Trägheit gemessen wird.</translation>
     </message>
     <message>
         <source>Strength of the response to an angle error. Too little is soft, too much vibrates.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stärke der Antwort auf einen Winkelfehler. Zu wenig ist weich, zu viel vibriert.</translation>
     </message>
     <message>
         <source>Stretches the lower half of the signal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Streckt die untere Hälfte des Signals.</translation>
     </message>
     <message>
         <source>Stretches the upper half of the signal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Streckt die obere Hälfte des Signals.</translation>
     </message>
     <message>
         <source>Swap RC pitch and roll</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Pitch und -Roll tauschen</translation>
     </message>
     <message>
         <source>Swap RC serial and UART2</source>
-        <translation type="unfinished"></translation>
+        <translation>RC seriell und UART2 tauschen</translation>
     </message>
     <message>
         <source>Swap RC yaw and roll</source>
-        <translation type="unfinished"></translation>
+        <translation>RC-Yaw und -Roll tauschen</translation>
     </message>
     <message>
         <source>Swap frame and main IMU</source>
-        <translation type="unfinished"></translation>
+        <translation>Rahmen- und Haupt-IMU tauschen</translation>
     </message>
     <message>
         <source>Switch roll 90 deg</source>
-        <translation type="unfinished"></translation>
+        <translation>Roll um 90 Grad wechseln</translation>
     </message>
     <message>
         <source>Switch yaw 180 deg, relative to frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Yaw um 180 Grad wechseln, gegen den Rahmen</translation>
     </message>
     <message>
         <source>Switches all motors off at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schaltet alle Motoren sofort aus.</translation>
     </message>
     <message>
-        <source>Switches the controller&apos;s own I2C pull-up resistors on; helps on long sensor cables.</source>
-        <translation type="unfinished"></translation>
+        <source>Switches the controller's own I2C pull-up resistors on; helps on long sensor cables.</source>
+        <translation>Schaltet die I2C-Pull-ups des Controllers ein; hilft bei langen Sensorkabeln.</translation>
     </message>
     <message>
         <source>Switching frequency of the motor drivers. Low is efficient and audible.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schaltfrequenz der Motortreiber. Niedrig ist sparsam und hörbar.</translation>
     </message>
     <message>
         <source>System ID of the gimbal.</source>
-        <translation type="unfinished"></translation>
+        <translation>System-ID des Gimbals.</translation>
     </message>
     <message>
         <source>System error</source>
-        <translation type="unfinished"></translation>
+        <translation>Systemfehler</translation>
     </message>
     <message>
         <source>System error bits</source>
-        <translation type="unfinished"></translation>
+        <translation>Systemfehlerbits</translation>
     </message>
     <message>
         <source>Take position as home</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage als Grundstellung nehmen</translation>
     </message>
     <message>
         <source>Takes the present position as the neutral point of following.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt die jetzige Lage als Neutralpunkt des Folgens.</translation>
     </message>
     <message>
         <source>Target angle, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielwinkel, Pitch</translation>
     </message>
     <message>
         <source>Target angle, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielwinkel, Roll</translation>
     </message>
     <message>
         <source>Target angle, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielwinkel, Yaw</translation>
     </message>
     <message>
         <source>Target speed, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielgeschwindigkeit, Pitch</translation>
     </message>
     <message>
         <source>Target speed, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielgeschwindigkeit, Roll</translation>
     </message>
     <message>
         <source>Target speed, yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielgeschwindigkeit, Yaw</translation>
     </message>
     <message>
         <source>Tells the board the true battery voltage.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sagt dem Board die wahre Akkuspannung.</translation>
     </message>
     <message>
         <source>The alarm threshold is reached.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Alarmschwelle ist erreicht.</translation>
     </message>
     <message>
         <source>The board does not see its motion sensor, so it cannot stabilize.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board sieht seinen Bewegungssensor nicht und kann nicht stabilisieren.</translation>
     </message>
     <message>
         <source>The board expects another version of its configuration tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board erwartet eine andere Version seines Werkzeugs.</translation>
     </message>
     <message>
         <source>The board received damaged commands.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board hat beschädigte Befehle empfangen.</translation>
     </message>
     <message>
         <source>The board searches gains by moving the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board sucht Verstärkungen, indem es die Kamera bewegt.</translation>
     </message>
     <message>
         <source>The board switched the motors off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board hat die Motoren ausgeschaltet.</translation>
     </message>
     <message>
         <source>The encoder turns faster or slower than the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Geber dreht schneller oder langsamer als die Achse.</translation>
     </message>
     <message>
         <source>The firmware found a fault in itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Firmware fand einen Fehler in sich.</translation>
     </message>
     <message>
         <source>The horizon will be tilted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Horizont wird schief sein.</translation>
     </message>
     <message>
         <source>The motor drivers switched off to save themselves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Motortreiber haben sich zum Schutz abgeschaltet.</translation>
     </message>
     <message>
         <source>The motors have no power and the camera hangs free.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Motoren haben keine Kraft, und die Kamera hängt frei.</translation>
     </message>
     <message>
         <source>The motors may turn the wrong way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Motoren drehen vielleicht falsch herum.</translation>
     </message>
     <message>
         <source>The profile in use when the block was read, counted from 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Profil, das beim Lesen in Gebrauch war, von 0 gezählt.</translation>
     </message>
     <message>
         <source>The profile this block of values belongs to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Profil, zu dem dieser Block gehört.</translation>
     </message>
     <message>
         <source>The sensor that calibration works on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Sensor, den die Kalibrierung betrifft.</translation>
     </message>
     <message>
         <source>The signal is zero after power-up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Signal ist nach dem Einschalten null.</translation>
     </message>
     <message>
         <source>Tilt of the middle motor</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung des mittleren Motors</translation>
     </message>
     <message>
         <source>Tilt of the outer motor</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung des äußeren Motors</translation>
     </message>
     <message>
         <source>Time at full power after which motors are switched off; 0 = never.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit bei voller Leistung, nach der Motoren ausgehen; 0 = nie.</translation>
     </message>
     <message>
         <source>Time until the board restarts by itself; 0 = stays off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit, bis das Board von selbst neu startet; 0 = bleibt aus.</translation>
     </message>
     <message>
         <source>Time-lapse acceleration part</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigungsteil des Zeitraffers</translation>
     </message>
     <message>
         <source>Time-lapse duration</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauer des Zeitraffers</translation>
     </message>
     <message>
         <source>Time-lapse keeps frame heading</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitraffer behält den Rahmenkurs</translation>
     </message>
     <message>
         <source>Time-lapse step 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitraffer Schritt 1</translation>
     </message>
     <message>
         <source>Time-lapse time (s)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitrafferzeit (s)</translation>
     </message>
     <message>
         <source>Trim</source>
-        <translation type="unfinished"></translation>
+        <translation>Trimmung</translation>
     </message>
     <message>
         <source>Tripod mode off</source>
-        <translation type="unfinished"></translation>
+        <translation>Stativmodus aus</translation>
     </message>
     <message>
         <source>Tripod mode on</source>
-        <translation type="unfinished"></translation>
+        <translation>Stativmodus ein</translation>
     </message>
     <message>
         <source>Tune the low-pass filter</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefpass mit abstimmen</translation>
     </message>
     <message>
         <source>Turns of the encoder per turn of the motor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Umdrehungen des Gebers je Umdrehung des Motors.</translation>
     </message>
     <message>
         <source>Turns of the motor per turn of the axis; 1 = direct drive.</source>
-        <translation type="unfinished"></translation>
+        <translation>Umdrehungen des Motors je Umdrehung der Achse; 1 = Direktantrieb.</translation>
     </message>
     <message>
         <source>Turns the direction of this remote control axis round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kehrt die Richtung dieser Fernsteuerachse um.</translation>
     </message>
     <message>
         <source>Turns the motor the other way. Wrong, the camera runs away from its target as soon as motors start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreht den Motor andersherum. Falsch läuft die Kamera von ihrem Ziel weg, sobald Motoren anlaufen.</translation>
     </message>
     <message>
         <source>UART2 speaks the serial API</source>
-        <translation type="unfinished"></translation>
+        <translation>UART2 spricht die serielle API</translation>
     </message>
     <message>
         <source>UART2 speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Rate UART2</translation>
     </message>
     <message>
         <source>UART3 speaks the serial API</source>
-        <translation type="unfinished"></translation>
+        <translation>UART3 spricht die serielle API</translation>
     </message>
     <message>
         <source>Ultra high</source>
-        <translation type="unfinished"></translation>
+        <translation>Sehr hoch</translation>
     </message>
     <message>
         <source>Untwist cables</source>
-        <translation type="unfinished"></translation>
+        <translation>Kabel entwirren</translation>
     </message>
     <message>
         <source>Upper end of the range that remote control can reach.</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberes Ende des Bereichs, den die Fernsteuerung erreicht.</translation>
     </message>
     <message>
         <source>Upper limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Obere Grenze</translation>
     </message>
     <message>
         <source>Use motion model</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegungsmodell benutzen</translation>
     </message>
     <message>
         <source>Use profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil benutzen</translation>
     </message>
     <message>
         <source>Use profile 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil benutzen: 1</translation>
     </message>
     <message>
         <source>Use profile 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil benutzen: 2</translation>
     </message>
     <message>
         <source>Use profile 3</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil benutzen: 3</translation>
     </message>
     <message>
         <source>Use profile 4</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil benutzen: 4</translation>
     </message>
     <message>
         <source>Use profile 5</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil benutzen: 5</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>Wert</translation>
     </message>
     <message>
-        <source>Values of the board&apos;s inner variables.</source>
-        <translation type="unfinished"></translation>
+        <source>Values of the board's inner variables.</source>
+        <translation>Werte der inneren Variablen des Boards.</translation>
     </message>
     <message>
         <source>Variables</source>
-        <translation type="unfinished"></translation>
+        <translation>Variablen</translation>
     </message>
     <message>
         <source>Vibration level at which gains are lowered.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vibration, bei der Verstärkungen gesenkt werden.</translation>
     </message>
     <message>
         <source>Virtual channel whose signal is put out on this servo pin; 0 = off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Virtueller Kanal, dessen Signal dieser Servo-Pin ausgibt; 0 = aus.</translation>
     </message>
     <message>
         <source>Voltage of the full battery: power is raised as it falls; negative = off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Spannung des vollen Akkus: die Leistung steigt, wenn sie fällt; negativ = aus.</translation>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished"></translation>
+        <translation>Was</translation>
     </message>
     <message>
         <source>What kind of signal the RC_ROLL pin carries.</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Art Signal der Pin RC_ROLL führt.</translation>
     </message>
     <message>
         <source>What the camera follows in pitch and roll.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wem die Kamera in Pitch und Roll folgt.</translation>
     </message>
     <message>
         <source>When and how the axis snaps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wann und wie die Achse einrastet.</translation>
     </message>
     <message>
         <source>Where the second sensor is mounted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo der zweite Sensor sitzt.</translation>
     </message>
     <message>
         <source>Whether the gyroscope is calibrated each time the board starts; it must then stand still.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob das Gyroskop bei jedem Start kalibriert wird; dann muss es still stehen.</translation>
     </message>
     <message>
         <source>Which axis of the frame sensor points right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Achse des Rahmensensors nach rechts zeigt.</translation>
     </message>
     <message>
         <source>Which axis of the frame sensor points up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Achse des Rahmensensors nach oben zeigt.</translation>
     </message>
     <message>
         <source>Which axis of the magnetometer points right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Achse des Magnetometers nach rechts zeigt.</translation>
     </message>
     <message>
         <source>Which axis of the magnetometer points up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Achse des Magnetometers nach oben zeigt.</translation>
     </message>
     <message>
         <source>Which axis printed on the sensor board points right, seen from behind the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche auf dem Sensor gedruckte Achse nach rechts zeigt, von hinter der Kamera gesehen.</translation>
     </message>
     <message>
         <source>Which axis printed on the sensor board points up. Wrong, the camera turns over.</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche auf dem Sensor gedruckte Achse nach oben zeigt. Falsch kippt die Kamera um.</translation>
     </message>
     <message>
         <source>Which of the filters of this axis work.</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Filter dieser Achse arbeiten.</translation>
     </message>
     <message>
         <source>Width of the band at -3 dB.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite des Bandes bei -3 dB.</translation>
     </message>
     <message>
         <source>Winding resistance</source>
-        <translation type="unfinished"></translation>
+        <translation>Wicklungswiderstand</translation>
     </message>
     <message>
         <source>Yaw +</source>
-        <translation type="unfinished"></translation>
+        <translation>Yaw +</translation>
     </message>
     <message>
         <source>Yaw port</source>
-        <translation type="unfinished"></translation>
+        <translation>Yaw-Anschluss</translation>
     </message>
     <message>
         <source>Yaw −</source>
-        <translation type="unfinished"></translation>
+        <translation>Yaw −</translation>
     </message>
     <message>
         <source>Yaw, pitch, roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Yaw, Pitch, Roll</translation>
     </message>
     <message>
         <source>Yaw, roll, pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>Yaw, Roll, Pitch</translation>
     </message>
     <message>
         <source>angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel</translation>
     </message>
     <message>
         <source>angle-frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel gegen Rahmen</translation>
     </message>
     <message>
         <source>calibrate</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrieren</translation>
     </message>
     <message>
         <source>click</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick</translation>
     </message>
     <message>
         <source>complete</source>
-        <translation type="unfinished"></translation>
+        <translation>Fertig</translation>
     </message>
     <message>
         <source>confirm</source>
-        <translation type="unfinished"></translation>
+        <translation>Bestätigung</translation>
     </message>
     <message>
         <source>copy-to-sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>in den Sensor kopieren</translation>
     </message>
     <message>
         <source>erase-eeprom</source>
-        <translation type="unfinished"></translation>
+        <translation>EEPROM löschen</translation>
     </message>
     <message>
         <source>error</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>extended</source>
-        <translation type="unfinished"></translation>
+        <translation>erweitert</translation>
     </message>
     <message>
         <source>frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Rahmen</translation>
     </message>
     <message>
         <source>intro</source>
-        <translation type="unfinished"></translation>
+        <translation>Begrüßung</translation>
     </message>
     <message>
         <source>main</source>
-        <translation type="unfinished"></translation>
+        <translation>Haupt</translation>
     </message>
     <message>
         <source>melody</source>
-        <translation type="unfinished"></translation>
+        <translation>Melodie</translation>
     </message>
     <message>
         <source>normal</source>
-        <translation type="unfinished"></translation>
+        <translation>normal</translation>
     </message>
     <message>
         <source>profile1</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil 1</translation>
     </message>
     <message>
         <source>profile2</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil 2</translation>
     </message>
     <message>
         <source>profile3</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil 3</translation>
     </message>
     <message>
         <source>profile4</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil 4</translation>
     </message>
     <message>
         <source>profile5</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil 5</translation>
     </message>
     <message>
         <source>rc</source>
-        <translation type="unfinished"></translation>
+        <translation>RC</translation>
     </message>
     <message>
         <source>reset-all</source>
-        <translation type="unfinished"></translation>
+        <translation>alles zurücksetzen</translation>
     </message>
     <message>
         <source>restore-factory</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkskalibrierung</translation>
     </message>
     <message>
         <source>selected</source>
-        <translation type="unfinished"></translation>
+        <translation>gewählter</translation>
     </message>
     <message>
         <source>simple</source>
-        <translation type="unfinished"></translation>
+        <translation>einfach</translation>
     </message>
     <message>
         <source>speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>speed-angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit und Winkel</translation>
     </message>
     <message>
         <source>temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur</translation>
     </message>
     <message>
         <source>temperature-off</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur aus</translation>
     </message>
     <message>
         <source>temperature-on</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur ein</translation>
+    </message>
+    <message>
+        <source>Profile %1</source>
+        <translation>Profil %1</translation>
     </message>
 </context>
 <context>
     <name>TuningPage</name>
     <message>
         <source>Tuning</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstimmen</translation>
     </message>
     <message>
         <source>Set A</source>
-        <translation type="unfinished"></translation>
+        <translation>Satz A</translation>
     </message>
     <message>
         <source>Use the first set of values (F6 switches)</source>
-        <translation type="unfinished"></translation>
+        <translation>Den ersten Satz Werte benutzen (F6 wechselt)</translation>
     </message>
     <message>
         <source>Set B</source>
-        <translation type="unfinished"></translation>
+        <translation>Satz B</translation>
     </message>
     <message>
         <source>Use the second set of values (F6 switches)</source>
-        <translation type="unfinished"></translation>
+        <translation>Den zweiten Satz Werte benutzen (F6 wechselt)</translation>
     </message>
     <message>
         <source>Copy to other</source>
-        <translation type="unfinished"></translation>
+        <translation>Übertragen</translation>
     </message>
     <message>
         <source>Make the other set the same as the values in use</source>
-        <translation type="unfinished"></translation>
+        <translation>Den anderen Satz den Werten in Gebrauch gleich machen</translation>
     </message>
     <message>
         <source>Revert all</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles zurück</translation>
     </message>
     <message>
         <source>Put the stored values into use at once (F9)</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gespeicherten Werte sofort in Gebrauch nehmen (F9)</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>Store the values in use in the active profile; a snapshot is taken first</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Werte in Gebrauch im aktiven Profil speichern; vorher wird eine Sicherung gemacht</translation>
     </message>
     <message>
         <source>Angle error</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkelfehler</translation>
     </message>
     <message>
         <source>Gyroscope</source>
-        <translation type="unfinished"></translation>
+        <translation>Gyroskop</translation>
     </message>
     <message>
         <source>Angle error, last %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkelfehler, letzte %1 s</translation>
     </message>
     <message>
         <source>RMS</source>
-        <translation type="unfinished"></translation>
+        <translation>RMS</translation>
     </message>
     <message>
         <source>Peak</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>RMS before</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Peak before</source>
-        <translation type="unfinished"></translation>
+        <translation>Spitze</translation>
     </message>
     <message>
         <source>Change</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung</translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen</translation>
     </message>
     <message>
         <source>Compare what follows with these figures; switching sets does so too</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleicht, was folgt, mit diesen Zahlen; ein Wechsel des Satzes tut das auch</translation>
     </message>
     <message>
         <source> The values in use were asked for again.</source>
-        <translation type="unfinished"></translation>
+        <translation> Die Werte in Gebrauch wurden neu erfragt.</translation>
     </message>
     <message>
         <source>This board has no values that can be changed live.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Board hat keine Werte, die sich live ändern lassen.</translation>
     </message>
     <message>
         <source>Error, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler, %1</translation>
     </message>
     <message>
         <source>Connect the board to tune it live</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbinden Sie das Board, um live abzustimmen</translation>
     </message>
     <message>
         <source>In use: as stored</source>
-        <translation type="unfinished"></translation>
+        <translation>In Gebrauch: wie gespeichert</translation>
     </message>
     <message numerus="yes">
         <source>%n value(s) in use, not stored</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Wert in Gebrauch, nicht gespeichert</numerusform>
+            <numerusform>%n Werte in Gebrauch, nicht gespeichert</numerusform>
         </translation>
     </message>
     <message>
         <source>A and B differ in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>A und B: %1 anders</translation>
+    </message>
+    <message>
+        <source>RMS
+before</source>
+        <translation>RMS
+vorher</translation>
+    </message>
+    <message>
+        <source>Peak
+before</source>
+        <translation>Spitze
+vorher</translation>
     </message>
 </context>
 <context>
     <name>UnsavedBar</name>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rückgängig</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wiederholen</translation>
     </message>
     <message>
         <source>&amp;Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Verwerfen</translation>
     </message>
     <message>
         <source>Save to &amp;file…</source>
-        <translation type="unfinished"></translation>
+        <translation>In &amp;Datei speichern…</translation>
     </message>
     <message>
         <source>Review and &amp;write…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Prüfen und schreiben…</translation>
     </message>
     <message numerus="yes">
         <source>%n unsaved change(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n ungesicherte Änderung</numerusform>
+            <numerusform>%n ungesicherte Änderungen</numerusform>
         </translation>
     </message>
     <message>
         <source>in %1 profiles</source>
-        <translation type="unfinished"></translation>
+        <translation>in %1 Profilen</translation>
     </message>
     <message>
         <source>No unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine ungesicherten Änderungen</translation>
     </message>
     <message>
         <source>Undo: %1 (Ctrl+Z)</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig: %1 (Strg+Z)</translation>
     </message>
     <message>
         <source>Redo: %1 (Ctrl+Shift+Z)</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholen: %1 (Strg+Umschalt+Z)</translation>
     </message>
     <message>
         <source>Ctrl+S</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg+S</translation>
     </message>
     <message>
         <source>Connect the board to write to it</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbinden Sie das Board, um darauf zu schreiben</translation>
     </message>
 </context>
 <context>
     <name>ValueEditor</name>
     <message>
         <source>↺ %1</source>
-        <translation type="unfinished"></translation>
+        <translation>↺ %1</translation>
     </message>
     <message>
         <source>The board has %1. Go back to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board hat %1. Dorthin zurück.</translation>
     </message>
     <message>
-        <source>Go back to the board&apos;s value %1</source>
-        <translation type="unfinished"></translation>
+        <source>Go back to the board's value %1</source>
+        <translation>Zurück zum Wert des Boards, %1</translation>
     </message>
     <message>
         <source>
 On the board: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>
+Auf dem Board: %1</translation>
     </message>
     <message>
         <source>Unknown (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbekannt (%1)</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine</translation>
     </message>
     <message numerus="yes">
         <source>%n set</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n gesetzt</numerusform>
+            <numerusform>%n gesetzt</numerusform>
         </translation>
     </message>
 </context>
@@ -6384,227 +6393,227 @@ On the board: %1</source>
     <name>VariablesPage</name>
     <message>
         <source>Adjustable variables</source>
-        <translation type="unfinished"></translation>
+        <translation>Live-Variablen</translation>
     </message>
     <message>
         <source>Keep reading</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter lesen</translation>
     </message>
     <message>
-        <source>A value set here takes effect at once and is forgotten at the next start unless it is saved. Numbers are the board&apos;s own; the meaning stands beside them.</source>
-        <translation type="unfinished"></translation>
+        <source>A value set here takes effect at once and is forgotten at the next start unless it is saved. Numbers are the board's own; the meaning stands beside them.</source>
+        <translation>Ein hier gesetzter Wert wirkt sofort und ist beim nächsten Start vergessen, wenn er nicht gespeichert wird. Die Zahlen sind die des Boards; die Bedeutung steht daneben.</translation>
     </message>
     <message>
         <source>Search (Ctrl+F)</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen (Strg+F)</translation>
     </message>
     <message>
         <source>Search variables</source>
-        <translation type="unfinished"></translation>
+        <translation>Variablen durchsuchen</translation>
     </message>
     <message>
         <source>Shows changes that the radio, a menu or another program makes</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt Änderungen, die Funke, Menü oder ein anderes Programm machen</translation>
     </message>
     <message>
         <source>Save variables</source>
-        <translation type="unfinished"></translation>
+        <translation>Variablen speichern</translation>
     </message>
     <message>
         <source>Store the values in use in the active profile; a snapshot is taken first</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Werte in Gebrauch im aktiven Profil speichern; vorher wird eine Sicherung gemacht</translation>
     </message>
 </context>
 <context>
     <name>Workspace</name>
     <message>
         <source>The last write was interrupted: %1 of %2 values are not on the board.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das letzte Schreiben wurde unterbrochen: %1 von %2 Werten sind nicht auf dem Board.</translation>
     </message>
     <message numerus="yes">
         <source>Finish: write %n value(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Abschließen: %n Wert schreiben</numerusform>
+            <numerusform>Abschließen: %n Werte schreiben</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Undo: put %n value(s) back</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Zurücknehmen: %n Wert zurück</numerusform>
+            <numerusform>Zurücknehmen: %n Werte zurück</numerusform>
         </translation>
     </message>
     <message>
         <source>Leave it so</source>
-        <translation type="unfinished"></translation>
+        <translation>So lassen</translation>
     </message>
     <message>
         <source>%1 °F</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 °F</translation>
     </message>
     <message>
         <source>%1 °C</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 °C</translation>
     </message>
     <message>
         <source>Unsaved edits would not survive a crash of the program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungesicherte Änderungen würden einen Absturz des Programms nicht überstehen.</translation>
     </message>
     <message>
         <source> Unsaved changes are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation> Ungesicherte Änderungen bleiben erhalten.</translation>
     </message>
     <message>
         <source>Live data could not be started. </source>
-        <translation type="unfinished"></translation>
+        <translation>Live-Daten ließen sich nicht starten. </translation>
     </message>
     <message>
         <source>Motors are off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren sind aus.</translation>
     </message>
     <message>
         <source>The board did not confirm that the motors are off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board hat nicht bestätigt, dass die Motoren aus sind.</translation>
     </message>
     <message>
         <source>They may still be running.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie laufen vielleicht noch.</translation>
     </message>
     <message>
         <source>Hold the camera and disconnect the power.</source>
-        <translation type="unfinished"></translation>
+        <translation>Halten Sie die Kamera und trennen Sie den Strom.</translation>
     </message>
     <message>
         <source>Control was released because the program did not refresh it in time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung wurde abgegeben, weil das Programm sie nicht rechtzeitig erneuert hat.</translation>
     </message>
     <message>
         <source>Connected again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wieder verbunden.</translation>
     </message>
     <message>
         <source>Changes of the interrupted write</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen des unterbrochenen Schreibens</translation>
     </message>
     <message>
         <source>Profile names written and read back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Profilnamen geschrieben und zurückgelesen.</translation>
     </message>
     <message numerus="yes">
         <source>%n value(s) written and read back.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Wert geschrieben und zurückgelesen.</numerusform>
+            <numerusform>%n Werte geschrieben und zurückgelesen.</numerusform>
         </translation>
     </message>
     <message>
         <source>The board as it was is kept in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board, wie es war, liegt in %1</translation>
     </message>
     <message numerus="yes">
         <source>%n verified</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n bestätigt</numerusform>
+            <numerusform>%n bestätigt</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n put back</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n zurückgelegt</numerusform>
+            <numerusform>%n zurückgelegt</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n unknown</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n unbekannt</numerusform>
+            <numerusform>%n unbekannt</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n not written</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n nicht geschrieben</numerusform>
+            <numerusform>%n nicht geschrieben</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n different</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n anders</numerusform>
+            <numerusform>%n anders</numerusform>
         </translation>
     </message>
     <message>
         <source>The write is not complete: %1. </source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schreiben ist nicht vollständig: %1. </translation>
     </message>
     <message>
         <source>When the board is back it is read again; then the write can be finished or undone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wenn das Board zurück ist, wird es neu gelesen; dann lässt sich das Schreiben abschließen oder zurücknehmen.</translation>
     </message>
     <message>
         <source>The interrupted write was complete: all %1 values are on the board.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das unterbrochene Schreiben war vollständig: alle %1 Werte sind auf dem Board.</translation>
     </message>
     <message>
         <source>The board holds the old values.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Board hält die alten Werte.</translation>
     </message>
     <message numerus="yes">
         <source>%n unsaved step(s) of an earlier run belong to this board.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n ungesicherter Schritt von früher gehört zu diesem Board.</numerusform>
+            <numerusform>%n ungesicherte Schritte von früher gehören zu diesem Board.</numerusform>
         </translation>
     </message>
     <message>
         <source>Restore them</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>Nothing of it fits this board any more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts davon passt noch zu diesem Board.</translation>
     </message>
     <message>
         <source>Throw them away</source>
-        <translation type="unfinished"></translation>
+        <translation>Wegwerfen</translation>
     </message>
     <message numerus="yes">
         <source>%n entry(s) of the file are unknown and were left out.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Eintrag der Datei ist unbekannt und wurde ausgelassen.</numerusform>
+            <numerusform>%n Einträge der Datei sind unbekannt und wurden ausgelassen.</numerusform>
         </translation>
     </message>
     <message>
         <source>The file is of another family of boards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei ist von einer anderen Familie von Boards.</translation>
     </message>
     <message>
         <source>Load profile %1 from %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil %1 aus %2 laden</translation>
     </message>
     <message>
         <source>Load %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 laden</translation>
     </message>
     <message numerus="yes">
         <source>%n value(s) of the file do not fit this board and were left out: %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Wert der Datei passt nicht zu diesem Board und wurde ausgelassen: %1</numerusform>
+            <numerusform>%n Werte der Datei passen nicht zu diesem Board und wurden ausgelassen: %1</numerusform>
         </translation>
     </message>
     <message>
         <source>Snapshot taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherung gemacht.</translation>
     </message>
     <message>
         <source>Stored in the active profile. The board as it was is kept in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Im aktiven Profil gespeichert. Das Board, wie es war, liegt in %1</translation>
     </message>
 </context>
 </TS>

@@ -5,9 +5,9 @@
     <name>BackupsPage</name>
     <message numerus="yes">
         <source>%n value(s) differ.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n value differs.</numerusform>
+            <numerusform>%n values differ.</numerusform>
         </translation>
     </message>
 </context>
@@ -15,9 +15,9 @@
     <name>MainWindow</name>
     <message numerus="yes">
         <source>%n change(s) are not on the board.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n change is not on the board.</numerusform>
+            <numerusform>%n changes are not on the board.</numerusform>
         </translation>
     </message>
 </context>
@@ -25,16 +25,16 @@
     <name>ProfileModel</name>
     <message numerus="yes">
         <source>%n unsaved</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n unsaved</numerusform>
+            <numerusform>%n unsaved</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>differs in %n value(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>differs in %n value</numerusform>
+            <numerusform>differs in %n values</numerusform>
         </translation>
     </message>
 </context>
@@ -52,9 +52,9 @@
     <name>TuningPage</name>
     <message numerus="yes">
         <source>%n value(s) in use, not stored</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n value in use, not stored</numerusform>
+            <numerusform>%n values in use, not stored</numerusform>
         </translation>
     </message>
 </context>
@@ -72,9 +72,9 @@
     <name>ValueEditor</name>
     <message numerus="yes">
         <source>%n set</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n set</numerusform>
+            <numerusform>%n set</numerusform>
         </translation>
     </message>
 </context>
@@ -89,72 +89,72 @@
     </message>
     <message numerus="yes">
         <source>Finish: write %n value(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Finish: write %n value</numerusform>
+            <numerusform>Finish: write %n values</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Undo: put %n value(s) back</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Undo: put %n value back</numerusform>
+            <numerusform>Undo: put %n values back</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n verified</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n verified</numerusform>
+            <numerusform>%n verified</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n put back</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n put back</numerusform>
+            <numerusform>%n put back</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n unknown</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n unknown</numerusform>
+            <numerusform>%n unknown</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n not written</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n not written</numerusform>
+            <numerusform>%n not written</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n different</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n different</numerusform>
+            <numerusform>%n different</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n unsaved step(s) of an earlier run belong to this board.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n unsaved step of an earlier run belongs to this board.</numerusform>
+            <numerusform>%n unsaved steps of an earlier run belong to this board.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n entry(s) of the file are unknown and were left out.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n entry of the file is unknown and was left out.</numerusform>
+            <numerusform>%n entries of the file are unknown and were left out.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n value(s) of the file do not fit this board and were left out: %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n value of the file does not fit this board and was left out: %1</numerusform>
+            <numerusform>%n values of the file do not fit this board and were left out: %1</numerusform>
         </translation>
     </message>
 </context>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/linkbar.h"
 
+#include "widgets/models/parametermodel.h"
+
 #include <QApplication>
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -188,7 +190,7 @@ void LinkBar::updateProfiles()
     if (model.isEmpty())
         return;
     for (int profile = 0; profile < model.board().identity().profileCount; ++profile)
-        m_profile->addItem(u"%1  %2"_s.arg(profile + 1).arg(model.edited().profileName(profile)));
+        m_profile->addItem(u"%1  %2"_s.arg(profile + 1).arg(profileLabel(model.edited(), profile)));
     m_profile->setCurrentIndex(model.shownProfile());
     m_profile->setEnabled(true);
 }

@@ -85,7 +85,7 @@ void StartPage::setLeftovers(const QStringList &bases)
     for (const QString &base : bases.mid(0, kMostLeftovers)) {
         const QString serial = QFileInfo(base).dir().dirName() == u"unsaved"_s
             ? QFileInfo(QFileInfo(base).path()).dir().dirName() : QFileInfo(base).baseName();
-        const QString when = QLocale().toString(QFileInfo(base).lastModified(), QLocale::ShortFormat);
+        const QString when = QLocale::system().toString(QFileInfo(base).lastModified(), QLocale::ShortFormat);
         auto *button = new QPushButton(tr("Board %1, %2").arg(serial, when));
         connect(button, &QPushButton::clicked, this, [this, base] { emit leftoverRequested(base); });
         m_leftovers->addWidget(button, 0, Qt::AlignLeft);

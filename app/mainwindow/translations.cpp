@@ -11,8 +11,8 @@ using namespace Qt::StringLiterals;
 Translations::Translations(const QString &code)
 {
     const QLocale locale = code.isEmpty() ? QLocale::system() : QLocale(code);
-    if (!code.isEmpty())
-        QLocale::setDefault(locale);
+    // Numbers are written one way everywhere: on the screen, in files and on the command line.
+    QLocale::setDefault(QLocale::c());
     if (m_english.load(u":/translations/gimbaldesk_en.qm"_s))
         QCoreApplication::installTranslator(&m_english);
     if (locale.language() == QLocale::English)

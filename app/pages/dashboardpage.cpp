@@ -62,17 +62,20 @@ DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
     auto *faults = new Card(tr("State of the board"));
     faults->content()->addLayout(m_faultList);
     faults->content()->addStretch(1);
-    auto *scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setWidget(faults);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    const auto inScroll = [](QWidget *card) {
+        auto *scroll = new QScrollArea;
+        scroll->setWidgetResizable(true);
+        scroll->setWidget(card);
+        scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        return scroll;
+    };
 
     auto *grid = new QGridLayout;
     grid->setSpacing(12);
     grid->addWidget(attitude, 0, 0);
     grid->addWidget(axes, 1, 0);
-    grid->addWidget(scroll, 0, 1);
-    grid->addWidget(power, 1, 1);
+    grid->addWidget(inScroll(faults), 0, 1);
+    grid->addWidget(inScroll(power), 1, 1);
     grid->setColumnStretch(0, 3);
     grid->setColumnStretch(1, 2);
     grid->setRowStretch(0, 3);
@@ -128,7 +131,8 @@ void DashboardPage::refreshFacts()
     };
     if (roles.current >= 0)
         row(tr("Current"), number(workspace().latest(roles.current), 2, u"A"_s));
-    row(tr("Sensor temperature"), temperatureText(workspace().latest(roles.temperature), workspace().settings().fahrenheit()));
+    const QString temperature = temperatureText(workspace().latest(roles.temperature), workspace().settings().fahrenheit());
+    row(tr("Sensor temperature"), temperature.isEmpty() ? u"–"_s : temperature);
     row(tr("Control cycle"), number(workspace().latest(roles.cycleTime), 0, u"µs"_s));
     row(tr("Sensor bus errors"), number(workspace().latest(roles.busErrors), 0, {}));
     const LinkStatistics &link = workspace().client().statistics();

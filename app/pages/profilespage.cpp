@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/profilespage.h"
 
+#include "widgets/models/parametermodel.h"
+
 #include "widgets/views/card.h"
 
 #include <QComboBox>
@@ -154,7 +156,7 @@ void ProfilesPage::updateButtons()
     m_target->clear();
     for (int other = 0; any && other < model.board().identity().profileCount; ++other) {
         if (other != profile)
-            m_target->addItem(u"%1  %2"_s.arg(other + 1).arg(model.edited().profileName(other)), other);
+            m_target->addItem(u"%1  %2"_s.arg(other + 1).arg(profileLabel(model.edited(), other)), other);
     }
     m_target->setCurrentIndex(std::max(0, m_target->findData(before)));
 }
@@ -178,7 +180,7 @@ void ProfilesPage::loadInto(const QString &path, int profile)
     auto *list = new QListWidget;
     list->setAccessibleName(tr("Profiles of the file"));
     for (int i = 0; i < file->configuration.identity().profileCount; ++i)
-        list->addItem(u"%1  %2"_s.arg(i + 1).arg(file->configuration.profileName(i)));
+        list->addItem(u"%1  %2"_s.arg(i + 1).arg(profileLabel(file->configuration, i)));
     list->setCurrentRow(std::min(profile, list->count() - 1));
     auto *text = new QLabel(tr("Which profile of %1?").arg(QFileInfo(path).fileName()));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);

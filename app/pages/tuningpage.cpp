@@ -28,7 +28,8 @@ namespace {
 constexpr auto kFigurePeriod = 250ms;
 constexpr double kFigureSpan = 3.0;      // seconds that the figures look back
 constexpr double kPlotWindow = 10.0;
-constexpr int kControlsWidth = 452;
+constexpr int kControlsWidth = 404;
+constexpr int kControlsMost = 520;
 
 QPushButton *makeButton(const QString &text, const QString &tip)
 {
@@ -63,20 +64,20 @@ TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
     m_revert->setObjectName(u"danger"_s);
     m_save->setObjectName(u"primary"_s);
     m_state->setObjectName(u"muted"_s);
-    header()->addWidget(m_state);
     for (QPushButton *button : {m_a, m_b, m_copy, m_revert, m_save})
         header()->addWidget(button);
 
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setMinimumWidth(kControlsWidth);
-    m_scroll->setMaximumWidth(kControlsWidth + 60);
+    m_scroll->setMaximumWidth(kControlsMost);
     auto *right = new QWidget;
     auto *rightLayout = new QVBoxLayout(right);
     rightLayout->setContentsMargins(0, 0, 0, 0);
     rightLayout->setSpacing(12);
     for (int i = 0; i < 2; ++i) {
         auto *plot = new PlotView(workspace.theme());
+        plot->setMinimumHeight(90);
         plot->setWindow(kPlotWindow);
         plot->setAccessibleName(i == 0 ? tr("Angle error") : tr("Gyroscope"));
         rightLayout->addWidget(plot, 1);
@@ -84,13 +85,13 @@ TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
     }
     auto *figures = new Card(tr("Angle error, last %1 s").arg(kFigureSpan));
     auto *grid = new QGridLayout;
-    grid->setHorizontalSpacing(Metric::kMargin);
+    grid->setHorizontalSpacing(12);
     grid->setVerticalSpacing(Metric::kUnit);
-    const QStringList heads{QString(), tr("RMS"), tr("Peak"), tr("RMS before"), tr("Peak before"), tr("Change")};
+    const QStringList heads{QString(), tr("RMS"), tr("Peak"), tr("RMS\nbefore"), tr("Peak\nbefore"), tr("Change")};
     for (int column = 0; column < heads.size(); ++column) {
         auto *head = new QLabel(heads[column]);
         head->setObjectName(u"muted"_s);
-        head->setAlignment(column == 0 ? Qt::AlignLeft : Qt::AlignRight);
+        head->setAlignment((column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignBottom);
         grid->addWidget(head, 0, column);
     }
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -103,14 +104,15 @@ TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
         }
     }
     auto *keep = makeButton(tr("Compare"), tr("Compare what follows with these figures; switching sets does so too"));
-    grid->addWidget(keep, 1, int(heads.size()), 2, 1, Qt::AlignVCenter);
     grid->setColumnStretch(0, 1);
     figures->content()->addLayout(grid);
+    figures->content()->addWidget(keep, 0, Qt::AlignRight);
     rightLayout->addWidget(figures);
     auto *split = new QHBoxLayout;
     split->setSpacing(12);
     split->addWidget(m_scroll);
     split->addWidget(right, 1);
+    body()->addWidget(m_state);
     body()->addLayout(split, 1);
     m_clock.setPlots(m_plots);
 
@@ -171,9 +173,9 @@ QWidget *TuningPage::makeControls()
             group = QLatin1String(spec.row->group);
             auto *card = new Card(tableText(spec.row->group));
             grid = new QGridLayout;
-            grid->setHorizontalSpacing(12);
+            grid->setHorizontalSpacing(Metric::kGap);
             grid->setVerticalSpacing(Metric::kGap);
-            grid->setColumnMinimumWidth(0, 96);
+            grid->setColumnMinimumWidth(0, 84);
             for (int column = 1; column <= 3; ++column) {
                 auto *head = new QLabel(axisLabel(kAxes[std::size_t(column - 1)]));
                 head->setObjectName(u"muted"_s);

@@ -67,7 +67,7 @@ QVariant ChangeModel::data(const QModelIndex &index, int role) const
     case ProfileColumn:
         if (spec && spec->row->scope == Scope::Board)
             return tr("All profiles");
-        return m_board.profileName(row.change.profile);
+        return profileLabel(m_board, row.change.profile);
     case BoardColumn:
         return spec ? value(row.change.from) : m_board.profileNames().value(row.change.profile);
     case EditedColumn:

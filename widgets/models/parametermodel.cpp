@@ -32,6 +32,12 @@ QString parameterLabel(const ParameterSpec &spec, bool withAxis)
     return label;
 }
 
+QString profileLabel(const Configuration &configuration, int profile)
+{
+    const QString name = configuration.profileNames().value(profile);
+    return name.isEmpty() ? QCoreApplication::translate("Tables", "Profile %1").arg(profile + 1) : name;
+}
+
 QString parameterValueText(const ParameterSpec &spec, int raw)
 {
     switch (spec.row->kind) {

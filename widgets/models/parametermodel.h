@@ -39,6 +39,8 @@ private:
 [[nodiscard]] QString parameterLabel(const ParameterSpec &spec, bool withAxis = true);
 [[nodiscard]] QString axisLabel(Axis axis);
 [[nodiscard]] QString tableText(const char *text);
+/// The profile's name, or its number where it has none.
+[[nodiscard]] QString profileLabel(const Configuration &configuration, int profile);
 [[nodiscard]] QString parameterValueText(const ParameterSpec &spec, int raw);
 [[nodiscard]] QString parameterRangeText(const ParameterSpec &spec);
 /// Lower-case text in which a search looks: label, key, group, help.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/profilemodel.h"
 
+#include "widgets/models/parametermodel.h"
+
 #include <utility>
 
 ProfileModel::ProfileModel(ConfigurationModel &configuration, QObject *parent)
@@ -75,7 +77,7 @@ QVariant ProfileModel::data(const QModelIndex &index, int role) const
         return {};
     switch (index.column()) {
     case NumberColumn: return profile + 1;
-    case NameColumn: return edited.profileName(profile);
+    case NameColumn: return profileLabel(edited, profile);
     case StateColumn: return profile == edited.activeProfile() ? tr("● active") : QString();
     case ChangesColumn: {
         const bool renamed = m_configuration.edited().profileNames().value(profile)

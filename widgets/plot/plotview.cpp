@@ -89,6 +89,8 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
     plot->setMargins({0, 0, 4, 0});
     plot->layout()->setContentsMargins(0, 0, 0, 0);
     plot->legend()->setAlignment(Qt::AlignTop);
+    plot->legend()->detachFromChart();
+    plot->legend()->setBackgroundVisible(false);
     plot->legend()->setMarkerShape(QLegend::MarkerShapeRectangle);
     plot->addAxis(m_timeAxis, Qt::AlignBottom);
     plot->addAxis(m_valueAxis, Qt::AlignLeft);
@@ -106,9 +108,6 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
     viewport()->setAccessibleName(accessibleName());
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
-    m_legendTimer.setSingleShot(true);
-    m_legendTimer.setInterval(0);
-    connect(&m_legendTimer, &QTimer::timeout, this, &PlotView::layoutLegend);
     viewport()->setMouseTracking(true);
     connect(&m_theme, &Theme::changed, this, &PlotView::applyTheme);
     connect(plot, &QChart::plotAreaChanged, this, &PlotView::updateView);
@@ -118,21 +117,6 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
 }
 
 PlotView::~PlotView() = default;
-
-// A legend made while the view had no size, or was hidden, keeps the room it found then.
-void PlotView::layoutLegend()
-{
-    chart()->legend()->setVisible(false);
-    chart()->legend()->setVisible(true);
-    chart()->layout()->invalidate();
-    chart()->layout()->activate();
-}
-
-void PlotView::showEvent(QShowEvent *event)
-{
-    QChartView::showEvent(event);
-    m_legendTimer.start();
-}
 
 QColor PlotView::colorOf(qsizetype curve, int &next) const
 {
@@ -189,7 +173,6 @@ void PlotView::setCurves(ChannelTable table, const QList<Curve> &curves, std::sh
             applyTheme();
         });
     }
-    m_legendTimer.start();
     // The unit stands at the scale, where the numbers are.
     m_valueAxis->setTitleText(
         curves.isEmpty() ? QString() : QString::fromUtf8(table[std::size_t(curves.first().channel)].unit));
@@ -281,7 +264,9 @@ void PlotView::resizeEvent(QResizeEvent *event)
     const QSizeF size = viewport()->size();
     chart()->setPlotArea({kLeft, kTop, std::max(10.0, size.width() - kLeft - kRight),
                           std::max(10.0, size.height() - kTop - kBottom)});
-    m_legendTimer.start();
+    // The legend stays where the room for it is; attached to the chart it keeps what room it found when it was hidden.
+    chart()->legend()->setGeometry(kLeft, 2, std::max(10.0, size.width() - kLeft - kRight), kTop - 4);
+    chart()->legend()->update();
     updateView();
 }
 

@@ -7,7 +7,6 @@
 
 #include <QChartView>
 #include <QElapsedTimer>
-#include <QTimer>
 
 #include <optional>
 
@@ -64,7 +63,6 @@ signals:
     void followRequested();
 
 protected:
-    void showEvent(QShowEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
@@ -79,7 +77,6 @@ private:
     void fitScale();
     void setScale(double low, double high, int steps);
     void updateView();
-    void layoutLegend();
     [[nodiscard]] QColor colorOf(qsizetype curve, int &next) const;
     [[nodiscard]] double timeAt(double x) const;
 
@@ -98,5 +95,4 @@ private:
     std::optional<double> m_cursor;
     std::optional<double> m_dragFrom;      // x of the last mouse position while the picture is dragged
     QElapsedTimer m_shrinkTimer;
-    QTimer m_legendTimer;
 };

@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mainwindow/navigation.h"
+#include "app/mainwindow/translations.h"
+#include "app/pages/page.h"
+#include "app/wizards/calibrationpage.h"
+#include "tests/support/windowrig.h"
+
+#include <QAbstractButton>
+#include <QAccessible>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSet>
+#include <QToolButton>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kMostTabs = 400;
+
+QString pathOf(const QWidget *widget)
+{
+    QStringList parts;
+    for (; widget && !widget->isWindow(); widget = widget->parentWidget())
+        parts.prepend(QString::fromLatin1(widget->metaObject()->className()) + u'#' + widget->objectName());
+    return parts.join(u'/');
+}
+
+// A text that does not fit where it is, unless it can be read otherwise.
+QString clippedText(const QWidget *widget)
+{
+    if (const auto *label = qobject_cast<const QLabel *>(widget)) {
+        if (label->text().isEmpty() || label->toolTip() == label->text())
+            return {};
+        if (label->wordWrap())
+            return label->heightForWidth(label->width()) > label->height() + 1 ? label->text() : QString();
+        return label->minimumSizeHint().width() > label->width() + 1 ? label->text() : QString();
+    }
+    if (const auto *button = qobject_cast<const QAbstractButton *>(widget)) {
+        QString text = button->text();
+        text.remove(u'&');
+        const int room = button->width() - (qobject_cast<const QCheckBox *>(button) ? 18 : 8);
+        return button->fontMetrics().horizontalAdvance(text) > room ? button->text() : QString();
+    }
+    if (const auto *box = qobject_cast<const QComboBox *>(widget)) {
+        if (box->isEditable() || box->toolTip().contains(box->currentText()))
+            return {};
+        return box->fontMetrics().horizontalAdvance(box->currentText()) > box->width() - 30 && !box->currentText().isEmpty()
+            && box->sizeAdjustPolicy() != QComboBox::AdjustToMinimumContentsLengthWithIcon
+            ? box->currentText() : QString();
+    }
+    return {};
+}
+
+} // namespace
+
+/// What every page has to be whatever is on it: readable in every language at the smallest size, reachable by the keyboard
+/// alone, named for those who do not see it.
+class TestLooks : public QObject
+{
+    Q_OBJECT
+private slots:
+    void nothingIsClipped_data();
+    void nothingIsClipped();
+    void germanIsGerman();
+    void keyboardReachesEverything_data();
+    void keyboardReachesEverything();
+    void focusIsSeen();
+    void accessibilityTreeHasNames();
+
+private:
+    static void addPages()
+    {
+        QTest::addColumn<QString>("page");
+        for (const PageEntry &entry : pageTable())
+            QTest::newRow(entry.key) << QString::fromLatin1(entry.key);
+    }
+};
+
+void TestLooks::nothingIsClipped_data()
+{
+    QTest::addColumn<QString>("language");
+    QTest::newRow("English") << u"en"_s;
+    QTest::newRow("German") << u"de"_s;
+}
+
+void TestLooks::nothingIsClipped()
+{
+    QFETCH(QString, language);
+    const Translations translations(language);
+    WindowRig rig;
+    rig.window().resize(rig.window().minimumSize());
+    const auto check = [&rig](const QString &where) {
+        QTest::qWait(60);   // layouts settle
+        for (const QWidget *widget : rig.window().findChildren<QWidget *>()) {
+            if (!widget->isVisible() || widget->visibleRegion().isEmpty())
+                continue;
+            const QString text = clippedText(widget);
+            QVERIFY2(text.isEmpty(), qPrintable(u"%1: \"%2\" has %3 px in %4"_s.arg(where, text).arg(widget->width())
+                                                    .arg(pathOf(widget))));
+        }
+    };
+    check(u"start"_s);
+    QVERIFY(rig.open());
+    QVERIFY(QTest::qWaitFor([&rig] { return rig.workspace().motorsRunning().has_value(); }, 8000));
+    rig.edit(u"pid.roll.p"_s, 0, 44);
+    for (const PageEntry &entry : pageTable()) {
+        rig.window().showPage(QLatin1String(entry.key));
+        check(QLatin1String(entry.key));
+        QVERIFY2(rig.window().width() == rig.window().minimumWidth(), entry.key);   // no page forces the window wider
+        const QWidget *page = rig.window().page(QLatin1String(entry.key));
+        QVERIFY2(page->minimumSizeHint().width() <= page->width(),
+                 qPrintable(u"%1 needs %2 px of %3"_s.arg(QLatin1String(entry.key)).arg(page->minimumSizeHint().width())
+                                .arg(page->width())));
+    }
+    for (const auto kind : {CalibrationPage::Kind::Gyroscope, CalibrationPage::Kind::Level,
+                            CalibrationPage::Kind::SixPositions}) {
+        rig.page<CalibrationPage>()->start(kind);
+        check(u"calibration wizard"_s);
+    }
+}
+
+void TestLooks::germanIsGerman()
+{
+    const Translations translations(u"de"_s);
+    WindowRig rig;
+    QVERIFY(rig.open());
+    QCOMPARE(rig.window().page(u"tuning"_s)->title(), u"Abstimmen"_s);
+    rig.window().showPage(u"tuning"_s);
+    // Words of the tables as well, and plurals by number.
+    QStringList texts;
+    for (const QLabel *label : rig.window().page(u"tuning"_s)->findChildren<QLabel *>())
+        texts.append(label->text());
+    QVERIFY(texts.contains(u"Stabilisierung"_s));
+    rig.edit(u"pid.roll.p"_s, 0, 44);
+    const auto unsaved = [&rig] {
+        QStringList list;
+        for (const QLabel *label : rig.window().findChildren<QLabel *>())
+            list.append(label->text());
+        return list;
+    };
+    QTRY_VERIFY(unsaved().contains(u"1 ungesicherte Änderung"_s));
+    rig.edit(u"pid.roll.d"_s, 0, 44);
+    QTRY_VERIFY(unsaved().contains(u"2 ungesicherte Änderungen"_s));
+    QVERIFY(describe({ErrorCode::Timeout, {}, 0}).what.contains(u"Board"_s));
+    QVERIFY(!describe({ErrorCode::Timeout, {}, 0}).what.contains(u"The "_s));
+}
+
+void TestLooks::keyboardReachesEverything_data()
+{
+    addPages();
+}
+
+// Tab goes through everything that takes the focus and comes back to where it began: no trap, nothing left out.
+void TestLooks::keyboardReachesEverything()
+{
+    QFETCH(QString, page);
+    WindowRig rig;
+    QVERIFY(rig.open());
+    rig.window().showPage(page);
+    QTest::qWait(100);
+    QVERIFY(QTest::qWaitForWindowActive(&rig.window()));
+    rig.window().navigation()->setFocus();
+    QSet<QWidget *> visited;
+    QWidget *first = QApplication::focusWidget();
+    QVERIFY(first);
+    for (int i = 0; i < kMostTabs; ++i) {
+        QWidget *focus = QApplication::focusWidget();
+        QVERIFY2(focus, "the focus went nowhere");
+        visited.insert(focus);
+        QTest::keyClick(focus, Qt::Key_Tab);
+        QVERIFY2(QApplication::focusWidget() != focus, qPrintable(u"trapped in "_s + pathOf(focus)));
+        if (QApplication::focusWidget() == first)
+            break;
+    }
+    QCOMPARE(QApplication::focusWidget(), first);
+    for (QWidget *widget : rig.window().findChildren<QWidget *>()) {
+        if (!(widget->focusPolicy() & Qt::TabFocus) || !widget->isVisible() || !widget->isEnabled() || widget->focusProxy()
+            || widget->objectName().startsWith(u"qt_"_s) || qobject_cast<QScrollArea *>(widget))
+            continue;
+        // The line inside an editable box or a number box is reached with its box.
+        bool inside = false;
+        for (const QWidget *parent = widget; parent; parent = parent->parentWidget())
+            inside |= visited.contains(const_cast<QWidget *>(parent));
+        QVERIFY2(inside, qPrintable(u"not reached: "_s + pathOf(widget)));
+    }
+}
+
+// With the focus a control looks different from without.
+void TestLooks::focusIsSeen()
+{
+    WindowRig rig;
+    QVERIFY(rig.open());
+    QSet<QString> kinds;
+    for (const PageEntry &entry : pageTable()) {
+        rig.window().showPage(QLatin1String(entry.key));
+        QTest::qWait(60);
+        QVERIFY(QTest::qWaitForWindowActive(&rig.window()));
+        for (QWidget *widget : rig.window().page(QLatin1String(entry.key))->findChildren<QWidget *>()) {
+            const QString kind = QString::fromLatin1(widget->metaObject()->className());
+            if (!(widget->focusPolicy() & Qt::TabFocus) || !widget->isVisible() || !widget->isEnabled()
+                || widget->visibleRegion().isEmpty() || kinds.contains(kind) || qobject_cast<QScrollArea *>(widget)
+                || widget->objectName().startsWith(u"qt_"_s))
+                continue;
+            kinds.insert(kind);
+            rig.window().navigation()->setFocus();
+            const QImage without = widget->grab().toImage();
+            widget->setFocus(Qt::TabFocusReason);
+            if (QApplication::focusWidget() != widget)
+                continue;   // a box hands it on to its line
+            QVERIFY2(widget->grab().toImage() != without, qPrintable(kind + u" in "_s + pathOf(widget)));
+        }
+    }
+    QVERIFY(kinds.size() >= 8);
+}
+
+void TestLooks::accessibilityTreeHasNames()
+{
+    WindowRig rig;
+    QVERIFY(rig.open());
+    int seen = 0;
+    for (const PageEntry &entry : pageTable()) {
+        rig.window().showPage(QLatin1String(entry.key));
+        QTest::qWait(60);
+        QList<QAccessibleInterface *> queue{QAccessible::queryAccessibleInterface(&rig.window())};
+        while (!queue.isEmpty()) {
+            QAccessibleInterface *item = queue.takeFirst();
+            if (!item || !item->isValid())
+                continue;
+            const QAccessible::State state = item->state();
+            const auto role = item->role();
+            const bool isControl = role == QAccessible::Button || role == QAccessible::CheckBox || role == QAccessible::ComboBox
+                || role == QAccessible::EditableText || role == QAccessible::SpinBox || role == QAccessible::Slider
+                || role == QAccessible::List || role == QAccessible::Table || role == QAccessible::Tree;
+            if (isControl && !state.invisible && state.focusable) {
+                ++seen;
+                const auto *widget = qobject_cast<QWidget *>(item->object());
+                const bool inner = widget && widget->objectName().startsWith(u"qt_"_s);
+                // The line of a box takes its name from the box.
+                const QAccessibleInterface *parent = item->parent();
+                const QString name = item->text(QAccessible::Name)
+                    + (parent && (parent->role() == QAccessible::ComboBox || parent->role() == QAccessible::SpinBox)
+                           ? parent->text(QAccessible::Name) : QString());
+                QVERIFY2(inner || !name.isEmpty(), qPrintable(u"%1, role %2, in %3"_s.arg(QLatin1String(entry.key)).arg(int(role))
+                                                         .arg(widget ? pathOf(widget) : QString())));
+            }
+            // Rows of tables are many; their names are their texts.
+            if (role == QAccessible::Table || role == QAccessible::Tree || role == QAccessible::List)
+                continue;
+            for (int i = 0; i < item->childCount(); ++i)
+                queue.append(item->child(i));
+        }
+    }
+    QVERIFY(seen > 60);
+}
+
+QTEST_MAIN(TestLooks)
+#include "tst_looks.moc"

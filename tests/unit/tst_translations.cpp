@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTest>
+#include <QXmlStreamReader>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct Message
+{
+    QString context;
+    QString source;
+    QStringList translations;
+    bool finished = true;
+    bool plural = false;
+};
+
+QList<Message> readCatalogue(const QString &name)
+{
+    QFile file(QStringLiteral(GIMBAL_SOURCE_DIR "/translations/") + name);
+    if (!file.open(QIODevice::ReadOnly))
+        qFatal("no catalogue");
+    QXmlStreamReader xml(&file);
+    QList<Message> messages;
+    QString context;
+    while (!xml.atEnd()) {
+        xml.readNext();
+        if (!xml.isStartElement())
+            continue;
+        if (xml.name() == u"name"_s) {
+            context = xml.readElementText();
+        } else if (xml.name() == u"message"_s) {
+            messages.append({context, {}, {}, true, xml.attributes().value(u"numerus"_s) == u"yes"_s});
+        } else if (xml.name() == u"source"_s) {
+            messages.last().source = xml.readElementText();
+        } else if (xml.name() == u"translation"_s) {
+            messages.last().finished = !xml.attributes().hasAttribute(u"type"_s);
+            if (!messages.last().plural)
+                messages.last().translations.append(xml.readElementText());
+        } else if (xml.name() == u"numerusform"_s) {
+            messages.last().translations.append(xml.readElementText());
+        }
+    }
+    return messages;
+}
+
+QMap<QString, int> placeholders(const QString &text)
+{
+    static const QRegularExpression place(u"%(\\d|n|L\\d)"_s);
+    QMap<QString, int> found;
+    auto it = place.globalMatch(text);
+    while (it.hasNext())
+        ++found[it.next().captured()];
+    return found;
+}
+
+} // namespace
+
+/// The catalogues hold every text, whole.
+class TestTranslations : public QObject
+{
+    Q_OBJECT
+private slots:
+    void germanIsComplete();
+    void placeholdersAreKept();
+    void pluralsHaveTwoForms();
+    void everyTableTextIsThere();
+    void everyHelpTextHasBothLanguages();
+};
+
+void TestTranslations::germanIsComplete()
+{
+    const QList<Message> messages = readCatalogue(u"gimbaldesk_de.ts"_s);
+    QVERIFY(messages.size() > 1400);
+    for (const Message &message : messages) {
+        QVERIFY2(message.finished, qPrintable(message.context + u": "_s + message.source));
+        for (const QString &translation : message.translations)
+            QVERIFY2(!translation.isEmpty(), qPrintable(message.source));
+    }
+}
+
+void TestTranslations::placeholdersAreKept()
+{
+    for (const char *catalogue : {"gimbaldesk_de.ts", "gimbaldesk_en.ts"}) {
+        for (const Message &message : readCatalogue(QLatin1String(catalogue))) {
+            for (const QString &translation : message.translations)
+                QVERIFY2(placeholders(translation) == placeholders(message.source),
+                         qPrintable(message.source + u" -> "_s + translation));
+        }
+    }
+}
+
+void TestTranslations::pluralsHaveTwoForms()
+{
+    int plurals = 0;
+    for (const char *catalogue : {"gimbaldesk_de.ts", "gimbaldesk_en.ts"}) {
+        for (const Message &message : readCatalogue(QLatin1String(catalogue))) {
+            if (!message.plural)
+                continue;
+            ++plurals;
+            QVERIFY2(message.translations.size() == 2, qPrintable(message.source));
+            for (const QString &form : message.translations)
+                QVERIFY2(!form.contains(u"(s)"_s), qPrintable(form));
+        }
+    }
+    QVERIFY(plurals > 30);
+}
+
+void TestTranslations::everyTableTextIsThere()
+{
+    QProcess process;
+    process.start(QStringLiteral(GIMBAL_BIN_DIR "/tabletexts"), QStringList());
+    QVERIFY(process.waitForFinished(20000));
+    QSet<QString> known;
+    for (const Message &message : readCatalogue(u"gimbaldesk_de.ts"_s)) {
+        if (message.context == u"Tables"_s)
+            known.insert(message.source);
+    }
+    int count = 0;
+    static const QRegularExpression text(u"\"Tables\", \"(.*)\"\\)$"_s, QRegularExpression::MultilineOption);
+    auto it = text.globalMatch(QString::fromUtf8(process.readAllStandardOutput()));
+    while (it.hasNext()) {
+        QString source = it.next().captured(1);
+        source.replace(u"\\\""_s, u"\""_s).replace(u"\\\\"_s, u"\\"_s);
+        QVERIFY2(known.contains(source), qPrintable(source + u" (run translations/update)"_s));
+        ++count;
+    }
+    QVERIFY(count > 900);
+}
+
+void TestTranslations::everyHelpTextHasBothLanguages()
+{
+    const QDir english(QStringLiteral(GIMBAL_SOURCE_DIR "/resources/help/en"));
+    const QDir german(QStringLiteral(GIMBAL_SOURCE_DIR "/resources/help/de"));
+    QVERIFY(english.entryList({u"*.md"_s}).size() >= 15);
+    QCOMPARE(german.entryList({u"*.md"_s}), english.entryList({u"*.md"_s}));
+}
+
+QTEST_GUILESS_MAIN(TestTranslations)
+#include "tst_translations.moc"
