@@ -79,6 +79,9 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     split->addWidget(right);
     split->setStretchFactor(1, 1);
     split->setSizes({330, 900});
+    split->restoreState(workspace.settings().layout(u"monitor"_s));
+    connect(split, &QSplitter::splitterMoved, this,
+            [this, split] { this->workspace().settings().setLayout(u"monitor"_s, split->saveState()); });
     body()->addWidget(split, 1);
 
     m_valueTimer.setInterval(kValuePeriod);

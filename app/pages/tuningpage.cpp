@@ -195,10 +195,13 @@ QWidget *TuningPage::makeControls()
             label->setToolTip(tableText(spec.row->help));
             grid->addWidget(label, row, 0, Qt::AlignTop);
         }
-        auto *control = new LiveSlider(spec, firmware);
+        auto *control = new LiveSlider(spec, m_live.range(parameter), firmware);
         const int column = spec.axis == Axis::None ? 1 : int(spec.axis) + 1;
         grid->addWidget(control, row, column, 1, spec.axis == Axis::None ? 3 : 1);
-        connect(control, &LiveSlider::edited, this, [this, parameter](int raw) { m_live.setValue(parameter, raw); });
+        connect(control, &LiveSlider::edited, this, [this, control, parameter](int raw) {
+            m_live.setValue(parameter, raw);
+            control->show(m_live.value(parameter), m_live.stored(parameter));   // what came of it, within its range
+        });
         m_controls.insert(parameter, control);
         control->show(m_live.value(parameter), m_live.stored(parameter));
     }

@@ -24,6 +24,7 @@
 #include "widgets/forms/valueeditor.h"
 #include "widgets/plot/plotview.h"
 
+#include <QAbstractItemModelTester>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
@@ -126,6 +127,7 @@ void TestPages::profileRenamedCopiedAndWritten()
 {
     QVERIFY(m_rig->open());
     auto *page = m_rig->page<ProfilesPage>();
+    const QAbstractItemModelTester tester(page->table()->model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
     m_rig->edit(u"pid.roll.p"_s, 0, 61);
     // Typed into the table, as the operator does.
     page->table()->setFocus();
@@ -351,6 +353,7 @@ void TestPages::adjustableVariables()
     QVERIFY(m_rig->open());
     auto *page = m_rig->page<VariablesPage>();
     AdjustableModel &model = page->model();
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
     QTRY_VERIFY_WITH_TIMEOUT(model.rowCount() == 48, 5000);
     const auto shown = [&](int id) { return model.index(id, AdjustableModel::ValueColumn).data().toString(); };
     QTRY_COMPARE_WITH_TIMEOUT(shown(0), u"35"_s, 5000);
@@ -371,6 +374,7 @@ void TestPages::debugVariablesOfOddTypes()
     QVERIFY(m_rig->open(u"sim:simplebgc?firmware=2.73.4"_s));
     auto *page = m_rig->page<DebugPage>();
     DebugModel &model = page->model();
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
     QTRY_VERIFY_WITH_TIMEOUT(model.rowCount() > 0, 5000);
     QStringList names;
     QStringList types;
@@ -451,6 +455,7 @@ void TestPages::consoleShowsAndSends()
     QVERIFY(m_rig->open());
     auto *page = m_rig->page<ConsolePage>();
     FrameLogModel &model = page->model();
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
     const auto names = [&model] {
         QStringList list;
         for (int row = 0; row < model.rowCount(); ++row)

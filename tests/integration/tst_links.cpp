@@ -148,6 +148,7 @@ class TestLinks : public QObject
 {
     Q_OBJECT
 private slots:
+    void theWorldChangesOnStandardInput();
     void serialPortOverPseudoTerminal();
     void serialFindsTheRate();
     void tcp();
@@ -581,6 +582,25 @@ void TestLinks::udpCarriesDatagrams()
     QCOMPARE(datagram, QByteArray("ping"));
     peer.writeDatagram("pong", from, port);
     QTRY_COMPARE(received, QByteArray("pong"));
+}
+
+void TestLinks::theWorldChangesOnStandardInput()
+{
+    SimProcess simulator({u"--tcp"_s, u"0"_s});
+    const auto client = makeClient();
+    QVERIFY(connectTo(*client, simulator.address()));
+    const ChannelRoles roles = client->device()->roles();
+    client->setTelemetry({QList<int>(roles.acc.begin(), roles.acc.end()), 0});
+    const auto acc = [&](int axis) { return client->telemetry()->latest(roles.acc[std::size_t(axis)]); };
+    QTRY_VERIFY_WITH_TIMEOUT(acc(2) > 0.9F, 5000);
+    simulator.process().write("pose=4\nnonsense\n");   // X down; the second line is refused and does no harm
+    QTRY_VERIFY_WITH_TIMEOUT(acc(0) < -0.9F, 5000);
+    QByteArray said;
+    const auto complains = [&] { return (said += simulator.process().readAllStandardError()).contains("nonsense"); };
+    QTRY_VERIFY_WITH_TIMEOUT(complains(), 2000);
+    simulator.process().closeWriteChannel();
+    QTest::qWait(200);
+    QCOMPARE(simulator.process().state(), QProcess::Running);   // the end of its input is not the end of it
 }
 
 QTEST_GUILESS_MAIN(TestLinks)

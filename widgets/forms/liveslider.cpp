@@ -16,7 +16,7 @@ constexpr int kSteps = 50;   // from end to end with the keys, when not by singl
 
 } // namespace
 
-LiveSlider::LiveSlider(const ParameterSpec &spec, int firmware, QWidget *parent)
+LiveSlider::LiveSlider(const ParameterSpec &spec, std::pair<int, int> range, int firmware, QWidget *parent)
     : QWidget(parent)
     , m_spec(spec)
     , m_editor(new ValueEditor(spec, firmware))
@@ -29,8 +29,8 @@ LiveSlider::LiveSlider(const ParameterSpec &spec, int firmware, QWidget *parent)
     if (spec.row->kind != ValueKind::Number)
         return;
     m_slider = new QSlider(Qt::Horizontal);
-    m_slider->setRange(spec.row->min, spec.row->max);
-    m_slider->setSingleStep(std::max(1, (spec.row->max - spec.row->min) / kSteps));
+    m_slider->setRange(range.first, range.second);
+    m_slider->setSingleStep(std::max(1, (range.second - range.first) / kSteps));
     m_slider->setPageStep(m_slider->singleStep() * 5);
     m_slider->setFocusPolicy(Qt::StrongFocus);
     m_slider->setAccessibleName(parameterLabel(spec));

@@ -15,7 +15,8 @@ class LiveSlider final : public QWidget
 {
     Q_OBJECT
 public:
-    LiveSlider(const ParameterSpec &spec, int firmware, QWidget *parent = nullptr);
+    /// @param range raw values that can be set live
+    LiveSlider(const ParameterSpec &spec, std::pair<int, int> range, int firmware, QWidget *parent = nullptr);
 
     /// Shows the value in use and the stored one; empty = not known.
     void show(std::optional<int> value, std::optional<int> stored);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/livemodel.h"
 
+#include <algorithm>
 #include <utility>
 
 LiveModel::LiveModel(DeviceClient &client, ConfigurationModel &configuration, QObject *parent)
@@ -105,11 +106,26 @@ void LiveModel::read()
     });
 }
 
+std::pair<int, int> LiveModel::range(int parameter) const
+{
+    const ParameterSpec &parameterSpec = spec(parameter);
+    std::pair<int, int> range{parameterSpec.row->min, parameterSpec.row->max};
+    const auto variables = m_client.device() ? m_client.device()->adjustables() : std::span<const AdjustableSpec>();
+    for (const AdjustableSpec &variable : variables) {
+        if (variable.id != parameterSpec.adjustable)
+            continue;
+        range.first = std::max(range.first, variable.min / parameterSpec.row->adjustableScale);
+        range.second = std::min(range.second, variable.max / parameterSpec.row->adjustableScale);
+    }
+    return range;
+}
+
 void LiveModel::setValue(int parameter, int raw)
 {
     if (!m_client.isConnected() || !m_parameters.contains(parameter))
         return;
-    put(parameter, spec(parameter).clamped(raw));
+    const auto [low, high] = range(parameter);
+    put(parameter, std::clamp(raw, low, high));
     flush();
 }
 

@@ -22,6 +22,8 @@ public:
     [[nodiscard]] const QList<int> &parameters() const { return m_parameters; }
     /// In use now; empty until the board has said so.
     [[nodiscard]] std::optional<int> value(int parameter) const;
+    /// Raw values that can be set live, which may be fewer than can be stored.
+    [[nodiscard]] std::pair<int, int> range(int parameter) const;
     /// What the active profile holds in permanent memory.
     [[nodiscard]] std::optional<int> stored(int parameter) const;
     [[nodiscard]] bool isChanged(int parameter) const;
