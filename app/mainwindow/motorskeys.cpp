@@ -5,15 +5,25 @@
 #include <QApplication>
 #include <QKeyEvent>
 
+namespace {
+
+constexpr int kAutoRepeatGap = 60;
+
+} // namespace
+
 MotorsKeys::MotorsKeys(Workspace &workspace, QObject *parent)
     : QObject(parent)
     , m_workspace(workspace)
 {
     m_hold.setSingleShot(true);
-    connect(&m_hold, &QTimer::timeout, this, [this] {
+    m_letGo.setSingleShot(true);
+    m_letGo.setInterval(kAutoRepeatGap);
+    connect(&m_letGo, &QTimer::timeout, this, [this] {
+        m_down = false;
+        m_hold.stop();
         emit holdEnded();
-        m_workspace.setMotors(false);
     });
+    connect(&m_hold, &QTimer::timeout, this, [this] { m_workspace.setMotors(false); });
     // The application sees every key before any widget, also in dialogs that have nothing to do with the main window.
     qApp->installEventFilter(this);
 }
@@ -34,14 +44,20 @@ bool MotorsKeys::eventFilter(QObject *watched, QEvent *event)
         return press && watched->isWidgetType();
     }
     // Esc keeps its meaning everywhere; held on, it stops the motors as well. A window that closes meanwhile does not matter.
-    if (key->key() == Qt::Key_Escape && m_workspace.settings().escapeHoldMs() > 0) {
-        if (release && m_hold.isActive()) {
-            m_hold.stop();
-            emit holdEnded();
-        } else if (press && !m_hold.isActive() && m_workspace.client().isConnected()) {
-            m_hold.start(m_workspace.settings().escapeHoldMs());
-            emit holdStarted(m_workspace.settings().escapeHoldMs());
-        }
-    }
+    if (key->key() == Qt::Key_Escape && release)
+        m_letGo.start();
+    else if (key->key() == Qt::Key_Escape && press)
+        escapePressed();
     return QObject::eventFilter(watched, event);
+}
+
+void MotorsKeys::escapePressed()
+{
+    m_letGo.stop();
+    const int ms = m_workspace.settings().escapeHoldMs();
+    if (m_down || ms == 0 || !m_workspace.client().isConnected())
+        return;
+    m_down = true;
+    m_hold.start(ms);
+    emit holdStarted(ms);
 }

@@ -22,6 +22,10 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    void escapePressed();
+
     Workspace &m_workspace;
     QTimer m_hold;
+    QTimer m_letGo;         // a release counts only if no press follows at once: that would be auto-repeat
+    bool m_down = false;
 };
