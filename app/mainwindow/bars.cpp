@@ -20,6 +20,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr auto kNoticeTime = 8s;
+constexpr qint64 kBadTimeMs = 10000;    // a loss colours the link's dot for so long
 
 } // namespace
 
@@ -276,7 +277,13 @@ void StatusStrip::refresh()
         text += u" · "_s + tr("%1 damaged").arg(damaged);
     if (link.roundTrip)
         text += u" · "_s + tr("%1 ms").arg(seconds(*link.roundTrip) * 1000, 0, 'f', 1);
-    m_link->setText(dot(damaged + lost > 0 ? ColorRole::Warning : ColorRole::Ok) + text);
+    // The colour tells of now; the numbers tell of the whole connection.
+    if (damaged + lost != m_lastBad) {
+        m_lastBad = damaged + lost;
+        m_badAt.start();
+    }
+    const bool bad = m_lastBad > 0 && m_badAt.isValid() && m_badAt.elapsed() < kBadTimeMs;
+    m_link->setText(dot(bad ? ColorRole::Warning : ColorRole::Ok) + text);
     const ChannelRoles roles = m_workspace.roles();
     const double volts = m_workspace.latest(roles.battery);
     m_battery->setText(std::isnan(volts) ? QString() : tr("%1 V").arg(volts, 0, 'f', 1));

@@ -4,6 +4,7 @@
 
 #include "app/pages/workspace.h"
 
+#include <QElapsedTimer>
 #include <QFrame>
 #include <QTimer>
 
@@ -98,6 +99,8 @@ private:
     void refresh();
 
     Workspace &m_workspace;
+    quint64 m_lastBad = 0;      // lost samples and damaged frames when they last changed
+    QElapsedTimer m_badAt;
     QLabel *m_link;
     QLabel *m_battery;
     QLabel *m_temperature;

@@ -146,15 +146,15 @@ void Tour::addCalibrationSteps()
     m_steps.append({{}, [this, page] {
         page()->start(Kind::SixPositions);
         m_window.workspace().changeWorld(u"pose=1"_s);
-    }, [page] { return page()->isSatisfied(); }, 300, {}, true});
+    }, [page] { return page()->isSatisfied(); }, 300, {}, false});
     m_steps.append({{}, [page] { page()->continueButton()->click(); },
-                    [page] { return page()->step() == Wizard::Place; }, 0, {}, true});
+                    [page] { return page()->step() == Wizard::Place; }, 0, {}, false});
     m_steps.append({u"calibration-six"_s, [this] { m_window.workspace().changeWorld(u"pose=3"_s); },
                     [page] { return page()->isSatisfied(); }, 300, {}, false});
     m_steps.append({{}, [this, page] {
         page()->cancelButton()->click();
         m_window.workspace().changeWorld(u"pose=0"_s);
-    }, {}, 500, {}, true});
+    }, {}, 500, {}, false});
 }
 
 void Tour::addMotionSteps()

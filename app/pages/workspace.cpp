@@ -362,6 +362,8 @@ void Workspace::changeWorld(const QString &assignment)
 {
     if (const auto changed = m_links.changeWorld(m_client.address(), assignment); !changed)
         emit problem(describe(changed.error()));
+    else
+        emit worldChanged(assignment);
 }
 
 // A written block is loaded by the board at once, stored values and all: what was in use beside it is put into use again.

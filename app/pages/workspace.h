@@ -98,6 +98,8 @@ signals:
     void boardRead();
     /// A snapshot was added to the board's history.
     void snapshotTaken();
+    /// The world around the simulated gimbal was changed: a fault as NAME=VALUE.
+    void worldChanged(const QString &assignment);
     void writeFinished();
 
 private:

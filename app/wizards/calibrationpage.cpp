@@ -87,6 +87,10 @@ CalibrationPage::CalibrationPage(Workspace &workspace, QWidget *parent)
     body()->addWidget(m_simulated);
 
     connect(m_pose, &QComboBox::activated, this, [this](int index) { this->workspace().changeWorld(u"pose=%1"_s.arg(index)); });
+    connect(&workspace, &Workspace::worldChanged, this, [this](const QString &assignment) {
+        if (assignment.startsWith(u"pose="_s))
+            m_pose->setCurrentIndex(assignment.mid(5).toInt());
+    });
     connect(m_back, &QPushButton::clicked, this, [this] { setStep(Step::Choose); });
     connect(m_cancel, &QPushButton::clicked, this, &CalibrationPage::cancel);
     connect(m_continue, &QPushButton::clicked, this, [this] {
@@ -393,7 +397,6 @@ void CalibrationPage::showResult()
     if (workspace().isSimulated()) {
         // The hands put the camera back.
         workspace().changeWorld(u"pose=0"_s);
-        m_pose->setCurrentIndex(0);
     }
 }
 
