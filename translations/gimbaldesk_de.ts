@@ -290,7 +290,7 @@
         <translation>Exportieren…</translation>
     </message>
     <message>
-        <source>Put the snapshot's values into the forms; nothing is on the board before you review and write</source>
+        <source>Put the snapshot&apos;s values into the forms; nothing is on the board before you review and write</source>
         <translation>Setzt die Werte der Sicherung in die Formulare; auf dem Board ist erst etwas, wenn Sie prüfen und schreiben</translation>
     </message>
     <message>
@@ -612,7 +612,7 @@
         <translation>Gut ist ein Fehler unter %1 g; das Rauschen des Sensors gehört dazu.</translation>
     </message>
     <message>
-        <source>The result is stored in the sensor's memory; the settings as they were are among the backups.</source>
+        <source>The result is stored in the sensor&apos;s memory; the settings as they were are among the backups.</source>
         <translation>Das Ergebnis steht im Speicher des Sensors; die Einstellungen, wie sie waren, liegen bei den Sicherungen.</translation>
     </message>
 </context>
@@ -1015,7 +1015,7 @@
         <translation>Verlauf</translation>
     </message>
     <message>
-        <source>What these variables mean is known to the firmware's makers only; they help a supporter.</source>
+        <source>What these variables mean is known to the firmware&apos;s makers only; they help a supporter.</source>
         <translation>Was diese Variablen bedeuten, wissen nur die Hersteller der Firmware; sie helfen dem Support.</translation>
     </message>
     <message>
@@ -1133,7 +1133,7 @@
         <translation>Die Rate ist unbekannt, das Kabel gestört, oder es ist ein anderes Gerät.</translation>
     </message>
     <message>
-        <source>Check cable and ground, and that this is the gimbal's port.</source>
+        <source>Check cable and ground, and that this is the gimbal&apos;s port.</source>
         <translation>Prüfen Sie Kabel und Masse und ob dies der Anschluss des Gimbals ist.</translation>
     </message>
     <message>
@@ -1157,7 +1157,7 @@
         <translation>Seine Firmware, oder dieser Wert, darf von dieser Programmversion nicht geschrieben werden.</translation>
     </message>
     <message>
-        <source>Update the program, or change the value with the board maker's tool.</source>
+        <source>Update the program, or change the value with the board maker&apos;s tool.</source>
         <translation>Aktualisieren Sie das Programm, oder ändern Sie den Wert mit dem Werkzeug des Herstellers.</translation>
     </message>
     <message>
@@ -1169,7 +1169,7 @@
         <translation>Durch diesen Befehl wurde nichts geändert.</translation>
     </message>
     <message>
-        <source>The board's answer is not what its document promises.</source>
+        <source>The board&apos;s answer is not what its document promises.</source>
         <translation>Die Antwort des Boards ist nicht, was sein Dokument verspricht.</translation>
     </message>
     <message>
@@ -1921,7 +1921,7 @@
         <translation>Übernimmt alles aus einer Datei, als eine Änderung, die sich zurücknehmen lässt</translation>
     </message>
     <message>
-        <source>Copying, renaming and loading are edits: nothing is on the board before you review and write. Board-wide values (sensors, motors' outputs, ports) belong to no profile and stay.</source>
+        <source>Copying, renaming and loading are edits: nothing is on the board before you review and write. Board-wide values (sensors, motors&apos; outputs, ports) belong to no profile and stay.</source>
         <translation>Kopieren, Umbenennen und Laden sind Änderungen: auf dem Board ist erst etwas, wenn Sie prüfen und schreiben. Werte des ganzen Boards (Sensoren, Motorausgänge, Anschlüsse) gehören zu keinem Profil und bleiben.</translation>
     </message>
     <message>
@@ -2537,7 +2537,7 @@
         <translation>Winkel beim Start</translation>
     </message>
     <message>
-        <source>Angle between encoder zero and the motor's field; found by calibration. Wrong, the motor runs away.</source>
+        <source>Angle between encoder zero and the motor&apos;s field; found by calibration. Wrong, the motor runs away.</source>
         <translation>Winkel zwischen Geber-Null und Motorfeld; wird durch Kalibrierung gefunden. Falsch geht der Motor durch.</translation>
     </message>
     <message>
@@ -3377,7 +3377,7 @@
         <translation>Schätzt die Beschleunigung des Rahmens aus einem Bewegungsmodell.</translation>
     </message>
     <message>
-        <source>Estimates the frame's tilt from the motors' positions.</source>
+        <source>Estimates the frame&apos;s tilt from the motors&apos; positions.</source>
         <translation>Schätzt die Neigung des Rahmens aus den Motorlagen.</translation>
     </message>
     <message>
@@ -3777,7 +3777,7 @@
         <translation>Wie viel das Gyroskop gegen den Beschleunigungssensor zählt. Mehr passt zu Fahrzeugen, weniger zu Stativen.</translation>
     </message>
     <message>
-        <source>How much the inertia depends on the camera's position.</source>
+        <source>How much the inertia depends on the camera&apos;s position.</source>
         <translation>Wie stark die Trägheit von der Lage der Kamera abhängt.</translation>
     </message>
     <message>
@@ -3845,7 +3845,7 @@
         <translation>Inertialsensoren</translation>
     </message>
     <message>
-        <source>Input that carries the flight controller's angle.</source>
+        <source>Input that carries the flight controller&apos;s angle.</source>
         <translation>Eingang mit dem Winkel des Flugreglers.</translation>
     </message>
     <message>
@@ -3961,7 +3961,7 @@
         <translation>Debug-Variablen auflisten</translation>
     </message>
     <message>
-        <source>Live values in the board's memory.</source>
+        <source>Live values in the board&apos;s memory.</source>
         <translation>Werte in Gebrauch im Speicher des Boards.</translation>
     </message>
     <message>
@@ -4149,7 +4149,7 @@
         <translation>Macht die Mitte des Knüppels feiner.</translation>
     </message>
     <message>
-        <source>Matches the flight controller's angle signal to the frame; found by calibration.</source>
+        <source>Matches the flight controller&apos;s angle signal to the frame; found by calibration.</source>
         <translation>Passt das Winkelsignal des Flugreglers an den Rahmen an; wird durch Kalibrierung gefunden.</translation>
     </message>
     <message>
@@ -4333,7 +4333,7 @@
         <translation>Vervielfacht P, I und D zusammen; hieran zuerst drehen.</translation>
     </message>
     <message>
-        <source>Names and types of the board's inner variables.</source>
+        <source>Names and types of the board&apos;s inner variables.</source>
         <translation>Namen und Typen der inneren Variablen des Boards.</translation>
     </message>
     <message>
@@ -4997,7 +4997,7 @@
         <translation>Achse der Fernsteuerung, zu der das Flugreglersignal addiert wird.</translation>
     </message>
     <message>
-        <source>Remote control turns about the camera's own axes.</source>
+        <source>Remote control turns about the camera&apos;s own axes.</source>
         <translation>Fernsteuerung dreht um die Achsen der Kamera.</translation>
     </message>
     <message>
@@ -5029,7 +5029,7 @@
         <translation>Board zurücksetzen</translation>
     </message>
     <message>
-        <source>Resistance of the motor's windings, for the current estimate.</source>
+        <source>Resistance of the motor&apos;s windings, for the current estimate.</source>
         <translation>Widerstand der Motorwicklungen, für die Stromschätzung.</translation>
     </message>
     <message>
@@ -5061,7 +5061,7 @@
         <translation>Roll und Pitch</translation>
     </message>
     <message>
-        <source>Roll and pitch: how much the flight controller's angle is followed. Yaw: not 0 = follow the frame.</source>
+        <source>Roll and pitch: how much the flight controller&apos;s angle is followed. Yaw: not 0 = follow the frame.</source>
         <translation>Roll und Pitch: wie viel dem Winkel des Flugreglers gefolgt wird. Yaw: nicht 0 = dem Rahmen folgen.</translation>
     </message>
     <message>
@@ -5153,7 +5153,7 @@
         <translation>Kalibrieren Sie den Beschleunigungssensor.</translation>
     </message>
     <message>
-        <source>Runs a command of the board's menu.</source>
+        <source>Runs a command of the board&apos;s menu.</source>
         <translation>Führt einen Befehl des Board-Menüs aus.</translation>
     </message>
     <message>
@@ -5525,7 +5525,7 @@
         <translation>Stabilisierung</translation>
     </message>
     <message>
-        <source>Stabilization works about the camera's own axes.</source>
+        <source>Stabilization works about the camera&apos;s own axes.</source>
         <translation>Stabilisierung wirkt um die Achsen der Kamera.</translation>
     </message>
     <message>
@@ -5649,7 +5649,7 @@
         <translation>Knüppelbewegung um die Mitte, die nicht zählt.</translation>
     </message>
     <message>
-        <source>Stiffness of the motor's magnetic field as measured by calibration.</source>
+        <source>Stiffness of the motor&apos;s magnetic field as measured by calibration.</source>
         <translation>Steifigkeit des Motorfelds, wie die Kalibrierung sie maß.</translation>
     </message>
     <message>
@@ -5705,7 +5705,7 @@
         <translation>Schaltet alle Motoren sofort aus.</translation>
     </message>
     <message>
-        <source>Switches the controller's own I2C pull-up resistors on; helps on long sensor cables.</source>
+        <source>Switches the controller&apos;s own I2C pull-up resistors on; helps on long sensor cables.</source>
         <translation>Schaltet die I2C-Pull-ups des Controllers ein; hilft bei langen Sensorkabeln.</translation>
     </message>
     <message>
@@ -5953,7 +5953,7 @@
         <translation>Wert</translation>
     </message>
     <message>
-        <source>Values of the board's inner variables.</source>
+        <source>Values of the board&apos;s inner variables.</source>
         <translation>Werte der inneren Variablen des Boards.</translation>
     </message>
     <message>
@@ -6364,7 +6364,7 @@ vorher</translation>
         <translation>Das Board hat %1. Dorthin zurück.</translation>
     </message>
     <message>
-        <source>Go back to the board's value %1</source>
+        <source>Go back to the board&apos;s value %1</source>
         <translation>Zurück zum Wert des Boards, %1</translation>
     </message>
     <message>
@@ -6400,7 +6400,7 @@ Auf dem Board: %1</translation>
         <translation>Weiter lesen</translation>
     </message>
     <message>
-        <source>A value set here takes effect at once and is forgotten at the next start unless it is saved. Numbers are the board's own; the meaning stands beside them.</source>
+        <source>A value set here takes effect at once and is forgotten at the next start unless it is saved. Numbers are the board&apos;s own; the meaning stands beside them.</source>
         <translation>Ein hier gesetzter Wert wirkt sofort und ist beim nächsten Start vergessen, wenn er nicht gespeichert wird. Die Zahlen sind die des Boards; die Bedeutung steht daneben.</translation>
     </message>
     <message>
