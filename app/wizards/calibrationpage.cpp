@@ -177,6 +177,7 @@ QWidget *CalibrationPage::makeWizard()
     auto *middle = new QHBoxLayout;
     middle->setSpacing(Metric::kGroupGap);
     middle->addWidget(m_cube, 2);
+    middle->addWidget(m_result, 2);   // in the cube's place when the measurement is over
     middle->addWidget(m_positions, 1);
     auto *buttons = new QHBoxLayout;
     buttons->addWidget(m_back);
@@ -190,7 +191,6 @@ QWidget *CalibrationPage::makeWizard()
     content->addWidget(m_sees);
     content->addWidget(m_stillness);
     content->addWidget(m_progress);
-    content->addWidget(m_result, 1);
     content->addLayout(buttons);
     return card;
 }
