@@ -5,6 +5,7 @@
 #include "widgets/forms/argumentform.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/plot/iterationchart.h"
+#include "widgets/theme/theme.h"
 #include "widgets/views/card.h"
 
 #include <QHBoxLayout>
@@ -113,6 +114,8 @@ void AutoTunePage::setState(State state)
     m_start->setEnabled(ready);
     m_start->setText(state == State::Finished ? tr("Search again: the camera will shake")
                                               : tr("Start: the camera will shake"));
+    m_start->setObjectName(state == State::Finished ? QString() : u"primary"_s);   // then accepting is the next step
+    repolish(m_start);
     m_stop->setVisible(state == State::Running);
     m_accept->setVisible(state == State::Finished);
     m_revert->setVisible(state == State::Finished);

@@ -36,7 +36,7 @@ private:
 /// The inertial sensor: noise, a bias that calibration removes, an accelerometer error that calibration removes.
 struct SimulatedImu
 {
-    std::array<double, kAxisCount> gyroBias{1.7, -2.4, 1.1};         ///< deg/s
+    std::array<double, kAxisCount> gyroBias{1.7, -2.4, 0.4};         ///< deg/s; yaw has nothing that pulls it back
     std::array<double, kAxisCount> accError{0.035, -0.028, 0.02};    ///< g
     std::array<double, kAxisCount> gyroCorrection{};                 ///< found by calibration
     std::array<double, kAxisCount> accScaleError{1.03, 0.975, 1.02}; ///< reading per true g

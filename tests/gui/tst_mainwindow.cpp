@@ -66,6 +66,7 @@ private slots:
     void untickedChangesStayUnsaved();
     void undoRedoAndDiscard();
     void boardsValueIsOneClickAway();
+    void clickThenTypeReplacesTheNumber();
     void profileSwitch();
     void motorsOffByMouse();
     void motorsOffByF12FromADialog();
@@ -243,6 +244,22 @@ void TestMainWindow::undoRedoAndDiscard()
     QTest::mouseClick(m_window->unsavedBar()->discardButton(), Qt::LeftButton);
     QCOMPARE(model().changeCount(), 0);
     QCOMPARE(numberBox(u"pid.roll.p"_s)->value(), 35.0);
+}
+
+void TestMainWindow::clickThenTypeReplacesTheNumber()
+{
+    QVERIFY(open());
+    QDoubleSpinBox *box = numberBox(u"pid.roll.p"_s);
+    auto *line = box->findChild<QLineEdit *>();
+    QVERIFY(line);
+    QTRY_COMPARE(line->selectedText(), line->text());   // pointed at by the program
+    numberBox(u"pid.roll.d"_s)->setFocus();
+    QTest::mouseClick(line, Qt::LeftButton, {}, QPoint(line->width() - 4, line->height() - 1));
+    QTRY_COMPARE(line->selectedText(), line->text());
+    QTest::keyClicks(box, u"77"_s);
+    QTest::keyClick(box, Qt::Key_Tab);
+    QTRY_COMPARE(model().changeCount(), 1);
+    QCOMPARE(box->value(), 77.0);
 }
 
 void TestMainWindow::boardsValueIsOneClickAway()

@@ -216,8 +216,8 @@ void TestPlant::biasLetsYawDrift()
     Bench calibrated;
     Bench biased;
     biased.stabilizer.imu().gyroCorrection = {};
-    calibrated.run(Axis::Yaw, 10.0);
-    biased.run(Axis::Yaw, 10.0);
+    calibrated.run(Axis::Yaw, 30.0);
+    biased.run(Axis::Yaw, 30.0);
     QVERIFY(std::abs(calibrated.stabilizer.trueAngle(Axis::Yaw)) < 2.0);
     QVERIFY(std::abs(biased.stabilizer.trueAngle(Axis::Yaw)) > 8.0);
 }

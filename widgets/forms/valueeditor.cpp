@@ -15,6 +15,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -34,6 +35,15 @@ public:
     {
         setValue(m_spec.toDisplay(m_spec.clamped(m_spec.toRaw(value()) + steps)));
         selectAll();
+    }
+
+protected:
+    // A click chooses the whole number, as Tab does, and so does the program's pointing at it: what is typed next replaces it instead of being refused as too large.
+    void focusInEvent(QFocusEvent *event) override
+    {
+        QDoubleSpinBox::focusInEvent(event);
+        if (event->reason() == Qt::MouseFocusReason || event->reason() == Qt::OtherFocusReason)
+            QTimer::singleShot(0, this, &QAbstractSpinBox::selectAll);   // after the press has set the cursor
     }
 
 private:

@@ -3,6 +3,7 @@
 #include "widgets/plot/iterationchart.h"
 
 #include <QChart>
+#include <QLegendMarker>
 #include <QLineSeries>
 #include <QValueAxis>
 
@@ -91,4 +92,7 @@ void IterationChart::applyTheme()
     }
     for (const Line &line : std::as_const(m_lines))
         line.series->setPen(QPen(m_theme.axisColor(line.axis), 2, line.style));
+    const auto markers = chart()->legend()->markers();
+    for (QLegendMarker *marker : markers)
+        marker->setPen(Qt::NoPen);
 }

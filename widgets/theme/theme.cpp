@@ -120,7 +120,7 @@ QFrame#card { background: @Surface; border: 1px solid @Border; border-radius: 6p
 QFrame#messageBar { background: @Surface; border: 1px solid @Ok; border-left: 4px solid @Ok; border-radius: 4px; }
 QFrame#messageBar[severe="true"] { border-color: @Danger; }
 QFrame#offerBar { background: @Surface; border: 1px solid @Accent; border-left: 4px solid @Accent; border-radius: 4px; }
-QListView#navigation { background: @Surface; border: none; border-right: 1px solid @Border; outline: none; padding: 8px 0; }
+QListView#navigation { background: @Surface; border: none; border-radius: 0; border-right: 1px solid @Border; outline: none; padding: 8px 0; }
 QListView#navigation::item { padding: 6px 12px; color: @Text; border: none; border-left: 4px solid @Surface; }
 QListView#navigation::item:selected { background: @SurfaceRaised; color: @Accent; border-left: 4px solid @Accent; }
 QListView#navigation::item:disabled { color: @Muted; padding: 8px 12px 2px 12px; }
