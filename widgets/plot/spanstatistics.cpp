@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plot/spanstatistics.h"
 
-#include "widgets/plot/tracecolumns.h"
+#include "protocol/device/tracesource.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,10 +22,8 @@ SpanStatistics spanStatistics(const TelemetryStore &store, int channel, int minu
     double squares = 0;
     for (TraceSource &source : TraceSource::find(store, channel, minus)) {
         source.refresh();
-        for (std::size_t row = source.track.rowAt(from); row < source.track.end(); ++row) {
+        for (std::size_t row = source.track.rowAt(from); row < source.end(); ++row) {
             if (source.track.time(row) > to)
-                break;
-            if (source.minus && row >= source.minus->end())
                 break;
             const double value = double(source.value(row));
             if (std::isnan(value))

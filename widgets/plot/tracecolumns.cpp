@@ -12,31 +12,6 @@ constexpr double kGapSeconds = 0.6;
 
 } // namespace
 
-void TraceSource::refresh()
-{
-    track.refresh();
-    if (minus)
-        minus->refresh();
-}
-
-std::vector<TraceSource> TraceSource::find(const TelemetryStore &store, int channel, int minus)
-{
-    std::vector<TraceSource> sources;
-    if (minus < 0) {
-        for (TrackView &track : store.tracks(channel))
-            sources.push_back({std::move(track), {}});
-        return sources;
-    }
-    const std::vector<TrackView> others = store.tracks(minus);
-    for (TrackView &track : store.tracks(channel)) {
-        for (const TrackView &other : others) {
-            if (other.group() == track.group())
-                sources.push_back({track, other});
-        }
-    }
-    return sources;
-}
-
 void TraceColumns::reset(int width, double pitch, qint64 firstColumn, qint64 limit)
 {
     m_limit = limit;
@@ -95,7 +70,7 @@ std::optional<qint64> TraceColumns::update(std::vector<TraceSource> &sources)
             m_started = true;
         }
         m_nextRow = std::max(m_nextRow, track.begin());
-        const std::size_t end = source.minus ? std::min(track.end(), source.minus->end()) : track.end();
+        const std::size_t end = source.end();
         for (; m_nextRow < end; ++m_nextRow) {
             const double time = track.time(m_nextRow);
             if (m_limit != kNoLimit && columnOf(time) > m_limit + 1)

@@ -2,24 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/telemetrystore.h"
+#include "protocol/device/tracesource.h"
 
 #include <limits>
-
-/// Where the samples of a trace lie: one channel, or the difference of two that come in the same rows.
-struct TraceSource
-{
-    TrackView track;
-    std::optional<TrackView> minus;
-
-    void refresh();
-    [[nodiscard]] float value(std::size_t row) const
-    {
-        return minus ? track.value(row) - minus->value(row) : track.value(row);
-    }
-    /// Everything the store has of this trace, oldest first. @param minus channel to subtract, -1 = none
-    static std::vector<TraceSource> find(const TelemetryStore &store, int channel, int minus);
-};
 
 /// One trace cut into pixel columns. Column k always covers the seconds [k*s, (k+1)*s), so nothing shimmers while the plot
 /// scrolls; finished columns are kept, only the newest one is worked on.

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/analysis/spectrum.h"
+
+#include <complex>
+#include <memory>
+
+/// Cuts evenly spaced samples into overlapping, windowed segments and transforms them: what a spectrum and a frequency
+/// response have in common.
+class Segments
+{
+public:
+    /// Errors: InvalidArgument, see spectrum().
+    static Result<Segments> make(std::size_t samples, double rate, const SpectrumOptions &options);
+    Segments(Segments &&) noexcept;
+    ~Segments();
+
+    [[nodiscard]] int count() const { return m_count; }
+    [[nodiscard]] std::size_t bins() const { return m_weights.size() / 2 + 1; }
+    [[nodiscard]] double resolution() const { return m_rate / double(m_weights.size()); }
+    [[nodiscard]] double noiseBandwidth() const;
+    /// From the sum over all segments of |bin|² to unit² per Hz, one-sided.
+    [[nodiscard]] double powerScale(std::size_t bin) const;
+    /// Bins 0 ... half of one segment; valid until the next call.
+    const std::vector<std::complex<double>> &transform(std::span<const float> samples, int segment);
+
+private:
+    struct Transform;
+    Segments(std::vector<double> weights, double rate, int count, std::size_t hop);
+
+    std::vector<double> m_weights;
+    double m_rate;
+    int m_count;
+    std::size_t m_hop;
+    std::unique_ptr<Transform> m_transform;
+};

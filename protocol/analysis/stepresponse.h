@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/base/result.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+/// How a quantity went from one value to another.
+struct StepMetrics
+{
+    double from = 0;                      ///< value before
+    double final = 0;                     ///< mean of the last tenth of the record
+    double error = 0;                     ///< wanted minus final
+    std::optional<double> riseSeconds;    ///< from 10 % to 90 % of the way to the final value
+    double overshoot = 0;                 ///< beyond the final value, per cent of the way
+    double peakSeconds = 0;               ///< when it was furthest
+    std::optional<double> settlingSeconds;///< after which it stays within the band; empty: it does not
+    double noise = 0;                     ///< RMS of the last tenth around its mean
+};
+
+/// A place where a target jumps and then rests.
+struct StepEvent
+{
+    std::size_t index = 0;    ///< first sample after the jump
+    double from = 0;
+    double to = 0;
+};
+
+/// Measures a step that begins with the first sample. Samples are evenly spaced, without NaN.
+/// @param rate samples per second; @param from value before; @param to wanted value; @param band share of the way that
+/// counts as settled. Errors: InvalidArgument (fewer than 20 samples, no way to go).
+[[nodiscard]] Result<StepMetrics> stepMetrics(std::span<const float> response, double rate, double from, double to,
+                                              double band = 0.05);
+
+/// The mean of several runs, sample by sample, as long as the shortest.
+[[nodiscard]] std::vector<float> averageRuns(const std::vector<std::vector<float>> &runs);
+
+/// Jumps of at least that size that take at most 20 ms and rest for that long on both sides.
+[[nodiscard]] std::vector<StepEvent> findSteps(std::span<const float> target, double rate, double size, double rest);

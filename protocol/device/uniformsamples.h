@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/base/result.h"
+#include "protocol/device/telemetrystore.h"
+
+/// Evenly spaced samples of one channel, as analysis wants them.
+struct UniformSamples
+{
+    double start = 0;                ///< seconds since the store's origin
+    double rate = 0;                 ///< samples per second
+    std::size_t filled = 0;          ///< samples that were lost on the way and drawn straight across
+    std::vector<float> values;
+
+    [[nodiscard]] double end() const { return start + double(values.size()) / rate; }
+};
+
+/// The longest piece without a hole within a span of time. Holes of up to ten samples are bridged by a straight line and
+/// counted; the stream that carries the channel at the end of the span is used.
+/// @param minus channel to subtract, -1 = none; it must come in the same rows. @param from,to seconds since the store's
+/// origin. Errors: InvalidArgument (no samples there, or none at a steady rate).
+[[nodiscard]] Result<UniformSamples> uniformSamples(const TelemetryStore &store, int channel, int minus, double from,
+                                                    double to);
