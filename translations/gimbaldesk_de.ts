@@ -1153,12 +1153,12 @@
         <translation>Dieses Board ist nur zum Lesen offen.</translation>
     </message>
     <message>
-        <source>Its firmware, or this value, must not be written by this version of the program.</source>
-        <translation>Seine Firmware, oder dieser Wert, darf von dieser Programmversion nicht geschrieben werden.</translation>
+        <source>It is a recording, or its firmware or this value must not be written by this version of the program.</source>
+        <translation>Es ist eine Aufzeichnung, oder seine Firmware oder dieser Wert darf von dieser Programmversion nicht geschrieben werden.</translation>
     </message>
     <message>
-        <source>Update the program, or change the value with the board maker&apos;s tool.</source>
-        <translation>Aktualisieren Sie das Programm, oder ändern Sie den Wert mit dem Werkzeug des Herstellers.</translation>
+        <source>Connect the board itself, update the program, or change the value with the board maker&apos;s tool.</source>
+        <translation>Verbinden Sie das Board selbst, aktualisieren Sie das Programm, oder ändern Sie den Wert mit dem Werkzeug des Herstellers.</translation>
     </message>
     <message>
         <source>The board refused.</source>

@@ -26,7 +26,7 @@ QString stateText(WriteState state)
 std::vector<std::unique_ptr<Command>> allCommands()
 {
     std::vector<std::unique_ptr<Command>> all;
-    for (auto part : {parameterCommands, fileCommands, actionCommands}) {
+    for (auto part : {parameterCommands, fileCommands, actionCommands, recordingCommands}) {
         for (auto &command : part())
             all.push_back(std::move(command));
     }

@@ -19,6 +19,7 @@ struct CommandOptions
     bool dryRun = false;
     QStringList channels;
     double seconds = 0;        ///< 0 = until interrupted
+    QString csv;               ///< where to write samples; - = stdout
     BoardHistory history;
 };
 
@@ -54,12 +55,14 @@ public:
     virtual Result<CommandOutcome> runWithoutBoard(const CommandOptions &) { return failure(ErrorCode::NotConnected); }
 };
 
-/// All commands in the order of the help text; "monitor" is built into the program, as it lives on telemetry.
+/// All commands in the order of the help text; "monitor" and "record" are built into the program, as they live on the
+/// running link.
 [[nodiscard]] std::vector<std::unique_ptr<Command>> allCommands();
 
 [[nodiscard]] std::vector<std::unique_ptr<Command>> parameterCommands();
 [[nodiscard]] std::vector<std::unique_ptr<Command>> fileCommands();
 [[nodiscard]] std::vector<std::unique_ptr<Command>> actionCommands();
+[[nodiscard]] std::vector<std::unique_ptr<Command>> recordingCommands();
 
 /// A value with its unit as a person reads it.
 [[nodiscard]] QString valueText(const ParameterSpec &spec, int raw);

@@ -29,6 +29,19 @@ public:
     }
 };
 
+/// The same for "record".
+class RecordCommand final : public Command
+{
+public:
+    const char *name() const override { return "record"; }
+    const char *usage() const override { return "record FILE [--channels a,b,...] [--seconds N]"; }
+    const char *help() const override { return "everything on the link into a file, until Ctrl-C"; }
+    QString check(const CommandOptions &options) const override
+    {
+        return options.arguments.size() == 1 ? QString() : u"record needs one file name"_s;
+    }
+};
+
 QByteArray toJsonText(const QJsonValue &value)
 {
     if (value.isArray())
@@ -43,6 +56,7 @@ Ctl::Ctl(QObject *parent)
     , m_commands(allCommands())
 {
     m_commands.push_back(std::make_unique<MonitorCommand>());
+    m_commands.push_back(std::make_unique<RecordCommand>());
 }
 
 Ctl::~Ctl() = default;
@@ -50,12 +64,13 @@ Ctl::~Ctl() = default;
 QString Ctl::helpText() const
 {
     QString text = u"gimbalctl --link ADDRESS [--family F] [--json] COMMAND\n\n"
-                   u"ADDRESS: serial:/dev/ttyUSB0?baud=115200&parity=none, tcp://host:port, sim:simplebgc?seed=1\n\n"_s;
+                   u"ADDRESS: serial:/dev/ttyUSB0?baud=115200&parity=none, tcp://host:port, sim:simplebgc?seed=1,\n"
+                   u"         replay:FILE?speed=4\n\n"_s;
     for (const auto &command : m_commands) {
         text += u"  %1 %2\n"_s.arg(QString::fromUtf8(command->usage()).leftJustified(52),
                                   QString::fromUtf8(command->help()));
     }
-    text += u"\nOptions: --profile N, --no-save, --dry-run, --channels LIST, --seconds N, --history DIR, --version\n"
+    text += u"\nOptions: --profile N, --no-save, --dry-run, --channels LIST, --seconds N, --csv FILE, --history DIR, --version\n"
             u"Exit codes: 0 done, 1 the board or the link said no, 2 wrong arguments.\n"_s;
     return text;
 }
@@ -78,10 +93,11 @@ std::optional<int> Ctl::start(const QStringList &arguments)
     const QCommandLineOption dryRun(u"dry-run"_s);
     const QCommandLineOption channels(u"channels"_s, {}, u"list"_s);
     const QCommandLineOption seconds(u"seconds"_s, {}, u"n"_s);
+    const QCommandLineOption csv(u"csv"_s, {}, u"file"_s);
     const QCommandLineOption history(u"history"_s, {}, u"dir"_s);
     const QCommandLineOption help(QStringList{u"h"_s, u"help"_s});
     const QCommandLineOption version(u"version"_s);
-    parser.addOptions({link, family, json, profile, noSave, dryRun, channels, seconds, history, help, version});
+    parser.addOptions({link, family, json, profile, noSave, dryRun, channels, seconds, csv, history, help, version});
     if (!parser.parse(arguments))
         return wrong(parser.errorText());
     if (parser.isSet(help)) {
@@ -98,6 +114,7 @@ std::optional<int> Ctl::start(const QStringList &arguments)
     m_json = parser.isSet(json);
     m_options.noSave = parser.isSet(noSave);
     m_options.dryRun = parser.isSet(dryRun);
+    m_options.csv = parser.value(csv);
     m_options.channels = parser.value(channels).split(u',', Qt::SkipEmptyParts);
     bool ok = true;
     if (parser.isSet(profile)) {
@@ -143,10 +160,15 @@ std::optional<int> Ctl::start(const QStringList &arguments)
             keys.append(known.key);
         return wrong(u"there is no family '%1'; there are: %2"_s.arg(familyKey, keys.join(u", "_s)));
     }
-    // A simulator address is checked in full before anything starts.
-    if (address->kind() == LinkAddress::Kind::Simulator) {
-        if (const auto transport = allLinks().transports(*address); !transport)
-            return wrong(transport.error().detail);
+    // A simulator or recording is checked in full before anything starts.
+    if (address->kind() == LinkAddress::Kind::Simulator || address->isReplay()) {
+        if (const auto transport = allLinks().transports(*address); !transport) {
+            if (transport.error().code != ErrorCode::BadFile)
+                return wrong(transport.error().detail);
+            QMetaObject::invokeMethod(this, [this, error = transport.error()] { onError(error, Refused); },
+                                      Qt::QueuedConnection);
+            return {};
+        }
     }
     m_client = std::make_unique<DeviceClient>(allLinks().transports, families);
     connect(m_client.get(), &DeviceClient::stateChanged, this, &Ctl::onState);
@@ -157,6 +179,8 @@ std::optional<int> Ctl::start(const QStringList &arguments)
     connect(m_client.get(), &DeviceClient::progressChanged, this, &Ctl::onProgress);
     auto *watcher = new SignalWatcher(this);
     connect(watcher, &SignalWatcher::stopRequested, this, &Ctl::stop);
+    if (isRecording())
+        m_client->addListener(m_recorder);
     m_client->connectTo(*address, familyKey);
     return {};
 }
@@ -166,6 +190,10 @@ void Ctl::stop()
 {
     if (m_printer) {
         m_printer->finish();
+        return;
+    }
+    if (m_recording) {
+        finishRecording();
         return;
     }
     if (m_started)
@@ -181,8 +209,15 @@ void Ctl::onState(DeviceClient::State state)
     m_started = true;
     if (qstrcmp(m_command->name(), "monitor") == 0)
         runMonitor();
+    else if (isRecording())
+        runRecording();
     else
         runCommand();
+}
+
+bool Ctl::isRecording() const
+{
+    return qstrcmp(m_command->name(), "record") == 0;
 }
 
 void Ctl::runCommand()
@@ -196,7 +231,8 @@ void Ctl::runCommand()
     });
 }
 
-void Ctl::runMonitor()
+// The channels asked for, or what an operator looks at first. Empty after an error, which has been told.
+QList<int> Ctl::wantedChannels()
 {
     const Device *device = m_client->device();
     QList<int> channels;
@@ -208,7 +244,7 @@ void Ctl::runMonitor()
                 keys.append(QLatin1String(spec.key));
             onError({ErrorCode::InvalidArgument, u"no channel '%1'; there are: %2"_s.arg(key, keys.join(u", "_s)), 0},
                     WrongArguments);
-            return;
+            return {};
         }
         channels.append(channel);
     }
@@ -217,6 +253,68 @@ void Ctl::runMonitor()
         for (const auto &triple : {roles.angle, roles.target, roles.gyro})
             channels.append(QList<int>(triple.begin(), triple.end()));
     }
+    return channels;
+}
+
+// First everything is read, so that the recording can be opened like the board itself; then the streams run.
+void Ctl::runRecording()
+{
+    const QList<int> channels = wantedChannels();
+    if (channels.isEmpty())
+        return;
+    const BoardIdentity &identity = m_client->identity();
+    const QJsonObject description{
+        {u"family"_s, identity.family}, {u"model"_s, identity.model}, {u"firmware"_s, identity.firmware},
+        {u"serial"_s, identity.serial}, {u"address"_s, m_client->address().toString()},
+        {u"program"_s, u"gimbalctl " GIMBAL_VERSION ""_s},
+        {u"started"_s, QDateTime::currentDateTimeUtc().toString(Qt::ISODate)}};
+    auto task = RecordingTask::start(m_recorder, m_options.arguments.first(), description, true);
+    if (!task) {
+        finish(tl::unexpected(task.error()));
+        return;
+    }
+    m_recording = std::move(*task);
+    m_client->submit<Configuration>([](Channel &channel, Device &device) { return device.readConfiguration(channel); })
+        .then(this, [this, channels](const Result<Configuration> &) {
+            m_client->setTelemetry({channels, 0});
+            if (m_options.seconds > 0)
+                QTimer::singleShot(milliseconds(qint64(m_options.seconds * 1000)), this, &Ctl::finishRecording);
+        });
+    // A full disk ends it at once, not at the end of the hour.
+    auto *watch = new QTimer(this);
+    connect(watch, &QTimer::timeout, this, [this] {
+        if (m_recording && m_recording->hasFailed())
+            finishRecording();
+    });
+    watch->start(250);
+}
+
+void Ctl::finishRecording()
+{
+    if (!m_recording)
+        return;
+    const auto result = m_recording->finish();
+    const qint64 bytes = m_recording->bytesWritten();
+    m_recording.reset();
+    if (!result) {
+        finish(tl::unexpected(result.error()));
+        return;
+    }
+    CommandOutcome outcome;
+    const QString path = m_options.arguments.first();
+    const auto store = m_client->telemetry();
+    outcome.text = u"%1 bytes in %2\n"_s.arg(bytes).arg(path);
+    outcome.note = u"%1 rows, %2 lost"_s.arg(store->rows()).arg(store->lost());
+    outcome.json = QJsonObject{{u"file"_s, path}, {u"bytes"_s, bytes}, {u"rows"_s, qint64(store->rows())},
+                               {u"lost"_s, qint64(store->lost())}};
+    finish(outcome);
+}
+
+void Ctl::runMonitor()
+{
+    const QList<int> channels = wantedChannels();
+    if (channels.isEmpty())
+        return;
     m_printer = std::make_unique<TelemetryPrinter>(*m_client, channels, m_options.seconds, m_json);
     connect(m_printer.get(), &TelemetryPrinter::finished, this, [this](const QString &note) {
         CommandOutcome outcome;

@@ -4,6 +4,7 @@
 
 #include "app/cli/command.h"
 #include "protocol/device/deviceclient.h"
+#include "protocol/record/recorder.h"
 
 #include <QTextStream>
 
@@ -30,6 +31,10 @@ private:
     void onProgress(const Progress &progress);
     void runCommand();
     void runMonitor();
+    [[nodiscard]] bool isRecording() const;
+    void runRecording();
+    void finishRecording();
+    [[nodiscard]] QList<int> wantedChannels();
     void finish(const Result<CommandOutcome> &outcome);
     int wrong(const QString &message);
     [[nodiscard]] QString helpText() const;
@@ -41,6 +46,8 @@ private:
     CommandOptions m_options;
     bool m_json = false;
     QString m_lastProgress;
+    Recorder m_recorder;                        // the client's threads feed it, so it outlives them
+    std::unique_ptr<RecordingTask> m_recording;
     std::unique_ptr<DeviceClient> m_client;
     std::unique_ptr<TelemetryPrinter> m_printer;
     bool m_started = false;

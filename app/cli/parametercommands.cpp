@@ -55,7 +55,7 @@ public:
         outcome.text = u"board        %1\nfirmware     %2%3\nserial       %4\nprofiles     %5\nport         %6\n"
                        u"can          %7\n"_s
                            .arg(identity.model, identity.firmware,
-                                identity.writable ? QString() : u" (unknown to this program: read-only)"_s,
+                                identity.writable ? QString() : u" (read-only)"_s,
                                 identity.serial)
                            .arg(identity.profileCount)
                            .arg(identity.usb ? u"USB"_s : u"UART"_s, capabilities.join(u", "_s));

@@ -117,8 +117,10 @@ void TelemetryPrinter::finish()
     m_timer.stop();
     m_out.flush();
     const auto store = m_client.telemetry();
-    emit finished(u"%1 rows, %2 lost, %3 rows/s arranged"_s.arg(m_rows).arg(store ? store->lost() : 0)
-                      .arg(m_client.telemetryPlan().rate, 0, 'f', 0));
+    QString note = u"%1 rows, %2 lost"_s.arg(m_rows).arg(store ? store->lost() : 0);
+    if (const double rate = m_client.telemetryPlan().rate; rate > 0)   // a recording has the rate that it has
+        note += u", %1 rows/s arranged"_s.arg(rate, 0, 'f', 0);
+    emit finished(note);
 }
 
 QJsonValue TelemetryPrinter::json() const

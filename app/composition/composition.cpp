@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/composition/composition.h"
 
+#include "protocol/record/replaytransport.h"
 #include "protocol/simplebgc/sbgcdevice.h"
 #include "protocol/simulator/hosts.h"
 
@@ -15,8 +16,11 @@ Links allLinks()
     const SimulatedGimbals simulated;
     Links links;
     links.transports = [simulated](const LinkAddress &address) {
-        return address.kind() == LinkAddress::Kind::Simulator ? simulated.connectTo(address)
-                                                              : makeSystemTransport(address);
+        switch (address.kind()) {
+        case LinkAddress::Kind::Simulator: return simulated.connectTo(address);
+        case LinkAddress::Kind::Replay: return makeReplayTransport(address);
+        default: return makeSystemTransport(address);
+        }
     };
     links.changeWorld = [simulated](const LinkAddress &address, const QString &assignment) {
         return simulated.change(address, assignment);

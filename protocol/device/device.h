@@ -124,6 +124,8 @@ public:
     /// Finds out who is there. Errors: Timeout, BadReply, LinkClosed.
     virtual Result<BoardIdentity> identify(Channel &channel) = 0;
     [[nodiscard]] virtual const BoardIdentity &identity() const = 0;
+    /// From now on nothing is written: a recording, or a board that somebody else is in charge of.
+    virtual void setReadOnly() = 0;
     [[nodiscard]] virtual std::shared_ptr<const ParameterSet> parameters() const = 0;
 
     /// Reads everything; a missing part is left out, not an error.
@@ -162,6 +164,8 @@ public:
     virtual Result<TelemetryPlan> startTelemetry(Channel &channel, const TelemetryWish &wish,
                                                  std::optional<LineSettings> line) = 0;
     virtual void stopTelemetry(Channel &channel) = 0;
+    /// For a recording: a decoder that learns from what was sent which streams the board was asked for.
+    [[nodiscard]] virtual std::shared_ptr<TelemetryDecoder> replayDecoder() const = 0;
     /// The faults behind the value of the faults channel.
     [[nodiscard]] virtual std::vector<BoardFault> faults(unsigned bits, unsigned detail) const = 0;
 

@@ -112,9 +112,28 @@ void DeviceClient::shutDown()
     QMetaObject::invokeMethod(m_session, [this] {
         m_session->removeListener(&m_frames);
         m_session->removeListener(m_feed.get());
+        for (FrameListener *listener : m_foreign)
+            m_session->removeListener(listener);
     }, Qt::BlockingQueuedConnection);
     m_ioThread.quit();
     m_ioThread.wait();
+}
+
+void DeviceClient::addListener(FrameListener &listener)
+{
+    if (!m_ioThread.isRunning())
+        return;
+    m_foreign.push_back(&listener);
+    QMetaObject::invokeMethod(m_session, [this, &listener] { m_session->addListener(&listener); },
+                              Qt::BlockingQueuedConnection);
+}
+
+void DeviceClient::removeListener(FrameListener &listener)
+{
+    if (std::erase(m_foreign, &listener) == 0 || !m_ioThread.isRunning())
+        return;
+    QMetaObject::invokeMethod(m_session, [this, &listener] { m_session->removeListener(&listener); },
+                              Qt::BlockingQueuedConnection);
 }
 
 void DeviceClient::connectTo(const LinkAddress &address, const QString &family)
@@ -188,7 +207,9 @@ void DeviceClient::finishAttempt(const std::shared_ptr<Attempt> &attempt, Result
         return;
     }
     m_device = attempt->device;
-    m_identity = found->identity;
+    if (m_address.isReplay())
+        m_device->setReadOnly();   // what happened cannot be changed
+    m_identity = m_device->identity();
     m_line = found->line;
     qCInfo(logClient) << "connected to" << m_identity.model << m_identity.firmware;
 
@@ -303,6 +324,10 @@ void DeviceClient::requestTelemetry()
 {
     if (m_state != State::Connected || m_telemetryRequested)
         return;
+    if (m_address.isReplay()) {
+        startReplay();
+        return;
+    }
     // Several wishes in one round of the event loop make one request.
     m_telemetryRequested = true;
     const TelemetryWish wish = m_wish;
@@ -330,6 +355,20 @@ void DeviceClient::requestTelemetry()
         if (m_wish != wish)
             requestTelemetry();
     });
+}
+
+// A recording has the streams that it has: nobody can be asked for others.
+void DeviceClient::startReplay()
+{
+    if (m_plan.decoder)
+        return;
+    m_plan.decoder = m_device->replayDecoder();
+    m_plan.streaming = true;
+    QMetaObject::invokeMethod(m_session, [session = m_session, feed = m_feed.get(), decoder = m_plan.decoder] {
+        feed->setDecoder(decoder);
+        session->play();
+    }, Qt::BlockingQueuedConnection);
+    emit telemetryPlanChanged();
 }
 
 void DeviceClient::setState(State state)

@@ -39,6 +39,9 @@ public:
     [[nodiscard]] const LinkStatistics &statistics() const { return m_statistics; }
     [[nodiscard]] std::optional<LineSettings> line() const { return m_line; }
     [[nodiscard]] bool isBusy() const { return m_jobs > 0; }
+    /// Hears everything on the link, on the I/O thread, until it is removed or the client is shut down.
+    void addListener(FrameListener &listener);
+    void removeListener(FrameListener &listener);
     /// The last frames in and out.
     [[nodiscard]] const FrameLog &frames() const { return m_frames; }
 
@@ -88,6 +91,7 @@ private:
     void onSessionClosed(const Error &why);
     void onResetAnnounced();
     void requestTelemetry();
+    void startReplay();
     void jobStarted();
     void jobFinished();
     std::unique_ptr<SessionChannel> makeChannel(std::shared_ptr<JobControl> control);
@@ -100,6 +104,7 @@ private:
     Session *m_session;
     QObject *m_worker;
     FrameLog m_frames;
+    std::vector<FrameListener *> m_foreign;        // listeners that others own
     std::unique_ptr<TelemetryFeed> m_feed;
     QTimer m_statisticsTimer;
 

@@ -14,6 +14,8 @@ class TelemetryDecoder
 public:
     virtual ~TelemetryDecoder() = default;
     virtual void decode(const FrameView &frame, TimePoint at, TelemetryStore &store) = 0;
+    /// Whole frames that were sent to the board. Of use to Device::replayDecoder() only.
+    virtual void sent(QByteArrayView) { }
 };
 
 /// What the operator wants to see.

@@ -26,6 +26,12 @@ public:
             m_onReset();
     }
 
+    void bytesSent(QByteArrayView bytes, TimePoint) override
+    {
+        if (m_decoder)
+            m_decoder->sent(bytes);
+    }
+
 private:
     std::shared_ptr<TelemetryStore> m_store;
     std::shared_ptr<TelemetryDecoder> m_decoder;

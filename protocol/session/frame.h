@@ -12,6 +12,7 @@ struct FrameView
     int id = 0;       ///< the family's own command or message number
     Bytes payload;
     int version = 1;  ///< frame format, where a family has more than one
+    Bytes raw = {};   ///< all of the frame, from its first byte to its checksum; empty where it was not on a wire
 };
 
 /// A frame that is kept.

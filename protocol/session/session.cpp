@@ -77,6 +77,10 @@ void Session::open(const LinkAddress &address, std::unique_ptr<Framer> framer)
         emit opened();
     });
     connect(m_transport.get(), &Transport::closed, this, &Session::close);
+    connect(m_transport.get(), &Transport::replayed, this, [this](QByteArrayView bytes, TimePoint at) {
+        for (FrameListener *listener : m_listeners)
+            listener->bytesSent(bytes, at);
+    });
     m_transport->open();
 }
 
@@ -169,6 +173,12 @@ void Session::sendUrgentAttempt(Request request, TransactionQueue::Completion co
     schedule();
 }
 
+void Session::play()
+{
+    if (m_transport)
+        m_transport->play();
+}
+
 LinkStatistics Session::statistics() const
 {
     LinkStatistics statistics;
@@ -200,6 +210,8 @@ void Session::onReceived(QByteArrayView bytes, TimePoint at)
     if (m_framer->isWaiting() && at - m_arrival > kFrameGap)
         m_framer->flush(m_sink);
     m_arrival = at;
+    for (FrameListener *listener : m_listeners)
+        listener->bytesReceived(bytes, at);
     m_bytesIn += static_cast<quint64>(bytes.size());
     if (m_framer->statistics().frames == 0)
         m_lastBytes = (m_lastBytes + bytes.toByteArray()).right(kKeptBytes);

@@ -18,6 +18,8 @@ public:
     virtual ~FrameListener() = default;
     /// @param claimed the frame was the answer to a request (polled telemetry is an answer and telemetry all the same)
     virtual void frameReceived(const FrameView &frame, TimePoint at, bool claimed) = 0;
+    /// Bytes as they came from the port, before the frames in them are found.
+    virtual void bytesReceived(QByteArrayView, TimePoint) { }
     /// Whole frames that left for the board.
     virtual void bytesSent(QByteArrayView, TimePoint) { }
 };
@@ -63,6 +65,9 @@ public:
     /// Ahead of everything: drops the control stream, sends at once, repeats every 100 ms until answered, five times at
     /// most. The completion tells whether the board confirmed.
     void sendUrgent(Request request, TransactionQueue::Completion completion);
+
+    /// Lets a replayed link run; others run by themselves.
+    void play();
 
     [[nodiscard]] LinkStatistics statistics() const;
     [[nodiscard]] LinkObservation observation() const;

@@ -97,7 +97,7 @@ std::size_t SbgcFramer::scan(Bytes bytes, bool last, const FrameSink &sink)
             continue;
         }
         ++m_statistics.frames;
-        sink({static_cast<int>(id), bytes.subspan(at + kHeader, length), crc ? 2 : 1});
+        sink({static_cast<int>(id), bytes.subspan(at + kHeader, length), crc ? 2 : 1, bytes.subspan(at, total)});
         at += total;
     }
     return at;

@@ -20,6 +20,7 @@ public:
     [[nodiscard]] QList<LineSettings> lineCandidates() const override;
     Result<bool> probe(Channel &channel) override;
     Result<BoardIdentity> identify(Channel &channel) override;
+    void setReadOnly() override { m_identity.writable = false; }
     [[nodiscard]] const BoardIdentity &identity() const override { return m_identity; }
     [[nodiscard]] std::shared_ptr<const ParameterSet> parameters() const override { return m_parameters; }
 
@@ -50,6 +51,7 @@ public:
     Result<TelemetryPlan> startTelemetry(Channel &channel, const TelemetryWish &wish,
                                          std::optional<LineSettings> line) override;
     void stopTelemetry(Channel &channel) override;
+    [[nodiscard]] std::shared_ptr<TelemetryDecoder> replayDecoder() const override;
     [[nodiscard]] std::vector<BoardFault> faults(unsigned bits, unsigned detail) const override;
 
     [[nodiscard]] FrameText describeFrame(const FrameView &frame, bool fromBoard) const override;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/simplebgc/framer.h"
 #include "protocol/simplebgc/sbgcdevice.h"
 #include "protocol/simplebgc/telemetrytables.h"
 
@@ -25,12 +26,9 @@ constexpr double kMeanWeight = 0.06;
 class SbgcDecoder final : public TelemetryDecoder
 {
 public:
-    SbgcDecoder(quint32 customFlags, double customPeriod)
-        : m_customFlags(customFlags), m_customLayout(customLayout(customFlags)), m_customPeriod(customPeriod),
-          m_clock(customPeriod), m_values(64)
+    SbgcDecoder(quint32 customFlags, double customPeriod) : m_clock(customPeriod), m_values(64)
     {
-        for (const WireField &field : m_customLayout)
-            m_customChannels.append(field.channel);
+        expectCustom(customFlags, customPeriod);
     }
 
     void decode(const FrameView &frame, TimePoint at, TelemetryStore &store) override
@@ -41,7 +39,36 @@ public:
             decodeCustom(frame, at, store);
     }
 
+    void sent(QByteArrayView bytes) override
+    {
+        SbgcFramer framer;
+        framer.feed(asBytes(bytes), [this](const FrameView &frame) {
+            const auto stream = DataStream::decode(frame.payload);
+            if (frame.id != number(CommandId::DataStreamInterval) || !stream
+                || stream->command != number(CommandId::RealtimeDataCustom))
+                return;
+            const double period = stream->intervalMs <= 1 ? kCycle : stream->intervalMs / 1000.0;
+            expectCustom(stream->intervalMs > 0 ? ByteReader(stream->config).u32() : 0, period);
+        });
+    }
+
 private:
+    void expectCustom(quint32 flags, double period)
+    {
+        m_customFlags = flags;
+        m_customLayout = customLayout(flags);
+        m_customPeriod = period;
+        m_customChannels.clear();
+        for (const WireField &field : m_customLayout)
+            m_customChannels.append(field.channel);
+        m_clock = SampleClock(period);
+        m_custom.reset();
+        m_status3.reset();   // which fields are left to the status streams depends on the custom one
+        m_status4.reset();
+        m_seen = 0;
+        m_board = m_counted = m_base = m_mean = 0.0;
+    }
+
     void decodeStatus(const FrameView &frame, TimePoint at, TelemetryStore &store)
     {
         const bool extended = frame.payload.size() >= kRealtime4Size;
@@ -129,9 +156,9 @@ private:
         return std::max(0, missing);
     }
 
-    quint32 m_customFlags;
+    quint32 m_customFlags = 0;
     std::vector<WireField> m_customLayout;
-    double m_customPeriod;
+    double m_customPeriod = 0.0;
     QList<int> m_customChannels;
     SampleClock m_clock;
     std::vector<float> m_values;
@@ -268,6 +295,11 @@ Result<TelemetryPlan> SbgcDevice::startTelemetry(Channel &channel, const Telemet
         plan.farewell += encodeFrame(number(CommandId::DataStreamInterval), stream.encode(), kVersion);
     }
     return plan;
+}
+
+std::shared_ptr<TelemetryDecoder> SbgcDevice::replayDecoder() const
+{
+    return std::make_shared<SbgcDecoder>(0, 0.0);
 }
 
 void SbgcDevice::stopTelemetry(Channel &channel)

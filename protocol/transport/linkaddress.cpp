@@ -62,6 +62,9 @@ Result<LinkAddress> LinkAddress::parse(const QString &text)
     if (place.startsWith(u"sim:"_s)) {
         address.m_kind = Kind::Simulator;
         address.m_target = place.mid(4);
+    } else if (place.startsWith(u"replay:"_s)) {
+        address.m_kind = Kind::Replay;
+        address.m_target = place.mid(7);
     } else if (place.startsWith(u"serial:"_s)) {
         address.m_kind = Kind::Serial;
         address.m_target = place.mid(7);
@@ -71,8 +74,8 @@ Result<LinkAddress> LinkAddress::parse(const QString &text)
     }
     if (address.m_kind == Kind::None || address.m_target.isEmpty()) {
         return failure(ErrorCode::InvalidArgument,
-                       u"'%1' is not an address; use serial:/dev/ttyUSB0, tcp://host:port, udp://host:port or "
-                       u"sim:simplebgc"_s.arg(text));
+                       u"'%1' is not an address; use serial:/dev/ttyUSB0, tcp://host:port, udp://host:port, "
+                       u"sim:simplebgc or replay:FILE"_s.arg(text));
     }
     return address;
 }
@@ -114,6 +117,9 @@ QString LinkAddress::toString() const
         break;
     case Kind::Simulator:
         text = u"sim:"_s + m_target;
+        break;
+    case Kind::Replay:
+        text = u"replay:"_s + m_target;
         break;
     case Kind::Tcp:
     case Kind::Udp:

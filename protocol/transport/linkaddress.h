@@ -29,20 +29,23 @@ struct LineSettings
 };
 
 /// Where a board is. One spelling everywhere:
-/// `serial:/dev/ttyUSB0?baud=115200&parity=none`, `tcp://host:port`, `udp://host:port`, `sim:simplebgc?seed=1`.
+/// `serial:/dev/ttyUSB0?baud=115200&parity=none`, `tcp://host:port`, `udp://host:port`, `sim:simplebgc?seed=1`,
+/// `replay:FILE?speed=4`.
 class LinkAddress
 {
 public:
-    enum class Kind { None, Serial, Tcp, Udp, Simulator };
+    enum class Kind { None, Serial, Tcp, Udp, Simulator, Replay };
 
-    /// Understands the four spellings above; a bare device path (`/dev/ttyUSB0`, `COM3`) means a serial port.
+    /// Understands the spellings above; a bare device path (`/dev/ttyUSB0`, `COM3`) means a serial port.
     /// Errors: InvalidArgument with what is wrong.
     static Result<LinkAddress> parse(const QString &text);
     static LinkAddress serial(const QString &port, std::optional<int> baud = {}, std::optional<Parity> parity = {});
 
     [[nodiscard]] Kind kind() const { return m_kind; }
-    /// Device path, host name or simulated family.
+    /// Device path, host name, simulated family or recording.
     [[nodiscard]] const QString &target() const { return m_target; }
+    /// A recording: what happens is over, nothing can be changed.
+    [[nodiscard]] bool isReplay() const { return m_kind == Kind::Replay; }
     [[nodiscard]] quint16 port() const { return m_port; }
     [[nodiscard]] QString option(const QString &name) const { return m_options.value(name); }
     [[nodiscard]] const QMap<QString, QString> &options() const { return m_options; }

@@ -27,6 +27,8 @@ public:
     virtual bool setLine(const LineSettings &line);
     /// Settings that decide how long bytes take; empty for links without a line rate.
     [[nodiscard]] virtual std::optional<LineSettings> line() const { return {}; }
+    /// A recorded link waits with its live data until somebody can take them; others have nothing to wait for.
+    virtual void play() { }
 
 signals:
     void opened();
@@ -36,6 +38,8 @@ signals:
     void received(QByteArrayView bytes, TimePoint at);
     /// The system took so many of the written bytes.
     void bytesWritten(qint64 count);
+    /// A recorded link: these bytes were sent by the host at that time.
+    void replayed(QByteArrayView bytes, TimePoint at);
 };
 
 /// Makes the transport for an address; called on the I/O thread. Schemes are composed in app/.

@@ -38,6 +38,8 @@ private slots:
     void dumpDiffApply();
     void profilesAndRename();
     void monitorPrintsCsv();
+    void recordExportAnalyzeReplay();
+    void recordingKilledInTheMiddleOpens();
     void doAction();
     void calibrate();
     void autotune();
@@ -166,6 +168,66 @@ void TestCtl::monitorPrintsCsv()
     QCOMPARE(ctl({u"monitor"_s, u"--channels"_s, u"nonsense"_s}).exitCode, 2);
 }
 
+void TestCtl::recordExportAnalyzeReplay()
+{
+    const QString file = m_dir->filePath(u"flight.rec"_s);
+    const Run record = ctl({u"record"_s, file, u"--seconds"_s, u"3"_s});
+    QCOMPARE(record.exitCode, 0);
+    QVERIFY(record.err.contains(u" 0 lost"_s));
+    const QString csv = m_dir->filePath(u"flight.csv"_s);
+    QCOMPARE(ctl({u"export"_s, file, u"--csv"_s, csv, u"--channels"_s, u"gyro.roll,gyro.yaw"_s}, false).exitCode, 0);
+    QFile saved(csv);
+    QVERIFY(saved.open(QIODevice::ReadOnly));
+    QCOMPARE(saved.readLine(), QByteArray("time_s,gyro.roll [°/s],gyro.yaw [°/s]\n"));
+    QVERIFY(saved.readAll().count('\n') > 3000);
+    const Run screen = ctl({u"export"_s, file, u"--csv"_s, u"-"_s}, false);
+    QCOMPARE(screen.exitCode, 0);
+    QVERIFY(screen.out.startsWith(u"time_s,"_s));
+    // What is measured agrees with the file's own numbers.
+    const Run spectrum = ctl({u"--json"_s, u"analyze"_s, u"spectrum"_s, file, u"--channels"_s, u"gyro.roll"_s}, false);
+    QCOMPARE(spectrum.exitCode, 0);
+    const QJsonObject roll = spectrum.json().object().value(u"gyro.roll"_s).toObject();
+    QVERIFY(roll.value(u"density"_s).toArray().size() > 500);
+    for (const QString &kind : {u"holding"_s, u"steps"_s, u"response"_s}) {
+        const Run run = ctl({u"analyze"_s, kind, file}, false);
+        QCOMPARE(run.exitCode, 0);
+        QVERIFY(!run.out.isEmpty());
+    }
+    QVERIFY(ctl({u"analyze"_s, u"holding"_s, file}, false).out.contains(u"5 to 30 Hz"_s));
+    // The recording opens like the board.
+    const QStringList replay{u"--link"_s, u"replay:%1?speed=8"_s.arg(file)};
+    QVERIFY(ctl(replay + QStringList{u"info"_s}, false).out.contains(u"read-only"_s));
+    QCOMPARE(ctl(replay + QStringList{u"get"_s, u"pid.roll.p"_s}, false).out, u"35\n"_s);
+    const Run monitor = ctl(replay + QStringList{u"monitor"_s, u"--seconds"_s, u"1"_s}, false);
+    QVERIFY(monitor.out.count(u'\n') > 1200);
+    const Run set = ctl(replay + QStringList{u"set"_s, u"pid.roll.p=40"_s}, false);
+    QCOMPARE(set.exitCode, 1);
+    QVERIFY(set.err.contains(u"recording"_s));
+}
+
+void TestCtl::recordingKilledInTheMiddleOpens()
+{
+    const QString file = m_dir->filePath(u"killed.rec"_s);
+    QProcess process;
+    process.start(QStringLiteral(GIMBAL_BIN_DIR "/gimbalctl"), {u"--link"_s, m_simulator->address(), u"record"_s, file});
+    QVERIFY(QTest::qWaitFor([&file] { return QFileInfo(file).size() > 100'000; }, 30000));
+    process.kill();
+    QVERIFY(QTest::qWaitFor([&process] { return process.state() == QProcess::NotRunning; }, 10000));
+    const Run whole = ctl({u"export"_s, file}, false);
+    QCOMPARE(whole.exitCode, 0);
+    QVERIFY(whole.out.count(u'\n') > 1000);
+    // Cut within a chunk, as a power failure leaves it: everything before the cut is there, and it is told.
+    QVERIFY(QFile::resize(file, QFileInfo(file).size() - 100));
+    const Run cut = ctl({u"export"_s, file}, false);
+    QCOMPARE(cut.exitCode, 0);
+    QVERIFY(cut.out.count(u'\n') > 500);
+    QVERIFY(cut.err.contains(u"damaged from byte"_s));
+    QVERIFY(ctl({u"--link"_s, u"replay:"_s + file, u"get"_s, u"pid.roll.p"_s}, false).out == u"35\n"_s);
+    const Run none = ctl({u"export"_s, m_dir->filePath(u"none"_s)}, false);
+    QCOMPARE(none.exitCode, 1);
+    QVERIFY(!none.err.isEmpty());
+}
+
 void TestCtl::doAction()
 {
     QVERIFY(ctl({u"do"_s, u"help"_s}).out.contains(u"autotune"_s));
@@ -272,6 +334,11 @@ void TestCtl::wrongArguments_data()
     row({u"do"_s, u"steer"_s, u"yaw=left"_s});
     row({u"do"_s, u"steer"_s});
     row({u"calibrate"_s, u"toaster"_s});
+    row({u"record"_s});
+    row({u"export"_s});
+    row({u"analyze"_s, u"weather"_s, u"file"_s});
+    row({u"analyze"_s, u"spectrum"_s});
+    row({u"analyze"_s, u"response"_s, u"file"_s, u"--channels"_s, u"gyro.roll"_s});
 }
 
 void TestCtl::wrongArguments()

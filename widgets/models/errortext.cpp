@@ -83,8 +83,8 @@ ErrorText describe(const Error &error)
         break;
     case ErrorCode::ReadOnly:
         text.what = Words::tr("This board is open for reading only.");
-        text.meaning = Words::tr("Its firmware, or this value, must not be written by this version of the program.");
-        text.cure = Words::tr("Update the program, or change the value with the board maker's tool.");
+        text.meaning = Words::tr("It is a recording, or its firmware or this value must not be written by this version of the program.");
+        text.cure = Words::tr("Connect the board itself, update the program, or change the value with the board maker's tool.");
         break;
     case ErrorCode::BoardError:
         text.what = Words::tr("The board refused.");

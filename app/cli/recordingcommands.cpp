@@ -1,0 +1,342 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command.h"
+
+#include "app/composition/composition.h"
+#include "protocol/analysis/frequencyresponse.h"
+#include "protocol/analysis/holdingquality.h"
+#include "protocol/analysis/stepresponse.h"
+#include "protocol/device/uniformsamples.h"
+#include "protocol/record/replaystore.h"
+#include "protocol/record/telemetrycsv.h"
+
+#include <QSaveFile>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr double kAllTime = 1e12;
+constexpr double kStepSize = 0.5;      // degrees: a smaller jump of a target is no step
+constexpr double kStepRest = 0.5;      // seconds a target must rest before and after
+constexpr std::array kAxisNames{"roll", "pitch", "yaw"};
+
+/// A recording with its telemetry decoded.
+struct Opened
+{
+    Recording recording;
+    std::unique_ptr<Device> device;
+    std::shared_ptr<TelemetryStore> store;
+
+    static Result<Opened> open(const QString &path)
+    {
+        auto recording = Recording::load(path);
+        if (!recording)
+            return tl::unexpected(recording.error());
+        const QString key = recording->description.value(u"family"_s).toString();
+        for (const Family &family : allFamilies()) {
+            if (family.key != key)
+                continue;
+            Opened opened{std::move(*recording), family.makeDevice(), nullptr};
+            opened.store = readTelemetry(opened.recording, *opened.device);
+            return opened;
+        }
+        return failure(ErrorCode::BadFile, u"%1: this program knows no family '%2'"_s.arg(path, key));
+    }
+
+    [[nodiscard]] QString note() const
+    {
+        QString text = u"%1 s recorded, %2 rows, %3 lost"_s
+                           .arg(double(recording.end() - recording.begin()) * 1e-9, 0, 'f', 1)
+                           .arg(store->rows()).arg(store->lost());
+        if (!recording.damage.isEmpty())
+            text += u"\ndamaged from byte %1 on (%2); everything before is here"_s.arg(recording.damageAt).arg(recording.damage);
+        return text;
+    }
+};
+
+Result<QList<int>> channelsOf(const Opened &opened, const QStringList &keys)
+{
+    QList<int> channels;
+    const ChannelTable table = opened.device->channels();
+    for (const QString &key : keys) {
+        const int channel = findChannel(table, key.trimmed());
+        if (channel < 0)
+            return failure(ErrorCode::InvalidArgument, u"no channel '%1'; gimbalctl monitor lists them"_s.arg(key));
+        channels.append(channel);
+    }
+    for (int channel = 0; keys.isEmpty() && channel < int(table.size()); ++channel) {
+        if (!opened.store->tracks(channel).empty())
+            channels.append(channel);
+    }
+    return channels;
+}
+
+class ExportCommand final : public Command
+{
+public:
+    const char *name() const override { return "export"; }
+    const char *usage() const override { return "export FILE [--csv FILE|-] [--channels a,b]"; }
+    const char *help() const override { return "samples of a recording as CSV; - or nothing = stdout"; }
+    QString check(const CommandOptions &options) const override
+    {
+        return options.arguments.size() == 1 ? QString() : u"export needs one recording"_s;
+    }
+    bool needsBoard(const CommandOptions &) const override { return false; }
+    Result<CommandOutcome> runWithoutBoard(const CommandOptions &options) override
+    {
+        const auto opened = Opened::open(options.arguments.first());
+        if (!opened)
+            return tl::unexpected(opened.error());
+        const auto channels = channelsOf(*opened, options.channels);
+        if (!channels)
+            return tl::unexpected(channels.error());
+        const bool toScreen = options.csv.isEmpty() || options.csv == u"-"_s;
+        std::unique_ptr<QFileDevice> file;
+        if (toScreen)
+            file = std::make_unique<QFile>();
+        else
+            file = std::make_unique<QSaveFile>(options.csv);
+        const bool open = toScreen ? static_cast<QFile &>(*file).open(stdout, QIODevice::WriteOnly)
+                                   : file->open(QIODevice::WriteOnly);
+        if (!open)
+            return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(options.csv, file->errorString()));
+        const auto lines = writeTelemetryCsv(*file, *opened->store, opened->device->channels(), *channels, -kAllTime, kAllTime);
+        if (!lines)
+            return tl::unexpected(lines.error());
+        if (!toScreen && !static_cast<QSaveFile &>(*file).commit())
+            return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(options.csv, file->errorString()));
+        CommandOutcome outcome;
+        outcome.note = opened->note();
+        if (!toScreen)
+            outcome.text = u"%1 lines saved to %2\n"_s.arg(*lines).arg(options.csv);
+        outcome.json = QJsonObject{{u"lines"_s, *lines}, {u"file"_s, options.csv}};
+        return outcome;
+    }
+};
+
+class AnalyzeCommand final : public Command
+{
+public:
+    const char *name() const override { return "analyze"; }
+    const char *usage() const override { return "analyze spectrum|holding|steps|response FILE [--channels]"; }
+    const char *help() const override { return "measure a recording"; }
+    QString check(const CommandOptions &options) const override
+    {
+        static const QStringList kinds{u"spectrum"_s, u"holding"_s, u"steps"_s, u"response"_s};
+        if (options.arguments.size() != 2 || !kinds.contains(options.arguments.first()))
+            return u"analyze needs spectrum, holding, steps or response, and a recording"_s;
+        if (options.arguments.first() == u"response"_s && options.channels.size() != 2 && !options.channels.isEmpty())
+            return u"response needs two channels: input,output"_s;
+        return {};
+    }
+    bool needsBoard(const CommandOptions &) const override { return false; }
+    Result<CommandOutcome> runWithoutBoard(const CommandOptions &options) override
+    {
+        const auto opened = Opened::open(options.arguments[1]);
+        if (!opened)
+            return tl::unexpected(opened.error());
+        Result<CommandOutcome> outcome = measure(options.arguments.first(), *opened, options);
+        if (outcome)
+            outcome->note = opened->note();
+        return outcome;
+    }
+
+private:
+    static Result<CommandOutcome> measure(const QString &kind, const Opened &opened, const CommandOptions &options)
+    {
+        if (kind == u"spectrum"_s)
+            return spectra(opened, options);
+        if (kind == u"holding"_s)
+            return holding(opened);
+        return kind == u"steps"_s ? steps(opened) : response(opened, options);
+    }
+
+    static Result<UniformSamples> samplesOf(const Opened &opened, int channel, int minus = -1)
+    {
+        return uniformSamples(*opened.store, channel, minus, -kAllTime, kAllTime);
+    }
+
+    // As fine as the samples allow, but not finer than half a hertz.
+    static SpectrumOptions optionsFor(const UniformSamples &samples)
+    {
+        int length = 64;
+        while (length * 4 <= int(samples.values.size()) && samples.rate / length > 0.5)
+            length *= 2;
+        return {length, 0.5, WindowShape::Hann};
+    }
+
+    static Result<CommandOutcome> spectra(const Opened &opened, const CommandOptions &options)
+    {
+        QList<int> channels;
+        if (options.channels.isEmpty()) {
+            const ChannelRoles roles = opened.device->roles();
+            channels = QList<int>(roles.gyro.begin(), roles.gyro.end());
+        } else {
+            const auto named = channelsOf(opened, options.channels);
+            if (!named)
+                return tl::unexpected(named.error());
+            channels = *named;
+        }
+        CommandOutcome outcome;
+        QJsonObject json;
+        for (const int channel : channels) {
+            const ChannelSpec &spec = opened.device->channels()[std::size_t(channel)];
+            const auto samples = samplesOf(opened, channel);
+            if (!samples)
+                return tl::unexpected(samples.error());
+            const auto result = spectrum(samples->values, samples->rate, optionsFor(*samples));
+            if (!result)
+                return tl::unexpected(result.error());
+            QJsonArray peaks;
+            outcome.text += u"%1: %2 %3 RMS, %4 Hz steps up to %5 Hz\n"_s.arg(QString::fromUtf8(spec.key))
+                                .arg(result->bandRms(0, result->rate / 2), 0, 'g', 4).arg(QString::fromUtf8(spec.unit))
+                                .arg(result->resolution, 0, 'f', 2).arg(result->rate / 2, 0, 'f', 0);
+            for (const SpectrumPeak &peak : findPeaks(*result)) {
+                outcome.text += u"  %1 Hz  %2 %3 RMS  width %4 Hz  %5 dB above its surroundings\n"_s
+                                    .arg(peak.frequency, 7, 'f', 2).arg(peak.rms, 0, 'g', 4)
+                                    .arg(QString::fromUtf8(spec.unit)).arg(peak.width, 0, 'f', 1).arg(peak.height, 0, 'f', 0);
+                peaks.append(QJsonObject{{u"hz"_s, peak.frequency}, {u"rms"_s, peak.rms}, {u"widthHz"_s, peak.width},
+                                         {u"aboveDb"_s, peak.height}});
+            }
+            QJsonArray density;
+            for (const double value : result->density)
+                density.append(value);
+            json.insert(QString::fromUtf8(spec.key),
+                        QJsonObject{{u"resolutionHz"_s, result->resolution}, {u"density"_s, density}, {u"peaks"_s, peaks}});
+        }
+        outcome.json = json;
+        return outcome;
+    }
+
+    static Result<CommandOutcome> holding(const Opened &opened)
+    {
+        const ChannelRoles roles = opened.device->roles();
+        CommandOutcome outcome;
+        QJsonObject json;
+        for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
+            const auto samples = samplesOf(opened, roles.angle[axis], roles.target[axis]);
+            if (!samples)
+                return tl::unexpected(samples.error());
+            QJsonArray bands;
+            const QString name = QString::fromLatin1(kAxisNames[axis]);
+            outcome.text += name + u":\n"_s;
+            for (const BandQuality &quality : holdingQuality(samples->values, samples->rate)) {
+                if (!quality.known)
+                    continue;
+                outcome.text += u"  %1 to %2 Hz  %3° RMS  %4° peak\n"_s.arg(quality.band.from).arg(quality.band.to)
+                                    .arg(quality.rms, 0, 'f', 4).arg(quality.peak, 0, 'f', 4);
+                bands.append(QJsonObject{{u"fromHz"_s, quality.band.from}, {u"toHz"_s, quality.band.to},
+                                         {u"rms"_s, quality.rms}, {u"peak"_s, quality.peak}});
+            }
+            json.insert(name, bands);
+        }
+        outcome.json = json;
+        return outcome;
+    }
+
+    static Result<CommandOutcome> steps(const Opened &opened)
+    {
+        const ChannelRoles roles = opened.device->roles();
+        CommandOutcome outcome;
+        QJsonArray list;
+        for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
+            const auto target = samplesOf(opened, roles.target[axis]);
+            const auto angle = samplesOf(opened, roles.angle[axis]);
+            if (!target || !angle)
+                return tl::unexpected(target ? angle.error() : target.error());
+            const std::vector<StepEvent> events = findSteps(target->values, target->rate, kStepSize, kStepRest);
+            for (std::size_t i = 0; i < events.size(); ++i) {
+                const StepEvent &event = events[i];
+                const std::size_t end = i + 1 < events.size() ? events[i + 1].index : angle->values.size();
+                if (event.index == 0 || event.index >= std::min(end, angle->values.size()))
+                    continue;
+                const auto piece = std::span(angle->values).subspan(event.index, std::min(end, angle->values.size()) - event.index);
+                const auto metrics = stepMetrics(piece, angle->rate, double(angle->values[event.index - 1]), event.to);
+                if (!metrics)
+                    continue;
+                const double at = angle->start + double(event.index) / angle->rate;
+                QJsonObject json{{u"axis"_s, QString::fromLatin1(kAxisNames[axis])}, {u"at"_s, at}, {u"from"_s, event.from},
+                                 {u"to"_s, event.to}, {u"overshootPercent"_s, metrics->overshoot},
+                                 {u"error"_s, metrics->error}};
+                const auto time = [](std::optional<double> value) {
+                    return value ? u"%1 ms"_s.arg(*value * 1000, 0, 'f', 0) : u"-"_s;
+                };
+                if (metrics->riseSeconds)
+                    json.insert(u"riseSeconds"_s, *metrics->riseSeconds);
+                if (metrics->settlingSeconds)
+                    json.insert(u"settlingSeconds"_s, *metrics->settlingSeconds);
+                list.append(json);
+                outcome.text += u"%1 at %2 s: %3° to %4°  rise %5  overshoot %6 %  settled %7\n"_s
+                                    .arg(QString::fromLatin1(kAxisNames[axis])).arg(at, 0, 'f', 2).arg(event.from, 0, 'f', 2)
+                                    .arg(event.to, 0, 'f', 2).arg(time(metrics->riseSeconds))
+                                    .arg(metrics->overshoot, 0, 'f', 0).arg(time(metrics->settlingSeconds));
+            }
+        }
+        if (list.isEmpty())
+            outcome.text = u"no target jumps by %1° or more and rests\n"_s.arg(kStepSize);
+        outcome.json = list;
+        return outcome;
+    }
+
+    static Result<CommandOutcome> response(const Opened &opened, const CommandOptions &options)
+    {
+        const ChannelRoles roles = opened.device->roles();
+        QList<std::pair<int, int>> pairs;
+        if (options.channels.isEmpty()) {
+            for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis)
+                pairs.append({roles.target[axis], roles.angle[axis]});
+        } else {
+            const auto named = channelsOf(opened, options.channels);
+            if (!named)
+                return tl::unexpected(named.error());
+            pairs.append({named->at(0), named->at(1)});
+        }
+        CommandOutcome outcome;
+        QJsonObject json;
+        for (const auto &[from, to] : pairs) {
+            const QString name = QString::fromUtf8(opened.device->channels()[std::size_t(to)].key);
+            const auto input = samplesOf(opened, from);
+            const auto output = samplesOf(opened, to);
+            if (!input || !output)
+                return tl::unexpected(input ? output.error() : input.error());
+            const auto closed = frequencyResponse(input->values, output->values, input->rate, optionsFor(*input));
+            if (!closed)
+                return tl::unexpected(closed.error());
+            const Margins m = margins(openLoop(*closed));
+            QJsonArray bins;
+            for (std::size_t bin = 0; bin < closed->gain.size(); ++bin)
+                bins.append(QJsonArray{closed->frequency(bin), closed->gainDb(bin), closed->phaseDeg(bin), closed->coherence[bin]});
+            QJsonObject object{{u"bins"_s, bins}, {u"usableBins"_s, m.bins}};
+            outcome.text += u"%1: %2 of %3 frequencies have enough motion in them\n"_s.arg(name).arg(m.bins).arg(closed->gain.size());
+            if (m.gainDb) {
+                outcome.text += u"  gain margin %1 dB at %2 Hz\n"_s.arg(*m.gainDb, 0, 'f', 1).arg(*m.gainHz, 0, 'f', 1);
+                object.insert(u"gainMarginDb"_s, *m.gainDb);
+            }
+            if (m.phaseDeg) {
+                outcome.text += u"  phase margin %1° at %2 Hz\n"_s.arg(*m.phaseDeg, 0, 'f', 0).arg(*m.phaseHz, 0, 'f', 1);
+                object.insert(u"phaseMarginDeg"_s, *m.phaseDeg);
+            }
+            if (m.bins > 0) {
+                outcome.text += u"  greatest sensitivity %1 dB at %2 Hz\n"_s.arg(m.sensitivityDb, 0, 'f', 1).arg(m.sensitivityHz, 0, 'f', 1);
+                object.insert(u"sensitivityDb"_s, m.sensitivityDb);
+            }
+            json.insert(name, object);
+        }
+        outcome.json = json;
+        return outcome;
+    }
+};
+
+} // namespace
+
+std::vector<std::unique_ptr<Command>> recordingCommands()
+{
+    std::vector<std::unique_ptr<Command>> commands;
+    commands.push_back(std::make_unique<ExportCommand>());
+    commands.push_back(std::make_unique<AnalyzeCommand>());
+    return commands;
+}

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/record/recorder.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace {
+
+constexpr auto kDrainPeriod = 200ms;
+constexpr std::size_t kSetupPieces = 2000;
+constexpr std::size_t kSaidPieces = 20000;
+constexpr qsizetype kPieceCost = 64;   // bytes of memory beside its content
+
+} // namespace
+
+Recorder::Recorder(double seconds, qsizetype bytes)
+    : m_seconds(seconds)
+    , m_limit(bytes)
+{
+}
+
+void Recorder::bytesReceived(QByteArrayView bytes, TimePoint at)
+{
+    add(RecordedPiece::Kind::Received, bytes, at);
+}
+
+void Recorder::bytesSent(QByteArrayView bytes, TimePoint at)
+{
+    add(RecordedPiece::Kind::Sent, bytes, at);
+}
+
+void Recorder::frameReceived(const FrameView &frame, TimePoint at, bool claimed)
+{
+    if (claimed && !frame.raw.empty())
+        add(RecordedPiece::Kind::Reply, QByteArrayView(reinterpret_cast<const char *>(frame.raw.data()), qsizetype(frame.raw.size())), at);
+}
+
+void Recorder::add(RecordedPiece::Kind kind, QByteArrayView bytes, TimePoint at)
+{
+    const std::lock_guard lock(m_mutex);
+    if (!m_origin)
+        m_origin = at;
+    const qint64 time = std::chrono::duration_cast<std::chrono::nanoseconds>(at - *m_origin).count();
+    m_pieces.push_back({kind, time, bytes.toByteArray()});
+    m_bytes += bytes.size() + kPieceCost;
+    ++m_newest;
+    const auto oldest = time - qint64(m_seconds * 1e9);
+    while (!m_pieces.empty() && (m_pieces.front().at < oldest || m_bytes > m_limit)) {
+        RecordedPiece &front = m_pieces.front();
+        m_bytes -= front.bytes.size() + kPieceCost;
+        if (front.kind != RecordedPiece::Kind::Received) {
+            if (m_setup.size() < kSetupPieces)
+                m_setup.push_back(std::move(front));
+            else
+                m_said.push_back(std::move(front));
+            if (m_said.size() > kSaidPieces)
+                m_said.pop_front();
+        }
+        m_pieces.pop_front();
+    }
+}
+
+void Recorder::clear()
+{
+    const std::lock_guard lock(m_mutex);
+    m_pieces.clear();
+    m_setup.clear();
+    m_said.clear();
+    m_bytes = 0;
+    m_origin.reset();
+}
+
+std::pair<std::vector<RecordedPiece>, quint64> Recorder::after(quint64 number) const
+{
+    const std::lock_guard lock(m_mutex);
+    std::vector<RecordedPiece> pieces;
+    if (number == 0) {
+        pieces = m_setup;
+        pieces.insert(pieces.end(), m_said.begin(), m_said.end());
+    }
+    const quint64 fresh = std::min<quint64>(m_newest - std::min(number, m_newest), m_pieces.size());
+    pieces.insert(pieces.end(), m_pieces.end() - std::ptrdiff_t(fresh), m_pieces.end());
+    return {std::move(pieces), m_newest};
+}
+
+double Recorder::heldSeconds() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_pieces.empty() ? 0.0 : double(m_pieces.back().at - m_pieces.front().at) * 1e-9;
+}
+
+qsizetype Recorder::heldBytes() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_bytes;
+}
+
+Result<std::unique_ptr<RecordingTask>> RecordingTask::start(const Recorder &recorder, const QString &path,
+                                                            const QJsonObject &description, bool withPast)
+{
+    auto writer = RecordingWriter::create(path, description);
+    if (!writer)
+        return tl::unexpected(writer.error());
+    return std::unique_ptr<RecordingTask>(new RecordingTask(recorder, std::move(*writer), withPast));
+}
+
+RecordingTask::RecordingTask(const Recorder &recorder, RecordingWriter writer, bool withPast)
+    : m_recorder(recorder)
+    , m_writer(std::move(writer))
+    , m_withPast(withPast)
+    , m_bytes(m_writer.bytesWritten())
+    , m_thread([this] { run(); })
+{
+}
+
+RecordingTask::~RecordingTask()
+{
+    finish();
+}
+
+Result<void> RecordingTask::finish()
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_stop = true;
+    }
+    m_wake.notify_all();
+    if (m_thread.joinable())
+        m_thread.join();
+    return m_result;
+}
+
+void RecordingTask::run()
+{
+    std::unique_lock lock(m_mutex);
+    for (bool stop = false; !stop && m_result;) {
+        stop = m_wake.wait_for(lock, kDrainPeriod, [this] { return m_stop; });
+        lock.unlock();
+        drain();
+        lock.lock();
+    }
+}
+
+void RecordingTask::drain()
+{
+    auto [pieces, number] = m_recorder.after(m_number);
+    if (std::exchange(m_first, false) && !m_withPast) {
+        // The past counts only for what was said; its received bytes are left out.
+        std::erase_if(pieces, [](const RecordedPiece &piece) { return piece.kind == RecordedPiece::Kind::Received; });
+    }
+    m_number = number;
+    for (const RecordedPiece &piece : pieces) {
+        if (m_result)
+            m_result = m_writer.append(piece);
+    }
+    if (m_result)
+        m_result = m_writer.flush();
+    m_bytes = m_writer.bytesWritten();
+    m_failed = !m_result;
+}

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/record/recording.h"
+#include "protocol/session/session.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+/// Listens to a link and always holds its last minutes, so that they can be saved after the fact. What was said while the
+/// link was set up is kept as long as the link lasts: without it nobody could understand the rest.
+/// Fed on the I/O thread, read from any.
+class Recorder final : public FrameListener
+{
+public:
+    /// @param seconds how much is held; @param bytes upper limit of the memory for it
+    explicit Recorder(double seconds = 600, qsizetype bytes = 192 << 20);
+
+    void bytesReceived(QByteArrayView bytes, TimePoint at) override;
+    void bytesSent(QByteArrayView bytes, TimePoint at) override;
+    void frameReceived(const FrameView &frame, TimePoint at, bool claimed) override;
+
+    /// Forgets everything: another board is about to be connected.
+    void clear();
+    /// Pieces after this number, oldest first, and the number of the last one. 0 = all that is held, beginning with how the
+    /// link was set up.
+    [[nodiscard]] std::pair<std::vector<RecordedPiece>, quint64> after(quint64 number) const;
+    /// Seconds of received bytes that are held.
+    [[nodiscard]] double heldSeconds() const;
+    [[nodiscard]] qsizetype heldBytes() const;
+
+private:
+    void add(RecordedPiece::Kind kind, QByteArrayView bytes, TimePoint at);
+
+    double m_seconds;
+    qsizetype m_limit;
+    mutable std::mutex m_mutex;
+    std::deque<RecordedPiece> m_pieces;      // the last minutes
+    quint64 m_newest = 0;                    // number of the last of them
+    std::vector<RecordedPiece> m_setup;      // what was said first
+    std::deque<RecordedPiece> m_said;        // what was said between setup and the last minutes
+    qsizetype m_bytes = 0;
+    std::optional<TimePoint> m_origin;
+};
+
+/// Writes what a recorder hears to a file, on a thread of its own: a slow disk slows nothing else down.
+class RecordingTask
+{
+public:
+    /// Writes everything the recorder holds, or only how the link was set up, and then what comes. Errors: BadFile.
+    static Result<std::unique_ptr<RecordingTask>> start(const Recorder &recorder, const QString &path,
+                                                        const QJsonObject &description, bool withPast);
+    ~RecordingTask();
+
+    /// Writes what is there and ends. The error, if the disk had one at any time.
+    Result<void> finish();
+    [[nodiscard]] qint64 bytesWritten() const { return m_bytes.load(); }
+    /// True after the disk refused; finish() tells why.
+    [[nodiscard]] bool hasFailed() const { return m_failed.load(); }
+
+private:
+    RecordingTask(const Recorder &recorder, RecordingWriter writer, bool withPast);
+    void run();
+    void drain();
+
+    const Recorder &m_recorder;
+    RecordingWriter m_writer;
+    bool m_withPast;
+    bool m_first = true;
+    quint64 m_number = 0;
+    std::atomic<qint64> m_bytes = 0;
+    std::atomic<bool> m_failed = false;
+    Result<void> m_result;
+    std::mutex m_mutex;
+    std::condition_variable m_wake;
+    bool m_stop = false;
+    std::thread m_thread;
+};

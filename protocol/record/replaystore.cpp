@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/record/replaystore.h"
+
+#include <limits>
+
+std::shared_ptr<TelemetryStore> readTelemetry(const Recording &recording, const Device &device)
+{
+    auto store = std::make_shared<TelemetryStore>(int(device.channels().size()));
+    store->setRetention(std::numeric_limits<double>::infinity());
+    const auto framer = device.makeFramer();
+    const auto decoder = device.replayDecoder();
+    const qint64 begin = recording.begin();
+    for (const RecordedPiece &piece : recording.pieces) {
+        const TimePoint at = store->origin() + std::chrono::nanoseconds(piece.at - begin);
+        if (piece.kind == RecordedPiece::Kind::Sent)
+            decoder->sent(piece.bytes);
+        else if (piece.kind == RecordedPiece::Kind::Received)
+            framer->feed(asBytes(piece.bytes), [&](const FrameView &frame) { decoder->decode(frame, at, *store); });
+    }
+    return store;
+}

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/record/replaytransport.h"
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr auto kTick = 4ms;
+
+Result<double> numberOption(const LinkAddress &address, const QString &name, double fallback, double low, double high)
+{
+    const QString text = address.option(name);
+    if (text.isEmpty())
+        return fallback;
+    bool ok = false;
+    const double value = text.toDouble(&ok);
+    if (!ok || !(value >= low && value <= high))
+        return failure(ErrorCode::InvalidArgument, u"%1=%2 is not a number from %3 to %4"_s.arg(name, text).arg(low).arg(high));
+    return value;
+}
+
+} // namespace
+
+ReplayTransport::ReplayTransport(Recording recording, double speed, double from)
+    : m_recording(std::move(recording))
+    , m_speed(speed)
+    , m_position(m_recording.begin() + qint64(from * 1e9))
+    , m_timer(this)
+{
+    for (std::size_t i = 0; i < m_recording.pieces.size(); ++i) {
+        const RecordedPiece &piece = m_recording.pieces[i];
+        if (piece.kind == RecordedPiece::Kind::Sent)
+            m_requests[piece.bytes].append(qsizetype(i));
+    }
+    m_timer.setInterval(kTick);
+    m_timer.setTimerType(Qt::PreciseTimer);
+    connect(&m_timer, &QTimer::timeout, this, &ReplayTransport::advance);
+}
+
+void ReplayTransport::open()
+{
+    m_open = true;
+    emit opened();
+}
+
+void ReplayTransport::close()
+{
+    m_open = false;
+    m_timer.stop();
+}
+
+void ReplayTransport::write(QByteArrayView bytes)
+{
+    // As on a real link, nothing comes back before the caller is done.
+    QTimer::singleShot(0, this, [this, request = bytes.toByteArray()] {
+        if (!m_open)
+            return;
+        emit bytesWritten(request.size());
+        if (const QByteArray answer = answerTo(request); !answer.isEmpty())
+            emit received(answer, Clock::now());
+    });
+}
+
+QByteArray ReplayTransport::answerTo(const QByteArray &request) const
+{
+    const auto found = m_requests.constFind(request);
+    if (found == m_requests.constEnd())
+        return {};
+    const auto &pieces = m_recording.pieces;
+    const auto later = std::find_if(found->begin(), found->end(), [&](qsizetype index) {
+        return pieces[std::size_t(index)].at > m_position;
+    });
+    const qsizetype chosen = later == found->begin() ? *later : *std::prev(later);
+    QByteArray answer;
+    for (std::size_t i = std::size_t(chosen) + 1; i < pieces.size(); ++i) {
+        if (pieces[i].kind == RecordedPiece::Kind::Sent)
+            break;
+        if (pieces[i].kind == RecordedPiece::Kind::Reply)
+            answer += pieces[i].bytes;
+    }
+    return answer;
+}
+
+void ReplayTransport::play()
+{
+    if (!m_open || m_timer.isActive())
+        return;
+    m_begin = m_position;
+    m_started = Clock::now();
+    // What had been arranged before this place still counts.
+    for (; m_next < m_recording.pieces.size() && m_recording.pieces[m_next].at < m_begin; ++m_next) {
+        const RecordedPiece &piece = m_recording.pieces[m_next];
+        if (piece.kind == RecordedPiece::Kind::Sent)
+            emit replayed(piece.bytes, m_started);
+    }
+    m_timer.start();
+}
+
+void ReplayTransport::advance()
+{
+    const auto passed = std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - m_started).count();
+    m_position = m_begin + qint64(double(passed) * m_speed);
+    for (; m_open && m_next < m_recording.pieces.size(); ++m_next) {
+        const RecordedPiece &piece = m_recording.pieces[m_next];
+        if (piece.at > m_position)
+            return;
+        const TimePoint at = m_started + std::chrono::nanoseconds(piece.at - m_begin);
+        if (piece.kind == RecordedPiece::Kind::Received)
+            emit received(piece.bytes, at);
+        else if (piece.kind == RecordedPiece::Kind::Sent)
+            emit replayed(piece.bytes, at);
+    }
+    m_timer.stop();   // the end: the link stays, so that one can look back
+}
+
+Result<std::unique_ptr<Transport>> makeReplayTransport(const LinkAddress &address)
+{
+    const auto speed = numberOption(address, u"speed"_s, 1.0, 0.05, 100.0);
+    const auto from = numberOption(address, u"from"_s, 0.0, 0.0, 1e6);
+    if (!speed || !from)
+        return tl::unexpected(speed ? from.error() : speed.error());
+    auto recording = Recording::load(address.target());
+    if (!recording)
+        return tl::unexpected(recording.error());
+    return std::make_unique<ReplayTransport>(std::move(*recording), *speed, *from);
+}

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/record/recording.h"
+#include "protocol/transport/transport.h"
+
+#include <QHash>
+#include <QTimer>
+
+/// A recording as a link. Requests are answered as they were answered then (the answer nearest before the place that is
+/// played, else the first one); a request that was never made gets no answer. Received bytes run in their own time once
+/// play() was called, and keep the distances of their times whatever the speed.
+class ReplayTransport final : public Transport
+{
+    Q_OBJECT
+public:
+    /// @param speed times real time, 0.05 to 100; @param from seconds of the recording to begin with
+    ReplayTransport(Recording recording, double speed, double from);
+
+    void open() override;
+    void close() override;
+    void write(QByteArrayView bytes) override;
+    void play() override;
+
+private:
+    void advance();
+    [[nodiscard]] QByteArray answerTo(const QByteArray &request) const;
+
+    Recording m_recording;
+    double m_speed;
+    qint64 m_position;                              // nanoseconds of the recording
+    std::size_t m_next = 0;                         // piece that is due next
+    QHash<QByteArray, QList<qsizetype>> m_requests; // what was sent -> pieces
+    QTimer m_timer;
+    TimePoint m_started{};                          // when m_begin was played
+    qint64 m_begin = 0;
+    bool m_open = false;
+};
+
+/// `replay:FILE?speed=4&from=30`. Errors: BadFile, InvalidArgument.
+Result<std::unique_ptr<Transport>> makeReplayTransport(const LinkAddress &address);
