@@ -1485,10 +1485,6 @@
         <translation>Esc halten, um die Motoren auszuschalten.</translation>
     </message>
     <message>
-        <source>Open a configuration</source>
-        <translation>Konfiguration öffnen</translation>
-    </message>
-    <message>
         <source>GimbalDesk configurations (*.json)</source>
         <translation>GimbalDesk-Konfigurationen (*.json)</translation>
     </message>
@@ -1522,6 +1518,14 @@
     <message>
         <source>Stay</source>
         <translation>Bleiben</translation>
+    </message>
+    <message>
+        <source>Open a configuration or a recording</source>
+        <translation>Konfiguration oder Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>GimbalDesk files (*.json *.gimbalrec)</source>
+        <translation>GimbalDesk-Dateien (*.json *.gimbalrec)</translation>
     </message>
 </context>
 <context>
@@ -1612,6 +1616,46 @@
     <message>
         <source>%1 lost</source>
         <translation>%1 verloren</translation>
+    </message>
+    <message>
+        <source>Record from now on…</source>
+        <translation>Ab jetzt aufzeichnen…</translation>
+    </message>
+    <message>
+        <source>Record to a file</source>
+        <translation>In eine Datei aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Save the last minutes…</source>
+        <translation>Die letzten Minuten speichern…</translation>
+    </message>
+    <message>
+        <source>Save the last minutes</source>
+        <translation>Die letzten Minuten speichern</translation>
+    </message>
+    <message>
+        <source>Everything on the link goes into a file that can be opened like the board</source>
+        <translation>Alles auf der Leitung kommt in eine Datei, die sich öffnen lässt wie das Board</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Aufzeichnung beenden</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.gimbalrec)</source>
+        <translation>Aufzeichnungen (*.gimbalrec)</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>● recording, %1</source>
+        <translation>● zeichnet auf, %1</translation>
     </message>
 </context>
 <context>
@@ -2163,10 +2207,6 @@
         <translation>Datei &amp;öffnen</translation>
     </message>
     <message>
-        <source>Look at a snapshot or a saved configuration and edit it without a board</source>
-        <translation>Eine Sicherung oder gespeicherte Konfiguration ansehen und ohne Board bearbeiten</translation>
-    </message>
-    <message>
         <source>The simulated gimbal shakes, drifts and answers like a real one: a safe place to learn.</source>
         <translation>Der simulierte Gimbal wackelt, driftet und antwortet wie ein echter: ein sicherer Ort zum Lernen.</translation>
     </message>
@@ -2177,6 +2217,10 @@
     <message>
         <source>Board %1, %2</source>
         <translation>Board %1, %2</translation>
+    </message>
+    <message>
+        <source>Look at a snapshot or a saved configuration and edit it without a board, or replay a recording</source>
+        <translation>Eine Sicherung oder gespeicherte Konfiguration ansehen und ohne Board bearbeiten, oder eine Aufzeichnung abspielen</translation>
     </message>
 </context>
 <context>
@@ -6614,6 +6658,18 @@ Auf dem Board: %1</translation>
     <message>
         <source>Stored in the active profile. The board as it was is kept in %1</source>
         <translation>Im aktiven Profil gespeichert. Das Board, wie es war, liegt in %1</translation>
+    </message>
+    <message>
+        <source>Recording saved to %1 (%2)</source>
+        <translation>Aufzeichnung in %1 gespeichert (%2)</translation>
+    </message>
+    <message>
+        <source>The recording has ended.</source>
+        <translation>Die Aufzeichnung ist zu Ende.</translation>
+    </message>
+    <message>
+        <source>What was recorded before is in the file. Make room, or choose another place.</source>
+        <translation>Was vorher aufgezeichnet wurde, steht in der Datei. Schaffen Sie Platz, oder wählen Sie einen anderen Ort.</translation>
     </message>
 </context>
 </TS>

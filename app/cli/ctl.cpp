@@ -262,13 +262,8 @@ void Ctl::runRecording()
     const QList<int> channels = wantedChannels();
     if (channels.isEmpty())
         return;
-    const BoardIdentity &identity = m_client->identity();
-    const QJsonObject description{
-        {u"family"_s, identity.family}, {u"model"_s, identity.model}, {u"firmware"_s, identity.firmware},
-        {u"serial"_s, identity.serial}, {u"address"_s, m_client->address().toString()},
-        {u"program"_s, u"gimbalctl " GIMBAL_VERSION ""_s},
-        {u"started"_s, QDateTime::currentDateTimeUtc().toString(Qt::ISODate)}};
-    auto task = RecordingTask::start(m_recorder, m_options.arguments.first(), description, true);
+    auto task = RecordingTask::start(m_recorder, m_options.arguments.first(),
+                                     recordingDescription(m_client->identity(), m_client->address()), true);
     if (!task) {
         finish(tl::unexpected(task.error()));
         return;

@@ -173,7 +173,7 @@ void MainWindow::openFile(const QString &path)
 {
     if (const auto opened = m_workspace->openFile(path); !opened)
         m_messages->showProblem(describe(opened.error()));
-    else
+    else if (!m_workspace->offlineFile().isEmpty())
         showPage(u"parameters"_s);
 }
 
@@ -183,8 +183,8 @@ void MainWindow::askOpenFile()
         showPage(u"backups"_s);   // with a board, a file is something to compare with and to load
         return;
     }
-    auto *dialog = new QFileDialog(this, tr("Open a configuration"), BoardHistory::defaultRoot(),
-                                   tr("GimbalDesk configurations (*.json)"));
+    auto *dialog = new QFileDialog(this, tr("Open a configuration or a recording"), BoardHistory::defaultRoot(),
+                                   tr("GimbalDesk files (*.json *.gimbalrec)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openFile);

@@ -41,7 +41,7 @@ StartPage::StartPage(QWidget *parent)
     connectButton->setObjectName(u"primary"_s);
     auto *demo = new QPushButton(tr("&Try the simulated gimbal"));
     auto *open = new QPushButton(tr("&Open a file"));
-    open->setToolTip(tr("Look at a snapshot or a saved configuration and edit it without a board"));
+    open->setToolTip(tr("Look at a snapshot or a saved configuration and edit it without a board, or replay a recording"));
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(Metric::kGap);
     buttons->addWidget(connectButton);

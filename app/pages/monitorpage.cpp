@@ -6,8 +6,11 @@
 #include "widgets/plot/plotview.h"
 
 #include <QComboBox>
+#include <QDateTime>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLocale>
+#include <QMenu>
 #include <QPushButton>
 #include <QSaveFile>
 #include <QShortcut>
@@ -37,6 +40,8 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     , m_window(new QComboBox)
     , m_pause(new QPushButton(tr("Pause")))
     , m_export(new QPushButton(tr("Export…")))
+    , m_record(new QPushButton)
+    , m_recordMenu(new QMenu(m_record))
     , m_note(new QLabel)
 {
     for (const double seconds : kWindows)
@@ -51,7 +56,18 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     header()->addWidget(m_note);
     header()->addWidget(m_window);
     header()->addWidget(m_pause);
+    header()->addWidget(m_record);
     header()->addWidget(m_export);
+    m_recordMenu->addAction(tr("Record from now on…"), this, [this] {
+        askRecording(tr("Record to a file"), &LinkRecorder::start);
+    });
+    m_recordMenu->addAction(tr("Save the last minutes…"), this, [this] {
+        askRecording(tr("Save the last minutes"), &LinkRecorder::savePast);
+    });
+    m_record->setToolTip(tr("Everything on the link goes into a file that can be opened like the board"));
+    connect(m_record, &QPushButton::clicked, this, [this] { this->workspace().recorder().stop(); });
+    connect(&workspace.recorder(), &LinkRecorder::recordingChanged, this, &MonitorPage::updateRecord);
+    updateRecord();
     m_export->setToolTip(tr("Save what is seen as a CSV file"));
     connect(m_export, &QPushButton::clicked, this, &MonitorPage::askExport);
     auto *space = new QShortcut(Qt::Key_Space, m_stack, m_pause, &QPushButton::toggle);
@@ -93,6 +109,7 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     connect(m_window, &QComboBox::activated, this, [this] { setSeconds(m_window->currentData().toDouble()); });
     connect(m_pause, &QPushButton::toggled, this, &MonitorPage::setPaused);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
+        updateRecord();
         if (state == DeviceClient::State::Connected)
             onStore();
     });
@@ -266,6 +283,24 @@ void MonitorPage::askExport()
     });
 }
 
+// Idle: a menu with what can be recorded. Recording: one click ends it.
+void MonitorPage::updateRecord()
+{
+    const bool recording = workspace().recorder().isRecording();
+    m_record->setMenu(recording ? nullptr : m_recordMenu);
+    m_record->setText(recording ? tr("Stop recording") : tr("Record"));
+    m_record->setEnabled(recording || (workspace().client().isConnected() && !workspace().client().address().isReplay()));
+}
+
+void MonitorPage::askRecording(const QString &title, Result<void> (LinkRecorder::*record)(const QString &))
+{
+    const QString name = QDateTime::currentDateTime().toString(u"yyyyMMdd-HHmmss"_s) + u".gimbalrec"_s;
+    askSavePath(title, name, tr("Recordings (*.gimbalrec)"), [this, record](const QString &path) {
+        if (const auto done = (workspace().recorder().*record)(path); !done)
+            emit workspace().problem(describe(done.error()));
+    });
+}
+
 void MonitorPage::updateNote()
 {
     const auto store = workspace().client().telemetry();
@@ -274,8 +309,15 @@ void MonitorPage::updateNote()
         m_note->clear();
         return;
     }
-    QString text = plan.streaming ? tr("%1 samples/s").arg(plan.rate, 0, 'f', 0)
-                                  : tr("polled, up to %1 samples/s").arg(plan.rate, 0, 'f', 0);
+    QString text;
+    if (workspace().client().address().isReplay())
+        text = tr("recording");
+    else if (plan.streaming)
+        text = tr("%1 samples/s").arg(plan.rate, 0, 'f', 0);
+    else
+        text = tr("polled, up to %1 samples/s").arg(plan.rate, 0, 'f', 0);
     text += u" · "_s + tr("%1 lost").arg(store->lost());
+    if (const LinkRecorder &recorder = workspace().recorder(); recorder.isRecording())
+        text = tr("● recording, %1").arg(QLocale::c().formattedDataSize(recorder.size())) + u" · "_s + text;
     m_note->setText(text);
 }

@@ -11,6 +11,7 @@
 
 class PlotView;
 class QComboBox;
+class QMenu;
 class QPushButton;
 class QSplitter;
 class QTreeView;
@@ -25,6 +26,7 @@ public:
     [[nodiscard]] ChannelModel &channels() { return m_channels; }
     [[nodiscard]] const QList<PlotView *> &plots() const { return m_plots; }
     [[nodiscard]] QPushButton *pauseButton() const { return m_pause; }
+    [[nodiscard]] QPushButton *recordButton() const { return m_record; }
     /// Seconds shown.
     [[nodiscard]] double window() const { return m_seconds; }
     /// Saves what is seen of the ticked channels. Errors: BadFile.
@@ -44,6 +46,8 @@ private:
     void holdAt(double end);
     void zoom(double factor, double around);
     void askExport();
+    void updateRecord();
+    void askRecording(const QString &title, Result<void> (LinkRecorder::*record)(const QString &));
 
     ChannelModel m_channels;
     QTreeView *m_tree;
@@ -52,6 +56,8 @@ private:
     QComboBox *m_window;
     QPushButton *m_pause;
     QPushButton *m_export;
+    QPushButton *m_record;
+    QMenu *m_recordMenu;
     QLabel *m_note;
     QList<PlotView *> m_plots;
     PlotClock m_clock;

@@ -5,6 +5,7 @@
 #include "protocol/procedure/writeconfiguration.h"
 
 #include <QFileInfo>
+#include <QLocale>
 #include <QSet>
 
 #include <algorithm>
@@ -36,11 +37,21 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     , m_live(m_client, m_configuration)
     , m_edits(m_configuration)
     , m_journal(m_configuration, m_edits, m_history)
+    , m_recorder(m_client)
 {
     connect(&m_journal, &EditJournal::leftoverFound, this, &Workspace::offerLeftover);
     connect(&m_journal, &EditJournal::failed, this, [this](const Error &error) {
         ErrorText text = describe(error);
         text.meaning = tr("Unsaved edits would not survive a crash of the program.");
+        emit problem(text);
+    });
+    connect(&m_recorder, &LinkRecorder::finished, this, [this](const QString &path, qint64 bytes) {
+        emit notice(tr("Recording saved to %1 (%2)").arg(path, QLocale::c().formattedDataSize(bytes)));
+    });
+    connect(&m_recorder, &LinkRecorder::failed, this, [this](const Error &error) {
+        ErrorText text = describe(error);
+        text.what = tr("The recording has ended.");
+        text.cure = tr("What was recorded before is in the file. Make room, or choose another place.");
         emit problem(text);
     });
     connect(&m_settings, &Settings::changed, this, &Workspace::applySettings);
@@ -82,6 +93,7 @@ Workspace::~Workspace()
 void Workspace::shutDown()
 {
     m_journal.flush();
+    m_recorder.stop();
     m_client.shutDown();
 }
 
@@ -281,6 +293,10 @@ Result<void> Workspace::openFile(const QString &path)
 {
     if (m_client.isConnected())
         return failure(ErrorCode::Busy, u"disconnect first"_s);
+    if (const auto recording = Recording::describe(path)) {
+        connectTo(LinkAddress::replay(path), recording->value(u"family"_s).toString());
+        return {};
+    }
     const auto file = loadFile(path);
     if (!file)
         return tl::unexpected(file.error());

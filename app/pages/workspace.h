@@ -6,6 +6,7 @@
 #include "protocol/device/deviceclient.h"
 #include "protocol/device/writereport.h"
 #include "app/pages/editjournal.h"
+#include "app/pages/linkrecorder.h"
 #include "app/pages/settings.h"
 #include "protocol/procedure/safeaction.h"
 #include "widgets/forms/editstack.h"
@@ -48,6 +49,7 @@ public:
     [[nodiscard]] LiveModel &live() { return m_live; }
     [[nodiscard]] Settings &settings() { return m_settings; }
     [[nodiscard]] EditJournal &journal() { return m_journal; }
+    [[nodiscard]] LinkRecorder &recorder() { return m_recorder; }
 
     void connectTo(const LinkAddress &address, const QString &family);
     /// Reads everything; edits are kept where the board is the same one.
@@ -57,7 +59,7 @@ public:
     /// Stores the values in use in the active profile, with a snapshot of what was stored before. True when it was done.
     QFuture<bool> saveLive();
     void useProfile(int profile);
-    /// Opens a configuration without a board, to look at and to edit. Errors: BadFile.
+    /// Opens a configuration without a board, to look at and to edit, or a recording as a link. Errors: BadFile.
     Result<void> openFile(const QString &path);
     /// Understands a configuration file in terms of the board shown. Errors: BadFile.
     Result<ConfigurationFile> loadFile(const QString &path) const;
@@ -121,6 +123,7 @@ private:
     EditStack m_edits;
     BoardHistory m_history;
     EditJournal m_journal;
+    LinkRecorder m_recorder;
     QString m_offlineFile;
     QHash<const QObject *, QList<int>> m_wishes;
     std::optional<WriteReport> m_lastReport;

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/record/recorder.h"
 
+#include <QDateTime>
+
 #include <algorithm>
 #include <utility>
+
+using namespace Qt::StringLiterals;
 
 namespace {
 
@@ -94,6 +98,14 @@ qsizetype Recorder::heldBytes() const
 {
     const std::lock_guard lock(m_mutex);
     return m_bytes;
+}
+
+QJsonObject recordingDescription(const BoardIdentity &identity, const LinkAddress &address)
+{
+    return {{u"family"_s, identity.family}, {u"model"_s, identity.model}, {u"firmware"_s, identity.firmware},
+            {u"serial"_s, identity.serial}, {u"address"_s, address.toString()},
+            {u"program"_s, u"GimbalDesk " GIMBAL_VERSION ""_s},
+            {u"started"_s, QDateTime::currentDateTimeUtc().toString(Qt::ISODate)}};
 }
 
 Result<std::unique_ptr<RecordingTask>> RecordingTask::start(const Recorder &recorder, const QString &path,

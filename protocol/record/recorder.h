@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/device/identity.h"
 #include "protocol/record/recording.h"
 #include "protocol/session/session.h"
 
@@ -46,6 +47,9 @@ private:
     qsizetype m_bytes = 0;
     std::optional<TimePoint> m_origin;
 };
+
+/// What a recording says of itself: which board, where, when, recorded by what.
+[[nodiscard]] QJsonObject recordingDescription(const BoardIdentity &identity, const LinkAddress &address);
 
 /// Writes what a recorder hears to a file, on a thread of its own: a slow disk slows nothing else down.
 class RecordingTask

@@ -20,6 +20,7 @@ constexpr qsizetype kChecksum = 8;
 constexpr qsizetype kPieceHeader = 13;
 constexpr quint32 kLongestChunk = 16U << 20;
 constexpr qsizetype kChunkSize = 64 << 10;
+constexpr qsizetype kLongestDescription = 64 << 10;
 
 enum ChunkKind : quint8 { DescriptionChunk = 1, PiecesChunk = 2 };
 
@@ -90,6 +91,15 @@ Result<Recording> Recording::load(const QString &path)
     if (!recording)
         return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, recording.error().detail));
     return recording;
+}
+
+Result<QJsonObject> Recording::describe(const QString &path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
+    const auto beginning = fromBytes(file.read(kMagic.size() + kLongestDescription));
+    return beginning ? Result<QJsonObject>(beginning->description) : tl::unexpected(beginning.error());
 }
 
 Result<Recording> Recording::fromBytes(const QByteArray &bytes)

@@ -45,6 +45,8 @@ struct Recording
     /// Reads up to the first damage. Errors: BadFile when it is no recording or nothing at all can be read.
     static Result<Recording> load(const QString &path);
     static Result<Recording> fromBytes(const QByteArray &bytes);
+    /// Only what the recording says of itself, without reading the rest. Errors: BadFile.
+    static Result<QJsonObject> describe(const QString &path);
 };
 
 /// Writes a recording, appending only. A full disk ends it with an error; what was written stays good.

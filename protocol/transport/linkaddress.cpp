@@ -80,6 +80,14 @@ Result<LinkAddress> LinkAddress::parse(const QString &text)
     return address;
 }
 
+LinkAddress LinkAddress::replay(const QString &path)
+{
+    LinkAddress address;
+    address.m_kind = Kind::Replay;
+    address.m_target = path;
+    return address;
+}
+
 LinkAddress LinkAddress::serial(const QString &port, std::optional<int> baud, std::optional<Parity> parity)
 {
     LinkAddress address;

@@ -39,6 +39,7 @@ public:
     /// Understands the spellings above; a bare device path (`/dev/ttyUSB0`, `COM3`) means a serial port.
     /// Errors: InvalidArgument with what is wrong.
     static Result<LinkAddress> parse(const QString &text);
+    static LinkAddress replay(const QString &path);
     static LinkAddress serial(const QString &port, std::optional<int> baud = {}, std::optional<Parity> parity = {});
 
     [[nodiscard]] Kind kind() const { return m_kind; }

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/monitorpage.h"
+#include "tests/support/windowrig.h"
+
+#include <QPushButton>
+#include <QSignalSpy>
+
+using namespace Qt::StringLiterals;
+
+/// Watching and recording, as an operator does it.
+class TestMonitor : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { m_rig = std::make_unique<WindowRig>(); }
+    void cleanup() { m_rig.reset(); }
+
+    void recordingsFromTheScreen();
+
+private:
+    std::unique_ptr<WindowRig> m_rig;
+};
+
+void TestMonitor::recordingsFromTheScreen()
+{
+    QVERIFY(m_rig->open());
+    auto *monitor = m_rig->page<MonitorPage>();
+    LinkRecorder &recorder = m_rig->workspace().recorder();
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().telemetry()->rows() > 500, 10000);
+    // From now on, ended with the button.
+    const QString now = m_rig->filePath(u"now.gimbalrec"_s);
+    QSignalSpy finished(&recorder, &LinkRecorder::finished);
+    QVERIFY(recorder.start(now));
+    QVERIFY(!recorder.start(m_rig->filePath(u"second"_s)));
+    QCOMPARE(monitor->recordButton()->menu(), nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(recorder.size() > 50'000, 10000);
+    QTest::mouseClick(monitor->recordButton(), Qt::LeftButton);
+    QVERIFY(!recorder.isRecording());
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 10000);
+    QVERIFY(monitor->recordButton()->menu());
+    // The last minutes, after the fact.
+    const QString past = m_rig->filePath(u"past.gimbalrec"_s);
+    QVERIFY(recorder.savePast(past));
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 2, 10000);
+    QVERIFY(QFileInfo(past).size() > QFileInfo(now).size());
+    // A disk without room.
+    if (QFileInfo::exists(u"/dev/full"_s))
+        QVERIFY(!recorder.start(u"/dev/full"_s));
+    // Opened like the board, with its values and its live data, read-only.
+    m_rig->client().disconnectFromBoard();
+    for (const QString &file : {now, past}) {
+        m_rig->window().openFile(file);
+        QVERIFY(QTest::qWaitFor([this] { return m_rig->client().isConnected() && !m_rig->model().isEmpty(); }, 15000));
+        QCOMPARE(m_rig->raw(u"pid.roll.p"_s), 35);
+        QVERIFY(!m_rig->client().identity().writable);
+        m_rig->window().showPage(u"monitor"_s);
+        QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().telemetry()->rows() > 300, 10000);
+        QVERIFY(!monitor->recordButton()->isEnabled());
+        m_rig->client().disconnectFromBoard();
+    }
+    // Unplugging ends a recording properly.
+    QVERIFY(m_rig->open());
+    QVERIFY(recorder.start(now));
+    m_rig->client().disconnectFromBoard();
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 3, 10000);
+    QVERIFY(Recording::load(now));
+}
+
+QTEST_MAIN(TestMonitor)
+#include "tst_monitor.moc"
