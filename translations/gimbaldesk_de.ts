@@ -6671,5 +6671,13 @@ Auf dem Board: %1</translation>
         <source>What was recorded before is in the file. Make room, or choose another place.</source>
         <translation>Was vorher aufgezeichnet wurde, steht in der Datei. Schaffen Sie Platz, oder wählen Sie einen anderen Ort.</translation>
     </message>
+    <message>
+        <source>This is a recording: everything can be looked at, nothing can be changed.</source>
+        <translation>Das ist eine Aufzeichnung: alles lässt sich ansehen, nichts ändern.</translation>
+    </message>
+    <message>
+        <source>This is a recording: there are no motors to switch.</source>
+        <translation>Das ist eine Aufzeichnung: hier gibt es keine Motoren zu schalten.</translation>
+    </message>
 </context>
 </TS>

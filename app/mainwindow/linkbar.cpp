@@ -197,7 +197,8 @@ void LinkBar::updateProfiles()
 
 void LinkBar::updateMotors()
 {
-    const bool connected = m_workspace.client().isConnected();
+    // A recording has no motors.
+    const bool connected = m_workspace.client().isConnected() && !m_workspace.client().address().isReplay();
     const auto running = m_workspace.motorsRunning();
     // Unknown counts as running: the button must stop them then.
     m_offNext = !running || *running;

@@ -112,7 +112,9 @@ void Workspace::onState(DeviceClient::State state)
     m_reading = false;
     if (std::exchange(m_wasLost, false))
         emit notice(tr("Connected again."));
-    if (!m_client.identity().writable)
+    if (m_client.address().isReplay())
+        emit notice(tr("This is a recording: everything can be looked at, nothing can be changed."));
+    else if (!m_client.identity().writable)
         emit problem(describe({ErrorCode::ReadOnly, m_client.identity().firmware, 0}));
     applySettings();
     updateWish();
@@ -268,6 +270,8 @@ void Workspace::offerRepair()
 
 void Workspace::offerLeftover(int steps)
 {
+    if (m_client.isConnected() && !m_client.identity().writable)
+        return;   // they wait for the board itself
     Offer question;
     question.text = tr("%n unsaved step(s) of an earlier run belong to this board.", nullptr, steps);
     question.choices.append({tr("Restore them"), [this] {
@@ -417,7 +421,7 @@ QFuture<bool> Workspace::saveLive()
 
 void Workspace::useProfile(int profile)
 {
-    if (!m_client.isConnected()) {
+    if (!m_client.isConnected() || m_client.address().isReplay()) {
         m_configuration.setShownProfile(profile);
         return;
     }
@@ -439,6 +443,10 @@ void Workspace::useProfile(int profile)
 
 void Workspace::setMotors(bool on)
 {
+    if (m_client.address().isReplay() && m_client.isConnected()) {
+        emit notice(tr("This is a recording: there are no motors to switch."));
+        return;
+    }
     if (!on) {
         m_client.motorsOff();
         return;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/monitorpage.h"
 #include "tests/support/windowrig.h"
+#include "widgets/plot/plotview.h"
 
+#include <QGraphicsTextItem>
 #include <QPushButton>
 #include <QSignalSpy>
 
@@ -16,11 +18,38 @@ private slots:
     void init() { m_rig = std::make_unique<WindowRig>(); }
     void cleanup() { m_rig.reset(); }
 
+    void scalesStayInsideWhenThePlotsShrink();
     void recordingsFromTheScreen();
 
 private:
     std::unique_ptr<WindowRig> m_rig;
 };
+
+void TestMonitor::scalesStayInsideWhenThePlotsShrink()
+{
+    QVERIFY(m_rig->open());
+    auto *monitor = m_rig->page<MonitorPage>();
+    QTRY_COMPARE(monitor->plots().size(), 2);
+    QTRY_VERIFY(monitor->plots().first()->height() > 100);
+    const int before = monitor->plots().first()->height();
+    // Messages and the unsaved bar take room from the plots, and give it back.
+    emit m_rig->workspace().notice(u"a message"_s);
+    m_rig->edit(u"pid.roll.p"_s, 0, 60);
+    QTRY_VERIFY(monitor->plots().first()->height() < before);
+    for (PlotView *plot : monitor->plots()) {
+        const auto items = plot->scene()->items();
+        int labels = 0;
+        for (QGraphicsItem *item : items) {
+            const auto *label = qgraphicsitem_cast<QGraphicsTextItem *>(item);
+            if (!label || !label->toPlainText().endsWith(u" s"_s))
+                continue;
+            ++labels;
+            QVERIFY(label->isVisible());
+            QVERIFY(label->scenePos().y() + 10 < plot->viewport()->height());
+        }
+        QVERIFY(labels >= 4);
+    }
+}
 
 void TestMonitor::recordingsFromTheScreen()
 {

@@ -199,6 +199,9 @@ void PlotView::applyTheme()
         m_series[i]->setPen(QPen(shown, 1));
         m_series[i]->setBrush(shown);
     }
+    const auto markers = chart()->legend()->markers();
+    for (QLegendMarker *marker : markers)
+        marker->setPen(Qt::NoPen);
     m_traces->invalidate();
     viewport()->update();
 }
@@ -259,11 +262,12 @@ void PlotView::updateView()
 
 void PlotView::resizeEvent(QResizeEvent *event)
 {
-    QChartView::resizeEvent(event);
-    // The same edges in every plot, whatever its labels need, so that stacked plots line up.
-    const QSizeF size = viewport()->size();
+    // The same edges in every plot, whatever its labels need, so that stacked plots line up. Set first: the chart lays its
+    // labels out when it gets its size, and hides those that lie outside.
+    const QSizeF size = event->size();
     chart()->setPlotArea({kLeft, kTop, std::max(10.0, size.width() - kLeft - kRight),
                           std::max(10.0, size.height() - kTop - kBottom)});
+    QChartView::resizeEvent(event);
     // The legend stays where the room for it is; attached to the chart it keeps what room it found when it was hidden.
     chart()->legend()->setGeometry(kLeft, 2, std::max(10.0, size.width() - kLeft - kRight), kTop - 4);
     chart()->legend()->update();
