@@ -28,6 +28,7 @@ void TelemetryGroup::append(double time, std::span<const float> values, double r
         auto chunk = std::make_shared<Chunk>();
         chunk->firstRow = row;
         chunk->values.resize(kRowsPerChunk * static_cast<std::size_t>(m_channels.size()));
+        chunk->blocks.resize(kBlocksPerChunk * static_cast<std::size_t>(m_channels.size()));
         const std::lock_guard lock(m_mutex);
         while (m_chunks.size() > 1 && m_chunks.front()->times.back() < time - retention)
             m_chunks.pop_front();
@@ -37,7 +38,25 @@ void TelemetryGroup::append(double time, std::span<const float> values, double r
     chunk.times[inChunk] = time;
     for (std::size_t column = 0; column < values.size(); ++column)
         chunk.values[column * kRowsPerChunk + inChunk] = values[column];
+    if (inChunk % kRowsPerBlock == kRowsPerBlock - 1)
+        closeBlock(chunk, inChunk + 1 - kRowsPerBlock);
     m_end.store(row + 1, std::memory_order_release);
+}
+
+void TelemetryGroup::closeBlock(Chunk &chunk, std::size_t firstRow)
+{
+    const std::size_t columns = chunk.values.size() / kRowsPerChunk;
+    for (std::size_t column = 0; column < columns; ++column) {
+        const float *rows = chunk.values.data() + column * kRowsPerChunk + firstRow;
+        Extent extent{rows[0], rows[0]};
+        for (std::size_t i = 0; i < kRowsPerBlock && !std::isnan(extent.low); ++i) {
+            if (std::isnan(rows[i]))
+                extent = {rows[i], rows[i]};
+            else
+                extent = {std::min(extent.low, rows[i]), std::max(extent.high, rows[i])};
+        }
+        chunk.blocks[column * kBlocksPerChunk + firstRow / kRowsPerBlock] = extent;
+    }
 }
 
 TrackView::TrackView(std::shared_ptr<const TelemetryGroup> group, int column)
@@ -73,6 +92,16 @@ float TrackView::value(std::size_t row) const
 {
     return chunkOf(row).values[static_cast<std::size_t>(m_column) * TelemetryGroup::kRowsPerChunk
                                + row % TelemetryGroup::kRowsPerChunk];
+}
+
+std::optional<TelemetryGroup::Extent> TrackView::block(std::size_t row) const
+{
+    if (row % TelemetryGroup::kRowsPerBlock != 0 || row + TelemetryGroup::kRowsPerBlock > m_end)
+        return {};
+    const TelemetryGroup::Extent extent =
+        chunkOf(row).blocks[static_cast<std::size_t>(m_column) * TelemetryGroup::kBlocksPerChunk
+                            + row % TelemetryGroup::kRowsPerChunk / TelemetryGroup::kRowsPerBlock];
+    return std::isnan(extent.low) ? std::nullopt : std::optional(extent);
 }
 
 std::size_t TrackView::rowAt(double time) const

@@ -22,12 +22,21 @@ class TelemetryGroup
 {
 public:
     static constexpr std::size_t kRowsPerChunk = 1024;
+    /// Rows whose lowest and highest value are kept beside them, so that long spans are drawn without reading each row.
+    static constexpr std::size_t kRowsPerBlock = 16;
+    static constexpr std::size_t kBlocksPerChunk = kRowsPerChunk / kRowsPerBlock;
+    struct Extent
+    {
+        float low = 0;
+        float high = 0;
+    };
 
     struct Chunk
     {
         std::size_t firstRow = 0;
         std::array<double, kRowsPerChunk> times;   // seconds since the store's origin
         std::vector<float> values;                 // channel after channel, kRowsPerChunk each
+        std::vector<Extent> blocks;                // channel after channel, kBlocksPerChunk each; NaN where a row is lost
     };
 
     TelemetryGroup(QList<int> channels, double period);
@@ -42,6 +51,7 @@ private:
     friend class TelemetryStore;
     friend class TrackView;
     void append(double time, std::span<const float> values, double retention);
+    static void closeBlock(Chunk &chunk, std::size_t firstRow);
 
     QList<int> m_channels;
     double m_period;
@@ -62,6 +72,9 @@ public:
     [[nodiscard]] std::size_t end() const { return m_end; }
     [[nodiscard]] double time(std::size_t row) const;
     [[nodiscard]] float value(std::size_t row) const;
+    /// Lowest and highest value of the kRowsPerBlock rows that begin with this one, a multiple of it; empty while they are
+    /// not complete or where one of them is lost.
+    [[nodiscard]] std::optional<TelemetryGroup::Extent> block(std::size_t row) const;
     /// First row at or after this time (rows are in order of time).
     [[nodiscard]] std::size_t rowAt(double time) const;
     [[nodiscard]] double period() const { return m_group->period(); }

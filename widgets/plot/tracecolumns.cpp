@@ -75,7 +75,10 @@ std::optional<qint64> TraceColumns::update(std::vector<TraceSource> &sources)
             const double time = track.time(m_nextRow);
             if (m_limit != kNoLimit && columnOf(time) > m_limit + 1)
                 return changed ? std::optional(std::max(m_first, before)) : std::nullopt;
-            add(time, source.value(m_nextRow));
+            if (addBlock(source, m_nextRow))
+                m_nextRow += TelemetryGroup::kRowsPerBlock - 1;
+            else
+                add(time, source.value(m_nextRow));
             changed = true;
         }
         if (m_track + 1 == sources.size())
@@ -83,6 +86,24 @@ std::optional<qint64> TraceColumns::update(std::vector<TraceSource> &sources)
         m_started = false;   // go on in the next stream that carried this channel
     }
     return changed ? std::optional(std::max(m_first, before)) : std::nullopt;
+}
+
+// Takes a block of rows at once where all of them lie in one column; the picture is the same as row by row.
+bool TraceColumns::addBlock(const TraceSource &source, std::size_t row)
+{
+    if (source.minus)
+        return false;
+    const auto extent = source.track.block(row);
+    const std::size_t last = row + TelemetryGroup::kRowsPerBlock - 1;
+    if (!extent || columnOf(source.track.time(row)) != columnOf(source.track.time(last)))
+        return false;
+    add(source.track.time(row), source.value(row));
+    const qint64 column = columnOf(source.track.time(last));
+    extend(column, extent->low);
+    extend(column, extent->high);
+    m_lastTime = source.track.time(last);
+    m_lastValue = source.value(last);
+    return true;
 }
 
 void TraceColumns::add(double time, float value)

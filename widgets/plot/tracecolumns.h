@@ -30,6 +30,7 @@ public:
 
 private:
     void add(double time, float value);
+    bool addBlock(const TraceSource &source, std::size_t row);
     void extend(qint64 column, float value);
     [[nodiscard]] std::size_t slot(qint64 column) const;
 

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plot/spanstatistics.h"
+#include "widgets/plot/tracecolumns.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <random>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr double kRate = 1250.0;
+
+// A store with a random walk, lost rows and a long hole.
+std::shared_ptr<TelemetryStore> someStore(int rows, unsigned seed, bool lossy)
+{
+    auto store = std::make_shared<TelemetryStore>(2);
+    auto group = store->defineGroup({0, 1}, 1.0 / kRate);
+    std::mt19937 generator(seed);
+    std::normal_distribution<float> step(0.0F, 1.0F);
+    std::array<float, 2> values{};
+    double time = 0.0;
+    for (int i = 0; i < rows; ++i, time += 1.0 / kRate) {
+        values[0] += step(generator);
+        values[1] = step(generator);
+        const TimePoint at = store->origin() + durationFromSeconds(time);
+        if (lossy && i % 997 == 500) {
+            store->appendGap(*group, at);
+            continue;
+        }
+        if (lossy && i % 5000 == 4000)
+            time += 2.0;
+        store->append(*group, at, values);
+    }
+    return store;
+}
+
+} // namespace
+
+/// What the plot draws, against a plain reading of every sample.
+class TestTraces : public QObject
+{
+    Q_OBJECT
+private slots:
+    void columnsHoldEverySample_data();
+    void columnsHoldEverySample();
+    void columnsGrowAsTheyWouldAtOnce();
+    void blocksTellWhatTheirRowsTell();
+    void blocksFollowRetention();
+    void storeKeepsWithinItsBytes();
+};
+
+void TestTraces::columnsHoldEverySample_data()
+{
+    QTest::addColumn<double>("pitch");
+    QTest::addColumn<bool>("lossy");
+    for (const double pitch : {0.0004, 0.008, 0.013, 0.1, 0.5}) {
+        QTest::addRow("%g s", pitch) << pitch << false;
+        QTest::addRow("%g s, lossy", pitch) << pitch << true;
+    }
+}
+
+void TestTraces::columnsHoldEverySample()
+{
+    QFETCH(double, pitch);
+    QFETCH(bool, lossy);
+    const auto store = someStore(20000, 3, lossy);
+    auto sources = TraceSource::find(*store, 0, -1);
+    sources.front().refresh();
+    const TrackView &track = sources.front().track;
+    const qint64 columns = qint64(track.time(track.end() - 1) / pitch) + 1;
+    TraceColumns drawn;
+    drawn.reset(int(columns), pitch, 0);
+    drawn.update(sources);
+    std::vector<TraceColumns::Span> wanted{std::size_t(columns)};
+    for (std::size_t row = track.begin(); row < track.end(); ++row) {
+        const float value = track.value(row);
+        if (std::isnan(value))
+            continue;
+        TraceColumns::Span &span = wanted[std::size_t(drawn.columnOf(track.time(row)))];
+        span = span.isEmpty() ? TraceColumns::Span{value, value}
+                              : TraceColumns::Span{std::min(span.low, value), std::max(span.high, value)};
+    }
+    for (qint64 column = 0; column < columns; ++column) {
+        const TraceColumns::Span &samples = wanted[std::size_t(column)];
+        const TraceColumns::Span span = drawn.span(column);
+        if (samples.isEmpty())
+            continue;   // a line between samples may pass through
+        QVERIFY(!span.isEmpty());
+        QVERIFY(span.low <= samples.low && span.high >= samples.high);
+        // Beyond its samples a column reaches only to where the line crosses its edges.
+        float low = samples.low;
+        float high = samples.high;
+        for (const qint64 next : {column - 1, column + 1}) {
+            if (next >= 0 && next < columns && !wanted[std::size_t(next)].isEmpty()) {
+                low = std::min(low, wanted[std::size_t(next)].low);
+                high = std::max(high, wanted[std::size_t(next)].high);
+            }
+        }
+        if (pitch > 1.0 / kRate)
+            QVERIFY(span.low >= low && span.high <= high);
+    }
+}
+
+void TestTraces::columnsGrowAsTheyWouldAtOnce()
+{
+    // In one go against in odd pieces: the same picture.
+    auto store = std::make_shared<TelemetryStore>(1);
+    auto group = store->defineGroup({0}, 1.0 / kRate);
+    auto liveSources = TraceSource::find(*store, 0, -1);
+    TraceColumns live;
+    live.reset(400, 0.1, 0);
+    std::mt19937 generator(5);
+    std::normal_distribution<float> normal(0.0F, 1.0F);
+    for (int i = 0; i < 30000; ++i) {
+        store->append(*group, store->origin() + durationFromSeconds(i / kRate), std::array<float, 1>{normal(generator)});
+        if (i % 37 == 0)
+            live.update(liveSources);
+    }
+    live.update(liveSources);
+    auto sources = TraceSource::find(*store, 0, -1);
+    TraceColumns whole;
+    whole.reset(400, 0.1, 0);
+    whole.update(sources);
+    for (qint64 column = 0; column < 240; ++column) {
+        QCOMPARE(live.span(column).low, whole.span(column).low);
+        QCOMPARE(live.span(column).high, whole.span(column).high);
+        QVERIFY(!whole.span(column).isEmpty());
+    }
+}
+
+void TestTraces::blocksTellWhatTheirRowsTell()
+{
+    const auto store = someStore(5000, 7, true);
+    std::size_t complete = 0;
+    for (TrackView track : store->tracks(1)) {
+        track.refresh();
+        QVERIFY(!track.block(1));
+        QVERIFY(!track.block(track.end() - track.end() % 16));
+        for (std::size_t row = 0; row + 16 <= track.end(); row += 16) {
+            float low = track.value(row);
+            float high = low;
+            bool lost = false;
+            for (std::size_t i = row; i < row + 16; ++i) {
+                lost = lost || std::isnan(track.value(i));
+                low = std::min(low, track.value(i));
+                high = std::max(high, track.value(i));
+            }
+            const auto block = track.block(row);
+            QCOMPARE(block.has_value(), !lost);
+            if (lost)
+                continue;
+            QCOMPARE(block->low, low);
+            QCOMPARE(block->high, high);
+            ++complete;
+        }
+    }
+    QVERIFY(complete > 290);
+}
+
+void TestTraces::blocksFollowRetention()
+{
+    auto store = std::make_shared<TelemetryStore>(1);
+    store->setRetention(2.0);
+    auto group = store->defineGroup({0}, 1.0 / kRate);
+    for (int i = 0; i < 20000; ++i)
+        store->append(*group, store->origin() + durationFromSeconds(i / kRate), std::array<float, 1>{float(i)});
+    TrackView track = store->tracks(0).front();
+    track.refresh();
+    QVERIFY(track.begin() > 10000);
+    const auto block = track.block(track.begin());
+    QVERIFY(block);
+    QCOMPARE(block->low, float(track.begin()));
+    QCOMPARE(block->high, float(track.begin() + 15));
+}
+
+void TestTraces::storeKeepsWithinItsBytes()
+{
+    // Goal: 6 bytes a sample, times and index included, with 12 channels in a row.
+    constexpr double channels = 12;
+    constexpr double rows = TelemetryGroup::kRowsPerChunk;
+    const double bytes = rows * (sizeof(double) + channels * sizeof(float))
+        + TelemetryGroup::kBlocksPerChunk * channels * sizeof(TelemetryGroup::Extent);
+    QVERIFY(bytes / (rows * channels) < 6.0);
+}
+
+QTEST_GUILESS_MAIN(TestTraces)
+#include "tst_traces.moc"
