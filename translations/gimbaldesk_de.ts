@@ -1755,6 +1755,10 @@
         <source>Help</source>
         <translation>Hilfe</translation>
     </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
 </context>
 <context>
     <name>ParameterModel</name>
@@ -2182,6 +2186,143 @@
     <message>
         <source>Choose a variable to see its course</source>
         <translation>Wählen Sie eine Variable, um ihren Verlauf zu sehen</translation>
+    </message>
+</context>
+<context>
+    <name>SpectrumChart</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>dB</source>
+        <translation>dB</translation>
+    </message>
+    <message>
+        <source>dB of (%1)²/Hz</source>
+        <translation>dB von (%1)²/Hz</translation>
+    </message>
+</context>
+<context>
+    <name>SpectrumPage</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>Strength (RMS)</source>
+        <translation>Stärke (RMS)</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Peaks</source>
+        <translation>Spitzen</translation>
+    </message>
+    <message>
+        <source>Angle error by band</source>
+        <translation>Winkelfehler nach Bändern</translation>
+    </message>
+    <message>
+        <source>Gyro</source>
+        <translation>Kreisel</translation>
+    </message>
+    <message>
+        <source>Angle error</source>
+        <translation>Winkelfehler</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>What the spectrum is made of</source>
+        <translation>Woraus das Spektrum gemacht wird</translation>
+    </message>
+    <message>
+        <source>last %1 s</source>
+        <translation>letzte %1 s</translation>
+    </message>
+    <message>
+        <source>Span</source>
+        <translation>Spanne</translation>
+    </message>
+    <message>
+        <source>A longer span shows finer lines, a shorter one follows faster</source>
+        <translation>Eine längere Spanne zeigt feinere Linien, eine kürzere folgt schneller</translation>
+    </message>
+    <message>
+        <source>Keep the figures of now and show what changes against them</source>
+        <translation>Die Zahlen von jetzt merken und zeigen, was sich dagegen ändert</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Waiting for samples at a steady rate</source>
+        <translation>Wartet auf Messwerte mit fester Rate</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 samples/s, lines of %2 Hz, %n average(s)</source>
+        <translation>
+            <numerusform>%1 Werte/s, Linien von %2 Hz, %n Mittelung</numerusform>
+            <numerusform>%1 Werte/s, Linien von %2 Hz, %n Mittelungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Band</source>
+        <translation>Band</translation>
+    </message>
+    <message>
+        <source>Sway
+0.5–5 Hz</source>
+        <translation>Schwanken
+0.5–5 Hz</translation>
+    </message>
+    <message>
+        <source>Wobble
+5–30 Hz</source>
+        <translation>Wackeln
+5–30 Hz</translation>
+    </message>
+    <message>
+        <source>Jitter
+30–300 Hz</source>
+        <translation>Zittern
+30–300 Hz</translation>
+    </message>
+    <message>
+        <source>%1° RMS
+%2° peak</source>
+        <translation>%1° RMS
+Spitze %2°</translation>
+    </message>
+    <message>
+        <source>%1° RMS</source>
+        <translation>%1° RMS</translation>
     </message>
 </context>
 <context>

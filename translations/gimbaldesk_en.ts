@@ -49,6 +49,16 @@
     </message>
 </context>
 <context>
+    <name>SpectrumPage</name>
+    <message numerus="yes">
+        <source>%1 samples/s, lines of %2 Hz, %n average(s)</source>
+        <translation>
+            <numerusform>%1 samples/s, lines of %2 Hz, %n average</numerusform>
+            <numerusform>%1 samples/s, lines of %2 Hz, %n averages</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>TuningPage</name>
     <message numerus="yes">
         <source>%n value(s) in use, not stored</source>

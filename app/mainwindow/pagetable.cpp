@@ -13,6 +13,7 @@
 #include "app/pages/parameterspage.h"
 #include "app/pages/profilespage.h"
 #include "app/pages/settingspage.h"
+#include "app/pages/spectrumpage.h"
 #include "app/pages/tuningpage.h"
 #include "app/pages/variablespage.h"
 #include "app/wizards/autotunepage.h"
@@ -36,6 +37,7 @@ constexpr PageEntry kPages[] = {
     {"profiles", QT_TRANSLATE_NOOP("Pages", "Profiles"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<ProfilesPage>},
     {"calibration", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<CalibrationPage>},
     {"tuning", QT_TRANSLATE_NOOP("Pages", "Tuning"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<TuningPage>},
+    {"spectrum", QT_TRANSLATE_NOOP("Pages", "Spectrum"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<SpectrumPage>},
     {"autotune", QT_TRANSLATE_NOOP("Pages", "Auto-tune"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<AutoTunePage>},
     {"variables", QT_TRANSLATE_NOOP("Pages", "Adjustable variables"), QT_TRANSLATE_NOOP("Pages", "Tune"),
      make<VariablesPage>},

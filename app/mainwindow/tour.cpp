@@ -169,6 +169,7 @@ void Tour::addMotionSteps()
                 tuning()->live().setValue(spec->id, raw);
         }
     }, {}, kLongSettleMs, {}, false});
+    m_steps.append({u"spectrum"_s, show(u"spectrum"_s), {}, kLongSettleMs, {}, false});
     const auto autotune = [this] { return pageAs<AutoTunePage>(m_window, u"autotune"_s); };
     m_steps.append({u"autotune-ready"_s, [this, tuning] {
         tuning()->revertButton()->click();

@@ -1,12 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/monitorpage.h"
+#include "app/pages/spectrumpage.h"
+#include "protocol/simulator/plant.h"
 #include "tests/support/windowrig.h"
+#include "widgets/models/parametermodel.h"
 #include "widgets/plot/plotview.h"
+#include "widgets/plot/spectrumchart.h"
 
 #include <QGraphicsTextItem>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTableWidget>
 
 using namespace Qt::StringLiterals;
 
@@ -19,6 +24,7 @@ private slots:
     void cleanup() { m_rig.reset(); }
 
     void scalesStayInsideWhenThePlotsShrink();
+    void spectrumFindsTheResonance();
     void recordingsFromTheScreen();
 
 private:
@@ -49,6 +55,49 @@ void TestMonitor::scalesStayInsideWhenThePlotsShrink()
         }
         QVERIFY(labels >= 4);
     }
+}
+
+void TestMonitor::spectrumFindsTheResonance()
+{
+    QVERIFY(m_rig->open());
+    auto *page = m_rig->page<SpectrumPage>();
+    QVERIFY(page);
+    QTRY_COMPARE_WITH_TIMEOUT(page->chart()->curveCount(), 3, 10000);
+    QCOMPARE(page->chart()->highestFrequency(), 625.0);   // half the rate, not a hertz more
+    // Gains that make the structure ring show where it rings.
+    auto set = m_rig->client().submit<bool>([](Channel &channel, Device &device) -> Result<bool> {
+        std::vector<AdjustableValue> values;
+        for (const AdjustableSpec &spec : device.adjustables()) {
+            if (QByteArray(spec.key) == "p.roll")
+                values.push_back({spec.id, 100});
+            if (QByteArray(spec.key) == "d.roll")
+                values.push_back({spec.id, 60});
+        }
+        const auto done = device.writeAdjustables(channel, values);
+        return done ? Result<bool>(values.size() == 2) : tl::unexpected(done.error());
+    });
+    QTRY_VERIFY(set.isFinished());
+    QVERIFY(set.result() && *set.result());
+    const double resonance = simulatedMechanics(Axis::Roll).resonanceHz;
+    const auto rollPeakAt = [page, resonance] {
+        for (int row = 0; row < page->peaks()->rowCount(); ++row) {
+            const double hz = page->peaks()->item(row, 1)->text().section(u' ', 0, 0).toDouble();
+            if (page->peaks()->item(row, 0)->text() == axisLabel(Axis::Roll) && std::abs(hz / resonance - 1.0) < 0.2)
+                return true;
+        }
+        return false;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(rollPeakAt(), 20000);
+    // The error by band, and how it changes against what was kept.
+    QTRY_VERIFY_WITH_TIMEOUT(page->bands()->item(1, 1)->text().contains(u"RMS"_s), 10000);
+    QVERIFY(!page->bands()->item(1, 1)->text().contains(u'%'));
+    QTest::mouseClick(page->compareButton(), Qt::LeftButton);
+    QVERIFY(page->bands()->item(1, 1)->text().contains(u'%'));
+    QTest::mouseClick(page->pauseButton(), Qt::LeftButton);
+    const QString held = page->bands()->item(1, 1)->text();
+    const quint64 rows = m_rig->client().telemetry()->rows();
+    QTRY_VERIFY(m_rig->client().telemetry()->rows() > rows + 1500);
+    QCOMPARE(page->bands()->item(1, 1)->text(), held);
 }
 
 void TestMonitor::recordingsFromTheScreen()

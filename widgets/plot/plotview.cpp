@@ -201,7 +201,7 @@ void PlotView::applyTheme()
     }
     const auto markers = chart()->legend()->markers();
     for (QLegendMarker *marker : markers)
-        marker->setPen(Qt::NoPen);
+        marker->setPen(QPen(Qt::transparent));   // no pen at all would bring the style's own back
     m_traces->invalidate();
     viewport()->update();
 }

@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/spectrumpage.h"
+
+#include "protocol/analysis/holdingquality.h"
+#include "protocol/device/uniformsamples.h"
+#include "widgets/models/parametermodel.h"
+#include "widgets/plot/spectrumchart.h"
+#include "widgets/views/card.h"
+
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr auto kPeriod = 500ms;
+constexpr std::array<int, 4> kSpans{5, 10, 30, 60};   // seconds
+constexpr int kDefaultSpan = 1;
+constexpr int kPeaks = 3;                             // of each axis
+constexpr double kFinest = 0.5;                       // Hz
+constexpr double kSlowest = 5.0;                      // Hz: below it nothing is a vibration
+
+// As fine as the span allows with eight segments or more to average.
+int segmentLength(const UniformSamples &samples)
+{
+    int length = 64;
+    while (length * 9 <= int(samples.values.size()) && samples.rate / length > kFinest)
+        length *= 2;
+    return length;
+}
+
+QTableWidget *makeTable(const QStringList &titles, const QString &name)
+{
+    auto *table = new QTableWidget(0, int(titles.size()));
+    table->setHorizontalHeaderLabels(titles);
+    table->setAccessibleName(name);
+    table->verticalHeader()->hide();
+    table->setShowGrid(false);
+    table->setTabKeyNavigation(false);
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setSelectionMode(QAbstractItemView::SingleSelection);
+    table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    return table;
+}
+
+void setText(QTableWidget *table, int row, int column, const QString &text)
+{
+    if (!table->item(row, column))
+        table->setItem(row, column, new QTableWidgetItem);
+    table->item(row, column)->setText(text);
+}
+
+} // namespace
+
+SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
+    : Page(workspace, u"spectrum"_s, tr("Spectrum"), parent)
+    , m_signal(new QComboBox)
+    , m_span(new QComboBox)
+    , m_pause(new QPushButton(tr("Pause")))
+    , m_compare(new QPushButton(tr("Compare")))
+    , m_note(new QLabel)
+    , m_chart(new SpectrumChart(workspace.theme()))
+    , m_peaks(makeTable({tr("Axis"), tr("Frequency"), tr("Strength (RMS)"), tr("Width")}, tr("Peaks")))
+    , m_bands(makeTable({tr("Band"), axisLabel(Axis::Roll), axisLabel(Axis::Pitch), axisLabel(Axis::Yaw)},
+                        tr("Angle error by band")))
+{
+    m_signal->addItem(tr("Gyro"), int(Signal::Gyro));
+    m_signal->addItem(tr("Angle error"), int(Signal::Error));
+    m_signal->setAccessibleName(tr("Signal"));
+    m_signal->setToolTip(tr("What the spectrum is made of"));
+    for (const int seconds : kSpans)
+        m_span->addItem(tr("last %1 s").arg(seconds), seconds);
+    m_span->setCurrentIndex(kDefaultSpan);
+    m_span->setAccessibleName(tr("Span"));
+    m_span->setToolTip(tr("A longer span shows finer lines, a shorter one follows faster"));
+    m_pause->setCheckable(true);
+    m_compare->setToolTip(tr("Keep the figures of now and show what changes against them"));
+    m_note->setObjectName(u"muted"_s);
+    header()->addWidget(m_note);
+    header()->addWidget(m_signal);
+    header()->addWidget(m_span);
+    header()->addWidget(m_pause);
+
+    auto *peaks = new Card(tr("Peaks"));
+    peaks->content()->addWidget(m_peaks, 1);
+    auto *bands = new Card(tr("Angle error by band"));
+    bands->content()->addWidget(m_bands, 1);
+    auto *buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(m_compare);
+    bands->content()->addLayout(buttons);
+    const QStringList names{tr("Sway\n0.5–5 Hz"), tr("Wobble\n5–30 Hz"), tr("Jitter\n30–300 Hz")};
+    m_bands->setRowCount(int(names.size()));
+    m_bands->verticalHeader()->setDefaultSectionSize(2 * m_bands->fontMetrics().lineSpacing() + Metric::kGap);
+    for (int band = 0; band < names.size(); ++band)
+        setText(m_bands, band, 0, names[band]);
+    auto *row = new QHBoxLayout;
+    row->setSpacing(Metric::kGroupGap);
+    row->addWidget(peaks, 1);
+    row->addWidget(bands, 1);
+    body()->addWidget(m_chart, 3);
+    body()->addLayout(row, 2);
+
+    connect(m_pause, &QPushButton::toggled, this, [this](bool on) { m_pause->setText(on ? tr("Continue") : tr("Pause")); });
+    connect(m_compare, &QPushButton::clicked, this, [this] {
+        m_before = m_left;
+        showBands();
+    });
+    connect(m_signal, &QComboBox::activated, this, &SpectrumPage::refresh);
+    connect(m_span, &QComboBox::activated, this, &SpectrumPage::refresh);
+    m_timer.setInterval(kPeriod);
+    connect(&m_timer, &QTimer::timeout, this, [this] {
+        if (!m_pause->isChecked())
+            refresh();
+    });
+}
+
+SpectrumPage::Signal SpectrumPage::signal() const
+{
+    return Signal(m_signal->currentData().toInt());
+}
+
+void SpectrumPage::showEvent(QShowEvent *event)
+{
+    Page::showEvent(event);
+    const ChannelRoles roles = workspace().roles();
+    QList<int> wanted;
+    for (const auto &triple : {roles.gyro, roles.angle, roles.target})
+        wanted.append(QList<int>(triple.begin(), triple.end()));
+    workspace().wishTelemetry(this, wanted);
+    refresh();
+    m_timer.start();
+}
+
+void SpectrumPage::hideEvent(QHideEvent *event)
+{
+    Page::hideEvent(event);
+    m_timer.stop();
+}
+
+void SpectrumPage::refresh()
+{
+    const auto store = workspace().client().telemetry();
+    const Device *device = workspace().client().device();
+    if (!store || !device)
+        return;
+    const ChannelRoles roles = workspace().roles();
+    const ChannelTable table = device->channels();
+    const bool gyro = signal() == Signal::Gyro;
+    const double seconds = m_span->currentData().toDouble();
+    std::vector<SpectrumCurve> curves;
+    std::vector<std::array<QString, 4>> rows;
+    QString unit;
+    m_note->setText(tr("Waiting for samples at a steady rate"));
+    for (std::size_t i = 0; i < kAxes.size(); ++i) {
+        const int channel = gyro ? roles.gyro[i] : roles.angle[i];
+        // The newest sample is the end: a recording goes on standing where it stopped.
+        const std::vector<TrackView> tracks = channel < 0 ? std::vector<TrackView>() : store->tracks(channel);
+        if (tracks.empty() || tracks.back().end() == tracks.back().begin())
+            continue;
+        const double end = tracks.back().time(tracks.back().end() - 1);
+        const auto error = uniformSamples(*store, roles.angle[i], roles.target[i], end - seconds, end);
+        if (error) {
+            const auto qualities = holdingQuality(error->values, error->rate);
+            for (std::size_t band = 0; band < qualities.size(); ++band)
+                m_left[i][band] = {qualities[band].rms, qualities[band].peak, qualities[band].known};
+        }
+        const auto samples = gyro ? uniformSamples(*store, channel, -1, end - seconds, end) : error;
+        if (!samples)
+            continue;
+        auto result = spectrum(samples->values, samples->rate, {segmentLength(*samples), 0.5, WindowShape::Hann});
+        if (!result)
+            continue;
+        unit = QString::fromUtf8(table[std::size_t(channel)].unit);
+        const QString name = axisLabel(kAxes[i]);
+        for (const SpectrumPeak &peak : findPeaks(*result, kPeaks, kSlowest)) {
+            rows.push_back({name, tr("%1 Hz").arg(peak.frequency, 0, 'f', 1), u"%1 %2"_s.arg(peak.rms, 0, 'g', 3).arg(unit),
+                            tr("%1 Hz").arg(peak.width, 0, 'f', 1)});
+        }
+        m_note->setText(tr("%1 samples/s, lines of %2 Hz, %n average(s)", nullptr, result->segments)
+                            .arg(result->rate, 0, 'f', 0).arg(result->resolution, 0, 'g', 2));
+        curves.push_back({name, kAxes[i], std::move(*result)});
+    }
+    m_chart->setCurves(curves, unit);
+    showPeaks(rows);
+    showBands();
+}
+
+void SpectrumPage::showPeaks(const std::vector<std::array<QString, 4>> &rows)
+{
+    m_peaks->setRowCount(int(rows.size()));
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        for (std::size_t column = 0; column < rows[row].size(); ++column)
+            setText(m_peaks, int(row), int(column), rows[row][column]);
+    }
+}
+
+void SpectrumPage::showBands()
+{
+    for (std::size_t axis = 0; axis < m_left.size(); ++axis) {
+        for (std::size_t band = 0; band < m_left[axis].size(); ++band) {
+            const Left &left = m_left[axis][band];
+            QString text = left.known ? tr("%1° RMS\n%2° peak").arg(left.rms, 0, 'f', 3).arg(left.peak, 0, 'f', 3) : u"–"_s;
+            if (m_before && left.known && (*m_before)[axis][band].known && (*m_before)[axis][band].rms > 0) {
+                const double change = (left.rms / (*m_before)[axis][band].rms - 1.0) * 100.0;
+                text = tr("%1° RMS").arg(left.rms, 0, 'f', 3)
+                    + u"\n%1 %2 %"_s.arg(change > 0 ? u"▲"_s : u"▼"_s).arg(std::abs(change), 0, 'f', 0);
+            }
+            setText(m_bands, int(band), int(axis) + 1, text);
+        }
+    }
+}

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/pages/page.h"
+
+#include <QTimer>
+
+class QComboBox;
+class QPushButton;
+class QTableWidget;
+class SpectrumChart;
+
+/// What shakes and how much is left of it: spectra of the last seconds, their peaks, the error in three bands.
+class SpectrumPage final : public Page
+{
+    Q_OBJECT
+public:
+    explicit SpectrumPage(Workspace &workspace, QWidget *parent = nullptr);
+
+    [[nodiscard]] SpectrumChart *chart() const { return m_chart; }
+    [[nodiscard]] QTableWidget *peaks() const { return m_peaks; }
+    [[nodiscard]] QTableWidget *bands() const { return m_bands; }
+    [[nodiscard]] QPushButton *pauseButton() const { return m_pause; }
+    [[nodiscard]] QPushButton *compareButton() const { return m_compare; }
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
+private:
+    enum class Signal { Gyro, Error };
+    /// RMS of one axis in one band, and what it was when the operator pressed Compare.
+    struct Left
+    {
+        double rms = 0;
+        double peak = 0;
+        bool known = false;
+    };
+    using Bands = std::array<std::array<Left, 3>, 3>;   // axis, band
+
+    void refresh();
+    void showPeaks(const std::vector<std::array<QString, 4>> &rows);
+    void showBands();
+    [[nodiscard]] Signal signal() const;
+
+    QComboBox *m_signal;
+    QComboBox *m_span;
+    QPushButton *m_pause;
+    QPushButton *m_compare;
+    QLabel *m_note;
+    SpectrumChart *m_chart;
+    QTableWidget *m_peaks;
+    QTableWidget *m_bands;
+    QTimer m_timer;
+    Bands m_left{};
+    std::optional<Bands> m_before;
+};
