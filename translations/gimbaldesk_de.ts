@@ -2173,8 +2173,8 @@
         <translation>GimbalDesk %1, GPL 3.0 oder neuer. Einstellungen: %2. Sicherungen: %3.</translation>
     </message>
     <message>
-        <source>At most %1 MB with 24 channels at full rate.</source>
-        <translation>Höchstens %1 MB mit 24 Kanälen bei voller Rate.</translation>
+        <source>At most %1 MB with 24 channels at full rate. The last ten minutes of the link itself, for recordings, take up to %2 MB more.</source>
+        <translation>Höchstens %1 MB mit 24 Kanälen bei voller Rate. Die letzten zehn Minuten der Leitung selbst, für Aufzeichnungen, brauchen bis zu %2 MB dazu.</translation>
     </message>
 </context>
 <context>

@@ -17,7 +17,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int kLabelWidth = 230;
-constexpr double kBytesPerMinute = 24 * 1250 * 60 * 4.0;   // 24 channels at the firmware's full rate
+constexpr double kBytesPerMinute = 24 * 1250 * 60 * 4.9;   // 24 channels at the firmware's full rate, with their index
 
 } // namespace
 
@@ -63,6 +63,7 @@ SettingsPage::SettingsPage(Workspace &workspace, QWidget *parent)
     m_disarm->setValue(settings.disarmSeconds());
     m_offOnQuit->setChecked(settings.motorsOffOnQuit());
     m_memory->setObjectName(u"muted"_s);
+    m_memory->setWordWrap(true);
     m_restart->setObjectName(u"muted"_s);
 
     auto *holder = new QWidget;
@@ -94,7 +95,7 @@ SettingsPage::SettingsPage(Workspace &workspace, QWidget *parent)
     row(look, tr("Temperatures"), m_temperature);
     QFormLayout *live = section(tr("Live data"));
     row(live, tr("Keep in memory"), m_retention);
-    live->addRow(QString(), m_memory);
+    live->addRow(m_memory);
     QFormLayout *safety = section(tr("Safety"));
     row(safety, tr("Hold Esc to switch motors off"), m_escape);
     row(safety, tr("Highest speed on Control"), m_speed);
@@ -144,6 +145,8 @@ SettingsPage::SettingsPage(Workspace &workspace, QWidget *parent)
 void SettingsPage::updateNotes()
 {
     m_restart->setVisible(workspace().settings().language() != m_startLanguage);
-    m_memory->setText(tr("At most %1 MB with 24 channels at full rate.")
-                          .arg(m_retention->value() * kBytesPerMinute / 1e6, 0, 'f', 0));
+    m_memory->setText(tr("At most %1 MB with 24 channels at full rate. The last ten minutes of the link itself, for recordings, "
+                         "take up to %2 MB more.")
+                          .arg(m_retention->value() * kBytesPerMinute / 1e6, 0, 'f', 0)
+                          .arg(double(Recorder::kMostBytes) / 1e6, 0, 'f', 0));
 }

@@ -14,6 +14,7 @@ namespace {
 constexpr auto kDrainPeriod = 200ms;
 constexpr std::size_t kSetupPieces = 2000;
 constexpr std::size_t kSaidPieces = 20000;
+constexpr quint64 kPiecesAtOnce = 5000;
 constexpr qsizetype kPieceCost = 64;   // bytes of memory beside its content
 
 } // namespace
@@ -84,8 +85,16 @@ std::pair<std::vector<RecordedPiece>, quint64> Recorder::after(quint64 number) c
         pieces.insert(pieces.end(), m_said.begin(), m_said.end());
     }
     const quint64 fresh = std::min<quint64>(m_newest - std::min(number, m_newest), m_pieces.size());
-    pieces.insert(pieces.end(), m_pieces.end() - std::ptrdiff_t(fresh), m_pieces.end());
-    return {std::move(pieces), m_newest};
+    const quint64 taken = std::min<quint64>(fresh, kPiecesAtOnce);
+    const auto first = m_pieces.end() - std::ptrdiff_t(fresh);
+    pieces.insert(pieces.end(), first, first + std::ptrdiff_t(taken));
+    return {std::move(pieces), m_newest - fresh + taken};
+}
+
+quint64 Recorder::newest() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_newest;
 }
 
 double Recorder::heldSeconds() const
@@ -120,7 +129,7 @@ Result<std::unique_ptr<RecordingTask>> RecordingTask::start(const Recorder &reco
 RecordingTask::RecordingTask(const Recorder &recorder, RecordingWriter writer, bool withPast)
     : m_recorder(recorder)
     , m_writer(std::move(writer))
-    , m_withPast(withPast)
+    , m_start(withPast ? 0 : recorder.newest())
     , m_bytes(m_writer.bytesWritten())
     , m_thread([this] { run(); })
 {
@@ -156,15 +165,16 @@ void RecordingTask::run()
 
 void RecordingTask::drain()
 {
-    auto [pieces, number] = m_recorder.after(m_number);
-    if (std::exchange(m_first, false) && !m_withPast) {
-        // The past counts only for what was said; its received bytes are left out.
-        std::erase_if(pieces, [](const RecordedPiece &piece) { return piece.kind == RecordedPiece::Kind::Received; });
-    }
-    m_number = number;
-    for (const RecordedPiece &piece : pieces) {
-        if (m_result)
-            m_result = m_writer.append(piece);
+    const quint64 newest = m_recorder.newest();
+    while (m_number < newest && m_result) {
+        const auto [pieces, number] = m_recorder.after(m_number);
+        const quint64 before = number - std::min<quint64>(number, pieces.size());
+        for (std::size_t i = 0; i < pieces.size() && m_result; ++i) {
+            // Of the past only what was said is wanted.
+            if (before + i >= m_start || pieces[i].kind != RecordedPiece::Kind::Received)
+                m_result = m_writer.append(pieces[i]);
+        }
+        m_number = number;
     }
     if (m_result)
         m_result = m_writer.flush();

@@ -18,8 +18,10 @@
 class Recorder final : public FrameListener
 {
 public:
+    static constexpr qsizetype kMostBytes = 192'000'000;
+
     /// @param seconds how much is held; @param bytes upper limit of the memory for it
-    explicit Recorder(double seconds = 600, qsizetype bytes = 192 << 20);
+    explicit Recorder(double seconds = 600, qsizetype bytes = kMostBytes);
 
     void bytesReceived(QByteArrayView bytes, TimePoint at) override;
     void bytesSent(QByteArrayView bytes, TimePoint at) override;
@@ -27,9 +29,11 @@ public:
 
     /// Forgets everything: another board is about to be connected.
     void clear();
-    /// Pieces after this number, oldest first, and the number of the last one. 0 = all that is held, beginning with how the
-    /// link was set up.
+    /// Pieces after this number, oldest first, and the number of the last of them; some thousands at a time, so that nobody
+    /// is kept waiting. 0 = from the oldest that is held, beginning with how the link was set up.
     [[nodiscard]] std::pair<std::vector<RecordedPiece>, quint64> after(quint64 number) const;
+    /// Number of the newest piece, 0 before the first.
+    [[nodiscard]] quint64 newest() const;
     /// Seconds of received bytes that are held.
     [[nodiscard]] double heldSeconds() const;
     [[nodiscard]] qsizetype heldBytes() const;
@@ -73,8 +77,7 @@ private:
 
     const Recorder &m_recorder;
     RecordingWriter m_writer;
-    bool m_withPast;
-    bool m_first = true;
+    quint64 m_start;             // received bytes up to this piece are left out
     quint64 m_number = 0;
     std::atomic<qint64> m_bytes = 0;
     std::atomic<bool> m_failed = false;
