@@ -2324,6 +2324,50 @@ Spitze %2°</translation>
         <source>%1° RMS</source>
         <translation>%1° RMS</translation>
     </message>
+    <message>
+        <source>Put a notch here…</source>
+        <translation>Hier einen Kerbfilter setzen…</translation>
+    </message>
+    <message>
+        <source>A filter that takes the chosen peak out of the loop, as an edit to review</source>
+        <translation>Ein Filter, der die gewählte Spitze aus dem Regelkreis nimmt, als Änderung zum Prüfen</translation>
+    </message>
+    <message>
+        <source>All notch filters of this axis are in use; change one of them on Parameters.</source>
+        <translation>Alle Kerbfilter dieser Achse sind in Gebrauch; ändern Sie einen davon unter Parameter.</translation>
+    </message>
+    <message>
+        <source>%1° at %2 Hz</source>
+        <translation>%1° bei %2 Hz</translation>
+    </message>
+    <message>
+        <source>%1, notch %2: %3 Hz, width %4 Hz, depth %5 dB.</source>
+        <translation>%1, Kerbfilter %2: %3 Hz, Breite %4 Hz, Tiefe %5 dB.</translation>
+    </message>
+    <message>
+        <source>It delays the loop: %1. Every degree is taken from the phase margin.</source>
+        <translation>Er verzögert den Regelkreis: %1. Jedes Grad geht von der Phasenreserve ab.</translation>
+    </message>
+    <message>
+        <source>Nothing is on the board before you review and write.</source>
+        <translation>Auf dem Board ist nichts, bevor Sie prüfen und schreiben.</translation>
+    </message>
+    <message>
+        <source>Put a notch here</source>
+        <translation>Hier einen Kerbfilter setzen</translation>
+    </message>
+    <message>
+        <source>Take over as an edit</source>
+        <translation>Als Änderung übernehmen</translation>
+    </message>
+    <message>
+        <source>Leave it</source>
+        <translation>Lassen</translation>
+    </message>
+    <message>
+        <source>Notch %1 of %2</source>
+        <translation>Kerbfilter %1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>StartPage</name>

@@ -26,6 +26,10 @@ constexpr std::array<int, 4> kSpans{5, 10, 30, 60};   // seconds
 constexpr int kDefaultSpan = 1;
 constexpr int kPeaks = 3;                             // of each axis
 constexpr double kFinest = 0.5;                       // Hz
+constexpr double kNotchDepthDb = 20.0;
+constexpr double kLeastNotchWidth = 0.25;             // of its frequency
+constexpr std::array<double, 3> kCostHz{5, 10, 20};
+constexpr double kCostShare = 0.7;                    // of the notch's frequency: nearer it, the lag says little
 constexpr double kSlowest = 5.0;                      // Hz: below it nothing is a vibration
 
 // As fine as the span allows with eight segments or more to average.
@@ -68,6 +72,7 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
     , m_span(new QComboBox)
     , m_pause(new QPushButton(tr("Pause")))
     , m_compare(new QPushButton(tr("Compare")))
+    , m_notch(new QPushButton(tr("Put a notch here…")))
     , m_note(new QLabel)
     , m_chart(new SpectrumChart(workspace.theme()))
     , m_peaks(makeTable({tr("Axis"), tr("Frequency"), tr("Strength (RMS)"), tr("Width")}, tr("Peaks")))
@@ -93,6 +98,11 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
 
     auto *peaks = new Card(tr("Peaks"));
     peaks->content()->addWidget(m_peaks, 1);
+    m_notch->setToolTip(tr("A filter that takes the chosen peak out of the loop, as an edit to review"));
+    auto *notchRow = new QHBoxLayout;
+    notchRow->addStretch(1);
+    notchRow->addWidget(m_notch);
+    peaks->content()->addLayout(notchRow);
     auto *bands = new Card(tr("Angle error by band"));
     bands->content()->addWidget(m_bands, 1);
     auto *buttons = new QHBoxLayout;
@@ -116,6 +126,9 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
         m_before = m_left;
         showBands();
     });
+    connect(m_notch, &QPushButton::clicked, this, &SpectrumPage::askNotch);
+    connect(m_peaks, &QTableWidget::itemSelectionChanged, this, &SpectrumPage::updateNotch);
+    updateNotch();
     connect(m_signal, &QComboBox::activated, this, &SpectrumPage::refresh);
     connect(m_span, &QComboBox::activated, this, &SpectrumPage::refresh);
     m_timer.setInterval(kPeriod);
@@ -159,7 +172,7 @@ void SpectrumPage::refresh()
     const bool gyro = signal() == Signal::Gyro;
     const double seconds = m_span->currentData().toDouble();
     std::vector<SpectrumCurve> curves;
-    std::vector<std::array<QString, 4>> rows;
+    m_lines.clear();
     QString unit;
     m_note->setText(tr("Waiting for samples at a steady rate"));
     for (std::size_t i = 0; i < kAxes.size(); ++i) {
@@ -182,27 +195,100 @@ void SpectrumPage::refresh()
         if (!result)
             continue;
         unit = QString::fromUtf8(table[std::size_t(channel)].unit);
-        const QString name = axisLabel(kAxes[i]);
-        for (const SpectrumPeak &peak : findPeaks(*result, kPeaks, kSlowest)) {
-            rows.push_back({name, tr("%1 Hz").arg(peak.frequency, 0, 'f', 1), u"%1 %2"_s.arg(peak.rms, 0, 'g', 3).arg(unit),
-                            tr("%1 Hz").arg(peak.width, 0, 'f', 1)});
-        }
+        for (const SpectrumPeak &peak : findPeaks(*result, kPeaks, kSlowest))
+            m_lines.push_back({kAxes[i], peak});
         m_note->setText(tr("%1 samples/s, lines of %2 Hz, %n average(s)", nullptr, result->segments)
                             .arg(result->rate, 0, 'f', 0).arg(result->resolution, 0, 'g', 2));
-        curves.push_back({name, kAxes[i], std::move(*result)});
+        curves.push_back({axisLabel(kAxes[i]), kAxes[i], std::move(*result)});
     }
     m_chart->setCurves(curves, unit);
-    showPeaks(rows);
+    showPeaks(unit);
     showBands();
 }
 
-void SpectrumPage::showPeaks(const std::vector<std::array<QString, 4>> &rows)
+void SpectrumPage::showPeaks(const QString &unit)
 {
-    m_peaks->setRowCount(int(rows.size()));
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-        for (std::size_t column = 0; column < rows[row].size(); ++column)
-            setText(m_peaks, int(row), int(column), rows[row][column]);
+    m_peaks->setRowCount(int(m_lines.size()));
+    for (int row = 0; row < int(m_lines.size()); ++row) {
+        const auto &[axis, peak] = m_lines[std::size_t(row)];
+        setText(m_peaks, row, 0, axisLabel(axis));
+        setText(m_peaks, row, 1, tr("%1 Hz").arg(peak.frequency, 0, 'f', 1));
+        setText(m_peaks, row, 2, u"%1 %2"_s.arg(peak.rms, 0, 'g', 3).arg(unit));
+        setText(m_peaks, row, 3, tr("%1 Hz").arg(peak.width, 0, 'f', 1));
     }
+    updateNotch();
+}
+
+void SpectrumPage::updateNotch()
+{
+    const Device *device = workspace().client().device();
+    const int row = m_peaks->currentRow();
+    m_notch->setEnabled(device && workspace().client().isConnected() && workspace().client().identity().writable
+                        && !workspace().configuration().isEmpty() && row >= 0 && row < int(m_lines.size())
+                        && !device->notchFilters(m_lines[std::size_t(row)].axis).empty());
+}
+
+// The first filter of that axis that is not in use takes the peak. Empty: all are.
+std::optional<SpectrumPage::NotchPlan> SpectrumPage::planNotch(const Line &line)
+{
+    const Configuration &edited = std::as_const(workspace().configuration()).edited();
+    const int profile = workspace().configuration().shownProfile();
+    for (const NotchFilter &filter : workspace().client().device()->notchFilters(line.axis)) {
+        const ParameterSpec *enabled = edited.parameters().find(filter.enabled);
+        const ParameterSpec *frequency = edited.parameters().find(filter.frequency);
+        const ParameterSpec *width = edited.parameters().find(filter.width);
+        const ParameterSpec *depth = edited.parameters().find(filter.depth);
+        const auto bits = enabled ? edited.raw(*enabled, profile) : std::nullopt;
+        if (!bits || !frequency || !width || !depth || *bits & (1 << filter.bit))
+            continue;
+        NotchPlan plan{filter, line.axis, {}, edited};
+        const auto put = [&plan, profile](const ParameterSpec &spec, double value) {
+            const int raw = spec.clamped(spec.toRaw(value));
+            plan.wanted.setRaw(spec, profile, raw);
+            return spec.toDisplay(raw);
+        };
+        // A resonance wanders with temperature and load: twice its width, a quarter of its frequency at least.
+        plan.shape.hz = put(*frequency, line.peak.frequency);
+        plan.shape.width = put(*width, std::max(2.0 * line.peak.width, line.peak.frequency * kLeastNotchWidth));
+        plan.shape.depthDb = put(*depth, kNotchDepthDb);
+        plan.wanted.setRaw(*enabled, profile, *bits | (1 << filter.bit));
+        return plan;
+    }
+    return {};
+}
+
+void SpectrumPage::askNotch()
+{
+    const int row = m_peaks->currentRow();
+    if (row < 0 || row >= int(m_lines.size()) || m_question)
+        return;
+    const auto plan = planNotch(m_lines[std::size_t(row)]);
+    if (!plan) {
+        emit workspace().notice(tr("All notch filters of this axis are in use; change one of them on Parameters."));
+        return;
+    }
+    // What it costs, before anything is changed: the lag at frequencies where a loop crosses over.
+    QStringList costs;
+    for (const double hz : kCostHz) {
+        if (hz < plan->shape.hz * kCostShare)
+            costs.append(tr("%1° at %2 Hz").arg(lagDeg(notchResponse(plan->shape, hz)), 0, 'f', 0).arg(hz));
+    }
+    const QString name = axisLabel(plan->axis);
+    QString text = tr("%1, notch %2: %3 Hz, width %4 Hz, depth %5 dB.").arg(name).arg(plan->filter.bit + 1)
+                       .arg(plan->shape.hz).arg(plan->shape.width).arg(plan->shape.depthDb);
+    if (!costs.isEmpty())
+        text += u"\n\n"_s + tr("It delays the loop: %1. Every degree is taken from the phase margin.").arg(costs.join(u", "_s));
+    text += u"\n\n"_s + tr("Nothing is on the board before you review and write.");
+    m_question = new QMessageBox(QMessageBox::NoIcon, tr("Put a notch here"), text, QMessageBox::NoButton, this);
+    m_question->setAttribute(Qt::WA_DeleteOnClose);
+    auto *accept = m_question->addButton(tr("Take over as an edit"), QMessageBox::AcceptRole);
+    auto *leave = m_question->addButton(tr("Leave it"), QMessageBox::RejectRole);
+    m_question->setDefaultButton(accept);
+    m_question->setEscapeButton(leave);
+    connect(accept, &QPushButton::clicked, this, [this, plan = *plan, name] {
+        workspace().edits().apply(plan.wanted, tr("Notch %1 of %2").arg(plan.filter.bit + 1).arg(name));
+    });
+    m_question->open();
 }
 
 void SpectrumPage::showBands()

@@ -3,7 +3,11 @@
 #pragma once
 
 #include "app/pages/page.h"
+#include "protocol/analysis/filterresponse.h"
+#include "protocol/analysis/spectrum.h"
 
+#include <QMessageBox>
+#include <QPointer>
 #include <QTimer>
 
 class QComboBox;
@@ -23,6 +27,9 @@ public:
     [[nodiscard]] QTableWidget *bands() const { return m_bands; }
     [[nodiscard]] QPushButton *pauseButton() const { return m_pause; }
     [[nodiscard]] QPushButton *compareButton() const { return m_compare; }
+    [[nodiscard]] QPushButton *notchButton() const { return m_notch; }
+    /// The question that is asked before a notch becomes an edit; null while none is.
+    [[nodiscard]] QMessageBox *notchQuestion() const { return m_question; }
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -30,6 +37,19 @@ protected:
 
 private:
     enum class Signal { Gyro, Error };
+    struct Line
+    {
+        Axis axis = Axis::None;
+        SpectrumPeak peak;
+    };
+    /// A notch that would take a peak out, with values the board can hold.
+    struct NotchPlan
+    {
+        NotchFilter filter;
+        Axis axis = Axis::None;
+        NotchShape shape;
+        Configuration wanted;
+    };
     /// RMS of one axis in one band, and what it was when the operator pressed Compare.
     struct Left
     {
@@ -40,7 +60,10 @@ private:
     using Bands = std::array<std::array<Left, 3>, 3>;   // axis, band
 
     void refresh();
-    void showPeaks(const std::vector<std::array<QString, 4>> &rows);
+    void showPeaks(const QString &unit);
+    void updateNotch();
+    void askNotch();
+    [[nodiscard]] std::optional<NotchPlan> planNotch(const Line &line);
     void showBands();
     [[nodiscard]] Signal signal() const;
 
@@ -48,11 +71,14 @@ private:
     QComboBox *m_span;
     QPushButton *m_pause;
     QPushButton *m_compare;
+    QPushButton *m_notch;
     QLabel *m_note;
     SpectrumChart *m_chart;
     QTableWidget *m_peaks;
     QTableWidget *m_bands;
+    QPointer<QMessageBox> m_question;
     QTimer m_timer;
+    std::vector<Line> m_lines;   // as the table shows them
     Bands m_left{};
     std::optional<Bands> m_before;
 };

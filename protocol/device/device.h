@@ -109,6 +109,16 @@ struct ChannelRoles
     int busErrors = -1;
 };
 
+/// Where the parameters of one notch filter are: their keys, and the bit that switches it on.
+struct NotchFilter
+{
+    QString frequency;     ///< Hz
+    QString width;         ///< Hz
+    QString depth;         ///< dB, positive takes out
+    QString enabled;
+    int bit = 0;
+};
+
 /// A family's knowledge as plain sequential code against a Channel. Constant once identified, so the screen may read the
 /// tables while the worker thread uses the rest.
 class Device
@@ -156,6 +166,9 @@ public:
     [[nodiscard]] virtual std::span<const ActionSpec> actions() const = 0;
     /// Performs an action with arguments from parseArguments(). Errors: InvalidArgument, Unsupported, the board's own.
     virtual Result<ActionReply> perform(Channel &channel, const QString &key, const QVariantMap &arguments) = 0;
+
+    /// The notch filters that an axis has; none where the firmware has none.
+    [[nodiscard]] virtual std::vector<NotchFilter> notchFilters(Axis axis) const = 0;
 
     [[nodiscard]] virtual ChannelTable channels() const = 0;
     [[nodiscard]] virtual ChannelRoles roles() const = 0;

@@ -155,6 +155,18 @@ Result<BoardIdentity> SbgcDevice::identify(Channel &channel)
     return identity;
 }
 
+std::vector<NotchFilter> SbgcDevice::notchFilters(Axis axis) const
+{
+    std::vector<NotchFilter> filters;
+    const QString prefix = u"filter.%1."_s.arg(QLatin1String(axisKey(axis)));
+    for (int n = 0; n < 3; ++n) {
+        const QString notch = prefix + u"notch%1."_s.arg(n + 1);
+        if (m_parameters && m_parameters->find(notch + u"frequency"_s))
+            filters.push_back({notch + u"frequency"_s, notch + u"width"_s, notch + u"gain"_s, prefix + u"enabled"_s, n});
+    }
+    return filters;
+}
+
 Result<Configuration> SbgcDevice::readConfiguration(Channel &channel)
 {
     Configuration configuration(m_identity, m_parameters);

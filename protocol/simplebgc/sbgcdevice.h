@@ -45,6 +45,7 @@ public:
     [[nodiscard]] std::span<const ActionSpec> actions() const override;
     Result<ActionReply> perform(Channel &channel, const QString &key, const QVariantMap &arguments) override;
 
+    [[nodiscard]] std::vector<NotchFilter> notchFilters(Axis axis) const override;
     [[nodiscard]] ChannelTable channels() const override;
     [[nodiscard]] ChannelRoles roles() const override;
     [[nodiscard]] QList<int> fastChannels() const override;

@@ -9,9 +9,11 @@
 #include "widgets/plot/spectrumchart.h"
 
 #include <QGraphicsTextItem>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableWidget>
+#include <QUndoStack>
 
 using namespace Qt::StringLiterals;
 
@@ -25,6 +27,7 @@ private slots:
 
     void scalesStayInsideWhenThePlotsShrink();
     void spectrumFindsTheResonance();
+    void peakBecomesANotch();
     void recordingsFromTheScreen();
 
 private:
@@ -98,6 +101,49 @@ void TestMonitor::spectrumFindsTheResonance()
     const quint64 rows = m_rig->client().telemetry()->rows();
     QTRY_VERIFY(m_rig->client().telemetry()->rows() > rows + 1500);
     QCOMPARE(page->bands()->item(1, 1)->text(), held);
+}
+
+void TestMonitor::peakBecomesANotch()
+{
+    QVERIFY(m_rig->open());
+    auto *page = m_rig->page<SpectrumPage>();
+    QVERIFY(!page->notchButton()->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(page->peaks()->rowCount() > 0, 20000);
+    QTest::mouseClick(page->pauseButton(), Qt::LeftButton);
+    page->peaks()->selectRow(0);
+    QVERIFY(page->notchButton()->isEnabled());
+    const QString axis = page->peaks()->item(0, 0)->text();
+    const double hz = page->peaks()->item(0, 1)->text().section(u' ', 0, 0).toDouble();
+    const QString key = axis == axisLabel(Axis::Roll) ? u"roll"_s : axis == axisLabel(Axis::Pitch) ? u"pitch"_s : u"yaw"_s;
+    const auto edited = [&](const QString &name) {
+        const ParameterSpec &spec = m_rig->spec(u"filter."_s + key + u'.' + name);
+        return spec.toDisplay(std::as_const(m_rig->model()).edited().raw(spec, 0).value());
+    };
+    // Declined: nothing is changed. Taken: the values of one filter, one step to undo.
+    QTest::mouseClick(page->notchButton(), Qt::LeftButton);
+    QTRY_VERIFY(page->notchQuestion());
+    QVERIFY(page->notchQuestion()->text().contains(u"delays"_s));
+    QTest::keyClick(page->notchQuestion(), Qt::Key_Escape);
+    QTRY_VERIFY(!page->notchQuestion());
+    QCOMPARE(m_rig->model().changeCount(), 0);
+    QTest::mouseClick(page->notchButton(), Qt::LeftButton);
+    QTRY_VERIFY(page->notchQuestion());
+    QTest::keyClick(page->notchQuestion(), Qt::Key_Return);
+    QTRY_VERIFY(m_rig->model().changeCount() > 0);
+    QVERIFY(std::abs(edited(u"notch1.frequency"_s) - hz) <= 1.1);   // the board counts in steps of two
+    QVERIFY(edited(u"notch1.width"_s) >= hz / 4 - 1);
+    QCOMPARE(edited(u"notch1.gain"_s), 20.0);
+    QCOMPARE(int(edited(u"enabled"_s)) & 1, 1);
+    // The next one goes into the next filter.
+    QTRY_VERIFY(!page->notchQuestion());
+    QTest::mouseClick(page->notchButton(), Qt::LeftButton);
+    QTRY_VERIFY(page->notchQuestion());
+    QTest::keyClick(page->notchQuestion(), Qt::Key_Return);
+    QTRY_COMPARE(int(edited(u"enabled"_s)) & 3, 3);
+    m_rig->workspace().edits().undoStack().undo();
+    QCOMPARE(int(edited(u"enabled"_s)) & 3, 1);
+    m_rig->workspace().edits().undoStack().undo();
+    QCOMPARE(m_rig->model().changeCount(), 0);
 }
 
 void TestMonitor::recordingsFromTheScreen()
