@@ -5,6 +5,7 @@
 #include "protocol/procedure/safeaction.h"
 
 #include <algorithm>
+#include <vector>
 
 using namespace Qt::StringLiterals;
 
@@ -163,6 +164,60 @@ public:
     }
 };
 
+class StreamsCommand final : public Command
+{
+public:
+    const char *name() const override { return "streams"; }
+    const char *usage() const override { return "streams [--channels a,b]"; }
+    const char *help() const override { return "data streams of the board, and how fast a line can carry each"; }
+    QString check(const CommandOptions &options) const override
+    {
+        return options.arguments.isEmpty() ? QString() : u"streams takes options only"_s;
+    }
+    Result<CommandOutcome> run(Channel &, Device &device, const CommandOptions &options) override
+    {
+        QList<int> channels;
+        for (const QString &key : options.channels) {
+            const int channel = findChannel(device.channels(), key.trimmed());
+            if (channel < 0)
+                return failure(ErrorCode::InvalidArgument, u"no channel '%1'; gimbalctl monitor lists them"_s.arg(key));
+            channels.append(channel);
+        }
+        CommandOutcome outcome;
+        QJsonArray list;
+        // The line sets no limit on USB.
+        const std::vector<int> lines = device.identity().usb ? std::vector<int>{0} : std::vector<int>{115200, 256000, 921600};
+        outcome.text = u"%1 %2 %3"_s.arg(u"stream"_s, -12).arg(u""_s, -22).arg(u"bytes"_s, 6);
+        for (const int baud : lines)
+            outcome.text += u"%1"_s.arg(baud ? QString::number(baud) : u"USB"_s, 12);
+        outcome.text += u'\n';
+        for (const StreamSpec &spec : device.streams()) {
+            const QList<int> wanted = channels.isEmpty() || !spec.choosesChannels ? spec.channels : channels;
+            QJsonObject json{{u"stream"_s, spec.key}, {u"name"_s, spec.label}};
+            QJsonObject rates;
+            QString cells;
+            for (const int baud : lines) {
+                const auto budget = device.streamBudget({{}, 0, {{spec.key, 0, wanted}}}, LineSettings{baud, Parity::None});
+                if (!budget)
+                    return tl::unexpected(budget.error());
+                const StreamUse &use = budget->streams.front();
+                if (cells.isEmpty())
+                    cells = u"%1"_s.arg(use.frameBytes, 6);
+                cells += u"%1/s"_s.arg(use.rate, 10, 'f', 0);
+                json.insert(u"frameBytes"_s, use.frameBytes);
+                rates.insert(baud ? QString::number(baud) : u"usb"_s, use.rate);
+            }
+            json.insert(u"samplesPerSecond"_s, rates);
+            list.append(json);
+            outcome.text += u"%1 %2 %3\n"_s.arg(spec.key, -12).arg(spec.label, -22).arg(cells);
+        }
+        if (list.isEmpty())
+            outcome.text = u"this firmware has no streams; it is polled\n"_s;
+        outcome.json = list;
+        return outcome;
+    }
+};
+
 } // namespace
 
 std::vector<std::unique_ptr<Command>> actionCommands()
@@ -172,5 +227,6 @@ std::vector<std::unique_ptr<Command>> actionCommands()
     commands.push_back(std::make_unique<CalibrateCommand>());
     commands.push_back(std::make_unique<AutotuneCommand>());
     commands.push_back(std::make_unique<MotorsCommand>());
+    commands.push_back(std::make_unique<StreamsCommand>());
     return commands;
 }

@@ -18,6 +18,7 @@ struct CommandOptions
     bool noSave = false;
     bool dryRun = false;
     QStringList channels;
+    QStringList streams;       ///< "realtime4@100": which streams to ask for; empty = arranged for the channels
     double seconds = 0;        ///< 0 = until interrupted
     QString csv;               ///< where to write samples; - = stdout
     BoardHistory history;

@@ -21,7 +21,7 @@ class MonitorCommand final : public Command
 {
 public:
     const char *name() const override { return "monitor"; }
-    const char *usage() const override { return "monitor [--channels a,b,...] [--seconds N]"; }
+    const char *usage() const override { return "monitor [--channels a,b] [--stream KIND@RATE] [--seconds N]"; }
     const char *help() const override { return "live telemetry as CSV on stdout; without channels, all fast ones"; }
     QString check(const CommandOptions &options) const override
     {
@@ -34,7 +34,7 @@ class RecordCommand final : public Command
 {
 public:
     const char *name() const override { return "record"; }
-    const char *usage() const override { return "record FILE [--channels a,b,...] [--seconds N]"; }
+    const char *usage() const override { return "record FILE [--channels a,b] [--stream KIND@RATE] [--seconds N]"; }
     const char *help() const override { return "everything on the link into a file, until Ctrl-C"; }
     QString check(const CommandOptions &options) const override
     {
@@ -47,6 +47,17 @@ QByteArray toJsonText(const QJsonValue &value)
     if (value.isArray())
         return QJsonDocument(value.toArray()).toJson();
     return QJsonDocument(value.toObject()).toJson();
+}
+
+TelemetryWish wishFor(const QList<int> &channels, const QStringList &streams)
+{
+    TelemetryWish wish{channels, 0, {}};
+    for (const QString &text : streams) {
+        StreamWish stream = *parseStreamWish(text);   // checked with the arguments
+        stream.channels = channels;
+        wish.streams.append(stream);
+    }
+    return wish;
 }
 
 } // namespace
@@ -67,10 +78,10 @@ QString Ctl::helpText() const
                    u"ADDRESS: serial:/dev/ttyUSB0?baud=115200&parity=none, tcp://host:port, sim:simplebgc?seed=1,\n"
                    u"         replay:FILE?speed=4\n\n"_s;
     for (const auto &command : m_commands) {
-        text += u"  %1 %2\n"_s.arg(QString::fromUtf8(command->usage()).leftJustified(52),
+        text += u"  %1 %2\n"_s.arg(QString::fromUtf8(command->usage()).leftJustified(64),
                                   QString::fromUtf8(command->help()));
     }
-    text += u"\nOptions: --profile N, --no-save, --dry-run, --channels LIST, --seconds N, --csv FILE, --history DIR, --version\n"
+    text += u"\nOptions: --profile N, --no-save, --dry-run, --channels LIST, --stream KIND@RATE (again for\n         more), --seconds N, --csv FILE, --history DIR, --version\n"
             u"Exit codes: 0 done, 1 the board or the link said no, 2 wrong arguments.\n"_s;
     return text;
 }
@@ -92,12 +103,13 @@ std::optional<int> Ctl::start(const QStringList &arguments)
     const QCommandLineOption noSave(u"no-save"_s);
     const QCommandLineOption dryRun(u"dry-run"_s);
     const QCommandLineOption channels(u"channels"_s, {}, u"list"_s);
+    const QCommandLineOption stream(u"stream"_s, {}, u"kind@rate"_s);
     const QCommandLineOption seconds(u"seconds"_s, {}, u"n"_s);
     const QCommandLineOption csv(u"csv"_s, {}, u"file"_s);
     const QCommandLineOption history(u"history"_s, {}, u"dir"_s);
     const QCommandLineOption help(QStringList{u"h"_s, u"help"_s});
     const QCommandLineOption version(u"version"_s);
-    parser.addOptions({link, family, json, profile, noSave, dryRun, channels, seconds, csv, history, help, version});
+    parser.addOptions({link, family, json, profile, noSave, dryRun, channels, stream, seconds, csv, history, help, version});
     if (!parser.parse(arguments))
         return wrong(parser.errorText());
     if (parser.isSet(help)) {
@@ -116,6 +128,11 @@ std::optional<int> Ctl::start(const QStringList &arguments)
     m_options.dryRun = parser.isSet(dryRun);
     m_options.csv = parser.value(csv);
     m_options.channels = parser.value(channels).split(u',', Qt::SkipEmptyParts);
+    m_options.streams = parser.values(stream);
+    for (const QString &text : std::as_const(m_options.streams)) {
+        if (const auto parsed = parseStreamWish(text); !parsed)
+            return wrong(parsed.error().detail);
+    }
     bool ok = true;
     if (parser.isSet(profile)) {
         m_options.profile = parser.value(profile).toInt(&ok);
@@ -269,9 +286,10 @@ void Ctl::runRecording()
         return;
     }
     m_recording = std::move(*task);
+    connect(m_client.get(), &DeviceClient::telemetryFailed, this, [this](const Error &error) { onError(error, Refused); });
     m_client->submit<Configuration>([](Channel &channel, Device &device) { return device.readConfiguration(channel); })
         .then(this, [this, channels](const Result<Configuration> &) {
-            m_client->setTelemetry({channels, 0});
+            m_client->setTelemetry(wishFor(channels, m_options.streams));
             if (m_options.seconds > 0)
                 QTimer::singleShot(milliseconds(qint64(m_options.seconds * 1000)), this, &Ctl::finishRecording);
         });
@@ -310,7 +328,9 @@ void Ctl::runMonitor()
     const QList<int> channels = wantedChannels();
     if (channels.isEmpty())
         return;
-    m_printer = std::make_unique<TelemetryPrinter>(*m_client, channels, m_options.seconds, m_json);
+    connect(m_client.get(), &DeviceClient::telemetryFailed, this, [this](const Error &error) { onError(error, Refused); });
+    m_printer = std::make_unique<TelemetryPrinter>(*m_client, channels, wishFor(channels, m_options.streams),
+                                                   m_options.seconds, m_json);
     connect(m_printer.get(), &TelemetryPrinter::finished, this, [this](const QString &note) {
         CommandOutcome outcome;
         outcome.json = m_printer->json();

@@ -14,27 +14,22 @@ constexpr auto kDrainPeriod = 50ms;
 
 } // namespace
 
-TelemetryPrinter::TelemetryPrinter(DeviceClient &client, QList<int> channels, double seconds, bool asJson)
+TelemetryPrinter::TelemetryPrinter(DeviceClient &client, QList<int> channels, TelemetryWish wish, double seconds,
+                                   bool asJson)
     : m_client(client)
     , m_channels(std::move(channels))
+    , m_wish(std::move(wish))
     , m_seconds(seconds)
     , m_asJson(asJson)
     , m_tracks(std::size_t(m_channels.size()))
 {
     m_timer.setInterval(kDrainPeriod);
     connect(&m_timer, &QTimer::timeout, this, &TelemetryPrinter::drain);
-    connect(&m_client, &DeviceClient::telemetryFailed, this, [this] { finish(); });
 }
 
 void TelemetryPrinter::start()
 {
-    if (!m_asJson) {
-        m_out << "time_s";
-        for (const int channel : m_channels)
-            m_out << ',' << m_client.device()->channels()[std::size_t(channel)].key;
-        m_out << '\n';
-    }
-    m_client.setTelemetry({m_channels, 0});
+    m_client.setTelemetry(m_wish);
     m_timer.start();
 }
 
@@ -76,10 +71,22 @@ void TelemetryPrinter::drain()
     m_out.flush();
 }
 
+void TelemetryPrinter::printHeading()
+{
+    if (m_asJson)
+        return;
+    m_out << "time_s";
+    for (const int channel : m_channels)
+        m_out << ',' << m_client.device()->channels()[std::size_t(channel)].key;
+    m_out << '\n';
+}
+
 void TelemetryPrinter::printRow(double time, std::size_t row)
 {
-    if (!m_firstTime)
+    if (!m_firstTime) {
         m_firstTime = time;
+        printHeading();
+    }
     const double elapsed = time - *m_firstTime;
     if (m_seconds > 0 && elapsed >= m_seconds) {
         finish();
@@ -120,6 +127,12 @@ void TelemetryPrinter::finish()
     QString note = u"%1 rows, %2 lost"_s.arg(m_rows).arg(store ? store->lost() : 0);
     if (const double rate = m_client.telemetryPlan().rate; rate > 0)   // a recording has the rate that it has
         note += u", %1 rows/s arranged"_s.arg(rate, 0, 'f', 0);
+    const StreamBudget &budget = m_client.telemetryPlan().budget;
+    if (budget.capacity > 0) {
+        note += u", %1 of %2 bytes/s"_s.arg(budget.bytesPerSecond(), 0, 'f', 0).arg(budget.capacity, 0, 'f', 0);
+    }
+    if (store && store->silences() > 0)
+        note += u", silent %1 times, %2 s"_s.arg(store->silences()).arg(store->silentSeconds(), 0, 'f', 1);
     emit finished(note);
 }
 

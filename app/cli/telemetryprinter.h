@@ -12,7 +12,8 @@ class TelemetryPrinter final : public QObject
 {
     Q_OBJECT
 public:
-    TelemetryPrinter(DeviceClient &client, QList<int> channels, double seconds, bool asJson);
+    /// @param channels columns; @param wish what to ask the board for
+    TelemetryPrinter(DeviceClient &client, QList<int> channels, TelemetryWish wish, double seconds, bool asJson);
 
     void start();
     void finish();
@@ -24,10 +25,12 @@ signals:
 
 private:
     void drain();
+    void printHeading();
     void printRow(double time, std::size_t row);
 
     DeviceClient &m_client;
     QList<int> m_channels;
+    TelemetryWish m_wish;
     double m_seconds;
     bool m_asJson;
     QTextStream m_out{stdout};

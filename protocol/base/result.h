@@ -29,6 +29,7 @@ enum class ErrorCode {
     BadFile,          ///< a file that cannot be read, written or understood
     NotConnected,     ///< there is no board
     NoBackup,         ///< the safety copy could not be made, so nothing was changed
+    TooMuch,          ///< more than the link can carry
     Busy,             ///< another job of the same kind is running
 };
 

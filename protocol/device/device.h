@@ -174,6 +174,12 @@ public:
     [[nodiscard]] virtual ChannelRoles roles() const = 0;
     /// Channels that can be had at full rate with this firmware.
     [[nodiscard]] virtual QList<int> fastChannels() const = 0;
+    /// The streams that this board can be asked for; none where it has to be polled.
+    [[nodiscard]] virtual QList<StreamSpec> streams() const = 0;
+    /// What a wish takes of the line, without asking the board. Errors: InvalidArgument (no such stream or rate).
+    [[nodiscard]] virtual Result<StreamBudget> streamBudget(const TelemetryWish &wish,
+                                                            std::optional<LineSettings> line) const = 0;
+    /// Errors: those of streamBudget(), TooMuch (the line cannot carry the streams), the board's own.
     virtual Result<TelemetryPlan> startTelemetry(Channel &channel, const TelemetryWish &wish,
                                                  std::optional<LineSettings> line) = 0;
     virtual void stopTelemetry(Channel &channel) = 0;

@@ -328,15 +328,21 @@ void DeviceClient::requestTelemetry()
         startReplay();
         return;
     }
+    TelemetryWish wish = m_wish;
+    if (const auto refused = refusal(wish)) {
+        emit telemetryFailed(*refused);
+        if (m_plan.decoder)
+            return;              // what was arranged before goes on
+        wish.streams.clear();
+    }
     // Several wishes in one round of the event loop make one request.
     m_telemetryRequested = true;
-    const TelemetryWish wish = m_wish;
     // While streams are rearranged, missing samples are nobody's loss.
     QMetaObject::invokeMethod(m_session, [feed = m_feed.get()] { feed->setDecoder(nullptr); },
                               Qt::BlockingQueuedConnection);
     submit<TelemetryPlan>([wish, line = m_line](Channel &channel, Device &device) {
         return device.startTelemetry(channel, wish, line);
-    }).then(this, [this, wish](const Result<TelemetryPlan> &plan) {
+    }).then(this, [this, asked = m_wish](const Result<TelemetryPlan> &plan) {
         m_telemetryRequested = false;
         if (!plan) {
             if (plan.error().code == ErrorCode::Cancelled)
@@ -352,9 +358,18 @@ void DeviceClient::requestTelemetry()
             session->setFarewell(plan.farewell);
         }, Qt::BlockingQueuedConnection);
         emit telemetryPlanChanged();
-        if (m_wish != wish)
+        if (m_wish != asked)
             requestTelemetry();
     });
+}
+
+// Streams that the line cannot carry are not asked for.
+std::optional<Error> DeviceClient::refusal(const TelemetryWish &wish) const
+{
+    const auto budget = m_device->streamBudget(wish, m_line);
+    if (!budget)
+        return budget.error();
+    return budget->fits() ? std::nullopt : std::optional(budget->refusal());
 }
 
 // A recording has the streams that it has: nobody can be asked for others.

@@ -92,6 +92,7 @@ private:
     void onResetAnnounced();
     void requestTelemetry();
     void startReplay();
+    [[nodiscard]] std::optional<Error> refusal(const TelemetryWish &wish) const;
     void jobStarted();
     void jobFinished();
     std::unique_ptr<SessionChannel> makeChannel(std::shared_ptr<JobControl> control);

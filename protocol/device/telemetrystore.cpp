@@ -7,8 +7,6 @@
 
 namespace {
 
-// A sample that is further than this from where it should be starts a new time line.
-constexpr double kResync = 0.25;
 // Share of the error that is corrected per sample.
 constexpr double kDiscipline = 0.02;
 
@@ -153,6 +151,12 @@ void TelemetryStore::appendGap(TelemetryGroup &group, TimePoint at)
     group.append(secondsAt(at), nothing, m_retention.load(std::memory_order_relaxed));
 }
 
+void TelemetryStore::countSilence(double seconds)
+{
+    m_silences.fetch_add(1, std::memory_order_relaxed);
+    m_silentSeconds.store(silentSeconds() + seconds, std::memory_order_relaxed);   // one writer
+}
+
 float TelemetryStore::latest(int channel) const
 {
     if (channel < 0 || channel >= channelCount())
@@ -180,7 +184,7 @@ double SampleClock::next(double arrival, int missing)
     }
     double time = *m_last + m_period * (1 + missing);
     const double error = arrival - time;
-    if (std::abs(error) > kResync)
+    if (std::abs(error) > m_resync)
         time = std::max(arrival, *m_last);
     else
         time = std::max(time + kDiscipline * error, *m_last);

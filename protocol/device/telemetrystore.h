@@ -117,6 +117,10 @@ public:
     [[nodiscard]] quint64 rows() const { return m_rows.load(std::memory_order_relaxed); }
     [[nodiscard]] quint64 lost() const { return m_lost.load(std::memory_order_relaxed); }
     void countLost(quint64 rows) { m_lost.fetch_add(rows, std::memory_order_relaxed); }
+    /// Times when nothing at all came from the board, and how long they were together: it was busy, or the cable was out.
+    [[nodiscard]] quint64 silences() const { return m_silences.load(std::memory_order_relaxed); }
+    [[nodiscard]] double silentSeconds() const { return m_silentSeconds.load(std::memory_order_relaxed); }
+    void countSilence(double seconds);
     void setRetention(double seconds) { m_retention = seconds; }
 
 private:
@@ -126,6 +130,8 @@ private:
     std::atomic<int> m_generation = 0;
     std::atomic<quint64> m_rows = 0;
     std::atomic<quint64> m_lost = 0;
+    std::atomic<quint64> m_silences = 0;
+    std::atomic<double> m_silentSeconds = 0;
     mutable std::mutex m_mutex;
     std::vector<std::shared_ptr<TelemetryGroup>> m_groups;
 };
@@ -135,12 +141,14 @@ private:
 class SampleClock
 {
 public:
-    explicit SampleClock(double period) : m_period(period) { }
+    /// @param resync seconds off that start a new time line
+    explicit SampleClock(double period, double resync = 0.25) : m_period(period), m_resync(resync) { }
 
     /// Time of the next sample, which arrived at that time, after so many missing ones.
     double next(double arrival, int missing = 0);
 
 private:
     double m_period;
+    double m_resync;
     std::optional<double> m_last;
 };

@@ -49,6 +49,9 @@ public:
     [[nodiscard]] ChannelTable channels() const override;
     [[nodiscard]] ChannelRoles roles() const override;
     [[nodiscard]] QList<int> fastChannels() const override;
+    [[nodiscard]] QList<StreamSpec> streams() const override;
+    [[nodiscard]] Result<StreamBudget> streamBudget(const TelemetryWish &wish,
+                                                    std::optional<LineSettings> line) const override;
     Result<TelemetryPlan> startTelemetry(Channel &channel, const TelemetryWish &wish,
                                          std::optional<LineSettings> line) override;
     void stopTelemetry(Channel &channel) override;

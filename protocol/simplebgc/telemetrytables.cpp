@@ -3,9 +3,12 @@
 #include "protocol/simplebgc/telemetrytables.h"
 
 #include "protocol/base/bytes.h"
+#include "protocol/simplebgc/commands.h"
 #include "protocol/simplebgc/units.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 
 namespace sbgc {
@@ -208,6 +211,26 @@ std::vector<WireField> customLayout(quint32 flags)
         offset += field.bytes;
     }
     return layout;
+}
+
+std::vector<WireField> flowFields(int id, quint32 customFlags)
+{
+    switch (static_cast<CommandId>(id)) {
+    case CommandId::RealtimeDataCustom:
+        return customLayout(customFlags);
+    case CommandId::AhrsHelper:
+        return {kVectors.begin(), kVectors.end()};   // errata 3.22: Z, then H, as in CUSTOM
+    case CommandId::RealtimeData3:
+    case CommandId::RealtimeData4: {
+        std::vector<WireField> fields;
+        std::copy_if(std::begin(kRealtime), std::end(kRealtime), std::back_inserter(fields), [id](const WireField &field) {
+            return id == number(CommandId::RealtimeData4) || field.offset < kRealtime3Size;
+        });
+        return fields;
+    }
+    default:
+        return {};
+    }
 }
 
 float readField(const WireField &field, std::span<const std::byte> payload)

@@ -51,6 +51,7 @@ constexpr int fieldSize(WireField::Type type)
 
 inline constexpr int kRealtime3Size = 63;
 inline constexpr int kRealtime4Size = 124;
+inline constexpr int kHelperSize = 24;
 
 /// Fields of REALTIME_DATA_3 (offsets below 63) and REALTIME_DATA_4 (all), errata 3.8.
 [[nodiscard]] std::span<const WireField> realtimeFields();
@@ -71,6 +72,9 @@ struct CustomField
 [[nodiscard]] int customSize(quint32 flags);
 /// The fields of such a frame in order, offsets counted from the beginning of the payload.
 [[nodiscard]] std::vector<WireField> customLayout(quint32 flags);
+
+/// Fields of a real-time frame with that command number; flags count for CUSTOM only. Empty: no real-time frame.
+[[nodiscard]] std::vector<WireField> flowFields(int id, quint32 customFlags);
 
 /// The physical value of a field, NaN when the payload is too short.
 [[nodiscard]] float readField(const WireField &field, std::span<const std::byte> payload);

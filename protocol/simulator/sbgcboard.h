@@ -79,6 +79,8 @@ private:
     [[nodiscard]] bool hasSize(const Frame &frame, qsizetype size);
     [[nodiscard]] QByteArray realtime(bool extended) const;
     [[nodiscard]] QByteArray realtimeCustom(quint32 flags) const;
+    /// Gravity and heading in vector form, 24 bytes.
+    [[nodiscard]] QByteArray attitudeVectors() const;
     [[nodiscard]] sbgc::Angles angles() const;
     [[nodiscard]] std::vector<std::vector<double>> debugValues() const;
     void sendStreams();

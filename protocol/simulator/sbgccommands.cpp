@@ -152,13 +152,9 @@ bool SbgcBoard::handleRead(const Frame &frame)
     case CommandId::GetParams3:
         refuse(frame, kNotSupported);   // "not yet implemented", says the document
         return true;
-    case CommandId::AhrsHelper: {
-        ByteWriter writer;
-        for (const float element : {0.0F, 0.0F, 1.0F, 0.0F, 1.0F, 0.0F})
-            writer.f32(element);
-        reply(frame, CommandId::AhrsHelper, writer.take());
+    case CommandId::AhrsHelper:
+        reply(frame, CommandId::AhrsHelper, attitudeVectors());
         return true;
-    }
     default:
         return false;
     }
@@ -463,7 +459,7 @@ void SbgcBoard::sendStreams()
         else if (id == CommandId::RealtimeDataCustom)
             payload = realtimeCustom(ByteReader(stream.request.config).u32());
         else
-            payload = QByteArray(24, '\0');
+            payload = attitudeVectors();
         send(id, payload, stream.version, true);
     }
 }

@@ -95,13 +95,8 @@ QByteArray SbgcBoard::realtimeCustom(quint32 flags) const
         each([&](Axis axis) { return toCount16(s.gyro(axis), kGyroUnit); });
     if (flags & 32)
         writer.zeros(12);
-    if (flags & 64) {
-        const double roll = s.estimate(Axis::Roll) * kVectorDegrees;
-        const double pitch = s.estimate(Axis::Pitch) * kVectorDegrees;
-        const double yaw = s.estimate(Axis::Yaw) * kVectorDegrees;
-        writer.f32(float(std::sin(roll))).f32(float(-std::sin(pitch))).f32(float(std::cos(roll) * std::cos(pitch)));
-        writer.f32(float(std::sin(yaw))).f32(float(std::cos(yaw))).f32(0.0F);
-    }
+    if (flags & 64)
+        writer.bytes(attitudeVectors());
     if (flags & 128) {
         for (int i = 0; i < 18; ++i)
             writer.i16(-32768);   // no receiver
@@ -110,6 +105,17 @@ QByteArray SbgcBoard::realtimeCustom(quint32 flags) const
         for (const double g : s.acc())
             writer.i16(toCount16(g, kAccUnit));
     }
+    return writer.take();
+}
+
+QByteArray SbgcBoard::attitudeVectors() const
+{
+    const double roll = m_stabilizer.estimate(Axis::Roll) * kVectorDegrees;
+    const double pitch = m_stabilizer.estimate(Axis::Pitch) * kVectorDegrees;
+    const double yaw = m_stabilizer.estimate(Axis::Yaw) * kVectorDegrees;
+    ByteWriter writer;
+    writer.f32(float(std::sin(roll))).f32(float(-std::sin(pitch))).f32(float(std::cos(roll) * std::cos(pitch)));
+    writer.f32(float(std::sin(yaw))).f32(float(std::cos(yaw))).f32(0.0F);
     return writer.take();
 }
 

@@ -100,6 +100,14 @@ private slots:
     void pollsWhenAllStreamsAreTaken();
     void streamFitsASlowLine();
     void lostFramesAreCountedAsGaps();
+    void streamsChosenByHandAllRun();
+    void streamsThatDoNotFitAreRefused_data();
+    void streamsThatDoNotFitAreRefused();
+    void wireRatesAreThoseOfTheTable_data();
+    void wireRatesAreThoseOfTheTable();
+    void lossIsFoundWithoutStamps();
+    void silenceIsNoLoss_data();
+    void silenceIsNoLoss();
     void survivesADisturbedCable();
     void argumentsAreChecked();
 };
@@ -660,6 +668,184 @@ void TestSbgcDevice::lostFramesAreCountedAsGaps()
     QVERIFY(store.lost() > 20);
     QVERIFY2(std::abs(double(frames + store.lost()) - sent) < 0.01 * sent,
              qPrintable(u"%1 + %2 of %3"_s.arg(frames).arg(store.lost()).arg(sent)));
+}
+
+void TestSbgcDevice::streamsChosenByHandAllRun()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    const ChannelRoles roles = bench.device.roles();
+    const TelemetryWish wish{{}, 0, {{u"custom"_s, 500, {roles.gyro[0]}}, {u"realtime4"_s, 200, {}}, {u"realtime3"_s, 50, {}},
+                                     {u"helper"_s, 100, {}}}};
+    const auto plan = bench.device.startTelemetry(bench.channel, wish, {});
+    QVERIFY(plan);
+    QCOMPARE(plan->budget.streams.size(), std::size_t(4));
+    QCOMPARE(plan->rate, 500.0);
+    TelemetryStore store(int(bench.device.channels().size()));
+    QMap<int, int> frames;
+    bench.channel.setTap([&](const FrameView &frame, TimePoint at) {
+        ++frames[frame.id];
+        plan->decoder->decode(frame, at, store);
+    });
+    std::ignore = bench.channel.sleep(4s);
+    QVERIFY(std::abs(frames[88] - 2000) < 20 && std::abs(frames[25] - 800) < 10);
+    QVERIFY(std::abs(frames[23] - 200) < 5 && std::abs(frames[56] - 400) < 6);
+    QCOMPARE(store.lost(), quint64(0));
+    QCOMPARE(store.silences(), quint64(0));
+    // Each channel comes from the fastest stream that has it, and only from there.
+    const auto periodOf = [&](const char *key) {
+        const auto tracks = store.tracks(findChannel(bench.device.channels(), QString::fromLatin1(key)));
+        return tracks.size() == 1 ? tracks[0].period() : -1.0;
+    };
+    QCOMPARE(periodOf("gyro.roll"), 0.002);
+    QCOMPARE(periodOf("imu.angle.roll"), 0.005);
+    QCOMPARE(periodOf("battery"), 0.005);
+    QCOMPARE(periodOf("z1.z"), 0.01);
+    QVERIFY(std::abs(double(store.latest(findChannel(bench.device.channels(), u"z1.z"_s))) - 1.0) < 0.05);
+    // The farewell stops them all.
+    QCOMPARE(plan->farewell.count(char(0x55)) >= 4, true);
+    bench.device.stopTelemetry(bench.channel);
+    frames.clear();
+    std::ignore = bench.channel.sleep(500ms);
+    QCOMPARE(frames.value(88) + frames.value(25) + frames.value(23) + frames.value(56), 0);
+}
+
+void TestSbgcDevice::streamsThatDoNotFitAreRefused_data()
+{
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<double>("rate");
+    QTest::addColumn<int>("baud");
+    QTest::addColumn<int>("code");
+    QTest::newRow("too fast for the line") << u"realtime4"_s << 100.0 << 115200 << int(ErrorCode::TooMuch);
+    QTest::newRow("just fits") << u"realtime4"_s << 75.0 << 115200 << -1;
+    QTest::newRow("fits a faster line") << u"realtime4"_s << 500.0 << 921600 << -1;
+    QTest::newRow("faster than the board") << u"realtime4"_s << 2000.0 << 921600 << int(ErrorCode::InvalidArgument);
+    QTest::newRow("no such stream") << u"realtime5"_s << 10.0 << 115200 << int(ErrorCode::InvalidArgument);
+    QTest::newRow("custom of nothing") << u"custom"_s << 10.0 << 115200 << int(ErrorCode::InvalidArgument);
+}
+
+void TestSbgcDevice::streamsThatDoNotFitAreRefused()
+{
+    QFETCH(QString, key);
+    QFETCH(double, rate);
+    QFETCH(int, baud);
+    QFETCH(int, code);
+    SimulatorOptions o;
+    o.usb = false;
+    const LineSettings line{baud, Parity::None};
+    VirtualBoard bench(o, line);
+    std::ignore = bench.channel.setLine(line);
+    QVERIFY(bench.identify());
+    const auto plan = bench.device.startTelemetry(bench.channel, {{}, 0, {{key, rate, {}}}}, line);
+    QCOMPARE(plan ? -1 : int(plan.error().code), code);
+    // The numbers are in it: 100 frames of 129 bytes against 85 % of 11520.
+    if (code == int(ErrorCode::TooMuch))
+        QVERIFY2(plan.error().detail.contains(u"12903"_s) || plan.error().detail.contains(u"12900"_s), qPrintable(plan.error().detail));
+}
+
+void TestSbgcDevice::wireRatesAreThoseOfTheTable_data()
+{
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<QStringList>("channels");
+    QTest::addColumn<int>("baud");
+    QTest::addColumn<bool>("even");
+    QTest::addColumn<double>("rate");
+    // Errata 1.3 and 3.8-3.10: frame version 1, payload and 5 bytes, 10 or 11 bits a byte.
+    QTest::newRow("4 at 115200") << u"realtime4"_s << QStringList() << 115200 << false << 89.0;
+    QTest::newRow("4 at 115200 8E1") << u"realtime4"_s << QStringList() << 115200 << true << 81.0;
+    QTest::newRow("3 at 256000") << u"realtime3"_s << QStringList() << 256000 << false << 376.0;
+    QTest::newRow("gyro at 115200") << u"custom"_s << QStringList{u"gyro.roll"_s} << 115200 << false << 886.0;
+    QTest::newRow("gyro and acc at 115200") << u"custom"_s << QStringList{u"gyro.roll"_s, u"acc.x"_s} << 115200 << false << 606.0;
+}
+
+void TestSbgcDevice::wireRatesAreThoseOfTheTable()
+{
+    QFETCH(QString, key);
+    QFETCH(QStringList, channels);
+    QFETCH(int, baud);
+    QFETCH(bool, even);
+    QFETCH(double, rate);
+    SimulatorOptions o;
+    o.usb = false;
+    const LineSettings line{baud, even ? Parity::Even : Parity::None};
+    VirtualBoard bench(o);
+    QVERIFY(bench.identify());
+    QList<int> wanted;
+    for (const QString &name : channels)
+        wanted.append(findChannel(bench.device.channels(), name));
+    const auto budget = bench.device.streamBudget({{}, 0, {{key, 0, wanted}}}, line);
+    QVERIFY(budget);
+    QVERIFY(budget->fits());
+    // As fast as goes: the share for streams, rounded down to whole milliseconds or the firmware's cycle.
+    const StreamUse &use = budget->streams.front();
+    const double wire = budget->capacity / use.frameBytes;
+    QVERIFY2(std::abs(wire - rate) < 1.0, qPrintable(QString::number(wire)));
+    QVERIFY(use.rate <= wire * StreamBudget::kShare);
+    QVERIFY(1000.0 / use.rate - 1000.0 / (wire * StreamBudget::kShare) < 1.0001);
+}
+
+void TestSbgcDevice::lossIsFoundWithoutStamps()
+{
+    SimulatorOptions o;
+    o.faults.loseByte = 0.0003;
+    o.seed = 4;
+    VirtualBoard bench(o);
+    QVERIFY(bench.identify());
+    const auto plan = bench.device.startTelemetry(bench.channel, {{}, 0, {{u"realtime4"_s, 1250, {}}}}, {});
+    QVERIFY(plan);
+    TelemetryStore store(int(bench.device.channels().size()));
+    quint64 frames = 0;
+    bench.channel.setTap([&](const FrameView &frame, TimePoint at) {
+        frames += frame.id == 25;
+        plan->decoder->decode(frame, at, store);
+    });
+    const TimePoint start = bench.channel.now();
+    std::ignore = bench.channel.sleep(12s);
+    const double sent = seconds(bench.channel.now() - start) * 1250.0;
+    QVERIFY(store.lost() > 100);
+    // The loss of the last second is found a second later.
+    QVERIFY2(std::abs(double(frames + store.lost()) - sent) < 0.01 * sent,
+             qPrintable(u"%1 + %2 of %3"_s.arg(frames).arg(store.lost()).arg(sent)));
+}
+
+void TestSbgcDevice::silenceIsNoLoss_data()
+{
+    QTest::addColumn<QString>("stream");
+    QTest::newRow("with stamps") << u"custom"_s;
+    QTest::newRow("without stamps") << u"realtime4"_s;
+}
+
+void TestSbgcDevice::silenceIsNoLoss()
+{
+    QFETCH(QString, stream);
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    const int gyro = bench.device.roles().gyro[0];
+    const auto plan = bench.device.startTelemetry(bench.channel, {{}, 0, {{stream, 1250, {gyro}}}}, {});
+    QVERIFY(plan);
+    TelemetryStore store(int(bench.device.channels().size()));
+    bool deaf = false;   // the board calibrates and says nothing
+    bench.channel.setTap([&](const FrameView &frame, TimePoint at) {
+        if (!deaf)
+            plan->decoder->decode(frame, at, store);
+    });
+    std::ignore = bench.channel.sleep(3s);
+    deaf = true;
+    std::ignore = bench.channel.sleep(2s);
+    deaf = false;
+    std::ignore = bench.channel.sleep(3s);
+    QCOMPARE(store.lost(), quint64(0));
+    QCOMPARE(store.silences(), quint64(1));
+    QVERIFY2(std::abs(store.silentSeconds() - 2.0) < 0.05, qPrintable(QString::number(store.silentSeconds())));
+    // It is drawn as a gap, and the samples behind it have their right times.
+    const auto tracks = store.tracks(gyro);
+    QCOMPARE(tracks.size(), std::size_t(1));
+    int holes = 0;
+    for (std::size_t row = tracks[0].begin(); row < tracks[0].end(); ++row)
+        holes += std::isnan(tracks[0].value(row));
+    QCOMPARE(holes, 1);
+    const double newest = tracks[0].time(tracks[0].end() - 1);
+    QVERIFY2(std::abs(newest - store.secondsAt(bench.channel.now())) < 0.02, qPrintable(QString::number(newest)));
 }
 
 void TestSbgcDevice::survivesADisturbedCable()

@@ -126,6 +126,11 @@ ErrorText describe(const Error &error)
         text.meaning = Words::tr("Therefore nothing was changed.");
         text.cure = Words::tr("Check that the disk has space and that the folder may be written.");
         break;
+    case ErrorCode::TooMuch:
+        text.what = Words::tr("The line cannot carry so much.");
+        text.meaning = Words::tr("Samples would be lost; nothing was changed.");
+        text.cure = Words::tr("Ask for fewer channels, a lower rate, or set a faster serial speed.");
+        break;
     case ErrorCode::Busy:
         text.what = Words::tr("Another job is still running.");
         text.cure = Words::tr("Wait for it or cancel it.");

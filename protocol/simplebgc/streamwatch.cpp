@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/simplebgc/streamwatch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace sbgc {
+
+namespace {
+
+constexpr double kStampWrap = 65536.0;       // milliseconds
+constexpr double kStampStep = 1.0;           // milliseconds
+constexpr int kLearning = 50;                // frames
+constexpr double kMeanWeight = 0.06;
+constexpr double kRestart = -50.0;           // milliseconds behind: the board began to count anew
+constexpr double kSilence = 0.1;             // seconds without a byte: nobody lost anything, nothing was sent
+constexpr double kBlock = 1.0;               // seconds that frames without a clock are watched together
+constexpr int kFramesPerBlock = 8;           // at least
+constexpr double kDrift = 0.2;               // share of a slow change that is the two clocks' doing
+
+} // namespace
+
+StreamWatch::Finding StreamWatch::judge(int missing, double idle) const
+{
+    const double gap = missing * m_period;
+    if (missing > 0 && gap >= kSilence && idle >= 0.8 * gap)
+        return {0, gap};
+    return {std::max(0, missing), 0};
+}
+
+// The board's millisecond stamp against the counted time: what it is ahead was lost on the way. A whole millisecond is
+// longer than the shortest period, so a single lost frame shows only in the mean over some frames; a longer gap at once.
+StreamWatch::Finding StreamWatch::stamped(double stamp, double idle)
+{
+    const double period = m_period * 1000.0;
+    double step = m_seen == 0 ? 0.0 : stamp - m_lastStamp;
+    if (step < -kStampWrap / 2)
+        step += kStampWrap;
+    m_lastStamp = stamp;
+    m_board += step;
+    m_counted += m_seen == 0 ? 0.0 : period;
+    const double ahead = m_board - m_counted - m_base;
+    ++m_seen;
+    if (ahead < kRestart) {
+        m_counted = m_board - m_base;
+        m_mean = 0.0;
+        return {};
+    }
+    int missing = 0;
+    if (ahead > kStampStep + 1.5 * period) {
+        missing = int(std::lround(ahead / period));
+    } else if (m_seen <= kLearning) {
+        m_base += ahead / m_seen;   // the phase between stamps and frames
+        return {};
+    } else {
+        m_mean += kMeanWeight * (ahead - m_mean);
+        if (m_mean > 0.6 * period)
+            missing = 1;
+        else if (m_mean < -0.6 * period)
+            missing = -1;           // a frame was counted that never was
+    }
+    m_counted += missing * period;
+    m_mean -= missing * period;
+    if (missing > 1)
+        m_mean = 0.0;
+    const Finding finding = judge(missing, idle);
+    if (finding.silence > 0) {   // how many frames that would have been is known to about one: begin anew
+        m_board = m_counted = m_base = m_mean = 0.0;
+        m_seen = 1;
+    }
+    return finding;
+}
+
+StreamWatch::Finding StreamWatch::unstamped(double arrival, double idle)
+{
+    if (m_seen++ == 0) {
+        m_first = arrival;
+        m_expected = 0;
+        m_leastLate = 0;
+        m_blockEnds = std::max(kBlock, kFramesPerBlock * m_period);
+        return {};
+    }
+    m_expected += m_period;
+    const double late = arrival - m_first - m_expected;
+    m_leastLate = std::min(m_leastLate, late);
+    m_longestIdle = std::max(m_longestIdle, idle);
+    if (arrival - m_first < m_blockEnds)
+        return {};
+    // A reader that was busy hands over late frames, but the last of them on time: the least late one counts.
+    Finding finding;
+    if (!m_usual) {
+        m_usual = m_leastLate;
+    } else {
+        const double grown = m_leastLate - *m_usual;
+        const int missing = int(std::lround(grown / m_period));
+        if (missing > 0 && grown > 0.6 * m_period) {
+            m_expected += missing * m_period;
+            m_usual = m_leastLate - missing * m_period;
+            finding = judge(missing, std::max(m_longestIdle, m_idleBefore));
+        } else {
+            m_usual = grown < 0 ? m_leastLate : *m_usual + kDrift * grown;
+        }
+    }
+    m_blockEnds = arrival - m_first + std::max(kBlock, kFramesPerBlock * m_period);
+    m_leastLate = std::numeric_limits<double>::infinity();
+    m_idleBefore = std::exchange(m_longestIdle, 0.0);
+    return finding;
+}
+
+} // namespace sbgc
