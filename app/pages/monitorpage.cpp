@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/monitorpage.h"
 
+#include "app/pages/streamsdialog.h"
 #include "protocol/record/telemetrycsv.h"
-#include "widgets/plot/plotview.h"
 
 #include <QComboBox>
 #include <QDateTime>
 #include <QHeaderView>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
@@ -27,19 +28,21 @@ namespace {
 constexpr auto kValuePeriod = 100ms;
 constexpr std::array<double, 6> kWindows{2, 5, 10, 30, 60, 600};
 constexpr int kDefaultWindow = 2;
-constexpr double kShortestWindow = 0.1;
-constexpr double kLongestWindow = 3600;
+const QString kLastPlots = u"monitor-plots"_s;
 
 } // namespace
 
 MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"monitor"_s, tr("Monitor"), parent)
     , m_tree(new QTreeView)
-    , m_stack(new QSplitter(Qt::Vertical))
+    , m_stack(new PlotStack(workspace.theme()))
     , m_empty(new QLabel(tr("Tick channels on the left to see them here.")))
     , m_window(new QComboBox)
+    , m_layout(new QPushButton(tr("Layout")))
+    , m_layoutMenu(new QMenu(m_layout))
+    , m_streams(new QPushButton(tr("Streams…")))
     , m_pause(new QPushButton(tr("Pause")))
-    , m_export(new QPushButton(tr("Export…")))
+    , m_export(new QPushButton(tr("Export")))
     , m_record(new QPushButton)
     , m_recordMenu(new QMenu(m_record))
     , m_note(new QLabel)
@@ -51,13 +54,19 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     m_window->setToolTip(tr("Time shown"));
     m_pause->setCheckable(true);
     m_pause->setToolTip(tr("Hold the picture still while data goes on (Space in the plot). The wheel zooms, dragging moves, "
-                           "arrow keys move the cursor, End goes on."));
+                           "Shift and dragging zooms to a box, a click sets the line that differences are counted from. "
+                           "Arrow keys move the cursor, with Ctrl from event to event; End goes on."));
+    m_layout->setMenu(m_layoutMenu);
+    m_layout->setToolTip(tr("Which plots there are and what they show, kept by name"));
+    connect(m_layoutMenu, &QMenu::aboutToShow, this, &MonitorPage::fillLayoutMenu);
+    m_streams->setToolTip(tr("What the board sends how often, and what it takes of the line"));
+    connect(m_streams, &QPushButton::clicked, this, &MonitorPage::askStreams);
     m_note->setObjectName(u"muted"_s);
     header()->addWidget(m_note);
-    header()->addWidget(m_window);
-    header()->addWidget(m_pause);
-    header()->addWidget(m_record);
-    header()->addWidget(m_export);
+    for (QWidget *widget : {static_cast<QWidget *>(m_window), static_cast<QWidget *>(m_pause), static_cast<QWidget *>(m_layout),
+                            static_cast<QWidget *>(m_streams), static_cast<QWidget *>(m_record),
+                            static_cast<QWidget *>(m_export)})
+        header()->addWidget(widget);
     m_recordMenu->addAction(tr("Record from now on…"), this, [this] {
         askRecording(tr("Record to a file"), &LinkRecorder::start);
     });
@@ -68,21 +77,28 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     connect(m_record, &QPushButton::clicked, this, [this] { this->workspace().recorder().stop(); });
     connect(&workspace.recorder(), &LinkRecorder::recordingChanged, this, &MonitorPage::updateRecord);
     updateRecord();
-    m_export->setToolTip(tr("Save what is seen as a CSV file"));
-    connect(m_export, &QPushButton::clicked, this, &MonitorPage::askExport);
+    auto *exports = new QMenu(m_export);
+    exports->addAction(tr("Samples as CSV…"), this, &MonitorPage::askExport);
+    exports->addAction(tr("Picture…"), this, &MonitorPage::askPicture);
+    m_export->setMenu(exports);
+    m_export->setToolTip(tr("Save what is seen"));
     auto *space = new QShortcut(Qt::Key_Space, m_stack, m_pause, &QPushButton::toggle);
     space->setContext(Qt::WidgetWithChildrenShortcut);
 
     m_tree->setModel(&m_channels);
     m_tree->setAccessibleName(tr("Telemetry channels"));
+    m_tree->setToolTip(tr("Tick a channel, or drag it into a plot"));
     m_tree->setUniformRowHeights(true);
     m_tree->setRootIsDecorated(true);
     m_tree->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_tree->setDragEnabled(true);
+    m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_tree, &QWidget::customContextMenuRequested, this, &MonitorPage::showChannelMenu);
     m_tree->header()->setStretchLastSection(false);
     m_tree->header()->setSectionResizeMode(ChannelModel::NameColumn, QHeaderView::Stretch);
     m_tree->setIndentation(14);
     m_tree->setMinimumWidth(292);
-    m_stack->setChildrenCollapsible(false);
     m_empty->setObjectName(u"muted"_s);
     m_empty->setAlignment(Qt::AlignCenter);
     auto *right = new QWidget;
@@ -100,14 +116,22 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
             [this, split] { this->workspace().settings().setLayout(u"monitor"_s, split->saveState()); });
     body()->addWidget(split, 1);
 
+    m_stack->setMarks(&workspace.marks());
+    m_stack->setSeconds(m_window->currentData().toDouble());
     m_valueTimer.setInterval(kValuePeriod);
     connect(&m_valueTimer, &QTimer::timeout, this, [this] {
         m_channels.refresh();
         updateNote();
     });
     connect(&m_channels, &ChannelModel::ticksChanged, this, &MonitorPage::onTicks);
-    connect(m_window, &QComboBox::activated, this, [this] { setSeconds(m_window->currentData().toDouble()); });
-    connect(m_pause, &QPushButton::toggled, this, &MonitorPage::setPaused);
+    connect(m_stack, &PlotStack::edited, this, &MonitorPage::onPlotsEdited);
+    connect(m_stack, &PlotStack::secondsChanged, this, &MonitorPage::showSeconds);
+    connect(m_stack, &PlotStack::pausedChanged, m_pause, &QPushButton::setChecked);
+    connect(m_window, &QComboBox::activated, this, [this] { m_stack->setSeconds(m_window->currentData().toDouble()); });
+    connect(m_pause, &QPushButton::toggled, this, [this](bool paused) {
+        m_pause->setText(paused ? tr("Continue") : tr("Pause"));
+        m_stack->setPaused(paused);
+    });
     connect(&workspace.client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
         updateRecord();
         if (state == DeviceClient::State::Connected)
@@ -117,159 +141,187 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
         onStore();
 }
 
+ChannelTable MonitorPage::table() const
+{
+    const Device *device = workspace().client().device();
+    return device ? device->channels() : ChannelTable();
+}
+
 void MonitorPage::onStore()
 {
     DeviceClient &client = workspace().client();
-    m_channels.reset(client.device()->channels(), client.telemetry());
+    m_channels.reset(table(), client.telemetry());
+    m_stack->setSource(table(), client.telemetry());
     if (!m_chosen) {
         m_chosen = true;
-        const ChannelRoles roles = client.device()->roles();
-        QList<int> first(roles.angle.begin(), roles.angle.end());
-        first.append(QList<int>(roles.gyro.begin(), roles.gyro.end()));
-        m_channels.setTicked(first);
+        const PlotLayout last = PlotLayout::fromJson(workspace().settings().layout(kLastPlots), table());
+        if (last.plots.isEmpty()) {
+            const ChannelRoles roles = client.device()->roles();
+            QList<int> first(roles.angle.begin(), roles.angle.end());
+            first.append(QList<int>(roles.gyro.begin(), roles.gyro.end()));
+            m_stack->setPlots(PlotLayout::byUnit(table(), first).plots);
+        } else {
+            m_stack->setPlots(last.plots);
+        }
     }
     m_tree->expandToDepth(0);
     for (int row = 3; row < m_channels.rowCount(); ++row)
         m_tree->collapse(m_channels.index(row, 0));
     m_tree->setColumnWidth(ChannelModel::ValueColumn, 64);
     m_tree->setColumnWidth(ChannelModel::UnitColumn, 44);
-    onTicks();
+    showPlots();
 }
 
 void MonitorPage::onTicks()
 {
-    DeviceClient &client = workspace().client();
-    if (!client.device())
+    if (!table().empty())
+        m_stack->setChannels(m_channels.ticked());
+}
+
+void MonitorPage::onPlotsEdited()
+{
+    workspace().settings().setLayout(kLastPlots, PlotLayout{m_stack->layoutPlots(), 0}.toJson(table()));
+    showPlots();
+}
+
+// Ticks, wishes and buttons follow the plots.
+void MonitorPage::showPlots()
+{
+    const QList<int> channels = m_stack->channels();
+    m_channels.setTicked(channels);
+    workspace().wishTelemetry(this, channels);
+    m_empty->setVisible(channels.isEmpty());
+    m_export->setEnabled(!channels.isEmpty());
+}
+
+// Where a channel goes can be said without a mouse: the menu key on it.
+void MonitorPage::showChannelMenu(const QPoint &at)
+{
+    QList<int> channels;
+    const QModelIndexList rows = m_tree->selectionModel()->selectedRows();
+    for (const QModelIndex &row : rows) {
+        if (const QVariant channel = row.data(ChannelModel::ChannelRole); channel.isValid())
+            channels.append(channel.toInt());
+    }
+    if (channels.isEmpty())
         return;
-    const ChannelTable table = client.device()->channels();
-    const QList<int> ticked = m_channels.ticked();
-    workspace().wishTelemetry(this, ticked);
-    // One plot per unit: values of different kinds never share a scale.
-    QList<std::pair<QString, QList<int>>> byUnit;
-    for (const int channel : ticked) {
-        const QString unit = QString::fromUtf8(table[std::size_t(channel)].unit);
-        const auto it = std::find_if(byUnit.begin(), byUnit.end(), [&](const auto &entry) { return entry.first == unit; });
-        if (it == byUnit.end())
-            byUnit.append({unit, {channel}});
-        else
-            it->second.append(channel);
-    }
-    while (m_plots.size() > byUnit.size())
-        delete m_plots.takeLast();
-    while (m_plots.size() < byUnit.size()) {
-        auto *plot = new PlotView(workspace().theme());
-        plot->setWindow(m_seconds);
-        if (m_pause->isChecked() && !m_plots.isEmpty())
-            plot->hold(m_plots.first()->endTime());
-        connectPlot(plot);
-        m_stack->addWidget(plot);
-        m_plots.append(plot);
-    }
-    for (qsizetype i = 0; i < byUnit.size(); ++i)
-        m_plots[i]->setChannels(table, byUnit[i].second, client.telemetry());
-    m_empty->setVisible(byUnit.isEmpty());
-    m_export->setEnabled(!byUnit.isEmpty());
-    m_clock.setPlots(m_plots);
+    auto *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (qsizetype i = 0; i < m_stack->panels().size(); ++i)
+        menu->addAction(tr("Show in plot %1").arg(i + 1), this, [this, i, channels] { m_stack->addChannels(i, channels); });
+    menu->addAction(tr("Show in a new plot"), this, [this, channels] { m_stack->addChannels(-1, channels); });
+    menu->popup(m_tree->viewport()->mapToGlobal(at));
 }
 
 void MonitorPage::showEvent(QShowEvent *event)
 {
     Page::showEvent(event);
     m_valueTimer.start();
-    m_clock.start();
 }
 
 void MonitorPage::hideEvent(QHideEvent *event)
 {
     Page::hideEvent(event);
-    m_clock.stop();
     m_valueTimer.stop();
 }
 
-void MonitorPage::connectPlot(PlotView *plot)
+// A span made by zooming is shown as it is.
+void MonitorPage::showSeconds(double seconds)
 {
-    connect(plot, &PlotView::zoomRequested, this, &MonitorPage::zoom);
-    connect(plot, &PlotView::panRequested, this, [this, plot](double seconds) {
-        const double end = plot->endTime() + seconds;
-        m_pause->setChecked(true);
-        holdAt(end);
-    });
-    connect(plot, &PlotView::followRequested, this, [this] { m_pause->setChecked(false); });
-    connect(plot, &PlotView::cursorMoved, this, [this](std::optional<double> time) {
-        for (PlotView *each : m_plots)
-            each->setCursorTime(time);
-    });
-}
-
-void MonitorPage::setSeconds(double seconds)
-{
-    m_seconds = std::clamp(seconds, kShortestWindow, kLongestWindow);
-    for (PlotView *plot : m_plots) {
-        plot->setWindow(m_seconds);
-        if (plot->isHeld())
-            plot->hold(plot->endTime());
-    }
-    const int known = m_window->findData(m_seconds);
-    if (known < 0) {
-        // A span made by zooming is shown as it is.
-        const int custom = int(kWindows.size());
-        const QString text = tr("%1 s").arg(m_seconds, 0, 'g', 3);
-        if (m_window->count() == custom)
-            m_window->addItem(text, m_seconds);
-        m_window->setItemText(custom, text);
-        m_window->setItemData(custom, m_seconds);
-        m_window->setCurrentIndex(custom);
-    } else {
+    const int known = m_window->findData(seconds);
+    const int custom = int(kWindows.size());
+    if (known >= 0 && known != custom) {
         m_window->setCurrentIndex(known);
+        return;
     }
-    m_clock.updateRate();
+    const QString text = tr("%1 s").arg(seconds, 0, 'g', 3);
+    if (m_window->count() == custom)
+        m_window->addItem(text, seconds);
+    m_window->setItemText(custom, text);
+    m_window->setItemData(custom, seconds);
+    m_window->setCurrentIndex(custom);
 }
 
-void MonitorPage::setPaused(bool paused)
+void MonitorPage::fillLayoutMenu()
 {
-    m_pause->setText(paused ? tr("Continue") : tr("Pause"));
-    for (PlotView *plot : m_plots) {
-        if (paused)
-            plot->hold(plot->endTime());
-        else
-            plot->follow();
+    m_layoutMenu->clear();
+    m_layoutMenu->addAction(tr("One plot for each unit"), this, [this] {
+        m_stack->setPlots(PlotLayout::byUnit(table(), m_stack->channels()).plots);
+        onPlotsEdited();
+    });
+    const QStringList names = workspace().settings().plotLayouts();
+    if (!names.isEmpty())
+        m_layoutMenu->addSeparator();
+    for (const QString &name : names)
+        m_layoutMenu->addAction(name, this, [this, name] { useLayout(name); });
+    m_layoutMenu->addSeparator();
+    m_layoutMenu->addAction(tr("Keep this layout…"), this, &MonitorPage::askLayoutName);
+    QMenu *remove = m_layoutMenu->addMenu(tr("Forget a layout"));
+    remove->setEnabled(!names.isEmpty());
+    for (const QString &name : names)
+        remove->addAction(name, this, [this, name] { workspace().settings().setPlotLayout(name, {}); });
+}
+
+void MonitorPage::saveLayout(const QString &name)
+{
+    workspace().settings().setPlotLayout(name, PlotLayout{m_stack->layoutPlots(), m_stack->seconds()}.toJson(table()));
+    emit workspace().notice(tr("Layout kept as “%1”.").arg(name));
+}
+
+void MonitorPage::useLayout(const QString &name)
+{
+    const PlotLayout layout = PlotLayout::fromJson(workspace().settings().plotLayout(name), table());
+    if (layout.plots.isEmpty()) {
+        emit workspace().notice(tr("This board has none of the channels of “%1”.").arg(name));
+        return;
     }
+    m_stack->setPlots(layout.plots);
+    if (layout.seconds > 0)
+        m_stack->setSeconds(layout.seconds);
+    onPlotsEdited();
 }
 
-void MonitorPage::holdAt(double end)
+void MonitorPage::askLayoutName()
 {
-    const auto store = workspace().client().telemetry();
-    const double newest = store ? store->secondsAt(Clock::now()) : end;
-    for (PlotView *plot : m_plots)
-        plot->hold(std::min(end, newest));
-}
-
-void MonitorPage::zoom(double factor, double around)
-{
-    const double before = m_seconds;
-    const double end = m_plots.isEmpty() ? 0.0 : m_plots.first()->endTime();
-    setSeconds(m_seconds * factor);
-    // Live pictures keep their right edge, which is now; held ones keep the time under the cursor.
-    if (m_pause->isChecked())
-        holdAt(around + (end - around) * m_seconds / before);
+    auto *dialog = new QInputDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Keep this layout"));
+    dialog->setLabelText(tr("Name; one that exists is replaced"));
+    connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString &name) {
+        if (!name.trimmed().isEmpty())
+            saveLayout(name.trimmed());
+    });
+    dialog->open();
 }
 
 Result<qint64> MonitorPage::exportCsv(const QString &path)
 {
     const auto store = workspace().client().telemetry();
-    if (!store || m_plots.isEmpty())
+    if (!store || m_stack->panels().isEmpty())
         return failure(ErrorCode::NotConnected);
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
         return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
-    const double end = m_plots.first()->endTime();
-    const auto lines = writeTelemetryCsv(file, *store, workspace().client().device()->channels(), m_channels.ticked(),
-                                         end - m_seconds, end);
+    const double end = m_stack->endTime();
+    const auto lines = writeTelemetryCsv(file, *store, table(), m_channels.ticked(), end - m_stack->seconds(), end);
     if (!lines)
         return lines;
     if (!file.commit())
         return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
     return lines;
+}
+
+Result<void> MonitorPage::exportPicture(const QString &path) const
+{
+    constexpr qreal kScale = 2;
+    QImage image(m_stack->size() * kScale, QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(kScale);
+    image.fill(workspace().theme().color(ColorRole::Surface));
+    m_stack->render(&image);
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || !image.save(&file, "PNG") || !file.commit())
+        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
+    return {};
 }
 
 void MonitorPage::askExport()
@@ -283,13 +335,32 @@ void MonitorPage::askExport()
     });
 }
 
+void MonitorPage::askPicture()
+{
+    askSavePath(tr("Save picture"), u"plots.png"_s, tr("Pictures (*.png)"), [this](const QString &path) {
+        if (const auto saved = exportPicture(path); saved)
+            emit workspace().notice(tr("Picture saved to %1").arg(path));
+        else
+            emit workspace().problem(describe(saved.error()));
+    });
+}
+
+void MonitorPage::askStreams()
+{
+    auto *dialog = new StreamsDialog(workspace(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
 // Idle: a menu with what can be recorded. Recording: one click ends it.
 void MonitorPage::updateRecord()
 {
+    const DeviceClient &client = workspace().client();
     const bool recording = workspace().recorder().isRecording();
     m_record->setMenu(recording ? nullptr : m_recordMenu);
     m_record->setText(recording ? tr("Stop recording") : tr("Record"));
-    m_record->setEnabled(recording || (workspace().client().isConnected() && !workspace().client().address().isReplay()));
+    m_record->setEnabled(recording || (client.isConnected() && !client.address().isReplay()));
+    m_streams->setEnabled(client.isConnected() && !client.address().isReplay() && !client.device()->streams().isEmpty());
 }
 
 void MonitorPage::askRecording(const QString &title, Result<void> (LinkRecorder::*record)(const QString &))
@@ -309,15 +380,19 @@ void MonitorPage::updateNote()
         m_note->clear();
         return;
     }
-    QString text;
-    if (workspace().client().address().isReplay())
-        text = tr("recording");
-    else if (plan.streaming)
-        text = tr("%1 samples/s").arg(plan.rate, 0, 'f', 0);
-    else
-        text = tr("polled, up to %1 samples/s").arg(plan.rate, 0, 'f', 0);
-    text += u" · "_s + tr("%1 lost").arg(store->lost());
+    QStringList parts;
     if (const LinkRecorder &recorder = workspace().recorder(); recorder.isRecording())
-        text = tr("● recording, %1").arg(QLocale::c().formattedDataSize(recorder.size())) + u" · "_s + text;
-    m_note->setText(text);
+        parts.append(tr("● recording, %1").arg(QLocale::c().formattedDataSize(recorder.size())));
+    if (workspace().client().address().isReplay())
+        parts.append(tr("recording"));
+    else if (plan.streaming && plan.budget.capacity > 0)
+        parts.append(tr("%1 % of the line").arg(100.0 * plan.budget.bytesPerSecond() / plan.budget.capacity, 0, 'f', 0));
+    else if (plan.poll)
+        parts.append(tr("polled, up to %1 samples/s").arg(plan.rate, 0, 'f', 0));
+    parts.append(tr("%1 lost").arg(store->lost()));
+    if (store->silences() > 0)
+        parts.append(tr("silent for %1 s").arg(store->silentSeconds(), 0, 'f', 1));
+    m_note->setText(parts.join(u" · "_s));
+    m_note->setToolTip(tr("Lost: samples that were sent and never arrived. Silent: the board sent nothing at all, as while it "
+                          "calibrates."));
 }

@@ -4,19 +4,16 @@
 
 #include "app/pages/page.h"
 #include "widgets/models/channelmodel.h"
-
-#include "widgets/plot/plotclock.h"
+#include "widgets/plot/plotstack.h"
 
 #include <QTimer>
 
-class PlotView;
 class QComboBox;
 class QMenu;
 class QPushButton;
-class QSplitter;
 class QTreeView;
 
-/// Chosen telemetry channels plotted live, one plot per unit.
+/// Chosen telemetry channels plotted live: by default one plot per unit, or as the operator arranges them.
 class MonitorPage final : public Page
 {
     Q_OBJECT
@@ -24,13 +21,21 @@ public:
     explicit MonitorPage(Workspace &workspace, QWidget *parent = nullptr);
 
     [[nodiscard]] ChannelModel &channels() { return m_channels; }
-    [[nodiscard]] const QList<PlotView *> &plots() const { return m_plots; }
+    [[nodiscard]] PlotStack *stack() const { return m_stack; }
+    [[nodiscard]] QList<PlotView *> plots() const { return m_stack->plots(); }
     [[nodiscard]] QPushButton *pauseButton() const { return m_pause; }
     [[nodiscard]] QPushButton *recordButton() const { return m_record; }
     /// Seconds shown.
-    [[nodiscard]] double window() const { return m_seconds; }
+    [[nodiscard]] double window() const { return m_stack->seconds(); }
+    [[nodiscard]] QMenu *layoutMenu() const { return m_layoutMenu; }
+    [[nodiscard]] QPushButton *streamsButton() const { return m_streams; }
     /// Saves what is seen of the ticked channels. Errors: BadFile.
     Result<qint64> exportCsv(const QString &path);
+    /// Saves the plots as they look, at twice the size. Errors: BadFile.
+    Result<void> exportPicture(const QString &path) const;
+    /// Keeps which plots there are and what they show under a name; shows what was kept.
+    void saveLayout(const QString &name);
+    void useLayout(const QString &name);
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -39,29 +44,33 @@ protected:
 private:
     void onStore();
     void onTicks();
+    void onPlotsEdited();
+    void showPlots();
+    void showChannelMenu(const QPoint &at);
     void updateNote();
-    void connectPlot(PlotView *plot);
-    void setSeconds(double seconds);
-    void setPaused(bool paused);
-    void holdAt(double end);
-    void zoom(double factor, double around);
+    void showSeconds(double seconds);
+    void fillLayoutMenu();
+    void askLayoutName();
     void askExport();
+    void askPicture();
+    void askStreams();
     void updateRecord();
     void askRecording(const QString &title, Result<void> (LinkRecorder::*record)(const QString &));
+    [[nodiscard]] ChannelTable table() const;
 
     ChannelModel m_channels;
     QTreeView *m_tree;
-    QSplitter *m_stack;
+    PlotStack *m_stack;
     QLabel *m_empty;
     QComboBox *m_window;
+    QPushButton *m_layout;
+    QMenu *m_layoutMenu;
+    QPushButton *m_streams;
     QPushButton *m_pause;
     QPushButton *m_export;
     QPushButton *m_record;
     QMenu *m_recordMenu;
     QLabel *m_note;
-    QList<PlotView *> m_plots;
-    PlotClock m_clock;
     QTimer m_valueTimer;
-    double m_seconds = 10;
     bool m_chosen = false;     // the operator (or the first board) has chosen channels
 };

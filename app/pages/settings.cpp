@@ -18,6 +18,7 @@ const QString Settings::kDisarm = u"safety/disarmSeconds"_s;
 const QString Settings::kMotorsOffOnQuit = u"safety/motorsOffOnQuit"_s;
 const QString Settings::kLastAddress = u"link/lastAddress"_s;
 const QString Settings::kLayout = u"layout/"_s;
+const QString Settings::kPlotLayouts = u"data/plotLayouts"_s;
 
 Settings::Settings(const QString &path, QObject *parent)
     : QObject(parent)
@@ -76,4 +77,25 @@ int Settings::controlSpeedLimit() const
 int Settings::disarmSeconds() const
 {
     return number(kDisarm, 20, 2, 120);
+}
+
+// One map for all: names may hold characters that mean something in a settings file's keys.
+QStringList Settings::plotLayouts() const
+{
+    return m_file.value(kPlotLayouts).toMap().keys();
+}
+
+QByteArray Settings::plotLayout(const QString &name) const
+{
+    return m_file.value(kPlotLayouts).toMap().value(name).toByteArray();
+}
+
+void Settings::setPlotLayout(const QString &name, const QByteArray &json)
+{
+    QVariantMap layouts = m_file.value(kPlotLayouts).toMap();
+    if (json.isEmpty())
+        layouts.remove(name);
+    else
+        layouts.insert(name, json);
+    m_file.setValue(kPlotLayouts, layouts);
 }

@@ -46,12 +46,18 @@ public:
     [[nodiscard]] QByteArray layout(const QString &name) const { return m_file.value(kLayout + name).toByteArray(); }
     void setLayout(const QString &name, const QByteArray &state) { m_file.setValue(kLayout + name, state); }
 
+    /// Names of the kept arrangements of plots.
+    [[nodiscard]] QStringList plotLayouts() const;
+    [[nodiscard]] QByteArray plotLayout(const QString &name) const;
+    /// Keeps an arrangement under a name; an empty one forgets it.
+    void setPlotLayout(const QString &name, const QByteArray &json);
+
 signals:
     void changed();
 
 private:
     static const QString kTheme, kLanguage, kFahrenheit, kRetention, kEscapeHold, kSpeedLimit, kDisarm, kMotorsOffOnQuit,
-        kLastAddress, kLayout;
+        kLastAddress, kLayout, kPlotLayouts;
     void set(const QString &key, const QVariant &value);
     [[nodiscard]] int number(const QString &key, int standard, int low, int high) const;
 

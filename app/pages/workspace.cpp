@@ -38,6 +38,7 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     , m_edits(m_configuration)
     , m_journal(m_configuration, m_edits, m_history)
     , m_recorder(m_client)
+    , m_linkMarks(*this)
 {
     connect(&m_journal, &EditJournal::leftoverFound, this, &Workspace::offerLeftover);
     connect(&m_journal, &EditJournal::failed, this, [this](const Error &error) {
@@ -117,6 +118,8 @@ void Workspace::onState(DeviceClient::State state)
     else if (!m_client.identity().writable)
         emit problem(describe({ErrorCode::ReadOnly, m_client.identity().firmware, 0}));
     applySettings();
+    if (m_client.device()->streams().isEmpty())
+        m_streams.clear();
     updateWish();
     readBoard();
 }
@@ -465,10 +468,20 @@ void Workspace::wishTelemetry(const QObject *who, const QList<int> &channels)
     updateWish();
 }
 
+void Workspace::setStreams(const QList<StreamWish> &streams)
+{
+    m_streams = streams;
+    updateWish();
+}
+
 void Workspace::updateWish()
 {
-    if (!m_client.device())
-        return;
+    if (m_client.device())
+        m_client.setTelemetry(telemetryWish(m_streams));
+}
+
+TelemetryWish Workspace::telemetryWish(const QList<StreamWish> &streams) const
+{
     const QList<int> fast = m_client.device()->fastChannels();
     QSet<int> wanted;
     for (const QList<int> &channels : std::as_const(m_wishes)) {
@@ -477,9 +490,21 @@ void Workspace::updateWish()
                 wanted.insert(channel);
         }
     }
-    QList<int> sorted(wanted.begin(), wanted.end());
-    std::sort(sorted.begin(), sorted.end());
-    m_client.setTelemetry({sorted, 0});
+    TelemetryWish wish;
+    wish.channels = QList<int>(wanted.begin(), wanted.end());
+    std::sort(wish.channels.begin(), wish.channels.end());
+    wish.streams = streams;
+    // A stream of chosen channels carries what the pages want to see; without any it is not needed.
+    const QList<StreamSpec> offered = m_client.device()->streams();
+    for (const StreamSpec &spec : offered) {
+        for (StreamWish &stream : wish.streams) {
+            if (stream.key == spec.key && spec.choosesChannels)
+                stream.channels = wish.channels;
+        }
+        if (spec.choosesChannels && wish.channels.isEmpty())
+            wish.streams.removeIf([&](const StreamWish &stream) { return stream.key == spec.key; });
+    }
+    return wish;
 }
 
 double Workspace::latest(int channel) const

@@ -6,6 +6,7 @@
 #include "protocol/device/deviceclient.h"
 #include "protocol/device/writereport.h"
 #include "app/pages/editjournal.h"
+#include "app/pages/linkmarks.h"
 #include "app/pages/linkrecorder.h"
 #include "app/pages/settings.h"
 #include "protocol/procedure/safeaction.h"
@@ -50,6 +51,8 @@ public:
     [[nodiscard]] Settings &settings() { return m_settings; }
     [[nodiscard]] EditJournal &journal() { return m_journal; }
     [[nodiscard]] LinkRecorder &recorder() { return m_recorder; }
+    /// What happened on this link, for the plots.
+    [[nodiscard]] PlotMarks &marks() { return m_marks; }
 
     void connectTo(const LinkAddress &address, const QString &family);
     /// Reads everything; edits are kept where the board is the same one.
@@ -81,6 +84,11 @@ public:
     void setMotors(bool on);
     /// Fast channels that somebody wants to see; each page has its own wish.
     void wishTelemetry(const QObject *who, const QList<int> &channels);
+    /// Streams that the operator chose by hand; none: they are arranged for what the pages want to see.
+    void setStreams(const QList<StreamWish> &streams);
+    [[nodiscard]] const QList<StreamWish> &streams() const { return m_streams; }
+    /// The wish of all pages together, with these streams.
+    [[nodiscard]] TelemetryWish telemetryWish(const QList<StreamWish> &streams) const;
 
     /// The channel's newest value, NaN without one.
     [[nodiscard]] double latest(int channel) const;
@@ -126,6 +134,9 @@ private:
     LinkRecorder m_recorder;
     QString m_offlineFile;
     QHash<const QObject *, QList<int>> m_wishes;
+    QList<StreamWish> m_streams;
+    PlotMarks m_marks;
+    LinkMarks m_linkMarks;
     std::optional<WriteReport> m_lastReport;
     std::optional<Configuration> m_wantedAgain;   // becomes edits once an interrupted write is undone
     bool m_backupDone = false;

@@ -4,6 +4,7 @@
 
 #include "protocol/base/clock.h"
 
+#include <QDateTime>
 #include <QList>
 
 #include <array>
@@ -113,6 +114,11 @@ public:
     [[nodiscard]] TimePoint origin() const { return m_origin; }
     /// A time of this store in seconds since its origin.
     [[nodiscard]] double secondsAt(TimePoint time) const { return seconds(time - m_origin); }
+    /// What the clock on the wall showed at a time of this store.
+    [[nodiscard]] QDateTime wallClockAt(double time) const
+    {
+        return m_wallOrigin.addMSecs(qint64(time * 1000.0));
+    }
     /// Rows appended, all groups together; gaps: rows that were found missing.
     [[nodiscard]] quint64 rows() const { return m_rows.load(std::memory_order_relaxed); }
     [[nodiscard]] quint64 lost() const { return m_lost.load(std::memory_order_relaxed); }
@@ -125,6 +131,7 @@ public:
 
 private:
     TimePoint m_origin = Clock::now();
+    QDateTime m_wallOrigin = QDateTime::currentDateTime();
     std::atomic<double> m_retention = 600.0;
     std::vector<std::atomic<float>> m_latest;
     std::atomic<int> m_generation = 0;

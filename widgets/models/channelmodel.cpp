@@ -4,6 +4,8 @@
 
 #include "widgets/models/parametermodel.h"
 
+#include <QMimeData>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +17,8 @@ namespace {
 constexpr quintptr kGroupRow = 0;
 
 } // namespace
+
+const QString ChannelModel::kMimeType = u"application/x-gimbaldesk-channels"_s;
 
 ChannelModel::ChannelModel(QObject *parent)
     : QAbstractItemModel(parent)
@@ -158,7 +162,35 @@ Qt::ItemFlags ChannelModel::flags(const QModelIndex &index) const
     Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
     if (channelOf(index) >= 0 && index.column() == NameColumn)
         flags |= Qt::ItemIsUserCheckable;
+    if (channelOf(index) >= 0)
+        flags |= Qt::ItemIsDragEnabled;
     return flags;
+}
+
+QMimeData *ChannelModel::mimeData(const QModelIndexList &indexes) const
+{
+    QStringList channels;
+    for (const QModelIndex &index : indexes) {
+        const QString channel = QString::number(channelOf(index));
+        if (channelOf(index) >= 0 && !channels.contains(channel))
+            channels.append(channel);
+    }
+    auto *data = new QMimeData;
+    data->setData(kMimeType, channels.join(u',').toLatin1());
+    return data;
+}
+
+QList<int> ChannelModel::channelsOf(const QMimeData &data)
+{
+    QList<int> channels;
+    const QList<QByteArray> parts = data.data(kMimeType).split(',');
+    for (const QByteArray &part : parts) {
+        bool ok = false;
+        const int channel = part.toInt(&ok);
+        if (ok)
+            channels.append(channel);
+    }
+    return channels;
 }
 
 QVariant ChannelModel::headerData(int section, Qt::Orientation orientation, int role) const

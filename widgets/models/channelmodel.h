@@ -7,6 +7,8 @@
 #include <QAbstractItemModel>
 #include <QSet>
 
+class QMimeData;
+
 /// Telemetry channels in groups, each with a tick and its live value.
 class ChannelModel final : public QAbstractItemModel
 {
@@ -14,6 +16,8 @@ class ChannelModel final : public QAbstractItemModel
 public:
     enum Column { NameColumn, ValueColumn, UnitColumn, ColumnCount };
     enum Role { ChannelRole = Qt::UserRole };
+    /// Channels on their way to a plot.
+    static const QString kMimeType;
 
     explicit ChannelModel(QObject *parent = nullptr);
 
@@ -31,6 +35,11 @@ public:
     bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+    [[nodiscard]] QStringList mimeTypes() const override { return {kMimeType}; }
+    [[nodiscard]] QMimeData *mimeData(const QModelIndexList &indexes) const override;
+    /// The channels in dragged data; empty if there are none.
+    [[nodiscard]] static QList<int> channelsOf(const QMimeData &data);
 
 signals:
     void ticksChanged();

@@ -169,8 +169,11 @@ void LiveModel::flush()
         return;
     m_writing = true;
     std::vector<AdjustableValue> values;
-    for (auto it = m_wanted.begin(); it != m_wanted.end(); ++it)
+    for (auto it = m_wanted.begin(); it != m_wanted.end(); ++it) {
+        if (!m_sent.contains(it.key()))
+            m_sent.append(it.key());
         values.push_back({spec(it.key()).adjustable, double(it.value() * spec(it.key()).row->adjustableScale)});
+    }
     m_wanted.clear();
     m_client.submit<bool>([values](Channel &channel, Device &device) -> Result<bool> {
         const auto done = device.writeAdjustables(channel, values);
@@ -182,13 +185,14 @@ void LiveModel::flush()
         if (!done) {
             // What is in use is not known any more: ask.
             m_wanted.clear();
+            m_sent.clear();
             emit failed(done.error());
             read();
             return;
         }
         flush();
         if (isSettled())
-            emit settled();
+            emit settled(std::exchange(m_sent, {}));
     });
 }
 

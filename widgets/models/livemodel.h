@@ -58,7 +58,8 @@ signals:
     void changeCountChanged(int count);
     void slotChanged();
     void failed(const Error &error);
-    void settled();
+    /// All that was asked for has reached the board: these parameters.
+    void settled(const QList<int> &parameters);
 
 private:
     using Values = QHash<int, int>;   // parameter id -> raw
@@ -74,6 +75,7 @@ private:
     QList<int> m_parameters;
     Values m_values;
     Values m_wanted;          // waiting to be written
+    QList<int> m_sent;        // since everything was settled last
     Values m_other;           // of the slot not in use
     Slot m_slot = Slot::A;
     bool m_otherKnown = false;

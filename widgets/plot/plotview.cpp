@@ -2,23 +2,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plot/plotview.h"
 
+#include "widgets/models/channelmodel.h"
 #include "widgets/models/parametermodel.h"
+#include "widgets/plot/plotoverlay.h"
 #include "widgets/plot/spanstatistics.h"
 #include "widgets/plot/traceitem.h"
 
 #include <QChart>
+#include <QDateTime>
+#include <QDragEnterEvent>
 #include <QGraphicsLayout>
 #include <QKeyEvent>
 #include <QLegendMarker>
 #include <QLineSeries>
+#include <QMimeData>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QValueAxis>
 #include <QWheelEvent>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 using namespace Qt::StringLiterals;
 
@@ -29,48 +34,11 @@ constexpr int kMostFrames = 60;
 constexpr double kLeft = 76;
 constexpr double kTop = 34;
 constexpr double kRight = 20;
+constexpr double kRightAxis = 64;
 constexpr double kBottom = 30;
-// The scale shrinks only after the traces have used less than this part of it for a while.
-constexpr double kShrinkBelow = 0.4;
-constexpr qint64 kShrinkAfterMs = 1500;
-
-// The next round number of the series 1, 2, 5 that is not below the value.
-double roundStep(double value)
-{
-    const double power = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-9))));
-    for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
-        if (factor * power >= value * 0.999999)
-            return factor * power;
-    }
-    return 10.0 * power;
-}
-
-struct Scale
-{
-    double low;
-    double high;
-    int steps;
-};
-
-// The tightest scale of four to six round steps that holds the values with some air.
-Scale roundScale(double low, double high)
-{
-    Scale best{low, high, 4};
-    double tightest = std::numeric_limits<double>::infinity();
-    for (const int steps : {4, 5, 6}) {
-        double step = roundStep(std::max((high - low) * 1.08, 0.08) / steps);
-        double bottom = std::floor(low / step) * step;
-        if (bottom + steps * step < high) {
-            step = roundStep(step * 1.01);
-            bottom = std::floor(low / step) * step;
-        }
-        if (steps * step < tightest * 0.999 && bottom + steps * step >= high) {
-            tightest = steps * step;
-            best = {bottom, bottom + steps * step, steps};
-        }
-    }
-    return best;
-}
+constexpr std::size_t kMostAxes = 6;      // more would leave no room for the picture
+constexpr double kClick = 4;              // pixels: less is no drag
+constexpr double kLeastBox = 6;           // pixels
 
 } // namespace
 
@@ -78,7 +46,6 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
     : QChartView(parent)
     , m_theme(theme)
     , m_timeAxis(new QValueAxis(this))
-    , m_valueAxis(new QValueAxis(this))
 {
     QChart *plot = chart();   // the view's own; one set over it would leave this one behind
     m_traces = new TraceItem(plot);
@@ -93,13 +60,9 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
     plot->legend()->setBackgroundVisible(false);
     plot->legend()->setMarkerShape(QLegend::MarkerShapeRectangle);
     plot->addAxis(m_timeAxis, Qt::AlignBottom);
-    plot->addAxis(m_valueAxis, Qt::AlignLeft);
-    for (QValueAxis *axis : {m_timeAxis, m_valueAxis}) {
-        axis->setLinePenColor(Qt::transparent);
-        axis->setMinorTickCount(0);
-    }
+    m_timeAxis->setLinePenColor(Qt::transparent);
+    m_timeAxis->setMinorTickCount(0);
     m_timeAxis->setLabelFormat(u"%g s"_s);
-    m_valueAxis->setLabelFormat(u"%g"_s);
     setFrameShape(QFrame::NoFrame);
     setRenderHint(QPainter::Antialiasing, false);
     setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
@@ -109,11 +72,12 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     viewport()->setMouseTracking(true);
+    setAcceptDrops(true);
+    makeAxes();
     connect(&m_theme, &Theme::changed, this, &PlotView::applyTheme);
     connect(plot, &QChart::plotAreaChanged, this, &PlotView::updateView);
     applyTheme();
     setWindow(m_window);
-    setScale(-1, 1, 4);
 }
 
 PlotView::~PlotView() = default;
@@ -150,16 +114,15 @@ void PlotView::setCurves(ChannelTable table, const QList<Curve> &curves, std::sh
         delete series;
     }
     m_traces->traces().clear();
-    for (const Curve &curve : curves) {
+    for (qsizetype i = 0; i < curves.size(); ++i) {
         auto *series = new QLineSeries(this);
-        series->setName(curve.name.isEmpty() ? tableText(table[std::size_t(curve.channel)].label) : curve.name);
+        series->setName(curveName(i));
         chart()->addSeries(series);
         series->attachAxis(m_timeAxis);
-        series->attachAxis(m_valueAxis);
         m_series.append(series);
         TraceItem::Trace trace;
-        trace.channel = curve.channel;
-        trace.minus = curve.minus;
+        trace.channel = curves[i].channel;
+        trace.minus = curves[i].minus;
         m_traces->traces().push_back(std::move(trace));
     }
     const auto markers = chart()->legend()->markers();
@@ -173,21 +136,93 @@ void PlotView::setCurves(ChannelTable table, const QList<Curve> &curves, std::sh
             applyTheme();
         });
     }
-    // The unit stands at the scale, where the numbers are.
-    m_valueAxis->setTitleText(
-        curves.isEmpty() ? QString() : QString::fromUtf8(table[std::size_t(curves.first().channel)].unit));
+    makeAxes();
     applyTheme();
+}
+
+// One axis for each unit, or for each trace: the first one at the left, the others at the right.
+void PlotView::makeAxes()
+{
+    QStringList keys;
+    std::vector<ValueAxis> axes;
+    for (qsizetype i = 0; i < m_curves.size(); ++i) {
+        const QString unit = QString::fromUtf8(m_table[std::size_t(m_curves[i].channel)].unit);
+        const QString key = m_ownScales ? QString::number(i) : unit;
+        qsizetype place = keys.indexOf(key);
+        if (place < 0 && axes.size() == kMostAxes)
+            place = qsizetype(kMostAxes) - 1;
+        if (place < 0) {
+            place = keys.size();
+            keys.append(key);
+            ValueAxis &fresh = axes.emplace_back();
+            fresh.unit = unit;
+            // A range that was there before stays, so that adding a trace moves nothing.
+            if (std::size_t(place) < m_axes.size() && m_axes[std::size_t(place)].unit == unit)
+                fresh.scale = m_axes[std::size_t(place)].scale;
+        }
+        m_traces->traces()[std::size_t(i)].scale = std::size_t(place);
+    }
+    if (axes.empty())
+        axes.emplace_back();
+    for (ValueAxis &old : m_axes) {
+        chart()->removeAxis(old.axis);
+        delete old.axis;
+    }
+    m_axes = std::move(axes);
+    for (std::size_t i = 0; i < m_axes.size(); ++i) {
+        auto *axis = new QValueAxis(this);
+        axis->setLinePenColor(Qt::transparent);
+        axis->setMinorTickCount(0);
+        axis->setLabelFormat(u"%g"_s);
+        axis->setTitleText(m_axes[i].unit);   // the unit stands at the scale, where the numbers are
+        axis->setGridLineVisible(i == 0);
+        chart()->addAxis(axis, i == 0 ? Qt::AlignLeft : Qt::AlignRight);
+        m_axes[i].axis = axis;
+        applyScale(m_axes[i]);
+    }
+    for (qsizetype i = 0; i < m_series.size(); ++i)
+        m_series[i]->attachAxis(m_axes[m_traces->traces()[std::size_t(i)].scale].axis);
+    layOut();
+    updateView();
+}
+
+void PlotView::setOwnScales(bool own)
+{
+    if (m_ownScales == own)
+        return;
+    m_ownScales = own;
+    makeAxes();
+    applyTheme();
+}
+
+void PlotView::setRightRoom(int axes)
+{
+    m_rightRoom = axes;
+    layOut();
+}
+
+void PlotView::setMarks(const PlotMarks *marks)
+{
+    m_marks = marks;
+    if (marks)
+        connect(marks, &PlotMarks::changed, viewport(), qOverload<>(&QWidget::update));
+}
+
+QString PlotView::curveName(qsizetype curve) const
+{
+    const Curve &wanted = m_curves[curve];
+    return wanted.name.isEmpty() ? tableText(m_table[std::size_t(wanted.channel)].label) : wanted.name;
+}
+
+QColor PlotView::curveColor(qsizetype curve) const
+{
+    return m_traces->traces()[std::size_t(curve)].color;
 }
 
 void PlotView::applyTheme()
 {
     const QColor text = m_theme.color(ColorRole::Muted);
     setBackgroundBrush(m_theme.color(ColorRole::Surface));
-    for (QValueAxis *axis : {m_timeAxis, m_valueAxis}) {
-        axis->setLabelsColor(text);
-        axis->setTitleBrush(text);
-        axis->setGridLineColor(m_theme.color(ColorRole::SurfaceRaised));
-    }
     chart()->legend()->setLabelColor(m_theme.color(ColorRole::Text));
     int next = 0;
     for (qsizetype i = 0; i < m_series.size(); ++i) {
@@ -198,6 +233,17 @@ void PlotView::applyTheme()
             shown.setAlpha(60);
         m_series[i]->setPen(QPen(shown, 1));
         m_series[i]->setBrush(shown);
+    }
+    const auto style = [&](QValueAxis *axis, const QColor &color) {
+        axis->setLabelsColor(color);
+        axis->setTitleBrush(color);
+        axis->setGridLineColor(m_theme.color(ColorRole::SurfaceRaised));
+    };
+    style(m_timeAxis, text);
+    for (std::size_t i = 0; i < m_axes.size(); ++i) {
+        // An axis of a single trace among several has its colour.
+        const bool single = m_ownScales && m_axes.size() > 1 && i < std::size_t(m_series.size());
+        style(m_axes[i].axis, single ? curveColor(qsizetype(i)) : text);
     }
     const auto markers = chart()->legend()->markers();
     for (QLegendMarker *marker : markers)
@@ -245,33 +291,53 @@ void PlotView::setCursorTime(std::optional<double> time)
     viewport()->update();
 }
 
-void PlotView::setScale(double low, double high, int steps)
+void PlotView::setReferenceTime(std::optional<double> time)
 {
-    m_low = low;
-    m_high = high;
-    m_valueAxis->setRange(low, high);
-    m_valueAxis->setTickCount(steps + 1);
-    updateView();
+    if (m_reference == time)
+        return;
+    m_reference = time;
+    viewport()->update();
+}
+
+void PlotView::applyScale(const ValueAxis &axis)
+{
+    axis.axis->setRange(axis.scale.low(), axis.scale.high());
+    axis.axis->setTickCount(axis.scale.steps() + 1);
+}
+
+void PlotView::autoScale()
+{
+    for (ValueAxis &axis : m_axes)
+        axis.scale.release();
+    fitScales();
 }
 
 void PlotView::updateView()
 {
-    if (chart())
-        m_traces->setView(chart()->plotArea(), m_window, m_low, m_high, devicePixelRatioF());
+    std::array<TraceItem::Range, kMostAxes> ranges;
+    for (std::size_t i = 0; i < m_axes.size(); ++i)
+        ranges[i] = {m_axes[i].scale.low(), m_axes[i].scale.high()};
+    m_traces->setView(chart()->plotArea(), m_window, std::span(ranges).first(m_axes.size()), devicePixelRatioF());
 }
 
 void PlotView::resizeEvent(QResizeEvent *event)
 {
-    // The same edges in every plot, whatever its labels need, so that stacked plots line up. Set first: the chart lays its
-    // labels out when it gets its size, and hides those that lie outside.
-    const QSizeF size = event->size();
-    chart()->setPlotArea({kLeft, kTop, std::max(10.0, size.width() - kLeft - kRight),
-                          std::max(10.0, size.height() - kTop - kBottom)});
+    layOut();   // first: the chart lays its labels out when it gets its size, and hides those that lie outside
     QChartView::resizeEvent(event);
-    // The legend stays where the room for it is; attached to the chart it keeps what room it found when it was hidden.
-    chart()->legend()->setGeometry(kLeft, 2, std::max(10.0, size.width() - kLeft - kRight), kTop - 4);
-    chart()->legend()->update();
+    layOut();
     updateView();
+}
+
+// The same edges in every plot, whatever its labels need, so that stacked plots line up.
+void PlotView::layOut()
+{
+    const double right = kRight + kRightAxis * std::max(m_rightRoom, rightAxes());
+    const double room = std::max(10.0, width() - kLeft - right);
+    chart()->setPlotArea({kLeft, kTop, room, std::max(10.0, height() - kTop - kBottom)});
+    // The legend stays where the room for it is; attached to the chart it keeps what room it found when it was hidden.
+    const double rate = m_rateText.isEmpty() ? 0.0 : QFontMetricsF(font()).horizontalAdvance(m_rateText) + 8;
+    chart()->legend()->setGeometry(kLeft, 2, std::max(10.0, width() - kLeft - kRight - rate), kTop - 4);
+    chart()->legend()->update();
 }
 
 bool PlotView::advance()
@@ -283,39 +349,60 @@ bool PlotView::advance()
         for (TraceItem::Trace &trace : m_traces->traces())
             trace.sources = TraceSource::find(*m_store, trace.channel, trace.minus);
         m_traces->invalidate();
+        updateRateText();
     }
     const double newest = m_traces->newestSample();
     if (std::isnan(newest))
         return false;
     if (!m_traces->advance(newest))
         return false;
-    fitScale();
+    fitScales();
     return true;
 }
 
-void PlotView::fitScale()
+void PlotView::fitScales()
 {
-    const TraceColumns::Span used = m_traces->visibleRange();
-    if (used.isEmpty())
-        return;
-    const double low = double(used.low);
-    const double high = double(used.high);
-    const double span = m_high - m_low;
-    const bool outside = low < m_low || high > m_high;
-    if (!outside && (high - low > kShrinkBelow * span || span <= 0.1)) {
-        m_shrinkTimer.invalidate();
-        return;
+    bool changed = false;
+    for (std::size_t i = 0; i < m_axes.size(); ++i) {
+        const TraceColumns::Span used = m_traces->visibleRange(i);
+        if (used.isEmpty() || !m_axes[i].scale.fit(double(used.low), double(used.high)))
+            continue;
+        applyScale(m_axes[i]);
+        changed = true;
     }
-    if (!outside) {
-        if (!m_shrinkTimer.isValid())
-            m_shrinkTimer.start();
-        if (m_shrinkTimer.elapsed() < kShrinkAfterMs)
-            return;
+    if (changed)
+        updateView();
+}
+
+// What the streams behind the traces are worth: nothing above half their rate is known.
+void PlotView::updateRateText()
+{
+    double slowest = 0;
+    double fastest = 0;
+    bool irregular = false;
+    for (const TraceItem::Trace &trace : m_traces->traces()) {
+        if (trace.sources.empty())
+            continue;
+        const double period = trace.sources.back().track.period();
+        irregular |= period <= 0;
+        if (period > 0) {
+            fastest = std::max(fastest, 1.0 / period);
+            slowest = slowest > 0 ? std::min(slowest, 1.0 / period) : 1.0 / period;
+        }
     }
-    m_shrinkTimer.invalidate();
-    const Scale scale = roundScale(low, high);
-    if (scale.low != m_low || scale.high != m_high)
-        setScale(scale.low, scale.high, scale.steps);
+    const auto number = [](double value) { return QString::number(value, 'g', 4); };
+    if (fastest <= 0)
+        m_rateText = irregular ? tr("polled") : QString();
+    else if (slowest < fastest || irregular)
+        m_rateText = tr("%1 to %2 samples/s").arg(irregular ? tr("polled") : number(slowest), number(fastest));
+    else
+        m_rateText = tr("%1 samples/s, true up to %2 Hz").arg(number(fastest), number(fastest / 2));
+    layOut();
+}
+
+QString PlotView::rateText() const
+{
+    return m_rateText;
 }
 
 int PlotView::usefulRate() const
@@ -330,18 +417,31 @@ double PlotView::timeAt(double x) const
     return endTime() - m_window * (1.0 - (x - area.left()) / std::max(1.0, area.width()));
 }
 
+double PlotView::xAt(double time) const
+{
+    const QRectF area = chart()->plotArea();
+    return area.right() - (endTime() - time) / m_window * area.width();
+}
+
 QStringList PlotView::cursorTexts() const
 {
     QStringList texts;
     if (!m_cursor || !m_store)
         return texts;
-    for (const Curve &curve : m_curves) {
+    for (qsizetype i = 0; i < m_curves.size(); ++i) {
+        const Curve &curve = m_curves[i];
         const ChannelSpec &spec = m_table[std::size_t(curve.channel)];
+        const QString unit = QString::fromUtf8(spec.unit);
         const double value = valueAt(*m_store, curve.channel, curve.minus, *m_cursor);
-        const QString name = curve.name.isEmpty() ? tableText(spec.label) : curve.name;
-        texts.append(std::isnan(value) ? u"%1  –"_s.arg(name)
-                                       : u"%1  %2 %3"_s.arg(name, QString::number(value, 'f', spec.decimals),
-                                                            QString::fromUtf8(spec.unit)));
+        if (std::isnan(value)) {
+            texts.append(u"%1  –"_s.arg(curveName(i)));
+            continue;
+        }
+        QString text = u"%1  %2 %3"_s.arg(curveName(i), QString::number(value, 'f', spec.decimals), unit);
+        const double before = m_reference ? valueAt(*m_store, curve.channel, curve.minus, *m_reference) : std::nan("");
+        if (!std::isnan(before))
+            text += u"  (Δ %1%2)"_s.arg(value < before ? u""_s : u"+"_s, QString::number(value - before, 'f', spec.decimals));
+        texts.append(text);
     }
     return texts;
 }
@@ -350,35 +450,43 @@ void PlotView::drawForeground(QPainter *painter, const QRectF &rect)
 {
     QChartView::drawForeground(painter, rect);
     const QRectF area = chart()->plotArea();
-    if (!m_cursor)
-        return;
-    const double x = area.right() - (endTime() - *m_cursor) / m_window * area.width();
-    if (x < area.left() || x > area.right())
-        return;
-    painter->setPen(QPen(m_theme.color(ColorRole::Muted), 1, Qt::DashLine));
-    painter->drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-    const QStringList texts = cursorTexts();
-    const QFontMetricsF metrics(font());
-    double width = 0;
-    for (const QString &text : texts)
-        width = std::max(width, metrics.horizontalAdvance(text));
-    const double lines = std::min<double>(double(texts.size()), std::floor((area.height() - 8) / metrics.lineSpacing()));
-    QRectF box(x + 8, area.top() + 4, width + 28, lines * metrics.lineSpacing() + 8);
-    if (box.right() > area.right())
-        box.moveRight(x - 8);
-    QColor background = m_theme.color(ColorRole::SurfaceRaised);
-    background.setAlpha(235);
-    painter->setPen(m_theme.color(ColorRole::Border));
-    painter->setBrush(background);
-    painter->drawRoundedRect(box, 4, 4);
-    for (int i = 0; i < int(lines); ++i) {
-        const double top = box.top() + 4 + i * metrics.lineSpacing();
-        painter->fillRect(QRectF(box.left() + 6, top + metrics.lineSpacing() / 2 - 4, 8, 8),
-                          m_traces->traces()[std::size_t(i)].color);
-        painter->setPen(m_theme.color(ColorRole::Text));
-        painter->drawText(QRectF(box.left() + 20, top, width + 4, metrics.lineSpacing()),
-                          Qt::AlignLeft | Qt::AlignVCenter, texts[i]);
+    painter->setFont(font());
+    if (!m_rateText.isEmpty()) {
+        painter->setPen(m_theme.color(ColorRole::Muted));
+        painter->drawText(QRectF(area.left(), 2, width() - area.left() - kRight, kTop - 4), Qt::AlignRight | Qt::AlignVCenter,
+                          m_rateText);
     }
+    PlotOverlay overlay(*painter, area, m_theme);
+    const auto inside = [&](std::optional<double> time) { return time && *time >= startTime() && *time <= endTime(); };
+    if (m_marks) {
+        for (const PlotMark &mark : m_marks->between(startTime(), endTime()))
+            overlay.mark(xAt(mark.time), mark.kind);
+    }
+    if (isHeld() && m_store) {
+        const QDateTime end = m_store->wallClockAt(endTime());
+        overlay.corner(tr("until %1").arg(end.toString(u"HH:mm:ss.zzz"_s)));
+    }
+    if (inside(m_reference))
+        overlay.reference(xAt(*m_reference));
+    if (m_drag == Drag::Box)
+        overlay.selection(QRectF(m_dragFrom, m_dragAt).normalized());
+    if (!inside(m_cursor))
+        return;
+    const double x = xAt(*m_cursor);
+    overlay.cursor(x);
+    QList<PlotOverlay::Line> lines;
+    if (const PlotMark *mark = m_marks ? m_marks->near(*m_cursor, 5.0 * m_window / area.width()) : nullptr)
+        lines.append({u"▸ "_s + mark->text, {}});
+    QString time = m_store ? m_store->wallClockAt(*m_cursor).toString(u"HH:mm:ss.zzz"_s) : QString();
+    if (m_reference && *m_reference != *m_cursor) {
+        const double apart = *m_cursor - *m_reference;
+        time += tr("  Δ %1 s (%2 Hz)").arg(apart, 0, 'f', 4).arg(std::abs(1.0 / apart), 0, 'g', 4);
+    }
+    lines.append({time, {}});
+    const QStringList texts = cursorTexts();
+    for (qsizetype i = 0; i < texts.size(); ++i)
+        lines.append({texts[i], curveColor(i)});
+    overlay.box(x, lines);
 }
 
 void PlotView::wheelEvent(QWheelEvent *event)
@@ -395,20 +503,26 @@ void PlotView::wheelEvent(QWheelEvent *event)
 void PlotView::mousePressEvent(QMouseEvent *event)
 {
     QChartView::mousePressEvent(event);   // the legend's toggles
-    if (event->button() == Qt::LeftButton && chart()->plotArea().contains(event->position()))
-        m_dragFrom = event->position().x();
+    if (event->button() != Qt::LeftButton || !chart()->plotArea().contains(event->position()))
+        return;
+    m_drag = event->modifiers() & Qt::ShiftModifier ? Drag::Box : Drag::Undecided;
+    m_dragFrom = m_dragAt = event->position();
 }
 
 void PlotView::mouseMoveEvent(QMouseEvent *event)
 {
     QChartView::mouseMoveEvent(event);
     const QRectF area = chart()->plotArea();
-    if (m_dragFrom && (event->buttons() & Qt::LeftButton)) {
-        const double moved = event->position().x() - *m_dragFrom;
-        m_dragFrom = event->position().x();
-        emit panRequested(-moved / std::max(1.0, area.width()) * m_window);
+    if (m_drag == Drag::Undecided && std::abs(event->position().x() - m_dragFrom.x()) >= kClick)
+        m_drag = Drag::Pan;
+    if (m_drag == Drag::Pan)
+        emit panRequested(-(event->position().x() - m_dragAt.x()) / std::max(1.0, area.width()) * m_window);
+    if (m_drag != Drag::None)
+        m_dragAt = event->position();
+    if (m_drag == Drag::Box)
+        viewport()->update();
+    if (m_drag == Drag::Pan || m_drag == Drag::Box)
         return;
-    }
     if (area.contains(event->position()))
         emit cursorMoved(timeAt(event->position().x()));
     else
@@ -418,7 +532,38 @@ void PlotView::mouseMoveEvent(QMouseEvent *event)
 void PlotView::mouseReleaseEvent(QMouseEvent *event)
 {
     QChartView::mouseReleaseEvent(event);
-    m_dragFrom.reset();
+    const Drag drag = std::exchange(m_drag, Drag::None);
+    if (drag == Drag::Box) {
+        zoomToBox(QRectF(m_dragFrom, event->position()).normalized().intersected(chart()->plotArea()));
+    } else if (drag == Drag::Undecided) {
+        // A click sets the line that differences count from; a click on it takes it away.
+        const bool onIt = m_reference && std::abs(xAt(*m_reference) - event->position().x()) <= kClick;
+        emit referenceMoved(onIt ? std::nullopt : std::optional(timeAt(event->position().x())));
+    }
+}
+
+void PlotView::mouseDoubleClickEvent(QMouseEvent *event)
+{
+    QChartView::mouseDoubleClickEvent(event);
+    autoScale();
+}
+
+void PlotView::zoomToBox(const QRectF &box)
+{
+    viewport()->update();
+    if (box.width() < kLeastBox)
+        return;
+    const QRectF area = chart()->plotArea();
+    if (box.height() >= kLeastBox) {
+        for (ValueAxis &axis : m_axes) {
+            const double span = axis.scale.high() - axis.scale.low();
+            const double high = axis.scale.high() - (box.top() - area.top()) / area.height() * span;
+            axis.scale.fix(high - box.height() / area.height() * span, high);
+            applyScale(axis);
+        }
+        updateView();
+    }
+    emit spanRequested(timeAt(box.left()), timeAt(box.right()));
 }
 
 void PlotView::leaveEvent(QEvent *event)
@@ -432,9 +577,19 @@ void PlotView::keyPressEvent(QKeyEvent *event)
     constexpr double kStep = 0.01;
     const double step = m_window * kStep * (event->modifiers() & Qt::ShiftModifier ? 0.1 : 1.0);
     const double cursor = m_cursor.value_or(endTime() - m_window / 2);
+    const bool forward = event->key() == Qt::Key_Right;
     switch (event->key()) {
-    case Qt::Key_Left: emit cursorMoved(cursor - step); return;
-    case Qt::Key_Right: emit cursorMoved(std::min(cursor + step, endTime())); return;
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+        if (event->modifiers() & Qt::ControlModifier) {
+            if (const auto mark = m_marks ? m_marks->next(cursor, forward) : std::nullopt)
+                emit cursorMoved(*mark);
+        } else {
+            emit cursorMoved(std::min(cursor + (forward ? step : -step), endTime()));
+        }
+        return;
+    case Qt::Key_R: emit referenceMoved(m_reference ? std::nullopt : std::optional(cursor)); return;
+    case Qt::Key_A: autoScale(); return;
     case Qt::Key_PageUp: emit panRequested(-m_window / 2); return;
     case Qt::Key_PageDown: emit panRequested(m_window / 2); return;
     case Qt::Key_Plus: emit zoomRequested(0.8, cursor); return;
@@ -442,4 +597,25 @@ void PlotView::keyPressEvent(QKeyEvent *event)
     case Qt::Key_End: emit followRequested(); return;
     default: QChartView::keyPressEvent(event);
     }
+}
+
+void PlotView::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (event->mimeData()->hasFormat(ChannelModel::kMimeType))
+        event->acceptProposedAction();
+}
+
+void PlotView::dragMoveEvent(QDragMoveEvent *event)
+{
+    if (event->mimeData()->hasFormat(ChannelModel::kMimeType))
+        event->acceptProposedAction();
+}
+
+void PlotView::dropEvent(QDropEvent *event)
+{
+    const QList<int> channels = ChannelModel::channelsOf(*event->mimeData());
+    if (channels.isEmpty())
+        return;
+    event->acceptProposedAction();
+    emit channelsDropped(channels);
 }

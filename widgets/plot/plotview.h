@@ -3,11 +3,14 @@
 #pragma once
 
 #include "protocol/device/telemetry.h"
+#include "widgets/plot/plotmarks.h"
+#include "widgets/plot/valuescale.h"
 #include "widgets/theme/theme.h"
 
 #include <QChartView>
-#include <QElapsedTimer>
+#include <QPointer>
 
+#include <memory>
 #include <optional>
 
 class QLineSeries;
@@ -22,8 +25,8 @@ struct Curve
     QString name;        ///< empty: the channel's label
 };
 
-/// A live plot: Qt Charts for axes, grid and legend; our own item for the traces. Time runs as "seconds ago"; the value
-/// scale follows the traces with hysteresis and round steps.
+/// A live plot: Qt Charts for axes, grid and legend; our own item for the traces. Time runs as "seconds ago". Traces of one
+/// unit share a value axis (or each has its own), which follows them with hysteresis and round steps, or stands still.
 class PlotView final : public QChartView
 {
     Q_OBJECT
@@ -34,6 +37,19 @@ public:
     /// Which channels to show. The table must outlive the view's use of it.
     void setChannels(ChannelTable table, const QList<int> &channels, std::shared_ptr<const TelemetryStore> store);
     void setCurves(ChannelTable table, const QList<Curve> &curves, std::shared_ptr<const TelemetryStore> store);
+    [[nodiscard]] const QList<Curve> &curves() const { return m_curves; }
+    [[nodiscard]] QString curveName(qsizetype curve) const;
+    [[nodiscard]] QColor curveColor(qsizetype curve) const;
+    /// Each trace has a value axis of its own, instead of one for each unit.
+    void setOwnScales(bool own);
+    [[nodiscard]] bool hasOwnScales() const { return m_ownScales; }
+    /// Value axes at the right side, besides the first one at the left.
+    [[nodiscard]] int rightAxes() const { return std::max(0, int(m_axes.size()) - 1); }
+    /// Keeps room for so many axes at the right, so that plots above each other line up.
+    void setRightRoom(int axes);
+    /// What happened, drawn as lines; null = nothing.
+    void setMarks(const PlotMarks *marks);
+
     void setWindow(double seconds);
     /// Stands still, showing the past up to that time of the store.
     void hold(double end);
@@ -42,11 +58,21 @@ public:
     [[nodiscard]] bool isHeld() const;
     /// Time at the right edge, in seconds since the store's origin.
     [[nodiscard]] double endTime() const;
+    [[nodiscard]] double startTime() const { return endTime() - m_window; }
     /// A line with the values at that time; empty = none.
     void setCursorTime(std::optional<double> time);
     [[nodiscard]] std::optional<double> cursorTime() const { return m_cursor; }
+    /// A second line that the cursor's differences are counted from; empty = none.
+    void setReferenceTime(std::optional<double> time);
+    [[nodiscard]] std::optional<double> referenceTime() const { return m_reference; }
+    /// Values at the cursor, and how much they differ from those at the reference.
     [[nodiscard]] QStringList cursorTexts() const;
-    [[nodiscard]] const QList<Curve> &curves() const { return m_curves; }
+    /// Samples per second and the frequency up to which the picture tells the truth.
+    [[nodiscard]] QString rateText() const;
+    /// Value axes follow the traces again after a box was drawn.
+    void autoScale();
+    /// The range of a value axis. @param axis from 0, the left one
+    [[nodiscard]] const ValueScale &scale(std::size_t axis) const { return m_axes[axis].scale; }
 
     /// One frame: called by the one timer of all plots, only while visible. True if something was painted anew.
     bool advance();
@@ -56,11 +82,16 @@ public:
 signals:
     /// The operator wants more (below 1) or less time, keeping this time in its place.
     void zoomRequested(double factor, double around);
+    /// The operator wants to see just this.
+    void spanRequested(double from, double to);
     /// The operator moves the picture by so many seconds.
     void panRequested(double seconds);
     void cursorMoved(std::optional<double> time);
+    void referenceMoved(std::optional<double> time);
     /// The operator wants the newest samples again.
     void followRequested();
+    /// Channels were dragged here.
+    void channelsDropped(const QList<int> &channels);
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -68,31 +99,52 @@ protected:
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
     void leaveEvent(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dragMoveEvent(QDragMoveEvent *event) override;
+    void dropEvent(QDropEvent *event) override;
     void drawForeground(QPainter *painter, const QRectF &rect) override;
 
 private:
+    struct ValueAxis
+    {
+        QValueAxis *axis = nullptr;
+        ValueScale scale;
+        QString unit;
+    };
+    enum class Drag { None, Undecided, Pan, Box };
+
+    void makeAxes();
+    void layOut();
     void applyTheme();
-    void fitScale();
-    void setScale(double low, double high, int steps);
+    void applyScale(const ValueAxis &axis);
+    void fitScales();
     void updateView();
+    void zoomToBox(const QRectF &box);
+    void updateRateText();
     [[nodiscard]] QColor colorOf(qsizetype curve, int &next) const;
     [[nodiscard]] double timeAt(double x) const;
+    [[nodiscard]] double xAt(double time) const;
 
     const Theme &m_theme;
     ChannelTable m_table;
     QList<Curve> m_curves;
     std::shared_ptr<const TelemetryStore> m_store;
+    QPointer<const PlotMarks> m_marks;
     int m_generation = -1;
     QValueAxis *m_timeAxis;
-    QValueAxis *m_valueAxis;
+    std::vector<ValueAxis> m_axes;
     QList<QLineSeries *> m_series;    // empty ones, for names, colours and the legend's toggles
     TraceItem *m_traces;
     double m_window = 10;
-    double m_low = -1;
-    double m_high = 1;
+    bool m_ownScales = false;
+    int m_rightRoom = 0;
     std::optional<double> m_cursor;
-    std::optional<double> m_dragFrom;      // x of the last mouse position while the picture is dragged
-    QElapsedTimer m_shrinkTimer;
+    std::optional<double> m_reference;
+    QString m_rateText;
+    Drag m_drag = Drag::None;
+    QPointF m_dragFrom;               // where the button went down
+    QPointF m_dragAt;                 // where the mouse is or was last
 };

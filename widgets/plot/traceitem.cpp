@@ -12,16 +12,16 @@ TraceItem::TraceItem(QGraphicsItem *parent)
 {
 }
 
-void TraceItem::setView(const QRectF &area, double window, double low, double high, qreal scale)
+void TraceItem::setView(const QRectF &area, double window, std::span<const Range> ranges, qreal scale)
 {
-    if (area == m_area && window == m_window && low == m_low && high == m_high && scale == m_scale)
+    const bool sameRanges = std::equal(ranges.begin(), ranges.end(), m_ranges.begin(), m_ranges.end());
+    if (area == m_area && window == m_window && sameRanges && scale == m_scale)
         return;
     const bool onlyValues = area == m_area && window == m_window && scale == m_scale && m_valid;
     prepareGeometryChange();
     m_area = area;
     m_window = window;
-    m_low = low;
-    m_high = high;
+    m_ranges.assign(ranges.begin(), ranges.end());
     m_scale = scale;
     if (onlyValues) {
         // The columns stay as they are, only their heights change.
@@ -115,7 +115,6 @@ void TraceItem::drawColumns(qint64 first, qint64 last)
     if (m_ring.isNull())
         return;
     QPainter painter(&m_ring);
-    const double perUnit = m_high > m_low ? (m_height - 1) / (m_high - m_low) : 0.0;
     const auto slot = [this](qint64 column) { return int(((column % m_width) + m_width) % m_width); };
     painter.setCompositionMode(QPainter::CompositionMode_Source);
     for (qint64 column = first; column <= last; ++column)
@@ -125,15 +124,17 @@ void TraceItem::drawColumns(qint64 first, qint64 last)
     std::vector<QRect> spans;
     spans.reserve(std::size_t(last - first + 1));
     for (const Trace &trace : m_traces) {
-        if (!trace.visible)
+        if (!trace.visible || trace.scale >= m_ranges.size())
             continue;
+        const auto [low, high] = m_ranges[trace.scale];
+        const double perUnit = high > low ? (m_height - 1) / (high - low) : 0.0;
         spans.clear();
         for (qint64 column = first; column <= last; ++column) {
             const TraceColumns::Span span = trace.columns.span(column);
             if (span.isEmpty())
                 continue;
-            const double top = m_height - 1 - (double(span.high) - m_low) * perUnit;
-            const double bottom = m_height - 1 - (double(span.low) - m_low) * perUnit;
+            const double top = m_height - 1 - (double(span.high) - low) * perUnit;
+            const double bottom = m_height - 1 - (double(span.low) - low) * perUnit;
             const int y = int(std::floor(std::clamp(top, -2.0, double(m_height) + 1.0)));
             const int end = int(std::ceil(std::clamp(bottom, -2.0, double(m_height) + 1.0)));
             spans.push_back(QRect(slot(column), y, 1, std::max(thickness, end - y + 1)));
@@ -144,11 +145,11 @@ void TraceItem::drawColumns(qint64 first, qint64 last)
     }
 }
 
-TraceColumns::Span TraceItem::visibleRange() const
+TraceColumns::Span TraceItem::visibleRange(std::size_t scale) const
 {
     TraceColumns::Span all;
     for (const Trace &trace : m_traces) {
-        if (!trace.visible)
+        if (!trace.visible || trace.scale != scale)
             continue;
         const TraceColumns::Span one = trace.columns.range(m_lastColumn - m_width + 1, m_lastColumn);
         if (one.isEmpty())

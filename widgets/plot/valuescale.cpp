@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plot/valuescale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace {
+
+// The scale shrinks only after the traces have used less than this part of it for a while.
+constexpr double kShrinkBelow = 0.4;
+constexpr qint64 kShrinkAfterMs = 1500;
+constexpr double kSmallest = 0.1;
+
+// The next round number of the series 1, 2, 5 that is not below the value.
+double roundStep(double value)
+{
+    const double power = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-9))));
+    for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
+        if (factor * power >= value * 0.999999)
+            return factor * power;
+    }
+    return 10.0 * power;
+}
+
+struct RoundRange
+{
+    double low;
+    double high;
+    int steps;
+};
+
+// The tightest range of four to six round steps that holds the values with some air.
+RoundRange roundRange(double low, double high)
+{
+    RoundRange best{low, high, 4};
+    double tightest = std::numeric_limits<double>::infinity();
+    for (const int steps : {4, 5, 6}) {
+        double step = roundStep(std::max((high - low) * 1.08, 0.8 * kSmallest) / steps);
+        double bottom = std::floor(low / step) * step;
+        if (bottom + steps * step < high) {
+            step = roundStep(step * 1.01);
+            bottom = std::floor(low / step) * step;
+        }
+        if (steps * step < tightest * 0.999 && bottom + steps * step >= high) {
+            tightest = steps * step;
+            best = {bottom, bottom + steps * step, steps};
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+bool ValueScale::fit(double lowest, double highest)
+{
+    if (m_fixed)
+        return false;
+    const double span = m_high - m_low;
+    const bool outside = lowest < m_low || highest > m_high;
+    if (!outside && (highest - lowest > kShrinkBelow * span || span <= kSmallest)) {
+        m_shrinkTimer.invalidate();
+        return false;
+    }
+    if (!outside) {
+        if (!m_shrinkTimer.isValid())
+            m_shrinkTimer.start();
+        if (m_shrinkTimer.elapsed() < kShrinkAfterMs)
+            return false;
+    }
+    m_shrinkTimer.invalidate();
+    const RoundRange range = roundRange(lowest, highest);
+    if (range.low == m_low && range.high == m_high)
+        return false;
+    m_low = range.low;
+    m_high = range.high;
+    m_steps = range.steps;
+    return true;
+}
+
+void ValueScale::fix(double low, double high)
+{
+    m_fixed = true;
+    m_low = low;
+    m_high = std::max(high, low + 1e-6);
+    m_steps = 4;
+}

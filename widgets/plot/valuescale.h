@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+
+/// The range of a value axis: follows the traces with hysteresis and round steps, or stands still where it was put.
+class ValueScale
+{
+public:
+    [[nodiscard]] double low() const { return m_low; }
+    [[nodiscard]] double high() const { return m_high; }
+    /// Parts between the labels.
+    [[nodiscard]] int steps() const { return m_steps; }
+
+    /// Follows what is to be seen: grows at once, shrinks after a while. True if the range changed.
+    bool fit(double lowest, double highest);
+    /// Stands still at this range, until release().
+    void fix(double low, double high);
+    void release() { m_fixed = false; }
+    [[nodiscard]] bool isFixed() const { return m_fixed; }
+
+private:
+    double m_low = -1;
+    double m_high = 1;
+    int m_steps = 4;
+    bool m_fixed = false;
+    QElapsedTimer m_shrinkTimer;
+};
