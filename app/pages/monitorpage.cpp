@@ -223,6 +223,9 @@ void MonitorPage::hideEvent(QHideEvent *event)
 {
     Page::hideEvent(event);
     m_valueTimer.stop();
+    // What is held here can be measured on other pages.
+    const double end = m_stack->endTime();
+    workspace().setHeldSpan(m_stack->isPaused() ? std::optional(std::pair(end - m_stack->seconds(), end)) : std::nullopt);
 }
 
 // A span made by zooming is shown as it is.

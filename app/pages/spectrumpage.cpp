@@ -5,13 +5,16 @@
 #include "protocol/analysis/holdingquality.h"
 #include "protocol/device/uniformsamples.h"
 #include "widgets/models/parametermodel.h"
-#include "widgets/plot/spectrumchart.h"
+#include "widgets/plot/waterfallview.h"
 #include "widgets/views/card.h"
 
+#include <QActionGroup>
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
+#include <QStackedLayout>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -30,6 +33,7 @@ constexpr double kNotchDepthDb = 20.0;
 constexpr double kLeastNotchWidth = 0.25;             // of its frequency
 constexpr std::array<double, 3> kCostHz{5, 10, 20};
 constexpr double kCostShare = 0.7;                    // of the notch's frequency: nearer it, the lag says little
+constexpr double kWaterfallSpan = 1.0;                // seconds in one column
 constexpr double kSlowest = 5.0;                      // Hz: below it nothing is a vibration
 
 // As fine as the span allows with eight segments or more to average.
@@ -71,11 +75,15 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"spectrum"_s, tr("Spectrum"), parent)
     , m_signal(new QComboBox)
     , m_span(new QComboBox)
+    , m_view(new QPushButton(tr("View")))
+    , m_viewMenu(new QMenu(m_view))
     , m_pause(new QPushButton(tr("Pause")))
     , m_compare(new QPushButton(tr("Compare")))
     , m_notch(new QPushButton(tr("Put a notch here…")))
     , m_note(new QLabel)
+    , m_pictures(new QStackedLayout)
     , m_chart(new SpectrumChart(workspace.theme()))
+    , m_waterfall(new WaterfallView(workspace.theme()))
     , m_peaks(makeTable({tr("Axis"), tr("Frequency"), tr("Strength (RMS)"), tr("Width")}, tr("Peaks")))
     , m_bands(makeTable({tr("Band"), axisLabel(Axis::Roll), axisLabel(Axis::Pitch), axisLabel(Axis::Yaw)},
                         tr("Angle error by band")))
@@ -95,6 +103,7 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
     header()->addWidget(m_note);
     header()->addWidget(m_signal);
     header()->addWidget(m_span);
+    header()->addWidget(m_view);
     header()->addWidget(m_pause);
 
     auto *peaks = new Card(tr("Peaks"));
@@ -119,13 +128,21 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
     row->setSpacing(Metric::kGroupGap);
     row->addWidget(peaks, 1);
     row->addWidget(bands, 1);
-    body()->addWidget(m_chart, 3);
+    m_pictures->addWidget(m_chart);
+    m_pictures->addWidget(m_waterfall);
+    m_waterfall->setHop(std::chrono::duration<double>(kPeriod).count());
+    makeViewMenu();
+    body()->addLayout(m_pictures, 3);
     body()->addLayout(row, 2);
 
     connect(m_pause, &QPushButton::toggled, this, [this](bool on) { m_pause->setText(on ? tr("Continue") : tr("Pause")); });
     connect(m_compare, &QPushButton::clicked, this, [this] {
         m_before = m_left;
+        m_earlier = m_now;
+        for (SpectrumCurve &curve : m_earlier)
+            curve.earlier = true;
         showBands();
+        drawCurves();
     });
     connect(m_notch, &QPushButton::clicked, this, &SpectrumPage::askNotch);
     connect(m_peaks, &QTableWidget::itemSelectionChanged, this, &SpectrumPage::updateNotch);
@@ -152,6 +169,7 @@ void SpectrumPage::showEvent(QShowEvent *event)
     for (const auto &triple : {roles.gyro, roles.angle, roles.target})
         wanted.append(QList<int>(triple.begin(), triple.end()));
     workspace().wishTelemetry(this, wanted);
+    offerHeldSpan();
     refresh();
     m_timer.start();
 }
@@ -160,6 +178,71 @@ void SpectrumPage::hideEvent(QHideEvent *event)
 {
     Page::hideEvent(event);
     m_timer.stop();
+}
+
+// How it is drawn: few want to change it, so it does not take room in the header.
+void SpectrumPage::makeViewMenu()
+{
+    m_view->setMenu(m_viewMenu);
+    m_view->setToolTip(tr("How the spectrum is made and drawn"));
+    const auto choices = [this](const QString &title, const QList<std::pair<QString, std::function<void()>>> &entries) {
+        m_viewMenu->addSection(title);
+        auto *group = new QActionGroup(m_viewMenu);
+        for (const auto &[text, chosen] : entries) {
+            QAction *action = m_viewMenu->addAction(text);
+            action->setCheckable(true);
+            action->setChecked(group->actions().isEmpty());
+            group->addAction(action);
+            connect(action, &QAction::triggered, this, [this, chosen] {
+                chosen();
+                refresh();
+            });
+        }
+    };
+    QList<std::pair<QString, std::function<void()>>> pictures{{tr("Lines"), [this] {
+        m_waterfallAxis = Axis::None;
+        m_pictures->setCurrentWidget(m_chart);
+    }}};
+    for (const Axis axis : kAxes) {
+        pictures.append({tr("Waterfall, %1").arg(axisLabel(axis)), [this, axis] {
+            m_waterfallAxis = axis;
+            m_waterfall->clear();
+            m_pictures->setCurrentWidget(m_waterfall);
+        }});
+    }
+    choices(tr("Picture"), pictures);
+    choices(tr("Frequency"), {{tr("Logarithmic"), [this] { m_scale.linearFrequency = false; }},
+                              {tr("Linear"), [this] { m_scale.linearFrequency = true; }}});
+    choices(tr("Level"), {{tr("Decibel"), [this] { m_scale.amplitude = false; }},
+                          {tr("RMS of each line"), [this] { m_scale.amplitude = true; }}});
+    choices(tr("Window"), {{tr("Hann: the usual one"), [this] { m_window = WindowShape::Hann; }},
+                           {tr("Flat top: true heights of single tones"), [this] { m_window = WindowShape::FlatTop; }},
+                           {tr("Rectangular: sharpest, leaks"), [this] { m_window = WindowShape::Rectangular; }}});
+}
+
+// A span that the operator holds still on the Monitor can be measured here, and compared with another one.
+void SpectrumPage::offerHeldSpan()
+{
+    const int last = int(kSpans.size());
+    const auto held = workspace().heldSpan();
+    if (held && m_span->count() == last)
+        m_span->addItem(QString());
+    if (held)
+        m_span->setItemText(last, tr("as held on Monitor, %1 s").arg(held->second - held->first, 0, 'g', 3));
+    else if (m_span->count() > last)
+        m_span->removeItem(last);
+}
+
+std::pair<double, double> SpectrumPage::spanOf(const TelemetryStore &store, int channel) const
+{
+    if (const auto held = workspace().heldSpan(); held && m_span->currentIndex() == int(kSpans.size()))
+        return *held;
+    // The newest sample is the end: a recording goes on standing where it stopped.
+    const std::vector<TrackView> tracks = channel < 0 ? std::vector<TrackView>() : store.tracks(channel);
+    if (tracks.empty() || tracks.back().end() == tracks.back().begin())
+        return {0, 0};
+    const double end = tracks.back().time(tracks.back().end() - 1);
+    return {end - m_span->currentData().toDouble(), end};
 }
 
 void SpectrumPage::refresh()
@@ -171,40 +254,74 @@ void SpectrumPage::refresh()
     const ChannelRoles roles = workspace().roles();
     const ChannelTable table = device->channels();
     const bool gyro = signal() == Signal::Gyro;
-    const double seconds = m_span->currentData().toDouble();
-    std::vector<SpectrumCurve> curves;
+    m_now.clear();
     m_lines.clear();
-    QString unit;
     m_note->setText(tr("Waiting for samples at a steady rate"));
     for (std::size_t i = 0; i < kAxes.size(); ++i) {
         const int channel = gyro ? roles.gyro[i] : roles.angle[i];
-        // The newest sample is the end: a recording goes on standing where it stopped.
-        const std::vector<TrackView> tracks = channel < 0 ? std::vector<TrackView>() : store->tracks(channel);
-        if (tracks.empty() || tracks.back().end() == tracks.back().begin())
+        const auto [from, to] = spanOf(*store, channel);
+        if (to <= from)
             continue;
-        const double end = tracks.back().time(tracks.back().end() - 1);
-        const auto error = uniformSamples(*store, roles.angle[i], roles.target[i], end - seconds, end);
+        const auto error = uniformSamples(*store, roles.angle[i], roles.target[i], from, to);
         if (error) {
             const auto qualities = holdingQuality(error->values, error->rate);
             for (std::size_t band = 0; band < qualities.size(); ++band)
                 m_left[i][band] = {qualities[band].rms, qualities[band].peak, qualities[band].known};
         }
-        const auto samples = gyro ? uniformSamples(*store, channel, -1, end - seconds, end) : error;
+        const auto samples = gyro ? uniformSamples(*store, channel, -1, from, to) : error;
         if (!samples)
             continue;
-        auto result = spectrum(samples->values, samples->rate, {segmentLength(*samples), 0.5, WindowShape::Hann});
+        auto result = spectrum(samples->values, samples->rate, {segmentLength(*samples), 0.5, m_window});
         if (!result)
             continue;
-        unit = QString::fromUtf8(table[std::size_t(channel)].unit);
+        m_unit = QString::fromUtf8(table[std::size_t(channel)].unit);
         for (const SpectrumPeak &peak : findPeaks(*result, kPeaks, kSlowest))
             m_lines.push_back({kAxes[i], peak});
         m_note->setText(tr("%1 samples/s, lines of %2 Hz, %n average(s)", nullptr, result->segments)
                             .arg(result->rate, 0, 'f', 0).arg(result->resolution, 0, 'g', 2));
-        curves.push_back({axisLabel(kAxes[i]), kAxes[i], std::move(*result)});
+        m_now.push_back({axisLabel(kAxes[i]), kAxes[i], std::move(*result), false});
     }
-    m_chart->setCurves(curves, unit);
-    showPeaks(unit);
+    drawCurves();
+    addWaterfall();
+    showPeaks(m_unit);
     showBands();
+}
+
+void SpectrumPage::drawCurves()
+{
+    std::vector<SpectrumCurve> all = m_earlier;
+    all.insert(all.end(), m_now.begin(), m_now.end());
+    m_chart->setSpectra(all, m_unit, m_scale);
+    std::vector<std::pair<const Spectrum *, SpectrumPeak>> peaks;
+    for (const Line &line : m_lines) {
+        for (const SpectrumCurve &curve : m_now) {
+            if (curve.axis == line.axis)
+                peaks.push_back({&curve.spectrum, line.peak});
+        }
+    }
+    m_chart->setPeaks(peaks);
+}
+
+// The newest second alone, so that a column shows what happens now.
+void SpectrumPage::addWaterfall()
+{
+    if (m_waterfallAxis == Axis::None)
+        return;
+    m_waterfall->setLogarithmic(!m_scale.linearFrequency);
+    const auto store = workspace().client().telemetry();
+    const ChannelRoles roles = workspace().roles();
+    const auto axis = std::size_t(m_waterfallAxis);
+    const bool gyro = signal() == Signal::Gyro;
+    const int channel = gyro ? roles.gyro[axis] : roles.angle[axis];
+    const double end = spanOf(*store, channel).second;
+    const auto samples = uniformSamples(*store, channel, gyro ? -1 : roles.target[axis], end - kWaterfallSpan, end);
+    if (!samples)
+        return;
+    int length = 64;
+    while (length * 2 <= int(samples->values.size()))
+        length *= 2;
+    if (const auto now = spectrum(samples->values, samples->rate, {length, 0.5, m_window}))
+        m_waterfall->add(*now);
 }
 
 void SpectrumPage::showPeaks(const QString &unit)

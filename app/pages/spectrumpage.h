@@ -5,6 +5,7 @@
 #include "app/pages/page.h"
 #include "protocol/analysis/filterresponse.h"
 #include "protocol/analysis/spectrum.h"
+#include "widgets/plot/spectrumchart.h"
 
 #include <QMessageBox>
 #include <QPointer>
@@ -13,7 +14,9 @@
 class QComboBox;
 class QPushButton;
 class QTableWidget;
-class SpectrumChart;
+class QMenu;
+class QStackedLayout;
+class WaterfallView;
 
 /// What shakes and how much is left of it: spectra of the last seconds, their peaks, the error in three bands.
 class SpectrumPage final : public Page
@@ -25,6 +28,9 @@ public:
     [[nodiscard]] SpectrumChart *chart() const { return m_chart; }
     [[nodiscard]] QTableWidget *peaks() const { return m_peaks; }
     [[nodiscard]] QTableWidget *bands() const { return m_bands; }
+    [[nodiscard]] WaterfallView *waterfall() const { return m_waterfall; }
+    [[nodiscard]] QComboBox *spanChoice() const { return m_span; }
+    [[nodiscard]] QMenu *viewMenu() const { return m_viewMenu; }
     [[nodiscard]] QPushButton *pauseButton() const { return m_pause; }
     [[nodiscard]] QPushButton *compareButton() const { return m_compare; }
     [[nodiscard]] QPushButton *notchButton() const { return m_notch; }
@@ -59,7 +65,12 @@ private:
     };
     using Bands = std::array<std::array<Left, 3>, 3>;   // axis, band
 
+    void makeViewMenu();
+    void offerHeldSpan();
     void refresh();
+    void drawCurves();
+    void addWaterfall();
+    [[nodiscard]] std::pair<double, double> spanOf(const TelemetryStore &store, int channel) const;
     void showPeaks(const QString &unit);
     void updateNotch();
     void askNotch();
@@ -69,15 +80,25 @@ private:
 
     QComboBox *m_signal;
     QComboBox *m_span;
+    QPushButton *m_view;
+    QMenu *m_viewMenu;
     QPushButton *m_pause;
     QPushButton *m_compare;
     QPushButton *m_notch;
     QLabel *m_note;
+    QStackedLayout *m_pictures;
     SpectrumChart *m_chart;
+    WaterfallView *m_waterfall;
     QTableWidget *m_peaks;
     QTableWidget *m_bands;
     QPointer<QMessageBox> m_question;
     QTimer m_timer;
+    SpectrumScale m_scale;
+    WindowShape m_window = WindowShape::Hann;
+    Axis m_waterfallAxis = Axis::None;           // None: lines instead
+    std::vector<SpectrumCurve> m_now;
+    std::vector<SpectrumCurve> m_earlier;        // kept by Compare
+    QString m_unit;
     std::vector<Line> m_lines;   // as the table shows them
     Bands m_left{};
     std::optional<Bands> m_before;

@@ -42,7 +42,7 @@ StreamsDialog::StreamsDialog(Workspace &workspace, QWidget *parent)
                                                    : tr("Carries %n channel(s), all of them each time", nullptr, int(spec.channels.size())));
         row.rate->setRange(0, spec.maxRate);
         row.rate->setDecimals(0);
-        row.rate->setSpecialValueText(tr("as fast as goes"));
+        row.rate->setSpecialValueText(tr("as fast as possible"));
         row.rate->setSuffix(tr(" samples/s"));
         row.rate->setValue(wish == now.end() ? 0 : wish->rate);
         row.rate->setAccessibleName(tr("Rate of %1").arg(spec.label));

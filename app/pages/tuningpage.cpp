@@ -81,6 +81,7 @@ TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
         plot->setWindow(kPlotWindow);
         plot->setAccessibleName(i == 0 ? tr("Angle error") : tr("Gyroscope"));
         rightLayout->addWidget(plot, 1);
+        plot->setMarks(&workspace.marks());
         m_plots.append(plot);
     }
     auto *figures = new Card(tr("Angle error, last %1 s").arg(kFigureSpan));

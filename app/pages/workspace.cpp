@@ -111,6 +111,7 @@ void Workspace::onState(DeviceClient::State state)
     // Another board, or one that may have been changed meanwhile: the next write makes its own safety copy.
     m_backupDone = false;
     m_reading = false;
+    m_heldSpan.reset();
     if (std::exchange(m_wasLost, false))
         emit notice(tr("Connected again."));
     if (m_client.address().isReplay())

@@ -87,6 +87,9 @@ public:
     /// Streams that the operator chose by hand; none: they are arranged for what the pages want to see.
     void setStreams(const QList<StreamWish> &streams);
     [[nodiscard]] const QList<StreamWish> &streams() const { return m_streams; }
+    /// A span of time that the operator holds still to look at, in seconds since the store's origin.
+    void setHeldSpan(std::optional<std::pair<double, double>> span) { m_heldSpan = span; }
+    [[nodiscard]] std::optional<std::pair<double, double>> heldSpan() const { return m_heldSpan; }
     /// The wish of all pages together, with these streams.
     [[nodiscard]] TelemetryWish telemetryWish(const QList<StreamWish> &streams) const;
 
@@ -135,6 +138,7 @@ private:
     QString m_offlineFile;
     QHash<const QObject *, QList<int>> m_wishes;
     QList<StreamWish> m_streams;
+    std::optional<std::pair<double, double>> m_heldSpan;
     PlotMarks m_marks;
     LinkMarks m_linkMarks;
     std::optional<WriteReport> m_lastReport;

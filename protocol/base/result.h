@@ -30,6 +30,8 @@ enum class ErrorCode {
     NotConnected,     ///< there is no board
     NoBackup,         ///< the safety copy could not be made, so nothing was changed
     TooMuch,          ///< more than the link can carry
+    Unready,          ///< something has to be so first, and is not
+    Diverged,         ///< an axis did not follow and was stopped
     Busy,             ///< another job of the same kind is running
 };
 

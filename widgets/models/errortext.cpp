@@ -131,6 +131,16 @@ ErrorText describe(const Error &error)
         text.meaning = Words::tr("Samples would be lost; nothing was changed.");
         text.cure = Words::tr("Ask for fewer channels, a lower rate, or set a faster serial speed.");
         break;
+    case ErrorCode::Unready:
+        text.what = Words::tr("The test could not be made.");
+        text.meaning = Words::tr("The camera has to be held by running motors, and live data has to come.");
+        text.cure = Words::tr("Switch the motors on, let the camera settle, then try again.");
+        break;
+    case ErrorCode::Diverged:
+        text.what = Words::tr("The axis did not follow; the motors were switched off.");
+        text.meaning = Words::tr("It moved further than the test allows.");
+        text.cure = Words::tr("Lower the gains or make the movement smaller, then switch the motors on again.");
+        break;
     case ErrorCode::Busy:
         text.what = Words::tr("Another job is still running.");
         text.cure = Words::tr("Wait for it or cancel it.");

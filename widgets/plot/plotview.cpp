@@ -37,6 +37,7 @@ constexpr double kRight = 20;
 constexpr double kRightAxis = 64;
 constexpr double kBottom = 30;
 constexpr std::size_t kMostAxes = 6;      // more would leave no room for the picture
+constexpr qint64 kRateTextMs = 500;
 constexpr double kClick = 4;              // pixels: less is no drag
 constexpr double kLeastBox = 6;           // pixels
 
@@ -62,7 +63,7 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
     plot->addAxis(m_timeAxis, Qt::AlignBottom);
     m_timeAxis->setLinePenColor(Qt::transparent);
     m_timeAxis->setMinorTickCount(0);
-    m_timeAxis->setLabelFormat(u"%g s"_s);
+    m_timeAxis->setLabelFormat(u"%.3g s"_s);
     setFrameShape(QFrame::NoFrame);
     setRenderHint(QPainter::Antialiasing, false);
     setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
@@ -173,7 +174,6 @@ void PlotView::makeAxes()
         auto *axis = new QValueAxis(this);
         axis->setLinePenColor(Qt::transparent);
         axis->setMinorTickCount(0);
-        axis->setLabelFormat(u"%g"_s);
         axis->setTitleText(m_axes[i].unit);   // the unit stands at the scale, where the numbers are
         axis->setGridLineVisible(i == 0);
         chart()->addAxis(axis, i == 0 ? Qt::AlignLeft : Qt::AlignRight);
@@ -263,6 +263,7 @@ void PlotView::setWindow(double seconds)
 void PlotView::hold(double end)
 {
     m_traces->hold(end);
+    m_rateTimer.invalidate();
     advance();
     viewport()->update();
 }
@@ -301,7 +302,11 @@ void PlotView::setReferenceTime(std::optional<double> time)
 
 void PlotView::applyScale(const ValueAxis &axis)
 {
-    axis.axis->setRange(axis.scale.low(), axis.scale.high());
+    // As many decimals as the steps need; moved by a hair, so that rounding leaves 0 and not -0 or 3e-17.
+    const double step = (axis.scale.high() - axis.scale.low()) / axis.scale.steps();
+    const int decimals = std::clamp(int(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
+    axis.axis->setLabelFormat(u"%.%1f"_s.arg(decimals));
+    axis.axis->setRange(axis.scale.low() + step * 1e-9, axis.scale.high() + step * 1e-9);
     axis.axis->setTickCount(axis.scale.steps() + 1);
 }
 
@@ -349,11 +354,13 @@ bool PlotView::advance()
         for (TraceItem::Trace &trace : m_traces->traces())
             trace.sources = TraceSource::find(*m_store, trace.channel, trace.minus);
         m_traces->invalidate();
-        updateRateText();
+        m_rateTimer.invalidate();
     }
     const double newest = m_traces->newestSample();
     if (std::isnan(newest))
         return false;
+    if (!m_rateTimer.isValid() || m_rateTimer.elapsed() > kRateTextMs)
+        updateRateText();
     if (!m_traces->advance(newest))
         return false;
     fitScales();
@@ -381,23 +388,32 @@ void PlotView::updateRateText()
     double fastest = 0;
     bool irregular = false;
     for (const TraceItem::Trace &trace : m_traces->traces()) {
-        if (trace.sources.empty())
-            continue;
-        const double period = trace.sources.back().track.period();
-        irregular |= period <= 0;
-        if (period > 0) {
-            fastest = std::max(fastest, 1.0 / period);
-            slowest = slowest > 0 ? std::min(slowest, 1.0 / period) : 1.0 / period;
+        for (const TraceSource &source : trace.sources) {
+            const TrackView &track = source.track;
+            const bool seen = track.end() > track.begin() && track.time(track.end() - 1) >= startTime()
+                && track.time(track.begin()) <= endTime();
+            const double period = track.period();
+            irregular |= seen && period <= 0;
+            if (seen && period > 0) {
+                fastest = std::max(fastest, 1.0 / period);
+                slowest = slowest > 0 ? std::min(slowest, 1.0 / period) : 1.0 / period;
+            }
         }
     }
+    m_rateTimer.start();
     const auto number = [](double value) { return QString::number(value, 'g', 4); };
+    QString text;
     if (fastest <= 0)
-        m_rateText = irregular ? tr("polled") : QString();
+        text = irregular ? tr("polled") : QString();
     else if (slowest < fastest || irregular)
-        m_rateText = tr("%1 to %2 samples/s").arg(irregular ? tr("polled") : number(slowest), number(fastest));
+        text = tr("%1 to %2/s").arg(irregular ? tr("polled") : number(slowest), number(fastest));
     else
-        m_rateText = tr("%1 samples/s, true up to %2 Hz").arg(number(fastest), number(fastest / 2));
+        text = tr("%1/s, true to %2 Hz").arg(number(fastest), number(fastest / 2));
+    if (text == m_rateText)
+        return;
+    m_rateText = text;
     layOut();
+    viewport()->update();
 }
 
 QString PlotView::rateText() const
@@ -453,7 +469,7 @@ void PlotView::drawForeground(QPainter *painter, const QRectF &rect)
     painter->setFont(font());
     if (!m_rateText.isEmpty()) {
         painter->setPen(m_theme.color(ColorRole::Muted));
-        painter->drawText(QRectF(area.left(), 2, width() - area.left() - kRight, kTop - 4), Qt::AlignRight | Qt::AlignVCenter,
+        painter->drawText(QRectF(area.left(), 6, width() - area.left() - kRight, kTop - 4), Qt::AlignRight | Qt::AlignVCenter,
                           m_rateText);
     }
     PlotOverlay overlay(*painter, area, m_theme);

@@ -8,6 +8,7 @@
 #include "widgets/theme/theme.h"
 
 #include <QChartView>
+#include <QElapsedTimer>
 #include <QPointer>
 
 #include <memory>
@@ -144,6 +145,7 @@ private:
     std::optional<double> m_cursor;
     std::optional<double> m_reference;
     QString m_rateText;
+    QElapsedTimer m_rateTimer;
     Drag m_drag = Drag::None;
     QPointF m_dragFrom;               // where the button went down
     QPointF m_dragAt;                 // where the mouse is or was last

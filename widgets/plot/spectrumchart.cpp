@@ -2,12 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plot/spectrumchart.h"
 
-#include <QChart>
-#include <QLegendMarker>
-#include <QLineSeries>
-#include <QLogValueAxis>
-#include <QValueAxis>
-
 #include <algorithm>
 #include <cmath>
 
@@ -17,16 +11,48 @@ namespace {
 
 constexpr double kLowest = 1.0;            // Hz: what is slower is steering and drift
 constexpr double kPointsPerOctave = 48.0;
+constexpr double kPointsLinear = 400.0;
 constexpr double kLeastDecibel = -160.0;
 constexpr double kStep = 20.0;             // dB between lines of the grid
+constexpr double kEarlier = 0.35;
 
 double decibel(double density)
 {
     return std::max(kLeastDecibel, 10.0 * std::log10(std::max(density, 1e-30)));
 }
 
+// The next of 1, 2, 5 times a power of ten, so that the scale does not dance with the noise.
+double roundUp(double value)
+{
+    const double power = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-9))));
+    for (const double factor : {1.0, 2.0, 5.0}) {
+        if (factor * power >= value)
+            return factor * power;
+    }
+    return 10.0 * power;
+}
+
+} // namespace
+
+SpectrumChart::SpectrumChart(const Theme &theme, QWidget *parent)
+    : CurveChart(theme, tr("Spectrum"), parent)
+{
+    setMinimumHeight(180);
+    setScales({{}, kLowest, 1000, true, u"%g Hz"_s}, {tr("dB"), -80, 0, false, u"%g"_s, 4});
+}
+
+double SpectrumChart::highestFrequency() const
+{
+    return curves().isEmpty() ? 0.0 : xScale().high;
+}
+
+double SpectrumChart::levelOf(const Spectrum &spectrum, std::size_t bin) const
+{
+    return m_scale.amplitude ? spectrum.toneRms(bin) : decibel(spectrum.density[bin]);
+}
+
 // The greatest value of all bins that fall on one point: no line is lost by drawing fewer points.
-QList<QPointF> pointsOf(const Spectrum &spectrum)
+QList<QPointF> SpectrumChart::pointsOf(const Spectrum &spectrum) const
 {
     QList<QPointF> points;
     int last = -1;
@@ -34,8 +60,9 @@ QList<QPointF> pointsOf(const Spectrum &spectrum)
         const double hz = spectrum.frequency(bin);
         if (hz < kLowest)
             continue;
-        const double level = decibel(spectrum.density[bin]);
-        const int place = int(std::log2(hz / kLowest) * kPointsPerOctave);
+        const double level = levelOf(spectrum, bin);
+        const int place = m_scale.linearFrequency ? int(2.0 * hz / spectrum.rate * kPointsLinear)
+                                                  : int(std::log2(hz / kLowest) * kPointsPerOctave);
         if (place == last && level > points.last().y())
             points.last() = {hz, level};
         else if (place != last)
@@ -45,97 +72,46 @@ QList<QPointF> pointsOf(const Spectrum &spectrum)
     return points;
 }
 
-} // namespace
-
-SpectrumChart::SpectrumChart(const Theme &theme, QWidget *parent)
-    : QChartView(parent)
-    , m_theme(theme)
-    , m_frequency(new QLogValueAxis(this))
-    , m_level(new QValueAxis(this))
+void SpectrumChart::setSpectra(const std::vector<SpectrumCurve> &spectra, const QString &unit, const SpectrumScale &scale)
 {
-    chart()->setAnimationOptions(QChart::NoAnimation);
-    chart()->setBackgroundVisible(false);
-    chart()->setMargins({0, 0, 4, 0});
-    chart()->legend()->setAlignment(Qt::AlignTop);
-    chart()->addAxis(m_frequency, Qt::AlignBottom);
-    chart()->addAxis(m_level, Qt::AlignLeft);
-    m_frequency->setBase(10);
-    m_frequency->setMinorTickCount(8);
-    m_frequency->setLabelFormat(u"%g Hz"_s);
-    m_frequency->setRange(kLowest, 1000);
-    m_level->setLabelFormat(u"%g"_s);
-    m_level->setRange(-80, 0);
-    setFrameShape(QFrame::NoFrame);
-    setRenderHint(QPainter::Antialiasing);
-    setMinimumHeight(180);
-    setAccessibleName(tr("Spectrum"));
-    viewport()->setAccessibleName(accessibleName());
-    connect(&theme, &Theme::changed, this, &SpectrumChart::applyTheme);
-    applyTheme();
-}
-
-double SpectrumChart::highestFrequency() const
-{
-    return m_series.isEmpty() ? 0.0 : m_frequency->max();
-}
-
-void SpectrumChart::setCurves(const std::vector<SpectrumCurve> &curves, const QString &unit)
-{
-    while (m_series.size() > qsizetype(curves.size())) {
-        chart()->removeSeries(m_series.last());
-        delete m_series.takeLast();
-    }
-    while (m_series.size() < qsizetype(curves.size())) {
-        auto *series = new QLineSeries(this);
-        chart()->addSeries(series);
-        series->attachAxis(m_frequency);
-        series->attachAxis(m_level);
-        m_series.append(series);
-    }
-    m_axes.clear();
+    m_scale = scale;
+    QList<ChartCurve> drawn;
     double low = 0.0;
-    double high = kLeastDecibel;
+    double high = scale.amplitude ? 0.0 : kLeastDecibel;
     double highest = 10.0;
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        const QList<QPointF> points = pointsOf(curves[i].spectrum);
-        m_series[qsizetype(i)]->setName(curves[i].name);
-        m_series[qsizetype(i)]->replace(points);
-        m_axes.append(curves[i].axis);
-        highest = std::max(highest, curves[i].spectrum.rate / 2);
-        for (const QPointF &point : points) {
+    for (std::size_t i = 0; i < spectra.size(); ++i) {
+        ChartCurve curve;
+        curve.name = spectra[i].earlier ? QString() : spectra[i].name;
+        curve.points = pointsOf(spectra[i].spectrum);
+        curve.axis = spectra[i].axis;
+        curve.color = int(i);
+        curve.strength = spectra[i].earlier ? kEarlier : 1.0;
+        highest = std::max(highest, spectra[i].spectrum.rate / 2);
+        for (const QPointF &point : curve.points) {
             low = std::min(low, point.y());
             high = std::max(high, point.y());
         }
+        drawn.append(curve);
     }
-    m_frequency->setRange(kLowest, highest);
-    if (high > low) {
-        // Whole steps, so that the scale does not dance with the noise.
-        const double top = std::ceil(high / kStep) * kStep;
-        const double bottom = std::max(std::floor(low / kStep) * kStep, top - 6 * kStep);
-        m_level->setRange(bottom, top);
-        m_level->setTickCount(int((top - bottom) / kStep) + 1);
+    ChartScale y{unit.isEmpty() ? tr("dB") : tr("dB of (%1)²/Hz").arg(unit), -80, 0, false, u"%g"_s, 4};
+    if (scale.amplitude) {
+        y = {unit.isEmpty() ? tr("RMS") : tr("%1 RMS").arg(unit), 0, roundUp(std::max(high, 1e-4)), false, u"%g"_s, 5};
+    } else if (high > low) {
+        y.high = std::ceil(high / kStep) * kStep;
+        y.low = std::max(std::floor(low / kStep) * kStep, y.high - 6 * kStep);
+        y.steps = int((y.high - y.low) / kStep);
     }
-    m_level->setTitleText(unit.isEmpty() ? tr("dB") : tr("dB of (%1)²/Hz").arg(unit));
-    applyTheme();
+    const double from = scale.linearFrequency ? 0.0 : kLowest;
+    setScales({{}, from, highest, !scale.linearFrequency, u"%g Hz"_s, scale.linearFrequency ? 5 : 0}, y);
+    setCurves(drawn);
 }
 
-void SpectrumChart::applyTheme()
+void SpectrumChart::setPeaks(const std::vector<std::pair<const Spectrum *, SpectrumPeak>> &peaks)
 {
-    const QColor muted = m_theme.color(ColorRole::Muted);
-    setBackgroundBrush(m_theme.color(ColorRole::Surface));
-    chart()->legend()->setLabelColor(m_theme.color(ColorRole::Text));
-    for (QAbstractAxis *axis : {static_cast<QAbstractAxis *>(m_frequency), static_cast<QAbstractAxis *>(m_level)}) {
-        axis->setLabelsColor(muted);
-        axis->setTitleBrush(muted);
-        axis->setGridLineColor(m_theme.color(ColorRole::SurfaceRaised));
-        axis->setMinorGridLineColor(m_theme.color(ColorRole::SurfaceRaised));
-        axis->setLinePenColor(Qt::transparent);
+    QList<ChartLabel> words;
+    for (const auto &[spectrum, peak] : peaks) {
+        const auto bin = std::min(spectrum->density.size() - 1, std::size_t(std::lround(peak.frequency / spectrum->resolution)));
+        words.append({{peak.frequency, levelOf(*spectrum, bin)}, tr("%1 Hz").arg(peak.frequency, 0, 'f', 1)});
     }
-    for (qsizetype i = 0; i < m_axes.size(); ++i) {
-        const Axis axis = m_axes[i];
-        m_series[i]->setPen(QPen(axis == Axis::None ? m_theme.seriesColor(int(i)) : m_theme.axisColor(axis), 1));
-    }
-    const auto markers = chart()->legend()->markers();
-    for (QLegendMarker *marker : markers)
-        marker->setPen(QPen(Qt::transparent));   // no pen at all would bring the style's own back
+    setLabels(words);
 }

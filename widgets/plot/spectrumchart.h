@@ -3,13 +3,7 @@
 #pragma once
 
 #include "protocol/analysis/spectrum.h"
-#include "widgets/theme/theme.h"
-
-#include <QChartView>
-
-class QLineSeries;
-class QLogValueAxis;
-class QValueAxis;
+#include "widgets/plot/curvechart.h"
 
 /// One spectrum and what it is called.
 struct SpectrumCurve
@@ -17,27 +11,34 @@ struct SpectrumCurve
     QString name;
     Axis axis = Axis::None;
     Spectrum spectrum;
+    bool earlier = false;      ///< kept to compare with: drawn faint
 };
 
-/// Spectra over a logarithmic scale of frequency, in decibels. Nothing above half the sample rate is shown.
-class SpectrumChart final : public QChartView
+/// How spectra are drawn.
+struct SpectrumScale
+{
+    bool linearFrequency = false;
+    bool amplitude = false;    ///< RMS of each line in the unit of the samples, instead of decibels of density
+};
+
+/// Spectra over a scale of frequency. Nothing above half the sample rate is shown.
+class SpectrumChart final : public CurveChart
 {
     Q_OBJECT
 public:
     explicit SpectrumChart(const Theme &theme, QWidget *parent = nullptr);
 
     /// @param unit of the samples
-    void setCurves(const std::vector<SpectrumCurve> &curves, const QString &unit);
+    void setSpectra(const std::vector<SpectrumCurve> &spectra, const QString &unit, const SpectrumScale &scale = {});
+    /// Words at the highest peaks of a spectrum.
+    void setPeaks(const std::vector<std::pair<const Spectrum *, SpectrumPeak>> &peaks);
     /// Highest frequency on the scale, 0 without a curve.
     [[nodiscard]] double highestFrequency() const;
-    [[nodiscard]] int curveCount() const { return int(m_series.size()); }
+    [[nodiscard]] int curveCount() const { return int(curves().size()); }
 
 private:
-    void applyTheme();
+    [[nodiscard]] double levelOf(const Spectrum &spectrum, std::size_t bin) const;
+    [[nodiscard]] QList<QPointF> pointsOf(const Spectrum &spectrum) const;
 
-    const Theme &m_theme;
-    QLogValueAxis *m_frequency;
-    QValueAxis *m_level;
-    QList<QLineSeries *> m_series;
-    QList<Axis> m_axes;
+    SpectrumScale m_scale;
 };

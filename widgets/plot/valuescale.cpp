@@ -11,7 +11,9 @@ namespace {
 // The scale shrinks only after the traces have used less than this part of it for a while.
 constexpr double kShrinkBelow = 0.4;
 constexpr qint64 kShrinkAfterMs = 1500;
-constexpr double kSmallest = 0.1;
+constexpr double kSmallest = 0.1;         // span
+constexpr double kSmallestFixed = 1e-4;
+constexpr double kAir = 1.08;
 
 // The next round number of the series 1, 2, 5 that is not below the value.
 double roundStep(double value)
@@ -31,13 +33,13 @@ struct RoundRange
     int steps;
 };
 
-// The tightest range of four to six round steps that holds the values with some air.
-RoundRange roundRange(double low, double high)
+// The tightest range of four to six round steps that holds the values with some air. @param least span of the range
+RoundRange roundRange(double low, double high, double least, double air)
 {
     RoundRange best{low, high, 4};
     double tightest = std::numeric_limits<double>::infinity();
     for (const int steps : {4, 5, 6}) {
-        double step = roundStep(std::max((high - low) * 1.08, 0.8 * kSmallest) / steps);
+        double step = roundStep(std::max((high - low) * air, 0.8 * least) / steps);
         double bottom = std::floor(low / step) * step;
         if (bottom + steps * step < high) {
             step = roundStep(step * 1.01);
@@ -70,7 +72,7 @@ bool ValueScale::fit(double lowest, double highest)
             return false;
     }
     m_shrinkTimer.invalidate();
-    const RoundRange range = roundRange(lowest, highest);
+    const RoundRange range = roundRange(lowest, highest, kSmallest, kAir);
     if (range.low == m_low && range.high == m_high)
         return false;
     m_low = range.low;
@@ -81,8 +83,9 @@ bool ValueScale::fit(double lowest, double highest)
 
 void ValueScale::fix(double low, double high)
 {
+    const RoundRange range = roundRange(low, high, kSmallestFixed, 1.0);
     m_fixed = true;
-    m_low = low;
-    m_high = std::max(high, low + 1e-6);
-    m_steps = 4;
+    m_low = range.low;
+    m_high = range.high;
+    m_steps = range.steps;
 }

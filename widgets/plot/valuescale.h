@@ -15,7 +15,7 @@ public:
 
     /// Follows what is to be seen: grows at once, shrinks after a while. True if the range changed.
     bool fit(double lowest, double highest);
-    /// Stands still at this range, until release().
+    /// Stands still at this range, rounded outwards, until release().
     void fix(double low, double high);
     void release() { m_fixed = false; }
     [[nodiscard]] bool isFixed() const { return m_fixed; }

@@ -146,6 +146,9 @@ QPushButton#motors { font-weight: 700; padding: 6px 16px; border: 2px solid @Ok;
 QPushButton#motors[running="true"] { background: @Danger; border-color: @Danger; color: @DangerText; }
 QPushButton#motors:disabled { border-color: @Border; color: @Muted; background: @Surface; }
 QPushButton#motors:focus { border: 3px solid @Text; padding: 5px 15px; }
+QToolButton#plotMenu { border: 1px solid transparent; background: transparent; padding: 2px 6px; min-height: 0; font-weight: 700; }
+QToolButton#plotMenu:hover, QToolButton#plotMenu:focus { border: 1px solid @Accent; padding: 2px 6px; }
+QToolButton#plotMenu::menu-indicator { image: none; }
 QToolButton#reset { border: none; background: transparent; color: @Changed; padding: 0 4px; min-height: 0; }
 QToolButton#reset:hover { text-decoration: underline; }
 QToolButton#reset:focus { border: 1px solid @Accent; padding: 0 3px; }

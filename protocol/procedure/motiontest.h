@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/device/deviceclient.h"
+#include "protocol/device/uniformsamples.h"
+
+/// A small movement that is made on purpose, to see how an axis follows.
+struct MotionTestPlan
+{
+    enum class Kind { Steps, Sweep };
+
+    static constexpr double kMostDegrees = 10;
+
+    Kind kind = Kind::Steps;
+    Axis axis = Axis::Pitch;
+    double degrees = 2;          ///< height of a step, or half of the swing; 0.2 to kMostDegrees
+    int steps = 6;               ///< there and back counts two; 2 to 40
+    double rest = 1.0;           ///< seconds from step to step, 0.3 to 5
+    double fromHz = 0.5;         ///< of a sweep, 0.1 to toHz
+    double toHz = 12;            ///< up to 20: set-points go out 50 times a second
+    double sweepSeconds = 20;    ///< 5 to 120
+    double limit = 4;            ///< degrees the axis may be off beyond the movement itself; more ends the test
+
+    /// Errors: OutOfRange.
+    [[nodiscard]] Result<void> check() const;
+    /// Degrees from the middle at a time since the beginning.
+    [[nodiscard]] double offsetAt(double seconds) const;
+    [[nodiscard]] double duration() const;
+};
+
+/// What was seen of it: both sides at the same instants.
+struct MotionTestResult
+{
+    MotionTestPlan plan;
+    UniformSamples target;
+    UniformSamples angle;
+};
+
+/// Runs a motion test: steers one axis through the client's control stream (so that the dead-man's rule and "motors off"
+/// hold), watches telemetry all the while, and stops when the axis does not follow. Lives on the screen's thread.
+class MotionTest final : public QObject
+{
+    Q_OBJECT
+public:
+    explicit MotionTest(DeviceClient &client, QObject *parent = nullptr);
+
+    /// The axis' angle and target must come as telemetry. Errors: NotConnected, ReadOnly, Unsupported (no way to steer by
+    /// angle, no telemetry), OutOfRange, Busy, Unready (motors are off, or the axis does not hold still).
+    Result<void> start(const MotionTestPlan &plan);
+    /// Ends it, gives control back. finished() tells Cancelled.
+    void stop();
+    [[nodiscard]] bool isRunning() const { return m_timer.isActive(); }
+    /// Channels that have to come.
+    [[nodiscard]] static QList<int> channels(const Device &device, Axis axis);
+
+signals:
+    void progressed(double share);
+    /// Errors besides those of the link: Diverged (the motors were switched off), Unready (telemetry stopped, motors off),
+    /// Cancelled, InvalidArgument (the samples have too many holes).
+    void finished(const Result<MotionTestResult> &result);
+
+private:
+    void tick();
+    void end(const Result<MotionTestResult> &result, bool release);
+    [[nodiscard]] std::optional<Error> danger() const;
+    [[nodiscard]] double latest(int channel) const;
+    [[nodiscard]] Result<MotionTestResult> collect() const;
+
+    DeviceClient &m_client;
+    QTimer m_timer;
+    MotionTestPlan m_plan;
+    int m_mode = 0;
+    double m_speed = 0;
+    std::array<double, kAxisCount> m_middle{};
+    TimePoint m_startedAt{};
+    mutable double m_lastAngle = 0;
+    mutable quint64 m_lastRows = 0;
+    mutable TimePoint m_lastNewsAt{};
+};
