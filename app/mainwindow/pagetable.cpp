@@ -12,6 +12,7 @@
 #include "app/pages/monitorpage.h"
 #include "app/pages/parameterspage.h"
 #include "app/pages/profilespage.h"
+#include "app/pages/responsepage.h"
 #include "app/pages/settingspage.h"
 #include "app/pages/spectrumpage.h"
 #include "app/pages/tuningpage.h"
@@ -38,6 +39,7 @@ constexpr PageEntry kPages[] = {
     {"calibration", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<CalibrationPage>},
     {"tuning", QT_TRANSLATE_NOOP("Pages", "Tuning"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<TuningPage>},
     {"spectrum", QT_TRANSLATE_NOOP("Pages", "Spectrum"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<SpectrumPage>},
+    {"response", QT_TRANSLATE_NOOP("Pages", "Response"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<ResponsePage>},
     {"autotune", QT_TRANSLATE_NOOP("Pages", "Auto-tune"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<AutoTunePage>},
     {"variables", QT_TRANSLATE_NOOP("Pages", "Adjustable variables"), QT_TRANSLATE_NOOP("Pages", "Tune"),
      make<VariablesPage>},

@@ -53,6 +53,8 @@ public:
     [[nodiscard]] LinkRecorder &recorder() { return m_recorder; }
     /// What happened on this link, for the plots.
     [[nodiscard]] PlotMarks &marks() { return m_marks; }
+    /// Adds a mark at this moment.
+    void mark(PlotMark::Kind kind, const QString &text) { m_linkMarks.add(kind, text); }
 
     void connectTo(const LinkAddress &address, const QString &family);
     /// Reads everything; edits are kept where the board is the same one.

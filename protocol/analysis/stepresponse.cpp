@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kFewest = 20;
 constexpr double kJumpSeconds = 0.02;
+constexpr double kLeft = 0.1;            // share of the way after which a level is left
 
 // Seconds at which a way is first covered by that share, between samples.
 std::optional<double> reached(std::span<const float> response, double rate, double from, double way, double share)
@@ -80,6 +81,40 @@ Result<StepMetrics> stepMetrics(std::span<const float> response, double rate, do
     else if (lastOutside + tail < response.size())   // inside for the whole last tenth at least
         metrics.settlingSeconds = double(lastOutside + 1) / rate;
     return metrics;
+}
+
+StepRuns cutSteps(std::span<const float> target, std::span<const float> response, double rate, double low, double high,
+                  double seconds)
+{
+    StepRuns runs;
+    const std::size_t size = std::min(target.size(), response.size());
+    const auto length = std::size_t(std::lround(seconds * rate));
+    const double way = high - low;
+    if (size == 0 || length == 0 || !(std::abs(way) > 0.0))
+        return runs;
+    bool up = std::abs(double(target[0]) - low) > std::abs(double(target[0]) - high);   // at the upper level
+    for (std::size_t i = 0; i < size; ++i) {
+        const double level = up ? high : low;
+        if (std::abs(double(target[i]) - level) < kLeft * std::abs(way))
+            continue;
+        const double sign = up ? -1.0 : 1.0;
+        up = !up;
+        if (i + length > size)
+            continue;
+        const auto share = [&](std::span<const float> samples) {
+            std::vector<float> run(length);
+            for (std::size_t k = 0; k < length; ++k)
+                run[k] = float(sign * (double(samples[i + k]) - level) / way);
+            return run;
+        };
+        runs.target.push_back(share(target));
+        runs.response.push_back(share(response));
+        // The next step cannot be before this one has arrived.
+        const double other = up ? high : low;
+        while (i < size && std::abs(double(target[i]) - other) > kLeft * std::abs(way))
+            ++i;
+    }
+    return runs;
 }
 
 std::vector<float> averageRuns(const std::vector<std::vector<float>> &runs)

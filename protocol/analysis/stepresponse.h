@@ -35,6 +35,19 @@ struct StepEvent
 [[nodiscard]] Result<StepMetrics> stepMetrics(std::span<const float> response, double rate, double from, double to,
                                               double band = 0.05);
 
+/// The steps of a record, each from the moment the target leaves its level. Values are shares of the way: 0 where it was,
+/// 1 where it goes, whichever direction that is.
+struct StepRuns
+{
+    std::vector<std::vector<float>> target;
+    std::vector<std::vector<float>> response;
+};
+
+/// Cuts a record in which a target goes to and fro between two levels. @param seconds length of a run; steps with less
+/// after them are left out
+[[nodiscard]] StepRuns cutSteps(std::span<const float> target, std::span<const float> response, double rate, double low,
+                                double high, double seconds);
+
 /// The mean of several runs, sample by sample, as long as the shortest.
 [[nodiscard]] std::vector<float> averageRuns(const std::vector<std::vector<float>> &runs);
 

@@ -133,7 +133,7 @@ void MotionTest::stop()
 }
 
 // What must not be: the axis far from where it should be, nobody looking, motors off.
-std::optional<Error> MotionTest::danger() const
+std::optional<Error> MotionTest::danger()
 {
     const ChannelRoles roles = m_client.device()->roles();
     const auto axis = std::size_t(m_plan.axis);
@@ -208,5 +208,8 @@ void MotionTest::end(const Result<MotionTestResult> &result, bool release)
     m_timer.stop();
     if (release)
         m_client.releaseControl();
-    emit finished(result);
+    if (result)
+        emit measured(*result);
+    else
+        emit failed(result.error());
 }

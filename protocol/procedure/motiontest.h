@@ -48,7 +48,7 @@ public:
     /// The axis' angle and target must come as telemetry. Errors: NotConnected, ReadOnly, Unsupported (no way to steer by
     /// angle, no telemetry), OutOfRange, Busy, Unready (motors are off, or the axis does not hold still).
     Result<void> start(const MotionTestPlan &plan);
-    /// Ends it, gives control back. finished() tells Cancelled.
+    /// Ends it, gives control back. failed() tells Cancelled.
     void stop();
     [[nodiscard]] bool isRunning() const { return m_timer.isActive(); }
     /// Channels that have to come.
@@ -56,14 +56,15 @@ public:
 
 signals:
     void progressed(double share);
+    void measured(const MotionTestResult &result);
     /// Errors besides those of the link: Diverged (the motors were switched off), Unready (telemetry stopped, motors off),
     /// Cancelled, InvalidArgument (the samples have too many holes).
-    void finished(const Result<MotionTestResult> &result);
+    void failed(const Error &error);
 
 private:
     void tick();
     void end(const Result<MotionTestResult> &result, bool release);
-    [[nodiscard]] std::optional<Error> danger() const;
+    [[nodiscard]] std::optional<Error> danger();
     [[nodiscard]] double latest(int channel) const;
     [[nodiscard]] Result<MotionTestResult> collect() const;
 
@@ -74,7 +75,6 @@ private:
     double m_speed = 0;
     std::array<double, kAxisCount> m_middle{};
     TimePoint m_startedAt{};
-    mutable double m_lastAngle = 0;
-    mutable quint64 m_lastRows = 0;
-    mutable TimePoint m_lastNewsAt{};
+    quint64 m_lastRows = 0;
+    TimePoint m_lastNewsAt{};
 };

@@ -3,6 +3,7 @@
 #include "widgets/plot/curvechart.h"
 
 #include <QChart>
+#include <QGraphicsLayout>
 #include <QLegendMarker>
 #include <QLineSeries>
 #include <QLogValueAxis>
@@ -13,14 +14,28 @@
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+// Room around the plot area.
+constexpr double kLeft = 76;
+constexpr double kTop = 12;
+constexpr double kLegend = 40;
+constexpr double kRight = 36;
+constexpr double kBottom = 28;
+
+} // namespace
+
 CurveChart::CurveChart(const Theme &theme, const QString &name, QWidget *parent)
     : QChartView(parent)
     , m_theme(theme)
 {
     chart()->setAnimationOptions(QChart::NoAnimation);
     chart()->setBackgroundVisible(false);
-    chart()->setMargins({0, 0, 4, 0});
+    chart()->setMargins({0, 0, 0, 0});
+    chart()->layout()->setContentsMargins(0, 0, 0, 0);   // labels in the margins would be hidden
     chart()->legend()->setAlignment(Qt::AlignTop);
+    chart()->legend()->detachFromChart();
+    chart()->legend()->setBackgroundVisible(false);
     setFrameShape(QFrame::NoFrame);
     setRenderHint(QPainter::Antialiasing);
     setMinimumHeight(140);
@@ -50,7 +65,9 @@ QAbstractAxis *CurveChart::makeAxis(const ChartScale &scale, Qt::Alignment side,
     } else {
         auto *linear = static_cast<QValueAxis *>(old);
         linear->setLabelFormat(scale.labelFormat);
-        linear->setRange(scale.low, scale.high);
+        // Moved by a hair, so that rounding to decimals leaves 0 and not -0.
+        const double hair = scale.labelFormat.contains(u'f') ? 1e-9 * (scale.high - scale.low) : 0.0;
+        linear->setRange(scale.low + hair, scale.high + hair);
         if (scale.steps > 0)
             linear->setTickCount(scale.steps + 1);
         else
@@ -107,6 +124,28 @@ void CurveChart::setLabels(const QList<ChartLabel> &labels)
     viewport()->update();
 }
 
+void CurveChart::resizeEvent(QResizeEvent *event)
+{
+    layOut();   // first: the chart lays its labels out when it gets its size, and hides those that lie outside
+    QChartView::resizeEvent(event);
+}
+
+// The same edges in every chart, so that charts above each other line up.
+void CurveChart::layOut()
+{
+    const double top = chart()->legend()->isVisible() ? kLegend : kTop;
+    chart()->setPlotArea({kLeft, top, std::max(10.0, width() - kLeft - kRight), std::max(10.0, height() - top - kBottom)});
+    // Attached to the chart, the legend would keep what room it found when it was hidden.
+    chart()->legend()->setGeometry(kLeft, 4, std::max(10.0, width() - kLeft - kRight), kLegend - 8);
+    chart()->legend()->update();
+}
+
+void CurveChart::setHint(const QString &text)
+{
+    m_hint = text;
+    viewport()->update();
+}
+
 void CurveChart::applyTheme()
 {
     const QColor muted = m_theme.color(ColorRole::Muted);
@@ -124,6 +163,9 @@ void CurveChart::applyTheme()
         color.setAlphaF(float(curve.strength));
         m_series[i]->setPen(QPen(color, curve.width, curve.style));
     }
+    const auto named = [](const ChartCurve &curve) { return !curve.name.isEmpty(); };
+    chart()->legend()->setVisible(std::any_of(m_curves.begin(), m_curves.end(), named));
+    layOut();
     const auto markers = chart()->legend()->markers();
     for (QLegendMarker *marker : markers) {
         marker->setPen(QPen(Qt::transparent));   // no pen at all would bring the style's own back
@@ -135,11 +177,14 @@ void CurveChart::applyTheme()
 void CurveChart::drawForeground(QPainter *painter, const QRectF &rect)
 {
     QChartView::drawForeground(painter, rect);
-    if (m_series.isEmpty())
-        return;
     const QRectF area = chart()->plotArea();
     const QFontMetricsF metrics(font());
     painter->setFont(font());
+    if (m_series.isEmpty()) {
+        painter->setPen(m_theme.color(ColorRole::Muted));
+        painter->drawText(area.adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap, m_hint);
+        return;
+    }
     painter->setPen(m_theme.color(ColorRole::Text));
     QList<QRectF> taken;
     for (const ChartLabel &label : m_labels) {

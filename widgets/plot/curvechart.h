@@ -48,6 +48,8 @@ public:
 
     void setScales(const ChartScale &x, const ChartScale &y);
     void setCurves(const QList<ChartCurve> &curves);
+    /// What to do while there is nothing to see.
+    void setHint(const QString &text);
     void setLabels(const QList<ChartLabel> &labels);
     [[nodiscard]] const QList<ChartCurve> &curves() const { return m_curves; }
     [[nodiscard]] const QList<ChartLabel> &labels() const { return m_labels; }
@@ -55,10 +57,12 @@ public:
     [[nodiscard]] const ChartScale &yScale() const { return m_y; }
 
 protected:
+    void resizeEvent(QResizeEvent *event) override;
     void drawForeground(QPainter *painter, const QRectF &rect) override;
 
 private:
     void applyTheme();
+    void layOut();
     void attach();
     QAbstractAxis *makeAxis(const ChartScale &scale, Qt::Alignment side, QAbstractAxis *old);
 
@@ -70,4 +74,5 @@ private:
     QList<ChartCurve> m_curves;
     QList<QLineSeries *> m_series;
     QList<ChartLabel> m_labels;
+    QString m_hint;
 };

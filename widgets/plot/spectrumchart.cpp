@@ -38,7 +38,7 @@ SpectrumChart::SpectrumChart(const Theme &theme, QWidget *parent)
     : CurveChart(theme, tr("Spectrum"), parent)
 {
     setMinimumHeight(180);
-    setScales({{}, kLowest, 1000, true, u"%g Hz"_s}, {tr("dB"), -80, 0, false, u"%g"_s, 4});
+    setScales({{}, kLowest, 1000, true, u"%g Hz"_s}, {tr("dB"), -80, 0, false, u"%.0f"_s, 4});
 }
 
 double SpectrumChart::highestFrequency() const
@@ -93,7 +93,7 @@ void SpectrumChart::setSpectra(const std::vector<SpectrumCurve> &spectra, const 
         }
         drawn.append(curve);
     }
-    ChartScale y{unit.isEmpty() ? tr("dB") : tr("dB of (%1)²/Hz").arg(unit), -80, 0, false, u"%g"_s, 4};
+    ChartScale y{unit.isEmpty() ? tr("dB") : tr("dB of (%1)²/Hz").arg(unit), -80, 0, false, u"%.0f"_s, 4};
     if (scale.amplitude) {
         y = {unit.isEmpty() ? tr("RMS") : tr("%1 RMS").arg(unit), 0, roundUp(std::max(high, 1e-4)), false, u"%g"_s, 5};
     } else if (high > low) {

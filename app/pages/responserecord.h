@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/analysis/frequencyresponse.h"
+#include "protocol/analysis/stepresponse.h"
+#include "protocol/procedure/motiontest.h"
+#include "widgets/plot/curvechart.h"
+
+/// One measurement of how an axis follows: the samples of both sides and what was found in them.
+struct ResponseRecord
+{
+    enum class Kind { Steps, Frequency };
+
+    Kind kind = Kind::Steps;
+    QString name;
+    Axis axis = Axis::None;
+    bool shown = true;
+    double rate = 0;
+    std::vector<float> target;
+    std::vector<float> angle;
+
+    // Steps.
+    StepRuns runs;
+    std::vector<float> mean;
+    std::optional<StepMetrics> metrics;
+
+    // Frequency.
+    FrequencyResponse closed;
+    Margins margins;
+    double toHz = 0;               ///< nothing above was asked of the axis
+};
+
+/// Finds steps in a motion test. Errors: InvalidArgument (there is no step to measure).
+[[nodiscard]] Result<ResponseRecord> stepRecord(const MotionTestResult &result);
+/// The response of evenly spaced samples. @param fromHz,toHz frequencies that were in the input
+/// Errors: InvalidArgument (too few samples, no frequency with enough motion).
+[[nodiscard]] Result<ResponseRecord> frequencyRecord(std::vector<float> target, std::vector<float> angle, double rate,
+                                                     double fromHz, double toHz);
+
+/// Curves of a record, drawn faintly when it is not the newest one.
+[[nodiscard]] QList<ChartCurve> stepCurves(const ResponseRecord &record, int color, bool newest);
+enum class BodePart { Gain, Phase, Coherence };
+[[nodiscard]] ChartCurve bodeCurve(const ResponseRecord &record, BodePart part, int color, bool newest);

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/base/result.h"
+
+#include <QIODevice>
+
+#include <span>
+#include <vector>
+
+/// What went into a system and what came out, evenly spaced.
+struct ResponseSamples
+{
+    double rate = 0;             ///< samples per second
+    bool rateAssumed = false;    ///< the file does not tell it
+    std::vector<float> in;
+    std::vector<float> out;
+};
+
+/// Two columns in;out as other tools read them, after a line that tells the rate. Errors: BadFile.
+Result<void> writeResponseCsv(QIODevice &file, std::span<const float> in, std::span<const float> out, double rate);
+
+/// Reads in;out: a comma or a tabulator will do as well, and a heading is passed over. "# 1250 samples/s" tells the rate;
+/// without it the firmware's cycle of 0.8 ms is assumed. Errors: BadFile, with the line.
+[[nodiscard]] Result<ResponseSamples> readResponseCsv(const QByteArray &text);
