@@ -42,6 +42,19 @@ public:
     }
 };
 
+/// The same for "publish".
+class PublishCommand final : public Command
+{
+public:
+    const char *name() const override { return "publish"; }
+    const char *usage() const override { return "publish HOST:PORT [--channels a,b] [--stream KIND@RATE] [--seconds N]"; }
+    const char *help() const override { return "telemetry as JSON over UDP, for PlotJuggler (port 9870)"; }
+    QString check(const CommandOptions &options) const override
+    {
+        return options.arguments.size() == 1 ? QString() : u"publish needs one HOST:PORT"_s;
+    }
+};
+
 QByteArray toJsonText(const QJsonValue &value)
 {
     if (value.isArray())
@@ -68,6 +81,7 @@ Ctl::Ctl(QObject *parent)
 {
     m_commands.push_back(std::make_unique<MonitorCommand>());
     m_commands.push_back(std::make_unique<RecordCommand>());
+    m_commands.push_back(std::make_unique<PublishCommand>());
 }
 
 Ctl::~Ctl() = default;
@@ -213,6 +227,10 @@ void Ctl::stop()
         finishRecording();
         return;
     }
+    if (m_publish) {
+        finishPublish();
+        return;
+    }
     if (m_started)
         m_client->cancelJobs();
     else
@@ -228,6 +246,8 @@ void Ctl::onState(DeviceClient::State state)
         runMonitor();
     else if (isRecording())
         runRecording();
+    else if (qstrcmp(m_command->name(), "publish") == 0)
+        runPublish();
     else
         runCommand();
 }
@@ -320,6 +340,33 @@ void Ctl::finishRecording()
     outcome.note = u"%1 rows, %2 lost"_s.arg(store->rows()).arg(store->lost());
     outcome.json = QJsonObject{{u"file"_s, path}, {u"bytes"_s, bytes}, {u"rows"_s, qint64(store->rows())},
                                {u"lost"_s, qint64(store->lost())}};
+    finish(outcome);
+}
+
+void Ctl::runPublish()
+{
+    const QList<int> channels = wantedChannels();
+    if (channels.isEmpty())
+        return;
+    m_publish = std::make_unique<UdpExport>(m_client->device()->channels(), m_client->telemetry(), channels);
+    connect(m_publish.get(), &UdpExport::failed, this, [this](const Error &error) { onError(error, Refused); });
+    connect(m_client.get(), &DeviceClient::telemetryFailed, this, [this](const Error &error) { onError(error, Refused); });
+    if (const auto started = m_publish->start(m_options.arguments.first()); !started) {
+        onError(started.error(), WrongArguments);
+        return;
+    }
+    m_client->setTelemetry(wishFor(channels, m_options.streams));
+    if (m_options.seconds > 0)
+        QTimer::singleShot(milliseconds(qint64(m_options.seconds * 1000)), this, &Ctl::finishPublish);
+}
+
+void Ctl::finishPublish()
+{
+    m_publish->flush();
+    CommandOutcome outcome;
+    outcome.text = u"%1 samples sent to %2\n"_s.arg(m_publish->sent()).arg(m_options.arguments.first());
+    outcome.note = u"%1 lost"_s.arg(m_client->telemetry()->lost());
+    outcome.json = QJsonObject{{u"sent"_s, qint64(m_publish->sent())}, {u"lost"_s, qint64(m_client->telemetry()->lost())}};
     finish(outcome);
 }
 

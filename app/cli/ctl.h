@@ -5,6 +5,7 @@
 #include "app/cli/command.h"
 #include "protocol/device/deviceclient.h"
 #include "protocol/record/recorder.h"
+#include "protocol/record/udpexport.h"
 
 #include <QTextStream>
 
@@ -31,6 +32,8 @@ private:
     void onProgress(const Progress &progress);
     void runCommand();
     void runMonitor();
+    void runPublish();
+    void finishPublish();
     [[nodiscard]] bool isRecording() const;
     void runRecording();
     void finishRecording();
@@ -50,6 +53,7 @@ private:
     std::unique_ptr<RecordingTask> m_recording;
     std::unique_ptr<DeviceClient> m_client;
     std::unique_ptr<TelemetryPrinter> m_printer;
+    std::unique_ptr<UdpExport> m_publish;
     bool m_started = false;
     bool m_finished = false;
 };

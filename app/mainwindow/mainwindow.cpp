@@ -40,6 +40,7 @@ MainWindow::MainWindow(Links links, QList<Family> families, Theme &theme, Settin
     : QMainWindow(parent)
     , m_workspace(std::make_unique<Workspace>(std::move(links), std::move(families), theme, settings))
     , m_linkBar(new LinkBar(*m_workspace))
+    , m_replay(new ReplayBar(*m_workspace))
     , m_messages(new MessageBar)
     , m_offers(new OfferBar)
     , m_navigation(new Navigation)
@@ -96,6 +97,7 @@ void MainWindow::layoutFrame()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_linkBar);
+    layout->addWidget(m_replay);
     layout->addLayout(middle, 1);
     layout->addWidget(m_unsavedBar);
     layout->addWidget(m_status);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/mainwindow/commandpalette.h"
+#include "app/mainwindow/replaybar.h"
 #include "app/pages/page.h"
 #include "widgets/forms/reviewdialog.h"
 
@@ -33,6 +34,7 @@ public:
     [[nodiscard]] MessageBar *messageBar() const { return m_messages; }
     [[nodiscard]] OfferBar *offerBar() const { return m_offers; }
     [[nodiscard]] Navigation *navigation() const { return m_navigation; }
+    [[nodiscard]] ReplayBar *replayBar() const { return m_replay; }
     [[nodiscard]] ReviewDialog *reviewDialog() const { return m_review; }
     [[nodiscard]] CommandPalette *commandPalette() const { return m_palette; }
     [[nodiscard]] StartPage *startPage() const { return m_start; }
@@ -66,6 +68,7 @@ private:
 
     std::unique_ptr<Workspace> m_workspace;
     LinkBar *m_linkBar;
+    ReplayBar *m_replay;
     MessageBar *m_messages;
     OfferBar *m_offers;
     Navigation *m_navigation;

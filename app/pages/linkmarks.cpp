@@ -54,7 +54,7 @@ LinkMarks::LinkMarks(Workspace &workspace)
 void LinkMarks::add(PlotMark::Kind kind, const QString &text)
 {
     if (const auto store = m_workspace.client().telemetry())
-        m_workspace.marks().add({store->secondsAt(Clock::now()), kind, text});
+        m_workspace.marks().add({store->now(), kind, text});
 }
 
 void LinkMarks::onLive(const QList<int> &parameters)

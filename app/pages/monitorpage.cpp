@@ -80,6 +80,10 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     auto *exports = new QMenu(m_export);
     exports->addAction(tr("Samples as CSV…"), this, &MonitorPage::askExport);
     exports->addAction(tr("Picture…"), this, &MonitorPage::askPicture);
+    QAction *publishing = exports->addAction(tr("Send to PlotJuggler (UDP)…"), this, &MonitorPage::askPublish);
+    connect(exports, &QMenu::aboutToShow, this, [this, publishing] {
+        publishing->setText(m_publication ? tr("Stop sending to %1").arg(m_publishedTo) : tr("Send to PlotJuggler (UDP)…"));
+    });
     m_export->setMenu(exports);
     m_export->setToolTip(tr("Save what is seen"));
     auto *space = new QShortcut(Qt::Key_Space, m_stack, m_pause, &QPushButton::toggle);
@@ -150,6 +154,8 @@ ChannelTable MonitorPage::table() const
 void MonitorPage::onStore()
 {
     DeviceClient &client = workspace().client();
+    if (m_publication && m_publication->store() != client.telemetry().get())
+        m_publication.reset();
     m_channels.reset(table(), client.telemetry());
     m_stack->setSource(table(), client.telemetry());
     if (!m_chosen) {
@@ -348,6 +354,45 @@ void MonitorPage::askPicture()
     });
 }
 
+Result<void> MonitorPage::publish(const QString &hostAndPort)
+{
+    m_publication.reset();
+    if (hostAndPort.isEmpty())
+        return {};
+    const auto store = workspace().client().telemetry();
+    if (!store)
+        return failure(ErrorCode::NotConnected);
+    auto publication = std::make_unique<UdpExport>(table(), store, m_stack->channels());
+    if (const auto started = publication->start(hostAndPort); !started)
+        return started;
+    connect(publication.get(), &UdpExport::failed, this, [this](const Error &error) {
+        emit workspace().problem(describe(error));
+    });
+    m_publication = std::move(publication);
+    m_publishedTo = hostAndPort;
+    return {};
+}
+
+void MonitorPage::askPublish()
+{
+    if (m_publication) {
+        std::ignore = publish({});
+        return;
+    }
+    auto *dialog = new QInputDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Send to PlotJuggler"));
+    dialog->setLabelText(tr("Address of its UDP server (JSON)"));
+    dialog->setTextValue(u"127.0.0.1:%1"_s.arg(UdpExport::kUsualPort));
+    connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString &address) {
+        if (const auto started = publish(address.trimmed()); started)
+            emit workspace().notice(tr("What is ticked now is sent to %1 until you stop it in the same menu.").arg(address.trimmed()));
+        else
+            emit workspace().problem(describe(started.error()));
+    });
+    dialog->open();
+}
+
 void MonitorPage::askStreams()
 {
     auto *dialog = new StreamsDialog(workspace(), this);
@@ -392,6 +437,8 @@ void MonitorPage::updateNote()
         parts.append(tr("%1 % of the line").arg(100.0 * plan.budget.bytesPerSecond() / plan.budget.capacity, 0, 'f', 0));
     else if (plan.poll)
         parts.append(tr("polled, up to %1 samples/s").arg(plan.rate, 0, 'f', 0));
+    if (m_publication)
+        parts.append(tr("sent on: %1").arg(m_publication->sent()));
     parts.append(tr("%1 lost").arg(store->lost()));
     if (store->silences() > 0)
         parts.append(tr("silent for %1 s").arg(store->silentSeconds(), 0, 'f', 1));

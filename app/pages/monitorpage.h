@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/pages/page.h"
+#include "protocol/record/udpexport.h"
 #include "widgets/models/channelmodel.h"
 #include "widgets/plot/plotstack.h"
 
@@ -33,6 +34,9 @@ public:
     Result<qint64> exportCsv(const QString &path);
     /// Saves the plots as they look, at twice the size. Errors: BadFile.
     Result<void> exportPicture(const QString &path) const;
+    /// Sends what is ticked on as JSON over UDP; an empty address ends it. Errors: InvalidArgument, NotConnected.
+    Result<void> publish(const QString &hostAndPort);
+    [[nodiscard]] const UdpExport *publication() const { return m_publication.get(); }
     /// Keeps which plots there are and what they show under a name; shows what was kept.
     void saveLayout(const QString &name);
     void useLayout(const QString &name);
@@ -53,6 +57,7 @@ private:
     void askLayoutName();
     void askExport();
     void askPicture();
+    void askPublish();
     void askStreams();
     void updateRecord();
     void askRecording(const QString &title, Result<void> (LinkRecorder::*record)(const QString &));
@@ -72,5 +77,7 @@ private:
     QMenu *m_recordMenu;
     QLabel *m_note;
     QTimer m_valueTimer;
+    std::unique_ptr<UdpExport> m_publication;
+    QString m_publishedTo;
     bool m_chosen = false;     // the operator (or the first board) has chosen channels
 };

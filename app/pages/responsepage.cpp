@@ -186,7 +186,7 @@ void ResponsePage::makeMovementCard(QVBoxLayout *column)
     m_count->setSingleStep(2);
     m_rest = makeField(0.3, 5, 1, 1, tr(" s"));
     m_from = makeField(0.1, 20, 0.5, 1, tr(" Hz"));
-    m_to = makeField(1, 20, 12, 1, tr(" Hz"));
+    m_to = makeField(1, 20, 15, 1, tr(" Hz"));
     m_seconds = makeField(5, 120, 20, 0, tr(" s"));
     m_limit = makeField(0.5, 20, 4, 1, tr("°"));
     m_limit->setToolTip(tr("Further than this beyond the movement itself, and the motors are switched off"));

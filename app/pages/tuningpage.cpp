@@ -307,7 +307,7 @@ void TuningPage::updateFigures()
     if (!store || !workspace().client().device())
         return;
     const ChannelRoles roles = workspace().roles();
-    const double now = store->secondsAt(Clock::now());
+    const double now = store->now();
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         const SpanStatistics span = spanStatistics(*store, roles.target[axis], roles.angle[axis], now - kFigureSpan, now);
         m_now[axis] = {span.rms, span.peak};

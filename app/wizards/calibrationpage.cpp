@@ -299,7 +299,7 @@ void CalibrationPage::look()
     m_motion = std::nan("");
     m_face = -1;
     if (store && workspace().client().isConnected()) {
-        const double now = store->secondsAt(Clock::now());
+        const double now = store->now();
         m_motion = 0;
         std::array<double, 3> acc{};
         for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -141,6 +141,9 @@ void DeviceClient::connectTo(const LinkAddress &address, const QString &family)
     disconnectFromBoard();
     m_address = address;
     m_familyKey = family;
+    m_replayFrom = 0;
+    m_replaySpeed.reset();
+    m_replayPaused = false;
     startAttempt(State::Connecting, 0ms);
 }
 
@@ -216,6 +219,7 @@ void DeviceClient::finishAttempt(const std::shared_ptr<Attempt> &attempt, Result
     // A fresh store for a new board; the same board goes on in the same one.
     if (!m_store || m_state != State::Reconnecting)
         m_store = std::make_shared<TelemetryStore>(int(m_device->channels().size()));
+    m_store->setReplayed(m_address.isReplay());
     auto feed = std::make_unique<TelemetryFeed>(
         m_store, [device = m_device](const FrameView &frame) { return device->announcesReset(frame); },
         [this] { QMetaObject::invokeMethod(this, &DeviceClient::onResetAnnounced, Qt::QueuedConnection); });
@@ -229,6 +233,7 @@ void DeviceClient::finishAttempt(const std::shared_ptr<Attempt> &attempt, Result
         m_motorsOff = m_device->motorsOffRequest();
     }
     m_plan = {};
+    m_statistics = {};
     m_statisticsTimer.start();
     setState(State::Connected);
     requestTelemetry();
@@ -384,6 +389,40 @@ void DeviceClient::startReplay()
         session->play();
     }, Qt::BlockingQueuedConnection);
     emit telemetryPlanChanged();
+    if (m_replaySpeed)
+        setReplaySpeed(*m_replaySpeed);
+    if (m_replayFrom > 0)
+        seekReplay(m_replayFrom);
+    setReplayPaused(m_replayPaused);
+}
+
+void DeviceClient::setReplayPaused(bool paused)
+{
+    m_replayPaused = paused;
+    QMetaObject::invokeMethod(m_session, [session = m_session, paused] { session->setReplayPaused(paused); }, Qt::QueuedConnection);
+}
+
+void DeviceClient::setReplaySpeed(double speed)
+{
+    m_replaySpeed = speed;
+    QMetaObject::invokeMethod(m_session, [session = m_session, speed] { session->setReplaySpeed(speed); }, Qt::QueuedConnection);
+}
+
+void DeviceClient::seekReplay(double seconds)
+{
+    if (!m_address.isReplay())
+        return;
+    if (m_state == State::Connected && m_plan.decoder && (!m_statistics.replay || seconds >= m_statistics.replay->position)) {
+        QMetaObject::invokeMethod(m_session, [session = m_session, seconds] { session->forwardReplay(seconds); },
+                                  Qt::QueuedConnection);
+        return;
+    }
+    const auto speed = m_replaySpeed;
+    const bool paused = m_replayPaused;
+    connectTo(LinkAddress(m_address), QString(m_familyKey));
+    m_replayFrom = seconds;
+    m_replaySpeed = speed;
+    m_replayPaused = paused;
 }
 
 void DeviceClient::setState(State state)

@@ -68,6 +68,12 @@ public:
     /// Which telemetry to arrange with the board; kept over reconnections.
     void setTelemetry(const TelemetryWish &wish);
 
+    /// A recording: stands still, runs at another speed, or goes to a place (seconds since its first byte). Going back opens
+    /// it anew and plays up to there at once, so that everything before is there to look at.
+    void setReplayPaused(bool paused);
+    void setReplaySpeed(double speed);
+    void seekReplay(double seconds);
+
 signals:
     void stateChanged(DeviceClient::State state);
     void connectionFailed(const Error &error);
@@ -121,6 +127,9 @@ private:
     TelemetryWish m_wish;
     TelemetryPlan m_plan;
     bool m_telemetryRequested = false;
+    double m_replayFrom = 0;                       // go there as soon as the recording is open
+    std::optional<double> m_replaySpeed;           // chosen by the operator, kept over seeking
+    bool m_replayPaused = false;
     LinkStatistics m_statistics;
     int m_jobs = 0;
 

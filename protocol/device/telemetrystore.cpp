@@ -142,6 +142,7 @@ void TelemetryStore::append(TelemetryGroup &group, TimePoint at, std::span<const
         m_latest[channel].store(values[i], std::memory_order_relaxed);
     }
     m_rows.fetch_add(1, std::memory_order_relaxed);
+    m_newest.store(std::max(m_newest.load(std::memory_order_relaxed), secondsAt(at)), std::memory_order_relaxed);
 }
 
 void TelemetryStore::appendGap(TelemetryGroup &group, TimePoint at)

@@ -114,6 +114,10 @@ public:
     [[nodiscard]] TimePoint origin() const { return m_origin; }
     /// A time of this store in seconds since its origin.
     [[nodiscard]] double secondsAt(TimePoint time) const { return seconds(time - m_origin); }
+    /// The present of this store, in seconds since its origin: the clock's, or that of the newest sample while a recording
+    /// is played, which runs in its own time.
+    [[nodiscard]] double now() const { return m_replayed ? m_newest.load(std::memory_order_relaxed) : secondsAt(Clock::now()); }
+    void setReplayed(bool replayed) { m_replayed = replayed; }
     /// What the clock on the wall showed at a time of this store.
     [[nodiscard]] QDateTime wallClockAt(double time) const
     {
@@ -132,6 +136,8 @@ public:
 private:
     TimePoint m_origin = Clock::now();
     QDateTime m_wallOrigin = QDateTime::currentDateTime();
+    std::atomic<bool> m_replayed = false;
+    std::atomic<double> m_newest = 0;
     std::atomic<double> m_retention = 600.0;
     std::vector<std::atomic<float>> m_latest;
     std::atomic<int> m_generation = 0;

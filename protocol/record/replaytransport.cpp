@@ -9,6 +9,8 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr auto kTick = 4ms;
+constexpr double kSlowest = 0.05;
+constexpr double kFastest = 100.0;
 
 Result<double> numberOption(const LinkAddress &address, const QString &name, double fallback, double low, double high)
 {
@@ -48,7 +50,7 @@ void ReplayTransport::open()
 
 void ReplayTransport::close()
 {
-    m_open = false;
+    m_open = m_played = false;
     m_timer.stop();
 }
 
@@ -86,8 +88,9 @@ QByteArray ReplayTransport::answerTo(const QByteArray &request) const
 
 void ReplayTransport::play()
 {
-    if (!m_open || m_timer.isActive())
+    if (!m_open || m_played)
         return;
+    m_played = true;
     m_begin = m_position;
     m_started = Clock::now();
     // What had been arranged before this place still counts.
@@ -96,13 +99,64 @@ void ReplayTransport::play()
         if (piece.kind == RecordedPiece::Kind::Sent)
             emit replayed(piece.bytes, m_started);
     }
-    m_timer.start();
+    runFromHere();
+}
+
+void ReplayTransport::runFromHere()
+{
+    m_runningSince = Clock::now();
+    m_runningFrom = m_position;
+    if (m_open && !m_paused)
+        m_timer.start();
 }
 
 void ReplayTransport::advance()
 {
-    const auto passed = std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - m_started).count();
-    m_position = m_begin + qint64(double(passed) * m_speed);
+    const auto passed = std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - m_runningSince).count();
+    m_position = m_runningFrom + qint64(double(passed) * m_speed);
+    deliver();
+}
+
+void ReplayTransport::setPaused(bool paused)
+{
+    if (m_paused == paused)
+        return;
+    if (paused && m_timer.isActive())
+        advance();
+    m_paused = paused;
+    m_timer.stop();
+    if (m_played)
+        runFromHere();
+}
+
+void ReplayTransport::setSpeed(double speed)
+{
+    if (m_timer.isActive())
+        advance();
+    m_speed = std::clamp(speed, kSlowest, kFastest);
+    if (m_timer.isActive())
+        runFromHere();
+}
+
+void ReplayTransport::forwardTo(double seconds)
+{
+    const qint64 wanted = std::min(m_recording.begin() + qint64(seconds * 1e9), m_recording.end());
+    if (!m_open || wanted <= m_position)
+        return;
+    m_position = wanted;
+    deliver();
+    runFromHere();
+}
+
+std::optional<ReplayState> ReplayTransport::replayState() const
+{
+    const qint64 begin = m_recording.begin();
+    const qint64 end = m_recording.end();
+    return ReplayState{double(std::clamp(m_position, begin, end) - begin) * 1e-9, double(end - begin) * 1e-9, m_speed, m_paused};
+}
+
+void ReplayTransport::deliver()
+{
     for (; m_open && m_next < m_recording.pieces.size(); ++m_next) {
         const RecordedPiece &piece = m_recording.pieces[m_next];
         if (piece.at > m_position)
@@ -118,7 +172,7 @@ void ReplayTransport::advance()
 
 Result<std::unique_ptr<Transport>> makeReplayTransport(const LinkAddress &address)
 {
-    const auto speed = numberOption(address, u"speed"_s, 1.0, 0.05, 100.0);
+    const auto speed = numberOption(address, u"speed"_s, 1.0, kSlowest, kFastest);
     const auto from = numberOption(address, u"from"_s, 0.0, 0.0, 1e6);
     if (!speed || !from)
         return tl::unexpected(speed ? from.error() : speed.error());

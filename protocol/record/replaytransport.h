@@ -22,9 +22,15 @@ public:
     void close() override;
     void write(QByteArrayView bytes) override;
     void play() override;
+    void setPaused(bool paused) override;
+    void setSpeed(double speed) override;
+    void forwardTo(double seconds) override;
+    [[nodiscard]] std::optional<ReplayState> replayState() const override;
 
 private:
     void advance();
+    void deliver();
+    void runFromHere();
     [[nodiscard]] QByteArray answerTo(const QByteArray &request) const;
 
     Recording m_recording;
@@ -33,8 +39,12 @@ private:
     std::size_t m_next = 0;                         // piece that is due next
     QHash<QByteArray, QList<qsizetype>> m_requests; // what was sent -> pieces
     QTimer m_timer;
-    TimePoint m_started{};                          // when m_begin was played
+    TimePoint m_started{};                          // the time that m_begin was given; times keep their distances from it
     qint64 m_begin = 0;
+    TimePoint m_runningSince{};                     // when m_runningFrom was played
+    qint64 m_runningFrom = 0;
+    bool m_played = false;
+    bool m_paused = false;
     bool m_open = false;
 };
 

@@ -179,9 +179,29 @@ void Session::play()
         m_transport->play();
 }
 
+void Session::setReplayPaused(bool paused)
+{
+    if (m_transport)
+        m_transport->setPaused(paused);
+}
+
+void Session::setReplaySpeed(double speed)
+{
+    if (m_transport)
+        m_transport->setSpeed(speed);
+}
+
+void Session::forwardReplay(double seconds)
+{
+    if (m_transport)
+        m_transport->forwardTo(seconds);
+}
+
 LinkStatistics Session::statistics() const
 {
     LinkStatistics statistics;
+    if (m_transport)
+        statistics.replay = m_transport->replayState();
     if (m_framer)
         statistics.framing = m_framer->statistics();
     statistics.bytesIn = m_bytesIn;

@@ -34,6 +34,7 @@ struct LinkStatistics
     double framesPerSecond = 0;
     std::optional<Duration> roundTrip;
     int deadManRescues = 0;
+    std::optional<ReplayState> replay;   ///< where a recorded link stands
 };
 
 /// One open link. Owns the transport, the framer, the transaction queue and the control stream; lives on the I/O thread.
@@ -68,6 +69,9 @@ public:
 
     /// Lets a replayed link run; others run by themselves.
     void play();
+    void setReplayPaused(bool paused);
+    void setReplaySpeed(double speed);
+    void forwardReplay(double seconds);
 
     [[nodiscard]] LinkStatistics statistics() const;
     [[nodiscard]] LinkObservation observation() const;

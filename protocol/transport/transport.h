@@ -11,6 +11,18 @@
 #include <functional>
 #include <memory>
 
+/// Where a recorded link stands.
+struct ReplayState
+{
+    double position = 0;     ///< seconds since the recording's first byte
+    double length = 0;       ///< seconds
+    double speed = 1;        ///< times real time
+    bool paused = false;
+
+    [[nodiscard]] bool hasEnded() const { return position >= length; }
+    friend bool operator==(const ReplayState &, const ReplayState &) = default;
+};
+
 /// Moves bytes and stamps the time at which they arrived. Lives on the I/O thread and never blocks it.
 class Transport : public QObject
 {
@@ -29,6 +41,12 @@ public:
     [[nodiscard]] virtual std::optional<LineSettings> line() const { return {}; }
     /// A recorded link waits with its live data until somebody can take them; others have nothing to wait for.
     virtual void play() { }
+    /// The rest is for recorded links as well. A place before the present one cannot be gone to: what was received was
+    /// received. What lies between is delivered at once.
+    virtual void setPaused(bool) { }
+    virtual void setSpeed(double) { }
+    virtual void forwardTo(double /*seconds*/) { }
+    [[nodiscard]] virtual std::optional<ReplayState> replayState() const { return {}; }
 
 signals:
     void opened();

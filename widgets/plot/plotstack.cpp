@@ -221,7 +221,7 @@ void PlotStack::setPaused(bool paused)
 
 void PlotStack::holdAt(double end)
 {
-    const double newest = m_store ? m_store->secondsAt(Clock::now()) : end;
+    const double newest = m_store ? m_store->now() : end;
     for (PlotPanel *panel : m_panels)
         panel->view()->hold(std::min(end, newest));
 }
