@@ -29,7 +29,8 @@ QString helpText()
 {
     return u"gimbalsim --family simplebgc (--pty PATH | --tcp PORT) [options]\n\n"
            u"A simulated gimbal for other programs. Prints \"ready ADDRESS\" and runs until it is told to end.\n"
-           u"Lines NAME=VALUE on standard input change the world while it runs: pose=1, shake=3, unplug=0.\n\n"
+           u"Lines NAME=VALUE on standard input change the world while it runs: pose=1, shake=3, unplug=0.\n"
+           u"The line \"streams\" is answered with how many stream frames were sent and how many skipped.\n\n"
            u"  --pty PATH        a pseudo-terminal, reachable at PATH (a symbolic link)\n"
            u"  --tcp PORT        a TCP server on 127.0.0.1, 0 = any free port\n"
            u"  --seed N          another gimbal: noise, bias, hand; same seed, same behaviour\n"
@@ -114,6 +115,11 @@ int main(int argc, char **argv)
             typed.remove(0, end + 1);
             if (line.isEmpty())
                 continue;
+            if (line == u"streams"_s) {
+                const SimulatedBoard::StreamCount streams = host->port().board().streamCount();
+                QTextStream(stdout) << "streams sent " << streams.sent << " skipped " << streams.skipped << "\n";
+                continue;
+            }
             if (const auto changed = host->port().change(line); !changed)
                 QTextStream(stderr) << "gimbalsim: " << changed.error().detail << "\n";
         }

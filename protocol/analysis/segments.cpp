@@ -24,6 +24,8 @@ Segments::Segments(std::vector<double> weights, double rate, int count, std::siz
 {
     m_transform->fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
     m_transform->input.resize(m_weights.size());
+    for (const double weight : m_weights)
+        m_squares += weight * weight;
 }
 
 Segments::Segments(Segments &&) noexcept = default;
@@ -50,21 +52,15 @@ Result<Segments> Segments::make(std::size_t samples, double rate, const Spectrum
 double Segments::noiseBandwidth() const
 {
     double sum = 0.0;
-    double squares = 0.0;
-    for (const double weight : m_weights) {
+    for (const double weight : m_weights)
         sum += weight;
-        squares += weight * weight;
-    }
-    return double(m_weights.size()) * squares / (sum * sum);
+    return double(m_weights.size()) * m_squares / (sum * sum);
 }
 
 double Segments::powerScale(std::size_t bin) const
 {
-    double squares = 0.0;
-    for (const double weight : m_weights)
-        squares += weight * weight;
     const bool single = bin == 0 || bin + 1 == bins();   // these have no mirror image
-    return (single ? 1.0 : 2.0) / (m_rate * squares * m_count);
+    return (single ? 1.0 : 2.0) / (m_rate * m_squares * m_count);
 }
 
 const std::vector<std::complex<double>> &Segments::transform(std::span<const float> samples, int segment)

@@ -34,5 +34,6 @@ private:
     double m_rate;
     int m_count;
     std::size_t m_hop;
+    double m_squares = 0;      // sum of the squared weights
     std::unique_ptr<Transform> m_transform;
 };

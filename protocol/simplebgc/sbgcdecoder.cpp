@@ -16,6 +16,7 @@ constexpr double kUnstampedResync = 0.25;
 // A row that comes so much later than it should is drawn with a gap before it.
 constexpr double kGapRows = 3.0;
 constexpr double kLeastGap = 0.05;
+constexpr double kQuiet = 0.05;          // seconds
 
 bool isStatus(int id)
 {
@@ -74,7 +75,10 @@ void SbgcDecoder::shareFields()
 
 void SbgcDecoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store)
 {
-    const double idle = m_heard ? seconds(at - *m_heard) : 0.0;
+    if (const double idle = m_heard ? seconds(at - *m_heard) : 0.0; idle >= kQuiet) {
+        m_silence = idle;
+        m_silenceEnd = at;
+    }
     m_heard = at;
     const auto find = [&] {
         return std::find_if(m_flows.begin(), m_flows.end(), [&](const Flow &flow) { return flow.id == frame.id; });
@@ -85,8 +89,12 @@ void SbgcDecoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &s
         shareFields();
         flow = find();
     }
-    if (flow != m_flows.end() && !flow->fields.empty() && frame.payload.size() >= std::size_t(flow->payloadSize))
-        take(*flow, frame, at, store, idle);
+    if (flow != m_flows.end() && !flow->fields.empty() && frame.payload.size() >= std::size_t(flow->payloadSize)) {
+        // The first frame after a silence may have been one of another stream.
+        const bool quiet = flow->heard && *flow->heard < m_silenceEnd;
+        take(*flow, frame, at, store, quiet ? m_silence : 0.0);
+        flow->heard = at;
+    }
 }
 
 void SbgcDecoder::take(Flow &flow, const FrameView &frame, TimePoint at, TelemetryStore &store, double idle)
@@ -109,7 +117,7 @@ void SbgcDecoder::take(Flow &flow, const FrameView &frame, TimePoint at, Telemet
         time = flow.clock.next(arrival, missing);
         if (found.lost > 0)
             store.countLost(quint64(found.lost));
-        if (found.silence > 0)
+        if (found.silence > 0 && &flow == &m_flows.front())   // all streams were silent at once
             store.countSilence(found.silence);
         if (missing > 0 || time - flow.lastTime > std::max(kLeastGap, kGapRows * flow.period))
             store.appendGap(*flow.group, store.origin() + durationFromSeconds(std::max(flow.lastTime, time - flow.period)));

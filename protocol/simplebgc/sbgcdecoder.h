@@ -36,6 +36,7 @@ private:
         SampleClock clock{0};
         StreamWatch watch{0};
         double lastTime = 0;
+        std::optional<TimePoint> heard;
     };
     void addFlow(int id, double period, quint32 customFlags);
     void shareFields();
@@ -43,7 +44,9 @@ private:
 
     std::vector<Flow> m_flows;   // fastest first
     std::vector<float> m_values;
-    std::optional<TimePoint> m_heard;
+    std::optional<TimePoint> m_heard;      // anything whatever
+    double m_silence = 0;                  // seconds, the last time that nothing at all came
+    TimePoint m_silenceEnd{};
 };
 
 } // namespace sbgc

@@ -26,7 +26,7 @@ constexpr auto kTick = 2ms;
 // After a pause of the whole machine the simulation does not try to catch up more than this.
 constexpr qint64 kMostCatchUpNs = 500'000'000;
 constexpr qsizetype kReadBuffer = 4096;
-constexpr qsizetype kPtyBacklog = 65536;
+constexpr qsizetype kPtyBacklog = 4096;   // beside what the system keeps for a reader that is late
 
 } // namespace
 
@@ -123,6 +123,7 @@ void PtyHost::poll()
 {
     if (m_master < 0)
         return;
+    drain();
     // The host's rate is seen through the terminal; its parity is not, Linux keeps none on pseudo-terminals.
     struct termios2 settings{};
     if (::ioctl(m_master, TCGETS2, &settings) == 0)
@@ -141,12 +142,18 @@ void PtyHost::deliver(const QByteArray &bytes)
     if (m_master < 0)
         return;
     m_unsent += bytes;
-    const ssize_t count = ::write(m_master, m_unsent.constData(), std::size_t(m_unsent.size()));
+    drain();
+}
+
+void PtyHost::drain()
+{
+    const ssize_t count = m_unsent.isEmpty() ? 0 : ::write(m_master, m_unsent.constData(), std::size_t(m_unsent.size()));
     if (count > 0)
         m_unsent.remove(0, count);
-    // Nobody reads: a UART would lose the bytes as well.
-    if (m_unsent.size() > kPtyBacklog)
-        m_unsent.clear();
+    // Nobody reads: on USB the board has to wait, which skips its streams; a UART does not wait, its bytes are lost.
+    port().setHostReady(m_unsent.size() < kPtyBacklog);
+    if (m_unsent.size() > 2 * kPtyBacklog)
+        m_unsent.truncate(kPtyBacklog);
 }
 
 void PtyHost::plugged(bool in)

@@ -61,6 +61,7 @@ protected:
 
 private:
     Result<void> openTerminal();
+    void drain();
     void closeTerminal();
 
     QString m_path;

@@ -25,6 +25,7 @@ public:
     void cycle() override;
     QByteArray takeOutput(qsizetype most) override;
     [[nodiscard]] bool isRunning() const override { return m_bootLeft <= 0; }
+    [[nodiscard]] StreamCount streamCount() const override { return m_streamCount; }
     void setFaults(const Faults &faults) override { m_options.faults = faults; }
 
     // For tests and the demo: the world around the board.
@@ -137,6 +138,7 @@ private:
     double m_voltageOffset = 0;
     quint64 m_serialErrors = 0;
     std::vector<Stream> m_streams;
+    StreamCount m_streamCount;
     Calibration m_calibration;
     std::array<std::array<std::optional<double>, 2>, kAxisCount> m_accLimits;   // reading with the axis down, up
     std::unique_ptr<AutoPidSearch> m_autoPid;

@@ -40,8 +40,11 @@ std::vector<DebugVar> debugVariables()
 
 void SbgcBoard::send(CommandId id, const QByteArray &payload, int version, bool isStream)
 {
-    if (isStream && m_output.size() > kStreamSpace)
+    if (isStream && m_output.size() > kStreamSpace) {
+        ++m_streamCount.skipped;
         return;
+    }
+    m_streamCount.sent += isStream;
     m_output += encodeFrame(number(id), payload, version);
 }
 

@@ -22,6 +22,13 @@ public:
     virtual QByteArray takeOutput(qsizetype most) = 0;
     /// False while the controller restarts and, on native USB, is gone from the bus.
     [[nodiscard]] virtual bool isRunning() const = 0;
+    /// Frames of data streams that went out, and those that were skipped because nobody took them off.
+    struct StreamCount
+    {
+        quint64 sent = 0;
+        quint64 skipped = 0;
+    };
+    [[nodiscard]] virtual StreamCount streamCount() const = 0;
     /// The world around the board changes while it runs.
     virtual void setFaults(const Faults &faults) = 0;
 };

@@ -95,7 +95,7 @@ void SimulatedPort::cycle()
     m_now += kCycle;
     // A UART carries only so many bytes per cycle, each way.
     qsizetype in = m_toBoard.size();
-    qsizetype out = kUsbChunk;
+    qsizetype out = m_hostReady ? kUsbChunk : 0;
     if (m_line) {
         const double perCycle = seconds(kCycle) / m_line->secondsFor(1);
         m_inCredit = m_toBoard.isEmpty() ? 0.0 : m_inCredit + perCycle;

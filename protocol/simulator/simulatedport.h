@@ -21,6 +21,8 @@ public:
     void hostWrites(Bytes bytes);
     /// Everything that has reached the host by now.
     QByteArray hostReads();
+    /// False while the host takes nothing: USB waits, a UART does not.
+    void setHostReady(bool ready) { m_hostReady = ready; }
     /// What the host has set its end to, where that can be known; empty = whatever the board wants.
     void setHostLine(std::optional<LineSettings> line) { m_hostLine = line; }
     /// Lets simulated time pass, in whole firmware cycles.
@@ -51,6 +53,7 @@ private:
     Duration m_now{};
     Duration m_rest{};
     QByteArray m_toBoard;
+    bool m_hostReady = true;
     double m_inCredit = 0;
     double m_outCredit = 0;
     std::deque<Delayed> m_toHost;

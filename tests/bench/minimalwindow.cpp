@@ -8,7 +8,7 @@
 
 namespace {
 
-/// The least a Qt window can be: what bench_start measures the program against.
+/// The least a Qt window can be: what the benchmark measures the program against.
 class MinimalWindow final : public QWidget
 {
 protected:

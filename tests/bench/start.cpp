@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QCoreApplication>
+#include "tests/bench/report.h"
+
 #include <QElapsedTimer>
 #include <QProcess>
-#include <QTextStream>
 
-#include <algorithm>
 #include <vector>
 
 using namespace Qt::StringLiterals;
@@ -32,18 +31,11 @@ double startOf(const QString &program)
     return ms;
 }
 
-double median(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
-
 } // namespace
 
-/// P12: start to first paint of the main window against a minimal Qt window, interleaved, medians. Limit 3.
-int main(int argc, char **argv)
+/// P12: start to first paint of the main window against a minimal Qt window, interleaved.
+void benchStart(Report &report)
 {
-    QCoreApplication application(argc, argv);
     constexpr int kRuns = 15;
     std::vector<double> ours;
     std::vector<double> minimal;
@@ -51,8 +43,6 @@ int main(int argc, char **argv)
         ours.push_back(startOf(QStringLiteral(GIMBAL_BIN_DIR "/gimbaldesk")));
         minimal.push_back(startOf(QStringLiteral(GIMBAL_BIN_DIR "/minimalwindow")));
     }
-    const double ratio = median(ours) / median(minimal);
-    QTextStream(stdout) << "start to first paint: " << median(ours) << " ms, minimal window " << median(minimal)
-                        << " ms, ratio " << ratio << " (limit 3)\n";
-    return ratio <= 3.0 * 1.15 ? 0 : 1;
+    report.atMost(u"P12"_s, u"start to first paint / minimal window"_s, median(ours) / median(minimal), 3, {},
+                  u"%1 and %2 ms"_s.arg(median(ours), 0, 'f', 0).arg(median(minimal), 0, 'f', 0));
 }
