@@ -883,6 +883,13 @@
     </message>
 </context>
 <context>
+    <name>CurveChart</name>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+</context>
+<context>
     <name>DashboardPage</name>
     <message>
         <source>Dashboard</source>
@@ -1284,6 +1291,42 @@
         <source>Steering</source>
         <translation>Steuere</translation>
     </message>
+    <message>
+        <source>The line cannot carry so much.</source>
+        <translation>So viel trägt die Leitung nicht.</translation>
+    </message>
+    <message>
+        <source>Samples would be lost; nothing was changed.</source>
+        <translation>Messwerte gingen verloren; es wurde nichts geändert.</translation>
+    </message>
+    <message>
+        <source>Ask for fewer channels, a lower rate, or set a faster serial speed.</source>
+        <translation>Verlangen Sie weniger Kanäle oder eine niedrigere Rate, oder stellen Sie eine schnellere serielle Geschwindigkeit ein.</translation>
+    </message>
+    <message>
+        <source>The test could not be made.</source>
+        <translation>Der Versuch konnte nicht gemacht werden.</translation>
+    </message>
+    <message>
+        <source>The camera has to be held by running motors, and live data has to come.</source>
+        <translation>Laufende Motoren müssen die Kamera halten, und Livedaten müssen kommen.</translation>
+    </message>
+    <message>
+        <source>Switch the motors on, let the camera settle, then try again.</source>
+        <translation>Schalten Sie die Motoren ein, lassen Sie die Kamera zur Ruhe kommen und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The axis did not follow; the motors were switched off.</source>
+        <translation>Die Achse folgte nicht; die Motoren wurden ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>It moved further than the test allows.</source>
+        <translation>Sie bewegte sich weiter, als der Versuch erlaubt.</translation>
+    </message>
+    <message>
+        <source>Lower the gains or make the movement smaller, then switch the motors on again.</source>
+        <translation>Nehmen Sie die Verstärkungen zurück oder verkleinern Sie die Bewegung, dann schalten Sie die Motoren wieder ein.</translation>
+    </message>
 </context>
 <context>
     <name>FrameLogModel</name>
@@ -1479,6 +1522,55 @@
     </message>
 </context>
 <context>
+    <name>LinkMarks</name>
+    <message>
+        <source>Connection lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>Connected again</source>
+        <translation>Wieder verbunden</translation>
+    </message>
+    <message>
+        <source>Streams arranged</source>
+        <translation>Datenströme eingerichtet</translation>
+    </message>
+    <message>
+        <source>Motors switched off</source>
+        <translation>Motoren ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Motors off: not confirmed</source>
+        <translation>Motoren aus: nicht bestätigt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) written</source>
+        <translation>
+            <numerusform>%n Wert geschrieben</numerusform>
+            <numerusform>%n Werte geschrieben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Simulated: %1</source>
+        <translation>Simuliert: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weiterer</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Profile %1 in use</source>
+        <translation>Profil %1 in Gebrauch</translation>
+    </message>
+    <message>
+        <source>The board was silent for %1 s</source>
+        <translation>Das Board war %1 s lang still</translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message>
         <source>Hold Esc to switch the motors off.</source>
@@ -1562,10 +1654,6 @@
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>Export…</source>
-        <translation>Exportieren…</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -1576,14 +1664,6 @@
     <message>
         <source>Time shown</source>
         <translation>Gezeigte Zeit</translation>
-    </message>
-    <message>
-        <source>Hold the picture still while data goes on (Space in the plot). The wheel zooms, dragging moves, arrow keys move the cursor, End goes on.</source>
-        <translation>Hält das Bild an, während Daten weiterlaufen (Leertaste im Bild). Das Rad zoomt, Ziehen verschiebt, Pfeiltasten bewegen den Cursor, Ende geht weiter.</translation>
-    </message>
-    <message>
-        <source>Save what is seen as a CSV file</source>
-        <translation>Was zu sehen ist, als CSV-Datei speichern</translation>
     </message>
     <message>
         <source>Telemetry channels</source>
@@ -1604,10 +1684,6 @@
     <message>
         <source>%1 lines saved to %2</source>
         <translation>%1 Zeilen gespeichert in %2</translation>
-    </message>
-    <message>
-        <source>%1 samples/s</source>
-        <translation>%1 Werte/s</translation>
     </message>
     <message>
         <source>polled, up to %1 samples/s</source>
@@ -1656,6 +1732,130 @@
     <message>
         <source>● recording, %1</source>
         <translation>● zeichnet auf, %1</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Anordnung</translation>
+    </message>
+    <message>
+        <source>Streams…</source>
+        <translation>Datenströme…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Hold the picture still while data goes on (Space in the plot). The wheel zooms, dragging moves, Shift and dragging zooms to a box, a click sets the line that differences are counted from. Arrow keys move the cursor, with Ctrl from event to event; End goes on.</source>
+        <translation>Hält das Bild an, während die Daten weiterlaufen (Leertaste im Bild). Das Rad zoomt, Ziehen verschiebt, Umschalt und Ziehen zoomt auf einen Rahmen, ein Klick setzt die Linie, von der Unterschiede zählen. Pfeiltasten bewegen den Cursor, mit Strg von Ereignis zu Ereignis; Ende läuft weiter.</translation>
+    </message>
+    <message>
+        <source>Which plots there are and what they show, kept by name</source>
+        <translation>Welche Bilder es gibt und was sie zeigen, unter einem Namen behalten</translation>
+    </message>
+    <message>
+        <source>What the board sends how often, and what it takes of the line</source>
+        <translation>Was das Board wie oft sendet und was das von der Leitung nimmt</translation>
+    </message>
+    <message>
+        <source>Samples as CSV…</source>
+        <translation>Messwerte als CSV…</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Bild…</translation>
+    </message>
+    <message>
+        <source>Send to PlotJuggler (UDP)…</source>
+        <translation>An PlotJuggler senden (UDP)…</translation>
+    </message>
+    <message>
+        <source>Stop sending to %1</source>
+        <translation>Senden an %1 beenden</translation>
+    </message>
+    <message>
+        <source>Save what is seen</source>
+        <translation>Speichert, was zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Tick a channel, or drag it into a plot</source>
+        <translation>Haken Sie einen Kanal an oder ziehen Sie ihn in ein Bild</translation>
+    </message>
+    <message>
+        <source>Show in plot %1</source>
+        <translation>In Bild %1 zeigen</translation>
+    </message>
+    <message>
+        <source>Show in a new plot</source>
+        <translation>In einem neuen Bild zeigen</translation>
+    </message>
+    <message>
+        <source>One plot for each unit</source>
+        <translation>Ein Bild je Einheit</translation>
+    </message>
+    <message>
+        <source>Keep this layout…</source>
+        <translation>Diese Anordnung behalten…</translation>
+    </message>
+    <message>
+        <source>Forget a layout</source>
+        <translation>Eine Anordnung vergessen</translation>
+    </message>
+    <message>
+        <source>Layout kept as “%1”.</source>
+        <translation>Anordnung als „%1“ behalten.</translation>
+    </message>
+    <message>
+        <source>This board has none of the channels of “%1”.</source>
+        <translation>Dieses Board hat keinen der Kanäle von „%1“.</translation>
+    </message>
+    <message>
+        <source>Keep this layout</source>
+        <translation>Diese Anordnung behalten</translation>
+    </message>
+    <message>
+        <source>Name; one that exists is replaced</source>
+        <translation>Name; ein vorhandener wird ersetzt</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Picture saved to %1</source>
+        <translation>Bild in %1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Send to PlotJuggler</source>
+        <translation>An PlotJuggler senden</translation>
+    </message>
+    <message>
+        <source>Address of its UDP server (JSON)</source>
+        <translation>Adresse seines UDP-Servers (JSON)</translation>
+    </message>
+    <message>
+        <source>What is ticked now is sent to %1 until you stop it in the same menu.</source>
+        <translation>Was jetzt angehakt ist, wird an %1 gesendet, bis Sie es im selben Menü beenden.</translation>
+    </message>
+    <message>
+        <source>%1 % of the line</source>
+        <translation>%1 % der Leitung</translation>
+    </message>
+    <message>
+        <source>sent on: %1</source>
+        <translation>weitergesendet: %1</translation>
+    </message>
+    <message>
+        <source>silent for %1 s</source>
+        <translation>%1 s still</translation>
+    </message>
+    <message>
+        <source>Lost: samples that were sent and never arrived. Silent: the board sent nothing at all, as while it calibrates.</source>
+        <translation>Verloren: Messwerte, die gesendet wurden und nie ankamen. Still: das Board sandte gar nichts, wie während einer Kalibrierung.</translation>
     </message>
 </context>
 <context>
@@ -1759,6 +1959,10 @@
         <source>Spectrum</source>
         <translation>Spektrum</translation>
     </message>
+    <message>
+        <source>Response</source>
+        <translation>Antwort</translation>
+    </message>
 </context>
 <context>
     <name>ParameterModel</name>
@@ -1855,10 +2059,100 @@
     </message>
 </context>
 <context>
+    <name>PlotPanel</name>
+    <message>
+        <source>What this plot shows and how</source>
+        <translation>Was dieses Bild zeigt und wie</translation>
+    </message>
+    <message>
+        <source>Plot menu</source>
+        <translation>Menü des Bildes</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Peak to peak</source>
+        <translation>Spitze zu Spitze</translation>
+    </message>
+    <message>
+        <source>Samples/s</source>
+        <translation>Werte/s</translation>
+    </message>
+    <message>
+        <source>Figures of the visible span</source>
+        <translation>Kennzahlen der sichtbaren Spanne</translation>
+    </message>
+    <message>
+        <source>Show figures</source>
+        <translation>Kennzahlen zeigen</translation>
+    </message>
+    <message>
+        <source>Each channel on a scale of its own</source>
+        <translation>Jeder Kanal mit eigener Skala</translation>
+    </message>
+    <message>
+        <source>Fit the scales (A)</source>
+        <translation>Skalen anpassen (A)</translation>
+    </message>
+    <message>
+        <source>Remove the reference line (R)</source>
+        <translation>Bezugslinie entfernen (R)</translation>
+    </message>
+    <message>
+        <source>Reference line at the cursor (R)</source>
+        <translation>Bezugslinie am Cursor (R)</translation>
+    </message>
+    <message>
+        <source>Take “%1” out</source>
+        <translation>„%1“ herausnehmen</translation>
+    </message>
+    <message>
+        <source>Remove this plot</source>
+        <translation>Dieses Bild entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>PlotStack</name>
+    <message>
+        <source>Plot %1</source>
+        <translation>Bild %1</translation>
+    </message>
+</context>
+<context>
     <name>PlotView</name>
     <message>
         <source>Live plot</source>
         <translation>Live-Kurve</translation>
+    </message>
+    <message>
+        <source>polled</source>
+        <translation>abgefragt</translation>
+    </message>
+    <message>
+        <source>%1 to %2/s</source>
+        <translation>%1 bis %2/s</translation>
+    </message>
+    <message>
+        <source>%1/s, true to %2 Hz</source>
+        <translation>%1/s, wahr bis %2 Hz</translation>
+    </message>
+    <message>
+        <source>until %1</source>
+        <translation>bis %1</translation>
+    </message>
+    <message>
+        <source>  Δ %1 s (%2 Hz)</source>
+        <translation>  Δ %1 s (%2 Hz)</translation>
     </message>
 </context>
 <context>
@@ -2015,6 +2309,332 @@
     <message>
         <source>Saved to %1</source>
         <translation>Gespeichert in %1</translation>
+    </message>
+</context>
+<context>
+    <name>ReplayBar</name>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Place in the recording</source>
+        <translation>Stelle der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Speed of the recording</source>
+        <translation>Geschwindigkeit der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>Ende</translation>
+    </message>
+</context>
+<context>
+    <name>ResponsePage</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Scharf schalten</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Step response</source>
+        <translation>Sprungantwort</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Coherence</source>
+        <translation>Kohärenz</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>Sweep</source>
+        <translation>Gleitsinus</translation>
+    </message>
+    <message>
+        <source>Own motion</source>
+        <translation>Eigene Bewegung</translation>
+    </message>
+    <message>
+        <source>Kind of test</source>
+        <translation>Art des Versuchs</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importieren…</translation>
+    </message>
+    <message>
+        <source>A measurement of another tool: a text file with two columns, in;out</source>
+        <translation>Eine Messung eines anderen Werkzeugs: eine Textdatei mit zwei Spalten, in;out</translation>
+    </message>
+    <message>
+        <source>Both sides of the chosen measurement as in;out</source>
+        <translation>Beide Seiten der gewählten Messung als in;out</translation>
+    </message>
+    <message>
+        <source>Import a measurement</source>
+        <translation>Messung importieren</translation>
+    </message>
+    <message>
+        <source>Text files (*.csv *.txt);;All files (*)</source>
+        <translation>Textdateien (*.csv *.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export a measurement</source>
+        <translation>Messung exportieren</translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv)</source>
+        <translation>CSV-Dateien (*.csv)</translation>
+    </message>
+    <message>
+        <source>Measurement saved to %1</source>
+        <translation>Messung in %1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Arm, then Start: the axis steps to and fro, and here is how it arrives.</source>
+        <translation>Scharf schalten, dann Start: die Achse springt hin und her, und hier steht, wie sie ankommt.</translation>
+    </message>
+    <message>
+        <source>Arm, then Start: the axis sways ever faster, and here is how it follows.</source>
+        <translation>Scharf schalten, dann Start: die Achse schwingt immer schneller, und hier steht, wie sie folgt.</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Movement</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>How far the axis is moved; as small as still can be told from its noise</source>
+        <translation>Wie weit die Achse bewegt wird; so klein, wie es sich von ihrem Rauschen noch unterscheidet</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> Hz</source>
+        <translation> Hz</translation>
+    </message>
+    <message>
+        <source>Further than this beyond the movement itself, and the motors are switched off</source>
+        <translation>Geht es weiter als so viel über die Bewegung hinaus, werden die Motoren ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Sprünge</translation>
+    </message>
+    <message>
+        <source>Rest between</source>
+        <translation>Ruhe dazwischen</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Stop beyond</source>
+        <translation>Abbruch ab</translation>
+    </message>
+    <message>
+        <source>Progress of the test</source>
+        <translation>Fortschritt des Versuchs</translation>
+    </message>
+    <message>
+        <source>■ Disarm</source>
+        <translation>■ Entschärfen</translation>
+    </message>
+    <message>
+        <source>Steer the axis to and fro for a while, by hand controller or on the Control page; then measure.</source>
+        <translation>Steuern Sie die Achse eine Weile hin und her, mit der Fernbedienung oder auf der Seite Steuern; dann messen Sie.</translation>
+    </message>
+    <message>
+        <source>The axis is being moved. Keep your hands off the camera.</source>
+        <translation>Die Achse wird bewegt. Hände weg von der Kamera.</translation>
+    </message>
+    <message>
+        <source>Armed: Start moves the axis by %1°. Keep clear.</source>
+        <translation>Scharf: Start bewegt die Achse um %1°. Abstand halten.</translation>
+    </message>
+    <message>
+        <source>Not armed: nothing moves. The motors must run and hold the camera.</source>
+        <translation>Nicht scharf: nichts bewegt sich. Die Motoren müssen laufen und die Kamera halten.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Test of %1 begins</source>
+        <translation>Versuch mit %1 beginnt</translation>
+    </message>
+    <message>
+        <source>Test of %1 is over</source>
+        <translation>Versuch mit %1 ist zu Ende</translation>
+    </message>
+    <message>
+        <source>Test was ended</source>
+        <translation>Versuch wurde beendet</translation>
+    </message>
+    <message>
+        <source>The test was ended; control was given back.</source>
+        <translation>Der Versuch wurde beendet; die Steuerung wurde zurückgegeben.</translation>
+    </message>
+    <message>
+        <source>The samples tell nothing about how the axis follows.</source>
+        <translation>Die Messwerte sagen nichts darüber, wie die Achse folgt.</translation>
+    </message>
+    <message>
+        <source>Make the movement larger, or give it more time.</source>
+        <translation>Vergrößern Sie die Bewegung oder geben Sie ihr mehr Zeit.</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Rise</source>
+        <translation>Anstieg</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+    <message>
+        <source>Settled after</source>
+        <translation>Beruhigt nach</translation>
+    </message>
+    <message>
+        <source>Left over</source>
+        <translation>Rest</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Phasenreserve</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>Amplitudenreserve</translation>
+    </message>
+    <message>
+        <source>Bandwidth</source>
+        <translation>Bandbreite</translation>
+    </message>
+    <message>
+        <source>Greatest sensitivity</source>
+        <translation>Größte Empfindlichkeit</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1° at %2 Hz</source>
+        <translation>%1° bei %2 Hz</translation>
+    </message>
+    <message>
+        <source>%1 dB at %2 Hz</source>
+        <translation>%1 dB bei %2 Hz</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>%g ms</source>
+        <translation>%g ms</translation>
+    </message>
+    <message>
+        <source>Share of the way</source>
+        <translation>Anteil des Weges</translation>
+    </message>
+    <message>
+        <source>%g Hz</source>
+        <translation>%g Hz</translation>
+    </message>
+    <message>
+        <source>Gain, dB</source>
+        <translation>Verstärkung, dB</translation>
+    </message>
+    <message>
+        <source>Phase, °</source>
+        <translation>Phase, °</translation>
+    </message>
+    <message>
+        <source>The file does not tell its rate; %1 samples/s are assumed.</source>
+        <translation>Die Datei nennt ihre Rate nicht; %1 Werte/s werden angenommen.</translation>
+    </message>
+    <message>
+        <source>Step: how fast and how calmly the axis arrives. Sweep: margins, by moving it slowly, then ever faster. Own motion: the same from what you steered just now.</source>
+        <translation>Sprung: wie schnell und wie ruhig die Achse ankommt. Gleitsinus: Reserven, indem sie langsam und dann immer schneller bewegt wird. Eigene Bewegung: dasselbe aus dem, was Sie eben gesteuert haben.</translation>
     </message>
 </context>
 <context>
@@ -2202,6 +2822,18 @@
         <source>dB of (%1)²/Hz</source>
         <translation>dB von (%1)²/Hz</translation>
     </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>%1 RMS</source>
+        <translation>%1 RMS</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
 </context>
 <context>
     <name>SpectrumPage</name>
@@ -2368,6 +3000,66 @@ Spitze %2°</translation>
         <source>Notch %1 of %2</source>
         <translation>Kerbfilter %1 von %2</translation>
     </message>
+    <message>
+        <source>Waterfall, %1</source>
+        <translation>Wasserfall, %1</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>How the spectrum is made and drawn</source>
+        <translation>Wie das Spektrum entsteht und gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmisch</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Linear</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Pegel</translation>
+    </message>
+    <message>
+        <source>Decibel</source>
+        <translation>Dezibel</translation>
+    </message>
+    <message>
+        <source>RMS of each line</source>
+        <translation>Effektivwert jeder Linie</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Hann: the usual one</source>
+        <translation>Hann: das übliche</translation>
+    </message>
+    <message>
+        <source>Flat top: true heights of single tones</source>
+        <translation>Flat-Top: wahre Höhen einzelner Töne</translation>
+    </message>
+    <message>
+        <source>Rectangular: sharpest, leaks</source>
+        <translation>Rechteck: am schärfsten, verschmiert</translation>
+    </message>
+    <message>
+        <source>as held on Monitor, %1 s</source>
+        <translation>wie auf Monitor festgehalten, %1 s</translation>
+    </message>
 </context>
 <context>
     <name>StartPage</name>
@@ -2441,6 +3133,76 @@ Spitze %2°</translation>
     <message>
         <source>no errors</source>
         <translation>keine Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>StreamsDialog</name>
+    <message>
+        <source>Automatic: what you look at, as fast as the line allows</source>
+        <translation>Automatisch: was Sie ansehen, so schnell es die Leitung erlaubt</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Data streams</source>
+        <translation>Datenströme</translation>
+    </message>
+    <message>
+        <source>Carries the channels that are to be seen, as often as you say</source>
+        <translation>Trägt die Kanäle, die zu sehen sind, so oft Sie wollen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Carries %n channel(s), all of them each time</source>
+        <translation>
+            <numerusform>Trägt %n Kanal, jedes Mal</numerusform>
+            <numerusform>Trägt %n Kanäle, jedes Mal alle</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>as fast as possible</source>
+        <translation>so schnell wie möglich</translation>
+    </message>
+    <message>
+        <source> samples/s</source>
+        <translation> Werte/s</translation>
+    </message>
+    <message>
+        <source>Rate of %1</source>
+        <translation>Rate von %1</translation>
+    </message>
+    <message>
+        <source>Share of the line</source>
+        <translation>Anteil der Leitung</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Choose at least one stream.</source>
+        <translation>Wählen Sie mindestens einen Datenstrom.</translation>
+    </message>
+    <message>
+        <source>%1 samples/s, %2 bytes each, %3 bytes/s</source>
+        <translation>%1 Werte/s zu %2 Byte, %3 Byte/s</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bytes/s, %3 % of the line.</source>
+        <translation>%1 von %2 Byte/s, %3 % der Leitung.</translation>
+    </message>
+    <message>
+        <source>%1 bytes/s. This link sets no limit.</source>
+        <translation>%1 Byte/s. Diese Verbindung setzt keine Grenze.</translation>
+    </message>
+    <message>
+        <source>That is too much: %1 % may be used, the rest is kept for commands. Lower a rate, look at fewer channels, or set a faster serial speed.</source>
+        <translation>Das ist zu viel: %1 % dürfen genutzt werden, der Rest bleibt für Befehle. Senken Sie eine Rate, sehen Sie weniger Kanäle an oder stellen Sie eine schnellere serielle Geschwindigkeit ein.</translation>
     </message>
 </context>
 <context>
@@ -6651,6 +7413,25 @@ Auf dem Board: %1</translation>
     <message>
         <source>Store the values in use in the active profile; a snapshot is taken first</source>
         <translation>Die Werte in Gebrauch im aktiven Profil speichern; vorher wird eine Sicherung gemacht</translation>
+    </message>
+</context>
+<context>
+    <name>WaterfallView</name>
+    <message>
+        <source>Waterfall</source>
+        <translation>Wasserfall</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 dB</source>
+        <translation>%1 dB</translation>
     </message>
 </context>
 <context>

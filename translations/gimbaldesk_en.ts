@@ -12,6 +12,23 @@
     </message>
 </context>
 <context>
+    <name>LinkMarks</name>
+    <message numerus="yes">
+        <source>%n value(s) written</source>
+        <translation>
+            <numerusform>%n value written</numerusform>
+            <numerusform>%n values written</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message numerus="yes">
         <source>%n change(s) are not on the board.</source>
@@ -55,6 +72,16 @@
         <translation>
             <numerusform>%1 samples/s, lines of %2 Hz, %n average</numerusform>
             <numerusform>%1 samples/s, lines of %2 Hz, %n averages</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>StreamsDialog</name>
+    <message numerus="yes">
+        <source>Carries %n channel(s), all of them each time</source>
+        <translation>
+            <numerusform>Carries %n channel</numerusform>
+            <numerusform>Carries %n channels, all of them each time</numerusform>
         </translation>
     </message>
 </context>

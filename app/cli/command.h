@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/device/device.h"
+#include "protocol/procedure/motiontest.h"
 #include "protocol/record/boardhistory.h"
 
 #include <QJsonArray>
@@ -65,6 +66,8 @@ public:
 [[nodiscard]] std::vector<std::unique_ptr<Command>> actionCommands();
 [[nodiscard]] std::vector<std::unique_ptr<Command>> recordingCommands();
 
+/// What a motion test found. Errors: InvalidArgument (the samples tell nothing).
+[[nodiscard]] Result<CommandOutcome> describeMotion(const MotionTestResult &result);
 /// A value with its unit as a person reads it.
 [[nodiscard]] QString valueText(const ParameterSpec &spec, int raw);
 [[nodiscard]] QJsonObject changeJson(const ParameterChange &change);

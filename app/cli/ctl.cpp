@@ -5,10 +5,12 @@
 #include "app/cli/signalwatcher.h"
 #include "app/cli/telemetryprinter.h"
 #include "app/composition/composition.h"
+#include "protocol/record/responsecsv.h"
 #include "widgets/models/errortext.h"
 
 #include <QCommandLineParser>
 #include <QJsonDocument>
+#include <QSaveFile>
 
 #include <algorithm>
 
@@ -55,6 +57,51 @@ public:
     }
 };
 
+/// "steps pitch degrees=3": how an axis follows, measured by moving it a little.
+Result<MotionTestPlan> motionPlan(const QStringList &words)
+{
+    MotionTestPlan plan;
+    if (words.size() < 2 || (words[0] != u"steps"_s && words[0] != u"sweep"_s))
+        return failure(ErrorCode::InvalidArgument, u"measure needs steps or sweep, and an axis"_s);
+    plan.kind = words[0] == u"steps"_s ? MotionTestPlan::Kind::Steps : MotionTestPlan::Kind::Sweep;
+    const auto axis = std::find_if(kAxes.begin(), kAxes.end(), [&](Axis each) { return words[1] == QLatin1String(axisKey(each)); });
+    if (axis == kAxes.end())
+        return failure(ErrorCode::InvalidArgument, u"'%1' is no axis; there are roll, pitch, yaw"_s.arg(words[1]));
+    plan.axis = *axis;
+    double steps = plan.steps;
+    const QMap<QString, double *> values{{u"degrees"_s, &plan.degrees}, {u"steps"_s, &steps}, {u"rest"_s, &plan.rest},
+                                         {u"from"_s, &plan.fromHz}, {u"to"_s, &plan.toHz}, {u"seconds"_s, &plan.sweepSeconds},
+                                         {u"limit"_s, &plan.limit}};
+    for (const QString &word : words.sliced(2)) {
+        const QString name = word.section(u'=', 0, 0);
+        bool ok = false;
+        const double value = word.section(u'=', 1).toDouble(&ok);
+        if (!ok || !values.contains(name)) {
+            return failure(ErrorCode::InvalidArgument, u"'%1' is not NAME=NUMBER with one of %2"_s
+                               .arg(word, QStringList(values.keys()).join(u", "_s)));
+        }
+        *values.value(name) = value;
+    }
+    plan.steps = int(steps);
+    if (const auto checked = plan.check(); !checked)
+        return tl::unexpected(checked.error());
+    return plan;
+}
+
+/// The same for "measure".
+class MeasureCommand final : public Command
+{
+public:
+    const char *name() const override { return "measure"; }
+    const char *usage() const override { return "measure steps|sweep AXIS [degrees=N] [steps=N] [to=HZ] ... [--csv FILE]"; }
+    const char *help() const override { return "moves an axis a little and tells how it follows; motors must run"; }
+    QString check(const CommandOptions &options) const override
+    {
+        const auto plan = motionPlan(options.arguments);
+        return plan ? QString() : plan.error().detail;
+    }
+};
+
 QByteArray toJsonText(const QJsonValue &value)
 {
     if (value.isArray())
@@ -82,6 +129,7 @@ Ctl::Ctl(QObject *parent)
     m_commands.push_back(std::make_unique<MonitorCommand>());
     m_commands.push_back(std::make_unique<RecordCommand>());
     m_commands.push_back(std::make_unique<PublishCommand>());
+    m_commands.push_back(std::make_unique<MeasureCommand>());
 }
 
 Ctl::~Ctl() = default;
@@ -231,6 +279,10 @@ void Ctl::stop()
         finishPublish();
         return;
     }
+    if (m_test && m_test->isRunning()) {
+        m_test->stop();
+        return;
+    }
     if (m_started)
         m_client->cancelJobs();
     else
@@ -248,6 +300,8 @@ void Ctl::onState(DeviceClient::State state)
         runRecording();
     else if (qstrcmp(m_command->name(), "publish") == 0)
         runPublish();
+    else if (qstrcmp(m_command->name(), "measure") == 0)
+        runMeasure();
     else
         runCommand();
 }
@@ -306,7 +360,7 @@ void Ctl::runRecording()
         return;
     }
     m_recording = std::move(*task);
-    connect(m_client.get(), &DeviceClient::telemetryFailed, this, [this](const Error &error) { onError(error, Refused); });
+    connect(m_client.get(), &DeviceClient::telemetryFailed, this, [this](const Error &error) { finish(tl::unexpected(error)); });
     m_client->submit<Configuration>([](Channel &channel, Device &device) { return device.readConfiguration(channel); })
         .then(this, [this, channels](const Result<Configuration> &) {
             m_client->setTelemetry(wishFor(channels, m_options.streams));
@@ -343,6 +397,41 @@ void Ctl::finishRecording()
     finish(outcome);
 }
 
+// Telemetry first: a test begins only when the axis can be seen.
+void Ctl::runMeasure()
+{
+    m_test = std::make_unique<MotionTest>(*m_client);
+    const MotionTestPlan plan = *motionPlan(m_options.arguments);
+    connect(m_client.get(), &DeviceClient::telemetryFailed, this, [this](const Error &error) { finish(tl::unexpected(error)); });
+    connect(m_test.get(), &MotionTest::measured, this, &Ctl::finishMeasure);
+    connect(m_test.get(), &MotionTest::failed, this, [this](const Error &error) {
+        // "stop" and "release" go out before the link is closed.
+        QTimer::singleShot(300, this, [this, error] { onError(error, Refused); });
+    });
+    m_client->setTelemetry({MotionTest::channels(*m_client->device(), plan.axis), 0});
+    QTimer::singleShot(1500, this, [this, plan] {
+        m_err << "moving " << axisKey(plan.axis) << " by " << plan.degrees << " degrees\n";
+        m_err.flush();
+        if (const auto started = m_test->start(plan); !started)
+            onError(started.error(), Refused);
+    });
+}
+
+void Ctl::finishMeasure(const MotionTestResult &result)
+{
+    auto outcome = describeMotion(result);
+    if (outcome && !m_options.csv.isEmpty()) {
+        QSaveFile file(m_options.csv);
+        const bool written = file.open(QIODevice::WriteOnly)
+            && writeResponseCsv(file, result.target.values, result.angle.values, result.angle.rate) && file.commit();
+        if (!written)
+            outcome = failure(ErrorCode::BadFile, u"%1: %2"_s.arg(m_options.csv, file.errorString()));
+        else
+            outcome->note = u"both sides are in "_s + m_options.csv;
+    }
+    QTimer::singleShot(300, this, [this, outcome] { finish(outcome); });
+}
+
 void Ctl::runPublish()
 {
     const QList<int> channels = wantedChannels();
@@ -350,7 +439,7 @@ void Ctl::runPublish()
         return;
     m_publish = std::make_unique<UdpExport>(m_client->device()->channels(), m_client->telemetry(), channels);
     connect(m_publish.get(), &UdpExport::failed, this, [this](const Error &error) { onError(error, Refused); });
-    connect(m_client.get(), &DeviceClient::telemetryFailed, this, [this](const Error &error) { onError(error, Refused); });
+    connect(m_client.get(), &DeviceClient::telemetryFailed, this, [this](const Error &error) { finish(tl::unexpected(error)); });
     if (const auto started = m_publish->start(m_options.arguments.first()); !started) {
         onError(started.error(), WrongArguments);
         return;
@@ -375,7 +464,7 @@ void Ctl::runMonitor()
     const QList<int> channels = wantedChannels();
     if (channels.isEmpty())
         return;
-    connect(m_client.get(), &DeviceClient::telemetryFailed, this, [this](const Error &error) { onError(error, Refused); });
+    connect(m_client.get(), &DeviceClient::telemetryFailed, this, [this](const Error &error) { finish(tl::unexpected(error)); });
     m_printer = std::make_unique<TelemetryPrinter>(*m_client, channels, wishFor(channels, m_options.streams),
                                                    m_options.seconds, m_json);
     connect(m_printer.get(), &TelemetryPrinter::finished, this, [this](const QString &note) {

@@ -4,6 +4,7 @@
 
 #include "app/cli/command.h"
 #include "protocol/device/deviceclient.h"
+#include "protocol/procedure/motiontest.h"
 #include "protocol/record/recorder.h"
 #include "protocol/record/udpexport.h"
 
@@ -32,6 +33,8 @@ private:
     void onProgress(const Progress &progress);
     void runCommand();
     void runMonitor();
+    void runMeasure();
+    void finishMeasure(const MotionTestResult &result);
     void runPublish();
     void finishPublish();
     [[nodiscard]] bool isRecording() const;
@@ -54,6 +57,7 @@ private:
     std::unique_ptr<DeviceClient> m_client;
     std::unique_ptr<TelemetryPrinter> m_printer;
     std::unique_ptr<UdpExport> m_publish;
+    std::unique_ptr<MotionTest> m_test;
     bool m_started = false;
     bool m_finished = false;
 };

@@ -8,6 +8,7 @@
 #include "protocol/analysis/stepresponse.h"
 #include "protocol/device/uniformsamples.h"
 #include "protocol/record/replaystore.h"
+#include "protocol/record/responsecsv.h"
 #include "protocol/record/telemetrycsv.h"
 
 #include <QSaveFile>
@@ -75,6 +76,60 @@ Result<QList<int>> channelsOf(const Opened &opened, const QStringList &keys)
     return channels;
 }
 
+// As fine as the samples allow, but not finer than half a hertz.
+SpectrumOptions averaging(std::size_t samples, double rate)
+{
+    int length = 64;
+    while (length * 4 <= int(samples) && rate / length > 0.5)
+        length *= 2;
+    return {length, 0.5, WindowShape::Hann};
+}
+
+QJsonObject describeResponse(const FrequencyResponse &closed, const Margins &m, QString &text)
+{
+    QJsonArray bins;
+    for (std::size_t bin = 0; bin < closed.gain.size(); ++bin)
+        bins.append(QJsonArray{closed.frequency(bin), closed.gainDb(bin), closed.phaseDeg(bin), closed.coherence[bin]});
+    QJsonObject object{{u"bins"_s, bins}, {u"usableBins"_s, m.bins}};
+    text += u"  %1 of %2 frequencies have enough motion in them\n"_s.arg(m.bins).arg(closed.gain.size());
+    if (m.gainDb) {
+        text += u"  gain margin %1 dB at %2 Hz\n"_s.arg(*m.gainDb, 0, 'f', 1).arg(*m.gainHz, 0, 'f', 1);
+        object.insert(u"gainMarginDb"_s, *m.gainDb);
+    }
+    if (m.phaseDeg) {
+        text += u"  phase margin %1° at %2 Hz\n"_s.arg(*m.phaseDeg, 0, 'f', 0).arg(*m.phaseHz, 0, 'f', 1);
+        object.insert(u"phaseMarginDeg"_s, *m.phaseDeg);
+    }
+    if (m.bins > 0) {
+        text += u"  greatest sensitivity %1 dB at %2 Hz\n"_s.arg(m.sensitivityDb, 0, 'f', 1).arg(m.sensitivityHz, 0, 'f', 1);
+        object.insert(u"sensitivityDb"_s, m.sensitivityDb);
+    }
+    return object;
+}
+
+Result<CommandOutcome> responseOfText(const QString &path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
+    const auto samples = readResponseCsv(file.readAll());
+    if (!samples)
+        return failure(samples.error().code, path + u": "_s + samples.error().detail);
+    const auto closed = frequencyResponse(samples->in, samples->out, samples->rate, averaging(samples->in.size(), samples->rate));
+    if (!closed)
+        return tl::unexpected(closed.error());
+    CommandOutcome outcome;
+    outcome.json = describeResponse(*closed, margins(openLoop(*closed)), outcome.text);
+    if (samples->rateAssumed)
+        outcome.note = u"the file does not tell its rate; %1 samples/s are assumed"_s.arg(samples->rate);
+    return outcome;
+}
+
+QString timeText(std::optional<double> value)
+{
+    return value ? u"%1 ms"_s.arg(*value * 1000, 0, 'f', 0) : u"-"_s;
+}
+
 class ExportCommand final : public Command
 {
 public:
@@ -123,7 +178,7 @@ class AnalyzeCommand final : public Command
 public:
     const char *name() const override { return "analyze"; }
     const char *usage() const override { return "analyze spectrum|holding|steps|response FILE [--channels]"; }
-    const char *help() const override { return "measure a recording"; }
+    const char *help() const override { return "measure a recording, or the response in an in;out file (.csv)"; }
     QString check(const CommandOptions &options) const override
     {
         static const QStringList kinds{u"spectrum"_s, u"holding"_s, u"steps"_s, u"response"_s};
@@ -136,6 +191,8 @@ public:
     bool needsBoard(const CommandOptions &) const override { return false; }
     Result<CommandOutcome> runWithoutBoard(const CommandOptions &options) override
     {
+        if (options.arguments.first() == u"response"_s && options.arguments[1].endsWith(u".csv"_s))
+            return responseOfText(options.arguments[1]);
         const auto opened = Opened::open(options.arguments[1]);
         if (!opened)
             return tl::unexpected(opened.error());
@@ -160,13 +217,9 @@ private:
         return uniformSamples(*opened.store, channel, minus, -kAllTime, kAllTime);
     }
 
-    // As fine as the samples allow, but not finer than half a hertz.
     static SpectrumOptions optionsFor(const UniformSamples &samples)
     {
-        int length = 64;
-        while (length * 4 <= int(samples.values.size()) && samples.rate / length > 0.5)
-            length *= 2;
-        return {length, 0.5, WindowShape::Hann};
+        return averaging(samples.values.size(), samples.rate);
     }
 
     static Result<CommandOutcome> spectra(const Opened &opened, const CommandOptions &options)
@@ -262,9 +315,6 @@ private:
                 QJsonObject json{{u"axis"_s, QString::fromLatin1(kAxisNames[axis])}, {u"at"_s, at}, {u"from"_s, event.from},
                                  {u"to"_s, event.to}, {u"overshootPercent"_s, metrics->overshoot},
                                  {u"error"_s, metrics->error}};
-                const auto time = [](std::optional<double> value) {
-                    return value ? u"%1 ms"_s.arg(*value * 1000, 0, 'f', 0) : u"-"_s;
-                };
                 if (metrics->riseSeconds)
                     json.insert(u"riseSeconds"_s, *metrics->riseSeconds);
                 if (metrics->settlingSeconds)
@@ -272,8 +322,8 @@ private:
                 list.append(json);
                 outcome.text += u"%1 at %2 s: %3° to %4°  rise %5  overshoot %6 %  settled %7\n"_s
                                     .arg(QString::fromLatin1(kAxisNames[axis])).arg(at, 0, 'f', 2).arg(event.from, 0, 'f', 2)
-                                    .arg(event.to, 0, 'f', 2).arg(time(metrics->riseSeconds))
-                                    .arg(metrics->overshoot, 0, 'f', 0).arg(time(metrics->settlingSeconds));
+                                    .arg(event.to, 0, 'f', 2).arg(timeText(metrics->riseSeconds))
+                                    .arg(metrics->overshoot, 0, 'f', 0).arg(timeText(metrics->settlingSeconds));
             }
         }
         if (list.isEmpty())
@@ -306,24 +356,8 @@ private:
             const auto closed = frequencyResponse(input->values, output->values, input->rate, optionsFor(*input));
             if (!closed)
                 return tl::unexpected(closed.error());
-            const Margins m = margins(openLoop(*closed));
-            QJsonArray bins;
-            for (std::size_t bin = 0; bin < closed->gain.size(); ++bin)
-                bins.append(QJsonArray{closed->frequency(bin), closed->gainDb(bin), closed->phaseDeg(bin), closed->coherence[bin]});
-            QJsonObject object{{u"bins"_s, bins}, {u"usableBins"_s, m.bins}};
-            outcome.text += u"%1: %2 of %3 frequencies have enough motion in them\n"_s.arg(name).arg(m.bins).arg(closed->gain.size());
-            if (m.gainDb) {
-                outcome.text += u"  gain margin %1 dB at %2 Hz\n"_s.arg(*m.gainDb, 0, 'f', 1).arg(*m.gainHz, 0, 'f', 1);
-                object.insert(u"gainMarginDb"_s, *m.gainDb);
-            }
-            if (m.phaseDeg) {
-                outcome.text += u"  phase margin %1° at %2 Hz\n"_s.arg(*m.phaseDeg, 0, 'f', 0).arg(*m.phaseHz, 0, 'f', 1);
-                object.insert(u"phaseMarginDeg"_s, *m.phaseDeg);
-            }
-            if (m.bins > 0) {
-                outcome.text += u"  greatest sensitivity %1 dB at %2 Hz\n"_s.arg(m.sensitivityDb, 0, 'f', 1).arg(m.sensitivityHz, 0, 'f', 1);
-                object.insert(u"sensitivityDb"_s, m.sensitivityDb);
-            }
+            outcome.text += name + u":\n"_s;
+            const QJsonObject object = describeResponse(*closed, margins(openLoop(*closed)), outcome.text);
             json.insert(name, object);
         }
         outcome.json = json;
@@ -332,6 +366,33 @@ private:
 };
 
 } // namespace
+
+Result<CommandOutcome> describeMotion(const MotionTestResult &result)
+{
+    const double rate = result.angle.rate;
+    CommandOutcome outcome;
+    if (result.plan.kind == MotionTestPlan::Kind::Sweep) {
+        const auto closed = frequencyResponse(result.target.values, result.angle.values, rate, averaging(result.angle.values.size(), rate));
+        if (!closed)
+            return tl::unexpected(closed.error());
+        outcome.json = describeResponse(*closed, margins(openLoop(*closed), 0.7, result.plan.fromHz, result.plan.toHz), outcome.text);
+        return outcome;
+    }
+    const auto steps = measureSteps(result.target.values, result.angle.values, rate, 0.95 * result.plan.rest);
+    if (!steps)
+        return tl::unexpected(steps.error());
+    const StepMetrics &m = steps->metrics;
+    outcome.text = u"%1 steps: rise %2  overshoot %3 %  settled %4  left over %5 %\n"_s.arg(steps->runs.response.size())
+                       .arg(timeText(m.riseSeconds)).arg(m.overshoot, 0, 'f', 1).arg(timeText(m.settlingSeconds))
+                       .arg(100 * m.error, 0, 'f', 1);
+    QJsonObject json{{u"steps"_s, int(steps->runs.response.size())}, {u"overshootPercent"_s, m.overshoot}, {u"error"_s, m.error}};
+    if (m.riseSeconds)
+        json.insert(u"riseSeconds"_s, *m.riseSeconds);
+    if (m.settlingSeconds)
+        json.insert(u"settlingSeconds"_s, *m.settlingSeconds);
+    outcome.json = json;
+    return outcome;
+}
 
 std::vector<std::unique_ptr<Command>> recordingCommands()
 {

@@ -18,7 +18,17 @@
 #include "widgets/forms/reviewdialog.h"
 #include "widgets/plot/plotview.h"
 #include "widgets/views/controlpad.h"
+#include "app/pages/responsepage.h"
+#include "app/pages/spectrumpage.h"
+#include "app/pages/streamsdialog.h"
+#include "protocol/record/recording.h"
+#include "widgets/models/parametermodel.h"
+#include "widgets/plot/plotstack.h"
 
+#include <QMenu>
+#include <QFile>
+#include <QAction>
+#include <QComboBox>
 #include <QApplication>
 #include <QDir>
 #include <QLineEdit>
@@ -97,7 +107,54 @@ void Tour::addSteps()
     addEditSteps();
     addCalibrationSteps();
     addMotionSteps();
+    addTelemetrySteps();
     addDialogSteps();
+}
+
+void Tour::addTelemetrySteps()
+{
+    const auto response = [this] { return pageAs<ResponsePage>(m_window, u"response"_s); };
+    const auto begin = [response](ResponsePage::Way way) {
+        response()->wayChoice()->setCurrentIndex(response()->wayChoice()->findData(int(way)));
+        response()->armButton()->click();
+        response()->startButton()->click();
+    };
+    m_steps.append({{}, [this] {
+        m_window.workspace().setMotors(true);
+        m_window.showPage(u"response"_s);
+    }, [this] { return m_window.workspace().motorsRunning() == std::optional(true); }, 2500, {}, false});
+    m_steps.append({u"response"_s, [begin] { begin(ResponsePage::Way::Steps); },
+                    [response] { return !response()->records().empty() && !response()->isRunning(); }, 400, {}, false});
+    m_steps.append({u"response-running"_s, [begin] { begin(ResponsePage::Way::Sweep); }, {}, 3000, {}, true});
+    m_steps.append({u"response-sweep"_s, {}, [response] { return !response()->isRunning(); }, 400, {}, true});
+    const auto view = [this](const QString &text) {
+        for (QAction *action : pageAs<SpectrumPage>(m_window, u"spectrum"_s)->viewMenu()->actions()) {
+            if (action->text() == text)
+                action->trigger();
+        }
+    };
+    m_steps.append({u"spectrum-waterfall"_s, [this, view] {
+        m_window.showPage(u"spectrum"_s);
+        view(SpectrumPage::tr("Waterfall, %1").arg(axisLabel(Axis::Pitch)));
+    }, {}, 8000, {}, true});
+    const auto monitor = [this] { return pageAs<MonitorPage>(m_window, u"monitor"_s); };
+    m_steps.append({u"monitor-figures"_s, [this, monitor, view] {
+        view(SpectrumPage::tr("Lines"));
+        m_window.showPage(u"monitor"_s);
+        const ChannelTable table = m_window.workspace().client().device()->channels();
+        monitor()->stack()->addChannels(1, {findChannel(table, u"power.roll"_s)});
+        monitor()->stack()->panels()[0]->setFiguresVisible(true);
+        emit monitor()->stack()->panels()[0]->changed();
+    }, {}, 3000, {}, true});
+    m_steps.append({u"streams"_s, [monitor] { monitor()->streamsButton()->click(); }, {}, 300,
+                    [this] { return m_window.findChild<StreamsDialog *>(); }, true});
+    m_steps.append({{}, [this, monitor] {
+        m_window.findChild<StreamsDialog *>()->reject();
+        const ChannelTable table = m_window.workspace().client().device()->channels();
+        emit monitor()->stack()->panels()[1]->removeChannelRequested(findChannel(table, u"power.roll"_s));
+        monitor()->stack()->panels()[0]->setFiguresVisible(false);
+        emit monitor()->stack()->panels()[0]->changed();
+    }, {}, 200, {}, true});
 }
 
 void Tour::addEditSteps()
@@ -228,6 +285,19 @@ void Tour::addDialogSteps()
     m_steps.append({{}, [this] {
         m_window.findChild<QMessageBox *>()->reject();
         m_window.workspace().edits().discardAll();
+    }, {}, 100, {}, true});
+    // The last minutes, opened as a recording: no other step can follow, the board is gone.
+    const QString file = QDir(m_folder).filePath(u"tour.gimbalrec"_s);
+    m_steps.append({{}, [this, file] { std::ignore = m_window.workspace().recorder().savePast(file); }, [file] {
+        return Recording::load(file).has_value();
+    }, 500, {}, true});
+    m_steps.append({u"replay"_s, [this, file] {
+        m_window.showPage(u"monitor"_s);
+        m_window.openFile(file);
+    }, [this] { return m_window.replayBar()->isVisible() && m_window.workspace().client().statistics().replay; }, 4000, {}, true});
+    m_steps.append({{}, [this, file] {
+        m_window.workspace().client().disconnectFromBoard();
+        QFile::remove(file);
     }, {}, 100, {}, true});
 }
 

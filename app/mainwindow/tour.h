@@ -40,6 +40,7 @@ private:
     void addSteps();
     void addEditSteps();
     void addCalibrationSteps();
+    void addTelemetrySteps();
     void addMotionSteps();
     void addDialogSteps();
     void begin();

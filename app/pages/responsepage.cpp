@@ -77,7 +77,7 @@ ResponsePage::ResponsePage(Workspace &workspace, QWidget *parent)
     m_way->addItem(tr("Own motion"), int(Way::OwnMotion));
     m_way->setAccessibleName(tr("Kind of test"));
     m_way->setToolTip(tr("Step: how fast and how calmly the axis arrives. Sweep: margins, by moving it slowly, then ever faster. "
-                         "Own motion: the same from what you steered in the last 30 seconds."));
+                         "Own motion: the same from what you steered just now."));
     for (const Axis each : kAxes)
         m_axis->addItem(axisLabel(each), int(each));
     m_axis->setCurrentIndex(1);
@@ -420,8 +420,8 @@ void ResponsePage::showRecords()
         const ResponseRecord &record = m_records[*place];
         QStringList cells;
         if (steps) {
-            cells = {msText(record.metrics->riseSeconds), tr("%1 %").arg(record.metrics->overshoot, 0, 'f', 1),
-                     msText(record.metrics->settlingSeconds), tr("%1 %").arg(100.0 * record.metrics->error, 0, 'f', 1)};
+            cells = {msText(record.steps.metrics.riseSeconds), tr("%1 %").arg(record.steps.metrics.overshoot, 0, 'f', 1),
+                     msText(record.steps.metrics.settlingSeconds), tr("%1 %").arg(100.0 * record.steps.metrics.error, 0, 'f', 1)};
         } else {
             const Margins &m = record.margins;
             cells = {m.phaseDeg ? tr("%1° at %2 Hz").arg(*m.phaseDeg, 0, 'f', 0).arg(*m.phaseHz, 0, 'f', 1) : u"–"_s,
@@ -456,8 +456,8 @@ void ResponsePage::drawSteps()
         if (record.kind != ResponseRecord::Kind::Steps || !record.shown)
             continue;
         curves.append(stepCurves(record, int(i), std::exchange(newest, false)));
-        last = std::max(curves.size() == 1 ? 0.0 : last, 1000.0 * double(record.mean.size()) / record.rate);
-        for (const float value : record.mean)
+        last = std::max(curves.size() == 1 ? 0.0 : last, 1000.0 * double(record.steps.mean.size()) / record.rate);
+        for (const float value : record.steps.mean)
             high = std::max(high, std::ceil(double(value) * 5.0 + 0.5) / 5.0);
     }
     m_steps->setScales({{}, 0, std::ceil(last / 100.0) * 100.0, false, tr("%g ms"), 0},

@@ -26,18 +26,10 @@ Result<ResponseRecord> stepRecord(const MotionTestResult &result)
     record.rate = result.angle.rate;
     record.target = result.target.values;
     record.angle = result.angle.values;
-    // Levels as the board understood them: its numbers are coarser than ours.
-    const auto [low, high] = std::minmax_element(record.target.begin(), record.target.end());
-    const double middle = double(record.target.front());
-    const double other = std::abs(double(*high) - middle) > std::abs(double(*low) - middle) ? double(*high) : double(*low);
-    if (std::abs(other - middle) < result.plan.degrees / 2)
-        return failure(ErrorCode::InvalidArgument, u"the target did not move: another control source holds it"_s);
-    record.runs = cutSteps(record.target, record.angle, record.rate, middle, other, kRunShare * result.plan.rest);
-    record.mean = averageRuns(record.runs.response);
-    const auto metrics = stepMetrics(record.mean, record.rate, 0.0, 1.0);
-    if (!metrics)
-        return tl::unexpected(metrics.error());
-    record.metrics = *metrics;
+    auto steps = measureSteps(record.target, record.angle, record.rate, kRunShare * result.plan.rest);
+    if (!steps)
+        return tl::unexpected(steps.error());
+    record.steps = std::move(*steps);
     return record;
 }
 
@@ -74,12 +66,12 @@ QList<ChartCurve> stepCurves(const ResponseRecord &record, int color, bool newes
         return list;
     };
     if (newest) {
-        for (const std::vector<float> &run : record.runs.response)
+        for (const std::vector<float> &run : record.steps.runs.response)
             curves.append({{}, points(run), record.axis, color, Qt::SolidLine, 1, 0.25});
-        if (!record.runs.target.empty())
-            curves.append({CurveChart::tr("Target"), points(record.runs.target.front()), Axis::None, 7, Qt::DashLine, 1, 1});
+        if (!record.steps.runs.target.empty())
+            curves.append({CurveChart::tr("Target"), points(record.steps.runs.target.front()), Axis::None, 7, Qt::DashLine, 1, 1});
     }
-    curves.append({record.name, points(record.mean), newest ? record.axis : Axis::None, color, Qt::SolidLine, newest ? 2.0 : 1.5,
+    curves.append({record.name, points(record.steps.mean), newest ? record.axis : Axis::None, color, Qt::SolidLine, newest ? 2.0 : 1.5,
                    newest ? 1.0 : kEarlier});
     return curves;
 }

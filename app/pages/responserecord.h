@@ -21,9 +21,7 @@ struct ResponseRecord
     std::vector<float> angle;
 
     // Steps.
-    StepRuns runs;
-    std::vector<float> mean;
-    std::optional<StepMetrics> metrics;
+    StepMeasurement steps;
 
     // Frequency.
     FrequencyResponse closed;

@@ -5,8 +5,15 @@
 #include <unsupported/Eigen/FFT>
 
 #include <cmath>
+#include <map>
 
 using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr std::size_t kKept = 8;
+
+} // namespace
 
 struct Segments::Transform
 {
@@ -15,17 +22,53 @@ struct Segments::Transform
     std::vector<std::complex<double>> bins;
 };
 
-Segments::Segments(std::vector<double> weights, double rate, int count, std::size_t hop)
-    : m_weights(std::move(weights))
+struct Segments::Window
+{
+    std::vector<double> weights;
+    double sum = 0;
+    double squares = 0;
+};
+
+// Windows and transforms of a length are the same every time, and dear to make: the last ones are kept, for each thread.
+std::shared_ptr<const Segments::Window> Segments::windowFor(WindowShape shape, int length)
+{
+    thread_local std::map<std::pair<WindowShape, int>, std::shared_ptr<const Window>> known;
+    if (const auto it = known.find({shape, length}); it != known.end())
+        return it->second;
+    if (known.size() >= kKept)
+        known.clear();
+    auto window = std::make_shared<Window>();
+    window->weights = windowWeights(shape, length);
+    for (const double weight : window->weights) {
+        window->sum += weight;
+        window->squares += weight * weight;
+    }
+    return known[{shape, length}] = window;
+}
+
+std::shared_ptr<Segments::Transform> Segments::transformFor(std::size_t length)
+{
+    thread_local std::map<std::size_t, std::shared_ptr<Transform>> known;
+    if (known.size() >= kKept && !known.contains(length))
+        known.clear();
+    auto &transform = known[length];
+    // One that is in use by other segments of this thread is left to them.
+    if (!transform || transform.use_count() > 1) {
+        transform = std::make_shared<Transform>();
+        transform->fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+        transform->input.resize(length);
+    }
+    return transform;
+}
+
+Segments::Segments(std::shared_ptr<const Window> window, double rate, int count, std::size_t hop)
+    : m_window(std::move(window))
+    , m_length(m_window->weights.size())
     , m_rate(rate)
     , m_count(count)
     , m_hop(hop)
-    , m_transform(std::make_unique<Transform>())
+    , m_transform(transformFor(m_length))
 {
-    m_transform->fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-    m_transform->input.resize(m_weights.size());
-    for (const double weight : m_weights)
-        m_squares += weight * weight;
 }
 
 Segments::Segments(Segments &&) noexcept = default;
@@ -46,21 +89,18 @@ Result<Segments> Segments::make(std::size_t samples, double rate, const Spectrum
     }
     const std::size_t hop = std::max<std::size_t>(1, std::size_t(std::lround(double(length) * (1.0 - options.overlap))));
     const int count = int((samples - length) / hop) + 1;
-    return Segments(windowWeights(options.window, options.length), rate, count, hop);
+    return Segments(windowFor(options.window, options.length), rate, count, hop);
 }
 
 double Segments::noiseBandwidth() const
 {
-    double sum = 0.0;
-    for (const double weight : m_weights)
-        sum += weight;
-    return double(m_weights.size()) * m_squares / (sum * sum);
+    return double(m_length) * m_window->squares / (m_window->sum * m_window->sum);
 }
 
 double Segments::powerScale(std::size_t bin) const
 {
     const bool single = bin == 0 || bin + 1 == bins();   // these have no mirror image
-    return (single ? 1.0 : 2.0) / (m_rate * m_squares * m_count);
+    return (single ? 1.0 : 2.0) / (m_rate * m_window->squares * m_count);
 }
 
 const std::vector<std::complex<double>> &Segments::transform(std::span<const float> samples, int segment)
@@ -72,7 +112,7 @@ const std::vector<std::complex<double>> &Segments::transform(std::span<const flo
         mean += double(samples[from + i]);
     mean /= double(input.size());
     for (std::size_t i = 0; i < input.size(); ++i)
-        input[i] = (double(samples[from + i]) - mean) * m_weights[i];
+        input[i] = (double(samples[from + i]) - mean) * m_window->weights[i];
     m_transform->fft.fwd(m_transform->bins, input);
     return m_transform->bins;
 }

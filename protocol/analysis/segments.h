@@ -18,8 +18,8 @@ public:
     ~Segments();
 
     [[nodiscard]] int count() const { return m_count; }
-    [[nodiscard]] std::size_t bins() const { return m_weights.size() / 2 + 1; }
-    [[nodiscard]] double resolution() const { return m_rate / double(m_weights.size()); }
+    [[nodiscard]] std::size_t bins() const { return m_length / 2 + 1; }
+    [[nodiscard]] double resolution() const { return m_rate / double(m_length); }
     [[nodiscard]] double noiseBandwidth() const;
     /// From the sum over all segments of |bin|² to unit² per Hz, one-sided.
     [[nodiscard]] double powerScale(std::size_t bin) const;
@@ -28,12 +28,15 @@ public:
 
 private:
     struct Transform;
-    Segments(std::vector<double> weights, double rate, int count, std::size_t hop);
+    struct Window;
+    static std::shared_ptr<const Window> windowFor(WindowShape shape, int length);
+    static std::shared_ptr<Transform> transformFor(std::size_t length);
+    Segments(std::shared_ptr<const Window> window, double rate, int count, std::size_t hop);
 
-    std::vector<double> m_weights;
+    std::shared_ptr<const Window> m_window;
+    std::size_t m_length;
     double m_rate;
     int m_count;
     std::size_t m_hop;
-    double m_squares = 0;      // sum of the squared weights
-    std::unique_ptr<Transform> m_transform;
+    std::shared_ptr<Transform> m_transform;
 };

@@ -132,6 +132,25 @@ std::vector<float> averageRuns(const std::vector<std::vector<float>> &runs)
     return mean;
 }
 
+Result<StepMeasurement> measureSteps(std::span<const float> target, std::span<const float> response, double rate, double seconds)
+{
+    if (target.empty())
+        return failure(ErrorCode::InvalidArgument, u"no samples"_s);
+    const auto [lowest, highest] = std::minmax_element(target.begin(), target.end());
+    const double rest = double(target.front());
+    const double other = double(*highest) - rest > rest - double(*lowest) ? double(*highest) : double(*lowest);
+    StepMeasurement measurement;
+    measurement.runs = cutSteps(target, response, rate, rest, other, seconds);
+    if (measurement.runs.response.empty())
+        return failure(ErrorCode::InvalidArgument, u"the target did not step: another control source may hold it"_s);
+    measurement.mean = averageRuns(measurement.runs.response);
+    auto metrics = stepMetrics(measurement.mean, rate, 0.0, 1.0);
+    if (!metrics)
+        return tl::unexpected(metrics.error());
+    measurement.metrics = *metrics;
+    return measurement;
+}
+
 std::vector<StepEvent> findSteps(std::span<const float> target, double rate, double size, double rest)
 {
     std::vector<StepEvent> steps;

@@ -48,6 +48,19 @@ struct StepRuns
 [[nodiscard]] StepRuns cutSteps(std::span<const float> target, std::span<const float> response, double rate, double low,
                                 double high, double seconds);
 
+/// Several steps taken together.
+struct StepMeasurement
+{
+    StepRuns runs;
+    std::vector<float> mean;     ///< of the responses, sample by sample
+    StepMetrics metrics;         ///< of the mean; 0 to 1 is the way
+};
+
+/// Finds the two levels of a target that steps to and fro, cuts the steps out and measures their mean.
+/// @param seconds length of a run. Errors: InvalidArgument (no step, or none that the response follows).
+[[nodiscard]] Result<StepMeasurement> measureSteps(std::span<const float> target, std::span<const float> response, double rate,
+                                                   double seconds);
+
 /// The mean of several runs, sample by sample, as long as the shortest.
 [[nodiscard]] std::vector<float> averageRuns(const std::vector<std::vector<float>> &runs);
 

@@ -47,17 +47,6 @@ private:
     std::vector<double> m_ms;
 };
 
-class PaintCounter final : public QObject
-{
-public:
-    bool eventFilter(QObject *, QEvent *event) override
-    {
-        count += event->type() == QEvent::Paint;
-        return false;
-    }
-    int count = 0;
-};
-
 // Processor milliseconds of each thread, by name.
 QMap<QString, double> threadTimes()
 {

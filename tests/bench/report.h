@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QEvent>
+#include <QObject>
 #include <QString>
 #include <QTextStream>
 
@@ -41,6 +43,18 @@ private:
 
 /// Runs the event loop, asleep between events.
 void waitFor(int milliseconds);
+
+/// Counts the pictures that a widget paints.
+class PaintCounter final : public QObject
+{
+public:
+    bool eventFilter(QObject *, QEvent *event) override
+    {
+        count += event->type() == QEvent::Paint;
+        return false;
+    }
+    int count = 0;
+};
 
 // The cases, one for each group of goals.
 void benchFraming(Report &report);

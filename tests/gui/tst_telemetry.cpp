@@ -417,7 +417,7 @@ void TestTelemetry::stepTestFindsWhatThePlantDoes()
     QVERIFY(page->isRunning());
     QTRY_COMPARE_WITH_TIMEOUT(page->records().size(), std::size_t(1), 20000);
     const ResponseRecord &record = page->records().front();
-    QCOMPARE(record.runs.response.size(), std::size_t(6));
+    QCOMPARE(record.steps.runs.response.size(), std::size_t(6));
     AxisGains gains;
     const auto raw = [this](const char *key) { return double(m_rig->raw(QString::fromLatin1(key))); };
     gains.p = raw("pid.yaw.p");
@@ -425,12 +425,12 @@ void TestTelemetry::stepTestFindsWhatThePlantDoes()
     gains.d = raw("pid.yaw.d");
     gains.dLpfHz = 200;
     const auto wanted = stepMetrics(LoopMath{simulatedMechanics(Axis::Yaw), gains}.step(1250, 0.95), 1250, 0, 1);
-    QVERIFY(wanted && wanted->riseSeconds && record.metrics && record.metrics->riseSeconds);
-    qInfo("rise %.1f ms, mathematics %.1f ms; overshoot %.1f %%, mathematics %.1f %%", *record.metrics->riseSeconds * 1000,
-          *wanted->riseSeconds * 1000, record.metrics->overshoot, wanted->overshoot);
+    QVERIFY(wanted && wanted->riseSeconds && record.steps.metrics.riseSeconds);
+    qInfo("rise %.1f ms, mathematics %.1f ms; overshoot %.1f %%, mathematics %.1f %%", *record.steps.metrics.riseSeconds * 1000,
+          *wanted->riseSeconds * 1000, record.steps.metrics.overshoot, wanted->overshoot);
     // The hand trembles and the joint has friction: a fifth of the time, ten points of overshoot.
-    QVERIFY(std::abs(*record.metrics->riseSeconds / *wanted->riseSeconds - 1.0) < 0.2);
-    QVERIFY(std::abs(record.metrics->overshoot - wanted->overshoot) < 10.0);
+    QVERIFY(std::abs(*record.steps.metrics.riseSeconds / *wanted->riseSeconds - 1.0) < 0.2);
+    QVERIFY(std::abs(record.steps.metrics.overshoot - wanted->overshoot) < 10.0);
     QCOMPARE(page->table()->model()->rowCount(), 1);
     QVERIFY(!page->armButton()->isChecked());
     // A second one lies over the first; unticked, it goes.

@@ -9,6 +9,9 @@
 #include <QTemporaryDir>
 
 #include <cmath>
+#include <QNetworkDatagram>
+#include <QUdpSocket>
+#include <QDateTime>
 
 using namespace Qt::StringLiterals;
 
@@ -40,6 +43,9 @@ private slots:
     void monitorPrintsCsv();
     void recordExportAnalyzeReplay();
     void recordingKilledInTheMiddleOpens();
+    void streamsByHand();
+    void publishesForOthers();
+    void measuresByMoving();
     void doAction();
     void calibrate();
     void autotune();
@@ -166,6 +172,57 @@ void TestCtl::monitorPrintsCsv()
     QVERIFY(json.value(u"rows"_s).toArray().size() > 200);
     QCOMPARE(json.value(u"lost"_s).toInt(), 0);
     QCOMPARE(ctl({u"monitor"_s, u"--channels"_s, u"nonsense"_s}).exitCode, 2);
+}
+
+void TestCtl::streamsByHand()
+{
+    const Run list = ctl({u"streams"_s});
+    QCOMPARE(list.exitCode, 0);
+    QVERIFY2(list.out.contains(u"REALTIME_DATA_4"_s) && list.out.contains(u"129"_s), qPrintable(list.out));
+    const Run run = ctl({u"monitor"_s, u"--channels"_s, u"battery,z1.z"_s, u"--stream"_s, u"realtime4@200"_s, u"--stream"_s,
+                         u"helper@100"_s, u"--seconds"_s, u"1"_s});
+    QCOMPARE(run.exitCode, 0);
+    const auto lines = run.out.count(u'\n');
+    QVERIFY2(lines > 180 && lines < 220, qPrintable(QString::number(lines)));
+    QVERIFY2(run.err.contains(u"28700 of 1000000 bytes/s"_s), qPrintable(run.err));   // 200 x 129 + 100 x 29
+}
+
+void TestCtl::publishesForOthers()
+{
+    QUdpSocket listener;
+    QVERIFY(listener.bind(QHostAddress::LocalHost, 0));
+    const Run run = ctl({u"publish"_s, u"localhost:%1"_s.arg(listener.localPort()), u"--channels"_s, u"gyro.roll,gyro.yaw"_s,
+                         u"--seconds"_s, u"1"_s});
+    QCOMPARE(run.exitCode, 0);
+    QTRY_VERIFY(listener.hasPendingDatagrams());
+    int count = 0;
+    double last = 0;
+    while (listener.hasPendingDatagrams()) {
+        const QJsonObject message = QJsonDocument::fromJson(listener.receiveDatagram().data()).object();
+        QVERIFY(message.value(u"gyro"_s)[u"roll"_s].isDouble() && message.value(u"gyro"_s)[u"yaw"_s].isDouble());
+        QVERIFY(message.value(u"timestamp"_s).toDouble() >= last);
+        last = message.value(u"timestamp"_s).toDouble();
+        ++count;
+    }
+    // The system drops datagrams that nobody takes off in time, never the first ones.
+    QVERIFY2(count > 100, qPrintable(QString::number(count)));
+    QVERIFY(std::abs(last - double(QDateTime::currentMSecsSinceEpoch()) / 1000.0) < 60.0);
+}
+
+void TestCtl::measuresByMoving()
+{
+    const QString file = m_dir->filePath(u"sweep.csv"_s);
+    const Run steps = ctl({u"measure"_s, u"steps"_s, u"yaw"_s, u"steps=2"_s, u"rest=0.8"_s});
+    QVERIFY2(steps.exitCode == 0 && steps.out.contains(u"2 steps: rise"_s), qPrintable(steps.out + steps.err));
+    const Run sweep = ctl({u"measure"_s, u"sweep"_s, u"yaw"_s, u"seconds=8"_s, u"to=8"_s, u"--csv"_s, file});
+    QVERIFY2(sweep.exitCode == 0 && sweep.out.contains(u"phase margin"_s), qPrintable(sweep.out + sweep.err));
+    const Run again = ctl({u"analyze"_s, u"response"_s, file}, false);
+    QVERIFY2(again.exitCode == 0 && again.out.contains(u"phase margin"_s), qPrintable(again.out + again.err));
+    // Without motors nothing is moved.
+    QCOMPARE(ctl({u"motors"_s, u"off"_s}).exitCode, 0);
+    const Run refused = ctl({u"measure"_s, u"steps"_s, u"yaw"_s});
+    QCOMPARE(refused.exitCode, 1);
+    QVERIFY2(refused.err.contains(u"motors"_s), qPrintable(refused.err));
 }
 
 void TestCtl::recordExportAnalyzeReplay()
@@ -301,6 +358,9 @@ void TestCtl::everyCommandSpeaksJson_data()
     row({u"profiles"_s});
     row({u"do"_s, u"help"_s});
     row({u"do"_s, u"angles"_s});
+    row({u"streams"_s});
+    row({u"publish"_s, u"127.0.0.1:9"_s, u"--seconds"_s, u"0.3"_s});
+    row({u"measure"_s, u"steps"_s, u"yaw"_s, u"steps=2"_s, u"rest=0.5"_s});
     row({u"motors"_s, u"on"_s});
     row({u"get"_s, u"nonsense"_s});
 }
@@ -339,6 +399,17 @@ void TestCtl::wrongArguments_data()
     row({u"analyze"_s, u"weather"_s, u"file"_s});
     row({u"analyze"_s, u"spectrum"_s});
     row({u"analyze"_s, u"response"_s, u"file"_s, u"--channels"_s, u"gyro.roll"_s});
+    row({u"monitor"_s, u"--stream"_s, u"@5"_s});
+    row({u"monitor"_s, u"--stream"_s, u"realtime4@fast"_s});
+    row({u"monitor"_s, u"--stream"_s, u"realtime4@2000"_s});
+    row({u"monitor"_s, u"--stream"_s, u"realtime9"_s});
+    row({u"publish"_s});
+    row({u"publish"_s, u"nowhere:70000"_s});
+    row({u"measure"_s, u"steps"_s});
+    row({u"measure"_s, u"jump"_s, u"pitch"_s});
+    row({u"measure"_s, u"steps"_s, u"nose"_s});
+    row({u"measure"_s, u"steps"_s, u"pitch"_s, u"degrees=40"_s});
+    row({u"measure"_s, u"steps"_s, u"pitch"_s, u"height=2"_s});
 }
 
 void TestCtl::wrongArguments()

@@ -5,7 +5,9 @@
 #include "protocol/record/recorder.h"
 #include "protocol/record/replaystore.h"
 #include "protocol/record/replaytransport.h"
+#include "protocol/record/responsecsv.h"
 
+#include <QBuffer>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -49,6 +51,9 @@ private slots:
     void badReplayAddresses();
     void replayIsTheSameBoard();
     void replayFindsTheStreamThatRan();
+    void responseTextsAreRead_data();
+    void responseTextsAreRead();
+    void responseTextsAreWritten();
 
 private:
     QString path(const QString &name) const { return m_dir.filePath(name); }
@@ -238,6 +243,60 @@ void TestRecording::badReplayAddresses()
     const auto transport = makeReplayTransport(*parsed);
     QVERIFY(!transport);
     QVERIFY(!transport.error().detail.isEmpty());
+}
+
+void TestRecording::responseTextsAreRead_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<int>("rows");        // -1: refused
+    QTest::addColumn<double>("rate");
+    QTest::newRow("ours") << QByteArray("# 500 samples/s\nin;out\n1;2\n3;4\n") << 2 << 500.0;
+    QTest::newRow("bare") << QByteArray("1;2\r\n3;4") << 2 << 1250.0;
+    QTest::newRow("commas") << QByteArray("in,out\n1.5,-2e-3\n") << 1 << 1250.0;
+    QTest::newRow("tabs and blanks") << QByteArray("\n 1 \t 2 \n\n") << 1 << 1250.0;
+    QTest::newRow("odd remark") << QByteArray("# hello\n# -5\n1;2\n") << 1 << 1250.0;
+    QTest::newRow("three columns") << QByteArray("1;2;3\n4;5;6\n7;8;9\n1;1;1\n") << -1 << 0.0;
+    QTest::newRow("words") << QByteArray("1;2\n3;four\n") << -1 << 0.0;
+    QTest::newRow("not a number") << QByteArray("1;2\nnan;inf\n") << -1 << 0.0;
+    QTest::newRow("one column") << QByteArray("1\n2\n3\n4\n5\n") << -1 << 0.0;
+    QTest::newRow("empty") << QByteArray() << -1 << 0.0;
+    QTest::newRow("binary") << QByteArray("\0\xff\n\0;\n;\n\n\x01;", 12) << -1 << 0.0;
+}
+
+void TestRecording::responseTextsAreRead()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(int, rows);
+    QFETCH(double, rate);
+    const auto samples = readResponseCsv(text);
+    if (rows < 0) {
+        QVERIFY(!samples);
+        QCOMPARE(samples.error().code, ErrorCode::BadFile);
+        QVERIFY(!samples.error().detail.isEmpty());
+        return;
+    }
+    QVERIFY2(samples, samples ? "" : qPrintable(samples.error().detail));
+    QCOMPARE(int(samples->in.size()), rows);
+    QCOMPARE(samples->in.size(), samples->out.size());
+    QCOMPARE(samples->rate, rate);
+    QCOMPARE(samples->rateAssumed, !text.contains("samples/s"));
+}
+
+void TestRecording::responseTextsAreWritten()
+{
+    const std::vector<float> in{1.0F, -0.125F, 3.5e-5F};
+    const std::vector<float> out{0.0F, 7.0F, 1234.5F};
+    QBuffer buffer;
+    QVERIFY(buffer.open(QIODevice::WriteOnly));
+    QVERIFY(writeResponseCsv(buffer, in, out, 833.25));
+    const auto read = readResponseCsv(buffer.data());
+    QVERIFY(read);
+    QCOMPARE(read->in, in);
+    QCOMPARE(read->out, out);
+    QCOMPARE(read->rate, 833.25);
+    QFile full(u"/dev/full"_s);
+    if (full.open(QIODevice::WriteOnly | QIODevice::Unbuffered))
+        QVERIFY(!writeResponseCsv(full, in, out, 1));
 }
 
 void TestRecording::replayIsTheSameBoard()

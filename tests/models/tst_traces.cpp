@@ -1,7 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plot/plotlayout.h"
+#include "widgets/plot/plotmarks.h"
+#include "widgets/plot/spanmeter.h"
 #include "widgets/plot/spanstatistics.h"
 #include "widgets/plot/tracecolumns.h"
+#include "widgets/plot/valuescale.h"
 
 #include <QTest>
 
@@ -51,7 +55,127 @@ private slots:
     void blocksTellWhatTheirRowsTell();
     void blocksFollowRetention();
     void storeKeepsWithinItsBytes();
+    void meterSaysWhatEachSampleSays_data();
+    void meterSaysWhatEachSampleSays();
+    void meterFollowsRetention();
+    void scaleFollowsWithHysteresis();
+    void scaleStandsStillWhereItWasPut();
+    void marksAreInOrderAndFound();
+    void layoutsSurviveTheirFile();
 };
+
+void TestTraces::meterSaysWhatEachSampleSays_data()
+{
+    QTest::addColumn<double>("from");
+    QTest::addColumn<double>("to");
+    QTest::addColumn<int>("minus");
+    QTest::newRow("all") << -1.0 << 1e9 << -1;
+    QTest::newRow("inside one chunk") << 1.0 << 1.2 << -1;
+    QTest::newRow("over chunks") << 0.7 << 6.3 << -1;
+    QTest::newRow("difference") << 0.7 << 6.3 << 1;
+    QTest::newRow("nothing") << 500.0 << 600.0 << -1;
+}
+
+void TestTraces::meterSaysWhatEachSampleSays()
+{
+    QFETCH(double, from);
+    QFETCH(double, to);
+    QFETCH(int, minus);
+    const auto store = someStore(12000, 3, true);
+    const SpanStatistics wanted = spanStatistics(*store, 0, minus, from, to);
+    SpanMeter meter(store, 0, minus);
+    for (int i = 0; i < 2; ++i) {   // the second time from what is kept
+        const SpanMeter::Figures figures = meter.measure(from, to);
+        QCOMPARE(figures.samples, wanted.samples);
+        if (wanted.samples == 0)
+            continue;
+        QVERIFY(std::abs(figures.mean - wanted.mean) < 1e-6 * (1 + std::abs(wanted.mean)));
+        QVERIFY(std::abs(figures.rms - wanted.rms) < 1e-6 * (1 + wanted.rms));
+        QCOMPARE(std::max(std::abs(figures.low), std::abs(figures.high)), wanted.peak);
+        QVERIFY(figures.low <= figures.mean && figures.mean <= figures.high);
+    }
+}
+
+void TestTraces::meterFollowsRetention()
+{
+    auto store = std::make_shared<TelemetryStore>(1);
+    store->setRetention(2.0);
+    auto group = store->defineGroup({0}, 1.0 / kRate);
+    SpanMeter meter(store, 0, -1);
+    for (int i = 0; i < 20000; ++i) {
+        const float value = float(i);
+        store->append(*group, store->origin() + durationFromSeconds(i / kRate), std::span(&value, 1));
+        if (i % 3000 == 2999) {
+            const SpanMeter::Figures figures = meter.measure(i / kRate - 1.0, i / kRate + 1.0);
+            QCOMPARE(figures.high, double(i));
+            QVERIFY(figures.samples >= 1249 && figures.samples <= 1251);
+            QVERIFY(std::abs(figures.rate - kRate) < 1.0);
+        }
+    }
+}
+
+void TestTraces::scaleFollowsWithHysteresis()
+{
+    ValueScale scale;
+    QVERIFY(scale.fit(-37, 12));
+    QVERIFY(scale.low() <= -37 && scale.high() >= 12);
+    const double step = (scale.high() - scale.low()) / scale.steps();
+    QVERIFY(std::abs(std::remainder(scale.low(), step)) < 1e-9);   // labels are round numbers
+    QVERIFY(!scale.fit(-35, 10));      // fits: nothing moves
+    QVERIFY(!scale.fit(-1, 1));        // much smaller, but only just now
+    QVERIFY(scale.fit(-80, 10));       // greater: at once
+    QVERIFY(scale.low() <= -80);
+    QVERIFY(ValueScale().fit(5, 5) || ValueScale().low() <= 5);   // a single value is no crash
+}
+
+void TestTraces::scaleStandsStillWhereItWasPut()
+{
+    ValueScale scale;
+    scale.fix(0.011, 0.029);
+    QVERIFY(scale.isFixed());
+    QVERIFY(scale.low() <= 0.011 && scale.high() >= 0.029 && scale.high() - scale.low() < 0.04);
+    QVERIFY(!scale.fit(-100, 100));
+    scale.release();
+    QVERIFY(scale.fit(-100, 100));
+    scale.fix(3, 3);   // no height at all
+    QVERIFY(scale.high() > scale.low());
+}
+
+void TestTraces::marksAreInOrderAndFound()
+{
+    PlotMarks marks;
+    for (const double time : {5.0, 1.0, 3.0})
+        marks.add({time, PlotMark::Kind::Note, QString::number(time)});
+    QCOMPARE(marks.between(0.5, 3.5).size(), std::size_t(2));
+    QCOMPARE(marks.near(2.8, 0.5)->text, u"3"_s);
+    QVERIFY(!marks.near(2.0, 0.5));
+    QCOMPARE(marks.next(1.0, true), std::optional(3.0));
+    QCOMPARE(marks.next(3.0, false), std::optional(1.0));
+    QCOMPARE(marks.next(5.0, true), std::optional<double>());
+    QCOMPARE(marks.next(1.0, false), std::optional<double>());
+    for (int i = 0; i < 5000; ++i)
+        marks.add({double(i), PlotMark::Kind::Note, {}});
+    QCOMPARE(marks.all().size(), std::size_t(2000));   // the oldest went
+    marks.clear();
+    QVERIFY(marks.between(0, 1e9).empty());
+}
+
+void TestTraces::layoutsSurviveTheirFile()
+{
+    const std::array<ChannelSpec, 3> table{{{"a", "A", "", "V", 0}, {"b", "B", "", "A", 0}, {"c", "C", "", "V", 0}}};
+    const PlotLayout layout{{{{0, 1}, true, false}, {{2}, false, true}}, 30};
+    const PlotLayout read = PlotLayout::fromJson(layout.toJson(table), table);
+    QVERIFY(read.plots == layout.plots);
+    QCOMPARE(read.seconds, 30.0);
+    // On a board without the third channel.
+    const PlotLayout fewer = PlotLayout::fromJson(layout.toJson(table), std::span(table).first(2));
+    QCOMPARE(fewer.plots.size(), 1);
+    for (const char *bad : {"", "{", "[]", R"({"plots":3})", R"({"plots":[3,{"channels":"a"}],"seconds":-7})"})
+        QVERIFY(PlotLayout::fromJson(bad, table).plots.isEmpty());
+    const PlotLayout byUnit = PlotLayout::byUnit(table, {0, 1, 2});
+    QCOMPARE(byUnit.plots.size(), 2);
+    QCOMPARE(byUnit.plots[0].channels, (QList<int>{0, 2}));
+}
 
 void TestTraces::columnsHoldEverySample_data()
 {

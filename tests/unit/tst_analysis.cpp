@@ -525,6 +525,12 @@ void TestAnalysis::stepsAreCutAtTheTarget()
     }
     // A run that would end behind the record is left out, and nothing is cut from nothing.
     QCOMPARE(cutSteps(target, response, 100, 1.0, 3.0, 1.5).target.size(), std::size_t(2));
+    const auto all = measureSteps(target, response, 100, 0.8);
+    QVERIFY(all);
+    QCOMPARE(all->runs.response.size(), std::size_t(3));
+    QCOMPARE(all->metrics.overshoot, 0.0);
+    QVERIFY(!measureSteps(std::vector<float>(500, 1.0F), response, 100, 0.8));
+    QVERIFY(!measureSteps({}, {}, 100, 0.8));
     QVERIFY(cutSteps({}, {}, 100, 1.0, 3.0, 0.8).target.empty());
     QVERIFY(cutSteps(target, response, 100, 1.0, 1.0, 0.8).target.empty());
 }
