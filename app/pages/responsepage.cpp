@@ -17,7 +17,7 @@
 #include <QPushButton>
 #include <QSaveFile>
 #include <QSpinBox>
-#include <QStackedLayout>
+#include <QStackedWidget>
 #include <QStandardItemModel>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -62,7 +62,7 @@ ResponsePage::ResponsePage(Workspace &workspace, QWidget *parent)
     , m_arm(new QPushButton(tr("Arm")))
     , m_start(new QPushButton(tr("Start")))
     , m_progress(new QProgressBar)
-    , m_pictures(new QStackedLayout)
+    , m_pictures(new QStackedWidget)
     , m_steps(new CurveChart(workspace.theme(), tr("Step response")))
     , m_gain(new CurveChart(workspace.theme(), tr("Gain")))
     , m_phase(new CurveChart(workspace.theme(), tr("Phase")))
@@ -155,7 +155,7 @@ void ResponsePage::makePictures(QVBoxLayout *column)
     m_gain->setHint(tr("Arm, then Start: the axis sways ever faster, and here is how it follows."));
     m_pictures->addWidget(m_steps);
     m_pictures->addWidget(bode);
-    column->addLayout(m_pictures, 3);
+    column->addWidget(m_pictures, 3);
     auto *card = new Card(tr("Measurements"));
     m_table->setAccessibleName(tr("Measurements"));
     m_table->verticalHeader()->hide();

@@ -14,7 +14,7 @@ class QFormLayout;
 class QProgressBar;
 class QPushButton;
 class QSpinBox;
-class QStackedLayout;
+class QStackedWidget;
 class QStandardItemModel;
 class QTableView;
 
@@ -87,7 +87,7 @@ private:
     QPushButton *m_arm;
     QPushButton *m_start;
     QProgressBar *m_progress;
-    QStackedLayout *m_pictures;
+    QStackedWidget *m_pictures;
     CurveChart *m_steps;
     CurveChart *m_gain;
     CurveChart *m_phase;

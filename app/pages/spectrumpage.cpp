@@ -14,7 +14,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
-#include <QStackedLayout>
+#include <QStackedWidget>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -81,7 +81,7 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
     , m_compare(new QPushButton(tr("Compare")))
     , m_notch(new QPushButton(tr("Put a notch here…")))
     , m_note(new QLabel)
-    , m_pictures(new QStackedLayout)
+    , m_pictures(new QStackedWidget)
     , m_chart(new SpectrumChart(workspace.theme()))
     , m_waterfall(new WaterfallView(workspace.theme()))
     , m_peaks(makeTable({tr("Axis"), tr("Frequency"), tr("Strength (RMS)"), tr("Width")}, tr("Peaks")))
@@ -132,7 +132,7 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
     m_pictures->addWidget(m_waterfall);
     m_waterfall->setHop(std::chrono::duration<double>(kPeriod).count());
     makeViewMenu();
-    body()->addLayout(m_pictures, 3);
+    body()->addWidget(m_pictures, 3);
     body()->addLayout(row, 2);
 
     connect(m_pause, &QPushButton::toggled, this, [this](bool on) { m_pause->setText(on ? tr("Continue") : tr("Pause")); });

@@ -15,7 +15,7 @@ class QComboBox;
 class QPushButton;
 class QTableWidget;
 class QMenu;
-class QStackedLayout;
+class QStackedWidget;
 class WaterfallView;
 
 /// What shakes and how much is left of it: spectra of the last seconds, their peaks, the error in three bands.
@@ -86,7 +86,7 @@ private:
     QPushButton *m_compare;
     QPushButton *m_notch;
     QLabel *m_note;
-    QStackedLayout *m_pictures;
+    QStackedWidget *m_pictures;
     SpectrumChart *m_chart;
     WaterfallView *m_waterfall;
     QTableWidget *m_peaks;
