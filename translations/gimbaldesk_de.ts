@@ -1014,20 +1014,20 @@
         <translation>Grenzen vergessen</translation>
     </message>
     <message>
-        <source>Start lowest, highest and the curve anew</source>
-        <translation>Kleinsten, größten Wert und Kurve neu beginnen</translation>
-    </message>
-    <message>
-        <source>Course</source>
-        <translation>Verlauf</translation>
-    </message>
-    <message>
         <source>What these variables mean is known to the firmware&apos;s makers only; they help a supporter.</source>
         <translation>Was diese Variablen bedeuten, wissen nur die Hersteller der Firmware; sie helfen dem Support.</translation>
     </message>
     <message>
         <source>Continue</source>
         <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Start lowest and highest anew</source>
+        <translation>Kleinsten und größten Wert neu beginnen</translation>
+    </message>
+    <message>
+        <source>Choose several with Ctrl or Shift to see them together</source>
+        <translation>Wählen Sie mit Strg oder Umschalt mehrere, um sie zusammen zu sehen</translation>
     </message>
 </context>
 <context>
@@ -2795,17 +2795,6 @@
     <message>
         <source>At most %1 MB with 24 channels at full rate. The last ten minutes of the link itself, for recordings, take up to %2 MB more.</source>
         <translation>Höchstens %1 MB mit 24 Kanälen bei voller Rate. Die letzten zehn Minuten der Leitung selbst, für Aufzeichnungen, brauchen bis zu %2 MB dazu.</translation>
-    </message>
-</context>
-<context>
-    <name>Sparkline</name>
-    <message>
-        <source>Course of the chosen variable</source>
-        <translation>Verlauf der gewählten Variablen</translation>
-    </message>
-    <message>
-        <source>Choose a variable to see its course</source>
-        <translation>Wählen Sie eine Variable, um ihren Verlauf zu sehen</translation>
     </message>
 </context>
 <context>

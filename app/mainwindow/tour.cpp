@@ -292,6 +292,7 @@ void Tour::addDialogSteps()
         return Recording::load(file).has_value();
     }, 500, {}, true});
     m_steps.append({u"replay"_s, [this, file] {
+        m_window.workspace().client().disconnectFromBoard();
         m_window.showPage(u"monitor"_s);
         m_window.openFile(file);
     }, [this] { return m_window.replayBar()->isVisible() && m_window.workspace().client().statistics().replay; }, 4000, {}, true});

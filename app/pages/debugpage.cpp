@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/debugpage.h"
 
-#include "widgets/views/card.h"
-#include "widgets/views/sparkline.h"
+#include "widgets/plot/plotstack.h"
 
 #include <QHeaderView>
 #include <QLabel>
@@ -11,11 +10,15 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 using namespace Qt::StringLiterals;
 
 namespace {
 
 constexpr auto kPeriod = 100ms;
+constexpr double kSeconds = 30;
+constexpr qsizetype kMostCurves = 6;
 
 } // namespace
 
@@ -23,11 +26,11 @@ DebugPage::DebugPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"debug"_s, tr("Debug variables"), parent)
     , m_model(workspace.client())
     , m_table(new QTableView)
-    , m_curve(new Sparkline(workspace.theme()))
+    , m_plots(new PlotStack(workspace.theme()))
     , m_pause(new QPushButton(tr("Pause")))
 {
     auto *clear = new QPushButton(tr("Forget bounds"));
-    clear->setToolTip(tr("Start lowest, highest and the curve anew"));
+    clear->setToolTip(tr("Start lowest and highest anew"));
     m_pause->setCheckable(true);
     header()->addWidget(clear);
     header()->addWidget(m_pause);
@@ -38,21 +41,25 @@ DebugPage::DebugPage(Workspace &workspace, QWidget *parent)
     m_table->setTabKeyNavigation(false);
     m_table->setAlternatingRowColors(true);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_table->setToolTip(tr("Choose several with Ctrl or Shift to see them together"));
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->horizontalHeader()->setSectionResizeMode(DebugModel::NameColumn, QHeaderView::Stretch);
-    auto *course = new Card(tr("Course"));
-    course->content()->addWidget(m_curve, 1);
+    m_plots->setSeconds(kSeconds);
     auto *note = new QLabel(tr("What these variables mean is known to the firmware's makers only; they help a supporter."));
     note->setObjectName(u"muted"_s);
     note->setWordWrap(true);
     body()->addWidget(note);
     body()->addWidget(m_table, 3);
-    body()->addWidget(course, 2);
+    body()->addWidget(m_plots, 3);
 
-    connect(clear, &QPushButton::clicked, &m_model, &DebugModel::clearHistory);
-    connect(m_pause, &QPushButton::toggled, this, [this](bool on) { m_pause->setText(on ? tr("Continue") : tr("Pause")); });
-    connect(&m_model, &DebugModel::refreshed, this, &DebugPage::showCurve);
+    connect(clear, &QPushButton::clicked, &m_model, &DebugModel::clearBounds);
+    connect(m_pause, &QPushButton::toggled, this, [this](bool on) {
+        m_pause->setText(on ? tr("Continue") : tr("Pause"));
+        m_plots->setPaused(on);
+    });
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &DebugPage::showCurves);
+    connect(m_plots, &PlotStack::pausedChanged, m_pause, &QPushButton::setChecked);
     connect(&m_model, &DebugModel::modelReset, this, [this] {
         if (m_model.rowCount() > 0)
             m_table->selectRow(0);
@@ -74,11 +81,18 @@ DebugPage::DebugPage(Workspace &workspace, QWidget *parent)
     });
 }
 
-void DebugPage::showCurve()
+// All of them in one plot, each with its own scale: nothing is known of their units.
+void DebugPage::showCurves()
 {
-    const QModelIndex current = m_table->currentIndex();
-    if (current.isValid())
-        m_curve->setValues(m_model.name(current.row()), m_model.history(current.row()));
+    QList<int> channels;
+    const QModelIndexList rows = m_table->selectionModel()->selectedRows();
+    for (const QModelIndex &row : rows.first(std::min<qsizetype>(rows.size(), kMostCurves)))
+        channels.append(row.row());
+    std::sort(channels.begin(), channels.end());
+    m_plots->setPlots({});
+    m_plots->setSource(m_model.table(), m_model.store());
+    if (!channels.isEmpty())
+        m_plots->setPlots({{channels, channels.size() > 1, false}});
 }
 
 void DebugPage::showEvent(QShowEvent *event)

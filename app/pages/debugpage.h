@@ -9,7 +9,7 @@
 
 class QPushButton;
 class QTableView;
-class Sparkline;
+class PlotStack;
 
 /// The firmware's inner variables with their values as they come.
 class DebugPage final : public Page
@@ -20,17 +20,19 @@ public:
 
     [[nodiscard]] DebugModel &model() { return m_model; }
     [[nodiscard]] QTableView *table() const { return m_table; }
+    /// The chosen variables over time.
+    [[nodiscard]] PlotStack *plots() const { return m_plots; }
 
 protected:
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
 
 private:
-    void showCurve();
+    void showCurves();
 
     DebugModel m_model;
     QTableView *m_table;
-    Sparkline *m_curve;
+    PlotStack *m_plots;
     QPushButton *m_pause;
     QTimer m_timer;
 };

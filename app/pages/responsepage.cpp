@@ -147,10 +147,10 @@ void ResponsePage::makePictures(QVBoxLayout *column)
     auto *charts = new QVBoxLayout(bode);
     charts->setContentsMargins(0, 0, 0, 0);
     charts->setSpacing(2);
-    charts->addWidget(m_gain, 3);
-    charts->addWidget(m_phase, 3);
-    charts->addWidget(m_coherence, 2);
-    m_coherence->setMinimumHeight(90);
+    charts->addWidget(m_gain, 4);
+    charts->addWidget(m_phase, 4);
+    charts->addWidget(m_coherence, 3);
+    m_coherence->setMinimumHeight(110);
     m_steps->setHint(tr("Arm, then Start: the axis steps to and fro, and here is how it arrives."));
     m_gain->setHint(tr("Arm, then Start: the axis sways ever faster, and here is how it follows."));
     m_pictures->addWidget(m_steps);

@@ -147,7 +147,10 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
     connect(m_notch, &QPushButton::clicked, this, &SpectrumPage::askNotch);
     connect(m_peaks, &QTableWidget::itemSelectionChanged, this, &SpectrumPage::updateNotch);
     updateNotch();
-    connect(m_signal, &QComboBox::activated, this, &SpectrumPage::refresh);
+    connect(m_signal, &QComboBox::activated, this, [this] {
+        fillWaterfall();
+        refresh();
+    });
     connect(m_span, &QComboBox::activated, this, &SpectrumPage::refresh);
     m_timer.setInterval(kPeriod);
     connect(&m_timer, &QTimer::timeout, this, [this] {
@@ -170,6 +173,7 @@ void SpectrumPage::showEvent(QShowEvent *event)
         wanted.append(QList<int>(triple.begin(), triple.end()));
     workspace().wishTelemetry(this, wanted);
     offerHeldSpan();
+    fillWaterfall();
     refresh();
     m_timer.start();
 }
@@ -206,8 +210,8 @@ void SpectrumPage::makeViewMenu()
     for (const Axis axis : kAxes) {
         pictures.append({tr("Waterfall, %1").arg(axisLabel(axis)), [this, axis] {
             m_waterfallAxis = axis;
-            m_waterfall->clear();
             m_pictures->setCurrentWidget(m_waterfall);
+            fillWaterfall();
         }});
     }
     choices(tr("Picture"), pictures);
@@ -302,18 +306,43 @@ void SpectrumPage::drawCurves()
     m_chart->setPeaks(peaks);
 }
 
-// The newest second alone, so that a column shows what happens now.
 void SpectrumPage::addWaterfall()
 {
     if (m_waterfallAxis == Axis::None)
         return;
     m_waterfall->setLogarithmic(!m_scale.linearFrequency);
+    addColumn(spanOf(*workspace().client().telemetry(), waterfallChannel()).second);
+}
+
+// What has been kept is there at once.
+void SpectrumPage::fillWaterfall()
+{
+    m_waterfall->clear();
+    if (m_waterfallAxis == Axis::None)
+        return;
+    const auto store = workspace().client().telemetry();
+    if (!store || !workspace().client().device())
+        return;
+    const double hop = std::chrono::duration<double>(kPeriod).count();
+    const double end = spanOf(*store, waterfallChannel()).second;
+    for (int column = WaterfallView::kColumns; column >= 1; --column)
+        addColumn(end - column * hop);
+}
+
+int SpectrumPage::waterfallChannel() const
+{
+    const ChannelRoles roles = workspace().roles();
+    return signal() == Signal::Gyro ? roles.gyro[std::size_t(m_waterfallAxis)] : roles.angle[std::size_t(m_waterfallAxis)];
+}
+
+// A second alone, so that a column shows what happened then.
+void SpectrumPage::addColumn(double end)
+{
     const auto store = workspace().client().telemetry();
     const ChannelRoles roles = workspace().roles();
     const auto axis = std::size_t(m_waterfallAxis);
     const bool gyro = signal() == Signal::Gyro;
-    const int channel = gyro ? roles.gyro[axis] : roles.angle[axis];
-    const double end = spanOf(*store, channel).second;
+    const int channel = waterfallChannel();
     const auto samples = uniformSamples(*store, channel, gyro ? -1 : roles.target[axis], end - kWaterfallSpan, end);
     if (!samples)
         return;

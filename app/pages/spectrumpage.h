@@ -70,6 +70,10 @@ private:
     void refresh();
     void drawCurves();
     void addWaterfall();
+    /// One column of the second that ends then.
+    void addColumn(double end);
+    void fillWaterfall();
+    [[nodiscard]] int waterfallChannel() const;
     [[nodiscard]] std::pair<double, double> spanOf(const TelemetryStore &store, int channel) const;
     void showPeaks(const QString &unit);
     void updateNotch();

@@ -81,12 +81,6 @@ void benchEndToEnd(Report &report, int seconds)
         channels.append(QList<int>(triple.begin(), triple.end()));
     std::sort(channels.begin(), channels.end());
     monitor->channels().setTicked(channels);
-    const auto count = [&simulator] {
-        simulator.process().write("streams\n");
-        std::ignore = QTest::qWaitFor([&] { return simulator.process().canReadLine(); }, 5000);
-        const QList<QByteArray> words = simulator.process().readLine().simplified().split(' ');
-        return words.value(2).toULongLong() + words.value(4).toULongLong();
-    };
     const auto quiet = [&rig] {
         auto stopped = rig.client().submit<bool>([](Channel &channel, Device &device) -> Result<bool> {
             device.stopTelemetry(channel);
@@ -98,7 +92,7 @@ void benchEndToEnd(Report &report, int seconds)
     // Counted from one silence to the next, so that not a frame is in flight.
     QTest::qWait(500);
     quiet();
-    const quint64 sentBefore = count();
+    const quint64 sentBefore = simulator.streams().all;
     Watch watch;
     rig.client().addListener(watch);
     rig.workspace().setStreams({{u"realtime4"_s, 1250, {}}});
@@ -116,7 +110,7 @@ void benchEndToEnd(Report &report, int seconds)
     const double frames = paints.count / (elapsed / 1000.0);
 
     quiet();
-    const quint64 sent = count() - sentBefore;
+    const quint64 sent = simulator.streams().all - sentBefore;
     const quint64 heard = watch.frames();
     rig.client().removeListener(watch);
     const TelemetryStore &store = *rig.client().telemetry();

@@ -49,20 +49,6 @@ public:
     std::atomic<qint64> motorsOff = 0;
 };
 
-struct Sent
-{
-    quint64 all = 0;
-    quint64 skipped = 0;
-};
-
-Sent streamCount(SimProcess &simulator)
-{
-    simulator.process().write("streams\n");
-    std::ignore = QTest::qWaitFor([&] { return simulator.process().canReadLine(); }, 5000);
-    const QList<QByteArray> words = simulator.process().readLine().simplified().split(' ');
-    return words.size() == 5 ? Sent{words[2].toULongLong() + words[4].toULongLong(), words[4].toULongLong()} : Sent{};
-}
-
 /// The way it is often done: the port lives on the screen's thread.
 class ScreenPort
 {
@@ -118,7 +104,7 @@ void benchLoss(Report &report, const QString &path)
         blockHalf();
         port.send(int(CommandId::DataStreamInterval), DataStream{kStatus, 0, QByteArray(8, '\0')}.encode());
         process(500ms);
-        const Sent sent = streamCount(simulator);
+        const SimProcess::Streams sent = simulator.streams();
         plain = 100.0 * (1.0 - double(port.frames) / double(sent.all));
     }
     SimProcess simulator({u"--pty"_s, path});
@@ -139,7 +125,7 @@ void benchLoss(Report &report, const QString &path)
     });
     std::ignore = QTest::qWaitFor([&] { return stopped.isFinished(); }, 5000);
     process(300ms);
-    const Sent sent = streamCount(simulator);
+    const SimProcess::Streams sent = simulator.streams();
     report.atMost(u"P6"_s, u"frames lost at %1 kB/s, screen blocked 500 of 1000 ms, 10 s"_s.arg(rate * kFrameBytes / 1000.0, 0, 'f', 0),
                   double(sent.all - counter.frames), 0, {},
                   u"port on the screen's thread: %1 % lost of %2"_s.arg(plain, 0, 'f', 0).arg(sent.all));

@@ -28,6 +28,7 @@ private slots:
     void scalesStayInsideWhenThePlotsShrink();
     void spectrumFindsTheResonance();
     void peakBecomesANotch();
+    void notchTakesTheResonanceAway();
     void recordingsFromTheScreen();
 
 private:
@@ -144,6 +145,46 @@ void TestMonitor::peakBecomesANotch()
     QCOMPARE(int(edited(u"enabled"_s)) & 3, 1);
     m_rig->workspace().edits().undoStack().undo();
     QCOMPARE(m_rig->model().changeCount(), 0);
+}
+
+void TestMonitor::notchTakesTheResonanceAway()
+{
+    QVERIFY(m_rig->open());
+    const double resonance = simulatedMechanics(Axis::Roll).resonanceHz;
+    const auto writeEdits = [this] {
+        QSignalSpy written(&m_rig->workspace(), &Workspace::writeFinished);
+        m_rig->workspace().write(std::as_const(m_rig->model()).edited());
+        return written.wait(15000);
+    };
+    // Gains that make the structure ring.
+    m_rig->edit(u"pid.roll.p"_s, 0, 100);
+    m_rig->edit(u"pid.roll.d"_s, 0, 60);
+    QVERIFY(writeEdits());
+    auto *page = m_rig->page<SpectrumPage>();
+    // Strength of the line at the resonance, 0 without one; its row.
+    int row = -1;
+    const auto strength = [&] {
+        for (row = 0; row < page->peaks()->rowCount(); ++row) {
+            const double hz = page->peaks()->item(row, 1)->text().section(u' ', 0, 0).toDouble();
+            if (page->peaks()->item(row, 0)->text() == axisLabel(Axis::Roll) && std::abs(hz / resonance - 1.0) < 0.2)
+                return page->peaks()->item(row, 2)->text().section(u' ', 0, 0).toDouble();
+        }
+        return 0.0;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(strength() > 0.0, 25000);
+    const double before = strength();
+    QTest::mouseClick(page->pauseButton(), Qt::LeftButton);
+    QVERIFY(strength() > 0.0);
+    page->peaks()->selectRow(row);
+    QTest::mouseClick(page->notchButton(), Qt::LeftButton);
+    QTRY_VERIFY(page->notchQuestion());
+    QTest::keyClick(page->notchQuestion(), Qt::Key_Return);
+    QTRY_VERIFY(m_rig->model().changeCount() > 0);
+    QVERIFY(writeEdits());
+    QCOMPARE(m_rig->model().changeCount(), 0);
+    QTest::mouseClick(page->pauseButton(), Qt::LeftButton);
+    // What was measured before the notch leaves the span; then a third is left at most.
+    QTRY_VERIFY_WITH_TIMEOUT(strength() < before / 3, 25000);
 }
 
 void TestMonitor::recordingsFromTheScreen()

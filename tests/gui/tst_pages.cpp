@@ -22,6 +22,7 @@
 #include "widgets/forms/liveslider.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/valueeditor.h"
+#include "widgets/plot/plotstack.h"
 #include "widgets/plot/plotview.h"
 
 #include <QAbstractItemModelTester>
@@ -391,11 +392,21 @@ void TestPages::debugVariablesOfOddTypes()
     QTRY_VERIFY(value() > 0);
     const double before = value();
     QTRY_VERIFY(value() > before);
+    // What is chosen is plotted: one, then two with a scale each.
     page->table()->selectRow(uptime);
-    QTRY_VERIFY(model.history(uptime).size() > 3);
+    QTRY_COMPARE(page->plots()->plots().size(), 1);
+    QCOMPARE(page->plots()->plots().first()->curves().size(), 1);
+    const TrackView track = model.store()->tracks(uptime).front();
+    QTRY_VERIFY(model.store()->tracks(uptime).front().end() > 3);
+    QVERIFY(track.group()->channels().size() == model.rowCount());
+    page->table()->selectionModel()->select(model.index(int(names.indexOf(u"MOTOR_OUT[0]"_s)), 0),
+                                            QItemSelectionModel::Select | QItemSelectionModel::Rows);
+    QTRY_COMPARE(page->plots()->plots().first()->curves().size(), 2);
+    QCOMPARE(page->plots()->plots().first()->rightAxes(), 1);
+    QTRY_VERIFY(page->plots()->plots().first()->scale(0).high() >= 1.0 || page->plots()->plots().first()->scale(1).high() > 10.0);
     QVERIFY(model.index(uptime, DebugModel::LowColumn).data().toDouble() < value());
-    model.clearHistory();
-    QVERIFY(model.history(uptime).size() < 2);
+    model.clearBounds();
+    QVERIFY(model.index(uptime, DebugModel::LowColumn).data() == model.index(uptime, DebugModel::ValueColumn).data());
 }
 
 void TestPages::actionsAreSearchableAndReply()

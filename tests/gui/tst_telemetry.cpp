@@ -14,6 +14,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
@@ -24,6 +25,7 @@
 #include <QStandardItemModel>
 #include <QTableView>
 #include <QTableWidget>
+#include <QTimer>
 
 #include <cmath>
 
@@ -49,6 +51,7 @@ private slots:
     void heldSpanIsMeasuredOnTheSpectrum();
     void waterfallShowsWhatRings();
     void stepTestFindsWhatThePlantDoes();
+    void ownMotionIsMeasured();
     void testsAreGuarded();
     void divergenceSwitchesTheMotorsOff();
     void responsesAreExchangedAsText();
@@ -443,6 +446,52 @@ void TestTelemetry::stepTestFindsWhatThePlantDoes()
     QCOMPARE(page->stepChart()->curves().size(), curves - 1);
     // The events stand in the plots.
     QVERIFY(m_rig->workspace().marks().all().size() >= 4);
+}
+
+void TestTelemetry::ownMotionIsMeasured()
+{
+    QVERIFY(m_rig->open());
+    auto *page = m_rig->page<ResponsePage>();
+    waitForMotors();
+    page->wayChoice()->setCurrentIndex(2);
+    page->axisChoice()->setCurrentIndex(2);
+    // Nothing was steered: nothing can be told, and that is said.
+    waitForSamples(9000);
+    page->secondsField()->setValue(6);
+    QSignalSpy told(&m_rig->workspace(), &Workspace::problem);
+    QTest::mouseClick(page->startButton(), Qt::LeftButton);
+    QCOMPARE(told.count(), 1);
+    QVERIFY(page->records().empty());
+    // The operator sways the camera, as a hand controller would.
+    const auto modes = m_rig->client().device()->controlModes();
+    const auto mode = std::find_if(modes.begin(), modes.end(), [](const ControlMode &each) { return each.usesAngle && each.usesSpeed; });
+    QTimer hand;
+    QElapsedTimer clock;
+    connect(&hand, &QTimer::timeout, this, [&] {
+        const double t = double(clock.elapsed()) / 1000.0;
+        ControlSetpoint setpoint{};
+        for (AxisSetpoint &axis : setpoint)
+            axis = {mode->id, 1000, 0};
+        setpoint[2].angle = 3.0 * std::sin(2.0 * std::numbers::pi * (1.0 + 0.5 * t) * t);
+        m_rig->client().setControl(setpoint);
+    });
+    clock.start();
+    hand.start(20);
+    QTRY_VERIFY_WITH_TIMEOUT(clock.elapsed() > 7500, 12000);
+    hand.stop();
+    m_rig->client().releaseControl();
+    QTest::mouseClick(page->startButton(), Qt::LeftButton);
+    QCOMPARE(page->records().size(), std::size_t(1));
+    const auto &margins = page->records().front().margins;
+    QVERIFY(margins.phaseDeg);
+    AxisGains gains;
+    gains.p = m_rig->raw(u"pid.yaw.p"_s);
+    gains.i = m_rig->raw(u"pid.yaw.i"_s);
+    gains.d = m_rig->raw(u"pid.yaw.d"_s);
+    gains.dLpfHz = 200;
+    const Margins wanted = ::margins(LoopMath{simulatedMechanics(Axis::Yaw), gains}.openLoop(20), 0.7, 0.3, 20);
+    QVERIFY2(std::abs(*margins.phaseDeg - *wanted.phaseDeg) < 12.0,
+             qPrintable(u"%1, mathematics %2"_s.arg(*margins.phaseDeg).arg(*wanted.phaseDeg)));
 }
 
 void TestTelemetry::testsAreGuarded()

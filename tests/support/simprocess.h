@@ -37,6 +37,19 @@ public:
         return m_process.exitStatus() == QProcess::NormalExit ? m_process.exitCode() : -1;
     }
     QProcess &process() { return m_process; }
+    /// Frames of data streams so far.
+    struct Streams
+    {
+        quint64 all = 0;
+        quint64 skipped = 0;
+    };
+    Streams streams()
+    {
+        m_process.write("streams\n");
+        std::ignore = QTest::qWaitFor([this] { return m_process.canReadLine(); }, 5000);
+        const QList<QByteArray> words = m_process.readLine().simplified().split(' ');
+        return {words.value(2).toULongLong() + words.value(4).toULongLong(), words.value(4).toULongLong()};
+    }
 
 private:
     QProcess m_process;

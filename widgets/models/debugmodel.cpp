@@ -20,6 +20,7 @@ struct DebugRead
 {
     std::vector<DebugVariable> variables;   // empty when they were known
     std::vector<std::vector<double>> values;
+    TimePoint at{};
 };
 
 } // namespace
@@ -56,6 +57,7 @@ void DebugModel::refresh()
         if (!values)
             return tl::unexpected(values.error());
         read.values = *values;
+        read.at = channel.now();
         return read;
     }).then(this, [this, generation = m_generation](const Result<DebugRead> &read) {
         if (generation != m_generation)
@@ -67,7 +69,7 @@ void DebugModel::refresh()
         }
         if (!m_listed)
             setVariables(read->variables);
-        setValues(read->values);
+        setValues(read->values, read->at);
         emit refreshed();
     });
 }
@@ -87,36 +89,46 @@ void DebugModel::setVariables(const std::vector<DebugVariable> &variables)
             m_rows.push_back(std::move(row));
         }
     }
+    QList<int> channels;
+    m_names.clear();
+    m_table.clear();
+    for (const Row &row : m_rows) {
+        m_names.push_back(row.name.toUtf8());
+        channels.append(int(channels.size()));
+    }
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+        m_table.push_back({m_names[i].constData(), m_names[i].constData(), "", "", 3, m_rows[i].axis, -1, 1});
+    m_store = std::make_shared<TelemetryStore>(int(m_rows.size()));
+    m_group = m_store->defineGroup(channels, 0.0);
     m_listed = true;
     endResetModel();
 }
 
-void DebugModel::setValues(const std::vector<std::vector<double>> &values)
+void DebugModel::setValues(const std::vector<std::vector<double>> &values, TimePoint time)
 {
+    std::vector<float> sample(m_rows.size(), std::numeric_limits<float>::quiet_NaN());
     std::size_t at = 0;
     for (const std::vector<double> &elements : values) {
         for (const double value : elements) {
             if (at >= m_rows.size())
                 break;
+            sample[at] = float(value);
             Row &row = m_rows[at++];
             row.value = value;
             row.low = std::isnan(row.low) ? value : std::min(row.low, value);
             row.high = std::isnan(row.high) ? value : std::max(row.high, value);
-            row.history.push_back(value);
-            if (row.history.size() > kHistory)
-                row.history.pop_front();
         }
     }
+    if (m_group)
+        m_store->append(*m_group, time, sample);
     if (!m_rows.empty())
         emit dataChanged(index(0, ValueColumn), index(int(m_rows.size()) - 1, HighColumn), {Qt::DisplayRole});
 }
 
-void DebugModel::clearHistory()
+void DebugModel::clearBounds()
 {
-    for (Row &row : m_rows) {
+    for (Row &row : m_rows)
         row.low = row.high = row.value;
-        row.history.clear();
-    }
     if (!m_rows.empty())
         emit dataChanged(index(0, ValueColumn), index(int(m_rows.size()) - 1, HighColumn), {Qt::DisplayRole});
 }

@@ -6,23 +6,19 @@
 
 #include <QAbstractTableModel>
 
-#include <deque>
-
-/// The firmware's debug variables with their values as they come, and a short history of each for a small curve.
+/// The firmware's debug variables with their values as they come, kept in a store of their own for plots.
 class DebugModel final : public QAbstractTableModel
 {
     Q_OBJECT
 public:
     enum Column { NameColumn, TypeColumn, AxisColumn, ValueColumn, LowColumn, HighColumn, ColumnCount };
-    static constexpr std::size_t kHistory = 600;
-
     explicit DebugModel(DeviceClient &client, QObject *parent = nullptr);
 
     void reset();
     /// Asks for all values; the list of variables first, if it is not known. Not twice at a time.
     void refresh();
-    /// Forgets lowest and highest values and the history.
-    void clearHistory();
+    /// Forgets lowest and highest values.
+    void clearBounds();
 
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
@@ -30,8 +26,9 @@ public:
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
     [[nodiscard]] QString name(int row) const;
-    /// Latest values, oldest first.
-    [[nodiscard]] const std::deque<double> &history(int row) const { return m_rows[std::size_t(row)].history; }
+    /// The variables as channels: a row's number is its channel. Both are new after a reset of the model.
+    [[nodiscard]] ChannelTable table() const { return m_table; }
+    [[nodiscard]] std::shared_ptr<const TelemetryStore> store() const { return m_store; }
 
 signals:
     void refreshed();
@@ -47,13 +44,16 @@ private:
         double value = 0;
         double low = 0;
         double high = 0;
-        std::deque<double> history;
     };
     void setVariables(const std::vector<DebugVariable> &variables);
-    void setValues(const std::vector<std::vector<double>> &values);
+    void setValues(const std::vector<std::vector<double>> &values, TimePoint at);
 
     DeviceClient &m_client;
     std::vector<Row> m_rows;
+    std::vector<QByteArray> m_names;          // what the table's keys point to
+    std::vector<ChannelSpec> m_table;
+    std::shared_ptr<TelemetryStore> m_store;
+    std::shared_ptr<TelemetryGroup> m_group;
     bool m_asking = false;
     bool m_listed = false;
     int m_generation = 0;

@@ -12,6 +12,8 @@ namespace {
 
 constexpr qint64 kSlowFrameMs = 12;     // a frame over this, a few times in a row, halves the rate
 constexpr int kSlowFramesInARow = 5;
+constexpr qint64 kQuickFrameMs = 5;     // when it is quick again for a while, the rate comes back
+constexpr int kQuickFramesInARow = 120;
 
 } // namespace
 
@@ -42,7 +44,14 @@ void PlotClock::frame()
     timer.start();
     for (PlotView *plot : m_plots)
         plot->advance();
-    m_slowFrames = timer.elapsed() > kSlowFrameMs ? m_slowFrames + 1 : 0;
+    const qint64 spent = timer.elapsed();
+    m_slowFrames = spent > kSlowFrameMs ? m_slowFrames + 1 : 0;
+    m_quickFrames = spent < kQuickFrameMs ? m_quickFrames + 1 : 0;
+    if (m_quickFrames >= kQuickFramesInARow && m_rateDivider > 1) {
+        m_quickFrames = 0;
+        m_rateDivider /= 2;
+        updateRate();
+    }
     if (m_slowFrames >= kSlowFramesInARow && m_rateDivider < 4) {
         m_slowFrames = 0;
         m_rateDivider *= 2;

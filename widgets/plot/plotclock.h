@@ -27,5 +27,6 @@ private:
     QList<PlotView *> m_plots;
     QTimer m_timer;
     int m_slowFrames = 0;
+    int m_quickFrames = 0;
     int m_rateDivider = 1;
 };

@@ -55,6 +55,7 @@ PlotPanel::PlotPanel(const Theme &theme, QWidget *parent)
     m_figures->setSelectionMode(QAbstractItemView::NoSelection);
     m_figures->horizontalHeader()->setHighlightSections(false);
     m_figures->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_figures->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::ResizeToContents);
     m_figures->setIconSize({10, 10});
     m_figures->hide();
 }

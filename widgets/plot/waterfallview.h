@@ -16,7 +16,7 @@ class WaterfallView final : public QWidget
 {
     Q_OBJECT
 public:
-    static constexpr int kColumns = 480;
+    static constexpr int kColumns = 240;
     static constexpr int kRows = 240;
 
     explicit WaterfallView(const Theme &theme, QWidget *parent = nullptr);
