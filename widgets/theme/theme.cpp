@@ -171,7 +171,7 @@ QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus { border: 2px solid @Ac
 QAbstractSpinBox[changed="true"], QComboBox[changed="true"], QPushButton[changed="true"] { border-left: 4px solid @Changed; }
 QAbstractSpinBox[changed="true"]:focus, QComboBox[changed="true"]:focus { border: 2px solid @Accent; border-left: 4px solid @Changed; }
 QCheckBox[changed="true"] { border-left: 4px solid @Changed; padding-left: 4px; }
-QCheckBox:focus { border: 2px solid @Accent; border-radius: 4px; }
+QCheckBox:focus, QRadioButton:focus { border: 2px solid @Accent; border-radius: 4px; }
 QLabel#title { font-weight: 600; }
 QLabel#section { font-weight: 600; color: @Text; }
 QLabel#muted, QLabel#unit { color: @Muted; }
@@ -180,6 +180,8 @@ QLabel#error { color: @Danger; }
 QLabel#warning { color: @Warning; }
 QLabel#ok { color: @Ok; }
 QCheckBox::indicator, QTreeView::indicator, QTableView::indicator { width: 14px; height: 14px; border: 1px solid @Muted; border-radius: 3px; background: @Surface; }
+QRadioButton::indicator { width: 14px; height: 14px; border: 1px solid @Muted; border-radius: 8px; background: @Surface; }
+QRadioButton::indicator:checked { width: 6px; height: 6px; border: 5px solid @Accent; border-radius: 8px; background: @Surface; }
 QCheckBox::indicator:checked, QTreeView::indicator:checked, QTableView::indicator:checked { background: @Accent; border-color: @Accent; image: url(:/icons/@CheckIcon.svg); }
 QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: @Border; }
 QSlider::sub-page:horizontal { height: 4px; border-radius: 2px; background: @Accent; }
