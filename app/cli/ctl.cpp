@@ -49,7 +49,7 @@ class PublishCommand final : public Command
 {
 public:
     const char *name() const override { return "publish"; }
-    const char *usage() const override { return "publish HOST:PORT [--channels a,b] [--stream KIND@RATE] [--seconds N]"; }
+    const char *usage() const override { return "publish HOST:PORT [--channels a,b] [--seconds N]"; }
     const char *help() const override { return "telemetry as JSON over UDP, for PlotJuggler (port 9870)"; }
     QString check(const CommandOptions &options) const override
     {
@@ -93,7 +93,7 @@ class MeasureCommand final : public Command
 {
 public:
     const char *name() const override { return "measure"; }
-    const char *usage() const override { return "measure steps|sweep AXIS [degrees=N] [steps=N] [to=HZ] ... [--csv FILE]"; }
+    const char *usage() const override { return "measure steps|sweep AXIS [degrees=N] [to=HZ] ... [--csv FILE]"; }
     const char *help() const override { return "moves an axis a little and tells how it follows; motors must run"; }
     QString check(const CommandOptions &options) const override
     {

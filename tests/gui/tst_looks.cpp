@@ -97,6 +97,7 @@ void TestLooks::nothingIsClipped()
     rig.window().resize(rig.window().minimumSize());
     const auto check = [&rig](const QString &where) {
         QTest::qWait(60);   // layouts settle
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);   // of a text that has changed just now, too
         for (const QWidget *widget : rig.window().findChildren<QWidget *>()) {
             if (!widget->isVisible() || widget->visibleRegion().isEmpty())
                 continue;

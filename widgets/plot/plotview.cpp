@@ -150,8 +150,10 @@ void PlotView::makeAxes()
         const QString unit = QString::fromUtf8(m_table[std::size_t(m_curves[i].channel)].unit);
         const QString key = m_ownScales ? QString::number(i) : unit;
         qsizetype place = keys.indexOf(key);
-        if (place < 0 && axes.size() == kMostAxes)
+        if (place < 0 && axes.size() == kMostAxes) {
             place = qsizetype(kMostAxes) - 1;
+            axes.back().unit = u"…"_s;   // its numbers are of several kinds
+        }
         if (place < 0) {
             place = keys.size();
             keys.append(key);
