@@ -38,6 +38,7 @@ constexpr double kRightAxis = 64;
 constexpr double kBottom = 30;
 constexpr std::size_t kMostAxes = 6;      // more would leave no room for the picture
 constexpr qint64 kRateTextMs = 500;
+constexpr qint64 kFitMs = 80;             // sooner than an eye sees that a trace leaves the picture
 constexpr double kClick = 4;              // pixels: less is no drag
 constexpr double kLeastBox = 6;           // pixels
 
@@ -50,7 +51,7 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
 {
     QChart *plot = chart();   // the view's own; one set over it would leave this one behind
     m_traces = new TraceItem(plot);
-    m_traces->setZValue(10);
+    m_traces->setVisible(false);   // painted by ourselves, see paintEvent()
     plot->setAnimationOptions(QChart::NoAnimation);
     plot->setBackgroundVisible(false);
     plot->setBackgroundRoundness(0);
@@ -76,6 +77,10 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
     setAcceptDrops(true);
     makeAxes();
     connect(&m_theme, &Theme::changed, this, &PlotView::applyTheme);
+    connect(scene(), &QGraphicsScene::changed, this, [this] {
+        m_still = QPixmap();
+        viewport()->update();
+    });
     connect(plot, &QChart::plotAreaChanged, this, &PlotView::updateView);
     applyTheme();
     setWindow(m_window);
@@ -365,12 +370,16 @@ bool PlotView::advance()
         updateRateText();
     if (!m_traces->advance(newest))
         return false;
-    fitScales();
+    if (isHeld() || !m_fitTimer.isValid() || m_fitTimer.elapsed() >= kFitMs)
+        fitScales();
+    // Nothing else has changed; lines at the edge reach a little beyond it.
+    viewport()->update(chart()->plotArea().toAlignedRect().adjusted(-2, -2, 2, 2));
     return true;
 }
 
 void PlotView::fitScales()
 {
+    m_fitTimer.start();
     bool changed = false;
     for (std::size_t i = 0; i < m_axes.size(); ++i) {
         const TraceColumns::Span used = m_traces->visibleRange(i);
@@ -464,17 +473,42 @@ QStringList PlotView::cursorTexts() const
     return texts;
 }
 
-void PlotView::drawForeground(QPainter *painter, const QRectF &rect)
+// Axes, grid and legend seldom change and cost more than the traces: a picture of them is kept. A frame is that picture, the
+// traces, and what lies over them.
+void PlotView::paintEvent(QPaintEvent *event)
 {
-    QChartView::drawForeground(painter, rect);
+    if (m_still.isNull() || m_still.size() != (QSizeF(viewport()->size()) * devicePixelRatioF()).toSize())
+        drawStill();
+    QPainter painter(viewport());
+    const QRectF exposed = event->rect();
+    painter.drawPixmap(exposed, m_still, QRectF(exposed.topLeft() * devicePixelRatioF(), exposed.size() * devicePixelRatioF()));
+    painter.save();
+    m_traces->paint(&painter, nullptr, nullptr);
+    painter.restore();
+    drawOverlay(painter);
+}
+
+void PlotView::drawStill()
+{
+    m_still = QPixmap((QSizeF(viewport()->size()) * devicePixelRatioF()).toSize());
+    m_still.setDevicePixelRatio(devicePixelRatioF());
+    QPainter painter(&m_still);
+    painter.setRenderHints(renderHints());
+    const QRectF all(QPointF(0, 0), QSizeF(viewport()->size()));
+    painter.fillRect(all, backgroundBrush());
+    scene()->render(&painter, all, all);
+}
+
+void PlotView::drawOverlay(QPainter &painter)
+{
     const QRectF area = chart()->plotArea();
-    painter->setFont(font());
+    painter.setFont(font());
     if (!m_rateText.isEmpty()) {
-        painter->setPen(m_theme.color(ColorRole::Muted));
-        painter->drawText(QRectF(area.left(), 6, width() - area.left() - kRight, kTop - 4), Qt::AlignRight | Qt::AlignVCenter,
+        painter.setPen(m_theme.color(ColorRole::Muted));
+        painter.drawText(QRectF(area.left(), 6, width() - area.left() - kRight, kTop - 4), Qt::AlignRight | Qt::AlignVCenter,
                           m_rateText);
     }
-    PlotOverlay overlay(*painter, area, m_theme);
+    PlotOverlay overlay(painter, area, m_theme);
     const auto inside = [&](std::optional<double> time) { return time && *time >= startTime() && *time <= endTime(); };
     if (m_marks) {
         for (const PlotMark &mark : m_marks->between(startTime(), endTime()))

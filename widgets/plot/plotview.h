@@ -8,6 +8,7 @@
 #include "widgets/theme/theme.h"
 
 #include <QChartView>
+#include <QPixmap>
 #include <QElapsedTimer>
 #include <QPointer>
 
@@ -106,7 +107,7 @@ protected:
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dragMoveEvent(QDragMoveEvent *event) override;
     void dropEvent(QDropEvent *event) override;
-    void drawForeground(QPainter *painter, const QRectF &rect) override;
+    void paintEvent(QPaintEvent *event) override;
 
 private:
     struct ValueAxis
@@ -123,6 +124,8 @@ private:
     void applyScale(const ValueAxis &axis);
     void fitScales();
     void updateView();
+    void drawStill();
+    void drawOverlay(QPainter &painter);
     void zoomToBox(const QRectF &box);
     void updateRateText();
     [[nodiscard]] QColor colorOf(qsizetype curve, int &next) const;
@@ -144,8 +147,10 @@ private:
     int m_rightRoom = 0;
     std::optional<double> m_cursor;
     std::optional<double> m_reference;
+    QPixmap m_still;                  // axes, grid and legend; empty: to be drawn anew
     QString m_rateText;
     QElapsedTimer m_rateTimer;
+    QElapsedTimer m_fitTimer;
     Drag m_drag = Drag::None;
     QPointF m_dragFrom;               // where the button went down
     QPointF m_dragAt;                 // where the mouse is or was last

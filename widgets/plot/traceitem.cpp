@@ -68,7 +68,6 @@ bool TraceItem::advance(double now)
     m_now = m_held.value_or(now);
     if (!m_valid) {
         rebuild();
-        update();
         return true;
     }
     if (m_held)
@@ -89,7 +88,6 @@ bool TraceItem::advance(double now)
     const qint64 first = std::max(std::min(firstChanged, m_lastColumn + 1), newColumn - m_width + 1);
     m_lastColumn = newColumn;
     drawColumns(first, newColumn);
-    update();
     return true;
 }
 
