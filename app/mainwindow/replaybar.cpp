@@ -64,8 +64,11 @@ ReplayBar::ReplayBar(Workspace &workspace, QWidget *parent)
             [this] { m_workspace.client().setReplaySpeed(m_speed->currentData().toDouble()); });
     DeviceClient &client = workspace.client();
     connect(&client, &DeviceClient::statisticsChanged, this, &ReplayBar::showState);
-    connect(&client, &DeviceClient::stateChanged, this, [this] { setVisible(m_workspace.client().address().isReplay()
-                                                                            && m_workspace.client().state() != DeviceClient::State::Disconnected); });
+    // Queued: going back opens the recording anew, and the bar must not go away and come back meanwhile.
+    connect(&client, &DeviceClient::stateChanged, this, [this] {
+        const DeviceClient &now = m_workspace.client();
+        setVisible(now.address().isReplay() && now.state() != DeviceClient::State::Disconnected);
+    }, Qt::QueuedConnection);
     hide();
 }
 

@@ -612,7 +612,7 @@ void TestTelemetry::recordingIsPausedAndGoneThrough()
     QVERIFY(m_rig->workspace().recorder().savePast(path));
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 10000);
     m_rig->client().disconnectFromBoard();
-    QVERIFY(!m_rig->window().replayBar()->isVisible());
+    QTRY_VERIFY(!m_rig->window().replayBar()->isVisible());
     QVERIFY(m_rig->open(u"replay:"_s + path));
     ReplayBar *bar = m_rig->window().replayBar();
     QTRY_VERIFY(bar->isVisible());

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plot/plotview.h"
 
-#include "widgets/models/channelmodel.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/plot/plotoverlay.h"
 #include "widgets/plot/spanstatistics.h"
@@ -10,16 +9,11 @@
 
 #include <QChart>
 #include <QDateTime>
-#include <QDragEnterEvent>
 #include <QGraphicsLayout>
-#include <QKeyEvent>
 #include <QLegendMarker>
 #include <QLineSeries>
-#include <QMimeData>
-#include <QMouseEvent>
 #include <QPainter>
 #include <QValueAxis>
-#include <QWheelEvent>
 
 #include <algorithm>
 #include <array>
@@ -39,8 +33,6 @@ constexpr double kBottom = 30;
 constexpr std::size_t kMostAxes = 6;      // more would leave no room for the picture
 constexpr qint64 kRateTextMs = 500;
 constexpr qint64 kFitMs = 80;             // sooner than an eye sees that a trace leaves the picture
-constexpr double kClick = 4;              // pixels: less is no drag
-constexpr double kLeastBox = 6;           // pixels
 
 } // namespace
 
@@ -539,135 +531,4 @@ void PlotView::drawOverlay(QPainter &painter)
     for (qsizetype i = 0; i < texts.size(); ++i)
         lines.append({texts[i], curveColor(i)});
     overlay.box(x, lines);
-}
-
-void PlotView::wheelEvent(QWheelEvent *event)
-{
-    const int steps = event->angleDelta().y();
-    if (steps == 0) {
-        event->ignore();
-        return;
-    }
-    emit zoomRequested(steps > 0 ? 0.8 : 1.25, timeAt(event->position().x()));
-    event->accept();
-}
-
-void PlotView::mousePressEvent(QMouseEvent *event)
-{
-    QChartView::mousePressEvent(event);   // the legend's toggles
-    if (event->button() != Qt::LeftButton || !chart()->plotArea().contains(event->position()))
-        return;
-    m_drag = event->modifiers() & Qt::ShiftModifier ? Drag::Box : Drag::Undecided;
-    m_dragFrom = m_dragAt = event->position();
-}
-
-void PlotView::mouseMoveEvent(QMouseEvent *event)
-{
-    QChartView::mouseMoveEvent(event);
-    const QRectF area = chart()->plotArea();
-    if (m_drag == Drag::Undecided && std::abs(event->position().x() - m_dragFrom.x()) >= kClick)
-        m_drag = Drag::Pan;
-    if (m_drag == Drag::Pan)
-        emit panRequested(-(event->position().x() - m_dragAt.x()) / std::max(1.0, area.width()) * m_window);
-    if (m_drag != Drag::None)
-        m_dragAt = event->position();
-    if (m_drag == Drag::Box)
-        viewport()->update();
-    if (m_drag == Drag::Pan || m_drag == Drag::Box)
-        return;
-    if (area.contains(event->position()))
-        emit cursorMoved(timeAt(event->position().x()));
-    else
-        emit cursorMoved({});
-}
-
-void PlotView::mouseReleaseEvent(QMouseEvent *event)
-{
-    QChartView::mouseReleaseEvent(event);
-    const Drag drag = std::exchange(m_drag, Drag::None);
-    if (drag == Drag::Box) {
-        zoomToBox(QRectF(m_dragFrom, event->position()).normalized().intersected(chart()->plotArea()));
-    } else if (drag == Drag::Undecided) {
-        // A click sets the line that differences count from; a click on it takes it away.
-        const bool onIt = m_reference && std::abs(xAt(*m_reference) - event->position().x()) <= kClick;
-        emit referenceMoved(onIt ? std::nullopt : std::optional(timeAt(event->position().x())));
-    }
-}
-
-void PlotView::mouseDoubleClickEvent(QMouseEvent *event)
-{
-    QChartView::mouseDoubleClickEvent(event);
-    autoScale();
-}
-
-void PlotView::zoomToBox(const QRectF &box)
-{
-    viewport()->update();
-    if (box.width() < kLeastBox)
-        return;
-    const QRectF area = chart()->plotArea();
-    if (box.height() >= kLeastBox) {
-        for (ValueAxis &axis : m_axes) {
-            const double span = axis.scale.high() - axis.scale.low();
-            const double high = axis.scale.high() - (box.top() - area.top()) / area.height() * span;
-            axis.scale.fix(high - box.height() / area.height() * span, high);
-            applyScale(axis);
-        }
-        updateView();
-    }
-    emit spanRequested(timeAt(box.left()), timeAt(box.right()));
-}
-
-void PlotView::leaveEvent(QEvent *event)
-{
-    QChartView::leaveEvent(event);
-    emit cursorMoved({});
-}
-
-void PlotView::keyPressEvent(QKeyEvent *event)
-{
-    constexpr double kStep = 0.01;
-    const double step = m_window * kStep * (event->modifiers() & Qt::ShiftModifier ? 0.1 : 1.0);
-    const double cursor = m_cursor.value_or(endTime() - m_window / 2);
-    const bool forward = event->key() == Qt::Key_Right;
-    switch (event->key()) {
-    case Qt::Key_Left:
-    case Qt::Key_Right:
-        if (event->modifiers() & Qt::ControlModifier) {
-            if (const auto mark = m_marks ? m_marks->next(cursor, forward) : std::nullopt)
-                emit cursorMoved(*mark);
-        } else {
-            emit cursorMoved(std::min(cursor + (forward ? step : -step), endTime()));
-        }
-        return;
-    case Qt::Key_R: emit referenceMoved(m_reference ? std::nullopt : std::optional(cursor)); return;
-    case Qt::Key_A: autoScale(); return;
-    case Qt::Key_PageUp: emit panRequested(-m_window / 2); return;
-    case Qt::Key_PageDown: emit panRequested(m_window / 2); return;
-    case Qt::Key_Plus: emit zoomRequested(0.8, cursor); return;
-    case Qt::Key_Minus: emit zoomRequested(1.25, cursor); return;
-    case Qt::Key_End: emit followRequested(); return;
-    default: QChartView::keyPressEvent(event);
-    }
-}
-
-void PlotView::dragEnterEvent(QDragEnterEvent *event)
-{
-    if (event->mimeData()->hasFormat(ChannelModel::kMimeType))
-        event->acceptProposedAction();
-}
-
-void PlotView::dragMoveEvent(QDragMoveEvent *event)
-{
-    if (event->mimeData()->hasFormat(ChannelModel::kMimeType))
-        event->acceptProposedAction();
-}
-
-void PlotView::dropEvent(QDropEvent *event)
-{
-    const QList<int> channels = ChannelModel::channelsOf(*event->mimeData());
-    if (channels.isEmpty())
-        return;
-    event->acceptProposedAction();
-    emit channelsDropped(channels);
 }
