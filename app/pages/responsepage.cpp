@@ -135,7 +135,7 @@ ResponsePage::ResponsePage(Workspace &workspace, QWidget *parent)
     connect(&m_test, &MotionTest::progressed, this, [this](double share) { m_progress->setValue(int(share * 100)); });
     connect(&m_test, &MotionTest::measured, this, &ResponsePage::onMeasured);
     connect(&m_test, &MotionTest::failed, this, &ResponsePage::onFailed);
-    connect(&workspace.client(), &DeviceClient::stateChanged, this, &ResponsePage::onState);
+    connect(&workspace.client(), &DeviceClient::stateChanged, this, [this] { setArmed(false); });
     m_disarm.setSingleShot(true);
     connect(&m_disarm, &QTimer::timeout, this, [this] { setArmed(false); });
     onWay();
@@ -247,11 +247,6 @@ MotionTestPlan ResponsePage::plan() const
     plan.sweepSeconds = m_seconds->value();
     plan.limit = m_limit->value();
     return plan;
-}
-
-void ResponsePage::onState()
-{
-    setArmed(false);
 }
 
 void ResponsePage::onWay()

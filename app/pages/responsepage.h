@@ -51,7 +51,6 @@ protected:
 private:
     void makeMovementCard(QVBoxLayout *column);
     void makePictures(QVBoxLayout *column);
-    void onState();
     void onWay();
     void setArmed(bool armed);
     void start();

@@ -199,8 +199,6 @@ void benchPlots(Report &report)
 void benchPacedPlots(Report &report)
 {
     constexpr int kMs = 10000;
-    // The goal is 10 % on a machine where filling alone takes 1.6 %; what filling takes differs from machine to machine.
-    constexpr double kLimit = 10 - 1.6;
     double floor = 0;
     {
         Filled window;
@@ -257,10 +255,7 @@ void benchPacedPlots(Report &report)
         const QString what = u"12 series, %1 s%2"_s.arg(window).arg(every ? u", each picture painted"_s : QString());
         report.atLeast(u"P4"_s, u"frames/s, "_s + what, perSecond, every || useful >= 60 ? 58.0 : useful * 58.0 / 60.0, u"/s"_s,
                        u"%1/s are of use"_s.arg(useful));
-        const QString both = u"%1 %, of which filling alone takes %2 %"_s.arg(share, 0, 'f', 1).arg(floor, 0, 'f', 1);
-        if (window == 600)   // the goal is about ten minutes; shorter windows scroll more and are told beside it
-            report.atMost(u"P4"_s, u"share of a core beyond filling, "_s + what, std::max(0.0, share - floor), kLimit, u"%"_s, both);
-        else
-            report.tell(u"share of a core, "_s + what, both);
+        report.atMost(u"P4"_s, u"share of a core, "_s + what, share, 10, u"%"_s,
+                      u"filling alone takes %1 %"_s.arg(floor, 0, 'f', 1));
     }
 }

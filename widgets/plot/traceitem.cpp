@@ -119,8 +119,7 @@ void TraceItem::drawColumns(qint64 first, qint64 last)
         painter.fillRect(slot(column), 0, 1, m_height, Qt::transparent);
     painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
     const int thickness = std::max(1, int(std::lround(m_scale)));
-    std::vector<QRect> spans;
-    spans.reserve(std::size_t(last - first + 1));
+    std::vector<QRect> &spans = m_spans;   // kept, so that a frame allocates nothing here
     for (const Trace &trace : m_traces) {
         if (!trace.visible || trace.scale >= m_ranges.size())
             continue;

@@ -66,6 +66,7 @@ private:
     std::vector<Range> m_ranges;
     qreal m_scale = 1;
     QPixmap m_ring;
+    std::vector<QRect> m_spans;    // of one trace, while it is drawn
     int m_width = 1;               // of the ring image in device pixels
     int m_height = 1;
     double m_pitch = 0.01;         // seconds per column
