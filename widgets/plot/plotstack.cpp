@@ -26,6 +26,12 @@ PlotStack::PlotStack(const Theme &theme, QWidget *parent)
 
 void PlotStack::setSource(ChannelTable table, std::shared_ptr<const TelemetryStore> store)
 {
+    if (store != m_store) {   // another time line: its lines would stand at times that mean nothing
+        for (PlotPanel *panel : m_panels) {
+            panel->view()->setCursorTime({});
+            panel->view()->setReferenceTime({});
+        }
+    }
     m_table = table;
     m_store = std::move(store);
     for (PlotLayout::Plot &plot : m_layout)
