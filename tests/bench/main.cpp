@@ -17,7 +17,8 @@ int main(int argc, char **argv)
     QCommandLineParser parser;
     const QCommandLineOption seconds(u"seconds"_s, u"length of the end-to-end run"_s, u"n"_s, u"60"_s);
     const QCommandLineOption only(u"only"_s, u"framing, plots, paced, link, store, import, spectra, reading, start, end-to-end"_s, u"case"_s);
-    parser.addOptions({seconds, only});
+    const QCommandLineOption rows(u"rows"_s, u"print the rows as plain data"_s);
+    parser.addOptions({seconds, only, rows});
     parser.addHelpOption();
     parser.process(application);
     const int length = std::clamp(parser.value(seconds).toInt(), 5, 3600);
@@ -41,6 +42,9 @@ int main(int argc, char **argv)
             run();
     }
     QTextStream out(stdout);
-    report.print(out);
+    if (parser.isSet(rows))
+        report.printRows(out);
+    else
+        report.print(out);
     return report.passed() ? 0 : 1;
 }

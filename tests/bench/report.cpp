@@ -13,6 +13,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+const QString kMissed = u"MISSED"_s;
+
 double clockMs(clockid_t id)
 {
     timespec time{};
@@ -38,7 +40,7 @@ void Report::atMost(const QString &goal, const QString &what, double value, doub
 {
     const bool bad = !(value <= limit * kTolerance);
     add({goal, what, number(value, unit), u"≤ "_s + number(limit, unit), baseline,
-         bad ? u"MISSED"_s : value <= limit ? u"reached"_s : u"just missed"_s, bad});
+         bad ? kMissed : value <= limit ? u"reached"_s : u"just missed"_s, bad});
 }
 
 void Report::atLeast(const QString &goal, const QString &what, double value, double limit, const QString &unit,
@@ -46,12 +48,12 @@ void Report::atLeast(const QString &goal, const QString &what, double value, dou
 {
     const bool bad = !(value >= limit / kTolerance);
     add({goal, what, number(value, unit), u"≥ "_s + number(limit, unit), baseline,
-         bad ? u"MISSED"_s : value >= limit ? u"reached"_s : u"just missed"_s, bad});
+         bad ? kMissed : value >= limit ? u"reached"_s : u"just missed"_s, bad});
 }
 
-void Report::tell(const QString &what, const QString &value)
+void Report::tell(const QString &what, const QString &value, const QString &baseline)
 {
-    add({{}, what, value, {}, {}, {}, false});
+    add({{}, what, value, {}, baseline, {}, false});
 }
 
 bool Report::passed() const
@@ -76,6 +78,25 @@ void Report::print(QTextStream &out) const
             << row.limit.leftJustified(limit) << "  " << row.verdict.leftJustified(11) << "  " << row.baseline << '\n';
     }
     out.flush();
+}
+
+void Report::printRows(QTextStream &out) const
+{
+    for (const Row &row : m_rows)
+        out << QStringList{row.goal, row.what, row.value, row.limit, row.baseline, row.verdict}.join(u'\t') << '\n';
+    out.flush();
+}
+
+void Report::takeRows(const QByteArray &printed)
+{
+    if (printed.isEmpty())
+        add({{}, u"a part of the measurement"_s, u"nothing"_s, {}, {}, kMissed, true});
+    const QStringList lines = QString::fromUtf8(printed).split(u'\n', Qt::SkipEmptyParts);
+    for (const QString &line : lines) {
+        const QStringList part = line.split(u'\t');
+        if (part.size() == 6)
+            add({part[0], part[1], part[2], part[3], part[4], part[5], part[5] == kMissed});
+    }
 }
 
 void waitFor(int milliseconds)

@@ -19,8 +19,11 @@ public:
     void atLeast(const QString &goal, const QString &what, double value, double limit, const QString &unit,
                  const QString &baseline);
     /// A figure without a limit.
-    void tell(const QString &what, const QString &value);
+    void tell(const QString &what, const QString &value, const QString &baseline = {});
     void print(QTextStream &out) const;
+    /// The rows as plain data, for the process that asked for them.
+    void printRows(QTextStream &out) const;
+    void takeRows(const QByteArray &printed);
     [[nodiscard]] bool passed() const;
 
 private:

@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kPadding = 4;
 constexpr double kSquare = 8;
-constexpr double kFlag = 5;
+constexpr double kFlag = 7;
+constexpr double kDot = 2;
 
 ColorRole roleOf(PlotMark::Kind kind)
 {
@@ -36,14 +37,15 @@ void PlotOverlay::vertical(double x, const QPen &pen)
     m_painter.drawLine(QPointF(x, m_area.top()), QPointF(x, m_area.bottom()));
 }
 
+// Marks may be in each live frame, so they are made of plain rectangles: pens, brushes and polygons allocate memory.
 void PlotOverlay::mark(double x, PlotMark::Kind kind)
 {
     const QColor color = m_theme.color(roleOf(kind));
-    vertical(x, QPen(color, 1, Qt::DotLine));
+    for (double y = m_area.top(); y < m_area.bottom(); y += 2 * kDot)
+        m_painter.fillRect(QRectF(x, y, 1, kDot), color);
     // A flag on top, so that it is told from the cursor by shape as well.
-    m_painter.setPen(Qt::NoPen);
-    m_painter.setBrush(color);
-    m_painter.drawPolygon(QPolygonF({{x, m_area.top()}, {x + 1.6 * kFlag, m_area.top() + kFlag / 2}, {x, m_area.top() + kFlag}}));
+    for (double y = 0; y < kFlag; ++y)
+        m_painter.fillRect(QRectF(x, m_area.top() + y, 1.6 * (kFlag - std::abs(2 * y + 1 - kFlag)), 1), color);
 }
 
 void PlotOverlay::reference(double x)

@@ -176,8 +176,8 @@ void PlotStack::rebuild()
     for (qsizetype i = 0; i < m_layout.size(); ++i) {
         PlotPanel *panel = m_panels[i];
         panel->setAccessibleName(tr("Plot %1").arg(i + 1));
+        panel->setChannels(m_table, m_layout[i].channels, m_store);   // first: the old table may be gone
         panel->view()->setOwnScales(m_layout[i].ownScales);
-        panel->setChannels(m_table, m_layout[i].channels, m_store);
         panel->setFiguresVisible(m_layout[i].figures);
         right = std::max(right, panel->view()->rightAxes());
     }

@@ -5,7 +5,6 @@
 #include "widgets/models/parametermodel.h"
 #include "widgets/plot/plotoverlay.h"
 #include "widgets/plot/spanstatistics.h"
-#include "widgets/plot/traceitem.h"
 
 #include <QChart>
 #include <QDateTime>
@@ -24,6 +23,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int kMostFrames = 60;
+constexpr int kTimeSteps = 5;             // parts between the labels of the time axis
 // Room for labels and legend around the plot area.
 constexpr double kLeft = 76;
 constexpr double kTop = 34;
@@ -42,8 +42,6 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
     , m_timeAxis(new QValueAxis(this))
 {
     QChart *plot = chart();   // the view's own; one set over it would leave this one behind
-    m_traces = new TraceItem(plot);
-    m_traces->setVisible(false);   // painted by ourselves, see paintEvent()
     plot->setAnimationOptions(QChart::NoAnimation);
     plot->setBackgroundVisible(false);
     plot->setBackgroundRoundness(0);
@@ -111,26 +109,26 @@ void PlotView::setCurves(ChannelTable table, const QList<Curve> &curves, std::sh
         chart()->removeSeries(series);
         delete series;
     }
-    m_traces->traces().clear();
+    m_traces.traces().clear();
     for (qsizetype i = 0; i < curves.size(); ++i) {
         auto *series = new QLineSeries(this);
         series->setName(curveName(i));
         chart()->addSeries(series);
         series->attachAxis(m_timeAxis);
         m_series.append(series);
-        TraceItem::Trace trace;
+        TraceImage::Trace trace;
         trace.channel = curves[i].channel;
         trace.minus = curves[i].minus;
-        m_traces->traces().push_back(std::move(trace));
+        m_traces.traces().push_back(std::move(trace));
     }
     const auto markers = chart()->legend()->markers();
     for (qsizetype i = 0; i < markers.size(); ++i) {
         connect(markers[i], &QLegendMarker::clicked, this, [this, i] {
-            if (std::size_t(i) >= m_traces->traces().size())
+            if (std::size_t(i) >= m_traces.traces().size())
                 return;
-            TraceItem::Trace &trace = m_traces->traces()[std::size_t(i)];
+            TraceImage::Trace &trace = m_traces.traces()[std::size_t(i)];
             trace.visible = !trace.visible;
-            m_traces->invalidate();
+            m_traces.invalidate();
             applyTheme();
         });
     }
@@ -160,7 +158,7 @@ void PlotView::makeAxes()
             if (std::size_t(place) < m_axes.size() && m_axes[std::size_t(place)].unit == unit)
                 fresh.scale = m_axes[std::size_t(place)].scale;
         }
-        m_traces->traces()[std::size_t(i)].scale = std::size_t(place);
+        m_traces.traces()[std::size_t(i)].scale = std::size_t(place);
     }
     if (axes.empty())
         axes.emplace_back();
@@ -180,7 +178,7 @@ void PlotView::makeAxes()
         applyScale(m_axes[i]);
     }
     for (qsizetype i = 0; i < m_series.size(); ++i)
-        m_series[i]->attachAxis(m_axes[m_traces->traces()[std::size_t(i)].scale].axis);
+        m_series[i]->attachAxis(m_axes[m_traces.traces()[std::size_t(i)].scale].axis);
     layOut();
     updateView();
 }
@@ -215,7 +213,7 @@ QString PlotView::curveName(qsizetype curve) const
 
 QColor PlotView::curveColor(qsizetype curve) const
 {
-    return m_traces->traces()[std::size_t(curve)].color;
+    return m_traces.traces()[std::size_t(curve)].color;
 }
 
 void PlotView::applyTheme()
@@ -225,7 +223,7 @@ void PlotView::applyTheme()
     chart()->legend()->setLabelColor(m_theme.color(ColorRole::Text));
     int next = 0;
     for (qsizetype i = 0; i < m_series.size(); ++i) {
-        TraceItem::Trace &trace = m_traces->traces()[std::size_t(i)];
+        TraceImage::Trace &trace = m_traces.traces()[std::size_t(i)];
         trace.color = colorOf(i, next);
         QColor shown = trace.color;
         if (!trace.visible)
@@ -247,7 +245,8 @@ void PlotView::applyTheme()
     const auto markers = chart()->legend()->markers();
     for (QLegendMarker *marker : markers)
         marker->setPen(QPen(Qt::transparent));   // no pen at all would bring the style's own back
-    m_traces->invalidate();
+    updateView();
+    m_traces.invalidate();
     viewport()->update();
 }
 
@@ -255,13 +254,13 @@ void PlotView::setWindow(double seconds)
 {
     m_window = seconds;
     m_timeAxis->setRange(-seconds, 0);
-    m_timeAxis->setTickCount(6);
+    m_timeAxis->setTickCount(kTimeSteps + 1);
     updateView();
 }
 
 void PlotView::hold(double end)
 {
-    m_traces->hold(end);
+    m_traces.hold(end);
     m_rateTimer.invalidate();
     advance();
     viewport()->update();
@@ -269,18 +268,18 @@ void PlotView::hold(double end)
 
 void PlotView::follow()
 {
-    m_traces->follow();
+    m_traces.follow();
     viewport()->update();
 }
 
 bool PlotView::isHeld() const
 {
-    return m_traces->heldAt().has_value();
+    return m_traces.heldAt().has_value();
 }
 
 double PlotView::endTime() const
 {
-    return m_traces->end();
+    return m_traces.end();
 }
 
 void PlotView::setCursorTime(std::optional<double> time)
@@ -318,10 +317,12 @@ void PlotView::autoScale()
 
 void PlotView::updateView()
 {
-    std::array<TraceItem::Range, kMostAxes> ranges;
+    std::array<TraceImage::Range, kMostAxes> ranges;
     for (std::size_t i = 0; i < m_axes.size(); ++i)
         ranges[i] = {m_axes[i].scale.low(), m_axes[i].scale.high()};
-    m_traces->setView(chart()->plotArea(), m_window, std::span(ranges).first(m_axes.size()), devicePixelRatioF());
+    const TraceImage::Ground ground{m_theme.color(ColorRole::Surface), m_theme.color(ColorRole::SurfaceRaised),
+                                    m_axes.empty() ? 1 : m_axes.front().scale.steps(), kTimeSteps};
+    m_traces.setView(chart()->plotArea(), m_window, std::span(ranges).first(m_axes.size()), ground, devicePixelRatioF());
 }
 
 void PlotView::resizeEvent(QResizeEvent *event)
@@ -350,17 +351,17 @@ bool PlotView::advance()
         return false;
     if (m_generation != m_store->generation()) {
         m_generation = m_store->generation();
-        for (TraceItem::Trace &trace : m_traces->traces())
+        for (TraceImage::Trace &trace : m_traces.traces())
             trace.sources = TraceSource::find(*m_store, trace.channel, trace.minus);
-        m_traces->invalidate();
+        m_traces.invalidate();
         m_rateTimer.invalidate();
     }
-    const double newest = m_traces->newestSample();
+    const double newest = m_traces.newestSample();
     if (std::isnan(newest))
         return false;
     if (!m_rateTimer.isValid() || m_rateTimer.elapsed() > kRateTextMs)
         updateRateText();
-    if (!m_traces->advance(newest))
+    if (!m_traces.advance(newest))
         return false;
     if (isHeld() || !m_fitTimer.isValid() || m_fitTimer.elapsed() >= kFitMs)
         fitScales();
@@ -374,7 +375,7 @@ void PlotView::fitScales()
     m_fitTimer.start();
     bool changed = false;
     for (std::size_t i = 0; i < m_axes.size(); ++i) {
-        const TraceColumns::Span used = m_traces->visibleRange(i);
+        const TraceColumns::Span used = m_traces.visibleRange(i);
         if (used.isEmpty() || !m_axes[i].scale.fit(double(used.low), double(used.high)))
             continue;
         applyScale(m_axes[i]);
@@ -390,7 +391,7 @@ void PlotView::updateRateText()
     double slowest = 0;
     double fastest = 0;
     bool irregular = false;
-    for (const TraceItem::Trace &trace : m_traces->traces()) {
+    for (const TraceImage::Trace &trace : m_traces.traces()) {
         for (const TraceSource &source : trace.sources) {
             const TrackView &track = source.track;
             const bool seen = track.end() > track.begin() && track.time(track.end() - 1) >= startTime()
@@ -415,6 +416,7 @@ void PlotView::updateRateText()
     if (text == m_rateText)
         return;
     m_rateText = text;
+    m_still = QPixmap();
     layOut();
     viewport()->update();
 }
@@ -465,41 +467,52 @@ QStringList PlotView::cursorTexts() const
     return texts;
 }
 
-// Axes, grid and legend seldom change and cost more than the traces: a picture of them is kept. A frame is that picture, the
-// traces, and what lies over them.
+// Axes, grid and legend seldom change and cost more than the traces: a picture of them is kept. A frame is that picture around
+// the plot area, the traces in it, and what lies over them.
 void PlotView::paintEvent(QPaintEvent *event)
 {
-    if (m_still.isNull() || m_still.size() != (QSizeF(viewport()->size()) * devicePixelRatioF()).toSize())
+    const double scale = devicePixelRatioF();
+    if (m_still.isNull() || m_still.size() != (QSizeF(viewport()->size()) * scale).toSize())
         drawStill();
     QPainter painter(viewport());
-    const QRectF exposed = event->rect();
-    painter.drawPixmap(exposed, m_still, QRectF(exposed.topLeft() * devicePixelRatioF(), exposed.size() * devicePixelRatioF()));
-    painter.save();
-    m_traces->paint(&painter, nullptr, nullptr);
-    painter.restore();
+    painter.scale(1 / scale, 1 / scale);   // device pixels: copying is quick where nothing is stretched
+    const auto copy = [&](const QRectF &part) {
+        const QRect pixels = QRectF(part.topLeft() * scale, part.size() * scale).toAlignedRect();
+        if (!pixels.isEmpty())
+            painter.drawPixmap(pixels.topLeft(), m_still, pixels);
+    };
+    const QRectF all = event->rect();
+    const QRectF area = chart()->plotArea();
+    if (m_traces.isEmpty()) {
+        copy(all);
+    } else {
+        copy({all.topLeft(), QPointF(all.right(), area.top())});
+        copy({QPointF(all.left(), area.bottom()), all.bottomRight()});
+        copy({all.topLeft(), QPointF(area.left(), all.bottom())});
+        copy({QPointF(area.right(), all.top()), all.bottomRight()});
+        m_traces.paint(painter);
+    }
+    painter.scale(scale, scale);
     drawOverlay(painter);
 }
 
 void PlotView::drawStill()
 {
     m_still = QPixmap((QSizeF(viewport()->size()) * devicePixelRatioF()).toSize());
-    m_still.setDevicePixelRatio(devicePixelRatioF());
     QPainter painter(&m_still);
+    painter.scale(devicePixelRatioF(), devicePixelRatioF());
     painter.setRenderHints(renderHints());
     const QRectF all(QPointF(0, 0), QSizeF(viewport()->size()));
     painter.fillRect(all, backgroundBrush());
     scene()->render(&painter, all, all);
+    painter.setFont(font());
+    painter.setPen(m_theme.color(ColorRole::Muted));
+    painter.drawText(QRectF(kLeft, 6, width() - kLeft - kRight, kTop - 4), Qt::AlignRight | Qt::AlignVCenter, m_rateText);
 }
 
 void PlotView::drawOverlay(QPainter &painter)
 {
     const QRectF area = chart()->plotArea();
-    painter.setFont(font());
-    if (!m_rateText.isEmpty()) {
-        painter.setPen(m_theme.color(ColorRole::Muted));
-        painter.drawText(QRectF(area.left(), 6, width() - area.left() - kRight, kTop - 4), Qt::AlignRight | Qt::AlignVCenter,
-                          m_rateText);
-    }
     PlotOverlay overlay(painter, area, m_theme);
     const auto inside = [&](std::optional<double> time) { return time && *time >= startTime() && *time <= endTime(); };
     if (m_marks) {

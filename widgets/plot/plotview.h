@@ -4,6 +4,7 @@
 
 #include "protocol/device/telemetry.h"
 #include "widgets/plot/plotmarks.h"
+#include "widgets/plot/traceimage.h"
 #include "widgets/plot/valuescale.h"
 #include "widgets/theme/theme.h"
 
@@ -17,7 +18,6 @@
 
 class QLineSeries;
 class QValueAxis;
-class TraceItem;
 
 /// What one trace shows.
 struct Curve
@@ -141,7 +141,7 @@ private:
     QValueAxis *m_timeAxis;
     std::vector<ValueAxis> m_axes;
     QList<QLineSeries *> m_series;    // empty ones, for names, colours and the legend's toggles
-    TraceItem *m_traces;
+    TraceImage m_traces;
     double m_window = 10;
     bool m_ownScales = false;
     int m_rightRoom = 0;

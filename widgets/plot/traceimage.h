@@ -5,14 +5,18 @@
 #include "widgets/plot/tracecolumns.h"
 
 #include <QColor>
-#include <QGraphicsItem>
-#include <QPixmap>
+#include <QImage>
+#include <QRectF>
 
 #include <span>
 
-/// Draws all traces of one plot area: a ring image of finished pixel columns, scrolled by blitting it in two parts. A live
-/// frame paints only the columns that are new; zoom, resize, scale and theme changes rebuild the image.
-class TraceItem final : public QGraphicsItem
+class QPainter;
+
+/// The picture of one plot area: all traces over their grid, in a ring image of finished pixel columns that scrolls by being
+/// copied in two parts. A live frame paints only the columns that are new; zoom, resize, scale and theme changes rebuild the
+/// image. It is opaque, because copying costs less than half of blending, and its pixels are set directly, because a painter
+/// allocates memory in each frame.
+class TraceImage final
 {
 public:
     struct Trace
@@ -34,11 +38,20 @@ public:
         friend bool operator==(const Range &, const Range &) = default;
     };
 
-    explicit TraceItem(QGraphicsItem *parent = nullptr);
+    /// What lies under the traces.
+    struct Ground
+    {
+        QColor surface;
+        QColor grid;
+        int rows = 1;       ///< parts between horizontal lines
+        int columns = 1;    ///< parts between vertical lines
+        friend bool operator==(const Ground &, const Ground &) = default;
+    };
 
     [[nodiscard]] std::vector<Trace> &traces() { return m_traces; }
-    /// Area in item coordinates, seconds shown, value ranges, device pixels per pixel.
-    void setView(const QRectF &area, double window, std::span<const Range> ranges, qreal scale);
+    [[nodiscard]] const std::vector<Trace> &traces() const { return m_traces; }
+    /// Area in the view's coordinates, seconds shown, value ranges, what lies under them, device pixels per pixel.
+    void setView(const QRectF &area, double window, std::span<const Range> ranges, const Ground &ground, qreal scale);
     void invalidate() { m_valid = false; }
     /// Shows the past up to that time, until follow().
     void hold(double end);
@@ -53,20 +66,26 @@ public:
     /// Newest sample time of all traces, NaN without any.
     [[nodiscard]] double newestSample();
 
-    [[nodiscard]] QRectF boundingRect() const override { return m_area; }
-    void paint(QPainter *painter, const QStyleOptionGraphicsItem *option, QWidget *widget) override;
+    /// Nothing to paint yet: no sample has come.
+    [[nodiscard]] bool isEmpty() const { return !m_valid; }
+    /// Covers the area. @param painter works in device pixels
+    void paint(QPainter &painter);
 
 private:
     void rebuild();
+    void fill(int slot, int top, int bottom, QRgb color);
+    [[nodiscard]] int slotOf(qint64 column) const;
+    [[nodiscard]] int thickness() const;
     void drawColumns(qint64 first, qint64 last);
 
     std::vector<Trace> m_traces;
     QRectF m_area;
     double m_window = 10;
     std::vector<Range> m_ranges;
+    Ground m_ground;
     qreal m_scale = 1;
-    QPixmap m_ring;
-    std::vector<QRect> m_spans;    // of one trace, while it is drawn
+    QImage m_ring;
+    QImage m_line;                 // one vertical line of the grid, while it is drawn
     int m_width = 1;               // of the ring image in device pixels
     int m_height = 1;
     double m_pitch = 0.01;         // seconds per column
