@@ -7156,6 +7156,442 @@ Spitze %2°</translation>
         <source>Profile %1</source>
         <translation>Profil %1</translation>
     </message>
+    <message>
+        <source>Analogue input 1</source>
+        <translation>Analogeingang 1</translation>
+    </message>
+    <message>
+        <source>Analogue input 2</source>
+        <translation>Analogeingang 2</translation>
+    </message>
+    <message>
+        <source>Analogue input 3</source>
+        <translation>Analogeingang 3</translation>
+    </message>
+    <message>
+        <source>Analogue input 4</source>
+        <translation>Analogeingang 4</translation>
+    </message>
+    <message>
+        <source>Attitude checks</source>
+        <translation>Lageprüfung</translation>
+    </message>
+    <message>
+        <source>Attitude quaternions</source>
+        <translation>Lagequaternionen</translation>
+    </message>
+    <message>
+        <source>Attitude reference, frame IMU</source>
+        <translation>Lagebezug, Rahmen-IMU</translation>
+    </message>
+    <message>
+        <source>Attitude reference, main IMU</source>
+        <translation>Lagebezug, Haupt-IMU</translation>
+    </message>
+    <message>
+        <source>CAN error flags</source>
+        <translation>CAN-Fehlerbits</translation>
+    </message>
+    <message>
+        <source>Calibration in progress</source>
+        <translation>Laufende Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Camera against frame, quaternion w</source>
+        <translation>Kamera gegen Rahmen, Quaternion w</translation>
+    </message>
+    <message>
+        <source>Camera against frame, quaternion x</source>
+        <translation>Kamera gegen Rahmen, Quaternion x</translation>
+    </message>
+    <message>
+        <source>Camera against frame, quaternion y</source>
+        <translation>Kamera gegen Rahmen, Quaternion y</translation>
+    </message>
+    <message>
+        <source>Camera against frame, quaternion z</source>
+        <translation>Kamera gegen Rahmen, Quaternion z</translation>
+    </message>
+    <message>
+        <source>Camera angle, 20 bits, pitch</source>
+        <translation>Kamerawinkel, 20 Bit, Pitch</translation>
+    </message>
+    <message>
+        <source>Camera angle, 20 bits, roll</source>
+        <translation>Kamerawinkel, 20 Bit, Roll</translation>
+    </message>
+    <message>
+        <source>Camera angle, 20 bits, yaw</source>
+        <translation>Kamerawinkel, 20 Bit, Yaw</translation>
+    </message>
+    <message>
+        <source>Camera angle, floating point, pitch</source>
+        <translation>Kamerawinkel, Gleitkomma, Pitch</translation>
+    </message>
+    <message>
+        <source>Camera angle, floating point, roll</source>
+        <translation>Kamerawinkel, Gleitkomma, Roll</translation>
+    </message>
+    <message>
+        <source>Camera angle, floating point, yaw</source>
+        <translation>Kamerawinkel, Gleitkomma, Yaw</translation>
+    </message>
+    <message>
+        <source>Camera attitude, quaternion w</source>
+        <translation>Kameralage, Quaternion w</translation>
+    </message>
+    <message>
+        <source>Camera attitude, quaternion x</source>
+        <translation>Kameralage, Quaternion x</translation>
+    </message>
+    <message>
+        <source>Camera attitude, quaternion y</source>
+        <translation>Kameralage, Quaternion y</translation>
+    </message>
+    <message>
+        <source>Camera attitude, quaternion z</source>
+        <translation>Kameralage, Quaternion z</translation>
+    </message>
+    <message>
+        <source>Distance to the lower limit, pitch</source>
+        <translation>Abstand zur unteren Grenze, Pitch</translation>
+    </message>
+    <message>
+        <source>Distance to the lower limit, roll</source>
+        <translation>Abstand zur unteren Grenze, Roll</translation>
+    </message>
+    <message>
+        <source>Distance to the lower limit, yaw</source>
+        <translation>Abstand zur unteren Grenze, Yaw</translation>
+    </message>
+    <message>
+        <source>Distance to the upper limit, pitch</source>
+        <translation>Abstand zur oberen Grenze, Pitch</translation>
+    </message>
+    <message>
+        <source>Distance to the upper limit, roll</source>
+        <translation>Abstand zur oberen Grenze, Roll</translation>
+    </message>
+    <message>
+        <source>Distance to the upper limit, yaw</source>
+        <translation>Abstand zur oberen Grenze, Yaw</translation>
+    </message>
+    <message>
+        <source>Encoder, pitch</source>
+        <translation>Encoder, Pitch</translation>
+    </message>
+    <message>
+        <source>Encoder, roll</source>
+        <translation>Encoder, Roll</translation>
+    </message>
+    <message>
+        <source>Encoder, yaw</source>
+        <translation>Encoder, Yaw</translation>
+    </message>
+    <message>
+        <source>External IMU, bad packets</source>
+        <translation>Externe IMU, fehlerhafte Pakete</translation>
+    </message>
+    <message>
+        <source>External IMU, gravity error</source>
+        <translation>Externe IMU, Schwerkraftfehler</translation>
+    </message>
+    <message>
+        <source>External IMU, heading error</source>
+        <translation>Externe IMU, Kursfehler</translation>
+    </message>
+    <message>
+        <source>External IMU, packets</source>
+        <translation>Externe IMU, Pakete</translation>
+    </message>
+    <message>
+        <source>External IMU, status</source>
+        <translation>Externe IMU, Status</translation>
+    </message>
+    <message>
+        <source>Flags of the power manager</source>
+        <translation>Bits der Leistungsverwaltung</translation>
+    </message>
+    <message>
+        <source>Follow distance, pitch</source>
+        <translation>Folgeabstand, Pitch</translation>
+    </message>
+    <message>
+        <source>Follow distance, roll</source>
+        <translation>Folgeabstand, Roll</translation>
+    </message>
+    <message>
+        <source>Follow distance, yaw</source>
+        <translation>Folgeabstand, Yaw</translation>
+    </message>
+    <message>
+        <source>Fourth motor, angle error</source>
+        <translation>Vierter Motor, Winkelfehler</translation>
+    </message>
+    <message>
+        <source>Fourth motor, controller output</source>
+        <translation>Vierter Motor, Reglerausgang</translation>
+    </message>
+    <message>
+        <source>Fourth motor, feed-forward speed</source>
+        <translation>Vierter Motor, Vorsteuergeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Frame-camera angle, 20 bits, pitch</source>
+        <translation>Winkel Rahmen–Kamera, 20 Bit, Pitch</translation>
+    </message>
+    <message>
+        <source>Frame-camera angle, 20 bits, roll</source>
+        <translation>Winkel Rahmen–Kamera, 20 Bit, Roll</translation>
+    </message>
+    <message>
+        <source>Frame-camera angle, 20 bits, yaw</source>
+        <translation>Winkel Rahmen–Kamera, 20 Bit, Yaw</translation>
+    </message>
+    <message>
+        <source>Gravity error, frame IMU</source>
+        <translation>Schwerkraftfehler, Rahmen-IMU</translation>
+    </message>
+    <message>
+        <source>Gravity error, main IMU</source>
+        <translation>Schwerkraftfehler, Haupt-IMU</translation>
+    </message>
+    <message>
+        <source>Heading error, frame IMU</source>
+        <translation>Kursfehler, Rahmen-IMU</translation>
+    </message>
+    <message>
+        <source>Heading error, main IMU</source>
+        <translation>Kursfehler, Haupt-IMU</translation>
+    </message>
+    <message>
+        <source>High resolution</source>
+        <translation>Hohe Auflösung</translation>
+    </message>
+    <message>
+        <source>Motor current, pitch</source>
+        <translation>Motorstrom, Pitch</translation>
+    </message>
+    <message>
+        <source>Motor current, roll</source>
+        <translation>Motorstrom, Roll</translation>
+    </message>
+    <message>
+        <source>Motor current, yaw</source>
+        <translation>Motorstrom, Yaw</translation>
+    </message>
+    <message>
+        <source>Motor driver flags, pitch</source>
+        <translation>Motortreiberbits, Pitch</translation>
+    </message>
+    <message>
+        <source>Motor driver flags, roll</source>
+        <translation>Motortreiberbits, Roll</translation>
+    </message>
+    <message>
+        <source>Motor driver flags, yaw</source>
+        <translation>Motortreiberbits, Yaw</translation>
+    </message>
+    <message>
+        <source>Motor output, pitch</source>
+        <translation>Motorausgang, Pitch</translation>
+    </message>
+    <message>
+        <source>Motor output, roll</source>
+        <translation>Motorausgang, Roll</translation>
+    </message>
+    <message>
+        <source>Motor output, yaw</source>
+        <translation>Motorausgang, Yaw</translation>
+    </message>
+    <message>
+        <source>Motor temperature, pitch</source>
+        <translation>Motortemperatur, Pitch</translation>
+    </message>
+    <message>
+        <source>Motor temperature, roll</source>
+        <translation>Motortemperatur, Roll</translation>
+    </message>
+    <message>
+        <source>Motor temperature, yaw</source>
+        <translation>Motortemperatur, Yaw</translation>
+    </message>
+    <message>
+        <source>Rate between frame and camera, pitch</source>
+        <translation>Drehrate zwischen Rahmen und Kamera, Pitch</translation>
+    </message>
+    <message>
+        <source>Rate between frame and camera, roll</source>
+        <translation>Drehrate zwischen Rahmen und Kamera, Roll</translation>
+    </message>
+    <message>
+        <source>Rate between frame and camera, yaw</source>
+        <translation>Drehrate zwischen Rahmen und Kamera, Yaw</translation>
+    </message>
+    <message>
+        <source>Script variable 1</source>
+        <translation>Skriptvariable 1</translation>
+    </message>
+    <message>
+        <source>Script variable 1, whole number</source>
+        <translation>Skriptvariable 1, ganzzahlig</translation>
+    </message>
+    <message>
+        <source>Script variable 10</source>
+        <translation>Skriptvariable 10</translation>
+    </message>
+    <message>
+        <source>Script variable 10, whole number</source>
+        <translation>Skriptvariable 10, ganzzahlig</translation>
+    </message>
+    <message>
+        <source>Script variable 2</source>
+        <translation>Skriptvariable 2</translation>
+    </message>
+    <message>
+        <source>Script variable 2, whole number</source>
+        <translation>Skriptvariable 2, ganzzahlig</translation>
+    </message>
+    <message>
+        <source>Script variable 3</source>
+        <translation>Skriptvariable 3</translation>
+    </message>
+    <message>
+        <source>Script variable 3, whole number</source>
+        <translation>Skriptvariable 3, ganzzahlig</translation>
+    </message>
+    <message>
+        <source>Script variable 4</source>
+        <translation>Skriptvariable 4</translation>
+    </message>
+    <message>
+        <source>Script variable 4, whole number</source>
+        <translation>Skriptvariable 4, ganzzahlig</translation>
+    </message>
+    <message>
+        <source>Script variable 5</source>
+        <translation>Skriptvariable 5</translation>
+    </message>
+    <message>
+        <source>Script variable 5, whole number</source>
+        <translation>Skriptvariable 5, ganzzahlig</translation>
+    </message>
+    <message>
+        <source>Script variable 6</source>
+        <translation>Skriptvariable 6</translation>
+    </message>
+    <message>
+        <source>Script variable 6, whole number</source>
+        <translation>Skriptvariable 6, ganzzahlig</translation>
+    </message>
+    <message>
+        <source>Script variable 7</source>
+        <translation>Skriptvariable 7</translation>
+    </message>
+    <message>
+        <source>Script variable 7, whole number</source>
+        <translation>Skriptvariable 7, ganzzahlig</translation>
+    </message>
+    <message>
+        <source>Script variable 8</source>
+        <translation>Skriptvariable 8</translation>
+    </message>
+    <message>
+        <source>Script variable 8, whole number</source>
+        <translation>Skriptvariable 8, ganzzahlig</translation>
+    </message>
+    <message>
+        <source>Script variable 9</source>
+        <translation>Skriptvariable 9</translation>
+    </message>
+    <message>
+        <source>Script variable 9, whole number</source>
+        <translation>Skriptvariable 9, ganzzahlig</translation>
+    </message>
+    <message>
+        <source>Script variables</source>
+        <translation>Skriptvariablen</translation>
+    </message>
+    <message>
+        <source>State of the power manager</source>
+        <translation>Zustand der Leistungsverwaltung</translation>
+    </message>
+    <message>
+        <source>Supply current</source>
+        <translation>Versorgungsstrom</translation>
+    </message>
+    <message>
+        <source>Supply voltage</source>
+        <translation>Versorgungsspannung</translation>
+    </message>
+    <message>
+        <source>System state flags</source>
+        <translation>Systemzustandsbits</translation>
+    </message>
+    <message>
+        <source>Target angle, 20 bits, pitch</source>
+        <translation>Zielwinkel, 20 Bit, Pitch</translation>
+    </message>
+    <message>
+        <source>Target angle, 20 bits, roll</source>
+        <translation>Zielwinkel, 20 Bit, Roll</translation>
+    </message>
+    <message>
+        <source>Target angle, 20 bits, yaw</source>
+        <translation>Zielwinkel, 20 Bit, Yaw</translation>
+    </message>
+    <message>
+        <source>Target attitude, quaternion w</source>
+        <translation>Ziellage, Quaternion w</translation>
+    </message>
+    <message>
+        <source>Target attitude, quaternion x</source>
+        <translation>Ziellage, Quaternion x</translation>
+    </message>
+    <message>
+        <source>Target attitude, quaternion y</source>
+        <translation>Ziellage, Quaternion y</translation>
+    </message>
+    <message>
+        <source>Target attitude, quaternion z</source>
+        <translation>Ziellage, Quaternion z</translation>
+    </message>
+    <message>
+        <source>CAN error counter</source>
+        <translation>CAN-Fehlerzähler</translation>
+    </message>
+    <message>
+        <source>I2C error counter</source>
+        <translation>I2C-Fehlerzähler</translation>
+    </message>
+    <message>
+        <source>Lower target limit from outside, pitch</source>
+        <translation>Untere Zielgrenze von außen, Pitch</translation>
+    </message>
+    <message>
+        <source>Lower target limit from outside, roll</source>
+        <translation>Untere Zielgrenze von außen, Roll</translation>
+    </message>
+    <message>
+        <source>Lower target limit from outside, yaw</source>
+        <translation>Untere Zielgrenze von außen, Yaw</translation>
+    </message>
+    <message>
+        <source>Serial error counter</source>
+        <translation>Serieller Fehlerzähler</translation>
+    </message>
+    <message>
+        <source>Upper target limit from outside, pitch</source>
+        <translation>Obere Zielgrenze von außen, Pitch</translation>
+    </message>
+    <message>
+        <source>Upper target limit from outside, roll</source>
+        <translation>Obere Zielgrenze von außen, Roll</translation>
+    </message>
+    <message>
+        <source>Upper target limit from outside, yaw</source>
+        <translation>Obere Zielgrenze von außen, Yaw</translation>
+    </message>
 </context>
 <context>
     <name>TuningPage</name>

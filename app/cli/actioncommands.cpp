@@ -183,6 +183,8 @@ public:
                 return failure(ErrorCode::InvalidArgument, u"no channel '%1'; gimbalctl monitor lists them"_s.arg(key));
             channels.append(channel);
         }
+        if (channels.isEmpty())
+            channels = usualChannels(device);
         CommandOutcome outcome;
         QJsonArray list;
         // The line sets no limit on USB.
@@ -192,7 +194,7 @@ public:
             outcome.text += u"%1"_s.arg(baud ? QString::number(baud) : u"USB"_s, 12);
         outcome.text += u'\n';
         for (const StreamSpec &spec : device.streams()) {
-            const QList<int> wanted = channels.isEmpty() || !spec.choosesChannels ? spec.channels : channels;
+            const QList<int> wanted = spec.choosesChannels ? channels : spec.channels;
             QJsonObject json{{u"stream"_s, spec.key}, {u"name"_s, spec.label}};
             QJsonObject rates;
             QString cells;

@@ -23,6 +23,15 @@ QString stateText(WriteState state)
 
 } // namespace
 
+QList<int> usualChannels(const Device &device)
+{
+    const ChannelRoles roles = device.roles();
+    QList<int> channels;
+    for (const auto &triple : {roles.angle, roles.target, roles.gyro})
+        channels.append(QList<int>(triple.begin(), triple.end()));
+    return channels;
+}
+
 std::vector<std::unique_ptr<Command>> allCommands()
 {
     std::vector<std::unique_ptr<Command>> all;

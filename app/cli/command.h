@@ -66,6 +66,8 @@ public:
 [[nodiscard]] std::vector<std::unique_ptr<Command>> actionCommands();
 [[nodiscard]] std::vector<std::unique_ptr<Command>> recordingCommands();
 
+/// What a person looks at first: angles, targets and gyros.
+[[nodiscard]] QList<int> usualChannels(const Device &device);
 /// What a motion test found. Errors: InvalidArgument (the samples tell nothing).
 [[nodiscard]] Result<CommandOutcome> describeMotion(const MotionTestResult &result);
 /// A value with its unit as a person reads it.

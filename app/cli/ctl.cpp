@@ -339,12 +339,7 @@ QList<int> Ctl::wantedChannels()
         }
         channels.append(channel);
     }
-    if (channels.isEmpty()) {
-        const ChannelRoles roles = device->roles();
-        for (const auto &triple : {roles.angle, roles.target, roles.gyro})
-            channels.append(QList<int>(triple.begin(), triple.end()));
-    }
-    return channels;
+    return channels.isEmpty() ? usualChannels(*device) : channels;
 }
 
 // First everything is read, so that the recording can be opened like the board itself; then the streams run.

@@ -152,6 +152,8 @@ Result<BoardIdentity> SbgcDevice::identify(Channel &channel)
     }
     m_actions = SbgcActions::available(identity);
     m_streams.clear();
+    if (const auto found = findCustomFields(channel); !found)
+        return tl::unexpected(found.error());
     return identity;
 }
 

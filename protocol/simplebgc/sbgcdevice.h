@@ -75,6 +75,7 @@ private:
     [[nodiscard]] bool canStream() const { return m_identity.firmwareNumber >= 2590; }
     [[nodiscard]] sbgc::ControlCommand encodeSetpoint(const ControlSetpoint &setpoint) const;
     Result<TelemetryPlan> startPolling(Channel &channel);
+    Result<void> findCustomFields(Channel &channel);
     Result<void> setStream(Channel &channel, const sbgc::DataStream &stream);
 
     static constexpr int kVersion = 1;  // frame version: never mixed on one connection (errata 1.3)
@@ -82,6 +83,7 @@ private:
     std::shared_ptr<const ParameterSet> m_parameters;
     std::vector<ControlMode> m_controlModes;
     std::vector<ActionSpec> m_actions;
+    quint32 m_customFlags = 0;                 // of CUSTOM, that this firmware answers
     std::vector<sbgc::DataStream> m_streams;   // registered with the board
     std::vector<sbgc::DebugVar> m_debugVars;   // as the board declared them; used on the worker thread only
 };

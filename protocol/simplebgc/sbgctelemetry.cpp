@@ -57,14 +57,6 @@ QList<int> channelsOf(const StreamKind &kind, quint32 customFlags)
     return channels;
 }
 
-quint32 allCustomFlags()
-{
-    quint32 flags = 0;
-    for (const CustomField &field : customFields())
-        flags |= 1U << field.bit;
-    return flags;
-}
-
 // Interval 1 is each cycle; from 2 on it is milliseconds (errata 3.10).
 int intervalFor(double rate)
 {
@@ -76,18 +68,19 @@ double rateOf(int interval)
     return interval == 1 ? kCycleRate : 1000.0 / interval;
 }
 
-DataStream streamFor(const StreamUse &use)
+// @param known flags of CUSTOM that the board answers
+DataStream streamFor(const StreamUse &use, quint32 known)
 {
     const StreamKind *kind = findKind(use.key);
     ByteWriter config;
-    config.u32(use.key == kCustomKey ? customFlagsFor(use.channels) : 0).zeros(4);
+    config.u32(use.key == kCustomKey ? customFlagsFor(use.channels) & known : 0).zeros(4);
     return {number(kind->command), intervalFor(use.rate), config.take()};
 }
 
 // Without a choice by hand: the fast channels as fast as they go, the status beside them.
-QList<StreamWish> arranged(const TelemetryWish &wish)
+QList<StreamWish> arranged(const TelemetryWish &wish, quint32 known)
 {
-    if (!customFlagsFor(wish.channels))
+    if (!(customFlagsFor(wish.channels) & known))
         return {{kStatusKey, kStatusAloneRate, {}}};
     return {{kStatusKey, kStatusRate, {}}, {kCustomKey, wish.rate, wish.channels}};
 }
@@ -96,7 +89,51 @@ QList<StreamWish> arranged(const TelemetryWish &wish)
 
 ChannelTable SbgcDevice::channels() const
 {
-    return channelTable();
+    return channelTable(m_identity.firmwareNumber);
+}
+
+// Which of the later fields of CUSTOM this firmware has. One that it does not know adds nothing to the answer, and nobody says
+// which firmware began with which, so the board is asked: for several at once, and one by one where some are missing.
+Result<void> SbgcDevice::findCustomFields(Channel &channel)
+{
+    m_customFlags = kFirstCustomFlags;
+    if (m_identity.firmwareNumber < kLaterCustomFirmware)
+        return {};
+    const auto has = [&](quint32 flags) -> Result<bool> {
+        Request request = replyRequest(CommandId::RealtimeDataCustom, ByteWriter().u32(flags).zeros(6).take(),
+                                       CommandId::RealtimeDataCustom, 2, kVersion);
+        request.retries = 1;
+        const auto reply = channel.transact(request);
+        if (reply)
+            return reply->payload.size() == customSize(flags);
+        return tl::unexpected(reply.error());
+    };
+    std::vector<quint32> several{0};
+    for (const CustomField &field : customFields()) {
+        const quint32 flag = 1U << field.bit;
+        if (flag & kFirstCustomFlags)
+            continue;
+        if (customSize(several.back() | flag) > kMostPayload)
+            several.push_back(0);
+        several.back() |= flag;
+    }
+    for (const quint32 flags : several) {
+        const auto all = has(flags);
+        if (!all && (all.error().code == ErrorCode::Timeout || all.error().code == ErrorCode::BoardError))
+            return {};   // a build without CUSTOM, or a recording from before this was asked
+        if (!all)
+            return tl::unexpected(all.error());
+        if (*all) {
+            m_customFlags |= flags;
+            continue;
+        }
+        for (int bit = 0; bit < 32; ++bit) {
+            const quint32 flag = 1U << bit;
+            if (flags & flag && has(flag).value_or(false))
+                m_customFlags |= flag;
+        }
+    }
+    return {};
 }
 
 ChannelRoles SbgcDevice::roles() const
@@ -125,10 +162,8 @@ QList<int> SbgcDevice::fastChannels() const
     QList<int> channels;
     if (!canStream())
         return channels;
-    for (const CustomField &field : customFields()) {
-        for (const WireField &wire : field.fields)
-            channels.append(wire.channel);
-    }
+    for (const WireField &field : customLayout(m_customFlags))
+        channels.append(field.channel);
     return channels;
 }
 
@@ -173,7 +208,7 @@ QList<StreamSpec> SbgcDevice::streams() const
         return specs;
     for (const StreamKind &kind : streamKinds()) {
         specs.append({kind.key, QString::fromLatin1(kind.label), kCycleRate, kind.payload == 0,
-                      channelsOf(kind, allCustomFlags())});
+                      channelsOf(kind, m_customFlags)});
     }
     return specs;
 }
@@ -184,16 +219,20 @@ Result<StreamBudget> SbgcDevice::streamBudget(const TelemetryWish &wish, std::op
     if (!canStream() && wish.streams.isEmpty())
         return budget;   // polled: each sample is asked for
     budget.capacity = m_identity.usb ? kUsbBytes : line ? 1.0 / line->secondsFor(1) : 0.0;
-    const QList<StreamWish> wanted = wish.streams.isEmpty() ? arranged(wish) : wish.streams;
+    const QList<StreamWish> wanted = wish.streams.isEmpty() ? arranged(wish, m_customFlags) : wish.streams;
     for (const StreamWish &stream : wanted) {
         const StreamKind *kind = findKind(stream.key);
         if (!kind || !canStream())
             return failure(ErrorCode::InvalidArgument, u"no stream %1"_s.arg(stream.key));
         if (!(stream.rate >= 0 && stream.rate <= kCycleRate))
             return failure(ErrorCode::InvalidArgument, u"%1 samples/s, 0 to %2 are possible"_s.arg(stream.rate).arg(kCycleRate));
-        const quint32 flags = stream.key == kCustomKey ? customFlagsFor(stream.channels) : 0;
+        const quint32 flags = stream.key == kCustomKey ? customFlagsFor(stream.channels) & m_customFlags : 0;
         if (stream.key == kCustomKey && !flags)
-            return failure(ErrorCode::InvalidArgument, u"%1 without a channel"_s.arg(stream.key));
+            return failure(ErrorCode::InvalidArgument, u"%1 without a channel that the board can send"_s.arg(stream.key));
+        if (customSize(flags) > kMostPayload) {
+            return failure(ErrorCode::TooMuch, u"%1 of %2 bytes, %3 fit into a frame"_s.arg(stream.key).arg(customSize(flags))
+                                                    .arg(kMostPayload));
+        }
         const auto same = [&](const StreamUse &use) { return use.key == stream.key; };
         if (std::any_of(budget.streams.begin(), budget.streams.end(), same))
             return failure(ErrorCode::InvalidArgument, u"%1 twice"_s.arg(stream.key));
@@ -229,7 +268,7 @@ Result<TelemetryPlan> SbgcDevice::startTelemetry(Channel &channel, const Telemet
     plan.streaming = true;
     auto decoder = std::make_shared<SbgcDecoder>();
     for (const StreamUse &use : budget->streams) {
-        const DataStream stream = streamFor(use);
+        const DataStream stream = streamFor(use, m_customFlags);
         const auto set = setStream(channel, stream);
         if (!set) {
             // All streams of the board may be taken by somebody else, or this build has none.

@@ -5,6 +5,8 @@
 #include "protocol/device/channelspec.h"
 #include "protocol/device/parameterspec.h"
 
+#include <array>
+#include <limits>
 #include <vector>
 
 namespace sbgc {
@@ -29,24 +31,62 @@ enum ChannelId : int {
     RcData1, RcData2, RcData3, RcData4, RcData5, RcData6,
     RcChannel1,
     RcChannel18 = RcChannel1 + 17,
+    // From here on: fields of CUSTOM that came after 2.60.
+    Motor4Speed = RcChannel18 + 1, Motor4Error, Motor4Output, AhrsMainSource, AhrsFrameSource, AhrsMainZ, AhrsMainH,
+    AhrsFrameZ, AhrsFrameH, ExtImuStatus, ExtImuPackets, ExtImuFaults, ExtImuH, ExtImuZ, EncoderRoll, EncoderPitch,
+    EncoderYaw, ImuRadRoll, ImuRadPitch, ImuRadYaw, Imu20Roll, Imu20Pitch, Imu20Yaw, Target20Roll, Target20Pitch,
+    Target20Yaw, FrameCam20Roll, FrameCam20Pitch, FrameCam20Yaw, ScriptFloat1, ScriptFloat2, ScriptFloat3, ScriptFloat4,
+    ScriptFloat5, ScriptFloat6, ScriptFloat7, ScriptFloat8, ScriptFloat9, ScriptFloat10, ScriptInt1, ScriptInt2,
+    ScriptInt3, ScriptInt4, ScriptInt5, ScriptInt6, ScriptInt7, ScriptInt8, ScriptInt9, ScriptInt10, MotorRollOutput,
+    MotorRollCurrent, MotorRollTemperature, MotorRollFlags, MotorPitchOutput, MotorPitchCurrent, MotorPitchTemperature,
+    MotorPitchFlags, MotorYawOutput, MotorYawCurrent, MotorYawTemperature, MotorYawFlags, PowerState, SupplyVoltage,
+    SupplyCurrent, PowerFlags, FrameRateRoll, FrameRatePitch, FrameRateYaw, CommI2c, CommSerial, CommCan, CommCanFlags,
+    StateFlags, CalibrationMode, ImuQuatW, ImuQuatX, ImuQuatY, ImuQuatZ, TargetQuatW, TargetQuatX, TargetQuatY,
+    TargetQuatZ, FrameQuatW, FrameQuatX, FrameQuatY, FrameQuatZ, Adc1, Adc2, Adc3, Adc4, LimitRollLow, LimitRollHigh,
+    LimitPitchLow, LimitPitchHigh, LimitYawLow, LimitYawHigh, FollowRoll, FollowPitch, FollowYaw, ExtLowRoll, ExtLowPitch,
+    ExtLowYaw, ExtHighRoll, ExtHighPitch, ExtHighYaw,
     ChannelCount
 };
 
-[[nodiscard]] ChannelTable channelTable();
+/// The channels of a firmware, or all: what came after 2.60 stands at the end.
+[[nodiscard]] ChannelTable channelTable(int firmware = std::numeric_limits<int>::max());
+
+/// Fields of CUSTOM that each firmware with streams has (2.59/2.60, errata 3.9 bits 0-8).
+inline constexpr quint32 kFirstCustomFlags = 0x1FF;
+/// The first firmware that may have more.
+inline constexpr int kLaterCustomFirmware = 2610;
+/// What a frame can carry at the most.
+inline constexpr int kMostPayload = 255;
 
 /// Where a channel's raw number stands in a payload and how it becomes a physical one.
 struct WireField
 {
     int channel = 0;
     int offset = 0;
-    enum Type : std::uint8_t { U8, I8, U16, I16, F32 } type = I16;
+    enum Type : std::uint8_t { U8, I8, U16, I16, U24, I32, U32, F32, Quaternion } type = I16;
     double scale = 1.0;
-    int mask = 0;        ///< not 0: only these bits count
+    int mask = 0;        ///< not 0: only these bits count; which of w, x, y, z of a quaternion
 };
 
 constexpr int fieldSize(WireField::Type type)
 {
-    return type == WireField::F32 ? 4 : type == WireField::U16 || type == WireField::I16 ? 2 : 1;
+    switch (type) {
+    case WireField::U8:
+    case WireField::I8:
+        return 1;
+    case WireField::U16:
+    case WireField::I16:
+        return 2;
+    case WireField::U24:
+        return 3;
+    case WireField::I32:
+    case WireField::U32:
+    case WireField::F32:
+        return 4;
+    case WireField::Quaternion:
+        return 8;
+    }
+    return 0;
 }
 
 inline constexpr int kRealtime3Size = 63;
@@ -75,6 +115,10 @@ struct CustomField
 
 /// Fields of a real-time frame with that command number; flags count for CUSTOM only. Empty: no real-time frame.
 [[nodiscard]] std::vector<WireField> flowFields(int id, quint32 customFlags);
+
+/// A unit quaternion w, x, y, z in eight bytes (errata 3.24).
+[[nodiscard]] std::array<double, 4> unpackQuaternion(quint64 packed);
+[[nodiscard]] quint64 packQuaternion(const std::array<double, 4> &quaternion);
 
 /// The physical value of a field, NaN when the payload is too short.
 [[nodiscard]] float readField(const WireField &field, std::span<const std::byte> payload);

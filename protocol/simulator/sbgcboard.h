@@ -80,6 +80,8 @@ private:
     [[nodiscard]] bool hasSize(const Frame &frame, qsizetype size);
     [[nodiscard]] QByteArray realtime(bool extended) const;
     [[nodiscard]] QByteArray realtimeCustom(quint32 flags) const;
+    [[nodiscard]] QByteArray laterFields(quint32 flags) const;
+    [[nodiscard]] double volts() const;
     /// Gravity and heading in vector form, 24 bytes.
     [[nodiscard]] QByteArray attitudeVectors() const;
     [[nodiscard]] sbgc::Angles angles() const;

@@ -16,7 +16,31 @@ namespace {
 
 constexpr double kVectorDegrees = std::numbers::pi / 180.0;
 
+// Nobody says which firmware began with which field; here they come in two steps, so that clients meet boards with some.
+quint32 laterCustomFlags(int firmware)
+{
+    constexpr quint32 kFirst = 0x001FFE00;    // bits 9-20
+    constexpr quint32 kSecond = 0x3FE00000;   // bits 21-29
+    return firmware < 2680 ? 0 : firmware < 2730 ? kFirst : kFirst | kSecond;
+}
+
+// Roll about x, pitch about y, yaw about z, turned in the order yaw, pitch, roll.
+template<typename Degrees>
+std::array<double, 4> attitude(Degrees degrees)
+{
+    const auto half = [&](Axis axis) { return degrees(axis) * kVectorDegrees / 2.0; };
+    const double cr = std::cos(half(Axis::Roll)), sr = std::sin(half(Axis::Roll));
+    const double cp = std::cos(half(Axis::Pitch)), sp = std::sin(half(Axis::Pitch));
+    const double cy = std::cos(half(Axis::Yaw)), sy = std::sin(half(Axis::Yaw));
+    return {cr * cp * cy + sr * sp * sy, sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy, cr * cp * sy - sr * sp * cy};
+}
+
 } // namespace
+
+double SbgcBoard::volts() const
+{
+    return (m_options.faults.battery > 0 ? m_options.faults.battery : 12.3) + m_voltageOffset - 0.04 * m_stabilizer.current();
+}
 
 QByteArray SbgcBoard::realtime(bool extended) const
 {
@@ -24,8 +48,7 @@ QByteArray SbgcBoard::realtime(bool extended) const
     int errors = 0;
     if (!s.imuPresent())
         errors |= 1 << 0;
-    const double volts = (m_options.faults.battery > 0 ? m_options.faults.battery : 12.3) + m_voltageOffset
-        - 0.04 * s.current();
+    const double volts = this->volts();
     const double alarm = value(u"battery.alarm"_s);
     const double motorsOff = value(u"battery.motors_off"_s);
     if (alarm > 0 && volts < alarm)
@@ -105,6 +128,79 @@ QByteArray SbgcBoard::realtimeCustom(quint32 flags) const
         for (const double g : s.acc())
             writer.i16(toCount16(g, kAccUnit));
     }
+    return writer.bytes(laterFields(flags & laterCustomFlags(m_options.firmware))).take();
+}
+
+// Fields of later firmware. What this gimbal does not have (a fourth motor, scripts, an external IMU, limits) reads zero.
+QByteArray SbgcBoard::laterFields(quint32 flags) const
+{
+    const Stabilizer &s = m_stabilizer;
+    ByteWriter writer;
+    const auto has = [flags](int bit) { return (flags >> bit & 1) != 0; };
+    const auto fine = [&writer](auto &&degrees) {
+        for (const Axis axis : kAxes)
+            writer.i32(qint32(std::lround(degrees(axis) / 360.0 * 1048576.0)));
+    };
+    const auto estimate = [&s](Axis axis) { return s.estimate(axis); };
+    const auto target = [&s](Axis axis) { return s.target(axis); };
+    const auto joint = [&s](Axis axis) { return s.jointAngle(axis); };
+    if (has(9))
+        writer.zeros(8);
+    if (has(10))   // both references are the internal sensors; the main one is present and working
+        writer.u8(0xC9).u8(0).u8(2).zeros(23);
+    if (has(11)) {
+        for (const Axis axis : kAxes) {
+            const auto count = quint32(std::lround(s.jointAngle(axis) / 360.0 * 16777216.0)) & 0xFFFFFF;
+            writer.u16(int(count & 0xFFFF)).u8(int(count >> 16));
+        }
+    }
+    if (has(12)) {
+        for (const Axis axis : kAxes)
+            writer.f32(float(s.estimate(axis) * kVectorDegrees));
+    }
+    if (has(13))
+        writer.zeros(40);
+    if (has(14))
+        writer.zeros(20);
+    if (has(15)) {
+        for (const Axis axis : kAxes) {
+            writer.i16(int(std::lround(std::clamp(s.torque(axis), -1.0, 1.0) * 10000.0)));
+            writer.u16(int(std::lround(s.current() / 3.0 * 1000.0))).i8(35).u16(s.motorsOn() ? 4 : 0).zeros(6);
+        }
+        writer.i8(s.motorsOn() ? 1 : 0).u16(int(std::lround(volts() * 100.0))).u16(int(std::lround(s.current() * 1000.0))).u16(0);
+    }
+    if (has(16)) {
+        for (const Axis axis : kAxes)
+            writer.i16(toCount16(s.gyro(axis), kGyroUnit));   // the frame stands still but for the hand
+    }
+    if (has(17))
+        fine(estimate);
+    if (has(18))
+        fine(target);
+    if (has(19))
+        writer.u16(s.imuPresent() ? 0 : 1000).u16(int(std::min<quint64>(m_serialErrors, 65535))).u16(0).u8(0);
+    if (has(20)) {   // errata 4.4 and 4.6
+        const int calibration = m_calibration.left > 0 ? (m_calibration.command == CommandId::CalibAcc ? 4 : 5) : m_autoPid ? 8 : 0;
+        writer.u32(1U << 4).u8(calibration).zeros(8);
+    }
+    if (has(21))
+        writer.write(packQuaternion(attitude(estimate)));
+    if (has(22))
+        writer.write(packQuaternion(attitude(target)));
+    if (has(23))
+        writer.write(packQuaternion(attitude(joint)));
+    if (has(24))
+        writer.zeros(8);
+    if (has(25))
+        writer.zeros(12);
+    if (has(26))
+        writer.zeros(6);
+    if (has(27))
+        writer.zeros(24);
+    if (has(28))
+        fine(joint);
+    if (has(29))
+        writer.zeros(11);
     return writer.take();
 }
 

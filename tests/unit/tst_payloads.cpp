@@ -35,6 +35,9 @@ private slots:
     void beepExamplesOfTheDocument();
     void realtimeRamp();
     void customFieldsComeInBitOrder();
+    void laterCustomFields_data();
+    void laterCustomFields();
+    void quaternionsSurviveEightBytes();
     void shortPayloadsAreErrors();
     void errorFrames();
 };
@@ -262,6 +265,89 @@ void TestPayloads::customFieldsComeInBitOrder()
     QCOMPARE(layout[9].offset, 20);
     QCOMPARE(customSize(0x1FF), 2 + 6 * 5 + 12 + 24 + 36 + 6);
     QCOMPARE(customFlagsFor({Battery}), quint32(0));
+}
+
+void TestPayloads::laterCustomFields_data()
+{
+    QTest::addColumn<int>("bit");
+    QTest::addColumn<QByteArray>("hex");
+    QTest::addColumn<int>("channel");
+    QTest::addColumn<double>("value");
+    // Bytes after errata 3.9, 3.22 and 3.24, by hand; sizes are the column "Bytes".
+    QTest::newRow("motor 4") << 9 << QByteArray("0100feff0000c03f") << int(Motor4Error) << -2.0;
+    QTest::newRow("motor 4, output") << 9 << QByteArray("0100feff0000c03f") << int(Motor4Output) << 1.5;
+    QTest::newRow("AHRS") << 10 << QByteArray("c90003040506020a0b0c0d0e0f") + QByteArray(26, '0') << int(AhrsMainZ) << 0.3;
+    QTest::newRow("external IMU") << 10 << QByteArray("c90003040506020a0b0c0d0e0f") + QByteArray(26, '0') << int(ExtImuPackets) << double(0x0b0a);
+    QTest::newRow("encoder") << 11 << QByteArray("000000" "030201" "ffffff") << int(EncoderPitch) << double(0x010203);
+    QTest::newRow("encoder, yaw") << 11 << QByteArray("000000" "030201" "ffffff") << int(EncoderYaw) << 16777215.0;
+    QTest::newRow("angle in radians") << 12 << QByteArray("0000803f" "00000000" "000080bf") << int(ImuRadYaw) << -57.29577951;
+    QTest::newRow("script, float") << 13 << QByteArray(72, '0') + "0000803f" << int(ScriptFloat10) << 1.0;
+    QTest::newRow("script, int") << 14 << QByteArray("ffff") + QByteArray(36, '0') << int(ScriptInt1) << -1.0;
+    const QByteArray power = QByteArray(26, '0') + "f0d8d204280500" + QByteArray(12, '0') + QByteArray(26, '0') + "01ce043a020700";
+    QTest::newRow("power, motor output") << 15 << power << int(MotorPitchOutput) << -100.0;
+    QTest::newRow("power, motor current") << 15 << power << int(MotorPitchCurrent) << 1.234;
+    QTest::newRow("power, motor temperature") << 15 << power << int(MotorPitchTemperature) << 40.0;
+    QTest::newRow("power, motor flags") << 15 << power << int(MotorPitchFlags) << 5.0;
+    QTest::newRow("power, voltage") << 15 << power << int(SupplyVoltage) << 12.3;
+    QTest::newRow("power, current") << 15 << power << int(SupplyCurrent) << 0.57;
+    QTest::newRow("power, flags") << 15 << power << int(PowerFlags) << 7.0;
+    QTest::newRow("frame rate") << 16 << QByteArray("0040" "0000" "0000") << int(FrameRateRoll) << 16384 * 0.06103701895;
+    QTest::newRow("20 bits") << 17 << QByteArray("00000400" "00000000" "0100ffff") << int(Imu20Roll) << 90.0;
+    QTest::newRow("20 bits, target") << 18 << QByteArray("00000000" "0000fcff" "00000000") << int(Target20Pitch) << -90.0;
+    QTest::newRow("errors") << 19 << QByteArray("0100020003000f") << int(CommCanFlags) << 15.0;
+    QTest::newRow("state") << 20 << QByteArray("10002000" "05") + QByteArray(16, '0') << int(StateFlags) << double(0x200010);
+    QTest::newRow("calibration") << 20 << QByteArray("10002000" "05") + QByteArray(16, '0') << int(CalibrationMode) << 5.0;
+    QTest::newRow("quaternion, largest") << 21 << QByteArray("0000000000000000") << int(ImuQuatW) << 1.0;
+    QTest::newRow("quaternion, its sign") << 22 << QByteArray("0000000000000060") << int(TargetQuatY) << -1.0;
+    QTest::newRow("quaternion, another") << 23 << QByteArray("0000000000000010") << int(FrameQuatX) << 1.0;
+    QTest::newRow("analogue") << 24 << QByteArray("0000000000000110") << int(Adc4) << 4097.0;
+    QTest::newRow("limits") << 25 << QByteArray("0100020003000400050006ff") << int(LimitYawHigh) << -250.0;
+    QTest::newRow("follow") << 26 << QByteArray("0100020003ff") << int(FollowYaw) << -253.0;
+    QTest::newRow("outside limits") << 27 << QByteArray(24, '0') + "0000000000000000ffffffff" << int(ExtHighYaw) << -1.0;
+    QTest::newRow("frame-camera") << 28 << QByteArray("00000000" "00000000" "00000800") << int(FrameCam20Yaw) << 180.0;
+}
+
+void TestPayloads::laterCustomFields()
+{
+    QFETCH(int, bit);
+    QFETCH(QByteArray, hex);
+    QFETCH(int, channel);
+    QFETCH(double, value);
+    const quint32 flags = 1U << bit;
+    QCOMPARE(customFlagsFor({channel}), flags);
+    const QByteArray payload = "\x12\x34" + QByteArray::fromHex(hex);
+    QCOMPARE(payload.size(), customSize(flags));
+    for (const WireField &field : customLayout(flags)) {
+        if (field.channel == channel)
+            QVERIFY2(std::abs(double(readField(field, asBytes(payload))) - value) < 1e-5 * std::max(1.0, std::abs(value)),
+                     qPrintable(QString::number(double(readField(field, asBytes(payload))))));
+        QVERIFY(std::isnan(readField(field, asBytes(payload.left(field.offset)))));
+    }
+}
+
+void TestPayloads::quaternionsSurviveEightBytes()
+{
+    // Errata 3.24, by hand: y is the largest and negative, w = +0.5, x = -0.25, z = 0.
+    const auto w = quint64(std::lround(0.5 * 741453.786));
+    const auto x = quint64(std::lround(0.25 * 741453.786));
+    const quint64 packed = w | (x | 1ULL << 19) << 20 | 2ULL << 60 | 1ULL << 62;
+    const auto read = unpackQuaternion(packed);
+    QVERIFY(std::abs(read[0] - 0.5) < 1e-5 && std::abs(read[1] + 0.25) < 1e-5 && std::abs(read[3]) < 1e-5);
+    QVERIFY(std::abs(read[2] + std::sqrt(1 - 0.25 - 0.0625)) < 1e-5);
+    QCOMPARE(packQuaternion(read), packed);
+    for (int i = 0; i < 4; ++i) {
+        for (const double sign : {1.0, -1.0}) {
+            std::array<double, 4> wanted{0.1, -0.2, 0.3, -0.1};
+            wanted[std::size_t(i)] = 0;
+            double rest = 1;
+            for (const double part : wanted)
+                rest -= part * part;
+            wanted[std::size_t(i)] = sign * std::sqrt(rest);
+            const auto got = unpackQuaternion(packQuaternion(wanted));
+            for (std::size_t k = 0; k < 4; ++k)
+                QVERIFY(std::abs(got[k] - wanted[k]) < 1e-5);
+        }
+    }
 }
 
 void TestPayloads::shortPayloadsAreErrors()

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/device/connector.h"
+#include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/simplebgc/units.h"
 #include "tests/support/virtualboard.h"
 
@@ -101,6 +102,9 @@ private slots:
     void streamFitsASlowLine();
     void lostFramesAreCountedAsGaps();
     void streamsChosenByHandAllRun();
+    void laterFieldsAreFoundByAsking_data();
+    void laterFieldsAreFoundByAsking();
+    void eachFlagOfCustomDelivers();
     void streamsThatDoNotFitAreRefused_data();
     void streamsThatDoNotFitAreRefused();
     void wireRatesAreThoseOfTheTable_data();
@@ -708,6 +712,79 @@ void TestSbgcDevice::streamsChosenByHandAllRun()
     frames.clear();
     std::ignore = bench.channel.sleep(500ms);
     QCOMPARE(frames.value(88) + frames.value(25) + frames.value(23) + frames.value(56), 0);
+}
+
+void TestSbgcDevice::laterFieldsAreFoundByAsking_data()
+{
+    QTest::addColumn<int>("firmware");
+    QTest::addColumn<quint32>("flags");
+    QTest::newRow("2.59") << 2590 << quint32(0x1FF);
+    QTest::newRow("2.66, none of the later ones") << 2660 << quint32(0x1FF);
+    QTest::newRow("2.70, some of them") << 2700 << quint32(0x1FFFFF);
+    QTest::newRow("2.73, all that are described") << 2739 << quint32(0x1FFFFFFF);
+}
+
+void TestSbgcDevice::laterFieldsAreFoundByAsking()
+{
+    QFETCH(int, firmware);
+    QFETCH(quint32, flags);
+    SimulatorOptions o;
+    o.firmware = firmware;
+    VirtualBoard bench(o);
+    int asked = 0;
+    bench.channel.setTap([&](const FrameView &frame, TimePoint) { asked += frame.id == 88; });
+    QVERIFY(bench.identify());
+    QVERIFY2(firmware >= 2610 ? asked >= 2 && asked < 30 : asked == 0, qPrintable(QString::number(asked)));
+    QList<int> wanted;
+    for (const sbgc::WireField &field : sbgc::customLayout(flags))
+        wanted.append(field.channel);
+    QCOMPARE(bench.device.fastChannels(), wanted);
+    // What the firmware does not have is not asked for, and said.
+    const auto budget = bench.device.streamBudget({{}, 0, {{u"custom"_s, 100, {sbgc::FrameQuatX}}}}, {});
+    QCOMPARE(bool(budget), firmware >= 2730);
+    if (!budget)
+        QCOMPARE(budget.error().code, ErrorCode::InvalidArgument);
+}
+
+void TestSbgcDevice::eachFlagOfCustomDelivers()
+{
+    SimulatorOptions o;
+    o.firmware = 2739;
+    VirtualBoard bench(o);
+    QVERIFY(bench.identify());
+    for (const sbgc::CustomField &field : sbgc::customFields()) {
+        const int channel = field.fields.front().channel;
+        const QByteArray key = bench.device.channels()[std::size_t(channel)].key;
+        const auto plan = bench.device.startTelemetry(bench.channel, {{}, 0, {{u"custom"_s, 250, {channel}}}}, {});
+        QVERIFY2(plan, key);
+        TelemetryStore store(int(bench.device.channels().size()));
+        bench.channel.setTap([&](const FrameView &frame, TimePoint at) { plan->decoder->decode(frame, at, store); });
+        std::ignore = bench.channel.sleep(200ms);
+        for (const sbgc::WireField &wire : field.fields) {
+            QVERIFY2(store.tracks(wire.channel).size() == 1 && store.tracks(wire.channel)[0].end() > 40, key);
+            QVERIFY2(!std::isnan(store.latest(wire.channel)), key);
+        }
+        QCOMPARE(store.lost(), quint64(0));
+        bench.channel.setTap({});
+    }
+    // Different codings of one angle agree.
+    const QList<int> same{sbgc::ImuPitch, sbgc::ImuRadPitch, sbgc::Imu20Pitch, sbgc::ImuQuatW};
+    const auto plan = bench.device.startTelemetry(bench.channel, {same, 0, {}}, {});
+    QVERIFY(plan);
+    TelemetryStore store(int(bench.device.channels().size()));
+    bench.channel.setTap([&](const FrameView &frame, TimePoint at) { plan->decoder->decode(frame, at, store); });
+    bench.board().stabilizer().setTarget(Axis::Pitch, 20);
+    std::ignore = bench.channel.sleep(2s);
+    const auto latest = [&](int channel) { return double(store.latest(channel)); };
+    QVERIFY2(std::abs(latest(sbgc::ImuPitch)) > 1, qPrintable(QString::number(latest(sbgc::ImuPitch))));
+    QVERIFY(std::abs(latest(sbgc::ImuPitch) - latest(sbgc::ImuRadPitch)) < 0.012);
+    QVERIFY(std::abs(latest(sbgc::Imu20Pitch) - latest(sbgc::ImuRadPitch)) < 0.0004);
+    bench.channel.setTap({});
+    // More than a frame can carry is refused before anything is sent.
+    const auto most = bench.device.startTelemetry(bench.channel, {bench.device.fastChannels(), 0, {}}, {});
+    QVERIFY(!most);
+    QCOMPARE(most.error().code, ErrorCode::TooMuch);
+    QVERIFY(most.error().detail.contains(u"255"_s));
 }
 
 void TestSbgcDevice::streamsThatDoNotFitAreRefused_data()
