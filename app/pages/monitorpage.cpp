@@ -4,6 +4,7 @@
 
 #include "app/pages/streamsdialog.h"
 #include "protocol/record/telemetrycsv.h"
+#include "widgets/views/elidedlabel.h"
 
 #include <QComboBox>
 #include <QDateTime>
@@ -45,7 +46,7 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     , m_export(new QPushButton(tr("Export")))
     , m_record(new QPushButton)
     , m_recordMenu(new QMenu(m_record))
-    , m_note(new QLabel)
+    , m_note(new ElidedLabel)
 {
     for (const double seconds : kWindows)
         m_window->addItem(seconds < 120 ? tr("%1 s").arg(seconds) : tr("%1 min").arg(seconds / 60), seconds);
@@ -425,10 +426,12 @@ void MonitorPage::updateNote()
     const auto store = workspace().client().telemetry();
     const TelemetryPlan &plan = workspace().client().telemetryPlan();
     if (!store || !workspace().client().isConnected()) {
-        m_note->clear();
+        m_note->setFullText({});
         return;
     }
-    QStringList parts;
+    QStringList parts{tr("%1 lost").arg(store->lost())};   // what matters first: the end may be left out
+    if (store->silences() > 0)
+        parts.append(tr("silent for %1 s").arg(store->silentSeconds(), 0, 'f', 1));
     if (const LinkRecorder &recorder = workspace().recorder(); recorder.isRecording())
         parts.append(tr("● recording, %1").arg(QLocale::c().formattedDataSize(recorder.size())));
     if (workspace().client().address().isReplay())
@@ -439,10 +442,6 @@ void MonitorPage::updateNote()
         parts.append(tr("polled, up to %1 samples/s").arg(plan.rate, 0, 'f', 0));
     if (m_publication)
         parts.append(tr("sent on: %1").arg(m_publication->sent()));
-    parts.append(tr("%1 lost").arg(store->lost()));
-    if (store->silences() > 0)
-        parts.append(tr("silent for %1 s").arg(store->silentSeconds(), 0, 'f', 1));
-    m_note->setText(parts.join(u" · "_s));
-    m_note->setToolTip(tr("Lost: samples that were sent and never arrived. Silent: the board sent nothing at all, as while it "
-                          "calibrates."));
+    m_note->setFullText(parts.join(u" · "_s), tr("Lost: samples that were sent and never arrived. Silent: the board sent nothing at "
+                                                 "all, as while it calibrates."));
 }

@@ -9,6 +9,7 @@
 
 #include <QTimer>
 
+class ElidedLabel;
 class QComboBox;
 class QMenu;
 class QPushButton;
@@ -75,7 +76,7 @@ private:
     QPushButton *m_export;
     QPushButton *m_record;
     QMenu *m_recordMenu;
-    QLabel *m_note;
+    ElidedLabel *m_note;
     QTimer m_valueTimer;
     std::unique_ptr<UdpExport> m_publication;
     QString m_publishedTo;

@@ -88,6 +88,13 @@ StreamsDialog::StreamsDialog(Workspace &workspace, QWidget *parent)
     update();
 }
 
+// The texts were measured before the style sheet gave them their font.
+void StreamsDialog::showEvent(QShowEvent *event)
+{
+    QDialog::showEvent(event);
+    update();
+}
+
 QCheckBox *StreamsDialog::check(const QString &stream) const
 {
     const auto row = std::find_if(m_rows.begin(), m_rows.end(), [&](const Row &each) { return each.spec.key == stream; });
@@ -152,4 +159,8 @@ void StreamsDialog::update()
     m_verdict->setObjectName(fits ? u"muted"_s : u"warning"_s);
     repolish(m_verdict);
     m_apply->setEnabled(fits);
+    if (isVisible()) {   // grows with its texts, which its own least width keeps the layout from doing
+        layout()->activate();
+        resize(size().expandedTo(layout()->totalMinimumSize()));
+    }
 }

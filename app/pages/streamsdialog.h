@@ -26,6 +26,9 @@ public:
     [[nodiscard]] QLabel *verdict() const { return m_verdict; }
     [[nodiscard]] QPushButton *applyButton() const { return m_apply; }
 
+protected:
+    void showEvent(QShowEvent *event) override;
+
 private:
     struct Row
     {

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/navigation.h"
 #include "app/mainwindow/translations.h"
+#include "app/pages/monitorpage.h"
 #include "app/pages/page.h"
+#include "app/pages/streamsdialog.h"
 #include "app/wizards/calibrationpage.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/reviewdialog.h"
 
 #include <QAbstractButton>
 #include <QAccessible>
@@ -13,6 +16,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QScrollArea>
 #include <QSet>
 #include <QToolButton>
@@ -124,6 +128,18 @@ void TestLooks::nothingIsClipped()
         rig.page<CalibrationPage>()->start(kind);
         check(u"calibration wizard"_s);
     }
+    rig.page<MonitorPage>()->streamsButton()->click();
+    auto *streams = rig.window().findChild<StreamsDialog *>();
+    QVERIFY(streams);
+    check(u"streams"_s);
+    streams->byHand()->click();
+    streams->check(u"realtime4"_s)->setChecked(true);
+    check(u"streams by hand"_s);
+    streams->reject();
+    rig.window().review();
+    QTRY_VERIFY(rig.window().reviewDialog());
+    check(u"review"_s);
+    rig.window().reviewDialog()->reject();
 }
 
 void TestLooks::germanIsGerman()

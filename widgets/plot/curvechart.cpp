@@ -20,6 +20,7 @@ namespace {
 constexpr double kLeft = 76;
 constexpr double kTop = 12;
 constexpr double kLegend = 40;
+constexpr double kWordGap = 8;
 constexpr double kRight = 36;
 constexpr double kBottom = 28;
 
@@ -196,7 +197,7 @@ void CurveChart::drawForeground(QPainter *painter, const QRectF &rect)
         box.moveLeft(std::clamp(box.left(), area.left(), area.right() - box.width()));
         box.moveTop(std::max(box.top(), area.top()));
         // A word that would lie over another one is left out; the table has them all.
-        if (std::any_of(taken.begin(), taken.end(), [&](const QRectF &other) { return other.intersects(box); }))
+        if (std::any_of(taken.begin(), taken.end(), [&](const QRectF &other) { return other.adjusted(-kWordGap, 0, kWordGap, 0).intersects(box); }))
             continue;
         taken.append(box);
         painter->drawText(box, Qt::AlignCenter, label.text);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kPadding = 4;
 constexpr double kSquare = 8;
-constexpr double kFlag = 7;
+constexpr double kFlag = 9;
 constexpr double kDot = 2;
 
 ColorRole roleOf(PlotMark::Kind kind)
@@ -44,8 +44,9 @@ void PlotOverlay::mark(double x, PlotMark::Kind kind)
     for (double y = m_area.top(); y < m_area.bottom(); y += 2 * kDot)
         m_painter.fillRect(QRectF(x, y, 1, kDot), color);
     // A flag on top, so that it is told from the cursor by shape as well.
-    for (double y = 0; y < kFlag; ++y)
-        m_painter.fillRect(QRectF(x, m_area.top() + y, 1.6 * (kFlag - std::abs(2 * y + 1 - kFlag)), 1), color);
+    const double pixel = 1.0 / m_painter.device()->devicePixelRatioF();
+    for (double y = 0; y < kFlag; y += pixel)
+        m_painter.fillRect(QRectF(x, m_area.top() + y, kFlag - std::abs(2 * y + pixel - kFlag), pixel), color);
 }
 
 void PlotOverlay::reference(double x)
