@@ -176,10 +176,6 @@
         <translation>Alte Werte zurück</translation>
     </message>
     <message>
-        <source>Gains by iteration</source>
-        <translation>Verstärkungen je Durchgang</translation>
-    </message>
-    <message>
         <source>Tracking error by iteration</source>
         <translation>Regelfehler je Durchgang</translation>
     </message>
@@ -238,6 +234,10 @@
     <message>
         <source>The gains of before are in use again.</source>
         <translation>Die Werte von vorher sind wieder in Gebrauch.</translation>
+    </message>
+    <message>
+        <source>Gains by iteration (P solid, D dashed)</source>
+        <translation>Verstärkungen je Durchgang (P durchgezogen, D gestrichelt)</translation>
     </message>
 </context>
 <context>
@@ -1600,10 +1600,6 @@
         </translation>
     </message>
     <message>
-        <source>Quit and keep them for next time</source>
-        <translation>Beenden und für nächstes Mal behalten</translation>
-    </message>
-    <message>
         <source>Discard and quit</source>
         <translation>Verwerfen und beenden</translation>
     </message>
@@ -1618,6 +1614,10 @@
     <message>
         <source>GimbalDesk files (*.json *.gimbalrec)</source>
         <translation>GimbalDesk-Dateien (*.json *.gimbalrec)</translation>
+    </message>
+    <message>
+        <source>Quit and keep for next time</source>
+        <translation>Beenden und fürs nächste Mal aufheben</translation>
     </message>
 </context>
 <context>

@@ -322,7 +322,7 @@ void MainWindow::askBeforeLeaving()
                                    m_workspace->configuration().changeCount()),
                                 QMessageBox::NoButton, this);
     box->setAttribute(Qt::WA_DeleteOnClose);
-    auto *keep = box->addButton(tr("Quit and keep them for next time"), QMessageBox::AcceptRole);
+    auto *keep = box->addButton(tr("Quit and keep for next time"), QMessageBox::AcceptRole);
     auto *discard = box->addButton(tr("Discard and quit"), QMessageBox::DestructiveRole);
     auto *stay = box->addButton(tr("Stay"), QMessageBox::RejectRole);
     box->setDefaultButton(stay);

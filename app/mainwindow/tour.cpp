@@ -195,8 +195,14 @@ void Tour::addCalibrationSteps()
     using Kind = CalibrationPage::Kind;
     using Wizard = CalibrationPage::Step;
     m_steps.append({u"calibration"_s, show(u"calibration"_s), {}, 400, {}, false});
-    m_steps.append({u"calibration-waiting"_s, [page] { page()->start(Kind::Gyroscope); }, {}, 1500, {}, true});
-    m_steps.append({u"calibration-ready"_s, [this] { m_window.workspace().changeWorld(u"pose=1"_s); },
+    m_steps.append({u"calibration-waiting"_s, [this, page] {
+        m_window.workspace().changeWorld(u"shake=12"_s);
+        page()->start(Kind::Gyroscope);
+    }, [page] { return !page()->isSatisfied(); }, 1500, {}, true});
+    m_steps.append({u"calibration-ready"_s, [this] {
+        m_window.workspace().changeWorld(u"shake=1"_s);
+        m_window.workspace().changeWorld(u"pose=1"_s);
+    },
                     [page] { return page()->isSatisfied(); }, 300, {}, true});
     m_steps.append({u"calibration-measuring"_s, [page] { page()->continueButton()->click(); }, {}, 2500, {}, true});
     m_steps.append({u"calibration-result"_s, {}, [page] { return page()->step() == Wizard::Result; }, 300, {}, true});

@@ -44,6 +44,7 @@ DebugPage::DebugPage(Workspace &workspace, QWidget *parent)
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_table->setToolTip(tr("Choose several with Ctrl or Shift to see them together"));
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_table->horizontalHeader()->setDefaultSectionSize(m_table->fontMetrics().horizontalAdvance(u"-0.0000000000"_s) + Metric::kMargin);
     m_table->horizontalHeader()->setSectionResizeMode(DebugModel::NameColumn, QHeaderView::Stretch);
     m_plots->setSeconds(kSeconds);
     auto *note = new QLabel(tr("What these variables mean is known to the firmware's makers only; they help a supporter."));

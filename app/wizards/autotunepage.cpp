@@ -44,7 +44,7 @@ AutoTunePage::AutoTunePage(Workspace &workspace, QWidget *parent)
     , m_stop(new QPushButton(tr("Stop and put the old gains back")))
     , m_accept(new QPushButton(tr("Accept and save")))
     , m_revert(new QPushButton(tr("Put the old gains back")))
-    , m_gains(new IterationChart(workspace.theme(), tr("Gains by iteration")))
+    , m_gains(new IterationChart(workspace.theme(), tr("Gains by iteration (P solid, D dashed)")))
     , m_errors(new IterationChart(workspace.theme(), tr("Tracking error by iteration")))
     , m_table(new QTableWidget)
 {
@@ -58,6 +58,7 @@ AutoTunePage::AutoTunePage(Workspace &workspace, QWidget *parent)
     m_table->setAccessibleName(tr("Gains before and now"));
     m_table->setColumnCount(4);
     m_table->setHorizontalHeaderLabels({tr("Parameter"), tr("Before"), tr("Now"), tr("Change")});
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + 8);
     m_table->setShowGrid(false);

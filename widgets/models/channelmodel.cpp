@@ -18,6 +18,13 @@ constexpr quintptr kGroupRow = 0;
 
 } // namespace
 
+QString measuredText(double value, int decimals)
+{
+    const QString text = QString::number(value, 'f', decimals);
+    const bool zero = std::none_of(text.begin(), text.end(), [](QChar digit) { return digit >= u'1' && digit <= u'9'; });
+    return zero && text.startsWith(u'-') ? text.mid(1) : text;
+}
+
 const QString ChannelModel::kMimeType = u"application/x-gimbaldesk-channels"_s;
 
 ChannelModel::ChannelModel(QObject *parent)
@@ -132,7 +139,7 @@ QVariant ChannelModel::data(const QModelIndex &index, int role) const
         return tableText(spec.label);
     case ValueColumn: {
         const float value = m_store ? m_store->latest(channel) : std::numeric_limits<float>::quiet_NaN();
-        return std::isnan(value) ? u"–"_s : QString::number(double(value), 'f', spec.decimals);
+        return std::isnan(value) ? u"–"_s : measuredText(double(value), spec.decimals);
     }
     case UnitColumn:
         return QString::fromUtf8(spec.unit);

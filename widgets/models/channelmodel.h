@@ -9,6 +9,9 @@
 
 class QMimeData;
 
+/// A measured value with so many decimals; what rounds to zero has no sign.
+[[nodiscard]] QString measuredText(double value, int decimals);
+
 /// Telemetry channels in groups, each with a tick and its live value.
 class ChannelModel final : public QAbstractItemModel
 {

@@ -196,8 +196,11 @@ void CurveChart::drawForeground(QPainter *painter, const QRectF &rect)
         box.moveCenter({at.x(), at.y() - metrics.height()});
         box.moveLeft(std::clamp(box.left(), area.left(), area.right() - box.width()));
         box.moveTop(std::max(box.top(), area.top()));
-        // A word that would lie over another one is left out; the table has them all.
-        if (std::any_of(taken.begin(), taken.end(), [&](const QRectF &other) { return other.adjusted(-kWordGap, 0, kWordGap, 0).intersects(box); }))
+        // Beside a word that is there already it would lie over that one's line or peak; the table has them all.
+        const auto beside = [&](const QRectF &other) {
+            return box.left() < other.right() + kWordGap && other.left() < box.right() + kWordGap;
+        };
+        if (std::any_of(taken.begin(), taken.end(), beside))
             continue;
         taken.append(box);
         painter->drawText(box, Qt::AlignCenter, label.text);

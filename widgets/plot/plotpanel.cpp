@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plot/plotpanel.h"
 
+#include "widgets/models/channelmodel.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QHeaderView>
@@ -108,7 +109,7 @@ void PlotPanel::refreshFigures()
         const ChannelSpec &spec = m_table[std::size_t(m_channels[qsizetype(i)])];
         const auto text = [&](double value) {
             return figures.samples == 0 ? u"–"_s
-                                        : u"%1 %2"_s.arg(QString::number(value, 'f', spec.decimals + 1), QString::fromUtf8(spec.unit)).trimmed();
+                                        : u"%1 %2"_s.arg(measuredText(value, spec.decimals + 1), QString::fromUtf8(spec.unit)).trimmed();
         };
         const int row = int(i);
         m_figures->item(row, Mean)->setText(text(figures.mean));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plot/plotview.h"
 
+#include "widgets/models/channelmodel.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/plot/plotoverlay.h"
 #include "widgets/plot/spanstatistics.h"
@@ -458,10 +459,10 @@ QStringList PlotView::cursorTexts() const
             texts.append(u"%1  –"_s.arg(curveName(i)));
             continue;
         }
-        QString text = u"%1  %2 %3"_s.arg(curveName(i), QString::number(value, 'f', spec.decimals), unit);
+        QString text = u"%1  %2 %3"_s.arg(curveName(i), measuredText(value, spec.decimals), unit);
         const double before = m_reference ? valueAt(*m_store, curve.channel, curve.minus, *m_reference) : std::nan("");
         if (!std::isnan(before))
-            text += u"  (Δ %1%2)"_s.arg(value < before ? u""_s : u"+"_s, QString::number(value - before, 'f', spec.decimals));
+            text += u"  (Δ %1%2)"_s.arg(value < before ? u""_s : u"+"_s, measuredText(value - before, spec.decimals));
         texts.append(text);
     }
     return texts;

@@ -112,8 +112,8 @@ void TraceImage::rebuild()
     m_line = QImage(thickness(), m_height, QImage::Format_RGB32);
     m_lastColumn = static_cast<qint64>(std::floor(m_now / m_pitch));
     for (Trace &trace : m_traces) {
-        trace.columns.reset(m_width, m_pitch, m_lastColumn - m_width + 1,
-                            m_held ? m_lastColumn : TraceColumns::kNoLimit);
+        const int kept = m_width + thickness() - 1;   // some before the left edge reach into the picture
+        trace.columns.reset(kept, m_pitch, m_lastColumn - kept + 1, m_held ? m_lastColumn : TraceColumns::kNoLimit);
         trace.columns.update(trace.sources);
     }
     m_valid = true;
@@ -144,11 +144,14 @@ void TraceImage::drawColumns(qint64 first, qint64 last)
         };
         const QRgb color = trace.color.rgb();
         for (qint64 column = first; column <= last; ++column) {
-            const TraceColumns::Span span = trace.columns.span(column);
-            if (span.isEmpty())
-                continue;
-            const int top = int(std::floor(row(span.high)));
-            fill(slotOf(column), top, std::max(top + thickness(), int(std::ceil(row(span.low))) + 1), color);
+            // A line as wide as it is high: what stands in the columns before reaches into this one.
+            for (int back = 0; back < thickness(); ++back) {
+                const TraceColumns::Span span = trace.columns.span(column - back);
+                if (span.isEmpty())
+                    continue;
+                const int top = int(std::floor(row(span.high)));
+                fill(slotOf(column), top, std::max(top + thickness(), int(std::ceil(row(span.low))) + 1), color);
+            }
         }
     }
 }

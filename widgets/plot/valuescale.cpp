@@ -72,7 +72,9 @@ bool ValueScale::fit(double lowest, double highest)
             return false;
     }
     m_shrinkTimer.invalidate();
-    const RoundRange range = roundRange(lowest, highest, kSmallest, kAir);
+    // A value that hardly moves stands in the middle, not on the edge.
+    const double room = std::max(0.0, (kSmallest / 2 - (highest - lowest)) / 2);
+    const RoundRange range = roundRange(lowest - room, highest + room, kSmallest, kAir);
     if (range.low == m_low && range.high == m_high)
         return false;
     m_low = range.low;

@@ -128,7 +128,7 @@ QListView#navigation:focus { border: none; border-right: 2px solid @Accent; }
 QListView, QTreeView, QTableView { background: @Surface; border: 1px solid @Border; border-radius: 4px; }
 QListView::item { padding: 4px 8px; border: none; }
 QTreeView::item { min-height: 22px; }
-FilterTable::item, QTableWidget::item { padding: 0 6px; }
+QTableView::item { padding: 0 6px; border: none; }
 QListView::item:selected { background: @Accent; color: @AccentText; }
 QHeaderView::section { background: @Background; color: @Muted; border: none; border-bottom: 1px solid @Border; padding: 4px 8px; }
 QScrollArea { border: none; background: transparent; }
