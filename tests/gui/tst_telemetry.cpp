@@ -468,11 +468,12 @@ void TestTelemetry::ownMotionIsMeasured()
     QTimer hand;
     QElapsedTimer clock;
     connect(&hand, &QTimer::timeout, this, [&] {
-        const double t = double(clock.elapsed()) / 1000.0;
+        // From 1 to 7 Hz in three seconds, over and over: whatever six seconds are measured, all of it is in them.
+        const double t = std::fmod(double(clock.elapsed()) / 1000.0, 3.0);
         ControlSetpoint setpoint{};
         for (AxisSetpoint &axis : setpoint)
             axis = {mode->id, 1000, 0};
-        setpoint[2].angle = 3.0 * std::sin(2.0 * std::numbers::pi * (1.0 + 0.5 * t) * t);
+        setpoint[2].angle = 3.0 * std::sin(2.0 * std::numbers::pi * (1.0 + t) * t);
         m_rig->client().setControl(setpoint);
     });
     clock.start();
