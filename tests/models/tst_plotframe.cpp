@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/allocationcount.h"
+#include "widgets/plot/plotstack.h"
 #include "widgets/plot/plotview.h"
 
 #include <QChartView>
@@ -113,6 +114,7 @@ private slots:
     void scrolledPictureIsTheOneDrawnAtOnce();
     void tracesPassOverTheGrid();
     void themeReachesTheWholePicture();
+    void hiddenPlotsDoNothing();
 };
 
 void TestPlotFrame::allocationsAreCounted()
@@ -248,6 +250,47 @@ void TestPlotFrame::themeReachesTheWholePicture()
         for (int x = 0; x < dark.width(); ++x)
             QVERIFY(dark.pixel(x, y) != light.pixel(x, y));
     }
+}
+
+// A plot that is not to be seen, or in a minimised window, takes no notice of its data; shown again it is up to date.
+void TestPlotFrame::hiddenPlotsDoNothing()
+{
+    const Theme theme;
+    Rig rig(2);
+    const auto make = [&] {
+        auto stack = std::make_unique<PlotStack>(theme);
+        stack->setSource(kChannels, rig.store);
+        stack->setPlots({{{0, 1}, false, false}});
+        stack->resize(600, 300);
+        stack->show();
+        return stack;
+    };
+    const auto seen = make();
+    const auto hidden = make();
+    const auto minimised = make();
+    QVERIFY(QTest::qWaitForWindowExposed(seen.get()));
+    const auto end = [](const std::unique_ptr<PlotStack> &stack) { return stack->panels()[0]->view()->endTime(); };
+    // The clock of the one that is seen tells that time enough has gone by for the others.
+    const auto live = [&](double seconds) {
+        const double until = end(seen) + seconds;
+        return QTest::qWaitFor([&] {
+            rig.feed(50);
+            return end(seen) > until;
+        }, 10000);
+    };
+    QVERIFY(live(1.0));
+    QTRY_VERIFY(end(hidden) > 0 && end(minimised) > 0);
+    hidden->hide();
+    minimised->showMinimized();
+    QTRY_VERIFY(minimised->isMinimized());
+    const double before = end(hidden);
+    const double alsoBefore = end(minimised);
+    QVERIFY(live(3.0));
+    QCOMPARE(end(hidden), before);
+    QCOMPARE(end(minimised), alsoBefore);
+    hidden->show();
+    QVERIFY(live(0.5));
+    QTRY_VERIFY(end(hidden) > before + 3.0);
 }
 
 QTEST_MAIN(TestPlotFrame)
