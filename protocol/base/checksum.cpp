@@ -6,19 +6,20 @@
 
 namespace {
 
-constexpr std::uint16_t kReflectedPolynomial = 0xA001;
+constexpr std::uint16_t kArc = 0xA001;       // 0x8005 reflected
+constexpr std::uint16_t kCcitt = 0x8408;     // 0x1021 reflected
 constexpr int kSlices = 8;
 
 using SliceTables = std::array<std::array<std::uint16_t, 256>, kSlices>;
 
 // Slice-by-8: table[k][b] is the effect of byte b followed by k zero bytes.
-constexpr SliceTables makeTables()
+constexpr SliceTables makeTables(std::uint16_t polynomial)
 {
     SliceTables tables{};
     for (unsigned byte = 0; byte < 256; ++byte) {
         auto crc = static_cast<std::uint16_t>(byte);
         for (int bit = 0; bit < 8; ++bit)
-            crc = static_cast<std::uint16_t>((crc & 1) ? (crc >> 1) ^ kReflectedPolynomial : crc >> 1);
+            crc = static_cast<std::uint16_t>((crc & 1) ? (crc >> 1) ^ polynomial : crc >> 1);
         tables[0][byte] = crc;
     }
     for (unsigned byte = 0; byte < 256; ++byte) {
@@ -30,7 +31,23 @@ constexpr SliceTables makeTables()
     return tables;
 }
 
-constexpr SliceTables kTables = makeTables();
+constexpr SliceTables kArcTables = makeTables(kArc);
+constexpr SliceTables kCcittTables = makeTables(kCcitt);
+
+std::uint16_t reflectedCrc(const SliceTables &tables, Bytes bytes, std::uint16_t crc)
+{
+    const auto at = [&](std::size_t i) { return std::to_integer<unsigned>(bytes[i]); };
+    std::size_t i = 0;
+    for (; i + kSlices <= bytes.size(); i += kSlices) {
+        crc = static_cast<std::uint16_t>(
+            tables[7][at(i) ^ (crc & 0xFF)] ^ tables[6][at(i + 1) ^ (crc >> 8)] ^ tables[5][at(i + 2)]
+            ^ tables[4][at(i + 3)] ^ tables[3][at(i + 4)] ^ tables[2][at(i + 5)] ^ tables[1][at(i + 6)]
+            ^ tables[0][at(i + 7)]);
+    }
+    for (; i < bytes.size(); ++i)
+        crc = static_cast<std::uint16_t>((crc >> 8) ^ tables[0][(crc ^ at(i)) & 0xFF]);
+    return crc;
+}
 
 } // namespace
 
@@ -44,17 +61,12 @@ std::uint8_t sum8(Bytes bytes)
 
 std::uint16_t crc16Arc(Bytes bytes, std::uint16_t crc)
 {
-    const auto at = [&](std::size_t i) { return std::to_integer<unsigned>(bytes[i]); };
-    std::size_t i = 0;
-    for (; i + kSlices <= bytes.size(); i += kSlices) {
-        crc = static_cast<std::uint16_t>(
-            kTables[7][at(i) ^ (crc & 0xFF)] ^ kTables[6][at(i + 1) ^ (crc >> 8)] ^ kTables[5][at(i + 2)]
-            ^ kTables[4][at(i + 3)] ^ kTables[3][at(i + 4)] ^ kTables[2][at(i + 5)] ^ kTables[1][at(i + 6)]
-            ^ kTables[0][at(i + 7)]);
-    }
-    for (; i < bytes.size(); ++i)
-        crc = static_cast<std::uint16_t>((crc >> 8) ^ kTables[0][(crc ^ at(i)) & 0xFF]);
-    return crc;
+    return reflectedCrc(kArcTables, bytes, crc);
+}
+
+std::uint16_t crc16Mcrf4xx(Bytes bytes, std::uint16_t crc)
+{
+    return reflectedCrc(kCcittTables, bytes, crc);
 }
 
 std::uint16_t crc16Sbgc(Bytes bytes)

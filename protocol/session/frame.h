@@ -4,6 +4,7 @@
 
 #include "protocol/base/bytes.h"
 
+#include <chrono>
 #include <functional>
 
 /// One intact frame as it lies in the framer's buffer. Valid during the call that hands it out.
@@ -51,8 +52,12 @@ public:
 
     /// Takes the next bytes and calls the sink once for each intact frame in them, in order.
     virtual void feed(Bytes bytes, const FrameSink &sink) = 0;
+    /// Tells what left for the board, for wire formats whose answers are understood only by what was asked.
+    virtual void sent(Bytes) { }
     /// A gap in the stream: whatever is half received will not be completed. Frames hidden inside it are delivered.
     virtual void flush(const FrameSink &sink) = 0;
+    /// So much silence is a gap (SimpleBGC errata 1.4: 100-500 ms).
+    [[nodiscard]] virtual std::chrono::milliseconds gap() const { return std::chrono::milliseconds(150); }
     /// True while a frame is half received, so that the session knows when a gap matters.
     [[nodiscard]] virtual bool isWaiting() const = 0;
     [[nodiscard]] virtual const FramerStatistics &statistics() const = 0;

@@ -11,8 +11,6 @@ Q_LOGGING_CATEGORY(logSession, "gimbal.session", QtWarningMsg)
 
 namespace {
 
-// A half-received frame is given up after this much silence (errata 1.4: 100-500 ms).
-constexpr auto kFrameGap = 150ms;
 // Bytes kept while no frame was understood, to name the protocol that is spoken instead.
 constexpr qsizetype kKeptBytes = 512;
 constexpr auto kUrgentRepeat = 100ms;
@@ -47,6 +45,7 @@ void Session::send(QByteArrayView bytes)
     if (!m_transport)
         return;
     m_bytesOut += static_cast<quint64>(bytes.size());
+    m_framer->sent(asBytes(bytes));
     m_transport->write(bytes);
     for (FrameListener *listener : m_listeners)
         listener->bytesSent(bytes, Clock::now());
@@ -78,6 +77,7 @@ void Session::open(const LinkAddress &address, std::unique_ptr<Framer> framer)
     });
     connect(m_transport.get(), &Transport::closed, this, &Session::close);
     connect(m_transport.get(), &Transport::replayed, this, [this](QByteArrayView bytes, TimePoint at) {
+        m_framer->sent(asBytes(bytes));
         for (FrameListener *listener : m_listeners)
             listener->bytesSent(bytes, at);
     });
@@ -227,7 +227,7 @@ LinkObservation Session::observation() const
 
 void Session::onReceived(QByteArrayView bytes, TimePoint at)
 {
-    if (m_framer->isWaiting() && at - m_arrival > kFrameGap)
+    if (m_framer->isWaiting() && at - m_arrival > m_framer->gap())
         m_framer->flush(m_sink);
     m_arrival = at;
     for (FrameListener *listener : m_listeners)
@@ -256,7 +256,7 @@ void Session::onFrame(const FrameView &frame)
 void Session::onTick()
 {
     const TimePoint now = Clock::now();
-    if (m_framer && m_framer->isWaiting() && now - m_arrival > kFrameGap)
+    if (m_framer && m_framer->isWaiting() && now - m_arrival > m_framer->gap())
         m_framer->flush(m_sink);
     while (auto frame = m_control.advance(now))
         m_queue.sendUnanswered(*frame, now);
@@ -283,7 +283,7 @@ void Session::schedule()
     if (m_poll && !m_pollRunning)
         consider(std::max(m_nextPoll, now + 1ms));
     if (m_framer && m_framer->isWaiting())
-        consider(m_arrival + kFrameGap + 1ms);
+        consider(m_arrival + m_framer->gap() + 1ms);
     if (!next) {
         m_timer.stop();
         return;

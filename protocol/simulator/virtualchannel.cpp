@@ -64,6 +64,7 @@ VirtualChannel::VirtualChannel(SimulatedPort &port, std::unique_ptr<Framer> fram
     })
     , m_queue([this](QByteArrayView bytes) {
         m_bytesOut += bytes.size();
+        m_framer->sent(asBytes(bytes));
         m_port.hostWrites(asBytes(bytes));
     })
 {
@@ -87,7 +88,11 @@ void VirtualChannel::step()
     m_bytesIn += quint64(bytes.size());
     if (m_framer->statistics().frames == 0)
         m_lastBytes = (m_lastBytes + bytes).right(kKeptBytes);
+    if (!bytes.isEmpty())
+        m_lastArrival = now();
     m_framer->feed(asBytes(bytes), m_sink);
+    if (m_framer->isWaiting() && now() - m_lastArrival > m_framer->gap())
+        m_framer->flush(m_sink);
     m_queue.bytesTaken(1 << 20, now());
     m_queue.advance(now());
 }

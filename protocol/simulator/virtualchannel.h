@@ -51,4 +51,5 @@ private:
     QByteArray m_lastBytes;
     quint64 m_bytesIn = 0;
     qint64 m_bytesOut = 0;
+    TimePoint m_lastArrival{};
 };

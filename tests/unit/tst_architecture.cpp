@@ -24,6 +24,8 @@ const QMap<QString, QStringList> &allowed()
         {u"protocol/session"_s, {u"protocol/base"_s, u"protocol/transport"_s}},
         {u"protocol/device"_s, device},
         {u"protocol/simplebgc"_s, family},
+        {u"protocol/mavlink"_s, {u"protocol/base"_s}},
+        {u"protocol/storm32"_s, family + QStringList{u"protocol/mavlink"_s}},
         {u"protocol/record"_s, family},
         {u"protocol/procedure"_s, family + QStringList{u"protocol/record"_s}},
         {u"protocol/simulator"_s, family + QStringList{u"protocol/simplebgc"_s}},

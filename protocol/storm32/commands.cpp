@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/storm32/commands.h"
+
+#include "protocol/base/checksum.h"
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace storm32 {
+
+namespace {
+
+// The stream is 124 words and 128 bytes of scripts on layout 78, 125 and 128 from 89 on (errata 3.4, 5).
+constexpr std::array<int, 2> kStreamWords{124 + 64, 125 + 64};
+
+constexpr SimpleCommand kSimple[] = {
+    {Simple::Test, "t", "test", 0, {}},
+    {Simple::Version, "v", "version", 0, {27, 27}},
+    {Simple::GetParameters, "g", "get parameters", 0, kStreamWords},
+    {Simple::PutParameters, "p", "put parameters", -1, {}},
+    {Simple::LiveData, "d", "live data", 0, {32, 32}},
+    {Simple::Status, "s", "status", 0, {5, 7}},
+    {Simple::Store, "xs", "store", 0, {}},
+    {Simple::Retrieve, "xr", "retrieve", 0, {}},
+    {Simple::Defaults, "xd", "defaults", 0, {}},
+    {Simple::EraseEeprom, "xc", "erase EEPROM", 0, {}},
+    {Simple::Level, "xl", "level", 0, {}},
+    {Simple::Restart, "xx", "restart", 0, {}},
+    {Simple::HardReset, "xX", "reset", 0, {}},
+    {Simple::NormalMotors, "xW", "motors normal, restart", 0, {}},
+    {Simple::TakeDirections, "xm", "take motor directions", 0, {}},
+    {Simple::TakeStartPositions, "xz", "take start positions", 0, {}},
+    {Simple::TakeYawStartPosition, "xy", "take yaw start position", 0, {}},
+    {Simple::SetName, "xn", "set name", 16, {}},
+    {Simple::SetBaudRate, "xu", "set baud rate", 2, {}},
+    {Simple::RcTrim, "CR", "take RC trims", 0, {}},
+    {Simple::ReadCalibration, "Cr", "read calibration", 0, {18, 18}},
+    {Simple::WriteCalibration, "Cw", "write calibration", 38, {}},
+    {Simple::RawSensors, "Cd", "raw sensors", 0, {14, 14}},
+};
+static_assert(std::size(kSimple) == std::size_t(Simple::Count));
+
+constexpr RcCommand kRc[] = {
+    {Rc::GetVersion, "GETVERSION", 0},
+    {Rc::GetVersionStrings, "GETVERSIONSTR", 0},
+    {Rc::GetParameter, "GETPARAMETER", 2},
+    {Rc::SetParameter, "SETPARAMETER", 4},
+    {Rc::GetData, "GETDATA", 1},
+    {Rc::GetDataFields, "GETDATAFIELDS", 2},
+    {Rc::SetPitch, "SETPITCH", 2},
+    {Rc::SetRoll, "SETROLL", 2},
+    {Rc::SetYaw, "SETYAW", 2},
+    {Rc::SetPanMode, "SETPANMODE", 1},
+    {Rc::SetStandby, "SETSTANDBY", 1},
+    {Rc::DoCamera, "DOCAMERA", 6},
+    {Rc::SetScriptControl, "SETSCRIPTCONTROL", 2},
+    {Rc::SetAngle, "SETANGLE", 14},
+    {Rc::SetPitchRollYaw, "SETPITCHROLLYAW", 6},
+    {Rc::SetPwmOut, "SETPWMOUT", 2},
+    {Rc::RestoreParameter, "RESTOREPARAMETER", 2},
+    {Rc::RestoreAllParameters, "RESTOREALLPARAMETER", 0},
+    {Rc::ActivePanModeSetting, "ACTIVEPANMODESETTING", 1},
+};
+
+// Answers that carry data come under these numbers (errata 4); everything else is acknowledged.
+bool isAnswer(Rc asked, int number, Bytes payload)
+{
+    switch (asked) {
+    case Rc::GetVersion: return number == 1 && payload.size() == 6;
+    case Rc::GetVersionStrings: return (number == 5 || number == 2) && payload.size() == 48;   // 2 from v2.09 on
+    case Rc::GetParameter: return number == 3 && payload.size() == 4;
+    case Rc::GetData: return number == 5 && payload.size() != 48;
+    case Rc::GetDataFields: return number == 6;
+    default: return false;
+    }
+}
+
+// A STorM32 board serves one request at a time, so all of them are of one kind.
+constexpr int kOneKind = 1;
+
+} // namespace
+
+std::span<const SimpleCommand> simpleCommands()
+{
+    return kSimple;
+}
+
+const SimpleCommand &simpleCommand(Simple id)
+{
+    return kSimple[std::size_t(id)];
+}
+
+const SimpleCommand *findSimple(Bytes bytes)
+{
+    const SimpleCommand *best = nullptr;
+    for (const SimpleCommand &command : kSimple) {
+        const Bytes letters = asBytes(QByteArrayView(command.letters));
+        if (bytes.size() >= letters.size() && std::equal(letters.begin(), letters.end(), bytes.begin())
+            && (!best || letters.size() > qstrlen(best->letters)))
+            best = &command;
+    }
+    return best;
+}
+
+std::span<const RcCommand> rcCommands()
+{
+    return kRc;
+}
+
+const RcCommand *findRc(int id)
+{
+    const auto it = std::find_if(std::begin(kRc), std::end(kRc), [id](const RcCommand &command) { return int(command.id) == id; });
+    return it == std::end(kRc) ? nullptr : it;
+}
+
+QByteArray encodeSimple(Simple id, QByteArrayView arguments)
+{
+    ByteWriter writer;
+    writer.bytes(simpleCommand(id).letters);
+    if (!arguments.isEmpty())
+        writer.bytes(arguments).u16(crc16Mcrf4xx(asBytes(arguments)));
+    return writer.take();
+}
+
+QByteArray encodeRc(int id, QByteArrayView payload, bool answer)
+{
+    const QByteArray body = ByteWriter().u8(int(payload.size())).u8(id).bytes(payload).take();
+    return ByteWriter().u8(answer ? 0xFB : 0xFA).bytes(body).u16(crc16Mcrf4xx(asBytes(body))).take();
+}
+
+QByteArray encodeReply(QByteArrayView data)
+{
+    if (data.isEmpty())
+        return QByteArray("o");
+    return ByteWriter().bytes(data).u16(crc16Mcrf4xx(asBytes(data))).bytes("o").take();
+}
+
+std::optional<Error> ackError(int code, const QString &command)
+{
+    switch (code) {
+    case 0: return {};
+    case 1: return Error{ErrorCode::BoardError, u"%1: failed"_s.arg(command), code};
+    case 2: return Error{ErrorCode::BoardError, u"%1: access denied"_s.arg(command), code};
+    case 3: return Error{ErrorCode::Unsupported, u"%1: this firmware does not know it"_s.arg(command), code};
+    case 150: return Error{ErrorCode::BoardError, u"%1: the command arrived in pieces"_s.arg(command), code};
+    case 151: return Error{ErrorCode::BoardError, u"%1: the command arrived damaged"_s.arg(command), code};
+    case 152: return Error{ErrorCode::BoardError, u"%1: wrong length"_s.arg(command), code};
+    case 153: return Error{ErrorCode::OutOfRange, u"%1: value out of range"_s.arg(command), code};
+    default: return Error{ErrorCode::BoardError, u"%1: code %2"_s.arg(command).arg(code), code};
+    }
+}
+
+Request simpleRequest(Simple id, QByteArrayView arguments)
+{
+    const SimpleCommand &command = simpleCommand(id);
+    Request request;
+    request.name = QString::fromLatin1(command.letters);
+    request.bytes = encodeSimple(id, arguments);
+    request.kind = kOneKind;
+    request.replyBytes = command.replyWords[1] ? 2 * command.replyWords[1] + 3 : 1;
+    const bool data = command.replyWords[1] != 0;
+    request.answer = [id, data, name = request.name](const FrameView &frame) -> std::optional<Result<Frame>> {
+        if (frame.id == FrameId::kSimple + int(id) || (!data && frame.id == 'o'))
+            return Frame(frame);
+        if (frame.id == 'e')
+            return failure(ErrorCode::Unsupported, u"'%1': the board does not know this command"_s.arg(name), 'e');
+        if (frame.id == 't')
+            return failure(ErrorCode::BoardError, u"'%1': the command arrived in pieces"_s.arg(name), 't');
+        if (frame.id == 'c')
+            return failure(ErrorCode::BoardError, u"'%1': the command arrived damaged"_s.arg(name), 'c');
+        return {};
+    };
+    return request;
+}
+
+Request rcRequest(Rc id, const QByteArray &payload)
+{
+    Request request;
+    const RcCommand *command = findRc(int(id));
+    request.name = QString::fromLatin1(command ? command->name : "RC");
+    request.bytes = encodeRc(int(id), payload);
+    request.kind = kOneKind;
+    request.replyBytes = id == Rc::GetData || id == Rc::GetDataFields ? 71 : 53;
+    request.answer = [id, name = request.name](const FrameView &frame) -> std::optional<Result<Frame>> {
+        if (isAnswer(id, frame.id - FrameId::kRc, frame.payload))
+            return Frame(frame);
+        if (frame.id == FrameId::kRc + int(Rc::Ack) && frame.payload.size() == 1) {
+            if (const auto error = ackError(std::to_integer<int>(frame.payload[0]), name))
+                return tl::unexpected(*error);
+            return Frame(frame);
+        }
+        if (frame.id == 't')
+            return failure(ErrorCode::BoardError, u"%1: the command arrived in pieces"_s.arg(name), 't');
+        if (frame.id == 'e')
+            return failure(ErrorCode::Unsupported, u"%1: the board does not know this command"_s.arg(name), 'e');
+        return {};
+    };
+    return request;
+}
+
+} // namespace storm32

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/storm32/framer.h"
+
+#include "protocol/base/checksum.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace storm32 {
+
+namespace {
+
+using mavlink::Look;
+
+constexpr std::byte kRcQuestion{0xFA};
+constexpr std::byte kRcAnswer{0xFB};
+constexpr std::size_t kRcOverhead = 5;
+// More than any answer: what is longer is noise.
+constexpr qsizetype kMostKept = 1024;
+
+bool isLetter(std::byte byte)
+{
+    const auto c = std::to_integer<char>(byte);
+    return c == 'o' || c == 'e' || c == 't' || c == 'c';
+}
+
+} // namespace
+
+void StormFramer::sent(Bytes bytes)
+{
+    const SimpleCommand *command = findSimple(bytes);
+    m_rcAsked = !command && !bytes.empty() && bytes[0] == kRcQuestion;
+    if (!command)
+        return;
+    // One at a time: what is left of an earlier answer will not be completed.
+    skip(std::size_t(m_buffer.size()));
+    m_asked = command->replyWords[0] ? command : nullptr;
+}
+
+void StormFramer::feed(Bytes bytes, const FrameSink &sink)
+{
+    m_buffer.append(reinterpret_cast<const char *>(bytes.data()), qsizetype(bytes.size()));
+    scan(false, sink);
+    if (m_buffer.size() > kMostKept)
+        skip(std::size_t(m_buffer.size() - kMostKept));
+}
+
+void StormFramer::flush(const FrameSink &sink)
+{
+    scan(true, sink);
+    skip(std::size_t(m_buffer.size()));
+}
+
+void StormFramer::skip(std::size_t count)
+{
+    m_statistics.skippedBytes += count;
+    m_buffer.remove(0, qsizetype(count));
+}
+
+// Hands out everything complete. @param last nothing more will come
+void StormFramer::scan(bool last, const FrameSink &sink)
+{
+    while (!m_buffer.isEmpty()) {
+        const Bytes all = asBytes(m_buffer);
+        bool open = false;
+        std::size_t at = 0;
+        Sighting seen;
+        for (; at < all.size(); ++at) {
+            seen = sight(all.subspan(at));
+            // A letter may be a byte of something longer, until the silence behind it tells.
+            const bool letter = seen.look == Look::Complete && seen.size == 1;
+            const bool doubtful = letter && (m_asked || open) && !(last && all.size() == 1);
+            if (seen.look == Look::Complete && !doubtful)
+                break;
+            open |= doubtful || seen.look == Look::Incomplete;
+        }
+        if (at == all.size()) {
+            if (last || !open)
+                skip(all.size());
+            return;
+        }
+        skip(at);
+        ++m_statistics.frames;
+        if (seen.frame.id < FrameId::kMavlink)
+            m_asked = nullptr;
+        // Out of the buffer first: whoever gets the frame may send, and then the rest is gone.
+        const QByteArray kept = std::exchange(m_buffer, m_buffer.mid(qsizetype(seen.size))).left(qsizetype(seen.size));
+        const auto moved = [&](Bytes part) {
+            return part.empty() ? Bytes() : asBytes(kept).subspan(std::size_t(part.data() - seen.frame.raw.data()), part.size());
+        };
+        sink({seen.frame.id, moved(seen.frame.payload), 1, asBytes(kept)});
+    }
+}
+
+StormFramer::Sighting StormFramer::sight(Bytes bytes) const
+{
+    if (m_asked) {
+        const Sighting data = sightData(bytes);
+        if (data.look == Look::Complete)
+            return data;
+    }
+    if (isLetter(bytes[0]))
+        return {Look::Complete, 1, {FrameId::kLetter + std::to_integer<int>(bytes[0]), {}, 1, bytes.first(1)}};
+    if (bytes[0] == kRcAnswer && (m_rcAsked || !m_asked)) {   // otherwise data looks like it
+        if (bytes.size() < 2)
+            return {Look::Incomplete};
+        const std::size_t length = std::to_integer<std::size_t>(bytes[1]);
+        if (bytes.size() < length + kRcOverhead)
+            return {Look::Incomplete};
+        if (crc16Mcrf4xx(bytes.subspan(1, length + 4)) != 0)   // data and its own checksum
+            return {Look::Damaged};
+        return {Look::Complete, length + kRcOverhead,
+                {FrameId::kRc + std::to_integer<int>(bytes[2]), bytes.subspan(3, length), 1, bytes.first(length + kRcOverhead)}};
+    }
+    const mavlink::Sighting message = mavlink::sight(bytes);
+    if (message.look != Look::No) {
+        return {message.look, message.size,
+                {FrameId::kMavlink + message.packet.id, message.packet.payload, 1, bytes.first(message.size)}};
+    }
+    // Data may begin with any byte.
+    return m_asked ? sightData(bytes) : Sighting{};
+}
+
+// The data of the command that was asked, in each length that some firmware answers.
+StormFramer::Sighting StormFramer::sightData(Bytes bytes) const
+{
+    Sighting result;
+    for (const int words : m_asked->replyWords) {
+        const std::size_t data = 2 * std::size_t(words);
+        if (bytes.size() < data + 3) {
+            result.look = Look::Incomplete;
+            continue;
+        }
+        if (bytes[data + 2] == std::byte{'o'} && crc16Mcrf4xx(bytes.first(data + 2)) == 0)
+            return {Look::Complete, data + 3, {FrameId::kSimple + int(m_asked->id), bytes.first(data), 1, bytes.first(data + 3)}};
+    }
+    return result;
+}
+
+} // namespace storm32

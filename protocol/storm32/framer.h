@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/session/frame.h"
+#include "protocol/storm32/commands.h"
+
+namespace storm32 {
+
+/// Finds the answers of a STorM32 board: single letters, the data of simple commands, frames of the RC set, and MAVLink. The
+/// data of a simple command has no start of its own, so the framer listens to what is asked (errata 3.1: count bytes, then
+/// look at the closing letter and the checksum). An error letter instead of data is known by the silence behind it.
+class StormFramer final : public Framer
+{
+public:
+    void feed(Bytes bytes, const FrameSink &sink) override;
+    void sent(Bytes bytes) override;
+    void flush(const FrameSink &sink) override;
+    [[nodiscard]] std::chrono::milliseconds gap() const override { return std::chrono::milliseconds(60); }
+    [[nodiscard]] bool isWaiting() const override { return !m_buffer.isEmpty(); }
+    [[nodiscard]] const FramerStatistics &statistics() const override { return m_statistics; }
+
+private:
+    /// What stands at the beginning of these bytes.
+    struct Sighting
+    {
+        mavlink::Look look = mavlink::Look::No;
+        std::size_t size = 0;
+        FrameView frame{};
+    };
+    [[nodiscard]] Sighting sight(Bytes bytes) const;
+    [[nodiscard]] Sighting sightData(Bytes bytes) const;
+    void scan(bool last, const FrameSink &sink);
+    void skip(std::size_t count);
+
+    QByteArray m_buffer;
+    const SimpleCommand *m_asked = nullptr;   // whose data may come
+    bool m_rcAsked = false;                   // a frame of the RC set was the latest thing sent
+    FramerStatistics m_statistics;
+};
+
+} // namespace storm32
