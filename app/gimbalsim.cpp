@@ -27,15 +27,17 @@ int wrong(const QString &message, int code = kWrongArguments)
 
 QString helpText()
 {
-    return u"gimbalsim --family simplebgc (--pty PATH | --tcp PORT) [options]\n\n"
+    return u"gimbalsim --family F (--pty PATH | --tcp PORT) [options]\n\n"
            u"A simulated gimbal for other programs. Prints \"ready ADDRESS\" and runs until it is told to end.\n"
            u"Lines NAME=VALUE on standard input change the world while it runs: pose=1, shake=3, unplug=0.\n"
            u"The line \"streams\" is answered with how many stream frames were sent and how many skipped.\n\n"
+           u"  --family F        simplebgc or storm32\n"
            u"  --pty PATH        a pseudo-terminal, reachable at PATH (a symbolic link)\n"
            u"  --tcp PORT        a TCP server on 127.0.0.1, 0 = any free port\n"
            u"  --seed N          another gimbal: noise, bias, hand; same seed, same behaviour\n"
-           u"  --firmware V      2.59 (default), 2.40 ... 2.73.8\n"
-           u"  --board N         board version times ten, default 30\n"
+           u"  --firmware V      simplebgc: 2.59 (default), 2.40 ... 2.73.8; storm32: 0.79, 0.90, 0.96 (default)\n"
+           u"  --strict 1        storm32: refuse frames that the real firmware lets pass, to test a client\n"
+           u"  --board N         board version times ten, default 30 (simplebgc)\n"
            u"  --rate BAUD       behave like a UART of that rate; without it, like native USB (not throttled)\n"
            u"  --parity P        none or even. Firmware 2.40 knows only even, later ones take both.\n"
            u"                    Linux pseudo-terminals carry no parity: there it changes the timing only\n"
@@ -55,7 +57,7 @@ int main(int argc, char **argv)
     const QCommandLineOption fault(u"fault"_s, {}, u"fault"_s);
     const QCommandLineOption help(QStringList{u"h"_s, u"help"_s});
     parser.addOptions({family, pty, tcp, fault, help});
-    const QStringList setupNames{u"seed"_s, u"firmware"_s, u"board"_s, u"rate"_s, u"parity"_s};
+    const QStringList setupNames{u"seed"_s, u"firmware"_s, u"board"_s, u"rate"_s, u"parity"_s, u"strict"_s};
     for (const QString &name : setupNames)
         parser.addOption(QCommandLineOption(name, {}, u"value"_s));
     if (!parser.parse(application.arguments()))
@@ -67,7 +69,7 @@ int main(int argc, char **argv)
     if (!parser.positionalArguments().isEmpty())
         return wrong(u"'%1' is not understood (gimbalsim --help)"_s.arg(parser.positionalArguments().first()));
     if (!parser.isSet(family))
-        return wrong(u"which gimbal? --family simplebgc"_s);
+        return wrong(u"which gimbal? --family simplebgc or storm32"_s);
     if (parser.isSet(pty) == parser.isSet(tcp))
         return wrong(u"where? one of --pty PATH and --tcp PORT"_s);
 
@@ -78,7 +80,7 @@ int main(int argc, char **argv)
     }
     if (options.contains(u"parity"_s) && !options.contains(u"rate"_s))
         return wrong(u"--parity is for a UART: give --rate as well"_s);
-    const auto setup = parseSimulatorSetup(options, parser.values(fault));
+    const auto setup = parseSimulatorSetup(parser.value(family), options, parser.values(fault));
     if (!setup)
         return wrong(setup.error().detail);
     auto board = makeSimulatedBoard(parser.value(family), setup->options);

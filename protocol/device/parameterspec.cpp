@@ -150,8 +150,9 @@ ParameterSet::ParameterSet(std::span<const ParameterRow> rows, std::span<const B
                 spec.axis = row.axes > 1 ? kAxes[static_cast<std::size_t>(axis)] : row.axis;
                 spec.index = row.count > 1 ? index + 1 : 0;
                 spec.key = expandKey(row.key, spec.axis, spec.index);
-                spec.offset = row.offset + axis * row.axisStride + index * row.countStride;
-                spec.adjustable = row.adjustable < 0 ? -1 : row.adjustable + axis;
+                const int place = row.pitchFirst && axis < 2 ? 1 - axis : axis;
+                spec.offset = row.offset + place * row.axisStride + index * row.countStride;
+                spec.adjustable = row.adjustable < 0 ? -1 : row.adjustable + place * row.adjustableStride;
                 spec.defaultRaw = row.defaults[static_cast<std::size_t>(axis)];
                 m_byKey.insert(spec.key, spec.id);
                 m_specs.push_back(spec);

@@ -58,6 +58,7 @@ struct ParameterRow
     ValueKind kind = ValueKind::Number;
     std::uint8_t axes = 1;             ///< 1, 2 (roll, pitch) or 3
     std::uint8_t axisStride = 0;
+    bool pitchFirst = false;           ///< the axes lie in the order pitch, roll, yaw
     Axis axis = Axis::None;            ///< for a single value that belongs to one axis
     std::uint8_t count = 1;
     std::uint8_t countStride = 0;
@@ -77,8 +78,10 @@ struct ParameterRow
     const char *capability = "";
     int adjustable = -1;               ///< number of the live-adjustable variable (of the first axis), -1 = none
     int adjustableScale = 1;           ///< variable = raw * this
+    int adjustableStride = 1;          ///< from the variable of one axis to that of the next
     Conversion conversion = Conversion::Linear;
     bool state = false;                ///< reported by the board, not set by the operator
+    const char *name = "";             ///< what the family's own files call it; "%A" is the axis
 };
 
 /// A block of raw bytes that is read and written as a whole.

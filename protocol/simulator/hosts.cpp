@@ -220,9 +220,23 @@ void TcpHost::plugged(bool in)
         m_client->abort();
 }
 
-Result<SimulatorSetup> parseSimulatorSetup(const QMap<QString, QString> &options, const QStringList &faults)
+// Versions of the simulated STorM32 board, each with its layout (errata 5).
+Result<int> stormFirmware(const QString &text)
+{
+    for (const int known : {79, 90, 96}) {
+        if (text == u"0.%1"_s.arg(known) || text == u"v0.%1"_s.arg(known))
+            return known;
+    }
+    return failure(ErrorCode::InvalidArgument, u"firmware is 0.79, 0.90 or 0.96, not '%1'"_s.arg(text));
+}
+
+Result<SimulatorSetup> parseSimulatorSetup(const QString &family, const QMap<QString, QString> &options,
+                                           const QStringList &faults)
 {
     SimulatorSetup setup;
+    const bool storm = family == u"storm32"_s;
+    if (storm)
+        setup.options.firmware = 96;
     const auto whole = [](const QString &name, const QString &text, int min, int max) -> Result<int> {
         bool ok = false;
         const int value = text.toInt(&ok);
@@ -240,6 +254,13 @@ Result<SimulatorSetup> parseSimulatorSetup(const QMap<QString, QString> &options
             if (!seed)
                 return tl::unexpected(seed.error());
             setup.options.seed = unsigned(*seed);
+        } else if (storm && it.key() == u"firmware"_s) {
+            const auto firmware = stormFirmware(it.value());
+            if (!firmware)
+                return tl::unexpected(firmware.error());
+            setup.options.firmware = *firmware;
+        } else if (storm && it.key() == u"strict"_s) {
+            setup.options.strict = it.value() != u"0"_s;
         } else if (it.key() == u"firmware"_s) {
             bool ok = false;
             // "2.59" is 2590; "2.70b4" is 2704; "2.73.8" is 2738 (document BOARD_INFO).
@@ -251,7 +272,7 @@ Result<SimulatorSetup> parseSimulatorSetup(const QMap<QString, QString> &options
                                u"firmware needs a version like 2.59, 2.70b4 or 2.73.8, not '%1'"_s.arg(it.value()));
             }
             setup.options.firmware = number;
-        } else if (it.key() == u"board"_s) {
+        } else if (it.key() == u"board"_s && !storm) {
             const auto board = whole(it.key(), it.value(), 10, 99);
             if (!board)
                 return tl::unexpected(board.error());
@@ -261,7 +282,7 @@ Result<SimulatorSetup> parseSimulatorSetup(const QMap<QString, QString> &options
             if (!baud)
                 return tl::unexpected(baud.error());
             rate = *baud;
-        } else if (it.key() == u"parity"_s) {
+        } else if (it.key() == u"parity"_s && !storm) {
             if (it.value() != u"none"_s && it.value() != u"even"_s) {
                 return failure(ErrorCode::InvalidArgument,
                                u"parity is none or even, not '%1'"_s.arg(it.value()));
@@ -269,8 +290,9 @@ Result<SimulatorSetup> parseSimulatorSetup(const QMap<QString, QString> &options
             parity = it.value() == u"even"_s ? Parity::Even : Parity::None;
         } else if (it.key() != u"fault"_s) {
             return failure(ErrorCode::InvalidArgument,
-                           u"there is no option '%1'; there are: seed, firmware, board, rate, parity, fault"_s
-                               .arg(it.key()));
+                           u"there is no option '%1'; there are: %2"_s
+                               .arg(it.key(), storm ? u"seed, firmware, strict, rate, fault"_s
+                                                    : u"seed, firmware, board, rate, parity, fault"_s));
         }
     }
     for (const QString &fault : faults) {
@@ -441,7 +463,7 @@ SimulatedGimbals::SimulatedGimbals()
 Result<std::unique_ptr<Transport>> SimulatedGimbals::connectTo(const LinkAddress &address) const
 {
     const QStringList faults = address.option(u"fault"_s).split(u',', Qt::SkipEmptyParts);
-    const auto setup = parseSimulatorSetup(address.options(), faults);
+    const auto setup = parseSimulatorSetup(address.target(), address.options(), faults);
     if (!setup)
         return tl::unexpected(setup.error());
     const std::lock_guard lock(m_rigs->mutex);

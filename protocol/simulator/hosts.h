@@ -116,4 +116,5 @@ struct SimulatorSetup
     SimulatorOptions options;
     std::optional<LineSettings> line;
 };
-Result<SimulatorSetup> parseSimulatorSetup(const QMap<QString, QString> &options, const QStringList &faults);
+Result<SimulatorSetup> parseSimulatorSetup(const QString &family, const QMap<QString, QString> &options,
+                                           const QStringList &faults);

@@ -25,6 +25,11 @@ public:
     void cycle() override;
     QByteArray takeOutput(qsizetype most) override;
     [[nodiscard]] bool isRunning() const override { return m_bootLeft <= 0; }
+    /// From 2.41 on both parities are taken (document "Message format").
+    [[nodiscard]] std::optional<Parity> onlyParity() const override
+    {
+        return m_options.firmware < 2410 ? std::optional(Parity::Even) : std::nullopt;
+    }
     [[nodiscard]] StreamCount streamCount() const override { return m_streamCount; }
     void setFaults(const Faults &faults) override { m_options.faults = faults; }
 

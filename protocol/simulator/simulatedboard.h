@@ -5,8 +5,10 @@
 #include "protocol/base/bytes.h"
 #include "protocol/base/clock.h"
 #include "protocol/simulator/faults.h"
+#include "protocol/transport/linkaddress.h"
 
 #include <memory>
+#include <optional>
 
 /// A simulated controller without its cable: bytes in, bytes out, time in between. One per family.
 class SimulatedBoard
@@ -22,6 +24,8 @@ public:
     virtual QByteArray takeOutput(qsizetype most) = 0;
     /// False while the controller restarts and, on native USB, is gone from the bus.
     [[nodiscard]] virtual bool isRunning() const = 0;
+    /// The only parity that its UART understands; nothing: it finds out which one the host uses.
+    [[nodiscard]] virtual std::optional<Parity> onlyParity() const = 0;
     /// Frames of data streams that went out, and those that were skipped because nobody took them off.
     struct StreamCount
     {
@@ -36,8 +40,9 @@ public:
 struct SimulatorOptions
 {
     unsigned seed = 1;
-    int firmware = 2590;
+    int firmware = 2590;     ///< as the family counts it: 2590, or 79, 90 and 96 of STorM32
     int boardVersion = 30;
+    bool strict = false;     ///< refuses what the real firmware lets pass, for testing clients
     bool usb = true;         ///< native USB port: not throttled, vanishes during a restart
     Faults faults;
 };

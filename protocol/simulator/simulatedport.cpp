@@ -3,6 +3,7 @@
 #include "protocol/simulator/simulatedport.h"
 
 #include "protocol/simulator/sbgcboard.h"
+#include "protocol/simulator/stormboard.h"
 
 #include <algorithm>
 
@@ -12,7 +13,6 @@ namespace {
 
 constexpr auto kCycle = 800us;
 constexpr qsizetype kUsbChunk = 4096;       // per cycle: more than the firmware can produce
-constexpr int kParityFirmware = 2410;       // from 2.41 on both parities are taken (document "Message format")
 
 } // namespace
 
@@ -21,11 +21,11 @@ SimulatedPort::SimulatedPort(std::unique_ptr<SimulatedBoard> board, const Simula
     : m_board(std::move(board))
     , m_faults(options.faults)
     , m_line(line)
-    , m_strictParity(options.firmware < kParityFirmware)
+    , m_strictParity(m_board->onlyParity().has_value())
     , m_noise(options.seed + 77)
 {
-    if (m_line && m_strictParity)
-        m_line->parity = Parity::Even;
+    if (m_line)
+        m_line->parity = m_board->onlyParity().value_or(m_line->parity);
 }
 
 bool SimulatedPort::isPlugged() const
@@ -37,7 +37,7 @@ bool SimulatedPort::isPlugged() const
     return m_line || m_board->isRunning();
 }
 
-// Whether the two ends understand each other. From firmware 2.41 on the board takes either parity and answers alike.
+// Whether the two ends understand each other.
 bool SimulatedPort::hears() const
 {
     if (!m_line || !m_hostLine)
@@ -146,5 +146,7 @@ Result<std::unique_ptr<SimulatedBoard>> makeSimulatedBoard(const QString &family
 {
     if (family == u"simplebgc"_s)
         return std::make_unique<SbgcBoard>(options);
+    if (family == u"storm32"_s)
+        return std::make_unique<StormBoard>(options);
     return failure(ErrorCode::InvalidArgument, u"there is no simulated board of the family '%1'"_s.arg(family));
 }

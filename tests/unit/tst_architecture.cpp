@@ -28,7 +28,8 @@ const QMap<QString, QStringList> &allowed()
         {u"protocol/storm32"_s, family + QStringList{u"protocol/mavlink"_s}},
         {u"protocol/record"_s, family},
         {u"protocol/procedure"_s, family + QStringList{u"protocol/record"_s}},
-        {u"protocol/simulator"_s, family + QStringList{u"protocol/simplebgc"_s}},
+        {u"protocol/simulator"_s,
+         family + QStringList{u"protocol/simplebgc"_s, u"protocol/storm32"_s, u"protocol/mavlink"_s}},
         // Progress reports reach the screen through the channel's header; everything else stays behind the client.
         {u"widgets/models"_s, shown + QStringList{u"protocol/session/channel.h"_s}},
         {u"widgets/theme"_s, {u"protocol/base"_s}},
