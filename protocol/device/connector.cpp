@@ -43,9 +43,17 @@ QString recognizeProtocol(const QByteArray &bytes)
 {
     if (looksLikeMavlink(bytes))
         return u"MAVLink"_s;
-    // A STorM32 board answers each byte it does not know with the letter e, and half commands with t (errata 3.1).
-    const auto isAnswer = [](char c) { return c == 'e' || c == 't' || c == 'o' || c == 'c'; };
-    if (bytes.size() >= 3 && std::all_of(bytes.begin(), bytes.end(), isAnswer))
+    // A STorM32 board answers each byte it does not know with the letter e, and half commands with t (errata 3.1). Among what
+    // came at wrong rates a run of them is enough.
+    constexpr int kRun = 5;
+    const auto isAnswer = [](char letter) { return letter == 'e' || letter == 't' || letter == 'o' || letter == 'c'; };
+    int run = 0;
+    int longest = 0;
+    for (const char letter : bytes) {
+        run = isAnswer(letter) ? run + 1 : 0;
+        longest = std::max(longest, run);
+    }
+    if (longest >= kRun || (longest >= 3 && longest == bytes.size()))
         return u"STorM32"_s;
     return {};
 }

@@ -190,6 +190,8 @@ public:
 
     /// A frame in words. @param fromBoard its direction; numbers mean other things each way
     [[nodiscard]] virtual FrameText describeFrame(const FrameView &frame, bool fromBoard) const = 0;
+    /// The same for bytes that left for the board, which may be several frames in one go.
+    [[nodiscard]] virtual FrameText describeSent(QByteArrayView bytes) const;
     /// True for frames that carry live data, so that a log may leave them out.
     [[nodiscard]] virtual bool isTelemetryFrame(int id) const = 0;
     /// A name with payload bytes in hex ("EXECUTE_MENU 0B") or a complete frame in hex. Errors: InvalidArgument.

@@ -13,10 +13,12 @@ std::shared_ptr<TelemetryStore> readTelemetry(const Recording &recording, const 
     const qint64 begin = recording.begin();
     for (const RecordedPiece &piece : recording.pieces) {
         const TimePoint at = store->origin() + std::chrono::nanoseconds(piece.at - begin);
-        if (piece.kind == RecordedPiece::Kind::Sent)
+        if (piece.kind == RecordedPiece::Kind::Sent) {
+            framer->sent(asBytes(piece.bytes));
             decoder->sent(piece.bytes);
-        else if (piece.kind == RecordedPiece::Kind::Received)
+        } else if (piece.kind == RecordedPiece::Kind::Received) {
             framer->feed(asBytes(piece.bytes), [&](const FrameView &frame) { decoder->decode(frame, at, *store); });
+        }
     }
     return store;
 }

@@ -32,9 +32,10 @@ int rounded(double value)
 
 QByteArray StormBoard::versionData() const
 {
-    const QByteArray version = "v0." + QByteArray::number(m_options.firmware);
+    const bool unknown = m_options.faults.unknownFirmware;   // one whose layout nobody has a table for
+    const QByteArray version = unknown ? "v2.20" : "v0." + QByteArray::number(m_options.firmware);
     return ByteWriter().bytes(padded(version)).bytes(m_name).bytes(padded("v1.30 F103RC"))
-        .u16(m_options.firmware).u16(m_layout).u16(kCapabilities).take();
+        .u16(unknown ? 220 : m_options.firmware).u16(unknown ? 219 : m_layout).u16(kCapabilities).take();
 }
 
 int StormBoard::status() const

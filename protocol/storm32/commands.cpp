@@ -12,16 +12,16 @@ namespace storm32 {
 
 namespace {
 
-// The stream is 124 words and 128 bytes of scripts on layout 78, 125 and 128 from 89 on (errata 3.4, 5).
-constexpr std::array<int, 2> kStreamWords{124 + 64, 125 + 64};
+// The stream is 124 words and 128 bytes of scripts on layout 78, 125 words from 89 and 155 from 223 on (errata 3.4, 5).
+constexpr std::array<int, 3> kStreamWords{124 + 64, 125 + 64, 155 + 64};
 
 constexpr SimpleCommand kSimple[] = {
     {Simple::Test, "t", "test", 0, {}},
-    {Simple::Version, "v", "version", 0, {27, 27}},
+    {Simple::Version, "v", "version", 0, {27, 27, 27}},
     {Simple::GetParameters, "g", "get parameters", 0, kStreamWords},
     {Simple::PutParameters, "p", "put parameters", -1, {}},
-    {Simple::LiveData, "d", "live data", 0, {32, 32}},
-    {Simple::Status, "s", "status", 0, {5, 7}},
+    {Simple::LiveData, "d", "live data", 0, {32, 32, 32}},
+    {Simple::Status, "s", "status", 0, {5, 7, 7}},
     {Simple::Store, "xs", "store", 0, {}},
     {Simple::Retrieve, "xr", "retrieve", 0, {}},
     {Simple::Defaults, "xd", "defaults", 0, {}},
@@ -36,9 +36,9 @@ constexpr SimpleCommand kSimple[] = {
     {Simple::SetName, "xn", "set name", 16, {}},
     {Simple::SetBaudRate, "xu", "set baud rate", 2, {}},
     {Simple::RcTrim, "CR", "take RC trims", 0, {}},
-    {Simple::ReadCalibration, "Cr", "read calibration", 0, {18, 18}},
+    {Simple::ReadCalibration, "Cr", "read calibration", 0, {18, 18, 18}},
     {Simple::WriteCalibration, "Cw", "write calibration", 38, {}},
-    {Simple::RawSensors, "Cd", "raw sensors", 0, {14, 14}},
+    {Simple::RawSensors, "Cd", "raw sensors", 0, {14, 14, 14}},
 };
 static_assert(std::size(kSimple) == std::size_t(Simple::Count));
 
@@ -159,7 +159,7 @@ Request simpleRequest(Simple id, QByteArrayView arguments)
     request.name = QString::fromLatin1(command.letters);
     request.bytes = encodeSimple(id, arguments);
     request.kind = kOneKind;
-    request.replyBytes = command.replyWords[1] ? 2 * command.replyWords[1] + 3 : 1;
+    request.replyBytes = command.replyWords[1] ? 2 * command.replyWords[1] + 3 : 1;   // of the firmware that is met most
     const bool data = command.replyWords[1] != 0;
     request.answer = [id, data, name = request.name](const FrameView &frame) -> std::optional<Result<Frame>> {
         if (frame.id == FrameId::kSimple + int(id) || (!data && frame.id == 'o'))

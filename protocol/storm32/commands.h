@@ -40,7 +40,7 @@ struct SimpleCommand
     const char *letters = "";
     const char *name = "";
     int argumentBytes = 0;             ///< that follow the letters, without their checksum; -1: the parameter stream
-    std::array<int, 2> replyWords{};   ///< words of the answer, as firmware differs; 0: the letter alone
+    std::array<int, 3> replyWords{};   ///< words of the answer, as firmware differs; 0: the letter alone
 };
 
 [[nodiscard]] std::span<const SimpleCommand> simpleCommands();

@@ -511,6 +511,17 @@ static_assert(rangesFit(kRows));
 constexpr BlockSpec kBlocks78[] = {{Parameters, "PARAMETERS", 2 * 124}, {Scripts, "SCRIPTS", kScriptArea}};
 constexpr BlockSpec kBlocks95[] = {{Parameters, "PARAMETERS", 2 * 125}, {Scripts, "SCRIPTS", kScriptArea}};
 
+constexpr BlockSpec kBlocksLater[] = {{Parameters, "PARAMETERS", 2 * 155}, {Scripts, "SCRIPTS", kScriptArea}};
+
+constexpr ParameterRow rawWords(std::uint8_t count)
+{
+    return {.key = "word.%n", .label = "Word", .group = "Raw words", .help = "A value of a layout that this program has no table for.",
+            .block = Parameters, .offset = 0, .wire = WireType::U16, .count = count, .countStride = 2, .max = 65535, .name = "Word %n"};
+}
+constexpr ParameterRow kRawRows[] = {rawWords(124)};
+constexpr ParameterRow kRawRows89[] = {rawWords(125)};
+constexpr ParameterRow kRawRowsLater[] = {rawWords(155)};
+
 constexpr Orientation kOrientationTable[] = {
     {"z0°", 0, {{{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}}},
     {"z90°", 1, {{{{0, -1, 0}}, {{1, 0, 0}}, {{0, 0, 1}}}}},
@@ -547,12 +558,35 @@ bool isKnownLayout(int layout)
 
 int wordsOf(int layout)
 {
-    return !isKnownLayout(layout) ? 0 : layout == 78 ? 124 : 125;
+    return layout >= 223 ? 155 : layout >= 85 ? 125 : 124;   // errata 5
 }
 
 std::span<const BlockSpec> blocksOf(int layout)
 {
-    return layout == 78 ? std::span<const BlockSpec>(kBlocks78) : std::span<const BlockSpec>(kBlocks95);
+    switch (wordsOf(layout)) {
+    case 124: return kBlocks78;
+    case 125: return kBlocks95;
+    default: return kBlocksLater;
+    }
+}
+
+std::vector<std::pair<int, QByteArray>> splitStream(const QByteArray &stream, int words)
+{
+    std::vector<std::pair<int, QByteArray>> blocks;
+    if (stream.size() == 2 * words || stream.size() == 2 * words + kScriptArea)
+        blocks.emplace_back(Parameters, stream.left(2 * words));
+    if (stream.size() == 2 * words + kScriptArea)
+        blocks.emplace_back(Scripts, stream.mid(2 * words));
+    return blocks;
+}
+
+std::span<const ParameterRow> rawRows(int layout)
+{
+    switch (wordsOf(layout)) {
+    case 124: return kRawRows;
+    case 125: return kRawRows89;
+    default: return kRawRowsLater;
+    }
 }
 
 std::span<const ParameterRow> parameterRows()

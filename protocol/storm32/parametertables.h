@@ -12,10 +12,14 @@ enum Block : std::uint8_t { Parameters, Scripts, BlockCount };
 
 /// Layouts that there are tables for (errata 5). In a ParameterSet the layout stands where other families have the firmware.
 [[nodiscard]] bool isKnownLayout(int layout);
-/// Parameter words of a layout, the dummy in front of the scripts included; 0 for one that is not known.
+/// Parameter words of a layout, the dummy in front of the scripts included; for one without a table what its kin has.
 [[nodiscard]] int wordsOf(int layout);
 [[nodiscard]] std::span<const BlockSpec> blocksOf(int layout);
+/// What `g` delivers, by blocks; only the words when there is no more, nothing when it has another length.
+[[nodiscard]] std::vector<std::pair<int, QByteArray>> splitStream(const QByteArray &stream, int words);
 
+/// The words of a layout without a table, as numbers.
+[[nodiscard]] std::span<const ParameterRow> rawRows(int layout);
 /// Every parameter of layouts 78, 89 and 95 (errata 5 and 11). `name` is what settings files, scripts and the original tool
 /// call it; the number of the word is offset / 2.
 [[nodiscard]] std::span<const ParameterRow> parameterRows();

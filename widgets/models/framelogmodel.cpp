@@ -60,18 +60,7 @@ const FrameText &FrameLogModel::textOf(const Row &row) const
         row.text = device->describeFrame({row.frame.id, asBytes(row.frame.bytes), row.frame.version}, true);
         return *row.text;
     }
-    // What was sent may be several frames in one go.
-    QStringList names;
-    QStringList fields;
-    const FrameSink sink = [&](const FrameView &frame) {
-        const FrameText one = device->describeFrame(frame, false);
-        names.append(one.name);
-        fields.append(one.fields);
-    };
-    const auto framer = device->makeFramer();
-    framer->feed(asBytes(row.frame.bytes), sink);
-    framer->flush(sink);
-    row.text = FrameText{names.join(u" + "_s), fields.join(u" + "_s)};
+    row.text = device->describeSent(row.frame.bytes);
     return *row.text;
 }
 

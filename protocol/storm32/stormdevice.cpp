@@ -1,0 +1,476 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/storm32/stormdevice.h"
+
+#include "protocol/base/checksum.h"
+#include "protocol/storm32/framer.h"
+#include "protocol/storm32/parametertables.h"
+#include "protocol/storm32/telemetrytables.h"
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+using namespace storm32;
+
+namespace {
+
+constexpr auto kAnswer = 300ms;          // errata 7: the original tool waits 160 ms for the first byte, more on Bluetooth
+constexpr auto kStoring = 2s;            // up to about 1 s on hardware
+constexpr auto kPollInterval = 5ms;      // as often as the line allows, one after the other
+constexpr int kRetries = 2;
+// Who we are on MAVLink: the address of the errata's examples.
+constexpr mavlink::Address kOwn{82, 67};
+constexpr double kMostAngle = 720.0;
+
+constexpr ControlMode kControlModes[] = {
+    {1, "angle", "Angle, within the limits of the sticks", false, true, 0, -180, 180},
+    {2, "angle-unlimited", "Angle, without limits", false, true, 0, -kMostAngle, kMostAngle},
+};
+
+bool isStoring(Simple id)
+{
+    return id == Simple::Store || id == Simple::EraseEeprom || id == Simple::SetName || id == Simple::SetBaudRate
+        || id == Simple::WriteCalibration || id == Simple::NormalMotors;
+}
+
+// Reading twice does no harm; these are asked again when an answer is lost.
+bool isRepeatable(Simple id)
+{
+    switch (id) {
+    case Simple::Test:
+    case Simple::Version:
+    case Simple::GetParameters:
+    case Simple::PutParameters:
+    case Simple::LiveData:
+    case Simple::Status:
+    case Simple::ReadCalibration:
+    case Simple::RawSensors:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool isRepeatable(Rc id)
+{
+    return id != Rc::DoCamera && id != Rc::SetScriptControl;
+}
+
+QString textOf(QByteArrayView bytes)
+{
+    const QByteArray all = bytes.toByteArray();
+    return QString::fromLatin1(all.constData(), qstrnlen(all.constData(), size_t(all.size()))).trimmed();
+}
+
+// 79 is "0.79", 200 is "2.00".
+QString firmwareText(int number)
+{
+    return u"%1.%2"_s.arg(number / 100).arg(number % 100, 2, 10, QChar(u'0'));
+}
+
+std::shared_ptr<const ParameterSet> parametersOf(const BoardIdentity &identity)
+{
+    const int layout = identity.firmwareNumber;
+    if (!isKnownLayout(layout))
+        return std::make_shared<ParameterSet>(rawRows(layout), blocksOf(layout), layout, identity.capabilities);
+    return std::make_shared<ParameterSet>(parameterRows(), blocksOf(layout), layout, identity.capabilities);
+}
+
+} // namespace
+
+StormDevice::StormDevice() = default;
+StormDevice::~StormDevice() = default;
+
+Family stormFamily()
+{
+    return {u"storm32"_s, u"STorM32"_s, [] { return std::make_unique<StormDevice>(); }, parametersOf};
+}
+
+std::unique_ptr<Framer> StormDevice::makeFramer() const
+{
+    return std::make_unique<StormFramer>();
+}
+
+QList<LineSettings> StormDevice::lineCandidates() const
+{
+    // Errata 1: no parity, no detection by the board; the default first.
+    QList<LineSettings> candidates;
+    for (const int baud : {115200, 57600, 38400, 19200, 9600})
+        candidates.append({baud, Parity::None});
+    return candidates;
+}
+
+// The same request through MAVLink: simple commands as they are, RC commands without length and checksum (errata 6).
+Request StormDevice::embed(Request plain, QByteArrayView content, std::optional<Simple> id) const
+{
+    const mavlink::Message *message = mavlink::findMessage(mavlink::number(mavlink::MessageId::TargetSpecific));
+    const auto payload = mavlink::encodeFields(*message, {{u"target_system"_s, m_board.system}, {u"target_component"_s, m_board.component},
+                                                          {u"specific_payload"_s, content.toByteArray()}});
+    Request request = plain;
+    request.bytes = mavlink::encode(mavlink::MessageId::TargetSpecific, payload.value_or(QByteArray()), kOwn, 0);
+    request.replyBytes += int(mavlink::kOverhead) + 2;
+    request.answer = [answer = plain.answer, id](const FrameView &frame) -> std::optional<Result<Frame>> {
+        if (frame.id != FrameId::kMavlink + mavlink::number(mavlink::MessageId::TargetSpecificAck) || frame.payload.size() < 3)
+            return {};
+        const Bytes inner = frame.payload.subspan(2);
+        if (inner[0] == std::byte{0xFB} && inner.size() >= 2)
+            return answer({FrameId::kRc + std::to_integer<int>(inner[1]), inner.subspan(2)});
+        if (inner.size() == 1)
+            return answer({FrameId::kLetter + std::to_integer<int>(inner[0]), {}});
+        if (!id || inner.size() < 4 || inner.back() != std::byte{'o'} || crc16Mcrf4xx(inner.first(inner.size() - 1)) != 0)
+            return {};
+        return answer({FrameId::kSimple + int(*id), inner.first(inner.size() - 3)});
+    };
+    return request;
+}
+
+Request StormDevice::simple(Simple id, QByteArrayView arguments) const
+{
+    Request request = simpleRequest(id, arguments);
+    request.timeout = isStoring(id) ? milliseconds(kStoring) : milliseconds(kAnswer);
+    request.idempotent = isRepeatable(id);
+    request.retries = kRetries;
+    return m_embedded ? embed(request, request.bytes, id) : request;
+}
+
+Request StormDevice::rc(Rc id, const QByteArray &payload) const
+{
+    Request request = rcRequest(id, payload);
+    request.timeout = kAnswer;
+    request.idempotent = isRepeatable(id);
+    request.retries = kRetries;
+    return m_embedded ? embed(request, ByteWriter().u8(0xFA).u8(int(id)).bytes(payload).take(), {}) : request;
+}
+
+// First plainly, then by the way that a heartbeat leaves open. Neither harms a board of another family: SimpleBGC passes over
+// bytes that begin no frame of its own.
+Result<bool> StormDevice::probe(Channel &channel)
+{
+    const auto beats = channel.listen([](const FrameView &frame) { return frame.id == FrameId::kMavlink; });
+    for (const bool embedded : {false, true}) {
+        m_embedded = embedded;
+        if (embedded) {
+            // A board that has other numbers than the usual ones says so in its heartbeat.
+            if (const auto beat = beats->next(1ms); !beat && beat.error().code != ErrorCode::Timeout)
+                return tl::unexpected(beat.error());
+        }
+        Request request = simple(Simple::Test);
+        request.retries = embedded ? 0 : 1;
+        const auto reply = channel.transact(request);
+        if (reply)
+            return true;
+        if (reply.error().code != ErrorCode::Timeout && reply.error().code != ErrorCode::BoardError
+            && reply.error().code != ErrorCode::Unsupported)
+            return tl::unexpected(reply.error());
+    }
+    m_embedded = false;
+    return false;
+}
+
+Result<BoardIdentity> StormDevice::identify(Channel &channel)
+{
+    auto reply = channel.transact(simple(Simple::Version));
+    if (!reply && reply.error().code == ErrorCode::Timeout && !m_embedded) {
+        m_embedded = true;   // on a link without a rate nobody has probed yet
+        reply = channel.transact(simple(Simple::Version));
+    }
+    if (!reply)
+        return tl::unexpected(reply.error());
+    if (reply->payload.size() != 54)
+        return failure(ErrorCode::BadReply, u"v: %1 bytes"_s.arg(reply->payload.size()));
+    ByteReader numbers(QByteArrayView(reply->payload).sliced(48));
+    m_firmware = numbers.u16();
+    const int layout = numbers.u16();
+    const int capabilities = numbers.u16();
+
+    BoardIdentity identity;
+    identity.family = u"storm32"_s;
+    const QString name = textOf(QByteArrayView(reply->payload).sliced(16, 16));
+    const QString type = textOf(QByteArrayView(reply->payload).sliced(32, 16));
+    identity.model = u"STorM32 %1"_s.arg(type);
+    identity.firmware = firmwareText(m_firmware);
+    identity.firmwareNumber = layout;     // tables follow the layout
+    // The board has no number of its own: its name and type have to do.
+    identity.serial = u"storm32-"_s + QString::fromLatin1((name + u' ' + type).toLatin1().toHex());
+    identity.profileCount = 1;
+    identity.writable = isKnownLayout(layout);
+    identity.extra.insert(u"name"_s, name);
+    identity.extra.insert(u"layout"_s, layout);
+    identity.extra.insert(u"firmware"_s, m_firmware);
+    identity.extra.insert(u"embedded"_s, m_embedded);
+    static constexpr std::array<std::pair<int, const char *>, 8> kCapabilities{{
+        {0x0100, "battery"}, {0x0200, "on-board-imu"}, {0x0400, "i2c2"}, {0x0800, "rc2"}, {0x1000, "spektrum"}, {0x2000, "sbus"},
+        {0x4000, "ir-camera"}, {0x8000, "aux"},
+    }};
+    for (const auto &[bit, key] : kCapabilities) {
+        if (capabilities & bit)
+            identity.capabilities.insert(QString::fromLatin1(key));
+    }
+    m_identity = identity;
+    m_words = wordsOf(layout);
+    m_parameters = parametersOf(identity);
+    m_adjustables.clear();
+    m_adjustableKeys.clear();
+    m_adjustableKeys.reserve(m_parameters->all().size());
+    for (const ParameterSpec &spec : m_parameters->all()) {
+        if (spec.adjustable < 0)
+            continue;
+        m_adjustableKeys.push_back(spec.key.toLatin1());
+        m_adjustables.push_back({spec.adjustable, m_adjustableKeys.back().constData(), spec.row->label, spec.row->group, spec.axis,
+                                 spec.row->min, spec.row->max, 0});
+    }
+    return identity;
+}
+
+Result<int> StormDevice::readWord(Channel &channel, int word)
+{
+    const auto reply = channel.transact(rc(Rc::GetParameter, ByteWriter().u16(word).take()));
+    if (!reply)
+        return tl::unexpected(reply.error());
+    ByteReader reader(reply->payload);
+    if (reader.u16() != word)
+        return failure(ErrorCode::BadReply, u"another parameter than %1"_s.arg(word));
+    return int(reader.u16());
+}
+
+Result<void> StormDevice::writeWord(Channel &channel, int word, int raw)
+{
+    const auto reply = channel.transact(rc(Rc::SetParameter, ByteWriter().u16(word).u16(raw & 0xFFFF).take()));
+    if (!reply)
+        return tl::unexpected(reply.error());
+    return {};
+}
+
+// Words and, where they can be had, scripts. Embedded, `g` does not fit into a frame: the words are read one by one.
+Result<QByteArray> StormDevice::readStream(Channel &channel)
+{
+    if (!m_embedded) {
+        const auto reply = channel.transact(simple(Simple::GetParameters));
+        if (!reply)
+            return tl::unexpected(reply.error());
+        return reply->payload;
+    }
+    QByteArray words;
+    Progress progress;
+    progress.step = u"read-block"_s;
+    progress.subject = u"PARAMETERS"_s;
+    progress.total = m_words;
+    for (int word = 0; word < m_words; ++word) {
+        const auto raw = readWord(channel, word);
+        if (!raw)
+            return tl::unexpected(raw.error());
+        words += ByteWriter().u16(*raw).take();
+        progress.done = word + 1;
+        channel.progress(progress);
+    }
+    return words;
+}
+
+Result<Configuration> StormDevice::readConfiguration(Channel &channel)
+{
+    Progress progress;
+    progress.step = u"read-block"_s;
+    progress.subject = u"PARAMETERS"_s;
+    progress.total = 1;
+    channel.progress(progress);
+    const auto stream = readStream(channel);
+    if (!stream)
+        return tl::unexpected(stream.error());
+    Configuration configuration(m_identity, m_parameters);
+    for (const auto &[block, bytes] : splitStream(*stream, m_words))
+        configuration.setBlock({0, block}, bytes);
+    if (configuration.blocks().empty())
+        return failure(ErrorCode::BadReply, u"g: %1 bytes"_s.arg(stream->size()));
+    return configuration;
+}
+
+Result<QByteArray> StormDevice::readBlock(Channel &channel, BlockKey key)
+{
+    const auto stream = readStream(channel);
+    if (!stream)
+        return tl::unexpected(stream.error());
+    for (const auto &[block, bytes] : splitStream(*stream, m_words)) {
+        if (block == key.block)
+            return bytes;
+    }
+    return failure(ErrorCode::Unsupported, u"scripts cannot be read while the heartbeat is on"_s);
+}
+
+Result<void> StormDevice::writeBlock(Channel &channel, BlockKey key, const QByteArray &bytes)
+{
+    // What is not ours is sent back as it was: read, overlay, write (errata 3.4).
+    auto stream = readStream(channel);
+    if (!stream)
+        return tl::unexpected(stream.error());
+    const qsizetype at = key.block == Parameters ? 0 : 2 * m_words;
+    if (at + bytes.size() > stream->size())
+        return failure(ErrorCode::Unsupported, u"scripts cannot be written while the heartbeat is on"_s);
+    if (m_embedded) {
+        for (int word = 0; word < m_words; ++word) {
+            if (stream->mid(2 * word, 2) == bytes.mid(2 * word, 2))
+                continue;
+            const auto done = writeWord(channel, word, ByteReader(bytes.mid(2 * word, 2)).u16());
+            if (!done)
+                return done;
+        }
+        return {};
+    }
+    stream->replace(at, bytes.size(), bytes);
+    const auto reply = channel.transact(simple(Simple::PutParameters, *stream));
+    if (!reply)
+        return tl::unexpected(reply.error());
+    return {};
+}
+
+Result<void> StormDevice::beginWrite(Channel &)
+{
+    return {};
+}
+
+Result<void> StormDevice::endWrite(Channel &channel)
+{
+    const auto reply = channel.transact(simple(Simple::Store));
+    if (!reply)
+        return tl::unexpected(reply.error());
+    return {};
+}
+
+Result<void> StormDevice::selectProfile(Channel &, int profile)
+{
+    return profile == 0 ? Result<void>() : failure(ErrorCode::Unsupported, u"this board has one profile"_s);
+}
+
+Result<int> StormDevice::activeProfile(Channel &)
+{
+    return 0;
+}
+
+Result<QStringList> StormDevice::readProfileNames(Channel &)
+{
+    return QStringList();
+}
+
+Result<void> StormDevice::writeProfileNames(Channel &, const QStringList &)
+{
+    return failure(ErrorCode::Unsupported, u"this board has one profile, without a name"_s);
+}
+
+Result<std::vector<AdjustableValue>> StormDevice::readAdjustables(Channel &channel, const QList<int> &ids)
+{
+    std::vector<AdjustableValue> values;
+    for (const int id : ids) {
+        const auto raw = readWord(channel, id);
+        if (!raw)
+            return tl::unexpected(raw.error());
+        values.push_back({id, double(*raw)});
+    }
+    return values;
+}
+
+Result<void> StormDevice::writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values)
+{
+    for (const AdjustableValue &value : values) {
+        const auto known = std::find_if(m_adjustables.begin(), m_adjustables.end(),
+                                        [&value](const AdjustableSpec &spec) { return spec.id == value.id; });
+        if (known == m_adjustables.end())
+            return failure(ErrorCode::InvalidArgument, u"no live value %1"_s.arg(value.id));
+        // The firmware checks nothing, so it is done here.
+        if (value.value < known->min || value.value > known->max)
+            return failure(ErrorCode::OutOfRange, u"%1 is outside %2 to %3"_s.arg(value.value).arg(known->min).arg(known->max));
+        const auto done = writeWord(channel, value.id, int(value.value));
+        if (!done)
+            return done;
+    }
+    return {};
+}
+
+Result<std::vector<DebugVariable>> StormDevice::debugVariables(Channel &)
+{
+    return std::vector<DebugVariable>();
+}
+
+Result<std::vector<std::vector<double>>> StormDevice::readDebugVariables(Channel &)
+{
+    return std::vector<std::vector<double>>();
+}
+
+ChannelTable StormDevice::channels() const
+{
+    return channelTable();
+}
+
+ChannelRoles StormDevice::roles() const
+{
+    return channelRoles();
+}
+
+Result<StreamBudget> StormDevice::streamBudget(const TelemetryWish &wish, std::optional<LineSettings>) const
+{
+    if (!wish.streams.isEmpty())
+        return failure(ErrorCode::InvalidArgument, u"this board has no streams; it is asked for each sample"_s);
+    return StreamBudget();
+}
+
+Result<TelemetryPlan> StormDevice::startTelemetry(Channel &, const TelemetryWish &wish, std::optional<LineSettings> line)
+{
+    if (const auto budget = streamBudget(wish, line); !budget)
+        return tl::unexpected(budget.error());
+    TelemetryPlan plan;
+    plan.poll = simple(Simple::LiveData);
+    plan.poll->retries = 0;
+    plan.pollInterval = kPollInterval;
+    // Each sample takes its question, the board's time to answer and its 67 bytes.
+    const double wire = line ? line->secondsFor(plan.poll->replyBytes + qsizetype(plan.poll->bytes.size())) : 0.0;
+    plan.rate = 1.0 / (std::max(0.01, wire) + 0.003);
+    plan.decoder = std::make_shared<StormDecoder>(m_firmware);
+    return plan;
+}
+
+std::shared_ptr<TelemetryDecoder> StormDevice::replayDecoder() const
+{
+    return std::make_shared<StormDecoder>(m_firmware);
+}
+
+std::vector<BoardFault> StormDevice::faults(unsigned bits, unsigned detail) const
+{
+    return faultsOf(bits, detail);
+}
+
+Request StormDevice::motorsOffRequest() const
+{
+    return rc(Rc::SetStandby, QByteArray(1, '\1'));
+}
+
+Request StormDevice::motorsOnRequest() const
+{
+    return rc(Rc::SetStandby, QByteArray(1, '\0'));
+}
+
+std::span<const ControlMode> StormDevice::controlModes() const
+{
+    return kControlModes;
+}
+
+// Angles of all axes go together. Ours are as the board shows them: down, right and left are positive.
+ControlFrames StormDevice::controlFrames(const ControlSetpoint &setpoint) const
+{
+    const auto frame = [this](const std::array<double, 3> &angles, int flags) {
+        ByteWriter writer;
+        for (const double angle : angles)
+            writer.f32(float(std::clamp(angle, -kMostAngle, kMostAngle)));
+        return rc(Rc::SetAngle, writer.u8(flags).u8(0).take()).bytes;
+    };
+    constexpr std::array<std::size_t, 3> kPlace{1, 0, 2};   // pitch, roll, yaw
+    std::array<double, 3> angles{};
+    int flags = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const AxisSetpoint &axis = setpoint[kPlace[i]];
+        angles[i] = axis.mode ? axis.angle : 0.0;
+        flags |= axis.mode == 1 ? 1 << int(i) : 0;
+    }
+    ControlFrames frames;
+    frames.setpoint = frame(angles, flags);
+    frames.stop = frames.setpoint;         // an angle is held by itself
+    frames.release = frames.setpoint;      // bringing it back would be a movement that nobody asked for
+    return frames;
+}

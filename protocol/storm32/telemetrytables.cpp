@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/storm32/telemetrytables.h"
+
+#include "protocol/storm32/commands.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+using namespace Qt::StringLiterals;
+
+namespace storm32 {
+
+namespace {
+
+constexpr ChannelSpec kChannels[] = {
+    {"imu.angle.roll", "Camera angle, roll", "Angles", "°", 2, Axis::Roll, -180, 180},
+    {"imu.angle.pitch", "Camera angle, pitch", "Angles", "°", 2, Axis::Pitch, -180, 180},
+    {"imu.angle.yaw", "Camera angle, yaw", "Angles", "°", 2, Axis::Yaw, -180, 180},
+    {"frame.angle.roll", "Frame angle, roll", "Angles", "°", 2, Axis::Roll, -180, 180},
+    {"frame.angle.pitch", "Frame angle, pitch", "Angles", "°", 2, Axis::Pitch, -180, 180},
+    {"frame.angle.yaw", "Frame angle, yaw", "Angles", "°", 2, Axis::Yaw, -180, 180},
+    {"gyro.x", "Gyro, about forward (roll)", "Inertial sensors", "°/s", 2, Axis::Roll, -200, 200},
+    {"gyro.y", "Gyro, about left (pitch)", "Inertial sensors", "°/s", 2, Axis::Pitch, -200, 200},
+    {"gyro.z", "Gyro, about up (yaw)", "Inertial sensors", "°/s", 2, Axis::Yaw, -200, 200},
+    {"acc.x", "Acceleration, X", "Inertial sensors", "g", 3, Axis::Roll, -2, 2},
+    {"acc.y", "Acceleration, Y", "Inertial sensors", "g", 3, Axis::Pitch, -2, 2},
+    {"acc.z", "Acceleration, Z", "Inertial sensors", "g", 3, Axis::Yaw, -2, 2},
+    {"up.x", "Up direction, X", "Inertial sensors", "", 4, Axis::Roll, -1, 1},
+    {"up.y", "Up direction, Y", "Inertial sensors", "", 4, Axis::Pitch, -1, 1},
+    {"up.z", "Up direction, Z", "Inertial sensors", "", 4, Axis::Yaw, -1, 1},
+    {"output.roll", "Controller output, roll", "Motors", "°", 2, Axis::Roll, -180, 180},
+    {"output.pitch", "Controller output, pitch", "Motors", "°", 2, Axis::Pitch, -180, 180},
+    {"output.yaw", "Controller output, yaw", "Motors", "°", 2, Axis::Yaw, -180, 180},
+    {"input.roll", "Input, roll", "Remote control", "µs", 0, Axis::Roll, -800, 800},
+    {"input.pitch", "Input, pitch", "Remote control", "µs", 0, Axis::Pitch, -800, 800},
+    {"input.yaw", "Input, yaw", "Remote control", "µs", 0, Axis::Yaw, -800, 800},
+    {"mag.yaw", "Magnetometer, yaw", "Angles", "°", 2, Axis::Yaw, -180, 180},
+    {"link.yaw", "STorM32-Link, yaw", "Angles", "°", 2, Axis::Yaw, -180, 180},
+    {"acc.confidence", "Trust in the accelerometer", "Inertial sensors", "", 3, Axis::None, 0, 1.5},
+    {"battery", "Battery", "Power", "V", 2, Axis::None, 0, 30},
+    {"state", "State", "Board", "", 0, Axis::None, 0, 100},
+    {"status", "Status bits", "Board", "", 0, Axis::None, 0, 65535},
+    {"status2", "Status bits 2", "Board", "", 0, Axis::None, 0, 65535},
+    {"errors.bus", "Sensor bus errors", "Board", "", 0, Axis::None, 0, 100},
+    {"cycle_time", "Cycle time", "Board", "µs", 0, Axis::None, 0, 2000},
+    {"motors.on", "Motors running", "Board", "", 0, Axis::None, 0, 1},
+    {"functions", "Function inputs", "Remote control", "", 0, Axis::None, 0, 65535},
+};
+static_assert(std::size(kChannels) == ChannelCount);
+
+constexpr int kLinkPresent = 0x0100;
+constexpr int kMotorBits = 0x0038;
+constexpr double kDegree = 180.0 / std::numbers::pi;
+// A gap this long, and nothing is known of the time between.
+constexpr double kGap = 0.5;
+constexpr double kDrift = 2e-4;        // how fast the board's clock may run off ours
+
+} // namespace
+
+ChannelTable channelTable()
+{
+    return kChannels;
+}
+
+ChannelRoles channelRoles()
+{
+    ChannelRoles roles;
+    roles.angle = {AngleRoll, AnglePitch, AngleYaw};
+    roles.gyro = {GyroX, GyroY, GyroZ};
+    roles.acc = {AccX, AccY, AccZ};
+    roles.frameAngle = {Angle2Roll, Angle2Pitch, Angle2Yaw};
+    roles.battery = Voltage;
+    roles.motorsOn = MotorsActive;
+    roles.faults = Status;
+    roles.faultDetail = State;
+    roles.cycleTime = CycleTime;
+    roles.busErrors = BusErrors;
+    return roles;
+}
+
+LiveScales::LiveScales(int firmware)
+    : gyro(firmware >= 93 ? kDegree / 2048.0 : kDegree / 1000.0)
+    , acc(firmware >= 94 ? 1.0 / 8192.0 : firmware >= 93 ? 1.0 / 16384.0 : 1.0 / 10000.0)
+    , clock(firmware >= 90)
+{
+}
+
+std::array<float, ChannelCount> liveRow(Bytes data, const LiveScales &scales)
+{
+    std::array<float, ChannelCount> row{};
+    row.fill(std::numeric_limits<float>::quiet_NaN());
+    ByteReader reader(data);
+    std::array<int, 32> words{};
+    for (int &word : words)
+        word = reader.u16();
+    if (!reader.ok())
+        return row;
+    const auto put = [&](int channel, int word, double scale) { row[std::size_t(channel)] = float(std::int16_t(words[std::size_t(word)]) * scale); };
+    const auto raw = [&](int channel, int word, double scale = 1.0) { row[std::size_t(channel)] = float(words[std::size_t(word)] * scale); };
+    raw(State, 0);
+    raw(Status, 1);
+    raw(Status2, 2);
+    raw(BusErrors, 3);
+    raw(Voltage, 4, 0.001);
+    raw(CycleTime, 6);
+    for (int i = 0; i < 3; ++i) {
+        put(GyroX + i, 7 + i, scales.gyro);
+        put(AccX + i, 10 + i, scales.acc);
+        put(UpX + i, 13 + i, 1e-4);
+        // The words come pitch, roll, yaw.
+        const int channel = std::array{1, 0, 2}[std::size_t(i)];
+        put(AngleRoll + channel, 16 + i, 0.01);
+        put(OutputRoll + channel, 19 + i, 0.01);
+        put(InputRoll + channel, 22 + i, 1.0);
+        put(Angle2Roll + channel, 25 + i, 0.01);
+    }
+    put(MagYaw, 28, 0.01);
+    if (words[1] & kLinkPresent)
+        put(LinkYaw, 29, 0.01);       // without a link it means nothing
+    put(AccConfidence, 30, 1e-4);
+    raw(Functions, 31);
+    row[MotorsActive] = words[2] & kMotorBits ? 1.0F : 0.0F;
+    return row;
+}
+
+QString stateName(int state, int firmware)
+{
+    static constexpr std::array<const char *, 7> kNames{"start motors", "settle", "calibrate", "level", "find motor directions",
+                                                        "relevel", "normal"};
+    if (state >= 0 && state < int(kNames.size()))
+        return QString::fromLatin1(kNames[std::size_t(state)]);
+    if (state == 99 || (state == 7 && firmware <= 95))
+        return u"standby"_s;
+    if (state == 7 && firmware >= 208)
+        return u"fast level"_s;
+    return state == 100 ? u"service mode"_s : u"unknown (%1)"_s.arg(state);
+}
+
+std::vector<BoardFault> faultsOf(unsigned bits, unsigned)
+{
+    struct Row
+    {
+        const char *key, *name, *meaning, *cure;
+        bool severe;
+    };
+    std::vector<BoardFault> faults;
+    const auto add = [&faults](const Row &row) {
+        faults.push_back({QLatin1String(row.key), QLatin1String(row.name), QLatin1String(row.meaning), QLatin1String(row.cure), row.severe});
+    };
+    if (!(bits & 0x8000))
+        add({"no-sensor", "No IMU", "The board does not see its motion sensor, so it cannot stabilize.",
+             "Check the sensor cable and its connectors, then restart the board.", true});
+    else if (!(bits & 0x0020))
+        add({"imu-error", "IMU error", "The motion sensor answers, but not well.", "Check the sensor cable and keep it away from motors.", true});
+    if ((bits & 0x1000) && !(bits & 0x0040))
+        add({"imu2-error", "Second IMU error", "The sensor at the frame answers, but not well.", "Check its cable, or switch it off in the setup.", false});
+    if (!(bits & 0x0008))
+        add({"no-battery", "No battery", "The motors have no supply; settings can be changed all the same.", "Connect the battery.", false});
+    else if (bits & 0x0010)
+        add({"low-battery", "Battery is low", "The alarm threshold is reached.", "Change the battery soon.", false});
+    if (bits & 0x0004)
+        add({"level-failed", "Leveling failed", "The board did not find its level at the start.", "Hold the camera still and restart the board.", true});
+    return faults;
+}
+
+double StormDecoder::timeOf(int stamp, double arrival)
+{
+    if (!m_scales.clock)
+        return arrival;
+    const bool again = m_lastStamp < 0 || arrival - m_lastArrival > 60.0;   // more than a turn of the counter may be missing
+    const double step = again ? 0.0 : double((stamp - m_lastStamp) & 0xFFFF) / 1000.0;
+    m_boardTime += step;
+    m_lastStamp = stamp;
+    // The least late answer tells where the clocks stand; slowly forgotten, because they drift.
+    const double late = arrival - m_boardTime;
+    m_offset = again ? late : std::min(late, m_offset + kDrift * step);
+    return m_boardTime + m_offset;
+}
+
+void StormDecoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store)
+{
+    Bytes data = frame.payload;
+    if (frame.id == FrameId::kRc + int(Rc::GetData) && data.size() == 66)
+        data = data.subspan(2);
+    else if (frame.id == FrameId::kMavlink + mavlink::number(mavlink::MessageId::TargetSpecificAck) && data.size() == 2 + 67)
+        data = data.subspan(2, 64);
+    else if (frame.id != FrameId::kSimple + int(Simple::LiveData))
+        return;
+    if (data.size() != 64)
+        return;
+    if (!m_group) {
+        QList<int> channels;
+        for (int i = 0; i < ChannelCount; ++i)
+            channels.append(i);
+        m_group = store.defineGroup(channels, 0.0);
+    }
+    const double arrival = store.secondsAt(at);
+    double time = timeOf(ByteReader(data.subspan(10)).u16(), arrival);
+    if (m_lastTime > 0 && time - m_lastTime > kGap)
+        store.appendGap(*m_group, store.origin() + durationFromSeconds(m_lastTime + 1e-3));
+    time = std::max(time, m_lastTime);
+    store.append(*m_group, store.origin() + durationFromSeconds(time), liveRow(data, m_scales));
+    m_lastTime = time;
+    m_lastArrival = arrival;
+}
+
+} // namespace storm32

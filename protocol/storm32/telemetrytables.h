@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/device/device.h"
+
+namespace storm32 {
+
+/// Telemetry channels: the 32 words of `d` (errata 3.5) and what is packed into them; the number is the position in
+/// channelTable().
+enum ChannelId : int {
+    AngleRoll, AnglePitch, AngleYaw,
+    Angle2Roll, Angle2Pitch, Angle2Yaw,
+    GyroX, GyroY, GyroZ,
+    AccX, AccY, AccZ,
+    UpX, UpY, UpZ,
+    OutputRoll, OutputPitch, OutputYaw,
+    InputRoll, InputPitch, InputYaw,
+    MagYaw, LinkYaw, AccConfidence,
+    Voltage, State, Status, Status2, BusErrors, CycleTime, MotorsActive, Functions,
+    ChannelCount
+};
+
+[[nodiscard]] ChannelTable channelTable();
+[[nodiscard]] ChannelRoles channelRoles();
+
+/// What the counts of `d` mean: gyro and accelerometer changed their scales (errata 3.5).
+struct LiveScales
+{
+    double gyro = 0;      ///< deg/s per count
+    double acc = 0;       ///< g per count
+    bool clock = true;    ///< the time stamp is of use
+
+    explicit LiveScales(int firmware);
+};
+
+/// One row out of the data of `d`: a value for each channel, NaN for what is not there. @param data 64 bytes
+[[nodiscard]] std::array<float, ChannelCount> liveRow(Bytes data, const LiveScales &scales);
+/// The name of a state; up to 0.90 seven is standby (errata 3.7).
+[[nodiscard]] QString stateName(int state, int firmware);
+/// Status bits and state as faults with causes. @param bits status; @param state the state
+[[nodiscard]] std::vector<BoardFault> faultsOf(unsigned bits, unsigned state);
+
+/// Turns answers to `d`, GETDATA and to embedded `d` into rows.
+class StormDecoder final : public TelemetryDecoder
+{
+public:
+    explicit StormDecoder(int firmware) : m_scales(firmware) { }
+    void decode(const FrameView &frame, TimePoint at, TelemetryStore &store) override;
+
+private:
+    [[nodiscard]] double timeOf(int stamp, double arrival);
+
+    LiveScales m_scales;
+    std::shared_ptr<TelemetryGroup> m_group;
+    int m_lastStamp = -1;
+    double m_boardTime = 0;       // seconds, unwrapped
+    double m_offset = 0;          // arrival minus board time, of the least late answer
+    double m_lastTime = 0;
+    double m_lastArrival = 0;
+};
+
+} // namespace storm32

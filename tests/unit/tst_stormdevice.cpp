@@ -1,0 +1,417 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/device/connector.h"
+#include "protocol/simplebgc/sbgcdevice.h"
+#include "protocol/simulator/sbgcboard.h"
+#include "protocol/simulator/stormboard.h"
+#include "protocol/simulator/virtualchannel.h"
+#include "protocol/storm32/parametertables.h"
+#include "protocol/storm32/stormdevice.h"
+#include "protocol/storm32/telemetrytables.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+using namespace storm32;
+
+namespace {
+
+SimulatorOptions options(int firmware, bool usb = true)
+{
+    SimulatorOptions o;
+    o.firmware = firmware;
+    o.usb = usb;
+    return o;
+}
+
+/// A simulated STorM32 board and a virtual channel to it.
+struct StormRig
+{
+    explicit StormRig(const SimulatorOptions &o = options(96), std::optional<LineSettings> line = {})
+        : port(std::make_unique<StormBoard>(o), o, line), channel(port, device.makeFramer())
+    {
+    }
+    StormBoard &board() { return static_cast<StormBoard &>(port.board()); }
+    // The board's heartbeat has locked plain commands out of its UART.
+    void lockOut() { board().set(112, 1); }
+
+    StormDevice device;
+    SimulatedPort port;
+    VirtualChannel channel;
+};
+
+const LineSettings kLine{115200, Parity::None};
+
+LinkAddress serialAddress()
+{
+    return LinkAddress::parse(u"serial:/dev/ttyTest"_s).value();
+}
+
+} // namespace
+
+/// STorM32 as plain sequential code, against the simulated board, in virtual time.
+class TestStormDevice : public QObject
+{
+    Q_OBJECT
+private slots:
+    void boardIsIdentified_data();
+    void boardIsIdentified();
+    void unknownLayoutIsReadOnlyWithRawWords();
+    void familiesAreToldApart();
+    void configurationIsReadAndWritten_data();
+    void configurationIsReadAndWritten();
+    void liveValues();
+    void lockedOutBoardIsReached();
+    void telemetryIsPolled_data();
+    void telemetryIsPolled();
+    void lossAndDamageAreSurvived();
+    void everyActionIsAnswered();
+    void faultsHaveCauses();
+    void steeringAndMotors();
+    void framesAreWorded();
+};
+
+void TestStormDevice::boardIsIdentified_data()
+{
+    QTest::addColumn<int>("firmware");
+    QTest::addColumn<int>("layout");
+    QTest::newRow("0.79") << 79 << 78;
+    QTest::newRow("0.90") << 90 << 89;
+    QTest::newRow("0.96") << 96 << 95;
+}
+
+void TestStormDevice::boardIsIdentified()
+{
+    QFETCH(int, firmware);
+    QFETCH(int, layout);
+    StormRig rig(options(firmware));
+    QVERIFY(rig.device.probe(rig.channel).value_or(false));
+    const auto identity = rig.device.identify(rig.channel);
+    QVERIFY(identity);
+    QCOMPARE(identity->firmware, u"0.%1"_s.arg(firmware));
+    QCOMPARE(identity->firmwareNumber, layout);
+    QCOMPARE(identity->model, u"STorM32 v1.30 F103RC"_s);
+    QCOMPARE(identity->extra[u"name"_s].toString(), u"OlliW 323BGC"_s);
+    QVERIFY(identity->capabilities.contains(u"battery"_s) && identity->capabilities.contains(u"aux"_s));
+    QVERIFY(identity->writable && !rig.device.isEmbedded());
+    QVERIFY(rig.device.parameters()->find(u"pid.roll.p"_s));
+    QVERIFY(!rig.device.adjustables().empty());
+    for (const AdjustableSpec &spec : rig.device.adjustables())
+        QVERIFY(rig.device.parameters()->find(QString::fromLatin1(spec.key))->adjustable == spec.id);
+}
+
+void TestStormDevice::unknownLayoutIsReadOnlyWithRawWords()
+{
+    SimulatorOptions o = options(96);
+    o.faults.unknownFirmware = true;
+    StormRig rig(o);
+    const auto identity = rig.device.identify(rig.channel);
+    QVERIFY(identity);
+    QCOMPARE(identity->firmware, u"2.20"_s);
+    QVERIFY(!identity->writable);
+    const auto configuration = rig.device.readConfiguration(rig.channel);
+    QVERIFY(configuration);
+    QCOMPARE(configuration->raw(*rig.device.parameters()->find(u"word.1"_s), 0), 400);
+    QCOMPARE(configuration->raw(*rig.device.parameters()->find(u"word.83"_s), 0), 25);
+}
+
+// Neither family's question harms the other, and both are told apart (document "Serial Communication", errata 3.1).
+void TestStormDevice::familiesAreToldApart()
+{
+    {
+        StormRig rig(options(96, false), kLine);
+        const auto found = findBoard(rig.channel, rig.device, serialAddress());
+        QVERIFY(found);
+        QCOMPARE(found->line->baud, 115200);
+    }
+    {   // our questions to a SimpleBGC board
+        SimulatorOptions o;
+        o.usb = false;
+        SimulatedPort port(std::make_unique<SbgcBoard>(o), o, kLine);
+        auto &board = static_cast<SbgcBoard &>(port.board());
+        StormDevice device;
+        VirtualChannel channel(port, device.makeFramer());
+        const int before = board.stored(u"pid.roll.p"_s, 0);
+        QVERIFY(!findBoard(channel, device, serialAddress()));
+        QCOMPARE(board.stored(u"pid.roll.p"_s, 0), before);
+        QVERIFY(board.stabilizer().motorsOn());
+        SbgcDevice right;
+        VirtualChannel again(port, right.makeFramer());
+        QVERIFY(findBoard(again, right, serialAddress()));
+    }
+    {   // theirs to a STorM32 board
+        StormRig rig(options(96, false), kLine);
+        SbgcDevice wrong;
+        VirtualChannel channel(rig.port, wrong.makeFramer());
+        const auto found = findBoard(channel, wrong, serialAddress());
+        QVERIFY(!found);
+        QCOMPARE(found.error().code, ErrorCode::WrongProtocol);
+        QCOMPARE(found.error().detail, u"STorM32"_s);
+        QCOMPARE(rig.board().inUse(0), 400);
+    }
+    {   // the wrong rate
+        StormRig rig(options(90, false), LineSettings{38400, Parity::None});
+        const auto found = findBoard(rig.channel, rig.device, serialAddress());
+        QVERIFY(found);
+        QCOMPARE(found->line->baud, 38400);
+    }
+}
+
+void TestStormDevice::configurationIsReadAndWritten_data()
+{
+    boardIsIdentified_data();
+}
+
+void TestStormDevice::configurationIsReadAndWritten()
+{
+    QFETCH(int, firmware);
+    StormRig rig(options(firmware));
+    QVERIFY(rig.device.identify(rig.channel));
+    const auto base = rig.device.readConfiguration(rig.channel);
+    QVERIFY(base);
+    const ParameterSet &set = *rig.device.parameters();
+    QCOMPARE(base->raw(*set.find(u"pid.pitch.p"_s), 0), 400);
+    QCOMPARE(base->raw(*set.find(u"rc.pitch.min"_s), 0), -250);
+    QCOMPARE(base->block({0, Scripts}).size(), 128);
+    Configuration edited = *base;
+    QVERIFY(edited.setRaw(*set.find(u"pid.yaw.d"_s), 0, 777));
+    QVERIFY(edited.setRaw(*set.find(u"rc.roll.min"_s), 0, -300));
+    QVERIFY(!edited.setRaw(*set.find(u"pid.yaw.d"_s), 0, 9000));   // the firmware would not mind; we do
+    QVERIFY(rig.device.beginWrite(rig.channel));
+    QVERIFY(rig.device.writeBlock(rig.channel, {0, Parameters}, edited.block({0, Parameters})));
+    QCOMPARE(rig.board().inUse(14), 777);
+    QCOMPARE(rig.board().stored(14), 500);
+    QVERIFY(rig.device.endWrite(rig.channel));
+    QCOMPARE(rig.board().stored(14), 777);
+    QCOMPARE(rig.board().stored(82), 25);               // untouched
+    QCOMPARE(*rig.device.readBlock(rig.channel, {0, Parameters}), edited.block({0, Parameters}));
+    // Scripts are a block of their own.
+    const auto area = compileScripts({u"DORECENTER\nSTOP"_s, {}, {}, {}}, scriptContext(set, firmware));
+    QVERIFY(area);
+    QVERIFY(rig.device.writeBlock(rig.channel, {0, Scripts}, *area));
+    QCOMPARE(*rig.device.readBlock(rig.channel, {0, Scripts}), *area);
+    QCOMPARE(rig.board().inUse(14), 777);
+}
+
+void TestStormDevice::liveValues()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    const int id = rig.device.parameters()->find(u"pid.roll.p"_s)->adjustable;
+    QVERIFY(rig.device.writeAdjustables(rig.channel, {{id, 512}}));
+    QCOMPARE(rig.board().inUse(6), 512);
+    QCOMPARE(rig.board().stored(6), 400);
+    QCOMPARE(rig.device.readAdjustables(rig.channel, {id})->front().value, 512.0);
+    // The board takes anything; out of range nothing is sent.
+    QCOMPARE(rig.device.writeAdjustables(rig.channel, {{id, 5000}}).error().code, ErrorCode::OutOfRange);
+    QCOMPARE(rig.device.writeAdjustables(rig.channel, {{40, 1}}).error().code, ErrorCode::InvalidArgument);
+    QCOMPARE(rig.board().inUse(6), 512);
+    QCOMPARE(rig.board().inUse(40), 0);
+}
+
+void TestStormDevice::lockedOutBoardIsReached()
+{
+    for (const int firmware : {79, 90, 96}) {
+        StormRig rig(options(firmware, false), kLine);
+        rig.lockOut();
+        const auto found = findBoard(rig.channel, rig.device, serialAddress());
+        QVERIFY(found);
+        QVERIFY(rig.device.isEmbedded());
+        QCOMPARE(found->identity.extra[u"embedded"_s].toBool(), true);
+        QCOMPARE(found->identity.firmware, u"0.%1"_s.arg(firmware));
+        // Word by word, because the whole does not fit into a frame; the scripts cannot be had.
+        const auto base = rig.device.readConfiguration(rig.channel);
+        QVERIFY2(base, qPrintable(base ? QString() : base.error().detail));
+        QCOMPARE(base->raw(*rig.device.parameters()->find(u"pid.pitch.p"_s), 0), 400);
+        QVERIFY(base->block({0, Scripts}).isEmpty());
+        QCOMPARE(rig.device.readBlock(rig.channel, {0, Scripts}).error().code, ErrorCode::Unsupported);
+        Configuration edited = *base;
+        QVERIFY(edited.setRaw(*rig.device.parameters()->find(u"pid.pitch.i"_s), 0, 1234));
+        QVERIFY(rig.device.writeBlock(rig.channel, {0, Parameters}, edited.block({0, Parameters})));
+        QVERIFY(rig.device.endWrite(rig.channel));
+        QCOMPARE(rig.board().stored(1), 1234);
+        QVERIFY(rig.device.perform(rig.channel, u"status"_s, {}));
+        // One action, and plain commands work again.
+        QVERIFY(rig.device.perform(rig.channel, u"heartbeat.off"_s, {}));
+        QCOMPARE(rig.board().inUse(112), 0);
+        StormDevice plain;
+        VirtualChannel channel(rig.port, plain.makeFramer());
+        QVERIFY(findBoard(channel, plain, serialAddress()));
+        QVERIFY(!plain.isEmbedded());
+    }
+}
+
+void TestStormDevice::telemetryIsPolled_data()
+{
+    boardIsIdentified_data();
+}
+
+void TestStormDevice::telemetryIsPolled()
+{
+    QFETCH(int, firmware);
+    for (const bool locked : {false, true}) {
+        StormRig rig(options(firmware, false), kLine);
+        std::ignore = rig.channel.setLine(kLine);
+        if (locked)
+            rig.lockOut();
+        QVERIFY(rig.device.probe(rig.channel).value_or(false));
+        QVERIFY(rig.device.identify(rig.channel));
+        const auto plan = rig.device.startTelemetry(rig.channel, {}, kLine);
+        QVERIFY(plan && plan->poll && !plan->streaming);
+        QVERIFY2(plan->rate > 40 && plan->rate < 120, qPrintable(QString::number(plan->rate)));
+        TelemetryStore store(int(rig.device.channels().size()));
+        rig.channel.setTap([&](const FrameView &frame, TimePoint at) { plan->decoder->decode(frame, at, store); });
+        for (int i = 0; i < 100; ++i)
+            QVERIFY(rig.channel.transact(*plan->poll));
+        QCOMPARE(store.rows(), quint64(100));
+        QVERIFY(std::abs(store.latest(AnglePitch)) < 5);
+        QVERIFY(std::abs(store.latest(AccZ) - 1.0F) < 0.15F);
+        QVERIFY(std::abs(store.latest(Voltage) - 12.3F) < 0.2F);
+        QCOMPARE(store.latest(MotorsActive), 1.0F);
+        QVERIFY(std::isnan(store.latest(LinkYaw)));     // without a link the word means nothing
+        // Times go forward, evenly where the board has a clock of use.
+        const auto tracks = store.tracks(GyroX);
+        QCOMPARE(tracks.size(), std::size_t(1));
+        for (std::size_t row = 1; row < tracks[0].end(); ++row)
+            QVERIFY(tracks[0].time(row) >= tracks[0].time(row - 1));
+        rig.channel.setTap({});
+        QVERIFY(!rig.device.startTelemetry(rig.channel, {{}, 0, {{u"custom"_s, 10, {}}}}, kLine));
+    }
+}
+
+void TestStormDevice::lossAndDamageAreSurvived()
+{
+    for (const unsigned seed : {1U, 2U, 3U}) {
+        SimulatorOptions o = options(96, false);
+        o.seed = seed;
+        o.faults.loseByte = 0.0005;
+        o.faults.flipByte = 0.0005;
+        StormRig rig(o, kLine);
+        std::ignore = rig.channel.setLine(kLine);
+        int identified = 0;
+        for (int i = 0; i < 5; ++i)
+            identified += rig.device.identify(rig.channel).has_value();
+        QVERIFY(identified >= 4);
+        int good = 0;
+        for (int i = 0; i < 20; ++i) {
+            const auto configuration = rig.device.readConfiguration(rig.channel);
+            if (!configuration)
+                continue;
+            ++good;
+            // What is taken for the configuration is the configuration.
+            QCOMPARE(configuration->raw(*rig.device.parameters()->find(u"pid.pitch.p"_s), 0), 400);
+            QCOMPARE(configuration->raw(*rig.device.parameters()->find(u"motor.yaw.vmax"_s), 0), 150);
+        }
+        QVERIFY2(good >= 15, qPrintable(QString::number(good)));
+    }
+}
+
+void TestStormDevice::everyActionIsAnswered()
+{
+    for (const int firmware : {79, 90, 96}) {
+        StormRig rig(options(firmware));
+        QVERIFY(rig.device.identify(rig.channel));
+        const QMap<QString, QMap<QString, QString>> arguments{
+            {u"pan.mode"_s, {{u"mode"_s, u"pan pan pan"_s}}}, {u"pan.setting"_s, {{u"setting"_s, u"2"_s}}},
+            {u"script"_s, {{u"script"_s, u"4"_s}}}, {u"name"_s, {{u"name"_s, u"Top"_s}}}, {u"restore"_s, {{u"word"_s, u"0"_s}}},
+        };
+        for (const ActionSpec &action : rig.device.actions()) {
+            const auto parsed = parseArguments(action, arguments.value(QString::fromLatin1(action.key)));
+            QVERIFY2(parsed, action.key);
+            const auto reply = rig.device.perform(rig.channel, QString::fromLatin1(action.key), *parsed);
+            QVERIFY2(reply, qPrintable(u"%1: %2"_s.arg(QLatin1String(action.key), reply ? QString() : reply.error().detail)));
+        }
+        QCOMPARE(rig.device.perform(rig.channel, u"nonsense"_s, {}).error().code, ErrorCode::Unsupported);
+    }
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    QCOMPARE(rig.device.perform(rig.channel, u"status"_s, {})->value(u"state"_s).toString(), u"normal"_s);
+    QCOMPARE(rig.device.perform(rig.channel, u"calibration.read"_s, {})->value(u"imu.acc.scale.z"_s).toInt(), 8192);
+    QVERIFY(std::abs(rig.device.perform(rig.channel, u"sensors.raw"_s, {})->value(u"imu.temperature"_s).toDouble() - 31) < 0.1);
+    QCOMPARE(rig.device.perform(rig.channel, u"name"_s, {{u"name"_s, u"a name that is far too long"_s}}).error().code,
+             ErrorCode::InvalidArgument);
+    QVERIFY(rig.device.perform(rig.channel, u"name"_s, {{u"name"_s, u"Top"_s}}));
+    QCOMPARE(rig.device.identify(rig.channel)->extra[u"name"_s].toString(), u"Top"_s);
+    // A refusal comes with its cause.
+    const auto refused = rig.device.perform(rig.channel, u"pwm"_s, {{u"pulse"_s, 9}});
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, ErrorCode::OutOfRange);
+    QCOMPARE(refused.error().boardCode, 153);
+}
+
+void TestStormDevice::faultsHaveCauses()
+{
+    const auto keys = [](unsigned bits) {
+        QStringList list;
+        for (const BoardFault &fault : faultsOf(bits, 6)) {
+            list.append(fault.key);
+            if (fault.meaning.isEmpty() || fault.cure.isEmpty())
+                list.append(u"without words"_s);
+        }
+        return list;
+    };
+    QCOMPARE(keys(0x8028), QStringList());
+    QCOMPARE(keys(0x0008), QStringList{u"no-sensor"_s});
+    QCOMPARE(keys(0x8008), QStringList{u"imu-error"_s});
+    QCOMPARE(keys(0x9028), QStringList{u"imu2-error"_s});
+    QCOMPARE(keys(0x8020), QStringList{u"no-battery"_s});
+    QCOMPARE(keys(0x8038), QStringList{u"low-battery"_s});
+    QCOMPARE(keys(0x802C), QStringList{u"level-failed"_s});
+    QCOMPARE(stateName(7, 90), u"standby"_s);
+    QCOMPARE(stateName(99, 96), u"standby"_s);
+    QCOMPARE(stateName(7, 210), u"fast level"_s);
+    QCOMPARE(stateName(42, 96), u"unknown (42)"_s);
+}
+
+void TestStormDevice::steeringAndMotors()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.board().stabilizer().hand().setStrength(0);
+    QVERIFY(rig.channel.transact(rig.device.motorsOffRequest()));
+    QVERIFY(rig.channel.sleep(50ms));
+    QVERIFY(!rig.board().stabilizer().motorsOn());
+    QVERIFY(rig.channel.transact(rig.device.motorsOnRequest()));
+    QVERIFY(rig.channel.sleep(1500ms));
+    QVERIFY(rig.board().stabilizer().motorsOn());
+    ControlSetpoint setpoint{};
+    setpoint[1] = {2, 0, 20};      // pitch, without limits
+    Request request;
+    request.bytes = rig.device.controlFrames(setpoint).setpoint;
+    rig.channel.post(request);
+    QVERIFY(rig.channel.sleep(4s));
+    QVERIFY(std::abs(rig.board().stabilizer().trueAngle(Axis::Pitch) - 20) < 1.5);
+    // Let go, it stays where it is.
+    request.bytes = rig.device.controlFrames(setpoint).release;
+    rig.channel.post(request);
+    QVERIFY(rig.channel.sleep(2s));
+    QVERIFY(std::abs(rig.board().stabilizer().trueAngle(Axis::Pitch) - 20) < 1.5);
+}
+
+void TestStormDevice::framesAreWorded()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    const StormDevice &device = rig.device;
+    QCOMPARE(device.describeSent("xs").name, u"xs"_s);
+    QCOMPARE(device.describeSent("xs").fields, u"store"_s);
+    const FrameText set = device.describeSent(encodeRc(4, QByteArray::fromHex("2f0006ff")));
+    QCOMPARE(set.name, u"SETPARAMETER"_s);
+    QCOMPARE(set.fields, u"rc.pitch.min = -25.0"_s);
+    QVERIFY(device.describeSent(QByteArray::fromHex("fe03005243ea4743746893")).name.contains(u"TARGET_SPECIFIC"_s));
+    const QByteArray ack("\x99");
+    QVERIFY(device.describeFrame({FrameId::kRc + 150, asBytes(ack)}, true).fields.contains(u"range"_s));
+    QCOMPARE(device.describeFrame({'t', {}}, true).fields, u"arrived in pieces"_s);
+    QCOMPARE(device.parseCommand(u"xs"_s)->bytes, "xs");
+    QCOMPARE(device.parseCommand(u"xc"_s)->risk, ActionRisk::Destroys);
+    QCOMPARE(device.parseCommand(u"getparameter 2F00"_s)->bytes, QByteArray::fromHex("fa02032f00c875"));
+    QCOMPARE(device.parseCommand(u"fa000131e1"_s)->name, u"GETVERSION"_s);
+    for (const char *wrong : {"", "XS", "getparameter 2F", "fa000131e2", "nonsense", "p 00"})
+        QVERIFY2(!device.parseCommand(QString::fromLatin1(wrong)), wrong);
+    QVERIFY(device.commandNames().contains(u"ACTIVEPANMODESETTING"_s));
+}
+
+QTEST_GUILESS_MAIN(TestStormDevice)
+#include "tst_stormdevice.moc"
