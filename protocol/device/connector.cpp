@@ -73,6 +73,7 @@ Result<FoundBoard> findBoard(Channel &channel, Device &device, const LinkAddress
         candidates.append(std::nullopt);
     }
 
+    QString other;
     for (qsizetype i = 0; i < candidates.size(); ++i) {
         const auto &line = candidates[i];
         channel.progress(tryingProgress(int(i), int(candidates.size()), line));
@@ -85,8 +86,12 @@ Result<FoundBoard> findBoard(Channel &channel, Device &device, const LinkAddress
         const auto answered = device.probe(channel);
         if (!answered)
             return tl::unexpected(answered.error());
-        if (!*answered)
+        if (!*answered) {
+            // Looked at now: what comes at the next rates may bury it.
+            if (other.isEmpty())
+                other = recognizeProtocol(channel.observation().lastBytes);
             continue;
+        }
         auto identity = device.identify(channel);
         if (!identity)
             return tl::unexpected(identity.error());
@@ -94,7 +99,7 @@ Result<FoundBoard> findBoard(Channel &channel, Device &device, const LinkAddress
     }
 
     const LinkObservation seen = channel.observation();
-    if (const QString other = recognizeProtocol(seen.lastBytes); !other.isEmpty())
+    if (!other.isEmpty())
         return failure(ErrorCode::WrongProtocol, other);
     if (seen.bytesIn > 0)
         return failure(ErrorCode::Garbage, u"%1 bytes: %2"_s.arg(seen.bytesIn).arg(

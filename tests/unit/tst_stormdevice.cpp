@@ -147,7 +147,7 @@ void TestStormDevice::familiesAreToldApart()
         VirtualChannel channel(rig.port, wrong.makeFramer());
         const auto found = findBoard(channel, wrong, serialAddress());
         QVERIFY(!found);
-        QCOMPARE(found.error().code, ErrorCode::WrongProtocol);
+        QVERIFY2(found.error().code == ErrorCode::WrongProtocol, qPrintable(found.error().detail));
         QCOMPARE(found.error().detail, u"STorM32"_s);
         QCOMPARE(rig.board().inUse(0), 400);
     }
