@@ -7592,6 +7592,1646 @@ Spitze %2°</translation>
         <source>Upper target limit from outside, yaw</source>
         <translation>Obere Zielgrenze von außen, Yaw</translation>
     </message>
+    <message>
+        <source>-x0°</source>
+        <translation>-x0°</translation>
+    </message>
+    <message>
+        <source>-x180°</source>
+        <translation>-x180°</translation>
+    </message>
+    <message>
+        <source>-x270°</source>
+        <translation>-x270°</translation>
+    </message>
+    <message>
+        <source>-x90°</source>
+        <translation>-x90°</translation>
+    </message>
+    <message>
+        <source>-y0°</source>
+        <translation>-y0°</translation>
+    </message>
+    <message>
+        <source>-y180°</source>
+        <translation>-y180°</translation>
+    </message>
+    <message>
+        <source>-y270°</source>
+        <translation>-y270°</translation>
+    </message>
+    <message>
+        <source>-y90°</source>
+        <translation>-y90°</translation>
+    </message>
+    <message>
+        <source>-z0°</source>
+        <translation>-z0°</translation>
+    </message>
+    <message>
+        <source>-z180°</source>
+        <translation>-z180°</translation>
+    </message>
+    <message>
+        <source>-z270°</source>
+        <translation>-z270°</translation>
+    </message>
+    <message>
+        <source>-z90°</source>
+        <translation>-z90°</translation>
+    </message>
+    <message>
+        <source>1.5 ms</source>
+        <translation>1.5 ms</translation>
+    </message>
+    <message>
+        <source>10 Hz</source>
+        <translation>10 Hz</translation>
+    </message>
+    <message>
+        <source>10 ms</source>
+        <translation>10 ms</translation>
+    </message>
+    <message>
+        <source>100 ms</source>
+        <translation>100 ms</translation>
+    </message>
+    <message>
+        <source>12 ms</source>
+        <translation>12 ms</translation>
+    </message>
+    <message>
+        <source>1520 us 250 Hz</source>
+        <translation>1520 us 250 Hz</translation>
+    </message>
+    <message>
+        <source>1520 us 55 Hz</source>
+        <translation>1520 us 55 Hz</translation>
+    </message>
+    <message>
+        <source>188 Hz</source>
+        <translation>188 Hz</translation>
+    </message>
+    <message>
+        <source>2.9 V/cell</source>
+        <translation>2.9 V/cell</translation>
+    </message>
+    <message>
+        <source>20 Hz</source>
+        <translation>20 Hz</translation>
+    </message>
+    <message>
+        <source>22 ms</source>
+        <translation>22 ms</translation>
+    </message>
+    <message>
+        <source>25 ms</source>
+        <translation>25 ms</translation>
+    </message>
+    <message>
+        <source>256 Hz</source>
+        <translation>256 Hz</translation>
+    </message>
+    <message>
+        <source>3.0 V/cell</source>
+        <translation>3.0 V/cell</translation>
+    </message>
+    <message>
+        <source>3.0 ms</source>
+        <translation>3.0 ms</translation>
+    </message>
+    <message>
+        <source>3.1 V/cell</source>
+        <translation>3.1 V/cell</translation>
+    </message>
+    <message>
+        <source>3.2 V/cell</source>
+        <translation>3.2 V/cell</translation>
+    </message>
+    <message>
+        <source>3.3 V/cell</source>
+        <translation>3.3 V/cell</translation>
+    </message>
+    <message>
+        <source>3.4 V/cell</source>
+        <translation>3.4 V/cell</translation>
+    </message>
+    <message>
+        <source>3.5 V/cell</source>
+        <translation>3.5 V/cell</translation>
+    </message>
+    <message>
+        <source>4 ms</source>
+        <translation>4 ms</translation>
+    </message>
+    <message>
+        <source>4.5 ms</source>
+        <translation>4.5 ms</translation>
+    </message>
+    <message>
+        <source>42 Hz</source>
+        <translation>42 Hz</translation>
+    </message>
+    <message>
+        <source>46 ms</source>
+        <translation>46 ms</translation>
+    </message>
+    <message>
+        <source>5 Hz</source>
+        <translation>5 Hz</translation>
+    </message>
+    <message>
+        <source>50 ms</source>
+        <translation>50 ms</translation>
+    </message>
+    <message>
+        <source>6.0 ms</source>
+        <translation>6.0 ms</translation>
+    </message>
+    <message>
+        <source>7.5 ms</source>
+        <translation>7.5 ms</translation>
+    </message>
+    <message>
+        <source>9 ms</source>
+        <translation>9 ms</translation>
+    </message>
+    <message>
+        <source>94 ms</source>
+        <translation>94 ms</translation>
+    </message>
+    <message>
+        <source>98 Hz</source>
+        <translation>98 Hz</translation>
+    </message>
+    <message>
+        <source>A stick has to move so far before anything changes.</source>
+        <translation>Ein Knüppel muss sich so weit bewegen, bevor sich etwas ändert.</translation>
+    </message>
+    <message>
+        <source>A value of a layout that this program has no table for.</source>
+        <translation>Ein Wert eines Layouts, zu dem dieses Programm keine Tabelle hat.</translation>
+    </message>
+    <message>
+        <source>Above it the accelerometer is trusted less. 0 switches that off.</source>
+        <translation>Darüber wird dem Beschleunigungssensor weniger vertraut. 0 schaltet das aus.</translation>
+    </message>
+    <message>
+        <source>Absolute: the stick sets the angle. Relative: it sets the speed.</source>
+        <translation>Absolut: der Knüppel gibt den Winkel vor. Relativ: er gibt die Geschwindigkeit vor.</translation>
+    </message>
+    <message>
+        <source>Acceleration compensation</source>
+        <translation>Beschleunigungsausgleich</translation>
+    </message>
+    <message>
+        <source>Acceleration threshold</source>
+        <translation>Beschleunigungsschwelle</translation>
+    </message>
+    <message>
+        <source>Acceleration threshold of the IMU</source>
+        <translation>Beschleunigungsschwelle der IMU</translation>
+    </message>
+    <message>
+        <source>Accelerometer noise</source>
+        <translation>Rauschen des Beschleunigungssensors</translation>
+    </message>
+    <message>
+        <source>An acceleration that differs so much from gravity is not used. 0 uses all.</source>
+        <translation>Eine Beschleunigung, die so weit von der Schwerkraft abweicht, wird nicht verwendet. 0 verwendet alle.</translation>
+    </message>
+    <message>
+        <source>Angle of the middle</source>
+        <translation>Winkel der Mitte</translation>
+    </message>
+    <message>
+        <source>Angle offset</source>
+        <translation>Winkelversatz</translation>
+    </message>
+    <message>
+        <source>Angle, within the limits of the sticks</source>
+        <translation>Winkel, in den Grenzen der Knüppel</translation>
+    </message>
+    <message>
+        <source>Angle, without limits</source>
+        <translation>Winkel, ohne Grenzen</translation>
+    </message>
+    <message>
+        <source>Attitude time constant</source>
+        <translation>Zeitkonstante der Lage</translation>
+    </message>
+    <message>
+        <source>Auto finds it at each start, with a little movement. A wrong one makes the motor run away.</source>
+        <translation>Auto findet sie bei jedem Start mit einer kleinen Bewegung. Eine falsche lässt den Motor durchgehen.</translation>
+    </message>
+    <message>
+        <source>Aux-0 latch</source>
+        <translation>Aux-0 latch</translation>
+    </message>
+    <message>
+        <source>Aux-0 step</source>
+        <translation>Aux-0 step</translation>
+    </message>
+    <message>
+        <source>Aux-0 switch</source>
+        <translation>Aux-0 switch</translation>
+    </message>
+    <message>
+        <source>Aux-01 latch</source>
+        <translation>Aux-01 latch</translation>
+    </message>
+    <message>
+        <source>Aux-01 switch</source>
+        <translation>Aux-01 switch</translation>
+    </message>
+    <message>
+        <source>Aux-012 latch</source>
+        <translation>Aux-012 latch</translation>
+    </message>
+    <message>
+        <source>Aux-012 switch</source>
+        <translation>Aux-012 switch</translation>
+    </message>
+    <message>
+        <source>Aux-1 latch</source>
+        <translation>Aux-1 latch</translation>
+    </message>
+    <message>
+        <source>Aux-1 step</source>
+        <translation>Aux-1 step</translation>
+    </message>
+    <message>
+        <source>Aux-1 switch</source>
+        <translation>Aux-1 switch</translation>
+    </message>
+    <message>
+        <source>Aux-2 latch</source>
+        <translation>Aux-2 latch</translation>
+    </message>
+    <message>
+        <source>Aux-2 step</source>
+        <translation>Aux-2 step</translation>
+    </message>
+    <message>
+        <source>Aux-2 switch</source>
+        <translation>Aux-2 switch</translation>
+    </message>
+    <message>
+        <source>Beep with the motors</source>
+        <translation>Mit den Motoren piepen</translation>
+    </message>
+    <message>
+        <source>Below it the board warns and takes the motors back.</source>
+        <translation>Darunter warnt das Board und nimmt die Motoren zurück.</translation>
+    </message>
+    <message>
+        <source>Brings the camera back to its middle.</source>
+        <translation>Bringt die Kamera in ihre Mitte zurück.</translation>
+    </message>
+    <message>
+        <source>But latch</source>
+        <translation>But latch</translation>
+    </message>
+    <message>
+        <source>But step</source>
+        <translation>But step</translation>
+    </message>
+    <message>
+        <source>But switch</source>
+        <translation>But switch</translation>
+    </message>
+    <message>
+        <source>By infrared, as the camera model is set.</source>
+        <translation>Über Infrarot, wie das Kameramodell eingestellt ist.</translation>
+    </message>
+    <message>
+        <source>Camera IMU orientation</source>
+        <translation>Ausrichtung der Kamera-IMU</translation>
+    </message>
+    <message>
+        <source>Camera action 1</source>
+        <translation>Kameraaktion 1</translation>
+    </message>
+    <message>
+        <source>Camera action 2</source>
+        <translation>Kameraaktion 2</translation>
+    </message>
+    <message>
+        <source>Camera input</source>
+        <translation>Kameraeingang</translation>
+    </message>
+    <message>
+        <source>Camera model</source>
+        <translation>Kameramodell</translation>
+    </message>
+    <message>
+        <source>Canon</source>
+        <translation>Canon</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Fall</translation>
+    </message>
+    <message>
+        <source>Centrifugal correction</source>
+        <translation>Fliehkraftausgleich</translation>
+    </message>
+    <message>
+        <source>Check its cable, or switch it off in the setup.</source>
+        <translation>Prüfen Sie ihr Kabel, oder schalten Sie sie in der Einrichtung ab.</translation>
+    </message>
+    <message>
+        <source>Check the sensor cable and keep it away from motors.</source>
+        <translation>Prüfen Sie das Sensorkabel und halten Sie es von den Motoren fern.</translation>
+    </message>
+    <message>
+        <source>Chooses the case that a script runs.</source>
+        <translation>Wählt den Fall, den ein Skript ausführt.</translation>
+    </message>
+    <message>
+        <source>Connect the battery.</source>
+        <translation>Schließen Sie den Akku an.</translation>
+    </message>
+    <message>
+        <source>Controller output, pitch</source>
+        <translation>Reglerausgang, Pitch</translation>
+    </message>
+    <message>
+        <source>Controller output, roll</source>
+        <translation>Reglerausgang, Roll</translation>
+    </message>
+    <message>
+        <source>Controller output, yaw</source>
+        <translation>Reglerausgang, Yaw</translation>
+    </message>
+    <message>
+        <source>Copies the directions that were found into the parameters; in RAM.</source>
+        <translation>Übernimmt die gefundenen Drehrichtungen in die Parameter; im RAM.</translation>
+    </message>
+    <message>
+        <source>Copies where the motor stands now; in RAM.</source>
+        <translation>Übernimmt, wo der Motor jetzt steht; im RAM.</translation>
+    </message>
+    <message>
+        <source>Copies where the motors stand now; in RAM.</source>
+        <translation>Übernimmt, wo die Motoren jetzt stehen; im RAM.</translation>
+    </message>
+    <message>
+        <source>Counts of both sensors before calibration.</source>
+        <translation>Rohwerte beider Sensoren vor der Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>Damping. Raise it until the motor buzzes, then take a third of it away.</source>
+        <translation>Dämpfung. Erhöhen, bis der Motor brummt, dann ein Drittel wegnehmen.</translation>
+    </message>
+    <message>
+        <source>Dead band of sticks</source>
+        <translation>Totbereich der Knüppel</translation>
+    </message>
+    <message>
+        <source>Erase the memory</source>
+        <translation>Speicher löschen</translation>
+    </message>
+    <message>
+        <source>Expert</source>
+        <translation>Experte</translation>
+    </message>
+    <message>
+        <source>Feed-forward low-pass</source>
+        <translation>Tiefpass der Vorsteuerung</translation>
+    </message>
+    <message>
+        <source>Frame IMU orientation</source>
+        <translation>Ausrichtung der Rahmen-IMU</translation>
+    </message>
+    <message>
+        <source>Function inputs</source>
+        <translation>Funktionseingänge</translation>
+    </message>
+    <message>
+        <source>Functions</source>
+        <translation>Funktionen</translation>
+    </message>
+    <message>
+        <source>Gimbal configuration</source>
+        <translation>Gimbal-Einrichtung</translation>
+    </message>
+    <message>
+        <source>Gyro low-pass</source>
+        <translation>Gyro-Tiefpass</translation>
+    </message>
+    <message>
+        <source>Gyro, about forward (roll)</source>
+        <translation>Gyro, um vorn (Roll)</translation>
+    </message>
+    <message>
+        <source>Gyro, about left (pitch)</source>
+        <translation>Gyro, um links (Pitch)</translation>
+    </message>
+    <message>
+        <source>Gyro, about up (yaw)</source>
+        <translation>Gyro, um oben (Yaw)</translation>
+    </message>
+    <message>
+        <source>Hardware reset</source>
+        <translation>Hardware-Reset</translation>
+    </message>
+    <message>
+        <source>Highest angle</source>
+        <translation>Höchster Winkel</translation>
+    </message>
+    <message>
+        <source>Highest speed of steering. 0 sets no limit.</source>
+        <translation>Höchste Geschwindigkeit beim Steuern. 0 setzt keine Grenze.</translation>
+    </message>
+    <message>
+        <source>Highest voltage at the motor. As little as holds the camera in a wind; more heats the motor.</source>
+        <translation>Höchste Spannung am Motor. So wenig, wie die Kamera im Wind hält; mehr erhitzt den Motor.</translation>
+    </message>
+    <message>
+        <source>Hold the camera still and restart the board.</source>
+        <translation>Halten Sie die Kamera still und starten Sie das Board neu.</translation>
+    </message>
+    <message>
+        <source>Hold to pan transition</source>
+        <translation>Übergang von Halten zu Folgen</translation>
+    </message>
+    <message>
+        <source>How accelerations of the carrier are told from gravity.</source>
+        <translation>Wie Beschleunigungen des Trägers von der Schwerkraft unterschieden werden.</translation>
+    </message>
+    <message>
+        <source>How fast an error that stays is taken away. Too much sways slowly.</source>
+        <translation>Wie schnell ein bleibender Fehler ausgeregelt wird. Zu viel schwankt langsam.</translation>
+    </message>
+    <message>
+        <source>How fast the camera follows the handle in pan mode. 0 holds.</source>
+        <translation>Wie schnell die Kamera dem Griff im Pan-Modus folgt. 0 hält.</translation>
+    </message>
+    <message>
+        <source>How long a change from hold to pan takes.</source>
+        <translation>Wie lange ein Wechsel von Halten zu Folgen dauert.</translation>
+    </message>
+    <message>
+        <source>How long the accelerometer is trusted less after a disturbance.</source>
+        <translation>Wie lange dem Beschleunigungssensor nach einer Störung weniger vertraut wird.</translation>
+    </message>
+    <message>
+        <source>How long the accelerometer takes to correct the angles. Short in slow, long in fast motion.</source>
+        <translation>Wie lange der Beschleunigungssensor braucht, um die Winkel zu berichtigen. Kurz bei langsamer, lang bei schneller Bewegung.</translation>
+    </message>
+    <message>
+        <source>How much of a falling battery voltage is made up for at the motors.</source>
+        <translation>Wie viel einer sinkenden Akkuspannung an den Motoren ausgeglichen wird.</translation>
+    </message>
+    <message>
+        <source>How much of the force in a turn is made up for.</source>
+        <translation>Wie viel der Kraft in einer Kurve ausgeglichen wird.</translation>
+    </message>
+    <message>
+        <source>How much softer following is near the middle.</source>
+        <translation>Wie viel weicher das Folgen nahe der Mitte ist.</translation>
+    </message>
+    <message>
+        <source>How much vertical accelerations count.</source>
+        <translation>Wie viel senkrechte Beschleunigungen zählen.</translation>
+    </message>
+    <message>
+        <source>How softly steering begins and ends. 0 sets no limit.</source>
+        <translation>Wie weich das Steuern beginnt und endet. 0 setzt keine Grenze.</translation>
+    </message>
+    <message>
+        <source>How the sensor at the camera is mounted: which of its axes point forward, left and up. A wrong one makes the camera swing away.</source>
+        <translation>Wie der Sensor an der Kamera sitzt: welche seiner Achsen nach vorn, links und oben zeigen. Eine falsche lässt die Kamera ausschwenken.</translation>
+    </message>
+    <message>
+        <source>How the sensor at the frame is mounted.</source>
+        <translation>Wie der Sensor am Rahmen sitzt.</translation>
+    </message>
+    <message>
+        <source>How the sensor at the frame is used.</source>
+        <translation>Wie der Sensor am Rahmen verwendet wird.</translation>
+    </message>
+    <message>
+        <source>How the third sensor is mounted.</source>
+        <translation>Wie der dritte Sensor sitzt.</translation>
+    </message>
+    <message>
+        <source>Hysteresis of sticks</source>
+        <translation>Hysterese der Knüppel</translation>
+    </message>
+    <message>
+        <source>Hysteresis of the pan dead band</source>
+        <translation>Hysterese des Pan-Totbereichs</translation>
+    </message>
+    <message>
+        <source>IMU error</source>
+        <translation>IMU-Fehler</translation>
+    </message>
+    <message>
+        <source>IMU mapping</source>
+        <translation>IMU-Zuordnung</translation>
+    </message>
+    <message>
+        <source>Imu3 = NT Imu2</source>
+        <translation>Imu3 = NT Imu2</translation>
+    </message>
+    <message>
+        <source>Imu3 = on-board Imu2</source>
+        <translation>Imu3 = on-board Imu2</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Eingang</translation>
+    </message>
+    <message>
+        <source>Input, pitch</source>
+        <translation>Eingang, Pitch</translation>
+    </message>
+    <message>
+        <source>Input, roll</source>
+        <translation>Eingang, Roll</translation>
+    </message>
+    <message>
+        <source>Input, yaw</source>
+        <translation>Eingang, Yaw</translation>
+    </message>
+    <message>
+        <source>Keeps all values in use, scripts included.</source>
+        <translation>Behält alle Werte in Gebrauch, samt Skripten.</translation>
+    </message>
+    <message>
+        <source>Leaves standby.</source>
+        <translation>Verlässt die Bereitschaft.</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Ausrichten</translation>
+    </message>
+    <message>
+        <source>Leveling failed</source>
+        <translation>Ausrichten fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>Levels the gimbal anew.</source>
+        <translation>Richtet den Gimbal neu aus.</translation>
+    </message>
+    <message>
+        <source>Like switching off and on.</source>
+        <translation>Wie aus- und einschalten.</translation>
+    </message>
+    <message>
+        <source>Limits how fast following changes.</source>
+        <translation>Begrenzt, wie schnell sich das Folgen ändert.</translation>
+    </message>
+    <message>
+        <source>Logging</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Low voltage limit</source>
+        <translation>Untere Spannungsgrenze</translation>
+    </message>
+    <message>
+        <source>Low-pass of analogue sticks</source>
+        <translation>Tiefpass analoger Knüppel</translation>
+    </message>
+    <message>
+        <source>Low-pass of the pan dead band</source>
+        <translation>Tiefpass des Pan-Totbereichs</translation>
+    </message>
+    <message>
+        <source>Low-pass of the sensor</source>
+        <translation>Tiefpass des Sensors</translation>
+    </message>
+    <message>
+        <source>Lowest angle</source>
+        <translation>Niedrigster Winkel</translation>
+    </message>
+    <message>
+        <source>M0=pitch , M1=roll</source>
+        <translation>M0=pitch , M1=roll</translation>
+    </message>
+    <message>
+        <source>M0=roll , M1=pitch</source>
+        <translation>M0=roll , M1=pitch</translation>
+    </message>
+    <message>
+        <source>MAVLink component</source>
+        <translation>MAVLink-Komponente</translation>
+    </message>
+    <message>
+        <source>MAVLink heartbeat</source>
+        <translation>MAVLink-Heartbeat</translation>
+    </message>
+    <message>
+        <source>MAVLink system</source>
+        <translation>MAVLink-System</translation>
+    </message>
+    <message>
+        <source>Magnets in the bell of the motor. A wrong number makes the motor run away.</source>
+        <translation>Magnete in der Glocke des Motors. Eine falsche Zahl lässt den Motor durchgehen.</translation>
+    </message>
+    <message>
+        <source>Makes a servo signal at the board&apos;s port.</source>
+        <translation>Erzeugt ein Servosignal am Anschluss des Boards.</translation>
+    </message>
+    <message>
+        <source>Makes the measured battery voltage right.</source>
+        <translation>Macht die gemessene Akkuspannung richtig.</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>Motor direction</source>
+        <translation>Motordrehrichtung</translation>
+    </message>
+    <message>
+        <source>Motor mapping</source>
+        <translation>Motorzuordnung</translation>
+    </message>
+    <message>
+        <source>Motor poles</source>
+        <translation>Motorpole</translation>
+    </message>
+    <message>
+        <source>Motor power</source>
+        <translation>Motorleistung</translation>
+    </message>
+    <message>
+        <source>Motor usage</source>
+        <translation>Motorverwendung</translation>
+    </message>
+    <message>
+        <source>Moves the middle of the stick.</source>
+        <translation>Verschiebt die Mitte des Knüppels.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name the board</source>
+        <translation>Board benennen</translation>
+    </message>
+    <message>
+        <source>Nikon</source>
+        <translation>Nikon</translation>
+    </message>
+    <message>
+        <source>No battery</source>
+        <translation>Kein Akku</translation>
+    </message>
+    <message>
+        <source>Normal stabilizes. Disabled leaves the motor without current.</source>
+        <translation>Normal stabilisiert. Abgeschaltet lässt den Motor stromlos.</translation>
+    </message>
+    <message>
+        <source>Number of the word</source>
+        <translation>Nummer des Worts</translation>
+    </message>
+    <message>
+        <source>Of the servo output.</source>
+        <translation>Des Servoausgangs.</translation>
+    </message>
+    <message>
+        <source>One of the four that are set up.</source>
+        <translation>Eine der vier eingerichteten.</translation>
+    </message>
+    <message>
+        <source>PWM output</source>
+        <translation>PWM-Ausgang</translation>
+    </message>
+    <message>
+        <source>PWM output input</source>
+        <translation>Eingang des PWM-Ausgangs</translation>
+    </message>
+    <message>
+        <source>PWM output, highest</source>
+        <translation>PWM-Ausgang, höchster Wert</translation>
+    </message>
+    <message>
+        <source>PWM output, lowest</source>
+        <translation>PWM-Ausgang, niedrigster Wert</translation>
+    </message>
+    <message>
+        <source>PWM output, middle</source>
+        <translation>PWM-Ausgang, Mitte</translation>
+    </message>
+    <message>
+        <source>PWM output, speed limit</source>
+        <translation>PWM-Ausgang, Geschwindigkeitsgrenze</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Pan</translation>
+    </message>
+    <message>
+        <source>Pan dead band</source>
+        <translation>Pan-Totbereich</translation>
+    </message>
+    <message>
+        <source>Pan expo</source>
+        <translation>Pan-Expo</translation>
+    </message>
+    <message>
+        <source>Pan limiter</source>
+        <translation>Pan-Begrenzer</translation>
+    </message>
+    <message>
+        <source>Pan mode</source>
+        <translation>Pan-Modus</translation>
+    </message>
+    <message>
+        <source>Pan mode (pitch roll yaw)</source>
+        <translation>Pan-Modus (Pitch Roll Yaw)</translation>
+    </message>
+    <message>
+        <source>Pan mode 1</source>
+        <translation>Pan-Modus 1</translation>
+    </message>
+    <message>
+        <source>Pan mode 2</source>
+        <translation>Pan-Modus 2</translation>
+    </message>
+    <message>
+        <source>Pan mode 3</source>
+        <translation>Pan-Modus 3</translation>
+    </message>
+    <message>
+        <source>Pan mode input</source>
+        <translation>Eingang des Pan-Modus</translation>
+    </message>
+    <message>
+        <source>Pan mode setting</source>
+        <translation>Pan-Modus-Einstellung</translation>
+    </message>
+    <message>
+        <source>Pan mode, default</source>
+        <translation>Pan-Modus, Vorgabe</translation>
+    </message>
+    <message>
+        <source>Pan speed</source>
+        <translation>Pan-Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Panasonic</source>
+        <translation>Panasonic</translation>
+    </message>
+    <message>
+        <source>Pitch (0 = middle)</source>
+        <translation>Pitch (0 = Mitte)</translation>
+    </message>
+    <message>
+        <source>Plain commands work again on this port at once. In RAM; store it to keep it.</source>
+        <translation>Einfache Befehle wirken an diesem Anschluss sofort wieder. Im RAM; zum Behalten speichern.</translation>
+    </message>
+    <message>
+        <source>Pot-0</source>
+        <translation>Pot-0</translation>
+    </message>
+    <message>
+        <source>Pot-1</source>
+        <translation>Pot-1</translation>
+    </message>
+    <message>
+        <source>Pot-2</source>
+        <translation>Pot-2</translation>
+    </message>
+    <message>
+        <source>Pulse</source>
+        <translation>Puls</translation>
+    </message>
+    <message>
+        <source>Puts the defaults into use; stored values stay until you store.</source>
+        <translation>Nimmt die Vorgaben in Gebrauch; gespeicherte Werte bleiben, bis Sie speichern.</translation>
+    </message>
+    <message>
+        <source>Puts the stored value of one parameter into use again.</source>
+        <translation>Nimmt den gespeicherten Wert eines Parameters wieder in Gebrauch.</translation>
+    </message>
+    <message>
+        <source>Puts the stored values into use again; what was not stored is gone.</source>
+        <translation>Nimmt die gespeicherten Werte wieder in Gebrauch; was nicht gespeichert war, ist weg.</translation>
+    </message>
+    <message>
+        <source>RC inputs</source>
+        <translation>RC-Eingänge</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Raw words</source>
+        <translation>Rohe Worte</translation>
+    </message>
+    <message>
+        <source>Rc-0</source>
+        <translation>Rc-0</translation>
+    </message>
+    <message>
+        <source>Rc-1</source>
+        <translation>Rc-1</translation>
+    </message>
+    <message>
+        <source>Rc-2</source>
+        <translation>Rc-2</translation>
+    </message>
+    <message>
+        <source>Rc2-0</source>
+        <translation>Rc2-0</translation>
+    </message>
+    <message>
+        <source>Rc2-1</source>
+        <translation>Rc2-1</translation>
+    </message>
+    <message>
+        <source>Rc2-2</source>
+        <translation>Rc2-2</translation>
+    </message>
+    <message>
+        <source>Rc2-3</source>
+        <translation>Rc2-3</translation>
+    </message>
+    <message>
+        <source>Re-center</source>
+        <translation>Zentrieren</translation>
+    </message>
+    <message>
+        <source>Re-center input</source>
+        <translation>Eingang zum Zentrieren</translation>
+    </message>
+    <message>
+        <source>Read calibration</source>
+        <translation>Kalibrierung lesen</translation>
+    </message>
+    <message>
+        <source>Read raw sensors</source>
+        <translation>Rohe Sensoren lesen</translation>
+    </message>
+    <message>
+        <source>Read status</source>
+        <translation>Status lesen</translation>
+    </message>
+    <message>
+        <source>Recovery time of the accelerometer</source>
+        <translation>Erholzeit des Beschleunigungssensors</translation>
+    </message>
+    <message>
+        <source>Release the camera</source>
+        <translation>Kamera auslösen</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Neustart</translation>
+    </message>
+    <message>
+        <source>Restarts the controller with the stored values; motors go off meanwhile.</source>
+        <translation>Startet den Regler mit den gespeicherten Werten neu; die Motoren sind solange aus.</translation>
+    </message>
+    <message>
+        <source>Restore one value</source>
+        <translation>Einen Wert zurückholen</translation>
+    </message>
+    <message>
+        <source>Retrieve</source>
+        <translation>Zurückholen</translation>
+    </message>
+    <message>
+        <source>Roll (0 = middle)</source>
+        <translation>Roll (0 = Mitte)</translation>
+    </message>
+    <message>
+        <source>Run a script</source>
+        <translation>Skript ausführen</translation>
+    </message>
+    <message>
+        <source>STorM32-Link, yaw</source>
+        <translation>STorM32-Link, Yaw</translation>
+    </message>
+    <message>
+        <source>Script</source>
+        <translation>Skript</translation>
+    </message>
+    <message>
+        <source>Script input</source>
+        <translation>Skripteingang</translation>
+    </message>
+    <message>
+        <source>Scripts</source>
+        <translation>Skripte</translation>
+    </message>
+    <message>
+        <source>Second IMU</source>
+        <translation>Zweite IMU</translation>
+    </message>
+    <message>
+        <source>Second IMU error</source>
+        <translation>Fehler der zweiten IMU</translation>
+    </message>
+    <message>
+        <source>Sensor bus errors</source>
+        <translation>Sensorbusfehler</translation>
+    </message>
+    <message>
+        <source>Set angles</source>
+        <translation>Winkel setzen</translation>
+    </message>
+    <message>
+        <source>Set stick positions</source>
+        <translation>Knüppelstellungen setzen</translation>
+    </message>
+    <message>
+        <source>Set the serial rate</source>
+        <translation>Serielle Rate setzen</translation>
+    </message>
+    <message>
+        <source>Sets all motors to normal use and restarts.</source>
+        <translation>Setzt alle Motoren auf normale Verwendung und startet neu.</translation>
+    </message>
+    <message>
+        <source>Sets the servo output.</source>
+        <translation>Setzt den Servoausgang.</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Einrichtung</translation>
+    </message>
+    <message>
+        <source>Shot</source>
+        <translation>Auslösung</translation>
+    </message>
+    <message>
+        <source>Smooths joysticks and potentiometers.</source>
+        <translation>Glättet Joysticks und Potentiometer.</translation>
+    </message>
+    <message>
+        <source>Smooths the accelerometer.</source>
+        <translation>Glättet den Beschleunigungssensor.</translation>
+    </message>
+    <message>
+        <source>Smooths what the dead band lets through.</source>
+        <translation>Glättet, was der Totbereich durchlässt.</translation>
+    </message>
+    <message>
+        <source>Smooths what the frame&apos;s sensor adds.</source>
+        <translation>Glättet, was der Sensor am Rahmen beiträgt.</translation>
+    </message>
+    <message>
+        <source>So far around its middle a stick does nothing.</source>
+        <translation>So weit um seine Mitte bewirkt ein Knüppel nichts.</translation>
+    </message>
+    <message>
+        <source>Sony Nex</source>
+        <translation>Sony Nex</translation>
+    </message>
+    <message>
+        <source>Speed limit</source>
+        <translation>Geschwindigkeitsgrenze</translation>
+    </message>
+    <message>
+        <source>Standby</source>
+        <translation>Bereitschaft</translation>
+    </message>
+    <message>
+        <source>Standby input</source>
+        <translation>Eingang der Bereitschaft</translation>
+    </message>
+    <message>
+        <source>Standby: all motors are without current.</source>
+        <translation>Bereitschaft: alle Motoren sind stromlos.</translation>
+    </message>
+    <message>
+        <source>Start position</source>
+        <translation>Startposition</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>State, status bits, bus errors and voltage.</source>
+        <translation>Zustand, Statusbits, Busfehler und Spannung.</translation>
+    </message>
+    <message>
+        <source>Status bits</source>
+        <translation>Statusbits</translation>
+    </message>
+    <message>
+        <source>Status bits 2</source>
+        <translation>Statusbits 2</translation>
+    </message>
+    <message>
+        <source>Steering does not take the camera beyond.</source>
+        <translation>Steuern bringt die Kamera nicht darüber hinaus.</translation>
+    </message>
+    <message>
+        <source>Steers like a receiver would.</source>
+        <translation>Steuert, wie ein Empfänger es täte.</translation>
+    </message>
+    <message>
+        <source>Store</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Stored at once; takes effect when the board is switched on again.</source>
+        <translation>Sofort gespeichert; wirkt, wenn das Board wieder eingeschaltet wird.</translation>
+    </message>
+    <message>
+        <source>Strength of the answer to an angle error. Too little is soft, too much vibrates.</source>
+        <translation>Stärke der Antwort auf einen Winkelfehler. Zu wenig ist weich, zu viel vibriert.</translation>
+    </message>
+    <message>
+        <source>Switch the heartbeat off</source>
+        <translation>Heartbeat ausschalten</translation>
+    </message>
+    <message>
+        <source>Switches standby on or off.</source>
+        <translation>Schaltet die Bereitschaft ein oder aus.</translation>
+    </message>
+    <message>
+        <source>Take RC trims</source>
+        <translation>RC-Trimmung übernehmen</translation>
+    </message>
+    <message>
+        <source>Take motor directions</source>
+        <translation>Motordrehrichtungen übernehmen</translation>
+    </message>
+    <message>
+        <source>Take start position, yaw</source>
+        <translation>Startposition übernehmen, Yaw</translation>
+    </message>
+    <message>
+        <source>Take start positions, pitch and roll</source>
+        <translation>Startpositionen übernehmen, Pitch und Roll</translation>
+    </message>
+    <message>
+        <source>Takes noise from the gyro. A lower one delays the control loop.</source>
+        <translation>Nimmt Rauschen vom Gyro. Ein tieferer verzögert den Regelkreis.</translation>
+    </message>
+    <message>
+        <source>Takes the sticks&apos; present positions as their middle; in RAM.</source>
+        <translation>Nimmt die jetzigen Knüppelstellungen als ihre Mitte; im RAM.</translation>
+    </message>
+    <message>
+        <source>The board did not find its level at the start.</source>
+        <translation>Das Board hat beim Start die Waagerechte nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>The board&apos;s number of component.</source>
+        <translation>Die Komponentennummer des Boards.</translation>
+    </message>
+    <message>
+        <source>The board&apos;s number of system.</source>
+        <translation>Die Systemnummer des Boards.</translation>
+    </message>
+    <message>
+        <source>The camera does not follow before the handle has turned so far.</source>
+        <translation>Die Kamera folgt erst, wenn sich der Griff so weit gedreht hat.</translation>
+    </message>
+    <message>
+        <source>The camera goes on following until the handle is so much inside the dead band.</source>
+        <translation>Die Kamera folgt weiter, bis der Griff so weit innerhalb des Totbereichs ist.</translation>
+    </message>
+    <message>
+        <source>The camera is released again after so long. 0 switches that off.</source>
+        <translation>Die Kamera wird nach dieser Zeit wieder ausgelöst. 0 schaltet das aus.</translation>
+    </message>
+    <message>
+        <source>The filter inside the motion sensor. A lower one delays the control loop.</source>
+        <translation>Der Filter im Bewegungssensor. Ein tieferer verzögert den Regelkreis.</translation>
+    </message>
+    <message>
+        <source>The motion sensor answers, but not well.</source>
+        <translation>Der Bewegungssensor antwortet, aber nicht gut.</translation>
+    </message>
+    <message>
+        <source>The motors have no supply; settings can be changed all the same.</source>
+        <translation>Die Motoren haben keine Versorgung; Einstellungen lassen sich trotzdem ändern.</translation>
+    </message>
+    <message>
+        <source>The next start begins with defaults. Values in use stay until then.</source>
+        <translation>Der nächste Start beginnt mit Vorgaben. Werte in Gebrauch bleiben bis dahin.</translation>
+    </message>
+    <message>
+        <source>The receiver at the board&apos;s port, whose channels serve as inputs.</source>
+        <translation>Der Empfänger am Anschluss des Boards, dessen Kanäle als Eingänge dienen.</translation>
+    </message>
+    <message>
+        <source>The sensor at the frame answers, but not well.</source>
+        <translation>Der Sensor am Rahmen antwortet, aber nicht gut.</translation>
+    </message>
+    <message>
+        <source>Third IMU</source>
+        <translation>Dritte IMU</translation>
+    </message>
+    <message>
+        <source>Third IMU orientation</source>
+        <translation>Ausrichtung der dritten IMU</translation>
+    </message>
+    <message>
+        <source>Time between pictures</source>
+        <translation>Zeit zwischen Bildern</translation>
+    </message>
+    <message>
+        <source>Trust in the accelerometer</source>
+        <translation>Vertrauen in den Beschleunigungssensor</translation>
+    </message>
+    <message>
+        <source>Turns the camera to these angles; down, right and left are positive.</source>
+        <translation>Dreht die Kamera auf diese Winkel; unten, rechts und links sind positiv.</translation>
+    </message>
+    <message>
+        <source>Turns the level of this axis a little, to make up for a sensor that sits askew.</source>
+        <translation>Dreht die Waagerechte dieser Achse ein wenig, um einen schief sitzenden Sensor auszugleichen.</translation>
+    </message>
+    <message>
+        <source>Up direction, X</source>
+        <translation>Richtung nach oben, X</translation>
+    </message>
+    <message>
+        <source>Up direction, Y</source>
+        <translation>Richtung nach oben, Y</translation>
+    </message>
+    <message>
+        <source>Up direction, Z</source>
+        <translation>Richtung nach oben, Z</translation>
+    </message>
+    <message>
+        <source>Up to 16 letters; stored at once.</source>
+        <translation>Bis zu 16 Buchstaben; sofort gespeichert.</translation>
+    </message>
+    <message>
+        <source>Use a pan mode setting</source>
+        <translation>Pan-Modus-Einstellung verwenden</translation>
+    </message>
+    <message>
+        <source>Use all motors, restart</source>
+        <translation>Alle Motoren verwenden, Neustart</translation>
+    </message>
+    <message>
+        <source>Virtual channels</source>
+        <translation>Virtuelle Kanäle</translation>
+    </message>
+    <message>
+        <source>Virtual-1</source>
+        <translation>Virtual-1</translation>
+    </message>
+    <message>
+        <source>Virtual-10</source>
+        <translation>Virtual-10</translation>
+    </message>
+    <message>
+        <source>Virtual-11</source>
+        <translation>Virtual-11</translation>
+    </message>
+    <message>
+        <source>Virtual-12</source>
+        <translation>Virtual-12</translation>
+    </message>
+    <message>
+        <source>Virtual-13</source>
+        <translation>Virtual-13</translation>
+    </message>
+    <message>
+        <source>Virtual-14</source>
+        <translation>Virtual-14</translation>
+    </message>
+    <message>
+        <source>Virtual-15</source>
+        <translation>Virtual-15</translation>
+    </message>
+    <message>
+        <source>Virtual-16</source>
+        <translation>Virtual-16</translation>
+    </message>
+    <message>
+        <source>Virtual-2</source>
+        <translation>Virtual-2</translation>
+    </message>
+    <message>
+        <source>Virtual-3</source>
+        <translation>Virtual-3</translation>
+    </message>
+    <message>
+        <source>Virtual-4</source>
+        <translation>Virtual-4</translation>
+    </message>
+    <message>
+        <source>Virtual-5</source>
+        <translation>Virtual-5</translation>
+    </message>
+    <message>
+        <source>Virtual-6</source>
+        <translation>Virtual-6</translation>
+    </message>
+    <message>
+        <source>Virtual-7</source>
+        <translation>Virtual-7</translation>
+    </message>
+    <message>
+        <source>Virtual-8</source>
+        <translation>Virtual-8</translation>
+    </message>
+    <message>
+        <source>Virtual-9</source>
+        <translation>Virtual-9</translation>
+    </message>
+    <message>
+        <source>Voltage calibration</source>
+        <translation>Spannungskalibrierung</translation>
+    </message>
+    <message>
+        <source>Voltage correction</source>
+        <translation>Spannungsausgleich</translation>
+    </message>
+    <message>
+        <source>Weight of vertical acceleration</source>
+        <translation>Gewicht senkrechter Beschleunigung</translation>
+    </message>
+    <message>
+        <source>What brings the camera back to its middle.</source>
+        <translation>Was die Kamera in ihre Mitte zurückbringt.</translation>
+    </message>
+    <message>
+        <source>What chooses the case of the script that runs.</source>
+        <translation>Was den Fall des laufenden Skripts wählt.</translation>
+    </message>
+    <message>
+        <source>What is written by a logger on the NT bus.</source>
+        <translation>Was ein Logger am NT-Bus schreibt.</translation>
+    </message>
+    <message>
+        <source>What releases the camera.</source>
+        <translation>Was die Kamera auslöst.</translation>
+    </message>
+    <message>
+        <source>What steers this axis.</source>
+        <translation>Was diese Achse steuert.</translation>
+    </message>
+    <message>
+        <source>What switches between the pan modes.</source>
+        <translation>Was zwischen den Pan-Modi umschaltet.</translation>
+    </message>
+    <message>
+        <source>What switches the motors off and on.</source>
+        <translation>Was die Motoren aus- und einschaltet.</translation>
+    </message>
+    <message>
+        <source>What the accelerometer shows at rest.</source>
+        <translation>Was der Beschleunigungssensor in Ruhe zeigt.</translation>
+    </message>
+    <message>
+        <source>What the camera is told at the input&apos;s first position.</source>
+        <translation>Was der Kamera in der ersten Stellung des Eingangs gesagt wird.</translation>
+    </message>
+    <message>
+        <source>What the camera is told at the input&apos;s second position.</source>
+        <translation>Was der Kamera in der zweiten Stellung des Eingangs gesagt wird.</translation>
+    </message>
+    <message>
+        <source>What the motors sound for.</source>
+        <translation>Wofür die Motoren tönen.</translation>
+    </message>
+    <message>
+        <source>What the serial port sends by itself. While it does, it answers MAVLink only: this program then goes the long way round.</source>
+        <translation>Was der serielle Anschluss von selbst sendet. Solange er das tut, antwortet er nur auf MAVLink: dieses Programm nimmt dann den Umweg.</translation>
+    </message>
+    <message>
+        <source>What the servo output follows.</source>
+        <translation>Wem der Servoausgang folgt.</translation>
+    </message>
+    <message>
+        <source>Where the camera points when no stick is moved.</source>
+        <translation>Wohin die Kamera zeigt, wenn kein Knüppel bewegt ist.</translation>
+    </message>
+    <message>
+        <source>Where the motor stands at the start when it is used by position. Take it over with the action, rather than by hand.</source>
+        <translation>Wo der Motor beim Start steht, wenn er nach Position verwendet wird. Lieber mit der Aktion übernehmen als von Hand.</translation>
+    </message>
+    <message>
+        <source>Which axes follow the handle (pan) and which keep their direction (hold): pitch, roll, yaw.</source>
+        <translation>Welche Achsen dem Griff folgen (pan) und welche ihre Richtung halten (hold): Pitch, Roll, Yaw.</translation>
+    </message>
+    <message>
+        <source>Which axes follow the handle, until it is changed back.</source>
+        <translation>Welche Achsen dem Griff folgen, bis es zurückgestellt wird.</translation>
+    </message>
+    <message>
+        <source>Which motor is at which connector. A wrong one makes the motors run away.</source>
+        <translation>Welcher Motor an welchem Anschluss ist. Eine falsche lässt die Motoren durchgehen.</translation>
+    </message>
+    <message>
+        <source>Which sensor is at which bus. A wrong one makes the camera swing away.</source>
+        <translation>Welcher Sensor an welchem Bus ist. Eine falsche lässt die Kamera ausschwenken.</translation>
+    </message>
+    <message>
+        <source>Which sensor serves as the third one.</source>
+        <translation>Welcher Sensor als dritter dient.</translation>
+    </message>
+    <message>
+        <source>Whose remote control is imitated.</source>
+        <translation>Wessen Fernauslöser nachgeahmt wird.</translation>
+    </message>
+    <message>
+        <source>Within the limits of the sticks</source>
+        <translation>In den Grenzen der Knüppel</translation>
+    </message>
+    <message>
+        <source>Word</source>
+        <translation>Wort</translation>
+    </message>
+    <message>
+        <source>Yaw (0 = middle)</source>
+        <translation>Yaw (0 = Mitte)</translation>
+    </message>
+    <message>
+        <source>Zeros and scales of both sensors.</source>
+        <translation>Nullpunkte und Maßstäbe beider Sensoren.</translation>
+    </message>
+    <message>
+        <source>absolute</source>
+        <translation>absolut</translation>
+    </message>
+    <message>
+        <source>absolute centered</source>
+        <translation>absolut zentriert</translation>
+    </message>
+    <message>
+        <source>advanced</source>
+        <translation>erweitert</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>as set</source>
+        <translation>wie eingestellt</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>basic</source>
+        <translation>einfach</translation>
+    </message>
+    <message>
+        <source>basic + accgyro</source>
+        <translation>basic + accgyro</translation>
+    </message>
+    <message>
+        <source>basic + accgyro_raw</source>
+        <translation>basic + accgyro_raw</translation>
+    </message>
+    <message>
+        <source>basic + pid</source>
+        <translation>basic + pid</translation>
+    </message>
+    <message>
+        <source>basic + pid + accgyro</source>
+        <translation>basic + pid + accgyro</translation>
+    </message>
+    <message>
+        <source>basic + pid + ag_raw</source>
+        <translation>basic + pid + ag_raw</translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>abgeschaltet</translation>
+    </message>
+    <message>
+        <source>emit heartbeat</source>
+        <translation>Heartbeat senden</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>voll</translation>
+    </message>
+    <message>
+        <source>full v1</source>
+        <translation>full v1</translation>
+    </message>
+    <message>
+        <source>full v1 xy</source>
+        <translation>full v1 xy</translation>
+    </message>
+    <message>
+        <source>full xy</source>
+        <translation>full xy</translation>
+    </message>
+    <message>
+        <source>heartbeat + attitude</source>
+        <translation>Heartbeat + Lage</translation>
+    </message>
+    <message>
+        <source>hold hold hold</source>
+        <translation>hold hold hold</translation>
+    </message>
+    <message>
+        <source>hold hold pan</source>
+        <translation>hold hold pan</translation>
+    </message>
+    <message>
+        <source>hold pan pan</source>
+        <translation>hold pan pan</translation>
+    </message>
+    <message>
+        <source>hott sumd</source>
+        <translation>hott sumd</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>waagerecht</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>leicht</translation>
+    </message>
+    <message>
+        <source>light xy</source>
+        <translation>light xy</translation>
+    </message>
+    <message>
+        <source>no heartbeat</source>
+        <translation>kein Heartbeat</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>none, Imu2=on-board</source>
+        <translation>keine, Imu2=auf dem Board</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>pan hold hold</source>
+        <translation>pan hold hold</translation>
+    </message>
+    <message>
+        <source>pan hold pan</source>
+        <translation>pan hold pan</translation>
+    </message>
+    <message>
+        <source>pan pan pan</source>
+        <translation>pan pan pan</translation>
+    </message>
+    <message>
+        <source>pitch yaw roll</source>
+        <translation>pitch yaw roll</translation>
+    </message>
+    <message>
+        <source>relative</source>
+        <translation>relativ</translation>
+    </message>
+    <message>
+        <source>relative turn around</source>
+        <translation>relativ mit Umdrehen</translation>
+    </message>
+    <message>
+        <source>reversed</source>
+        <translation>umgekehrt</translation>
+    </message>
+    <message>
+        <source>roll yaw pitch</source>
+        <translation>roll yaw pitch</translation>
+    </message>
+    <message>
+        <source>sbus</source>
+        <translation>sbus</translation>
+    </message>
+    <message>
+        <source>shutter</source>
+        <translation>Auslöser</translation>
+    </message>
+    <message>
+        <source>shutter delay</source>
+        <translation>Auslöser verzögert</translation>
+    </message>
+    <message>
+        <source>shutter-delayed</source>
+        <translation>Auslöser verzögert</translation>
+    </message>
+    <message>
+        <source>spektrum 10 bit</source>
+        <translation>spektrum 10 bit</translation>
+    </message>
+    <message>
+        <source>spektrum 11 bit</source>
+        <translation>spektrum 11 bit</translation>
+    </message>
+    <message>
+        <source>srxl</source>
+        <translation>srxl</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>standard</translation>
+    </message>
+    <message>
+        <source>startup pos</source>
+        <translation>Startposition</translation>
+    </message>
+    <message>
+        <source>sum ppm 10</source>
+        <translation>sum ppm 10</translation>
+    </message>
+    <message>
+        <source>sum ppm 12</source>
+        <translation>sum ppm 12</translation>
+    </message>
+    <message>
+        <source>sum ppm 6</source>
+        <translation>sum ppm 6</translation>
+    </message>
+    <message>
+        <source>sum ppm 7</source>
+        <translation>sum ppm 7</translation>
+    </message>
+    <message>
+        <source>sum ppm 8</source>
+        <translation>sum ppm 8</translation>
+    </message>
+    <message>
+        <source>video on/off</source>
+        <translation>Video ein/aus</translation>
+    </message>
+    <message>
+        <source>video-off</source>
+        <translation>Video aus</translation>
+    </message>
+    <message>
+        <source>video-on</source>
+        <translation>Video ein</translation>
+    </message>
+    <message>
+        <source>x0°</source>
+        <translation>x0°</translation>
+    </message>
+    <message>
+        <source>x180°</source>
+        <translation>x180°</translation>
+    </message>
+    <message>
+        <source>x270°</source>
+        <translation>x270°</translation>
+    </message>
+    <message>
+        <source>x90°</source>
+        <translation>x90°</translation>
+    </message>
+    <message>
+        <source>y0°</source>
+        <translation>y0°</translation>
+    </message>
+    <message>
+        <source>y180°</source>
+        <translation>y180°</translation>
+    </message>
+    <message>
+        <source>y270°</source>
+        <translation>y270°</translation>
+    </message>
+    <message>
+        <source>y90°</source>
+        <translation>y90°</translation>
+    </message>
+    <message>
+        <source>yaw pitch roll</source>
+        <translation>yaw pitch roll</translation>
+    </message>
+    <message>
+        <source>yaw roll pitch</source>
+        <translation>yaw roll pitch</translation>
+    </message>
+    <message>
+        <source>z0°</source>
+        <translation>z0°</translation>
+    </message>
+    <message>
+        <source>z180°</source>
+        <translation>z180°</translation>
+    </message>
+    <message>
+        <source>z270°</source>
+        <translation>z270°</translation>
+    </message>
+    <message>
+        <source>z90°</source>
+        <translation>z90°</translation>
+    </message>
 </context>
 <context>
     <name>TuningPage</name>

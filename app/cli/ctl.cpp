@@ -138,7 +138,8 @@ QString Ctl::helpText() const
 {
     QString text = u"gimbalctl --link ADDRESS [--family F] [--json] COMMAND\n\n"
                    u"ADDRESS: serial:/dev/ttyUSB0?baud=115200&parity=none, tcp://host:port, sim:simplebgc?seed=1,\n"
-                   u"         replay:FILE?speed=4\n\n"_s;
+                   u"         sim:storm32?firmware=0.90, replay:FILE?speed=4\n"
+                   u"F: simplebgc or storm32; without it gimbalctl finds out who answers\n\n"_s;
     for (const auto &command : m_commands) {
         text += u"  %1 %2\n"_s.arg(QString::fromUtf8(command->usage()).leftJustified(64),
                                   QString::fromUtf8(command->help()));
@@ -159,7 +160,7 @@ std::optional<int> Ctl::start(const QStringList &arguments)
 {
     QCommandLineParser parser;
     const QCommandLineOption link(u"link"_s, {}, u"address"_s);
-    const QCommandLineOption family(u"family"_s, {}, u"family"_s, u"simplebgc"_s);
+    const QCommandLineOption family(u"family"_s, {}, u"family"_s);
     const QCommandLineOption json(u"json"_s);
     const QCommandLineOption profile(u"profile"_s, {}, u"n"_s);
     const QCommandLineOption noSave(u"no-save"_s);
@@ -233,7 +234,8 @@ std::optional<int> Ctl::start(const QStringList &arguments)
         return wrong(address.error().detail);
     const QList<Family> families = allFamilies();
     const QString familyKey = parser.value(family);
-    if (std::none_of(families.begin(), families.end(), [&](const Family &f) { return f.key == familyKey; })) {
+    // Without one it is found out who answers.
+    if (parser.isSet(family) && std::none_of(families.begin(), families.end(), [&](const Family &f) { return f.key == familyKey; })) {
         QStringList keys;
         for (const Family &known : families)
             keys.append(known.key);

@@ -5,10 +5,11 @@
 #include "protocol/record/replaytransport.h"
 #include "protocol/simplebgc/sbgcdevice.h"
 #include "protocol/simulator/hosts.h"
+#include "protocol/storm32/stormdevice.h"
 
 QList<Family> allFamilies()
 {
-    return {sbgcFamily()};
+    return {sbgcFamily(), stormFamily()};
 }
 
 Links allLinks()

@@ -141,7 +141,7 @@ void LinkBar::connectOrDisconnect()
         emit m_workspace.problem(describe(address.error()));
         return;
     }
-    m_workspace.connectTo(*address, client.families().first().key);
+    m_workspace.connectTo(*address);
 }
 
 void LinkBar::updateState()

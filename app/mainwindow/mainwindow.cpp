@@ -168,7 +168,7 @@ void MainWindow::openLink(const QString &address)
         m_messages->showProblem(describe(parsed.error()));
         return;
     }
-    m_workspace->connectTo(*parsed, m_workspace->client().families().first().key);
+    m_workspace->connectTo(*parsed);
 }
 
 void MainWindow::openFile(const QString &path)

@@ -56,7 +56,7 @@ public:
     /// Adds a mark at this moment.
     void mark(PlotMark::Kind kind, const QString &text) { m_linkMarks.add(kind, text); }
 
-    void connectTo(const LinkAddress &address, const QString &family);
+    void connectTo(const LinkAddress &address, const QString &family = {});
     /// Reads everything; edits are kept where the board is the same one.
     void readBoard();
     /// Writes what differs between the board and this, verified, with a snapshot before the first write.

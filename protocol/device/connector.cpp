@@ -73,7 +73,6 @@ Result<FoundBoard> findBoard(Channel &channel, Device &device, const LinkAddress
         candidates.append(std::nullopt);
     }
 
-    QString other;
     for (qsizetype i = 0; i < candidates.size(); ++i) {
         const auto &line = candidates[i];
         channel.progress(tryingProgress(int(i), int(candidates.size()), line));
@@ -87,9 +86,9 @@ Result<FoundBoard> findBoard(Channel &channel, Device &device, const LinkAddress
         if (!answered)
             return tl::unexpected(answered.error());
         if (!*answered) {
-            // Looked at now: what comes at the next rates may bury it.
-            if (other.isEmpty())
-                other = recognizeProtocol(channel.observation().lastBytes);
+            // Looked at now: what comes at the next rates would bury it. Whoever speaks at this rate will not at another.
+            if (const QString other = recognizeProtocol(channel.observation().lastBytes); !other.isEmpty())
+                return failure(ErrorCode::WrongProtocol, other);
             continue;
         }
         auto identity = device.identify(channel);
@@ -99,8 +98,6 @@ Result<FoundBoard> findBoard(Channel &channel, Device &device, const LinkAddress
     }
 
     const LinkObservation seen = channel.observation();
-    if (!other.isEmpty())
-        return failure(ErrorCode::WrongProtocol, other);
     if (seen.bytesIn > 0)
         return failure(ErrorCode::Garbage, u"%1 bytes: %2"_s.arg(seen.bytesIn).arg(
                                                QString::fromLatin1(seen.lastBytes.left(16).toHex(' '))));

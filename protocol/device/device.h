@@ -215,4 +215,6 @@ struct Family
     std::function<std::unique_ptr<Device>()> makeDevice;
     /// The parameters that a board with this identity has, to understand a file without the board.
     std::function<std::shared_ptr<const ParameterSet>(const BoardIdentity &)> makeParameters;
+    /// What recognizeProtocol() calls its bytes, when another family was asked for.
+    QStringList speaks = {};
 };

@@ -25,24 +25,58 @@ constexpr auto kRestartTime = 1500ms;
 /// One series of attempts to get a board: the first connection, or reconnecting until it succeeds.
 struct DeviceClient::Attempt
 {
-    std::shared_ptr<Device> device;
+    struct Candidate
+    {
+        QString family;
+        QStringList speaks;
+        std::shared_ptr<Device> device;
+    };
+    std::vector<Candidate> candidates;
+    std::optional<Candidate> chosen;
     std::shared_ptr<JobControl> control;
     LinkAddress address;
     std::optional<LineSettings> knownLine;
     bool repeat = false;
     milliseconds delay{};
 
-    Result<FoundBoard> once(SessionChannel &channel, bool useKnownLine) const
+    Result<FoundBoard> ask(const Candidate &candidate, SessionChannel &channel, bool useKnownLine)
     {
         LinkAddress target = address;
         if (useKnownLine && knownLine && address.kind() == LinkAddress::Kind::Serial)
             target = LinkAddress::serial(address.target(), knownLine->baud, knownLine->parity);
-        if (auto opened = channel.open(target, device->makeFramer()); !opened)
+        if (auto opened = channel.open(target, candidate.device->makeFramer()); !opened)
             return tl::unexpected(opened.error());
-        return findBoard(channel, *device, target);
+        auto found = findBoard(channel, *candidate.device, target);
+        if (found)
+            chosen = candidate;
+        return found;
     }
 
-    Result<FoundBoard> run(SessionChannel &channel) const
+    // One family after the other. Where one is recognised by its bytes it is asked next; where nothing at all came, nobody of
+    // them is there (a recording answers nobody but its own).
+    Result<FoundBoard> once(SessionChannel &channel, bool useKnownLine)
+    {
+        std::optional<Error> first;
+        for (const Candidate &candidate : candidates) {
+            auto found = ask(candidate, channel, useKnownLine);
+            if (found || found.error().code == ErrorCode::Cancelled)
+                return found;
+            const Error error = found.error();
+            if (!first || first->code == ErrorCode::Garbage)
+                first = error;
+            const auto named = std::find_if(candidates.begin(), candidates.end(), [&error](const Candidate &each) {
+                return error.code == ErrorCode::WrongProtocol && each.speaks.contains(error.detail);
+            });
+            if (named != candidates.end() && &*named != &candidate)
+                return ask(*named, channel, useKnownLine);
+            const bool nobody = error.code != ErrorCode::Garbage && error.code != ErrorCode::Timeout;
+            if (nobody && !address.isReplay())
+                break;
+        }
+        return tl::unexpected(first.value_or(Error{ErrorCode::InvalidArgument, {}}));
+    }
+
+    Result<FoundBoard> run(SessionChannel &channel)
     {
         if (const auto slept = channel.sleep(delay); !slept)
             return tl::unexpected(slept.error());
@@ -174,14 +208,17 @@ void DeviceClient::closeSession()
 
 void DeviceClient::startAttempt(State state, milliseconds delay)
 {
-    const auto family = std::find_if(m_families.begin(), m_families.end(),
-                                     [this](const Family &f) { return f.key == m_familyKey; });
-    if (family == m_families.end()) {
-        emit connectionFailed({ErrorCode::InvalidArgument, u"family %1"_s.arg(m_familyKey)});
+    auto attempt = std::make_shared<Attempt>();
+    const bool simulated = m_address.kind() == LinkAddress::Kind::Simulator;
+    const QString wanted = m_familyKey.isEmpty() && simulated ? m_address.target() : m_familyKey;
+    for (const Family &family : std::as_const(m_families)) {
+        if (wanted.isEmpty() || family.key == wanted)
+            attempt->candidates.push_back({family.key, family.speaks, family.makeDevice()});
+    }
+    if (attempt->candidates.empty()) {
+        emit connectionFailed({ErrorCode::InvalidArgument, u"family %1"_s.arg(wanted)});
         return;
     }
-    auto attempt = std::make_shared<Attempt>();
-    attempt->device = family->makeDevice();
     attempt->control = std::make_shared<JobControl>();
     attempt->address = m_address;
     attempt->knownLine = m_line;
@@ -209,7 +246,8 @@ void DeviceClient::finishAttempt(const std::shared_ptr<Attempt> &attempt, Result
             emit connectionFailed(found.error());
         return;
     }
-    m_device = attempt->device;
+    m_device = attempt->chosen->device;
+    m_familyKey = attempt->chosen->family;   // it stays the one when the link comes back
     if (m_address.isReplay())
         m_device->setReadOnly();   // what happened cannot be changed
     m_identity = m_device->identity();

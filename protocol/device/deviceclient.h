@@ -46,7 +46,7 @@ public:
     [[nodiscard]] const FrameLog &frames() const { return m_frames; }
 
     /// Opens the link, finds rate and parity, identifies the board. stateChanged() and connectionFailed() tell the rest.
-    void connectTo(const LinkAddress &address, const QString &family);
+    void connectTo(const LinkAddress &address, const QString &family = {});
     void disconnectFromBoard();
     /// Ends link and threads; every future has its result afterwards. Whoever waits for one (`future.then(this, ...)`) must
     /// live until then, so this comes before anything that uses the client is taken down. The destructor does it too.

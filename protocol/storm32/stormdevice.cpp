@@ -83,7 +83,8 @@ StormDevice::~StormDevice() = default;
 
 Family stormFamily()
 {
-    return {u"storm32"_s, u"STorM32"_s, [] { return std::make_unique<StormDevice>(); }, parametersOf};
+    return {u"storm32"_s, u"STorM32"_s, [] { return std::make_unique<StormDevice>(); }, parametersOf,
+            {u"STorM32"_s, u"MAVLink"_s}};
 }
 
 std::unique_ptr<Framer> StormDevice::makeFramer() const

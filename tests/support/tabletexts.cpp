@@ -7,6 +7,9 @@
 #include "protocol/simplebgc/adjustables.h"
 #include "protocol/simplebgc/parametertables.h"
 #include "protocol/simplebgc/telemetrytables.h"
+#include "protocol/storm32/parametertables.h"
+#include "protocol/storm32/stormdevice.h"
+#include "protocol/storm32/telemetrytables.h"
 #include "tests/support/virtualboard.h"
 
 #include <QMap>
@@ -100,6 +103,25 @@ int main()
         texts.add(mode.label);
     for (const char *axis : {"Roll", "Pitch", "Yaw"})
         texts.add(axis);
+    for (const auto rows : {storm32::parameterRows(), storm32::rawRows(95)}) {
+        for (const ParameterRow &row : rows) {
+            for (const char *text : {row.label, row.group, row.help})
+                texts.add(text);
+            texts.add(row.choices);
+        }
+    }
+    for (const ChannelSpec &channel : storm32::channelTable()) {
+        texts.add(channel.label);
+        texts.add(channel.group);
+    }
+    for (const unsigned bits : {0U, 0x8000U, 0x9028U, 0x803CU}) {
+        for (const BoardFault &fault : storm32::faultsOf(bits, 6))
+            texts.add(fault);
+    }
+    const StormDevice storm;
+    texts.add(storm.actions());
+    for (const ControlMode &mode : storm.controlModes())
+        texts.add(mode.label);
     texts.print();
     return 0;
 }
