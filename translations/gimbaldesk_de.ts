@@ -239,6 +239,10 @@
         <source>Gains by iteration (P solid, D dashed)</source>
         <translation>Verstärkungen je Durchgang (P durchgezogen, D gestrichelt)</translation>
     </message>
+    <message>
+        <source>This board has no command for it.</source>
+        <translation>Dieses Board hat keinen Befehl dafür.</translation>
+    </message>
 </context>
 <context>
     <name>AxisDial</name>
@@ -614,6 +618,10 @@
     <message>
         <source>The result is stored in the sensor&apos;s memory; the settings as they were are among the backups.</source>
         <translation>Das Ergebnis steht im Speicher des Sensors; die Einstellungen, wie sie waren, liegen bei den Sicherungen.</translation>
+    </message>
+    <message>
+        <source>This board has no command for it.</source>
+        <translation>Dieses Board hat keinen Befehl dafür.</translation>
     </message>
 </context>
 <context>

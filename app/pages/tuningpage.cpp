@@ -252,7 +252,11 @@ void TuningPage::onStore()
     QList<Curve> errors;
     QList<Curve> gyros;
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-        errors.append({roles.target[axis], roles.angle[axis], tr("Error, %1").arg(axisLabel(kAxes[axis]))});
+        // A board that does not tell its targets shows the angles themselves.
+        if (roles.target[axis] >= 0)
+            errors.append({roles.target[axis], roles.angle[axis], tr("Error, %1").arg(axisLabel(kAxes[axis]))});
+        else
+            errors.append({roles.angle[axis], -1, {}});
         gyros.append({roles.gyro[axis], -1, {}});
     }
     m_plots[0]->setCurves(client.device()->channels(), errors, client.telemetry());
@@ -309,7 +313,13 @@ void TuningPage::updateFigures()
     const ChannelRoles roles = workspace().roles();
     const double now = store->now();
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-        const SpanStatistics span = spanStatistics(*store, roles.target[axis], roles.angle[axis], now - kFigureSpan, now);
+        const bool told = roles.target[axis] >= 0;
+        SpanStatistics span = spanStatistics(*store, told ? roles.target[axis] : roles.angle[axis], told ? roles.angle[axis] : -1,
+                                             now - kFigureSpan, now);
+        if (!told) {   // without a target, how far it strays from where it is held
+            span.rms = std::sqrt(std::max(0.0, span.rms * span.rms - span.mean * span.mean));
+            span.peak = std::max(0.0, span.peak - std::abs(span.mean));
+        }
         m_now[axis] = {span.rms, span.peak};
         auto &cells = m_cells[axis];
         cells[0]->setText(figure(span.rms));

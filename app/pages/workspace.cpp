@@ -514,6 +514,14 @@ double Workspace::latest(int channel) const
     return store ? double(store->latest(channel)) : std::nan("");
 }
 
+bool Workspace::hasAction(const QString &key) const
+{
+    if (!m_client.device())
+        return false;
+    const auto actions = m_client.device()->actions();
+    return std::any_of(actions.begin(), actions.end(), [&key](const ActionSpec &action) { return key == QLatin1String(action.key); });
+}
+
 ChannelRoles Workspace::roles() const
 {
     return m_client.device() ? m_client.device()->roles() : ChannelRoles();

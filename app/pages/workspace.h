@@ -98,6 +98,8 @@ public:
     /// The channel's newest value, NaN without one.
     [[nodiscard]] double latest(int channel) const;
     [[nodiscard]] ChannelRoles roles() const;
+    /// The connected board has an action of that name.
+    [[nodiscard]] bool hasAction(const QString &key) const;
     /// True, false, or nothing while telemetry is missing or old.
     [[nodiscard]] std::optional<bool> motorsRunning() const;
     [[nodiscard]] std::vector<BoardFault> faults() const;

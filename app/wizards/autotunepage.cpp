@@ -113,6 +113,7 @@ void AutoTunePage::setState(State state)
     const bool ready = workspace().client().isConnected() && workspace().client().identity().writable && m_form;
     m_start->setVisible(state != State::Running);
     m_start->setEnabled(ready);
+    m_start->setToolTip(workspace().client().isConnected() && !m_form ? tr("This board has no command for it.") : QString());
     m_start->setText(state == State::Finished ? tr("Search again: the camera will shake")
                                               : tr("Start: the camera will shake"));
     m_start->setObjectName(state == State::Finished ? QString() : u"primary"_s);   // then accepting is the next step

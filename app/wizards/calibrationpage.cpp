@@ -215,8 +215,11 @@ void CalibrationPage::hideEvent(QHideEvent *event)
 void CalibrationPage::updateSimulated()
 {
     m_simulated->setVisible(workspace().isSimulated());
-    for (QPushButton *button : m_stack->widget(0)->findChildren<QPushButton *>())
-        button->setEnabled(workspace().client().isConnected() && workspace().client().identity().writable);
+    const bool can = !workspace().client().device() || workspace().hasAction(u"calibrate.gyro"_s);
+    for (QPushButton *button : m_stack->widget(0)->findChildren<QPushButton *>()) {
+        button->setEnabled(workspace().client().isConnected() && workspace().client().identity().writable && can);
+        button->setToolTip(can ? QString() : tr("This board has no command for it."));
+    }
 }
 
 int CalibrationPage::doneCount() const

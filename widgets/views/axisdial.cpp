@@ -39,9 +39,9 @@ void AxisDial::setValues(double angle, double target, double power)
     m_valid = !std::isnan(angle);
     m_angle = shown(angle);
     m_target = shown(target);
-    m_power = std::isnan(power) ? 0.0 : power;
-    setAccessibleDescription(m_valid ? tr("Angle %1°, target %2°, motor power %3 %").arg(angle, 0, 'f', 1)
-                                           .arg(target, 0, 'f', 1).arg(m_power, 0, 'f', 0)
+    m_power = power;
+    const auto said = [](double value, int decimals) { return std::isnan(value) ? u"–"_s : QString::number(value, 'f', decimals); };
+    setAccessibleDescription(m_valid ? tr("Angle %1°, target %2°, motor power %3 %").arg(said(angle, 1), said(target, 1), said(power, 0))
                                      : tr("No data"));
     update();
 }
@@ -101,7 +101,9 @@ void AxisDial::paintEvent(QPaintEvent *)
     painter.setFont(font());
     painter.setPen(muted);
     painter.drawText(QRectF(width() / 2.0 + 4, y, width() / 2.0 - 4, line), Qt::AlignLeft | Qt::AlignVCenter,
-                     m_valid ? u"→ %1°"_s.arg(m_target, 0, 'f', 1) : QString());
+                     m_valid && !std::isnan(m_target) ? u"→ %1°"_s.arg(m_target, 0, 'f', 1) : QString());
+    if (std::isnan(m_power))
+        return;   // not every board tells it
     y += line + 4;
     const QRectF bar(16, y, width() - 32, 6);
     painter.setPen(Qt::NoPen);
