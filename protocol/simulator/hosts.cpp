@@ -127,7 +127,7 @@ void PtyHost::poll()
     // The host's rate is seen through the terminal; its parity is not, Linux keeps none on pseudo-terminals.
     struct termios2 settings{};
     if (::ioctl(m_master, TCGETS2, &settings) == 0)
-        port().setHostLine(LineSettings{int(settings.c_ospeed), Parity::Even});
+        port().setHostLine(LineSettings{int(settings.c_ospeed), port().board().onlyParity().value_or(Parity::None)});
     char buffer[kReadBuffer];
     for (;;) {
         const ssize_t count = ::read(m_master, buffer, sizeof buffer);

@@ -348,11 +348,13 @@ Result<int> StormDevice::activeProfile(Channel &)
 
 Result<QStringList> StormDevice::readProfileNames(Channel &)
 {
-    return QStringList();
+    return QStringList{QString()};
 }
 
-Result<void> StormDevice::writeProfileNames(Channel &, const QStringList &)
+Result<void> StormDevice::writeProfileNames(Channel &, const QStringList &names)
 {
+    if (std::all_of(names.begin(), names.end(), [](const QString &name) { return name.isEmpty(); }))
+        return {};
     return failure(ErrorCode::Unsupported, u"this board has one profile, without a name"_s);
 }
 

@@ -58,6 +58,9 @@ private slots:
     void wrongArguments();
     void refusalsAreExplained();
     void portsNeedsNoBoard();
+    void stormOverAPseudoTerminal_data();
+    void stormOverAPseudoTerminal();
+    void stormThatIsLockedOut();
 
 private:
     Run ctl(const QStringList &arguments, bool withLink = true)
@@ -437,6 +440,64 @@ void TestCtl::portsNeedsNoBoard()
     QCOMPARE(ctl({u"ports"_s}, false).exitCode, 0);
     QCOMPARE(ctl({u"--help"_s}, false).exitCode, 0);
     QCOMPARE(ctl({u"--version"_s}, false).out.trimmed(), u"gimbalctl " GIMBAL_VERSION ""_s);
+}
+
+void TestCtl::stormOverAPseudoTerminal_data()
+{
+    QTest::addColumn<QString>("firmware");
+    for (const char *firmware : {"0.79", "0.90", "0.96"})
+        QTest::newRow(firmware) << QString::fromLatin1(firmware);
+}
+
+// The other family, found without being named: read, change, store, restart, read again, steer, record, replay.
+void TestCtl::stormOverAPseudoTerminal()
+{
+    QFETCH(QString, firmware);
+    const QString path = m_dir->filePath(u"storm"_s);
+    const SimProcess storm({u"--pty"_s, path, u"--rate"_s, u"115200"_s, u"--firmware"_s, firmware}, u"storm32"_s);
+    QCOMPARE(storm.address(), path);
+    const QStringList link{u"--link"_s, u"serial:"_s + path};
+    const auto ask = [&](const QStringList &arguments) { return ctl(link + arguments, false); };
+    const Run info = ask({u"--json"_s, u"info"_s});
+    QVERIFY2(info.exitCode == 0, qPrintable(info.err));
+    QCOMPARE(info.json().object().value(u"firmware"_s).toString(), firmware);
+    QCOMPARE(ask({u"get"_s, u"pid.roll.p"_s}).out, u"4.00\n"_s);
+    const QString dump = m_dir->filePath(u"before.json"_s);
+    QCOMPARE(ask({u"dump"_s, dump}).exitCode, 0);
+    const Run set = ask({u"set"_s, u"pid.roll.p=5.00"_s, u"rc.yaw.min=-40"_s});
+    QVERIFY2(set.exitCode == 0 && set.out.contains(u"verified"_s), qPrintable(set.out + set.err));
+    QCOMPARE(ask({u"do"_s, u"restart"_s}).exitCode, 0);
+    QCOMPARE(ask({u"get"_s, u"pid.roll.p"_s, u"rc.yaw.min"_s}).out, u"pid.roll.p=5.00\nrc.yaw.min=-40.0\n"_s);   // it was stored
+    const Run diff = ask({u"diff"_s, dump, u"board"_s});
+    QVERIFY(diff.out.contains(u"pid.roll.p"_s) && diff.out.contains(u"rc.yaw.min"_s));
+    QCOMPARE(ask({u"apply"_s, dump}).exitCode, 0);
+    QCOMPARE(ask({u"get"_s, u"pid.roll.p"_s}).out, u"4.00\n"_s);
+    QCOMPARE(ask({u"set"_s, u"pid.roll.p=90"_s}).exitCode, 2);   // the firmware would take it
+    QCOMPARE(ask({u"do"_s, u"angle"_s, u"pitch=20"_s}).exitCode, 0);
+    const QString file = m_dir->filePath(u"storm.gimbalrec"_s);
+    const Run record = ask({u"record"_s, file, u"--seconds"_s, u"2"_s});
+    QVERIFY2(record.exitCode == 0, qPrintable(record.err));
+    const Run replayed = ctl({u"--link"_s, u"replay:"_s + file, u"get"_s, u"pid.roll.p"_s}, false);
+    QCOMPARE(replayed.out, u"4.00\n"_s);
+    const QStringList rows = ctl({u"export"_s, file, u"--csv"_s, u"-"_s, u"--channels"_s, u"imu.angle.pitch,battery"_s}, false).out.split(u'\n');
+    QVERIFY2(rows.size() > 60, qPrintable(QString::number(rows.size())));
+    QVERIFY(rows.first().contains(u"imu.angle.pitch"_s));
+}
+
+// Its heartbeat is on: it is found, read, and let out.
+void TestCtl::stormThatIsLockedOut()
+{
+    const QString path = m_dir->filePath(u"storm"_s);
+    const SimProcess storm({u"--pty"_s, path, u"--rate"_s, u"115200"_s}, u"storm32"_s);
+    const QStringList link{u"--link"_s, u"serial:"_s + path};
+    const auto ask = [&](const QStringList &arguments) { return ctl(link + arguments, false); };
+    std::ignore = ask({u"set"_s, u"mavlink.heartbeat=1"_s});   // from then on it answers in MAVLink only
+    const Run info = ask({u"info"_s});
+    QVERIFY2(info.exitCode == 0 && info.out.contains(u"STorM32"_s), qPrintable(info.err));
+    QCOMPARE(ask({u"get"_s, u"pid.roll.p"_s}).out, u"4.00\n"_s);
+    QCOMPARE(ask({u"do"_s, u"heartbeat.off"_s}).exitCode, 0);
+    const Run plain = ask({u"get"_s, u"mavlink.heartbeat"_s});
+    QCOMPARE(plain.out, u"0\n"_s);
 }
 
 QTEST_GUILESS_MAIN(TestCtl)

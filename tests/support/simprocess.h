@@ -11,10 +11,10 @@
 class SimProcess
 {
 public:
-    explicit SimProcess(const QStringList &arguments)
+    explicit SimProcess(const QStringList &arguments, const QString &family = QStringLiteral("simplebgc"))
     {
         m_process.setProgram(QStringLiteral(GIMBAL_BIN_DIR "/gimbalsim"));
-        m_process.setArguments(QStringList{QStringLiteral("--family"), QStringLiteral("simplebgc")} + arguments);
+        m_process.setArguments(QStringList{QStringLiteral("--family"), family} + arguments);
         m_process.start();
         std::ignore = QTest::qWaitFor([this] { return m_process.canReadLine() || m_process.state() == QProcess::NotRunning; }, 10000);
         const QByteArray line = m_process.readLine().trimmed();
