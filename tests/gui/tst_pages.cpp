@@ -17,6 +17,7 @@
 #include "app/pages/variablespage.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/reviewdialog.h"
 #include "widgets/forms/argumentform.h"
 #include "widgets/forms/filtertable.h"
 #include "widgets/forms/liveslider.h"
@@ -81,6 +82,7 @@ private slots:
     void escTappedDoesNot();
     void settingsAreKept();
     void helpForEveryPage();
+    void anotherFamilyFillsThePages();
     void helpIsSearchable();
 
 private:
@@ -807,6 +809,33 @@ void TestPages::helpIsSearchable()
         visible += !help->topics()->item(i)->isHidden();
     QCOMPARE(visible, 1);
     QCOMPARE(help->topic(), u"calibration"_s);
+}
+
+// Pages fill themselves from the tables and capabilities of whatever family answers (STorM32 has one profile, other groups, no
+// targets, no streams, no calibration commands).
+void TestPages::anotherFamilyFillsThePages()
+{
+    m_rig->window().openLink(u"sim:storm32?firmware=0.90"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && !m_rig->model().isEmpty(), 15000);
+    QCOMPARE(m_rig->client().identity().family, u"storm32"_s);
+    for (const PageEntry &entry : pageTable()) {
+        m_rig->window().showPage(QLatin1String(entry.key));
+        QTest::qWait(50);   // what the page does when it is shown
+        QVERIFY2(!m_rig->window().page(QLatin1String(entry.key))->grab().isNull(), entry.key);
+    }
+    // Live data, motors, and a change from edit to stored.
+    QTRY_VERIFY(m_rig->workspace().motorsRunning().value_or(false));
+    QTRY_VERIFY(m_rig->client().telemetry()->rows() > 50);
+    QVERIFY(!m_rig->workspace().hasAction(u"calibrate.gyro"_s));
+    QVERIFY(m_rig->workspace().hasAction(u"store"_s));
+    m_rig->edit(u"pid.yaw.p"_s, 0, 555);
+    m_rig->edit(u"rc.pitch.min"_s, 0, -300);
+    m_rig->window().review();
+    QTRY_VERIFY(m_rig->window().reviewDialog());
+    m_rig->window().reviewDialog()->accept();
+    QTRY_COMPARE(m_rig->raw(u"pid.yaw.p"_s), 555);
+    QCOMPARE(m_rig->raw(u"rc.pitch.min"_s), -300);
+    QTRY_COMPARE(m_rig->model().changeCount(), 0);
 }
 
 QTEST_MAIN(TestPages)
