@@ -53,9 +53,10 @@ struct Rig
             store->append(*group, store->origin() + durationFromSeconds(double(next) / kRate), row);
         }
     }
+    // Each second holds the whole range of values, so that no scale changes on the way.
     [[nodiscard]] float value(int series) const
     {
-        return steady ? *steady : float(series + std::sin(double(next) * 0.002 * (series + 1)) + 0.2 * std::sin(double(next)));
+        return steady ? *steady : float(series + std::sin(double(next) * 0.02 * (series + 1)) + 0.2 * std::sin(double(next)));
     }
     [[nodiscard]] QImage picture() { return view.viewport()->grab().toImage().convertToFormat(QImage::Format_RGB32); }
     // The plot area in the picture.
