@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/simplebgc/frametext.h"
 
+#include "protocol/base/hexbytes.h"
 #include "protocol/simplebgc/adjustables.h"
 #include "protocol/simplebgc/choices.h"
 #include "protocol/simplebgc/framer.h"
@@ -291,18 +292,11 @@ QStringList commandNames()
 
 Result<RawCommand> parseCommand(const QString &text, int version)
 {
-    const auto hex = [](QString digits) -> std::optional<QByteArray> {
-        digits.remove(QRegularExpression(u"\\s"_s));
-        static const QRegularExpression valid(u"^([0-9A-Fa-f]{2})*$"_s);
-        if (!valid.match(digits).hasMatch())
-            return {};
-        return QByteArray::fromHex(digits.toLatin1());
-    };
     const QString trimmed = text.trimmed();
     if (trimmed.isEmpty())
         return failure(ErrorCode::InvalidArgument, u"nothing to send"_s);
 
-    if (const auto whole = hex(trimmed)) {
+    if (const auto whole = bytesFromHex(trimmed)) {
         std::optional<Frame> found;
         SbgcFramer framer;
         const FrameSink sink = [&found](const FrameView &frame) { found = Frame(frame); };
@@ -318,7 +312,7 @@ Result<RawCommand> parseCommand(const QString &text, int version)
         const QString known = id == number(CommandId::Control) ? u"CONTROL"_s : commandName(id);
         if (known != name)
             continue;
-        const auto payload = hex(trimmed.mid(name.size()));
+        const auto payload = bytesFromHex(trimmed.mid(name.size()));
         if (!payload)
             return failure(ErrorCode::InvalidArgument, u"after %1 come payload bytes in hex"_s.arg(name));
         if (payload->size() > 255)

@@ -16,7 +16,6 @@ constexpr double kUnitP = 8.75;
 constexpr double kUnitI = 0.13;
 constexpr double kUnitD = 600.0;
 constexpr double kCountsPerDegree = 65.5;      // of the gyroscope, per second
-constexpr double kRelevel = 1.0;
 constexpr double kRunningFor = 60.0;           // a board that is met has been on for a while
 
 // The firmware counts right roll, down and left as positive (errata 3.5); the plant left roll, down and right.

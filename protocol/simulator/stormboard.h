@@ -40,7 +40,6 @@ public:
 private:
     // memory and world (stormboard.cpp)
     [[nodiscard]] static int wordOf(const QByteArray &stream, int word);
-    [[nodiscard]] int signedWord(int word) const { return static_cast<std::int16_t>(inUse(word)); }
     [[nodiscard]] double value(const QString &key) const;
     [[nodiscard]] double axisValue(const char *pattern, Axis axis) const;
     [[nodiscard]] QByteArray factoryStream() const;
@@ -51,7 +50,6 @@ private:
     void updateTargets();
     [[nodiscard]] double volts() const;
     [[nodiscard]] bool isPanning(Axis axis) const;
-    [[nodiscard]] bool standsBy() const { return m_standby; }
 
     // what it reports (stormreports.cpp)
     [[nodiscard]] QByteArray versionData() const;
@@ -122,5 +120,6 @@ private:
     int m_sequence = 0;
     double m_nextBeat = 0;
     double m_nextAttitude = 0;
+    bool m_attitudeAsked = false;
     bool m_heardBeat = false;
 };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 using namespace storm32;
@@ -125,7 +126,7 @@ void StormBoard::message(const mavlink::Packet &packet)
             parameters[i] = fields->value(u"param%1"_s.arg(i + 1)).toFloat();
         const int id = byIndex(*fields, "command");
         if (id == 1234 && m_options.firmware >= 94) {
-            m_nextAttitude = -1.0;   // one, instead of an ack
+            m_attitudeAsked = true;   // one, instead of an ack
             break;
         }
         const int result = command(id, parameters);
@@ -232,7 +233,7 @@ void StormBoard::embedded(QByteArrayView content, const mavlink::Address &from)
 // What the board sends by itself.
 void StormBoard::beat()
 {
-    const bool asked = m_nextAttitude < 0;
+    const bool asked = std::exchange(m_attitudeAsked, false);
     if (inUse(112) == 0 && !asked) {
         m_nextBeat = m_now;
         m_nextAttitude = m_now;

@@ -8,6 +8,7 @@
 #include "protocol/storm32/telemetrytables.h"
 
 #include <algorithm>
+#include <atomic>
 
 using namespace Qt::StringLiterals;
 using namespace storm32;
@@ -15,6 +16,7 @@ using namespace storm32;
 namespace {
 
 constexpr auto kAnswer = 300ms;          // errata 7: the original tool waits 160 ms for the first byte, more on Bluetooth
+constexpr auto kBeat = 1100ms;
 constexpr auto kStoring = 2s;            // up to about 1 s on hardware
 constexpr auto kPollInterval = 5ms;      // as often as the line allows, one after the other
 constexpr int kRetries = 2;
@@ -147,22 +149,44 @@ Request StormDevice::rc(Rc id, const QByteArray &payload) const
 // bytes that begin no frame of its own.
 Result<bool> StormDevice::probe(Channel &channel)
 {
-    const auto beats = channel.listen([](const FrameView &frame) { return frame.id == FrameId::kMavlink; });
-    for (const bool embedded : {false, true}) {
-        m_embedded = embedded;
-        if (embedded) {
-            // A board that has other numbers than the usual ones says so in its heartbeat.
-            if (const auto beat = beats->next(1ms); !beat && beat.error().code != ErrorCode::Timeout)
-                return tl::unexpected(beat.error());
-        }
+    // A board with other numbers than the usual ones tells them in its heartbeat, which may be heard on another thread.
+    const auto heard = std::make_shared<std::atomic<int>>(-1);
+    const auto beats = channel.listen([heard](const FrameView &frame) {
+        if (frame.id != FrameId::kMavlink || frame.raw.size() < mavlink::kOverhead)
+            return false;
+        *heard = std::to_integer<int>(frame.raw[3]) << 8 | std::to_integer<int>(frame.raw[4]);
+        return true;
+    });
+    const auto answers = [&]() -> Result<bool> {
         Request request = simple(Simple::Test);
-        request.retries = embedded ? 0 : 1;
+        request.retries = m_embedded ? 0 : 1;
         const auto reply = channel.transact(request);
         if (reply)
             return true;
-        if (reply.error().code != ErrorCode::Timeout && reply.error().code != ErrorCode::BoardError
-            && reply.error().code != ErrorCode::Unsupported)
-            return tl::unexpected(reply.error());
+        const ErrorCode code = reply.error().code;
+        if (code == ErrorCode::Timeout || code == ErrorCode::BoardError || code == ErrorCode::Unsupported)
+            return false;
+        return tl::unexpected(reply.error());
+    };
+    m_embedded = false;
+    m_board = {};
+    auto found = answers();
+    if (!found || *found)
+        return found;
+    m_embedded = true;
+    found = answers();
+    if (!found || *found)
+        return found;
+    // Something speaks: by itself it does so once a second.
+    if (*heard < 0 && channel.observation().bytesIn > 0) {
+        if (const auto beat = beats->next(kBeat); !beat && beat.error().code != ErrorCode::Timeout)
+            return tl::unexpected(beat.error());
+    }
+    if (const int address = *heard; address >= 0 && mavlink::Address{address >> 8, address & 0xFF} != m_board) {
+        m_board = {address >> 8, address & 0xFF};
+        found = answers();
+        if (!found || *found)
+            return found;
     }
     m_embedded = false;
     return false;

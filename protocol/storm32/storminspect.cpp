@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Looking inside: frames in words, commands by name.
 #include "protocol/base/checksum.h"
+#include "protocol/base/hexbytes.h"
 #include "protocol/storm32/parametertables.h"
 #include "protocol/storm32/stormdevice.h"
 #include "protocol/storm32/telemetrytables.h"
@@ -148,15 +149,6 @@ QString mavlinkFields(const mavlink::Message &message, Bytes payload)
     return parts.join(u' ');
 }
 
-std::optional<QByteArray> hexBytes(QString digits)
-{
-    digits.remove(QRegularExpression(u"\\s"_s));
-    static const QRegularExpression valid(u"^([0-9A-Fa-f]{2})*$"_s);
-    if (!valid.match(digits).hasMatch())
-        return {};
-    return QByteArray::fromHex(digits.toLatin1());
-}
-
 } // namespace
 
 FrameText StormDevice::describeFrame(const FrameView &frame, bool fromBoard) const
@@ -219,7 +211,7 @@ Result<RawCommand> StormDevice::parseCommand(const QString &text) const
     for (const SimpleCommand &command : simpleCommands()) {
         if (name != QLatin1String(command.letters))   // letters are case sensitive
             continue;
-        const auto arguments = hexBytes(trimmed.mid(name.size()));
+        const auto arguments = bytesFromHex(trimmed.mid(name.size()));
         const int wanted = command.argumentBytes < 0 ? 2 * m_words + kScriptArea : command.argumentBytes;
         if (!arguments || arguments->size() != wanted)
             return failure(ErrorCode::InvalidArgument, u"after %1 come %2 bytes in hex"_s.arg(name).arg(wanted));
@@ -228,12 +220,12 @@ Result<RawCommand> StormDevice::parseCommand(const QString &text) const
     for (const RcCommand &command : rcCommands()) {
         if (name.compare(QLatin1String(command.name), Qt::CaseInsensitive) != 0)
             continue;
-        const auto payload = hexBytes(trimmed.mid(name.size()));
+        const auto payload = bytesFromHex(trimmed.mid(name.size()));
         if (!payload || payload->size() != command.payloadBytes)
             return failure(ErrorCode::InvalidArgument, u"after %1 come %2 bytes in hex"_s.arg(name.toUpper()).arg(command.payloadBytes));
         return RawCommand{name.toUpper(), rc(command.id, *payload).bytes, riskOf(command.id)};
     }
-    const auto whole = hexBytes(trimmed);
+    const auto whole = bytesFromHex(trimmed);
     if (!whole || whole->isEmpty())
         return failure(ErrorCode::InvalidArgument, u"there is no command '%1'"_s.arg(name));
     const Bytes bytes = asBytes(*whole);

@@ -820,7 +820,7 @@ void TestPages::anotherFamilyFillsThePages()
     QCOMPARE(m_rig->client().identity().family, u"storm32"_s);
     for (const PageEntry &entry : pageTable()) {
         m_rig->window().showPage(QLatin1String(entry.key));
-        QTest::qWait(50);   // what the page does when it is shown
+        QTRY_VERIFY2(m_rig->window().page(QLatin1String(entry.key))->isVisible(), entry.key);
         QVERIFY2(!m_rig->window().page(QLatin1String(entry.key))->grab().isNull(), entry.key);
     }
     // Live data, motors, and a change from edit to stored.

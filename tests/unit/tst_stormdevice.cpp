@@ -64,6 +64,7 @@ private slots:
     void configurationIsReadAndWritten();
     void liveValues();
     void lockedOutBoardIsReached();
+    void lockedOutBoardWithOtherNumbers();
     void telemetryIsPolled_data();
     void telemetryIsPolled();
     void lossAndDamageAreSurvived();
@@ -241,6 +242,20 @@ void TestStormDevice::lockedOutBoardIsReached()
         QVERIFY(findBoard(channel, plain, serialAddress()));
         QVERIFY(!plain.isEmbedded());
     }
+}
+
+// Its numbers on MAVLink are not the usual ones: its heartbeat tells them.
+void TestStormDevice::lockedOutBoardWithOtherNumbers()
+{
+    StormRig rig(options(96, false), kLine);
+    rig.board().set(110, 12);
+    rig.board().set(111, 34);
+    rig.lockOut();
+    const auto found = findBoard(rig.channel, rig.device, serialAddress());
+    QVERIFY(found);
+    QVERIFY(rig.device.isEmbedded());
+    QVERIFY(rig.device.perform(rig.channel, u"heartbeat.off"_s, {}));
+    QCOMPARE(rig.board().inUse(112), 0);
 }
 
 void TestStormDevice::telemetryIsPolled_data()
