@@ -77,6 +77,14 @@ QString changeText(const Configuration &configuration, const std::vector<Paramet
     return text;
 }
 
+QString dataText(const std::vector<DataChange> &changes)
+{
+    QString text;
+    for (const DataChange &change : changes)
+        text += u"%1 %2 differ\n"_s.arg(QString(), -14).arg(QLatin1String(change.spec->data));
+    return text;
+}
+
 Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Configuration &base,
                                       const Configuration &edited, const CommandOptions &options)
 {
@@ -95,11 +103,16 @@ Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Co
                                                  line.spec->key.leftJustified(28), valueText(*line.spec, line.from),
                                                  valueText(*line.spec, line.to));
     }
+    QJsonArray data;
+    for (const WriteData &block : report->data) {
+        data.append(QJsonObject{{u"data"_s, QLatin1String(block.spec->data)}, {u"state"_s, stateText(block.state)}});
+        outcome.text += u"%1 %2\n"_s.arg(stateText(block.state).leftJustified(12), QLatin1String(block.spec->data));
+    }
     if (report->namesWritten)
         outcome.text += u"verified     profile names\n"_s;
-    if (lines.isEmpty() && !report->namesWritten && report->isComplete())
+    if (lines.isEmpty() && data.isEmpty() && !report->namesWritten && report->isComplete())
         outcome.text = u"nothing to write: the board holds these values already\n"_s;
-    QJsonObject json{{u"complete"_s, report->isComplete()}, {u"written"_s, lines},
+    QJsonObject json{{u"complete"_s, report->isComplete()}, {u"written"_s, lines}, {u"data"_s, data},
                      {u"namesWritten"_s, report->namesWritten}, {u"snapshot"_s, report->snapshotPath}};
     if (report->error) {
         outcome.exitCode = Refused;

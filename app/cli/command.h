@@ -75,6 +75,8 @@ public:
 [[nodiscard]] QJsonObject changeJson(const ParameterChange &change);
 /// Lines "profile  key  old -> new".
 [[nodiscard]] QString changeText(const Configuration &configuration, const std::vector<ParameterChange> &changes);
+/// Lines for the blocks that differ as a whole.
+[[nodiscard]] QString dataText(const std::vector<DataChange> &changes);
 /// Writes and tells how it went. The exit code is 1 unless everything was verified.
 Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Configuration &base,
                                       const Configuration &edited, const CommandOptions &options);

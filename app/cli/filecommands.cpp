@@ -102,7 +102,9 @@ private:
         QJsonArray array;
         for (const ParameterChange &change : changes)
             array.append(changeJson(change));
-        outcome.text = changeText(sides[0], changes);
+        outcome.text = changeText(sides[0], changes) + dataText(sides[0].dataChangesTo(second));
+        for (const DataChange &change : sides[0].dataChangesTo(second))
+            array.append(QJsonObject{{u"data"_s, QLatin1String(change.spec->data)}});
         for (int i = 0; i < sides[0].identity().profileCount; ++i) {
             if (sides[0].profileNames().value(i) == second.profileNames().value(i))
                 continue;
@@ -151,8 +153,11 @@ public:
             QJsonArray array;
             for (const ParameterChange &change : changes)
                 array.append(changeJson(change));
+            for (const DataChange &change : base->dataChangesTo(edited))
+                array.append(QJsonObject{{u"data"_s, QLatin1String(change.spec->data)}});
             outcome->json = array;
-            outcome->text = changes.empty() ? u"nothing would change\n"_s : changeText(*base, changes);
+            outcome->text = array.isEmpty() ? u"nothing would change\n"_s
+                                            : changeText(*base, changes) + dataText(base->dataChangesTo(edited));
         } else {
             outcome = writeAndReport(channel, device, *base, edited, options);
         }

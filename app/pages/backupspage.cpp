@@ -168,9 +168,12 @@ void BackupsPage::showDifferences()
     const Configuration wanted = applied(model.edited(), file->configuration, skipped);
     const auto changes = model.edited().changesTo(wanted);
     const bool names = wanted.profileNames() != model.edited().profileNames();
-    m_restore->setEnabled(!changes.empty() || names);
+    const auto blocks = model.edited().dataChangesTo(wanted);
+    m_restore->setEnabled(!changes.empty() || !blocks.empty() || names);
     QString text = changes.empty() ? tr("All values are the same.")
                                    : tr("%n value(s) differ.", nullptr, int(changes.size()));
+    for (const DataChange &change : blocks)
+        text += u' ' + tr("%1 differ.").arg(tableText(change.spec->data));
     if (names)
         text += u' ' + tr("Profile names differ.");
     m_summary->setText(text);

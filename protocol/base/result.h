@@ -31,6 +31,7 @@ enum class ErrorCode {
     NoBackup,         ///< the safety copy could not be made, so nothing was changed
     TooMuch,          ///< more than the link can carry
     Unready,          ///< something has to be so first, and is not
+    NotSeen,          ///< what a procedure waited for did not come; the detail says what
     Diverged,         ///< an axis did not follow and was stopped
     Busy,             ///< another job of the same kind is running
 };

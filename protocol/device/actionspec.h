@@ -10,6 +10,14 @@
 /// What an action can do to a gimbal.
 enum class ActionRisk { Safe, Moves, Writes, Destroys };
 
+/// What an action does to the values in use, on boards that keep them apart from the stored ones.
+enum class MemoryEffect {
+    None,
+    ChangesInUse,   ///< what is in use differs from what is stored afterwards
+    Stores,         ///< everything in use is stored
+    Reloads,        ///< what is stored is in use again
+};
+
 enum class ArgumentKind { Integer, Real, Choice, Text, Toggle };
 
 /// One typed argument of an action.
@@ -37,6 +45,7 @@ struct ActionSpec
     bool isProcedure = false;       ///< many steps, with progress and cancel
     int since = 0;
     const char *capability = "";
+    MemoryEffect memory = MemoryEffect::None;
 };
 
 /// What came back: figures and texts by key, e.g. {"angle.roll": 1.25}.

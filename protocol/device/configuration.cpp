@@ -68,3 +68,15 @@ std::vector<ParameterChange> Configuration::changesTo(const Configuration &other
     }
     return changes;
 }
+
+std::vector<DataChange> Configuration::dataChangesTo(const Configuration &other) const
+{
+    std::vector<DataChange> changes;
+    for (const auto &[key, bytes] : m_blocks) {
+        const BlockSpec *spec = m_parameters->block(key.block);
+        const auto it = other.m_blocks.find(key);
+        if (spec && *spec->data && it != other.m_blocks.end() && it->second != bytes)
+            changes.push_back({spec, key, bytes, it->second});
+    }
+    return changes;
+}

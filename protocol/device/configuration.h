@@ -26,6 +26,15 @@ struct ParameterChange
     int to = 0;
 };
 
+/// A difference between two configurations in a block without parameters (BlockSpec::data).
+struct DataChange
+{
+    const BlockSpec *spec = nullptr;
+    BlockKey key;
+    QByteArray from;
+    QByteArray to;
+};
+
 /// The values of one board, kept as the raw blocks they came in, so reserved and unknown bytes survive untouched.
 class Configuration
 {
@@ -57,6 +66,8 @@ public:
 
     /// All parameters in which the two differ, board-wide ones once. Both must be of one parameter set.
     [[nodiscard]] std::vector<ParameterChange> changesTo(const Configuration &other) const;
+    /// The same for blocks without parameters, where both have them.
+    [[nodiscard]] std::vector<DataChange> dataChangesTo(const Configuration &other) const;
 
 private:
     BoardIdentity m_identity;

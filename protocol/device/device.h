@@ -4,6 +4,8 @@
 
 #include "protocol/device/actionspec.h"
 #include "protocol/device/configuration.h"
+#include "protocol/device/foreignfile.h"
+#include "protocol/device/scriptlanguage.h"
 #include "protocol/device/telemetry.h"
 #include "protocol/session/channel.h"
 #include "protocol/session/controlstream.h"
@@ -166,6 +168,8 @@ public:
     [[nodiscard]] virtual std::span<const ActionSpec> actions() const = 0;
     /// Performs an action with arguments from parseArguments(). Errors: InvalidArgument, Unsupported, the board's own.
     virtual Result<ActionReply> perform(Channel &channel, const QString &key, const QVariantMap &arguments) = 0;
+    /// The action that stores the values in use; empty where there is none.
+    [[nodiscard]] virtual QString storeAction() const = 0;
 
     /// The notch filters that an axis has; none where the firmware has none.
     [[nodiscard]] virtual std::vector<NotchFilter> notchFilters(Axis axis) const = 0;
@@ -217,4 +221,10 @@ struct Family
     std::function<std::shared_ptr<const ParameterSet>(const BoardIdentity &)> makeParameters;
     /// What recognizeProtocol() calls its bytes, when another family was asked for.
     QStringList speaks = {};
+    /// Programs that its boards keep; null where there are none.
+    std::shared_ptr<const ScriptLanguage> scripts = nullptr;
+    /// The settings files of its own original program.
+    std::optional<ForeignFile> settingsFile = {};
+    /// Files with the calibration of a sensor.
+    std::optional<CalibrationFile> calibrationFile = {};
 };

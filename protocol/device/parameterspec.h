@@ -90,6 +90,7 @@ struct BlockSpec
     std::uint8_t id = 0;
     const char *name = "";
     int size = 0;
+    const char *data = "";   ///< what is in it, where that is no parameters but one thing, edited and written as a whole
 };
 
 using Capabilities = QSet<QString>;

@@ -23,10 +23,19 @@ struct WriteLine
     int found = 0;      ///< value read back, for Mismatch
 };
 
+/// The same for a block without parameters.
+struct WriteData
+{
+    const BlockSpec *spec = nullptr;
+    BlockKey key;
+    WriteState state = WriteState::NotWritten;
+};
+
 /// The true story of a write, parameter by parameter. Nothing is "probably written".
 struct WriteReport
 {
     std::vector<WriteLine> lines;
+    std::vector<WriteData> data;
     bool namesWritten = false;
     std::optional<Error> error;   ///< why it is not complete
     QString snapshotPath;         ///< the backup taken before
@@ -38,6 +47,8 @@ struct WriteReport
         int n = 0;
         for (const WriteLine &line : lines)
             n += line.state == state;
+        for (const WriteData &block : data)
+            n += block.state == state;
         return n;
     }
 };

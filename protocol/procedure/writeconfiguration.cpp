@@ -45,6 +45,7 @@ private:
 
     WriteReport m_report;
     std::vector<ParameterChange> m_changes;
+    std::vector<DataChange> m_data;
     std::vector<BlockKey> m_keys;                 // in the order of writing: the active profile last
     std::map<BlockKey, QByteArray> m_board;       // fresh from the board, before anything was written
     std::set<BlockKey> m_written;
@@ -64,11 +65,14 @@ Result<WriteReport> Writer::run()
     if (!m_device.identity().writable)
         return failure(ErrorCode::ReadOnly, m_device.identity().firmware);
     m_changes = m_base.changesTo(m_edited);
+    m_data = m_base.dataChangesTo(m_edited);
     m_namesChanged = m_base.profileNames() != m_edited.profileNames();
     m_report.onBoard = m_base;
     for (const ParameterChange &change : m_changes)
         m_report.lines.push_back({change.spec, change.profile, change.from, change.to, WriteState::NotWritten, 0});
-    if (m_changes.empty() && !m_namesChanged)
+    for (const DataChange &change : m_data)
+        m_report.data.push_back({change.spec, change.key, WriteState::NotWritten});
+    if (m_changes.empty() && m_data.empty() && !m_namesChanged)
         return m_report;
     if (const auto saved = backUp(); !saved)
         return tl::unexpected(saved.error());
@@ -112,6 +116,8 @@ void Writer::collectBlocks()
     std::set<BlockKey> keys;
     for (const ParameterChange &change : m_changes)
         keys.insert({change.profile, change.spec->row->block});
+    for (const DataChange &change : m_data)
+        keys.insert(change.key);
     m_keys.assign(keys.begin(), keys.end());
     const int active = m_base.activeProfile();
     std::stable_partition(m_keys.begin(), m_keys.end(), [active](BlockKey key) { return key.profile != active; });
@@ -142,6 +148,10 @@ Result<void> Writer::checkConflicts() const
                                       change.spec->format(change.from), change.spec->format(*now)));
         }
     }
+    for (const DataChange &change : m_data) {
+        if (const QByteArray &now = m_board.at(change.key); now != change.from && now != change.to)
+            conflicts.append(u"%1 was changed meanwhile"_s.arg(QLatin1String(change.spec->data)));
+    }
     if (conflicts.isEmpty())
         return {};
     return failure(ErrorCode::Conflict, conflicts.join(u"; "_s));
@@ -150,6 +160,10 @@ Result<void> Writer::checkConflicts() const
 QByteArray Writer::patched(BlockKey key) const
 {
     QByteArray bytes = m_board.at(key);
+    for (const DataChange &change : m_data) {
+        if (change.key == key)
+            return change.to;
+    }
     for (const ParameterChange &change : m_changes) {
         const bool concerns = change.spec->row->block == key.block
             && (change.spec->row->scope == Scope::Board || change.profile == key.profile);
@@ -235,6 +249,10 @@ Result<void> Writer::verify()
             line.found = line.spec->read(*bytes).value_or(line.from);
             line.state = line.found == line.to ? WriteState::Verified : WriteState::Mismatch;
         }
+        for (WriteData &data : m_report.data) {
+            if (data.key == key)
+                data.state = *bytes == expected ? WriteState::Verified : WriteState::Mismatch;
+        }
     }
     // The blocks that were not written carry the new board-wide values as well.
     for (const ParameterChange &change : m_changes) {
@@ -283,6 +301,10 @@ void Writer::rollBack()
             line.found = line.spec->read(*bytes).value_or(line.to);
             line.state = line.found == line.from ? WriteState::RolledBack : WriteState::Mismatch;
         }
+        for (WriteData &data : m_report.data) {
+            if (data.key == key && data.state != WriteState::Mismatch)
+                data.state = *bytes == m_board.at(key) ? WriteState::RolledBack : WriteState::Mismatch;
+        }
     }
 }
 
@@ -291,6 +313,10 @@ void Writer::markBlock(BlockKey key, WriteState state)
     for (WriteLine &line : m_report.lines) {
         if (line.spec->row->block == key.block && line.profile == key.profile)
             line.state = state;
+    }
+    for (WriteData &data : m_report.data) {
+        if (data.key == key)
+            data.state = state;
     }
 }
 

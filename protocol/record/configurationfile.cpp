@@ -8,6 +8,8 @@
 #include <QJsonObject>
 #include <QSaveFile>
 
+#include <algorithm>
+
 using namespace Qt::StringLiterals;
 
 namespace {
@@ -78,6 +80,23 @@ Result<void> readValues(Configuration &configuration, const QJsonObject &values,
             return failure(ErrorCode::BadFile, set.error().detail);
     }
     return {};
+}
+
+// Boards of other firmware may count in other steps, or call their choices by other numbers: what is displayed is what is
+// meant. A choice that there is not there gets a number out of range.
+int translated(const ParameterSpec &from, int raw, int fromFirmware, const ParameterSpec &to, int toFirmware)
+{
+    if (from.row == to.row || from.row->kind != ValueKind::Choice || to.row->kind != ValueKind::Choice)
+        return to.toRaw(from.toDisplay(raw));
+    const auto known = from.choices(fromFirmware);
+    const auto name = std::find_if(known.begin(), known.end(), [raw](const Choice &choice) { return choice.value == raw; });
+    if (name == known.end())
+        return raw;
+    for (const Choice &choice : to.choices(toFirmware)) {
+        if (qstrcmp(choice.name, name->name) == 0)
+            return choice.value;
+    }
+    return to.row->max + 1;
 }
 
 } // namespace
@@ -214,8 +233,7 @@ Configuration applied(const Configuration &board, const Configuration &file, QSt
             const auto raw = file.raw(spec, boardWide ? file.activeProfile() : profile);
             if (!raw)
                 break;
-            // Boards of other firmware may count in other steps: the displayed value is what is meant.
-            const int wanted = own ? own->toRaw(spec.toDisplay(*raw)) : 0;
+            const int wanted = own ? translated(spec, *raw, file.parameters().firmware(), *own, board.parameters().firmware()) : 0;
             if (!own || (board.raw(*own, profile) != wanted && !result.setRaw(*own, profile, wanted))) {
                 if (!skipped.contains(spec.key))
                     skipped.append(spec.key);
@@ -224,6 +242,16 @@ Configuration applied(const Configuration &board, const Configuration &file, QSt
             if (boardWide)
                 break;
         }
+    }
+    for (const auto &[key, bytes] : file.blocks()) {
+        const BlockSpec *spec = file.parameters().block(key.block);
+        if (!spec || !*spec->data || board.block(key) == bytes || key.profile >= board.identity().profileCount)
+            continue;
+        // What is in it refers to the firmware it was made for.
+        if (file.parameters().firmware() == board.parameters().firmware() && !board.block(key).isEmpty())
+            result.setBlock(key, bytes);
+        else
+            skipped.append(QLatin1String(spec->data));
     }
     if (!file.profileNames().isEmpty())
         result.setProfileNames(file.profileNames());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/base/clock.h"
+#include "protocol/session/request.h"
 
 #include <QByteArray>
 
@@ -14,6 +14,7 @@ struct ControlFrames
     QByteArray setpoint;
     QByteArray stop;     ///< stand still, control kept
     QByteArray release;  ///< give control back to whoever had it before
+    AnswerMatcher answer = {};   ///< the board answers each, and wants nothing else before it has; empty: nothing answers
 };
 
 /// Repeats a set-point at its rate, but only as long as somebody refreshes it: 250 ms without a refresh and it sends stop,
@@ -35,6 +36,8 @@ public:
     std::optional<QByteArray> advance(TimePoint now);
     [[nodiscard]] std::optional<TimePoint> nextDeadline() const;
     [[nodiscard]] bool isActive() const { return m_state != State::Idle; }
+    [[nodiscard]] bool isStreaming() const { return m_state == State::Streaming; }
+    [[nodiscard]] const AnswerMatcher &answer() const { return m_frames.answer; }
     /// How often the dead-man's rule had to act.
     [[nodiscard]] int rescues() const { return m_rescues; }
 

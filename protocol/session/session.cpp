@@ -101,6 +101,7 @@ void Session::close(const Error &why)
     m_poll.reset();
     m_pollRunning = false;
     m_control.drop();
+    m_controlAsked = false;
     m_queue.cancelAll({ErrorCode::LinkClosed, why.detail});
     emit closed(why);
 }
@@ -253,13 +254,31 @@ void Session::onFrame(const FrameView &frame)
         m_listeners[i]->frameReceived(frame, m_arrival, claimed);
 }
 
+// Where each frame is answered it takes its turn: a set-point that finds the last one unanswered is passed over, the next
+// one is newer. What ends the steering is never passed over.
+void Session::sendControl(const QByteArray &frame, TimePoint now)
+{
+    if (!m_control.answer()) {
+        m_queue.sendUnanswered(frame, now);
+        return;
+    }
+    if (m_control.isStreaming() && m_controlAsked)
+        return;
+    m_controlAsked = true;
+    Request request;
+    request.name = QStringLiteral("control");
+    request.bytes = frame;
+    request.answer = m_control.answer();
+    m_queue.submit(std::move(request), [this](const Result<Frame> &) { m_controlAsked = false; }, now);
+}
+
 void Session::onTick()
 {
     const TimePoint now = Clock::now();
     if (m_framer && m_framer->isWaiting() && now - m_arrival > m_framer->gap())
         m_framer->flush(m_sink);
     while (auto frame = m_control.advance(now))
-        m_queue.sendUnanswered(*frame, now);
+        sendControl(*frame, now);
     m_queue.advance(now);
     if (m_poll && !m_pollRunning && now >= m_nextPoll && m_queue.isReady(now)) {
         m_pollRunning = true;

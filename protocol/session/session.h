@@ -87,6 +87,7 @@ private:
     void onFrame(const FrameView &frame);
     void onTick();
     void schedule();
+    void sendControl(const QByteArray &frame, TimePoint now);
     void sendUrgentAttempt(Request request, TransactionQueue::Completion completion, int attemptsLeft);
 
     TransportFactory m_makeTransport;
@@ -101,6 +102,7 @@ private:
     milliseconds m_pollInterval = 50ms;
     TimePoint m_nextPoll{};
     bool m_pollRunning = false;
+    bool m_controlAsked = false;     // a set-point waits for its answer
     QByteArray m_farewell;
     bool m_open = false;
     TimePoint m_arrival{};

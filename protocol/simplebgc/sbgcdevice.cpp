@@ -419,3 +419,8 @@ Family sbgcFamily()
     return {u"simplebgc"_s, u"SimpleBGC 32-bit"_s, [] { return std::make_unique<SbgcDevice>(); },
             parametersOf};
 }
+
+QString SbgcDevice::storeAction() const
+{
+    return u"variables.save"_s;
+}

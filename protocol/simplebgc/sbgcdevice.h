@@ -43,6 +43,7 @@ public:
     Result<std::vector<std::vector<double>>> readDebugVariables(Channel &channel) override;
 
     [[nodiscard]] std::span<const ActionSpec> actions() const override;
+    [[nodiscard]] QString storeAction() const override;
     Result<ActionReply> perform(Channel &channel, const QString &key, const QVariantMap &arguments) override;
 
     [[nodiscard]] std::vector<NotchFilter> notchFilters(Axis axis) const override;

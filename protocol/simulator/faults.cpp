@@ -42,8 +42,10 @@ const std::vector<Row> &rows()
          [](Faults &f, double v) { f.shake = v; }},
         {"swapped-axes", 0, 1, "roll and pitch motors are swapped",
          [](Faults &f, double v) { f.swappedAxes = v != 0; }},
-        {"pose", 0, 6, "0 in the gimbal; 1-6 the sensor lies still with Z, -Z, X, -X, Y, -Y up",
+        {"pose", 0, 7, "0 in the gimbal; 1-6 the camera lies still with Z, -Z, X, -X, Y, -Y up; 7 tilted 45 degrees down",
          [](Faults &f, double v) { f.pose = int(v); }},
+        {"mount", 0, 23, "how the sensor sits on the camera, as STorM32 counts orientations",
+         [](Faults &f, double v) { f.mount = int(v); }},
     };
     return table;
 }

@@ -22,7 +22,8 @@ struct Faults
     double otherClient = -1;     ///< other-client: seconds until another client changes P of roll by 10
     double shake = 1;            ///< shake: strength of the hand, 0 = tripod
     bool swappedAxes = false;    ///< swapped-axes: roll and pitch motors are plugged the wrong way round
-    int pose = 0;                ///< pose: 0 in the gimbal, 1-6 the sensor lies still with Z, -Z, X, -X, Y, -Y up
+    int pose = 0;                ///< pose: 0 in the gimbal, 1-6 the camera lies still with Z, -Z, X, -X, Y, -Y up, 7 tilted 45° down
+    int mount = 0;               ///< mount: how the sensor sits on the camera, as STorM32 counts its orientations
 
     /// Understands NAME=VALUE. Errors: InvalidArgument naming all faults.
     Result<void> set(const QString &assignment);

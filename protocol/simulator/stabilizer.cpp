@@ -17,6 +17,7 @@ constexpr double kNominalVoltage = 12.3;
 constexpr double kGyroLag = 0.002;         // seconds: the sensor's own low-pass
 constexpr double kIntegralLimit = 0.6;     // of full torque
 constexpr int kTruePoles = 14;
+constexpr int kTilted = 7;                 // pose
 
 double degrees(double radians)
 {
@@ -153,7 +154,9 @@ void Stabilizer::sense()
     const double pitch = radians(m_axes[1].plant.angle());
     // Gravity in the camera's axes: x right, y forward, z up.
     std::array<double, kAxisCount> gravity{std::sin(roll), -std::sin(pitch), std::cos(roll) * std::cos(pitch)};
-    if (m_pose != 0) {
+    if (m_pose == kTilted) {
+        gravity = {0.0, -std::numbers::sqrt2 / 2.0, std::numbers::sqrt2 / 2.0};
+    } else if (m_pose != 0) {
         constexpr std::array<std::size_t, 3> faceAxis{2, 0, 1};
         gravity = {};
         gravity[faceAxis[std::size_t(m_pose - 1) / 2]] = m_pose % 2 ? 1.0 : -1.0;
@@ -162,17 +165,19 @@ void Stabilizer::sense()
         AxisState &axis = m_axes[i];
         if (!m_imuPresent) {
             axis.gyro = axis.rawGyro = 0.0;
-            m_acc[i] = 0.0;
+            m_acc[i] = m_rawAcc[i] = 0.0;
             continue;
         }
         axis.gyroFiltered += (axis.plant.rate() - axis.gyroFiltered) * kCycle / kGyroLag;
         axis.rawGyro = axis.gyroFiltered + m_imu.gyroBias[i] + m_noise.gauss(m_imu.gyroNoise);
         axis.gyro = axis.rawGyro - m_imu.gyroCorrection[i];
         const double reading = gravity[i] * m_imu.accScaleError[i] + m_imu.accError[i] + m_noise.gauss(m_imu.accNoise);
+        m_rawAcc[i] = reading;
         m_acc[i] = (reading - m_imu.accCorrection[i]) / m_imu.accScale[i];
     }
     if (!m_imuPresent)
         return;
+    misjudge();
     // Complementary estimate: the gyroscope leads, the accelerometer pulls roll and pitch back. Yaw has no reference.
     const double pull = 0.6 * 120.0 / std::max(10.0, m_gyroTrust) * kCycle;
     const std::array<double, 2> level{degrees(std::asin(std::clamp(m_acc[0], -1.0, 1.0))),
@@ -183,6 +188,28 @@ void Stabilizer::sense()
         if (i < level.size())
             axis.estimate += (level[i] - axis.estimate) * pull;
     }
+}
+
+// Vectors as the firmware gets them, by the axes it believes in. Plant axes are right, forward, up for the accelerometer, and
+// turns to the left about forward, down about left, to the right about up.
+void Stabilizer::misjudge()
+{
+    if (m_believed == Rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}})
+        return;
+    const auto turned = [this](const std::array<double, 3> &v) {
+        std::array<double, 3> result{};
+        for (std::size_t row = 0; row < 3; ++row) {
+            for (std::size_t column = 0; column < 3; ++column)
+                result[row] += m_believed[row][column] * v[column];
+        }
+        return result;
+    };
+    const auto acc = turned({m_acc[1], -m_acc[0], m_acc[2]});
+    m_acc = {-acc[1], acc[0], acc[2]};
+    const auto gyro = turned({-m_axes[0].gyro, m_axes[1].gyro, -m_axes[2].gyro});
+    m_axes[0].gyro = -gyro[0];
+    m_axes[1].gyro = gyro[1];
+    m_axes[2].gyro = -gyro[2];
 }
 
 void Stabilizer::control(AxisState &axis)

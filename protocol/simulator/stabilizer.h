@@ -62,14 +62,18 @@ public:
     [[nodiscard]] bool imuPresent() const { return m_imuPresent; }
     /// Somebody holds the camera still, or it lies on the table: the sensors see no motion.
     void setHeld(bool held) { m_held = held; }
-    /// The sensor lies still on one of its faces: 1-6 with Z, -Z, X, -X, Y, -Y up; 0 = in the gimbal.
+    /// The camera lies still on one of its faces: 1-6 with Z, -Z, X, -X, Y, -Y up; 7 tilted 45 degrees down; 0 = in the gimbal.
     void setPose(int pose) { m_pose = pose; }
     [[nodiscard]] int pose() const { return m_pose; }
     /// The accelerometer before calibration, in g.
     [[nodiscard]] double rawAcc(std::size_t axis) const
     {
-        return m_acc[axis] * m_imu.accScale[axis] + m_imu.accCorrection[axis];
+        return m_rawAcc[axis];
     }
+    /// What the firmware takes for forward, left and up, in terms of what is: rows of a rotation. It differs where the
+    /// sensor sits otherwise than the firmware was told.
+    using Rotation = std::array<std::array<int, 3>, 3>;
+    void setBelievedAxes(const Rotation &axes) { m_believed = axes; }
     /// Roll and pitch motors are plugged the wrong way round.
     void setSwappedMotors(bool swapped) { m_swapped = swapped; }
     void setVoltage(double volts) { m_voltage = volts; }
@@ -117,6 +121,7 @@ private:
     };
     static std::size_t index(Axis axis) { return static_cast<std::size_t>(axis); }
     void sense();
+    void misjudge();
     void control(AxisState &axis);
 
     SimulatedNoise m_noise;
@@ -124,6 +129,8 @@ private:
     SimulatedImu m_imu;
     std::array<AxisState, kAxisCount> m_axes{AxisState(Axis::Roll), AxisState(Axis::Pitch), AxisState(Axis::Yaw)};
     std::array<double, kAxisCount> m_acc{0, 0, 1};
+    std::array<double, kAxisCount> m_rawAcc{0, 0, 1};
+    Rotation m_believed{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     double m_gyroTrust = 120;
     double m_voltage = 12.3;
     double m_current = 0;

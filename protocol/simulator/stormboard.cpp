@@ -54,7 +54,7 @@ StormBoard::StormBoard(const SimulatorOptions &options)
     const int one = m_options.firmware >= 94 ? 8192 : 16384;
     for (const std::size_t scale : {3U, 4U, 5U, 12U, 13U, 14U})
         m_calibration[scale] = one;
-    restart();
+    restart(Memory::Reload);
     m_started = -kRunningFor;
 }
 
@@ -118,6 +118,18 @@ void StormBoard::applyParameters()
         gains.dLpfHz = ms > 0 ? 1000.0 / (2.0 * 3.14159265 * ms) : 0.0;
         m_stabilizer.setGains(axis, gains);
     }
+    // What the sensor's axes are taken for, and where they really point.
+    const auto told = std::size_t(std::clamp(int(value(u"imu.orientation"_s)), 0, int(orientations().size()) - 1));
+    const auto &believed = orientations()[told].axes;
+    const auto &mounted = orientations()[std::size_t(m_options.faults.mount)].axes;
+    Stabilizer::Rotation axes{};
+    for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t column = 0; column < 3; ++column) {
+            for (std::size_t own = 0; own < 3; ++own)
+                axes[row][column] += believed[row][own] * mounted[column][own];
+        }
+    }
+    m_stabilizer.setBelievedAxes(axes);
 }
 
 // Words of Cr: zeros and scales of the accelerometer, zeros of the gyroscope, in the sensor's axes forward, left, up.
@@ -128,14 +140,28 @@ void StormBoard::applyCalibration()
     constexpr std::array<std::size_t, 3> kPlantAxis{1, 0, 2};        // forward, left, up among right, forward, up
     constexpr std::array<double, 3> kPlantSign{1.0, -1.0, 1.0};
     constexpr std::array<std::size_t, 3> kTurnAxis{0, 1, 2};         // about forward: roll; about left: pitch; about up: yaw
+    const auto &mounted = orientations()[std::size_t(m_options.faults.mount)].axes;
     for (std::size_t i = 0; i < 3; ++i) {
-        imu.accCorrection[kPlantAxis[i]] = kPlantSign[i] * m_calibration[i] / one;
-        imu.accScale[kPlantAxis[i]] = m_calibration[3 + i] != 0 ? m_calibration[3 + i] / one : 1.0;
-        imu.gyroCorrection[kTurnAxis[i]] = imu.gyroBias[kTurnAxis[i]] + kSign[kTurnAxis[i]] * m_calibration[6 + i] / kCountsPerDegree;
+        // Which of the sensor's axes points that way, and with which end.
+        std::size_t own = 0;
+        while (mounted[i][own] == 0)
+            ++own;
+        const int end = mounted[i][own];
+        imu.accCorrection[kPlantAxis[i]] = kPlantSign[i] * end * m_calibration[own] / one;
+        imu.accScale[kPlantAxis[i]] = m_calibration[3 + own] != 0 ? m_calibration[3 + own] / one : 1.0;
+        imu.gyroCorrection[kTurnAxis[i]] = imu.gyroBias[kTurnAxis[i]] + kSign[kTurnAxis[i]] * end * m_calibration[6 + own] / kCountsPerDegree;
     }
 }
 
-void StormBoard::restart()
+void StormBoard::setFaults(const Faults &faults)
+{
+    m_options.faults = faults;
+    applyCalibration();
+    applyParameters();
+}
+
+// The program begins anew; what was in use is kept or loaded again.
+void StormBoard::restart(Memory memory)
 {
     m_started = m_now;
     m_relevelUntil = 0;
@@ -148,7 +174,8 @@ void StormBoard::restart()
     m_scriptCase = {};
     m_heardBeat = false;
     m_input.clear();
-    m_ram = m_eeprom;
+    if (memory == Memory::Reload)
+        m_ram = m_eeprom;
     for (const Axis axis : kAxes)
         m_stabilizer.plant(axis).setAngle(0.0);
     m_stabilizer.resetEstimate();
@@ -203,7 +230,9 @@ void StormBoard::updateWorld()
 {
     const Faults &faults = m_options.faults;
     m_stabilizer.setImuPresent(!faults.noImu);
-    m_stabilizer.setPose(faults.pose);
+    // Faces by this family's axes, forward and left, as the plant counts its own, right and forward.
+    constexpr std::array<int, 8> kPlantPose{0, 1, 2, 5, 6, 4, 3, 7};
+    m_stabilizer.setPose(kPlantPose[std::size_t(faults.pose)]);
     m_stabilizer.setSwappedMotors(faults.swappedAxes);
     m_stabilizer.hand().setStrength(faults.shake);
     m_stabilizer.setVoltage(volts());

@@ -26,7 +26,7 @@ public:
     [[nodiscard]] bool isRunning() const override { return true; }   // its USB stays while the program restarts
     [[nodiscard]] std::optional<Parity> onlyParity() const override { return Parity::None; }
     [[nodiscard]] StreamCount streamCount() const override { return {}; }
-    void setFaults(const Faults &faults) override { m_options.faults = faults; }
+    void setFaults(const Faults &faults) override;
 
     // For tests: the world around the board, and its memory.
     Stabilizer &stabilizer() { return m_stabilizer; }
@@ -45,7 +45,8 @@ private:
     [[nodiscard]] QByteArray factoryStream() const;
     void applyParameters();
     void applyCalibration();
-    void restart();
+    enum class Memory { Keep, Reload };
+    void restart(Memory memory);
     void updateWorld();
     void updateTargets();
     [[nodiscard]] double volts() const;

@@ -158,15 +158,14 @@ QByteArray StormBoard::simple(Simple id, QByteArrayView arguments)
         return ok;
     case Simple::Restart:
     case Simple::HardReset:
-        restart();
+        restart(Memory::Reload);
         return ok;
     case Simple::NormalMotors:
         for (const Axis axis : kAxes) {
             const ParameterSpec *usage = m_parameters.find(u"motor.%1.usage"_s.arg(QLatin1String(axisKey(axis))));
             usage->write(m_ram, 0);
-            usage->write(m_eeprom, 0);
         }
-        restart();
+        restart(Memory::Keep);   // errata 9.3: the wizard stores only after it
         return ok;
     case Simple::TakeDirections:
         for (const Axis axis : kAxes)

@@ -150,7 +150,7 @@ QByteArray StormBoard::liveFields(int mask) const
     return writer.take();
 }
 
-// Counts before calibration, in the sensor's axes: forward, left, up.
+// Counts before calibration, in the sensor's own axes.
 QByteArray StormBoard::rawSensors() const
 {
     const Stabilizer &s = m_stabilizer;
@@ -158,10 +158,18 @@ QByteArray StormBoard::rawSensors() const
         return QByteArray(28, '\0');
     const double one = m_options.firmware >= 94 ? 8192.0 : 16384.0;
     ByteWriter writer;
-    for (const double g : {s.rawAcc(1), -s.rawAcc(0), s.rawAcc(2)})
-        writer.i16(rounded(g * one));
-    for (const auto &[axis, sign] : {std::pair{Axis::Roll, -1.0}, {Axis::Pitch, 1.0}, {Axis::Yaw, -1.0}})
-        writer.i16(rounded(sign * s.rawGyro(axis) * kCountsPerDegree));
+    // From the camera's forward, left and up to the axes of the sensor, as it sits.
+    const auto &mounted = orientations()[std::size_t(m_options.faults.mount)].axes;
+    const auto put = [&](const std::array<double, 3> &camera) {
+        for (std::size_t own = 0; own < 3; ++own) {
+            double along = 0;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                along += camera[axis] * mounted[axis][own];
+            writer.i16(rounded(along));
+        }
+    };
+    put({s.rawAcc(1) * one, -s.rawAcc(0) * one, s.rawAcc(2) * one});
+    put({-s.rawGyro(Axis::Roll) * kCountsPerDegree, s.rawGyro(Axis::Pitch) * kCountsPerDegree, -s.rawGyro(Axis::Yaw) * kCountsPerDegree});
     const int temperature = rounded((kTemperature - 36.53) * 340.0);
     writer.i16(temperature);
     const bool second = status() & 0x1000;

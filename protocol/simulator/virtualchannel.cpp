@@ -149,3 +149,10 @@ LinkObservation VirtualChannel::observation() const
 {
     return {m_framer->statistics(), m_bytesIn, m_lastBytes};
 }
+
+void VirtualChannel::progress(const Progress &progress)
+{
+    m_progress.push_back(progress);
+    if (m_operator)
+        m_operator(progress);
+}

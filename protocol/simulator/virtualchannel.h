@@ -22,7 +22,7 @@ public:
     std::unique_ptr<Mailbox> listen(std::function<bool(const FrameView &)> filter) override;
     Result<void> setLine(const LineSettings &line) override;
     [[nodiscard]] bool cancelled() const override { return m_cancelAt && now() >= *m_cancelAt; }
-    void progress(const Progress &progress) override { m_progress.push_back(progress); }
+    void progress(const Progress &progress) override;
     [[nodiscard]] TimePoint now() const override { return TimePoint() + 1h + m_port.now(); }
     [[nodiscard]] LinkObservation observation() const override;
 
@@ -30,6 +30,8 @@ public:
     void cancelAfter(Duration time) { m_cancelAt = now() + time; }
     /// Every frame that arrives, claimed or not.
     void setTap(std::function<void(const FrameView &, TimePoint)> tap) { m_tap = std::move(tap); }
+    /// Plays the operator: hears of every progress while the procedure waits.
+    void setOperator(std::function<void(const Progress &)> person) { m_operator = std::move(person); }
     [[nodiscard]] const std::vector<Progress> &progressReports() const { return m_progress; }
     [[nodiscard]] TransactionQueue &queue() { return m_queue; }
     /// Bytes that went out so far, request after request.
@@ -46,6 +48,7 @@ private:
     TransactionQueue m_queue;
     std::set<class VirtualMailbox *> m_mailboxes;
     std::function<void(const FrameView &, TimePoint)> m_tap;
+    std::function<void(const Progress &)> m_operator;
     std::vector<Progress> m_progress;
     std::optional<TimePoint> m_cancelAt;
     QByteArray m_lastBytes;

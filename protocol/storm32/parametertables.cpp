@@ -508,10 +508,10 @@ constexpr ParameterRow kRows[] = {
 };
 static_assert(rangesFit(kRows));
 
-constexpr BlockSpec kBlocks78[] = {{Parameters, "PARAMETERS", 2 * 124}, {Scripts, "SCRIPTS", kScriptArea}};
-constexpr BlockSpec kBlocks95[] = {{Parameters, "PARAMETERS", 2 * 125}, {Scripts, "SCRIPTS", kScriptArea}};
+constexpr BlockSpec kBlocks78[] = {{Parameters, "PARAMETERS", 2 * 124}, {Scripts, "SCRIPTS", kScriptArea, "Scripts"}};
+constexpr BlockSpec kBlocks95[] = {{Parameters, "PARAMETERS", 2 * 125}, {Scripts, "SCRIPTS", kScriptArea, "Scripts"}};
 
-constexpr BlockSpec kBlocksLater[] = {{Parameters, "PARAMETERS", 2 * 155}, {Scripts, "SCRIPTS", kScriptArea}};
+constexpr BlockSpec kBlocksLater[] = {{Parameters, "PARAMETERS", 2 * 155}, {Scripts, "SCRIPTS", kScriptArea, "Scripts"}};
 
 constexpr ParameterRow rawWords(std::uint8_t count)
 {

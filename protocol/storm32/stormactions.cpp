@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storm32/stormactions.h"
 
+#include "protocol/storm32/stormprocedures.h"
 #include "protocol/storm32/telemetrytables.h"
 
 #include <algorithm>
@@ -66,40 +67,46 @@ constexpr ActionSpec kActions[] = {
     {.key = "pwm", .label = "PWM output", .help = "Sets the servo output.", .group = "Functions", .risk = ActionRisk::Moves,
      .arguments = kPwm},
     {.key = "trim", .label = "Take RC trims", .help = "Takes the sticks' present positions as their middle; in RAM.", .group = "Setup",
-     .risk = ActionRisk::Writes},
+     .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
     {.key = "directions.take", .label = "Take motor directions", .help = "Copies the directions that were found into the parameters; in RAM.",
-     .group = "Setup", .risk = ActionRisk::Writes},
+     .group = "Setup", .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
     {.key = "start.take", .label = "Take start positions, pitch and roll", .help = "Copies where the motors stand now; in RAM.",
-     .group = "Setup", .risk = ActionRisk::Writes},
+     .group = "Setup", .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
     {.key = "start.take_yaw", .label = "Take start position, yaw", .help = "Copies where the motor stands now; in RAM.", .group = "Setup",
-     .risk = ActionRisk::Writes},
+     .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
     {.key = "name", .label = "Name the board", .help = "Up to 16 letters; stored at once.", .group = "Setup", .risk = ActionRisk::Writes,
      .arguments = kName},
     {.key = "rate", .label = "Set the serial rate", .help = "Stored at once; takes effect when the board is switched on again.",
      .group = "Setup", .risk = ActionRisk::Writes, .arguments = kRate},
     {.key = "heartbeat.off", .label = "Switch the heartbeat off",
-     .help = "Plain commands work again on this port at once. In RAM; store it to keep it.", .group = "Setup", .risk = ActionRisk::Writes},
-    {.key = "store", .label = "Store", .help = "Keeps all values in use, scripts included.", .group = "Memory", .risk = ActionRisk::Writes},
+     .help = "Plain commands work again on this port at once. In RAM; store it to keep it.", .group = "Setup", .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
+    {.key = "store", .label = "Store", .help = "Keeps all values in use, scripts included.", .group = "Memory", .risk = ActionRisk::Writes, .memory = MemoryEffect::Stores},
     {.key = "retrieve", .label = "Retrieve", .help = "Puts the stored values into use again; what was not stored is gone.",
-     .group = "Memory", .risk = ActionRisk::Destroys},
+     .group = "Memory", .risk = ActionRisk::Destroys, .memory = MemoryEffect::Reloads},
     {.key = "restore", .label = "Restore one value", .help = "Puts the stored value of one parameter into use again.", .group = "Memory",
-     .risk = ActionRisk::Writes, .arguments = kWord},
+     .risk = ActionRisk::Writes, .arguments = kWord, .memory = MemoryEffect::ChangesInUse},
     {.key = "defaults", .label = "Factory defaults", .help = "Puts the defaults into use; stored values stay until you store.",
-     .group = "Memory", .risk = ActionRisk::Destroys},
+     .group = "Memory", .risk = ActionRisk::Destroys, .memory = MemoryEffect::ChangesInUse},
     {.key = "erase", .label = "Erase the memory", .help = "The next start begins with defaults. Values in use stay until then.",
      .group = "Memory", .risk = ActionRisk::Destroys},
     {.key = "restart", .label = "Restart", .help = "Restarts the controller with the stored values; motors go off meanwhile.",
-     .group = "Board", .risk = ActionRisk::Moves},
-    {.key = "reset", .label = "Hardware reset", .help = "Like switching off and on.", .group = "Board", .risk = ActionRisk::Moves},
+     .group = "Board", .risk = ActionRisk::Moves, .memory = MemoryEffect::Reloads},
+    {.key = "reset", .label = "Hardware reset", .help = "Like switching off and on.", .group = "Board", .risk = ActionRisk::Moves, .memory = MemoryEffect::Reloads},
     {.key = "motors.normal", .label = "Use all motors, restart", .help = "Sets all motors to normal use and restarts.", .group = "Board",
-     .risk = ActionRisk::Writes},
+     .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
 };
 
 } // namespace
 
 std::span<const ActionSpec> StormActions::all()
 {
-    return kActions;
+    static const std::vector<ActionSpec> both = [] {
+        std::vector<ActionSpec> list(std::begin(kActions), std::end(kActions));
+        const auto procedures = StormProcedures::all();
+        list.insert(list.end(), procedures.begin(), procedures.end());
+        return list;
+    }();
+    return both;
 }
 
 Result<ActionReply> StormActions::simple(Simple id, QByteArrayView arguments)
@@ -235,12 +242,17 @@ Result<ActionReply> StormActions::perform(const QString &key, const QVariantMap 
         if (key == QLatin1String(plain.key))
             return simple(plain.id);
     }
-    return failure(ErrorCode::Unsupported, key);
+    return StormProcedures(m_device, m_channel).perform(key, arguments);
 }
 
 std::span<const ActionSpec> StormDevice::actions() const
 {
     return StormActions::all();
+}
+
+QString StormDevice::storeAction() const
+{
+    return u"store"_s;
 }
 
 Result<ActionReply> StormDevice::perform(Channel &channel, const QString &key, const QVariantMap &arguments)

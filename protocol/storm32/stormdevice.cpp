@@ -5,6 +5,8 @@
 #include "protocol/base/checksum.h"
 #include "protocol/storm32/framer.h"
 #include "protocol/storm32/parametertables.h"
+#include "protocol/storm32/stormfiles.h"
+#include "protocol/storm32/stormlanguage.h"
 #include "protocol/storm32/telemetrytables.h"
 
 #include <algorithm>
@@ -86,7 +88,9 @@ StormDevice::~StormDevice() = default;
 Family stormFamily()
 {
     return {u"storm32"_s, u"STorM32"_s, [] { return std::make_unique<StormDevice>(); }, parametersOf,
-            {u"STorM32"_s, u"MAVLink"_s}};
+            {u"STorM32"_s, u"MAVLink"_s}, scriptLanguage(),
+            ForeignFile{u"cfg"_s, u"STorM32 settings"_s, readSettings, writeSettings},
+            CalibrationFile{u"cal"_s, u"STorM32 calibration"_s, readCalibration, writeCalibration}};
 }
 
 std::unique_ptr<Framer> StormDevice::makeFramer() const
@@ -481,12 +485,6 @@ std::span<const ControlMode> StormDevice::controlModes() const
 // Angles of all axes go together. Ours are as the board shows them: down, right and left are positive.
 ControlFrames StormDevice::controlFrames(const ControlSetpoint &setpoint) const
 {
-    const auto frame = [this](const std::array<double, 3> &angles, int flags) {
-        ByteWriter writer;
-        for (const double angle : angles)
-            writer.f32(float(std::clamp(angle, -kMostAngle, kMostAngle)));
-        return rc(Rc::SetAngle, writer.u8(flags).u8(0).take()).bytes;
-    };
     constexpr std::array<std::size_t, 3> kPlace{1, 0, 2};   // pitch, roll, yaw
     std::array<double, 3> angles{};
     int flags = 0;
@@ -495,9 +493,14 @@ ControlFrames StormDevice::controlFrames(const ControlSetpoint &setpoint) const
         angles[i] = axis.mode ? axis.angle : 0.0;
         flags |= axis.mode == 1 ? 1 << int(i) : 0;
     }
+    ByteWriter writer;
+    for (const double angle : angles)
+        writer.f32(float(std::clamp(angle, -kMostAngle, kMostAngle)));
+    const Request request = rc(Rc::SetAngle, writer.u8(flags).u8(0).take());
     ControlFrames frames;
-    frames.setpoint = frame(angles, flags);
-    frames.stop = frames.setpoint;         // an angle is held by itself
-    frames.release = frames.setpoint;      // bringing it back would be a movement that nobody asked for
+    frames.setpoint = request.bytes;
+    frames.stop = request.bytes;           // an angle is held by itself
+    frames.release = request.bytes;        // bringing it back would be a movement that nobody asked for
+    frames.answer = request.answer;        // errata 7: one command at a time
     return frames;
 }

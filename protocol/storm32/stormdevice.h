@@ -40,6 +40,7 @@ public:
     Result<std::vector<std::vector<double>>> readDebugVariables(Channel &channel) override;
 
     [[nodiscard]] std::span<const ActionSpec> actions() const override;
+    [[nodiscard]] QString storeAction() const override;
     Result<ActionReply> perform(Channel &channel, const QString &key, const QVariantMap &arguments) override;
 
     [[nodiscard]] std::vector<NotchFilter> notchFilters(Axis) const override { return {}; }
@@ -72,6 +73,7 @@ public:
 
 private:
     friend class StormActions;
+    friend class StormProcedures;
 
     /// A request as this board can be asked it: plain, or embedded.
     [[nodiscard]] Request simple(storm32::Simple id, QByteArrayView arguments = {}) const;
@@ -89,6 +91,7 @@ private:
     bool m_embedded = false;
     int m_firmware = 0;                // 79, 90, 96
     int m_words = 0;
+    std::optional<std::array<int, 5>> m_yawBefore;   // the input words of yaw while it is aligned
 };
 
 /// The row of this family in the program's table of families.

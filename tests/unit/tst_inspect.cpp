@@ -217,7 +217,7 @@ void TestInspect::sixPositionsFindZeroAndScale()
     QVERIFY2(worst < 0.012, qPrintable(QString::number(worst)));
     // In the gimbal again, the horizon is straight.
     QVERIFY(bench.port.change(u"pose=0"_s));
-    QVERIFY(!bench.port.change(u"pose=7"_s));
+    QVERIFY(!bench.port.change(u"pose=8"_s));
     QVERIFY(!bench.port.change(u"weather=1"_s));
 }
 

@@ -3,11 +3,9 @@
 #include "protocol/device/connector.h"
 #include "protocol/simplebgc/sbgcdevice.h"
 #include "protocol/simulator/sbgcboard.h"
-#include "protocol/simulator/stormboard.h"
-#include "protocol/simulator/virtualchannel.h"
 #include "protocol/storm32/parametertables.h"
-#include "protocol/storm32/stormdevice.h"
 #include "protocol/storm32/telemetrytables.h"
+#include "tests/support/stormrig.h"
 
 #include <QTest>
 
@@ -17,30 +15,6 @@ using namespace Qt::StringLiterals;
 using namespace storm32;
 
 namespace {
-
-SimulatorOptions options(int firmware, bool usb = true)
-{
-    SimulatorOptions o;
-    o.firmware = firmware;
-    o.usb = usb;
-    return o;
-}
-
-/// A simulated STorM32 board and a virtual channel to it.
-struct StormRig
-{
-    explicit StormRig(const SimulatorOptions &o = options(96), std::optional<LineSettings> line = {})
-        : port(std::make_unique<StormBoard>(o), o, line), channel(port, device.makeFramer())
-    {
-    }
-    StormBoard &board() { return static_cast<StormBoard &>(port.board()); }
-    // The board's heartbeat has locked plain commands out of its UART.
-    void lockOut() { board().set(112, 1); }
-
-    StormDevice device;
-    SimulatedPort port;
-    VirtualChannel channel;
-};
 
 const LineSettings kLine{115200, Parity::None};
 
@@ -87,7 +61,7 @@ void TestStormDevice::boardIsIdentified()
 {
     QFETCH(int, firmware);
     QFETCH(int, layout);
-    StormRig rig(options(firmware));
+    StormRig rig(stormOptions(firmware));
     QVERIFY(rig.device.probe(rig.channel).value_or(false));
     const auto identity = rig.device.identify(rig.channel);
     QVERIFY(identity);
@@ -105,7 +79,7 @@ void TestStormDevice::boardIsIdentified()
 
 void TestStormDevice::unknownLayoutIsReadOnlyWithRawWords()
 {
-    SimulatorOptions o = options(96);
+    SimulatorOptions o = stormOptions(96);
     o.faults.unknownFirmware = true;
     StormRig rig(o);
     const auto identity = rig.device.identify(rig.channel);
@@ -122,7 +96,7 @@ void TestStormDevice::unknownLayoutIsReadOnlyWithRawWords()
 void TestStormDevice::familiesAreToldApart()
 {
     {
-        StormRig rig(options(96, false), kLine);
+        StormRig rig(stormOptions(96, false), kLine);
         const auto found = findBoard(rig.channel, rig.device, serialAddress());
         QVERIFY(found);
         QCOMPARE(found->line->baud, 115200);
@@ -143,7 +117,7 @@ void TestStormDevice::familiesAreToldApart()
         QVERIFY(findBoard(again, right, serialAddress()));
     }
     {   // theirs to a STorM32 board
-        StormRig rig(options(96, false), kLine);
+        StormRig rig(stormOptions(96, false), kLine);
         SbgcDevice wrong;
         VirtualChannel channel(rig.port, wrong.makeFramer());
         const auto found = findBoard(channel, wrong, serialAddress());
@@ -153,7 +127,7 @@ void TestStormDevice::familiesAreToldApart()
         QCOMPARE(rig.board().inUse(0), 400);
     }
     {   // the wrong rate
-        StormRig rig(options(90, false), LineSettings{38400, Parity::None});
+        StormRig rig(stormOptions(90, false), LineSettings{38400, Parity::None});
         const auto found = findBoard(rig.channel, rig.device, serialAddress());
         QVERIFY(found);
         QCOMPARE(found->line->baud, 38400);
@@ -168,7 +142,7 @@ void TestStormDevice::configurationIsReadAndWritten_data()
 void TestStormDevice::configurationIsReadAndWritten()
 {
     QFETCH(int, firmware);
-    StormRig rig(options(firmware));
+    StormRig rig(stormOptions(firmware));
     QVERIFY(rig.device.identify(rig.channel));
     const auto base = rig.device.readConfiguration(rig.channel);
     QVERIFY(base);
@@ -215,7 +189,7 @@ void TestStormDevice::liveValues()
 void TestStormDevice::lockedOutBoardIsReached()
 {
     for (const int firmware : {79, 90, 96}) {
-        StormRig rig(options(firmware, false), kLine);
+        StormRig rig(stormOptions(firmware, false), kLine);
         rig.lockOut();
         const auto found = findBoard(rig.channel, rig.device, serialAddress());
         QVERIFY(found);
@@ -247,7 +221,7 @@ void TestStormDevice::lockedOutBoardIsReached()
 // Its numbers on MAVLink are not the usual ones: its heartbeat tells them.
 void TestStormDevice::lockedOutBoardWithOtherNumbers()
 {
-    StormRig rig(options(96, false), kLine);
+    StormRig rig(stormOptions(96, false), kLine);
     rig.board().set(110, 12);
     rig.board().set(111, 34);
     rig.lockOut();
@@ -267,7 +241,7 @@ void TestStormDevice::telemetryIsPolled()
 {
     QFETCH(int, firmware);
     for (const bool locked : {false, true}) {
-        StormRig rig(options(firmware, false), kLine);
+        StormRig rig(stormOptions(firmware, false), kLine);
         std::ignore = rig.channel.setLine(kLine);
         if (locked)
             rig.lockOut();
@@ -299,7 +273,7 @@ void TestStormDevice::telemetryIsPolled()
 void TestStormDevice::lossAndDamageAreSurvived()
 {
     for (const unsigned seed : {1U, 2U, 3U}) {
-        SimulatorOptions o = options(96, false);
+        SimulatorOptions o = stormOptions(96, false);
         o.seed = seed;
         o.faults.loseByte = 0.0005;
         o.faults.flipByte = 0.0005;
@@ -326,13 +300,16 @@ void TestStormDevice::lossAndDamageAreSurvived()
 void TestStormDevice::everyActionIsAnswered()
 {
     for (const int firmware : {79, 90, 96}) {
-        StormRig rig(options(firmware));
+        StormRig rig(stormOptions(firmware));
         QVERIFY(rig.device.identify(rig.channel));
         const QMap<QString, QMap<QString, QString>> arguments{
             {u"pan.mode"_s, {{u"mode"_s, u"pan pan pan"_s}}}, {u"pan.setting"_s, {{u"setting"_s, u"2"_s}}},
             {u"script"_s, {{u"script"_s, u"4"_s}}}, {u"name"_s, {{u"name"_s, u"Top"_s}}}, {u"restore"_s, {{u"word"_s, u"0"_s}}},
         };
         for (const ActionSpec &action : rig.device.actions()) {
+            if (action.isProcedure || QLatin1String(action.group) == "Gimbal configuration"_L1
+                || QLatin1String(action.key) == "calibration.write"_L1)
+                continue;   // these need somebody who does his part: tst_stormsetup
             const auto parsed = parseArguments(action, arguments.value(QString::fromLatin1(action.key)));
             QVERIFY2(parsed, action.key);
             const auto reply = rig.device.perform(rig.channel, QString::fromLatin1(action.key), *parsed);

@@ -91,6 +91,29 @@ private:
     QString m_new;
 };
 
+class DataEdit final : public Edit
+{
+public:
+    DataEdit(ConfigurationModel &configuration, BlockKey key, const QString &name, const QByteArray &from, const QByteArray &to)
+        : m_configuration(configuration), m_key(key), m_old(from), m_new(to)
+    {
+        setText(name);
+    }
+    void undo() override { std::ignore = m_configuration.setData(m_key, m_old); }
+    void redo() override { std::ignore = m_configuration.setData(m_key, m_new); }
+    [[nodiscard]] QJsonObject toJson() const override
+    {
+        return {{u"profile"_s, m_key.profile}, {u"block"_s, m_key.block}, {u"fromData"_s, QString::fromLatin1(m_old.toHex())},
+                {u"toData"_s, QString::fromLatin1(m_new.toHex())}};
+    }
+
+private:
+    ConfigurationModel &m_configuration;
+    BlockKey m_key;
+    QByteArray m_old;
+    QByteArray m_new;
+};
+
 } // namespace
 
 EditStack::EditStack(ConfigurationModel &configuration, QObject *parent)
@@ -117,6 +140,14 @@ void EditStack::rename(int profile, const QString &name)
         m_stack.push(new RenameEdit(m_configuration, profile, now, name));
 }
 
+void EditStack::editData(BlockKey key, const QByteArray &bytes)
+{
+    const QByteArray now = m_configuration.edited().block(key);
+    const BlockSpec *spec = m_configuration.edited().parameters().block(key.block);
+    if (spec && now != bytes && now.size() == bytes.size())
+        m_stack.push(new DataEdit(m_configuration, key, tableText(spec->data), now, bytes));
+}
+
 void EditStack::discardAll()
 {
     apply(m_configuration.board(), tr("Discard all changes"));
@@ -125,11 +156,14 @@ void EditStack::discardAll()
 void EditStack::apply(const Configuration &wanted, const QString &text)
 {
     const auto changes = m_configuration.edited().changesTo(wanted);
-    if (changes.empty() && wanted.profileNames() == m_configuration.edited().profileNames())
+    const auto data = m_configuration.edited().dataChangesTo(wanted);
+    if (changes.empty() && data.empty() && wanted.profileNames() == m_configuration.edited().profileNames())
         return;
     m_stack.beginMacro(text);
     for (const ParameterChange &change : changes)
         push(change);
+    for (const DataChange &change : data)
+        editData(change.key, change.to);
     for (int profile = 0; profile < wanted.identity().profileCount; ++profile)
         rename(profile, wanted.profileNames().value(profile));
     m_stack.endMacro();
@@ -207,6 +241,17 @@ void EditStack::restoreEdit(const QJsonObject &edit)
     if (edit.contains(u"toName"_s)) {
         m_stack.push(new RenameEdit(m_configuration, profile, edit.value(u"fromName"_s).toString(),
                                     edit.value(u"toName"_s).toString()));
+        return;
+    }
+    if (edit.contains(u"toData"_s)) {
+        const BlockKey key{profile, edit.value(u"block"_s).toInt(-1)};
+        const QByteArray now = m_configuration.edited().block(key);
+        const BlockSpec *block = m_configuration.edited().parameters().block(key.block);
+        const auto bytes = [&edit](const QString &name) { return QByteArray::fromHex(edit.value(name).toString().toLatin1()); };
+        const QByteArray from = bytes(u"fromData"_s);
+        const QByteArray to = bytes(u"toData"_s);
+        if (block && *block->data && to.size() == now.size() && from.size() == now.size())
+            m_stack.push(new DataEdit(m_configuration, key, tableText(block->data), from, to));
         return;
     }
     const ParameterSpec *spec = m_configuration.edited().parameters().find(edit.value(u"key"_s).toString());

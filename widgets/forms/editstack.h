@@ -17,6 +17,8 @@ public:
     /// Changes a value; steps on the same value within one second become one edit. Out of range: refused, false.
     bool edit(int parameter, int profile, int raw);
     void rename(int profile, const QString &name);
+    /// Changes a block without parameters as a whole.
+    void editData(BlockKey key, const QByteArray &bytes);
     /// Takes back all edits, as one step that can itself be undone.
     void discardAll();
     /// Takes the profile values of one profile over into another, as one step.

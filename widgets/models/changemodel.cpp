@@ -17,12 +17,14 @@ ChangeModel::ChangeModel(Configuration board, Configuration edited, QObject *par
     , m_edited(std::move(edited))
 {
     for (const ParameterChange &change : m_board.changesTo(m_edited))
-        m_rows.push_back({change, true});
+        m_rows.push_back({change, {}, true});
     std::stable_partition(m_rows.begin(), m_rows.end(),
                           [](const Row &row) { return row.change.spec->row->risk == Risk::Red; });
+    for (const DataChange &change : m_board.dataChangesTo(m_edited))
+        m_rows.push_back({{nullptr, change.key.profile, 0, 0}, change, true});
     for (int profile = 0; profile < m_board.identity().profileCount; ++profile) {
         if (m_board.profileNames().value(profile) != m_edited.profileNames().value(profile))
-            m_rows.push_back({{nullptr, profile, 0, 0}, true});
+            m_rows.push_back({{nullptr, profile, 0, 0}, {}, true});
     }
 }
 
@@ -58,6 +60,11 @@ QVariant ChangeModel::data(const QModelIndex &index, int role) const
             text += u' ' + QString::fromUtf8(spec->row->unit);
         return text;
     };
+    if (row.data.spec && index.column() != ProfileColumn) {
+        return index.column() == NameColumn   ? tableText(row.data.spec->data)
+               : index.column() == BoardColumn ? tr("as on the board")
+                                               : tr("changed");
+    }
     switch (index.column()) {
     case NameColumn:
         if (!spec)
@@ -143,6 +150,8 @@ Configuration ChangeModel::ticked() const
             continue;
         if (row.change.spec) {
             std::ignore = result.setRaw(*row.change.spec, row.change.profile, row.change.to);
+        } else if (row.data.spec) {
+            result.setBlock(row.data.key, row.data.to);
         } else {
             names[row.change.profile] = m_edited.profileNames().value(row.change.profile);
             renamed = true;

@@ -35,7 +35,8 @@ signals:
 private:
     struct Row
     {
-        ParameterChange change;   // spec is null for a profile's name
+        ParameterChange change;   // spec is null for a profile's name, and for data
+        DataChange data = {};       // spec is null for everything else
         bool ticked = true;
     };
     Configuration m_board;    // copies: a reconnection must not pull the values from under a review

@@ -30,6 +30,7 @@ bool ConfigurationModel::rebase(Configuration board)
         return false;
     const auto keep = m_board.parameterSet();
     const auto edits = m_board.changesTo(m_edited);
+    const auto data = m_board.dataChangesTo(m_edited);
     const bool renamed = namesChanged();
     const QStringList names = m_edited.profileNames();
     const int shown = m_shownProfile;
@@ -39,6 +40,10 @@ bool ConfigurationModel::rebase(Configuration board)
         // The new parameter set is another object, so the parameter is found by its key.
         if (const ParameterSpec *spec = m_board.parameters().find(edit.spec->key))
             std::ignore = m_edited.setRaw(*spec, edit.profile, edit.to);
+    }
+    for (const DataChange &edit : data) {
+        if (m_board.blocks().contains(edit.key))
+            m_edited.setBlock(edit.key, edit.to);
     }
     if (renamed)
         m_edited.setProfileNames(names);
@@ -52,6 +57,7 @@ void ConfigurationModel::setBoard(const Configuration &board)
 {
     const auto keep = m_board.parameterSet();
     const auto edits = m_board.changesTo(m_edited);
+    const auto data = m_board.dataChangesTo(m_edited);
     m_board = board;
     const QStringList names = m_edited.profileNames();
     m_edited = m_board;
@@ -59,6 +65,10 @@ void ConfigurationModel::setBoard(const Configuration &board)
     for (const ParameterChange &edit : edits) {
         std::ignore = m_edited.setRaw(*edit.spec, edit.profile, edit.to);
         emit valueChanged(edit.spec->id, edit.profile);
+    }
+    for (const DataChange &edit : data) {
+        m_edited.setBlock(edit.key, edit.to);
+        emit dataChanged(edit.key.block, edit.key.profile);
     }
     recount();
     emit profileNamesChanged();
@@ -121,9 +131,23 @@ void ConfigurationModel::setProfileName(int profile, const QString &name)
     emit profileNamesChanged();
 }
 
+Result<void> ConfigurationModel::setData(BlockKey key, const QByteArray &bytes)
+{
+    if (!m_edited.blocks().contains(key))
+        return failure(ErrorCode::Unsupported, QString::number(key.block));
+    if (m_edited.block(key) == bytes)
+        return {};
+    m_edited.setBlock(key, bytes);
+    emit dataChanged(key.block, key.profile);
+    recount();
+    return {};
+}
+
 int ConfigurationModel::changedProfileCount() const
 {
     QSet<int> profiles;
+    for (const DataChange &change : dataChanges())
+        profiles.insert(change.key.profile);
     for (const ParameterChange &change : changes())
         profiles.insert(change.profile);
     return int(profiles.size());
@@ -131,7 +155,7 @@ int ConfigurationModel::changedProfileCount() const
 
 void ConfigurationModel::recount()
 {
-    const int count = int(changes().size()) + (namesChanged() ? 1 : 0);
+    const int count = int(changes().size() + dataChanges().size()) + (namesChanged() ? 1 : 0);
     if (count == m_changeCount)
         return;
     m_changeCount = count;

@@ -37,8 +37,11 @@ public:
     /// Errors: OutOfRange, Unsupported, ReadOnly.
     Result<void> setValue(const ParameterSpec &spec, int profile, int raw);
     void setProfileName(int profile, const QString &name);
+    /// Edits a block without parameters as a whole. Errors: Unsupported (no such block).
+    Result<void> setData(BlockKey key, const QByteArray &bytes);
 
     [[nodiscard]] std::vector<ParameterChange> changes() const { return m_board.changesTo(m_edited); }
+    [[nodiscard]] std::vector<DataChange> dataChanges() const { return m_board.dataChangesTo(m_edited); }
     [[nodiscard]] int changeCount() const { return m_changeCount; }
     /// Number of profiles that changes concern; board-wide ones count for the active profile.
     [[nodiscard]] int changedProfileCount() const;
@@ -49,6 +52,7 @@ signals:
     /// A write has changed what the board holds.
     void storedChanged();
     void valueChanged(int parameter, int profile);
+    void dataChanged(int block, int profile);
     void shownProfileChanged(int profile);
     void activeProfileChanged(int profile);
     void profileNamesChanged();

@@ -136,6 +136,11 @@ ErrorText describe(const Error &error)
         text.meaning = Words::tr("The camera has to be held by running motors, and live data has to come.");
         text.cure = Words::tr("Switch the motors on, let the camera settle, then try again.");
         break;
+    case ErrorCode::NotSeen:
+        text.what = Words::tr("What was waited for did not come.");
+        text.meaning = Words::tr("This step was given up; nothing was stored.");
+        text.cure = Words::tr("The details say what was missing. Put it right and do the step again.");
+        break;
     case ErrorCode::Diverged:
         text.what = Words::tr("The axis did not follow; the motors were switched off.");
         text.meaning = Words::tr("It moved further than the test allows.");
@@ -165,6 +170,16 @@ QString describe(const Progress &progress)
         return Words::tr("Putting back %1").arg(progress.subject);
     if (progress.step == u"calibrate"_s)
         return Words::tr("Calibrating: keep the camera absolutely still");
+    if (progress.step == u"place-sensor"_s)
+        return Words::tr("Lay the sensor still on one of its faces");
+    if (progress.step == u"level-camera"_s)
+        return Words::tr("Hold the camera level and still");
+    if (progress.step == u"tilt-camera"_s)
+        return Words::tr("Tilt the camera about 45° down, without rolling it");
+    if (progress.step == u"wait-battery"_s)
+        return Words::tr("Connect the battery");
+    if (progress.step == u"wait-start"_s)
+        return Words::tr("The board starts; keep the camera still");
     if (progress.step == u"autotune"_s)
         return Words::tr("Auto-tune, iteration %1").arg(progress.done);
     if (progress.step == u"steer"_s)

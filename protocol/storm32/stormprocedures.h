@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/analysis/accelerometer.h"
+#include "protocol/storm32/stormdevice.h"
+
+/// The family's jobs of many steps: calibration of the accelerometers (errata 9.2), the tasks of the gimbal's configuration
+/// (errata 9.3), and what is in use compared with what is stored.
+class StormProcedures
+{
+public:
+    StormProcedures(StormDevice &device, Channel &channel) : m_device(device), m_channel(channel) { }
+
+    [[nodiscard]] static std::span<const ActionSpec> all();
+    /// Errors of all: NotSeen (what it waited for did not come), BoardError, those of the link.
+    Result<ActionReply> perform(const QString &key, const QVariantMap &arguments);
+
+private:
+    struct Sensor
+    {
+        AccReading acc{};            ///< counts
+        double temperature = 0;      ///< degrees Celsius
+        [[nodiscard]] bool isPresent() const;
+    };
+    struct Average
+    {
+        AccReading acc{};
+        double deviation = 0;        ///< counts: mean of the three axes' mean absolute deviations
+        double temperature = 0;
+        int face = -1;
+    };
+    struct Status
+    {
+        int state = 0;
+        int status = 0;
+        int busErrors = 0;
+    };
+
+    Result<Sensor> sensor(int imu);
+    Result<Average> average(int imu, int readings, Progress &progress);
+    /// Waits until one of the wanted faces lies still, then measures it.
+    Result<Average> face(int imu, unsigned wanted, Progress &progress);
+    Result<void> writeCalibration(int imu, const AccCalibration &calibration);
+    [[nodiscard]] double oneG() const;
+    [[nodiscard]] static ActionReply replyOf(const AccCalibration &calibration, double oneG, double temperature);
+
+    Result<ActionReply> averaged(int imu, int readings);
+    Result<ActionReply> calibrate(int imu, bool six, bool store);
+
+    Result<Status> status();
+    Result<void> setUsage(int usage);
+    Result<ActionReply> findOrientation();
+    /// The vector of a sensor, of length 1, when one axis has passed the limit long enough.
+    Result<std::array<int, 3>> holdAxis(int imu, const std::array<int, 3> *up, milliseconds limit, Progress &progress);
+    Result<ActionReply> restartAndWait();
+    Result<ActionReply> takeMotors();
+    Result<ActionReply> beginYaw();
+    Result<ActionReply> moveYaw(double degrees);
+    Result<ActionReply> endYaw(bool take);
+    Result<ActionReply> compareStored();
+
+    StormDevice &m_device;
+    Channel &m_channel;
+};

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/simulator/stormboard.h"
+#include "protocol/simulator/virtualchannel.h"
+#include "protocol/storm32/stormdevice.h"
+
+inline SimulatorOptions stormOptions(int firmware, bool usb = true)
+{
+    SimulatorOptions o;
+    o.firmware = firmware;
+    o.usb = usb;
+    return o;
+}
+
+/// A simulated STorM32 board and a virtual channel to it.
+struct StormRig
+{
+    explicit StormRig(const SimulatorOptions &o = stormOptions(96), std::optional<LineSettings> line = {})
+        : options(o), port(std::make_unique<StormBoard>(o), o, line), channel(port, device.makeFramer())
+    {
+    }
+    StormBoard &board() { return static_cast<StormBoard &>(port.board()); }
+    /// The board's heartbeat has locked plain commands out of its UART.
+    void lockOut() { board().set(112, 1); }
+    /// The world around the board changes.
+    void change(const QString &fault)
+    {
+        if (!options.faults.set(fault))
+            qFatal("no such fault: %s", qPrintable(fault));
+        board().setFaults(options.faults);
+    }
+
+    SimulatorOptions options;
+    StormDevice device;
+    SimulatedPort port;
+    VirtualChannel channel;
+};

@@ -1,0 +1,481 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/procedure/writeconfiguration.h"
+#include "protocol/storm32/parametertables.h"
+#include "protocol/storm32/stormfiles.h"
+#include "tests/support/stormrig.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+using namespace storm32;
+
+namespace {
+
+std::shared_ptr<const ParameterSet> parametersOf(const BoardIdentity &identity)
+{
+    return stormFamily().makeParameters(identity);
+}
+
+Configuration readBoard(StormRig &rig)
+{
+    return rig.device.readConfiguration(rig.channel).value();
+}
+
+} // namespace
+
+/// Setting up a STorM32 gimbal: calibration, configuration tasks, scripts and files, against the simulated board.
+class TestStormSetup : public QObject
+{
+    Q_OBJECT
+private slots:
+    void sensorIsAveraged();
+    void onePositionFindsTheZeros_data();
+    void onePositionFindsTheZeros();
+    void sixPositionsFindZerosAndScales_data();
+    void sixPositionsFindZerosAndScales();
+    void movingSensorIsNotMeasured();
+    void missingSensorIsSaid();
+    void badCalibrationIsNotStored();
+    void orientationIsFound_data();
+    void orientationIsFound();
+    void wrongOrientationMisleadsTheBoard();
+    void orientationIsNotGuessed();
+    void motorsAreSetUp();
+    void startWaitsForTheBattery();
+    void yawIsAligned();
+    void storedIsComparedWithUse();
+    void scriptsAreWrittenLikeValues();
+    void scriptsChangedByOthersAreAConflict();
+    void scriptsOfABackupComeBack();
+    void settingsFileComesBack_data();
+    void settingsFileComesBack();
+    void settingsOfAnotherLayoutAreUnderstood();
+    void badSettingsAreRefused_data();
+    void badSettingsAreRefused();
+    void calibrationFileComesBack();
+};
+
+void TestStormSetup::sensorIsAveraged()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.change(u"pose=1"_s);
+    const auto reply = rig.device.perform(rig.channel, u"sensors.average"_s, {{u"imu"_s, 1}, {u"readings"_s, 64}});
+    QVERIFY(reply);
+    QCOMPARE(reply->value(u"one_g"_s).toDouble(), 8192.0);
+    QCOMPARE(reply->value(u"face"_s).toInt(), 0);
+    QVERIFY(std::abs(reply->value(u"z"_s).toDouble() - 8192 * (1.02 + 0.02)) < 20);   // the simulated sensor's own error
+    QVERIFY(reply->value(u"deviation"_s).toDouble() > 5 && reply->value(u"deviation"_s).toDouble() < 60);
+    QVERIFY(std::abs(reply->value(u"temperature"_s).toDouble() - 31.0) < 0.1);
+}
+
+void TestStormSetup::onePositionFindsTheZeros_data()
+{
+    QTest::addColumn<int>("firmware");
+    QTest::addColumn<int>("mount");
+    QTest::newRow("0.79") << 79 << 0;
+    QTest::newRow("0.96") << 96 << 0;
+    QTest::newRow("0.96, turned") << 96 << 5;
+}
+
+void TestStormSetup::onePositionFindsTheZeros()
+{
+    QFETCH(int, firmware);
+    QFETCH(int, mount);
+    StormRig rig(stormOptions(firmware));
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.change(u"mount=%1"_s.arg(mount));
+    rig.board().set(39, mount);
+    rig.change(u"pose=1"_s);
+    const auto reply = rig.device.perform(rig.channel, u"calibrate.level"_s, {{u"imu"_s, 1}, {u"store"_s, true}});
+    QVERIFY(reply);
+    QVERIFY(reply->value(u"stored"_s).toBool() && reply->value(u"plausible"_s).toBool());
+    QVERIFY(rig.channel.sleep(2s));
+    // What the board itself takes for level now.
+    const auto &acc = rig.board().stabilizer().acc();
+    QVERIFY2(std::abs(acc[0]) < 0.02 && std::abs(acc[1]) < 0.02, qPrintable(u"%1 %2"_s.arg(acc[0]).arg(acc[1])));
+}
+
+void TestStormSetup::sixPositionsFindZerosAndScales_data()
+{
+    QTest::addColumn<int>("firmware");
+    for (const int firmware : {79, 90, 96})
+        QTest::addRow("0.%d", firmware) << firmware;
+}
+
+// The operator lays the sensor on one face after the other, in an order of his own.
+void TestStormSetup::sixPositionsFindZerosAndScales()
+{
+    QFETCH(int, firmware);
+    StormRig rig(stormOptions(firmware));
+    QVERIFY(rig.device.identify(rig.channel));
+    QList<int> poses{3, 1, 6, 2, 5, 4};
+    rig.change(u"pose=%1"_s.arg(poses.takeFirst()));
+    int done = 0;
+    rig.channel.setOperator([&](const Progress &progress) {
+        if (progress.done == done || poses.isEmpty())
+            return;
+        done = progress.done;
+        rig.change(u"pose=%1"_s.arg(poses.takeFirst()));
+    });
+    const auto reply = rig.device.perform(rig.channel, u"calibrate.six"_s, {{u"imu"_s, 1}, {u"store"_s, true}});
+    QVERIFY2(reply, reply ? "" : qPrintable(reply.error().detail));
+    const double one = firmware >= 94 ? 8192 : 16384;
+    // The simulated sensor: forward is its y with an error of -0.028 g and 0.975 per g, and so on.
+    QVERIFY(std::abs(reply->value(u"scale.x"_s).toDouble() / one - 0.975) < 0.003);
+    QVERIFY(std::abs(reply->value(u"zero.x"_s).toDouble() / one + 0.028) < 0.003);
+    QVERIFY(std::abs(reply->value(u"scale.z"_s).toDouble() / one - 1.02) < 0.003);
+    QVERIFY(reply->value(u"quality"_s).toDouble() < 0.005);
+    rig.change(u"pose=3"_s);
+    QVERIFY(rig.channel.sleep(2s));
+    const auto &acc = rig.board().stabilizer().acc();
+    QVERIFY(std::abs(acc[1] - 1.0) < 0.02 && std::abs(acc[0]) < 0.02 && std::abs(acc[2]) < 0.02);
+}
+
+void TestStormSetup::movingSensorIsNotMeasured()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.change(u"pose=1"_s);
+    int turns = 0;
+    rig.channel.setOperator([&](const Progress &) { rig.change(u"pose=%1"_s.arg(++turns % 2 ? 3 : 1)); });
+    const auto reply = rig.device.perform(rig.channel, u"calibrate.level"_s, {{u"imu"_s, 1}, {u"store"_s, true}});
+    QVERIFY(!reply);
+    QCOMPARE(reply.error().code, ErrorCode::NotSeen);
+}
+
+void TestStormSetup::missingSensorIsSaid()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    const auto second = rig.device.perform(rig.channel, u"calibrate.level"_s, {{u"imu"_s, 2}, {u"store"_s, true}});
+    QVERIFY(!second);
+    QCOMPARE(second.error().code, ErrorCode::NotSeen);
+    QVERIFY(second.error().detail.contains(u"Imu2"_s));
+    rig.change(u"no-imu=1"_s);
+    const auto first = rig.device.perform(rig.channel, u"setup.orientation"_s, {});
+    QVERIFY(!first);
+    QVERIFY(first.error().detail.contains(u"no sensor"_s));
+}
+
+void TestStormSetup::badCalibrationIsNotStored()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.board().stabilizer().imu().accScaleError = {1.3, 1.3, 1.3};   // a sensor that is broken
+    QList<int> poses{1, 2, 3, 4, 5, 6};
+    int done = -1;
+    rig.channel.setOperator([&](const Progress &progress) {
+        if (progress.done != std::exchange(done, progress.done) && !poses.isEmpty())
+            rig.change(u"pose=%1"_s.arg(poses.takeFirst()));
+    });
+    const auto before = rig.device.perform(rig.channel, u"calibration.read"_s, {});
+    const auto reply = rig.device.perform(rig.channel, u"calibrate.six"_s, {{u"imu"_s, 1}, {u"store"_s, true}});
+    QVERIFY(!reply);
+    QCOMPARE(reply.error().code, ErrorCode::OutOfRange);
+    QCOMPARE(rig.device.perform(rig.channel, u"calibration.read"_s, {}), before);
+}
+
+void TestStormSetup::orientationIsFound_data()
+{
+    QTest::addColumn<int>("mount");
+    for (int mount = 0; mount < int(orientations().size()); ++mount)
+        QTest::addRow("%s", orientations()[std::size_t(mount)].name) << mount;
+}
+
+void TestStormSetup::orientationIsFound()
+{
+    QFETCH(int, mount);
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.change(u"mount=%1"_s.arg(mount));
+    rig.change(u"pose=1"_s);
+    QVERIFY(rig.device.perform(rig.channel, u"setup.motors_off"_s, {}));
+    QCOMPARE(rig.board().inUse(79), 3);
+    rig.channel.setOperator([&](const Progress &progress) {
+        if (progress.step == u"tilt-camera"_s)
+            rig.change(u"pose=7"_s);
+    });
+    const auto reply = rig.device.perform(rig.channel, u"setup.orientation"_s, {});
+    QVERIFY2(reply, reply ? "" : qPrintable(reply.error().detail));
+    QCOMPARE(rig.board().inUse(39), mount);
+    QCOMPARE(reply->value(u"imu"_s).toString(), QString::fromUtf8(orientations()[std::size_t(mount)].name));
+    // With it the board sees how the camera really lies: 45 degrees down.
+    QVERIFY(rig.channel.sleep(15s));
+    QVERIFY(std::abs(rig.board().stabilizer().estimate(Axis::Pitch) - 45.0) < 4.0);
+    QVERIFY(std::abs(rig.board().stabilizer().estimate(Axis::Roll)) < 4.0);
+}
+
+void TestStormSetup::wrongOrientationMisleadsTheBoard()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.change(u"pose=7"_s);
+    rig.board().set(39, 1);   // a quarter turn about the vertical: pitch is taken for roll
+    QVERIFY(rig.channel.sleep(4s));
+    QVERIFY(std::abs(rig.board().stabilizer().estimate(Axis::Pitch)) < 5.0);
+    QVERIFY(std::abs(rig.board().stabilizer().estimate(Axis::Roll)) > 30.0);
+}
+
+void TestStormSetup::orientationIsNotGuessed()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.change(u"pose=1"_s);      // level, and never tilted
+    const int before = rig.board().inUse(39);
+    const auto reply = rig.device.perform(rig.channel, u"setup.orientation"_s, {});
+    QVERIFY(!reply);
+    QCOMPARE(reply.error().code, ErrorCode::NotSeen);
+    QVERIFY(reply.error().detail.contains(u"45"_s));
+    QCOMPARE(rig.board().inUse(39), before);
+}
+
+void TestStormSetup::motorsAreSetUp()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    QVERIFY(rig.device.perform(rig.channel, u"setup.motors_off"_s, {}));
+    QVERIFY(rig.device.perform(rig.channel, u"setup.directions"_s, {{u"direction"_s, 2}}));
+    QCOMPARE(rig.board().inUse(21), 2);
+    rig.board().set(20, 16);      // set up before the start, and still so after it
+    const auto started = rig.device.perform(rig.channel, u"setup.start"_s, {});
+    QVERIFY2(started, started ? "" : qPrintable(started.error().detail));
+    QCOMPARE(started->value(u"state"_s).toString(), u"normal"_s);
+    QCOMPARE(rig.board().inUse(78), 0);
+    QCOMPARE(rig.board().inUse(20), 16);
+    rig.board().set(20, 14);
+    rig.board().set(23, 0);
+    const auto taken = rig.device.perform(rig.channel, u"setup.take_motors"_s, {});
+    QVERIFY(taken);
+    QCOMPARE(taken->value(u"direction.roll"_s).toString(), u"normal"_s);
+    QCOMPARE(rig.board().inUse(21), 0);
+    QCOMPARE(taken->value(u"start.pitch"_s).toInt(), rig.board().inUse(23));
+    QVERIFY(std::abs(rig.board().inUse(23) - 504) < 60);
+    QCOMPARE(rig.board().stored(21), 0);
+    QVERIFY(rig.device.perform(rig.channel, u"store"_s, {}));
+    QCOMPARE(rig.board().stored(23), rig.board().inUse(23));
+}
+
+void TestStormSetup::startWaitsForTheBattery()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.change(u"battery=7"_s);
+    int waits = 0;
+    rig.channel.setOperator([&](const Progress &progress) {
+        if (progress.step == u"wait-battery"_s && ++waits == 20)
+            rig.change(u"battery=12"_s);
+    });
+    QVERIFY(rig.device.perform(rig.channel, u"setup.start"_s, {}));
+    QCOMPARE(waits, 20);
+    rig.change(u"battery=7"_s);
+    rig.channel.setOperator({});
+    const auto never = rig.device.perform(rig.channel, u"setup.start"_s, {});
+    QVERIFY(!never);
+    QVERIFY(never.error().detail.contains(u"battery is low"_s));
+}
+
+void TestStormSetup::yawIsAligned()
+{
+    StormRig rig;
+    rig.change(u"shake=0"_s);
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.board().set(61, 65536 - 300);
+    rig.board().set(66, 1);   // hold all axes
+    QVERIFY(!rig.device.perform(rig.channel, u"setup.yaw_move"_s, {{u"angle"_s, 5.0}}));
+    QVERIFY(rig.device.perform(rig.channel, u"setup.yaw_begin"_s, {}));
+    QCOMPARE(rig.board().inUse(61), 65536 - 450);
+    QVERIFY(rig.device.perform(rig.channel, u"setup.yaw_begin"_s, {}));   // twice is not twice remembered
+    QVERIFY(rig.device.perform(rig.channel, u"setup.yaw_move"_s, {{u"angle"_s, 10.0}}));
+    QVERIFY(rig.channel.sleep(3s));
+    const int before = rig.board().inUse(35);
+    const auto end = rig.device.perform(rig.channel, u"setup.yaw_end"_s, {{u"take"_s, true}});
+    QVERIFY(end);
+    QVERIFY(rig.board().inUse(35) != before);
+    QCOMPARE(end->value(u"start.yaw"_s).toInt(), rig.board().inUse(35));
+    QCOMPARE(rig.board().inUse(61), 65536 - 300);
+    QCOMPARE(rig.board().inUse(108), 0);
+}
+
+void TestStormSetup::storedIsComparedWithUse()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    auto reply = rig.device.perform(rig.channel, u"stored.compare"_s, {});
+    QVERIFY(reply);
+    QCOMPARE(reply->value(u"unstored"_s).toBool(), false);
+    rig.board().set(0, 444);
+    reply = rig.device.perform(rig.channel, u"stored.compare"_s, {});
+    QVERIFY(reply);
+    QCOMPARE(reply->value(u"unstored"_s).toBool(), true);
+    QCOMPARE(reply->value(u"pid.pitch.p"_s).toString(), u"4.44 in use, 4.00 stored"_s);
+    QCOMPARE(rig.board().inUse(0), 444);      // nothing was changed by asking
+    QCOMPARE(rig.board().stored(0), 400);
+}
+
+void TestStormSetup::scriptsAreWrittenLikeValues()
+{
+    QTemporaryDir dir;
+    const BoardHistory history(dir.path());
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    const Configuration base = readBoard(rig);
+    const auto language = stormFamily().scripts;
+    const auto code = language->compile(base, {u"WAIT 5\nDORECENTER"_s, u""_s, u""_s, u"SET \"Pitch P\" 500"_s});
+    QVERIFY(code);
+    Configuration edited = base;
+    edited.setBlock({0, Scripts}, *code);
+    QVERIFY(edited.setRaw(*edited.parameters().find(u"pid.roll.p"_s), 0, 410));
+    const auto report = writeConfiguration(rig.channel, rig.device, base, edited, {&history, false, {}});
+    QVERIFY(report && report->isComplete());
+    QCOMPARE(report->count(WriteState::Verified), 2);
+    QVERIFY(!report->snapshotPath.isEmpty());
+    const Configuration now = readBoard(rig);
+    QCOMPARE(now.block({0, Scripts}), *code);
+    QCOMPARE(language->text(now, 0).split(u'\n').first().trimmed(), u"WAIT 5"_s);
+    QVERIFY(language->text(now, 1).isEmpty());
+    QVERIFY(language->listing(now, 3).front().text.contains(u"Pitch P"_s));
+    QCOMPARE(language->used(now), (std::pair{5 + 6, 124}));
+    // Stored as well: a restart has them.
+    QVERIFY(rig.device.perform(rig.channel, u"restart"_s, {}));
+    QCOMPARE(readBoard(rig).block({0, Scripts}), *code);
+    const auto wrong = language->compile(base, {u"WAIT 5"_s, u"FLY"_s});
+    QVERIFY(!wrong);
+    QVERIFY2(wrong.error().detail.contains(u"script 2, line 1"_s), qPrintable(wrong.error().detail));
+}
+
+void TestStormSetup::scriptsChangedByOthersAreAConflict()
+{
+    QTemporaryDir dir;
+    const BoardHistory history(dir.path());
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    const Configuration base = readBoard(rig);
+    Configuration edited = base;
+    Configuration others = base;
+    edited.setBlock({0, Scripts}, stormFamily().scripts->compile(base, {u"WAIT 5"_s}).value());
+    others.setBlock({0, Scripts}, stormFamily().scripts->compile(base, {u"WAIT 6"_s}).value());
+    QVERIFY(writeConfiguration(rig.channel, rig.device, base, others, {&history, false, {}}));
+    const auto report = writeConfiguration(rig.channel, rig.device, base, edited, {&history, false, {}});
+    QVERIFY(!report);
+    QCOMPARE(report.error().code, ErrorCode::Conflict);
+    QCOMPARE(readBoard(rig).block({0, Scripts}), others.block({0, Scripts}));
+}
+
+void TestStormSetup::scriptsOfABackupComeBack()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    const Configuration empty = readBoard(rig);
+    Configuration saved = empty;
+    saved.setBlock({0, Scripts}, stormFamily().scripts->compile(empty, {u"WAIT 5"_s}).value());
+    const auto file = ConfigurationFile::fromJson(ConfigurationFile::toJson(saved, {}, {}), parametersOf);
+    QVERIFY(file);
+    QStringList skipped;
+    QCOMPARE(applied(empty, file->configuration, skipped).block({0, Scripts}), saved.block({0, Scripts}));
+    QVERIFY(skipped.isEmpty());
+    // On a board of another layout they would mean something else.
+    StormRig old(stormOptions(79));
+    QVERIFY(old.device.identify(old.channel));
+    const Configuration other = readBoard(old);
+    QCOMPARE(applied(other, file->configuration, skipped).block({0, Scripts}), other.block({0, Scripts}));
+    QVERIFY(skipped.contains(u"Scripts"_s));
+}
+
+void TestStormSetup::settingsFileComesBack_data()
+{
+    QTest::addColumn<int>("firmware");
+    for (const int firmware : {79, 90, 96})
+        QTest::addRow("0.%d", firmware) << firmware;
+}
+
+void TestStormSetup::settingsFileComesBack()
+{
+    QFETCH(int, firmware);
+    StormRig rig(stormOptions(firmware));
+    QVERIFY(rig.device.identify(rig.channel));
+    Configuration board = readBoard(rig);
+    QVERIFY(board.setRaw(*board.parameters().find(u"motor.pitch.offset"_s), 0, -250));
+    QVERIFY(board.setRaw(*board.parameters().find(u"pan.mode.setting1"_s), 0, 3));
+    board.setBlock({0, Scripts}, stormFamily().scripts->compile(board, {u"WAIT 5"_s}).value());
+    const auto text = writeSettings(board);
+    QVERIFY(text);
+    QVERIFY(text->startsWith("%SettingsHash = (\n"));
+    QVERIFY(text->endsWith(");\n"));
+    QVERIFY2(text->contains("'Pitch Offset' => [ 65286 , '-2.50 \xB0' ],"), text->constData());   // raw is unsigned
+    QVERIFY(text->contains("'Pan Mode Setting #1' => [ 3 , 'pan hold hold' ],"));
+    const auto read = readSettings(*text);
+    QVERIFY2(read, read ? "" : qPrintable(read.error().detail));
+    QCOMPARE(read->configuration.parameters().firmware(), board.parameters().firmware());
+    QVERIFY(read->unknown.isEmpty() && read->missing.isEmpty());
+    QStringList skipped;
+    const Configuration back = applied(readBoard(rig), read->configuration, skipped);
+    QVERIFY(skipped.isEmpty());
+    QVERIFY(board.changesTo(back).empty() && board.dataChangesTo(back).empty());
+}
+
+// Numbers of choices differ between layouts; their names are what is meant (errata 5).
+void TestStormSetup::settingsOfAnotherLayoutAreUnderstood()
+{
+    StormRig old(stormOptions(79));
+    QVERIFY(old.device.identify(old.channel));
+    Configuration before = readBoard(old);
+    QVERIFY(before.setRaw(*before.parameters().find(u"rc.yaw.mode"_s), 0, 2));     // relative turn around
+    QVERIFY(before.setRaw(*before.parameters().find(u"standby.input"_s), 0, 29));  // Aux-0 switch
+    const auto file = readSettings(writeSettings(before).value());
+    QVERIFY(file);
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    QStringList skipped;
+    const Configuration board = readBoard(rig);
+    const Configuration now = applied(board, file->configuration, skipped);
+    QCOMPARE(now.raw(*now.parameters().find(u"rc.yaw.mode"_s), 0), 3);
+    QCOMPARE(now.raw(*now.parameters().find(u"standby.input"_s), 0), 30);
+}
+
+void TestStormSetup::badSettingsAreRefused_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("nothing") << QByteArray() << u"empty"_s;
+    QTest::newRow("something else") << QByteArray("{\"a\": 1}\n") << u"line 1"_s;
+    QTest::newRow("cut off") << QByteArray("%SettingsHash = (\n'Pitch P' => [ 400 , '4.00' ],\n") << u"cut off"_s;
+    QTest::newRow("a program") << QByteArray("%SettingsHash = (\nsystem('rm -rf /');\n);\n") << u"line 2"_s;
+    QTest::newRow("too large") << QByteArray("%SettingsHash = (\n'Pitch P' => [ 400000 , '4000' ],\n);\n") << u"line 2"_s;
+    QTest::newRow("out of range") << QByteArray("%SettingsHash = (\n'Pitch P' => [ 4000 , '40' ],\n);\n") << u"Pitch P"_s;
+    QTest::newRow("nobody's") << QByteArray("%SettingsHash = (\n'Colour' => [ 4 , 'red' ],\n);\n") << u"no entry"_s;
+    QTest::newRow("scripts") << QByteArray("%SettingsHash = (\n'Pitch P' => [ 400 , '4' ],\n'Scripts' => [ 'XY' ],\n);\n") << u"line 3"_s;
+}
+
+void TestStormSetup::badSettingsAreRefused()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(QString, says);
+    const auto read = readSettings(text);
+    QVERIFY(!read);
+    QCOMPARE(read.error().code, ErrorCode::BadFile);
+    QVERIFY2(read.error().detail.contains(says), qPrintable(read.error().detail));
+}
+
+void TestStormSetup::calibrationFileComesBack()
+{
+    const SensorCalibration calibration{{-12, 130, 7}, {8192, 8100, 8301}, u"6 point"_s, 31.5};
+    const QByteArray text = writeCalibration(calibration);
+    QVERIFY(text.contains("AYZERO: 130\n") && text.contains("AZSCALE: 8301\n") && text.contains("CALIBRATIONMETHOD: 6 point\n"));
+    const auto read = readCalibration(text);
+    QVERIFY(read);
+    QCOMPARE(*read, calibration);
+    for (const auto &[bad, says] : {std::pair{"AXZERO: 1\n", "AXSCALE"}, {"AXZERO: many\nAXSCALE: 1\n", "AXZERO"},
+                                    {"AXZERO: 1\nAXSCALE: 0\n", "AXSCALE"}}) {
+        const auto wrong = readCalibration(bad);
+        QVERIFY(!wrong);
+        QVERIFY2(wrong.error().detail.contains(QLatin1String(says)), qPrintable(wrong.error().detail));
+    }
+}
+
+QTEST_GUILESS_MAIN(TestStormSetup)
+#include "tst_stormsetup.moc"
