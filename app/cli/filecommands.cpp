@@ -3,6 +3,7 @@
 #include "app/cli/command.h"
 
 #include "app/composition/composition.h"
+#include "protocol/record/configurationfiles.h"
 #include "protocol/transport/portlist.h"
 
 using namespace Qt::StringLiterals;
@@ -39,7 +40,7 @@ class DumpCommand final : public Command
 public:
     const char *name() const override { return "dump"; }
     const char *usage() const override { return "dump FILE"; }
-    const char *help() const override { return "save the whole configuration to a file"; }
+    const char *help() const override { return "save the whole configuration to a file; .cfg for STorM32's own format"; }
     QString check(const CommandOptions &options) const override
     {
         return options.arguments.size() == 1 ? QString() : u"dump needs one file name"_s;
@@ -50,7 +51,7 @@ public:
         if (!configuration)
             return tl::unexpected(configuration.error());
         const QString path = options.arguments.first();
-        if (const auto saved = ConfigurationFile::save(path, *configuration, u"dump"_s); !saved)
+        if (const auto saved = saveConfiguration(path, *configuration, u"dump"_s, allFamilies()); !saved)
             return tl::unexpected(saved.error());
         CommandOutcome outcome;
         outcome.json = QJsonObject{{u"file"_s, path}, {u"blocks"_s, qint64(configuration->blocks().size())}};
@@ -89,7 +90,7 @@ private:
                 sides[i] = *board;
                 continue;
             }
-            auto file = ConfigurationFile::load(name, parametersFor);
+            auto file = loadConfiguration(name, allFamilies());
             if (!file)
                 return tl::unexpected(file.error());
             sides[i] = std::move(file->configuration);
@@ -135,7 +136,7 @@ public:
     }
     Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
     {
-        auto file = ConfigurationFile::load(options.arguments.first(), parametersFor);
+        auto file = loadConfiguration(options.arguments.first(), allFamilies());
         if (!file)
             return tl::unexpected(file.error());
         if (file->configuration.identity().family != device.identity().family) {
@@ -161,6 +162,8 @@ public:
         } else {
             outcome = writeAndReport(channel, device, *base, edited, options);
         }
+        if (outcome && !file->missingKeys.isEmpty())
+            outcome->note += u"\nnot in the file, so the default was taken: "_s + file->missingKeys.join(u", "_s);
         if (outcome && !skipped.isEmpty())
             outcome->note += u"\nnot applied, as this board does not have them: "_s + skipped.join(u", "_s);
         return outcome;

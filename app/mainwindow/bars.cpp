@@ -227,6 +227,71 @@ void UnsavedBar::refresh()
     setVisible(count > 0 || (stack.canRedo() && !m_written));
 }
 
+UnstoredBar::UnstoredBar(Workspace &workspace, QWidget *parent)
+    : QFrame(parent)
+    , m_workspace(workspace)
+    , m_text(new QLabel)
+    , m_back(new QPushButton(tr("Back to what is stored")))
+    , m_store(new QPushButton(tr("Store on the board")))
+{
+    setObjectName(u"unsavedBar"_s);
+    m_text->setObjectName(u"changed"_s);
+    m_store->setObjectName(u"primary"_s);
+    m_store->setToolTip(tr("Keep everything that is in use; a snapshot is taken first"));
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(Metric::kMargin, Metric::kGap, Metric::kMargin, Metric::kGap);
+    layout->setSpacing(Metric::kGap);
+    layout->addWidget(m_text);
+    layout->addStretch(1);
+    layout->addWidget(m_back);
+    layout->addWidget(m_store);
+    connect(m_store, &QPushButton::clicked, this, [this] {
+        setEnabled(false);
+        m_workspace.saveLive().then(this, [this](bool) { setEnabled(true); });
+    });
+    connect(m_back, &QPushButton::clicked, this, &UnstoredBar::goBack);
+    connect(&workspace, &Workspace::unstoredChanged, this, &UnstoredBar::refresh);
+    connect(&workspace.live(), &LiveModel::changeCountChanged, this, &UnstoredBar::refresh);
+    connect(&workspace.client(), &DeviceClient::stateChanged, this, &UnstoredBar::refresh);
+    refresh();
+}
+
+QString UnstoredBar::reloadAction() const
+{
+    if (!m_workspace.client().isConnected())
+        return {};
+    for (const ActionSpec &action : m_workspace.client().device()->actions()) {
+        if (action.memory == MemoryEffect::Reloads)
+            return QString::fromLatin1(action.key);
+    }
+    return {};
+}
+
+void UnstoredBar::goBack()
+{
+    if (!m_workspace.isUnstored()) {
+        m_workspace.live().revert();
+        return;
+    }
+    m_workspace.perform(reloadAction(), {}).then(this, [this](const Result<ActionOutcome> &done) {
+        m_workspace.live().forget();
+        m_workspace.live().read();
+        if (done)
+            m_workspace.readBoard();
+    });
+}
+
+void UnstoredBar::refresh()
+{
+    const bool connected = m_workspace.client().isConnected() && m_workspace.client().identity().writable;
+    const int live = m_workspace.live().changeCount();
+    const bool more = m_workspace.isUnstored();
+    m_text->setText(more ? tr("Values in use on the board are not stored: a restart loses them.")
+                         : tr("%n value(s) in use on the board, not stored: a restart loses them.", nullptr, live));
+    m_back->setEnabled(!more || !reloadAction().isEmpty());
+    setVisible(connected && (more || live > 0));
+}
+
 StatusStrip::StatusStrip(Workspace &workspace, QWidget *parent)
     : QFrame(parent)
     , m_workspace(workspace)

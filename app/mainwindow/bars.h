@@ -88,6 +88,26 @@ private:
     QPushButton *m_write;
 };
 
+/// Only there while the board uses values that it has not stored.
+class UnstoredBar final : public QFrame
+{
+    Q_OBJECT
+public:
+    explicit UnstoredBar(Workspace &workspace, QWidget *parent = nullptr);
+    [[nodiscard]] QPushButton *storeButton() const { return m_store; }
+    [[nodiscard]] QPushButton *backButton() const { return m_back; }
+
+private:
+    void refresh();
+    void goBack();
+    [[nodiscard]] QString reloadAction() const;
+
+    Workspace &m_workspace;
+    QLabel *m_text;
+    QPushButton *m_back;
+    QPushButton *m_store;
+};
+
 /// Link health, battery, temperature, errors.
 class StatusStrip final : public QFrame
 {

@@ -47,6 +47,7 @@ MainWindow::MainWindow(Links links, QList<Family> families, Theme &theme, Settin
     , m_stack(new QStackedWidget)
     , m_start(new StartPage)
     , m_unsavedBar(new UnsavedBar(*m_workspace))
+    , m_unstoredBar(new UnstoredBar(*m_workspace))
     , m_status(new StatusStrip(*m_workspace))
     , m_keys(new MotorsKeys(*m_workspace, this))
     , m_themeChoice(settings.theme())
@@ -99,6 +100,7 @@ void MainWindow::layoutFrame()
     layout->addWidget(m_linkBar);
     layout->addWidget(m_replay);
     layout->addLayout(middle, 1);
+    layout->addWidget(m_unstoredBar);
     layout->addWidget(m_unsavedBar);
     layout->addWidget(m_status);
     setCentralWidget(central);
@@ -124,6 +126,8 @@ void MainWindow::connectFrame()
             [this] { openLink(u"sim:"_s + m_workspace->client().families().first().key); });
     connect(m_navigation, &Navigation::pageChosen, this, &MainWindow::updateStart);
     connect(&workspace->configuration(), &ConfigurationModel::boardReset, this, &MainWindow::updateStart);
+    connect(&workspace->configuration(), &ConfigurationModel::boardReset, this, &MainWindow::updateOffered);
+    connect(&workspace->client(), &DeviceClient::stateChanged, this, &MainWindow::updateOffered);
     connect(&workspace->configuration(), &ConfigurationModel::changeCountChanged, this, &MainWindow::updateMarks);
     connect(&workspace->client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
         if (state == DeviceClient::State::Connecting) {
@@ -186,7 +190,7 @@ void MainWindow::askOpenFile()
         return;
     }
     auto *dialog = new QFileDialog(this, tr("Open a configuration or a recording"), BoardHistory::defaultRoot(),
-                                   tr("GimbalDesk files (*.json *.gimbalrec)"));
+                                   m_workspace->openFilter());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openFile);
@@ -195,7 +199,7 @@ void MainWindow::askOpenFile()
 
 void MainWindow::askSaveFile()
 {
-    auto *dialog = new QFileDialog(this, tr("Save the configuration"), {}, tr("GimbalDesk configurations (*.json)"));
+    auto *dialog = new QFileDialog(this, tr("Save the configuration"), {}, m_workspace->configurationFilter());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(u"json"_s);
@@ -232,10 +236,20 @@ Page *MainWindow::page(const QString &key)
 
 bool MainWindow::showPage(const QString &key)
 {
-    if (!page(key))
+    if (!page(key) || !m_navigation->isOffered(key))
         return false;
     m_navigation->setCurrentPage(key);
     return true;
+}
+
+// Pages that the board shown has no use for are not offered.
+void MainWindow::updateOffered()
+{
+    const Family *family = m_workspace->family();
+    for (const PageEntry &entry : pageTable())
+        m_navigation->setOffered(QLatin1String(entry.key), !entry.fits || !family || entry.fits(*m_workspace));
+    if (!m_navigation->isOffered(m_navigation->currentPage()))
+        showPage(QLatin1String(pageTable().front().key));
 }
 
 // Pages come alive with the first board or file; until then there is one card that says how to begin.
@@ -339,10 +353,40 @@ void MainWindow::askBeforeLeaving()
     box->open();
 }
 
+void MainWindow::askBeforeForgetting()
+{
+    auto *box = new QMessageBox(QMessageBox::NoIcon, tr("Not stored"),
+                                tr("The board uses values that it has not stored. They are lost when it is switched off."),
+                                QMessageBox::NoButton, this);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    auto *store = box->addButton(tr("Store and quit"), QMessageBox::AcceptRole);
+    auto *quit = box->addButton(tr("Quit without storing"), QMessageBox::DestructiveRole);
+    auto *stay = box->addButton(tr("Stay"), QMessageBox::RejectRole);
+    box->setDefaultButton(stay);
+    box->setEscapeButton(stay);
+    const auto leave = [this] {
+        m_leaving = true;
+        close();
+    };
+    connect(store, &QPushButton::clicked, this, [this, leave] {
+        m_workspace->saveLive().then(this, [leave](bool stored) {
+            if (stored)
+                leave();
+        });
+    });
+    connect(quit, &QPushButton::clicked, this, leave);
+    box->open();
+}
+
 void MainWindow::closeEvent(QCloseEvent *event)
 {
     if (m_workspace->configuration().changeCount() > 0 && !m_leaving) {
         askBeforeLeaving();
+        event->ignore();
+        return;
+    }
+    if (m_workspace->isUnstored() && m_workspace->client().isConnected() && !m_leaving) {
+        askBeforeForgetting();
         event->ignore();
         return;
     }

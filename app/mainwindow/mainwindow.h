@@ -19,6 +19,7 @@ class QStackedWidget;
 class StartPage;
 class StatusStrip;
 class UnsavedBar;
+class UnstoredBar;
 
 /// The frame: link bar, messages, navigation, pages, unsaved bar, status. Pages are made when they are first shown.
 class MainWindow final : public QMainWindow
@@ -31,6 +32,7 @@ public:
     [[nodiscard]] Workspace &workspace() { return *m_workspace; }
     [[nodiscard]] LinkBar *linkBar() const { return m_linkBar; }
     [[nodiscard]] UnsavedBar *unsavedBar() const { return m_unsavedBar; }
+    [[nodiscard]] UnstoredBar *unstoredBar() const { return m_unstoredBar; }
     [[nodiscard]] MessageBar *messageBar() const { return m_messages; }
     [[nodiscard]] OfferBar *offerBar() const { return m_offers; }
     [[nodiscard]] Navigation *navigation() const { return m_navigation; }
@@ -61,9 +63,11 @@ private:
     void addShortcuts();
     void updateMarks();
     void updateStart();
+    void updateOffered();
     void askOpenFile();
     void askSaveFile();
     void askBeforeLeaving();
+    void askBeforeForgetting();
     void applyTheme();
 
     std::unique_ptr<Workspace> m_workspace;
@@ -75,6 +79,7 @@ private:
     QStackedWidget *m_stack;
     StartPage *m_start;
     UnsavedBar *m_unsavedBar;
+    UnstoredBar *m_unstoredBar;
     StatusStrip *m_status;
     MotorsKeys *m_keys;
     Settings::ThemeChoice m_themeChoice;

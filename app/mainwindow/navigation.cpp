@@ -88,3 +88,15 @@ bool Navigation::isMarked(const QString &key) const
     const QListWidgetItem *found = itemOf(key);
     return found && found->data(kMarkRole).toBool();
 }
+
+void Navigation::setOffered(const QString &key, bool offered)
+{
+    if (QListWidgetItem *found = itemOf(key))
+        found->setHidden(!offered);
+}
+
+bool Navigation::isOffered(const QString &key) const
+{
+    const QListWidgetItem *found = itemOf(key);
+    return found && !found->isHidden();
+}

@@ -14,6 +14,9 @@ public:
     [[nodiscard]] QString currentPage() const;
     void setCurrentPage(const QString &key);
     void setMarked(const QString &key, bool marked);
+    /// A page that the board shown has no use for is not listed.
+    void setOffered(const QString &key, bool offered);
+    [[nodiscard]] bool isOffered(const QString &key) const;
     [[nodiscard]] bool isMarked(const QString &key) const;
 
 signals:

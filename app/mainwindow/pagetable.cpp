@@ -30,17 +30,37 @@ Page *make(Workspace &workspace)
     return new P(workspace);
 }
 
+bool hasDebugVariables(const Workspace &workspace)
+{
+    return workspace.tables()->hasDebugVariables();
+}
+
+bool hasProfiles(const Workspace &workspace)
+{
+    return workspace.profileCount() > 1;
+}
+
+bool calibratesItself(const Workspace &workspace)
+{
+    return workspace.hasAction(QStringLiteral("calibrate.gyro"));
+}
+
+bool tunesItself(const Workspace &workspace)
+{
+    return workspace.hasAction(QStringLiteral("autotune"));
+}
+
 constexpr PageEntry kPages[] = {
     {"dashboard", QT_TRANSLATE_NOOP("Pages", "Dashboard"), QT_TRANSLATE_NOOP("Pages", "Watch"), make<DashboardPage>},
     {"monitor", QT_TRANSLATE_NOOP("Pages", "Monitor"), QT_TRANSLATE_NOOP("Pages", "Watch"), make<MonitorPage>},
-    {"debug", QT_TRANSLATE_NOOP("Pages", "Debug variables"), QT_TRANSLATE_NOOP("Pages", "Watch"), make<DebugPage>},
+    {"debug", QT_TRANSLATE_NOOP("Pages", "Debug variables"), QT_TRANSLATE_NOOP("Pages", "Watch"), make<DebugPage>, hasDebugVariables},
     {"parameters", QT_TRANSLATE_NOOP("Pages", "Parameters"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<ParametersPage>},
-    {"profiles", QT_TRANSLATE_NOOP("Pages", "Profiles"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<ProfilesPage>},
-    {"calibration", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<CalibrationPage>},
+    {"profiles", QT_TRANSLATE_NOOP("Pages", "Profiles"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<ProfilesPage>, hasProfiles},
+    {"calibration", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<CalibrationPage>, calibratesItself},
     {"tuning", QT_TRANSLATE_NOOP("Pages", "Tuning"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<TuningPage>},
     {"spectrum", QT_TRANSLATE_NOOP("Pages", "Spectrum"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<SpectrumPage>},
     {"response", QT_TRANSLATE_NOOP("Pages", "Response"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<ResponsePage>},
-    {"autotune", QT_TRANSLATE_NOOP("Pages", "Auto-tune"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<AutoTunePage>},
+    {"autotune", QT_TRANSLATE_NOOP("Pages", "Auto-tune"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<AutoTunePage>, tunesItself},
     {"variables", QT_TRANSLATE_NOOP("Pages", "Adjustable variables"), QT_TRANSLATE_NOOP("Pages", "Tune"),
      make<VariablesPage>},
     {"control", QT_TRANSLATE_NOOP("Pages", "Control"), QT_TRANSLATE_NOOP("Pages", "Board"), make<ControlPage>},

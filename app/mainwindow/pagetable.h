@@ -13,6 +13,7 @@ struct PageEntry
     const char *title;      ///< translated in the context "Pages"
     const char *group;      ///< heading of the navigation
     Page *(*make)(Workspace &workspace);
+    bool (*fits)(const Workspace &workspace) = nullptr;   ///< null: every board has a use for it
 };
 
 /// All pages in the order of the navigation.

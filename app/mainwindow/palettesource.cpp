@@ -3,6 +3,7 @@
 #include "app/mainwindow/palettesource.h"
 
 #include "app/mainwindow/mainwindow.h"
+#include "app/mainwindow/navigation.h"
 #include "app/mainwindow/pagetable.h"
 #include "app/pages/actionspage.h"
 #include "app/pages/monitorpage.h"
@@ -26,6 +27,8 @@ QList<PaletteEntry> paletteEntries(MainWindow &window)
     QList<PaletteEntry> entries;
     for (const PageEntry &page : pageTable()) {
         const QString key = QLatin1String(page.key);
+        if (!window.navigation()->isOffered(key))
+            continue;
         entries.append(makeEntry(CommandPalette::tr("Page"), pageText(page.title), pageText(page.group), key,
                                  [&window, key] { window.showPage(key); }));
     }

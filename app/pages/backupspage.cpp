@@ -65,6 +65,26 @@ BackupsPage::BackupsPage(Workspace &workspace, QWidget *parent)
     m_take->setObjectName(u"primary"_s);
     m_restore->setToolTip(tr("Put the snapshot's values into the forms; nothing is on the board before you review and write"));
     m_export->setToolTip(tr("Copy the snapshot to a file of your choice"));
+    auto *load = new QPushButton(tr("Load a file…"));
+    load->setToolTip(tr("Put a file's values into the forms; nothing is on the board before you review and write"));
+    auto *saveAs = new QPushButton(tr("Save to a file…"));
+    saveAs->setToolTip(tr("Save the values as they are shown, edits included"));
+    connect(load, &QPushButton::clicked, this, [this] {
+        askOpenPath(tr("Load a configuration"), this->workspace().openFilter(), [this](const QString &path) {
+            if (const auto done = this->workspace().applyFile(path); !done)
+                emit this->workspace().problem(describe(done.error()));
+        });
+    });
+    connect(saveAs, &QPushButton::clicked, this, [this] {
+        askSavePath(tr("Save the configuration"), u"gimbal.json"_s, this->workspace().configurationFilter(), [this](const QString &path) {
+            if (const auto saved = this->workspace().saveFile(path); !saved)
+                emit this->workspace().problem(describe(saved.error()));
+            else
+                emit this->workspace().notice(tr("Saved to %1").arg(path));
+        });
+    });
+    header()->addWidget(load);
+    header()->addWidget(saveAs);
     header()->addWidget(m_export);
     header()->addWidget(m_restore);
     header()->addWidget(m_take);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/controlpage.h"
 
+#include "widgets/forms/argumentform.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/views/attitudeview.h"
 #include "widgets/views/card.h"
@@ -14,6 +15,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSlider>
 #include <QVBoxLayout>
 
@@ -42,6 +44,7 @@ ControlPage::ControlPage(Workspace &workspace, QWidget *parent)
     , m_state(new QLabel)
     , m_now(new QLabel)
     , m_attitude(new AttitudeView(workspace.theme()))
+    , m_functions(new Card(tr("Functions")))
 {
     m_arm->setCheckable(true);
     m_arm->setToolTip(tr("While armed the camera moves as you steer. Let go, leave this page or press Esc to end it."));
@@ -104,6 +107,7 @@ ControlPage::ControlPage(Workspace &workspace, QWidget *parent)
     auto *row = new QHBoxLayout;
     row->setSpacing(12);
     row->addWidget(steer, 3);
+    row->addWidget(m_functions, 3);
     row->addLayout(right, 2);
     body()->addWidget(m_state);
     body()->addLayout(row, 1);
@@ -115,8 +119,9 @@ ControlPage::ControlPage(Workspace &workspace, QWidget *parent)
         if (!chosen || !chosen->usesAngle || m_filling)
             return;
         // In an angle mode the pad points at angles, within half of the range either way.
-        m_angles[1]->setValue(m_pad->value().y() * 45.0);
-        m_angles[2]->setValue(m_pad->value().x() * 90.0);
+        const double reach = chosen->padReach;
+        m_angles[1]->setValue(m_pad->value().y() * (reach > 0 ? reach : 45.0));
+        m_angles[2]->setValue(m_pad->value().x() * (reach > 0 ? reach : 90.0));
     });
     connect(m_roll, &QSlider::valueChanged, this, touch);
     connect(m_roll, &QSlider::sliderReleased, this, [this] {
@@ -125,7 +130,7 @@ ControlPage::ControlPage(Workspace &workspace, QWidget *parent)
     });
     connect(m_roll, &QSlider::valueChanged, this, [this](int value) {
         if (mode() && mode()->usesAngle && !m_filling)
-            m_angles[0]->setValue(45.0 * value / kSliderSteps);
+            m_angles[0]->setValue((mode()->padReach > 0 ? mode()->padReach : 45.0) * value / kSliderSteps);
     });
     for (QDoubleSpinBox *angle : m_angles)
         connect(angle, &QDoubleSpinBox::valueChanged, this, touch);
@@ -162,6 +167,47 @@ ControlPage::ControlPage(Workspace &workspace, QWidget *parent)
     onState();
 }
 
+// Actions that belong to steering: each with its fields and a button.
+void ControlPage::fillFunctions()
+{
+    auto *rows = new QWidget;
+    auto *grid = new QGridLayout(rows);
+    grid->setContentsMargins(0, 0, Metric::kGap, 0);
+    grid->setHorizontalSpacing(Metric::kGap);
+    grid->setVerticalSpacing(12);
+    grid->setColumnStretch(0, 1);
+    int line = 0;
+    const Device *tables = workspace().tables();
+    for (const ActionSpec &action : tables ? tables->actions() : std::span<const ActionSpec>()) {
+        if (!action.whileSteering)
+            continue;
+        auto *form = new ArgumentForm(action);
+        auto *button = new QPushButton(tableText(action.label));
+        button->setToolTip(tableText(action.help));
+        grid->addWidget(form, line, 0, Qt::AlignVCenter);
+        grid->addWidget(button, line++, 1, Qt::AlignVCenter);
+        connect(button, &QPushButton::clicked, this, [this, form, key = QString::fromLatin1(action.key)] {
+            if (const auto arguments = form->arguments())
+                workspace().perform(key, *arguments);
+            else
+                emit workspace().problem(describe(arguments.error()));
+        });
+    }
+    grid->setRowStretch(line, 1);
+    auto *scroll = m_functions->findChild<QScrollArea *>();
+    if (!scroll) {
+        scroll = new QScrollArea;
+        scroll->setWidgetResizable(true);
+        scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        m_functions->content()->addWidget(scroll, 1);
+    }
+    delete scroll->takeWidget();
+    scroll->setWidget(rows);
+    m_functions->setVisible(line > 0);
+    for (QWidget *widget : rows->findChildren<QWidget *>())
+        widget->installEventFilter(this);
+}
+
 const ControlMode *ControlPage::mode() const
 {
     const Device *device = workspace().client().device();
@@ -192,6 +238,8 @@ void ControlPage::onState()
         onMode();
     }
     const bool ready = client.isConnected() && client.identity().writable;
+    fillFunctions();
+    m_functions->setEnabled(ready);
     m_arm->setEnabled(ready);
     m_mode->setEnabled(ready);
     updateNow();
@@ -210,7 +258,7 @@ void ControlPage::onMode()
     for (QDoubleSpinBox *angle : m_angles) {
         angle->setEnabled(angles);
         angle->setRange(chosen ? chosen->minAngle : 0, chosen ? chosen->maxAngle : 0);
-        angle->setSuffix(chosen && chosen->usesSpeed ? u"°"_s : QString());
+        angle->setSuffix(chosen && *chosen->unit ? QString::fromUtf8(chosen->unit) : QString());
         angle->setValue(0);
     }
     m_filling = false;

@@ -8,6 +8,7 @@
 #include <QTimer>
 
 class AttitudeView;
+class Card;
 class ControlPad;
 class QComboBox;
 class QDoubleSpinBox;
@@ -38,6 +39,7 @@ protected:
 private:
     void onState();
     void onMode();
+    void fillFunctions();
     void tick();
     void updateNow();
     [[nodiscard]] const ControlMode *mode() const;
@@ -53,6 +55,7 @@ private:
     QLabel *m_state;
     QLabel *m_now;
     AttitudeView *m_attitude;
+    Card *m_functions;            // what else is at hand while steering
     QTimer m_send;
     QTimer m_refresh;
     QElapsedTimer m_touched;      // since the operator last moved something

@@ -149,6 +149,9 @@ void DashboardPage::refreshFaults()
     for (const BoardFault &fault : faults)
         keys.append(fault.name);
     const auto running = workspace().motorsRunning();
+    const double state = workspace().latest(workspace().roles().state);
+    const QString doing = running && !std::isnan(state) ? workspace().client().device()->stateText(int(state)) : QString();
+    keys.append(doing);
     keys.append(workspace().client().isConnected() ? (running ? (*running ? u"on"_s : u"off"_s) : u"?"_s) : u"-"_s);
     if (keys == m_shownFaults)
         return;
@@ -171,6 +174,8 @@ void DashboardPage::refreshFaults()
         add(tr("No live data yet."), "muted");
     else
         add(*running ? tr("● Motors are running.") : tr("○ Motors are off."), *running ? "ok" : "muted");
+    if (!doing.isEmpty())
+        add(tr("State: %1").arg(tableText(doing.toUtf8().constData())), "muted");
     if (faults.empty() && running)
         add(tr("✓ The board reports no errors."), "ok");
     for (const BoardFault &fault : faults) {

@@ -41,6 +41,9 @@ void Page::askSavePath(const QString &title, const QString &name, const QString 
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QFileInfo(name).suffix());
     dialog->selectFile(name);
+    // "Settings (*.cfg)" asks for that ending.
+    connect(dialog, &QFileDialog::filterSelected, dialog,
+            [dialog](const QString &chosenFilter) { dialog->setDefaultSuffix(chosenFilter.section(u"*."_s, 1).chopped(1)); });
     connect(dialog, &QFileDialog::fileSelected, this, chosen);
     dialog->open();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/tuningpage.h"
 
+#include "app/pages/gaincard.h"
 #include "widgets/forms/liveslider.h"
 #include "widgets/forms/valueeditor.h"
 #include "widgets/models/parametermodel.h"
@@ -164,6 +165,11 @@ QWidget *TuningPage::makeControls()
     layout->setContentsMargins(0, 0, Metric::kGap, 0);
     layout->setSpacing(12);
     const int firmware = m_set->firmware();
+    if (const Device *tables = workspace().tables(); tables && tables->hasPidShape()) {
+        m_gains = new GainCard(m_live);
+        m_gains->setParameters(m_set);
+        layout->addWidget(m_gains);
+    }
     QString group;
     QGridLayout *grid = nullptr;
     int row = -1;
@@ -229,6 +235,7 @@ void TuningPage::rebuild()
     m_controls.clear();
     // The old controls refer to the old set: they go first.
     delete m_scroll->takeWidget();
+    m_gains = nullptr;
     m_set = set;
     if (m_set)
         m_scroll->setWidget(makeControls());

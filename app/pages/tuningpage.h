@@ -6,7 +6,7 @@
 #include "widgets/models/livemodel.h"
 #include "widgets/plot/plotclock.h"
 
-class Card;
+class GainCard;
 class LiveSlider;
 class QButtonGroup;
 class QGridLayout;
@@ -26,6 +26,8 @@ public:
     [[nodiscard]] QPushButton *revertButton() const { return m_revert; }
     [[nodiscard]] QPushButton *saveButton() const { return m_save; }
     [[nodiscard]] QPushButton *slotButton(LiveModel::Slot slot) const { return slot == LiveModel::Slot::A ? m_a : m_b; }
+    /// Two sliders for three gains; null where the board's gains are of another kind.
+    [[nodiscard]] GainCard *gains() const { return m_gains; }
     [[nodiscard]] const QList<PlotView *> &plots() const { return m_plots; }
 
 protected:
@@ -49,6 +51,7 @@ private:
     LiveModel &m_live;
     QScrollArea *m_scroll;
     QHash<int, LiveSlider *> m_controls;
+    GainCard *m_gains = nullptr;
     QPushButton *m_a;
     QPushButton *m_b;
     QPushButton *m_copy;

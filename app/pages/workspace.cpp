@@ -3,6 +3,8 @@
 #include "app/pages/workspace.h"
 
 #include "protocol/procedure/writeconfiguration.h"
+#include "protocol/record/configurationfiles.h"
+#include "widgets/models/parametermodel.h"
 
 #include <QFileInfo>
 #include <QLocale>
@@ -118,6 +120,9 @@ void Workspace::onState(DeviceClient::State state)
         emit notice(tr("This is a recording: everything can be looked at, nothing can be changed."));
     else if (!m_client.identity().writable)
         emit problem(describe({ErrorCode::ReadOnly, m_client.identity().firmware, 0}));
+    if (m_client.identity().serial != m_unstoredSerial)
+        setUnstored(false);   // another board; of the same one nobody knows what it did meanwhile
+    offerWayOut();
     applySettings();
     if (m_client.device()->streams().isEmpty())
         m_streams.clear();
@@ -201,7 +206,8 @@ void Workspace::onReport(const Result<WriteReport> &result)
         emit snapshotTaken();
     const int verified = result->count(WriteState::Verified);
     if (result->isComplete()) {
-        QString text = result->lines.empty() ? tr("Profile names written and read back.")
+        setUnstored(false);   // a write ends with storing
+        QString text = result->lines.empty() && result->data.empty() ? tr("Profile names written and read back.")
                                              : tr("%n value(s) written and read back.", nullptr, verified);
         if (!result->snapshotPath.isEmpty())
             text += u' ' + tr("The board as it was is kept in %1").arg(result->snapshotPath);
@@ -288,13 +294,7 @@ void Workspace::offerLeftover(int steps)
 
 Result<ConfigurationFile> Workspace::loadFile(const QString &path) const
 {
-    return ConfigurationFile::load(path, [this](const BoardIdentity &identity) -> std::shared_ptr<const ParameterSet> {
-        for (const Family &family : m_client.families()) {
-            if (family.key == identity.family)
-                return family.makeParameters(identity);
-        }
-        return nullptr;
-    });
+    return loadConfiguration(path, m_client.families());
 }
 
 Result<void> Workspace::openFile(const QString &path)
@@ -335,6 +335,11 @@ Result<void> Workspace::applyFile(const QString &path, std::optional<int> from, 
         m_edits.applyProfile(wanted, *from, to, tr("Load profile %1 from %2").arg(to + 1).arg(name));
     else
         m_edits.apply(wanted, tr("Load %1").arg(name));
+    skipped += file->unknownKeys;
+    if (!file->missingKeys.isEmpty()) {
+        emit notice(tr("%n value(s) are not in the file and got their defaults: %1", nullptr, int(file->missingKeys.size()))
+                        .arg(file->missingKeys.mid(0, 8).join(u", "_s)));
+    }
     if (!skipped.isEmpty()) {
         emit notice(tr("%n value(s) of the file do not fit this board and were left out: %1", nullptr,
                        int(skipped.size())).arg(skipped.mid(0, 8).join(u", "_s)));
@@ -344,7 +349,7 @@ Result<void> Workspace::applyFile(const QString &path, std::optional<int> from, 
 
 Result<void> Workspace::saveFile(const QString &path) const
 {
-    return ConfigurationFile::save(path, m_configuration.edited(), u"saved by the operator"_s);
+    return saveConfiguration(path, m_configuration.edited(), u"saved by the operator"_s, m_client.families());
 }
 
 void Workspace::takeSnapshot()
@@ -364,15 +369,20 @@ QFuture<Result<ActionOutcome>> Workspace::perform(const QString &key, const QVar
     const auto it = std::find_if(actions.begin(), actions.end(),
                                  [&key](const ActionSpec &spec) { return key == QLatin1String(spec.key); });
     const bool moving = it != actions.end() && it->isProcedure;
+    const MemoryEffect effect = it == actions.end() ? MemoryEffect::None : it->memory;
     return m_client.submit<ActionOutcome>([key, arguments, history = m_history,
                                            live = m_live.unsaved()](Channel &channel, Device &device) {
         return performSafely(channel, device, key, arguments, history, live);
     }, moving ? DeviceClient::JobKind::Moving : DeviceClient::JobKind::Quiet)
-        .then(this, [this, quiet](const Result<ActionOutcome> &outcome) {
+        .then(this, [this, quiet, effect](const Result<ActionOutcome> &outcome) {
             if (!outcome && !quiet)
                 emit problem(describe(outcome.error()));
             if (outcome && !outcome->snapshotPath.isEmpty())
                 emit snapshotTaken();
+            if (outcome && outcome->reply.contains(u"unstored"_s))
+                setUnstored(outcome->reply.value(u"unstored"_s).toBool());
+            else if (outcome && effect != MemoryEffect::None)
+                setUnstored(effect == MemoryEffect::ChangesInUse);
             return outcome;
         });
 }
@@ -408,7 +418,7 @@ void Workspace::restoreLive(const LiveValues &before)
 
 QFuture<bool> Workspace::saveLive()
 {
-    return perform(u"variables.save"_s, {}).then(this, [this, live = m_live.unsaved()](const Result<ActionOutcome> &saved) {
+    return perform(m_client.device() ? m_client.device()->storeAction() : QString(), {}).then(this, [this, live = m_live.unsaved()](const Result<ActionOutcome> &saved) {
         if (!saved)
             return false;
         Configuration board = std::as_const(m_configuration).board();
@@ -516,10 +526,81 @@ double Workspace::latest(int channel) const
 
 bool Workspace::hasAction(const QString &key) const
 {
-    if (!m_client.device())
+    if (!tables())
         return false;
-    const auto actions = m_client.device()->actions();
+    const auto actions = tables()->actions();
     return std::any_of(actions.begin(), actions.end(), [&key](const ActionSpec &action) { return key == QLatin1String(action.key); });
+}
+
+const Family *Workspace::family() const
+{
+    if (m_client.isConnected())
+        return findFamily(m_client.families(), m_client.identity().family);
+    return m_configuration.isEmpty() ? nullptr
+                                     : findFamily(m_client.families(), std::as_const(m_configuration).board().identity().family);
+}
+
+const Device *Workspace::tables() const
+{
+    if (m_client.isConnected())
+        return m_client.device();
+    const Family *shown = family();
+    if (!shown)
+        return nullptr;
+    if (std::exchange(m_tablesOf, shown->key) != shown->key || !m_tables)
+        m_tables = shown->makeDevice();
+    return m_tables.get();
+}
+
+int Workspace::profileCount() const
+{
+    if (m_client.isConnected())
+        return m_client.identity().profileCount;
+    return m_configuration.isEmpty() ? 0 : std::as_const(m_configuration).board().identity().profileCount;
+}
+
+QString Workspace::configurationFilter() const
+{
+    QString filter = tr("GimbalDesk configurations (*.json)");
+    if (const Family *shown = family(); shown && shown->settingsFile)
+        filter += u";;%1 (*.%2)"_s.arg(shown->settingsFile->name, shown->settingsFile->suffix);
+    return filter;
+}
+
+QString Workspace::openFilter() const
+{
+    QStringList endings{u"*.json"_s, u"*.gimbalrec"_s};
+    for (const Family &each : m_client.families()) {
+        if (each.settingsFile)
+            endings.append(u"*."_s + each.settingsFile->suffix);
+    }
+    return tr("Configurations and recordings (%1)").arg(endings.join(u' '));
+}
+
+void Workspace::setUnstored(bool unstored)
+{
+    m_unstoredSerial = m_client.identity().serial;
+    if (unstored == std::exchange(m_unstored, unstored))
+        return;
+    emit unstoredChanged();
+}
+
+// A board that can be reached only by a detour, and what ends that.
+void Workspace::offerWayOut()
+{
+    const auto way = m_client.device()->connectOffer();
+    if (!way || !m_client.identity().writable || m_client.address().isReplay())
+        return;
+    Offer question;
+    question.text = tableText(way->text);
+    question.choices.append({tableText(way->choice), [this, key = QString::fromLatin1(way->action)] {
+        perform(key, {}).then(this, [this](const Result<ActionOutcome> &done) {
+            if (done)
+                m_client.connectTo(m_client.address(), m_client.identity().family);
+        });
+    }});
+    question.choices.append({tr("Leave it so"), [] { }});
+    emit offer(question);
 }
 
 ChannelRoles Workspace::roles() const

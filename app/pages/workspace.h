@@ -98,8 +98,19 @@ public:
     /// The channel's newest value, NaN without one.
     [[nodiscard]] double latest(int channel) const;
     [[nodiscard]] ChannelRoles roles() const;
-    /// The connected board has an action of that name.
+    /// The board shown, or boards like it when none is connected, have an action of that name.
     [[nodiscard]] bool hasAction(const QString &key) const;
+    /// The tables of that board, or of its family without one; null before the first.
+    [[nodiscard]] const Device *tables() const;
+    /// The family of the board or file shown; null before the first.
+    [[nodiscard]] const Family *family() const;
+    /// Profiles of the board or file shown; 0 without one.
+    [[nodiscard]] int profileCount() const;
+    /// What a dialog offers for configurations of the family shown, and for everything that can be opened.
+    [[nodiscard]] QString configurationFilter() const;
+    [[nodiscard]] QString openFilter() const;
+    /// Values are in use that a restart would lose, for all this program knows.
+    [[nodiscard]] bool isUnstored() const { return m_unstored; }
     /// True, false, or nothing while telemetry is missing or old.
     [[nodiscard]] std::optional<bool> motorsRunning() const;
     [[nodiscard]] std::vector<BoardFault> faults() const;
@@ -113,6 +124,7 @@ signals:
     void notice(const QString &text);
     void offer(const Offer &offer);
     void boardRead();
+    void unstoredChanged();
     /// A snapshot was added to the board's history.
     void snapshotTaken();
     /// The world around the simulated gimbal was changed: a fault as NAME=VALUE.
@@ -126,6 +138,8 @@ private:
     void offerRepair();
     void offerLeftover(int steps);
     void applySettings();
+    void setUnstored(bool unstored);
+    void offerWayOut();
     void updateWish();
     void followActiveProfile();
 
@@ -147,6 +161,10 @@ private:
     LinkMarks m_linkMarks;
     std::optional<WriteReport> m_lastReport;
     std::optional<Configuration> m_wantedAgain;   // becomes edits once an interrupted write is undone
+    mutable std::unique_ptr<Device> m_tables;             // of the file's family, while no board is connected
+    mutable QString m_tablesOf;
+    bool m_unstored = false;
+    QString m_unstoredSerial;
     bool m_backupDone = false;
     bool m_writing = false;
     bool m_writeInterrupted = false;   // the link broke during a write; told again once the board can be read

@@ -46,6 +46,7 @@ struct ActionSpec
     int since = 0;
     const char *capability = "";
     MemoryEffect memory = MemoryEffect::None;
+    bool whileSteering = false;     ///< at hand on the control page
 };
 
 /// What came back: figures and texts by key, e.g. {"angle.roll": 1.25}.

@@ -32,6 +32,8 @@ struct ControlMode
     double maxSpeed = 0;
     double minAngle = 0;
     double maxAngle = 0;
+    const char *unit = "°";       ///< of what stands in for the angle
+    double padReach = 0;           ///< where the rim of a pad points; 0: 45 and 90 degrees
 };
 
 /// A variable that the board changes at once, in its volatile memory.
@@ -109,6 +111,15 @@ struct ChannelRoles
     int activeProfile = -1;
     int cycleTime = -1;
     int busErrors = -1;
+    int state = -1;           ///< what the board is doing, see Device::stateText()
+};
+
+/// What the operator should decide when a board was found: a sentence, and the action that changes it.
+struct ConnectOffer
+{
+    const char *text = "";
+    const char *choice = "";       ///< what the button says
+    const char *action = "";       ///< the board has to be connected anew afterwards
 };
 
 /// Where the parameters of one notch filter are: their keys, and the bit that switches it on.
@@ -158,9 +169,13 @@ public:
     virtual Result<std::vector<AdjustableValue>> readAdjustables(Channel &channel, const QList<int> &ids) = 0;
     virtual Result<void> writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) = 0;
 
+    /// The three gains are those of a PID whose shape follows from them (protocol/analysis/pidshape.h).
+    [[nodiscard]] virtual bool hasPidShape() const { return false; }
+
     /// The live-adjustable variables that this board has.
     [[nodiscard]] virtual std::span<const AdjustableSpec> adjustables() const = 0;
 
+    [[nodiscard]] virtual bool hasDebugVariables() const { return true; }
     virtual Result<std::vector<DebugVariable>> debugVariables(Channel &channel) = 0;
     /// Values in the order of debugVariables(), arrays element by element.
     virtual Result<std::vector<std::vector<double>>> readDebugVariables(Channel &channel) = 0;
@@ -191,6 +206,9 @@ public:
     [[nodiscard]] virtual std::shared_ptr<TelemetryDecoder> replayDecoder() const = 0;
     /// The faults behind the value of the faults channel.
     [[nodiscard]] virtual std::vector<BoardFault> faults(unsigned bits, unsigned detail) const = 0;
+    /// A state in words; empty where the board tells none.
+    [[nodiscard]] virtual QString stateText(int) const { return {}; }
+    [[nodiscard]] virtual std::optional<ConnectOffer> connectOffer() const { return {}; }
 
     /// A frame in words. @param fromBoard its direction; numbers mean other things each way
     [[nodiscard]] virtual FrameText describeFrame(const FrameView &frame, bool fromBoard) const = 0;

@@ -132,6 +132,11 @@ std::optional<int> ParameterSpec::parse(const QString &text) const
     return {};
 }
 
+QString ParameterSpec::idleKey() const
+{
+    return *row->idle.key ? expandKey(row->idle.key, axis, index) : QString();
+}
+
 ParameterSet::ParameterSet(std::span<const ParameterRow> rows, std::span<const BlockSpec> blocks, int firmware,
                            const Capabilities &capabilities)
     : m_blocks(blocks)

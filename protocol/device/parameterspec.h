@@ -42,6 +42,13 @@ struct Choice
     int until = 99999;
 };
 
+/// When a parameter has no effect: while another one has this value. "%a" and "%n" in the key are those of its own.
+struct NoEffectWhile
+{
+    const char *key = "";
+    int value = 0;
+};
+
 /// The declaration of a parameter: one row of a family's table. A row with several axes or indices stands for that many
 /// parameters, one after the other in the block; "%a" in the key is the axis, "%n" the index from 1.
 struct ParameterRow
@@ -82,6 +89,7 @@ struct ParameterRow
     Conversion conversion = Conversion::Linear;
     bool state = false;                ///< reported by the board, not set by the operator
     const char *name = "";             ///< what the family's own files call it; "%A" is the axis
+    NoEffectWhile idle{};
 };
 
 /// A block of raw bytes that is read and written as a whole.
@@ -117,6 +125,8 @@ struct ParameterSpec
     [[nodiscard]] std::optional<int> read(const QByteArray &block) const;
     /// Puts a raw number into a block, leaving every other bit alone. False when the block is too short.
     bool write(QByteArray &block, int raw) const;
+    /// Key of the parameter that decides whether this one has an effect; empty: it always has.
+    [[nodiscard]] QString idleKey() const;
     /// Choices that this firmware has (flag bits likewise).
     [[nodiscard]] std::vector<Choice> choices(int firmware) const;
 

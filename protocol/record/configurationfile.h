@@ -18,6 +18,7 @@ struct ConfigurationFile
     QDateTime savedAt;
     QString reason;              ///< why it was saved ("before the first write")
     QStringList unknownKeys;     ///< entries of the file that this program has no parameter for
+    QStringList missingKeys;     ///< parameters that the file does not name and that got their defaults
 
     /// Writes the file whole or not at all. Errors: BadFile.
     static Result<void> save(const QString &path, const Configuration &configuration, const QString &reason);

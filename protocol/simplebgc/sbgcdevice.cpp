@@ -46,9 +46,9 @@ constexpr FirmwareMode kControlModes[] = {
     {{Speed, "speed", "Speed", true, false, 4000, 0, 0}, 0},
     {{Angle, "angle", "Angle", true, true, 4000, -720, 719.9}, 0},
     {{SpeedAngle, "speed-angle", "Speed and angle", true, true, 4000, -720, 719.9}, 0},
-    {{Rc, "rc", "As RC signal", false, true, 0, -500, 500}, 0},
+    {{Rc, "rc", "As RC signal", false, true, 0, -500, 500, ""}, 0},
     {{AngleRelFrame, "angle-frame", "Angle relative to frame", true, true, 4000, -720, 719.9}, 0},
-    {{RcHighRes, "rc-fine", "As RC signal, fine", false, true, 0, -16384, 16384}, 2662},
+    {{RcHighRes, "rc-fine", "As RC signal, fine", false, true, 0, -16384, 16384, ""}, 2662},
     {{Ignore, "ignore", "Leave alone", false, false, 0, 0, 0}, 2704},
     {{AngleShortest, "angle-shortest", "Angle, shortest way", true, true, 4000, -720, 719.9}, 2707},
 };

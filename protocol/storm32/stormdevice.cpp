@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 using namespace storm32;
@@ -25,10 +26,14 @@ constexpr int kRetries = 2;
 // Who we are on MAVLink: the address of the errata's examples.
 constexpr mavlink::Address kOwn{82, 67};
 constexpr double kMostAngle = 720.0;
+constexpr int kPulseMode = 3;            // microseconds from the middle
+constexpr double kMostPulse = 800.0;
+constexpr double kMiddlePulse = 1500.0;
 
 constexpr ControlMode kControlModes[] = {
     {1, "angle", "Angle, within the limits of the sticks", false, true, 0, -180, 180},
     {2, "angle-unlimited", "Angle, without limits", false, true, 0, -kMostAngle, kMostAngle},
+    {kPulseMode, "pulse", "Stick positions", false, true, 0, -kMostPulse, kMostPulse, "µs", 500},
 };
 
 bool isStoring(Simple id)
@@ -467,6 +472,20 @@ std::vector<BoardFault> StormDevice::faults(unsigned bits, unsigned detail) cons
     return faultsOf(bits, detail);
 }
 
+QString StormDevice::stateText(int state) const
+{
+    return stateName(state, m_firmware);
+}
+
+std::optional<ConnectOffer> StormDevice::connectOffer() const
+{
+    if (!m_embedded)
+        return {};
+    return ConnectOffer{"This board sends a MAVLink heartbeat and therefore answers no plain commands on this port. It is reached "
+                        "through MAVLink: that is slower, and scripts cannot be read.",
+                        "Switch the heartbeat off", "heartbeat.off"};
+}
+
 Request StormDevice::motorsOffRequest() const
 {
     return rc(Rc::SetStandby, QByteArray(1, '\1'));
@@ -482,10 +501,11 @@ std::span<const ControlMode> StormDevice::controlModes() const
     return kControlModes;
 }
 
-// Angles of all axes go together. Ours are as the board shows them: down, right and left are positive.
+// Angles, or stick positions, of all axes go together. Ours are as the board shows them: down, right and left are positive.
 ControlFrames StormDevice::controlFrames(const ControlSetpoint &setpoint) const
 {
     constexpr std::array<std::size_t, 3> kPlace{1, 0, 2};   // pitch, roll, yaw
+    const bool pulses = std::any_of(setpoint.begin(), setpoint.end(), [](const AxisSetpoint &axis) { return axis.mode == kPulseMode; });
     std::array<double, 3> angles{};
     int flags = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -494,9 +514,13 @@ ControlFrames StormDevice::controlFrames(const ControlSetpoint &setpoint) const
         flags |= axis.mode == 1 ? 1 << int(i) : 0;
     }
     ByteWriter writer;
-    for (const double angle : angles)
-        writer.f32(float(std::clamp(angle, -kMostAngle, kMostAngle)));
-    const Request request = rc(Rc::SetAngle, writer.u8(flags).u8(0).take());
+    for (const double angle : angles) {
+        if (pulses)
+            writer.u16(int(std::lround(kMiddlePulse + std::clamp(angle, -kMostPulse, kMostPulse))));
+        else
+            writer.f32(float(std::clamp(angle, -kMostAngle, kMostAngle)));
+    }
+    const Request request = pulses ? rc(Rc::SetPitchRollYaw, writer.take()) : rc(Rc::SetAngle, writer.u8(flags).u8(0).take());
     ControlFrames frames;
     frames.setpoint = request.bytes;
     frames.stop = request.bytes;           // an angle is held by itself

@@ -36,6 +36,8 @@ public:
     Result<std::vector<AdjustableValue>> readAdjustables(Channel &channel, const QList<int> &ids) override;
     Result<void> writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) override;
     [[nodiscard]] std::span<const AdjustableSpec> adjustables() const override { return m_adjustables; }
+    [[nodiscard]] bool hasPidShape() const override { return true; }
+    [[nodiscard]] bool hasDebugVariables() const override { return false; }
     Result<std::vector<DebugVariable>> debugVariables(Channel &channel) override;
     Result<std::vector<std::vector<double>>> readDebugVariables(Channel &channel) override;
 
@@ -55,6 +57,8 @@ public:
     void stopTelemetry(Channel &) override { }
     [[nodiscard]] std::shared_ptr<TelemetryDecoder> replayDecoder() const override;
     [[nodiscard]] std::vector<BoardFault> faults(unsigned bits, unsigned detail) const override;
+    [[nodiscard]] QString stateText(int state) const override;
+    [[nodiscard]] std::optional<ConnectOffer> connectOffer() const override;
 
     [[nodiscard]] FrameText describeFrame(const FrameView &frame, bool fromBoard) const override;
     [[nodiscard]] FrameText describeSent(QByteArrayView bytes) const override;

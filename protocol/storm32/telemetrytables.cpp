@@ -77,6 +77,7 @@ ChannelRoles channelRoles()
     roles.faultDetail = State;
     roles.cycleTime = CycleTime;
     roles.busErrors = BusErrors;
+    roles.state = State;
     return roles;
 }
 

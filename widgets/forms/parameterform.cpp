@@ -33,7 +33,14 @@ ParameterForm::ParameterForm(ConfigurationModel &configuration, EditStack &edits
 {
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    connect(&m_configuration, &ConfigurationModel::valueChanged, this, &ParameterForm::refresh);
+    connect(&m_configuration, &ConfigurationModel::valueChanged, this, [this](int parameter) {
+        refresh(parameter);
+        const QString key = m_configuration.edited().parameters().at(parameter).key;
+        for (auto it = m_editors.begin(); it != m_editors.end(); ++it) {
+            if (m_set->at(it.key()).idleKey() == key)
+                refresh(it.key());
+        }
+    });
     connect(&m_configuration, &ConfigurationModel::shownProfileChanged, this, &ParameterForm::refreshAll);
     connect(&m_configuration, &ConfigurationModel::changeCountChanged, this, &ParameterForm::refreshAll);
 }
@@ -219,6 +226,7 @@ void ParameterForm::refresh(int parameter)
         return;
     const ParameterSpec &spec = m_set->at(parameter);
     const int profile = m_configuration.shownProfile();
+    shown->setIdle(idleReason(m_configuration, spec, profile));
     shown->show(m_configuration.value(spec, profile), m_configuration.boardValue(spec, profile));
 }
 

@@ -182,9 +182,18 @@ void ValueEditor::show(std::optional<int> value, std::optional<int> onBoard)
         m_reset->setToolTip(tr("The board has %1. Go back to it.").arg(board));
         m_reset->setAccessibleName(tr("Go back to the board's value %1").arg(board));
     }
-    m_control->setToolTip(u"%1\n%2%3"_s.arg(tableText(m_spec.row->help), parameterRangeText(m_spec),
+    const QString idle = m_idle.isEmpty() ? QString() : u'\n' + m_idle;
+    m_control->setToolTip(u"%1\n%2%3%4"_s.arg(tableText(m_spec.row->help), parameterRangeText(m_spec),
                                            changed ? tr("\nOn the board: %1").arg(parameterValueText(m_spec, m_boardRaw))
-                                                   : QString()));
+                                                   : QString(), idle));
+}
+
+void ValueEditor::setIdle(const QString &reason)
+{
+    if (reason == std::exchange(m_idle, reason))
+        return;
+    m_control->setProperty("idle", !reason.isEmpty());
+    repolish(m_control);
 }
 
 void ValueEditor::showValue(int raw)

@@ -25,6 +25,8 @@ public:
     [[nodiscard]] const ParameterSpec &spec() const { return m_spec; }
     /// Shows a value and what the board has; empty = the board did not deliver it.
     void show(std::optional<int> value, std::optional<int> onBoard);
+    /// Why it has no effect now; it can be edited all the same, to be ready when it has.
+    void setIdle(const QString &reason);
     /// The control that takes keys.
     [[nodiscard]] QWidget *control() const { return m_control; }
 
@@ -51,6 +53,7 @@ private:
     QPushButton *m_flags = nullptr;
     QMenu *m_flagsMenu = nullptr;
     QToolButton *m_reset;
+    QString m_idle;
     int m_raw = 0;
     int m_boardRaw = 0;
     bool m_updating = false;

@@ -73,6 +73,16 @@ QString parameterRangeText(const ParameterSpec &spec)
     return text;
 }
 
+QString idleReason(const ConfigurationModel &configuration, const ParameterSpec &spec, int profile)
+{
+    const QString key = spec.idleKey();
+    const ParameterSpec *other = key.isEmpty() ? nullptr : configuration.edited().parameters().find(key);
+    if (!other || configuration.value(*other, profile) != spec.row->idle.value)
+        return {};
+    return QCoreApplication::translate("Tables", "No effect while “%1” is “%2”.")
+        .arg(parameterLabel(*other), parameterValueText(*other, spec.row->idle.value));
+}
+
 QString parameterSearchText(const ParameterSpec &spec)
 {
     return (parameterLabel(spec) + u' ' + spec.key + u' ' + tableText(spec.row->group) + u' '
