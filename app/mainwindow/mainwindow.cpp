@@ -61,6 +61,7 @@ MainWindow::MainWindow(Links links, QList<Family> families, Theme &theme, Settin
     addShortcuts();
     m_start->setLeftovers(m_workspace->history().unsavedBases());
     m_navigation->setCurrentPage(QLatin1String(pageTable().front().key));
+    updateOffered();
     updateStart();
 }
 
@@ -245,9 +246,8 @@ bool MainWindow::showPage(const QString &key)
 // Pages that the board shown has no use for are not offered.
 void MainWindow::updateOffered()
 {
-    const Family *family = m_workspace->family();
     for (const PageEntry &entry : pageTable())
-        m_navigation->setOffered(QLatin1String(entry.key), !entry.fits || !family || entry.fits(*m_workspace));
+        m_navigation->setOffered(QLatin1String(entry.key), !entry.fits || entry.fits(*m_workspace));
     if (!m_navigation->isOffered(m_navigation->currentPage()))
         showPage(QLatin1String(pageTable().front().key));
 }

@@ -13,12 +13,15 @@
 #include "app/pages/parameterspage.h"
 #include "app/pages/profilespage.h"
 #include "app/pages/responsepage.h"
+#include "app/pages/scriptspage.h"
 #include "app/pages/settingspage.h"
 #include "app/pages/spectrumpage.h"
 #include "app/pages/tuningpage.h"
 #include "app/pages/variablespage.h"
 #include "app/wizards/autotunepage.h"
 #include "app/wizards/calibrationpage.h"
+#include "app/wizards/sensorpage.h"
+#include "app/wizards/setuppage.h"
 
 #include <QCoreApplication>
 
@@ -37,7 +40,7 @@ bool hasDebugVariables(const Workspace &workspace)
 
 bool hasProfiles(const Workspace &workspace)
 {
-    return workspace.profileCount() > 1;
+    return workspace.profileCount() != 1;
 }
 
 bool calibratesItself(const Workspace &workspace)
@@ -50,6 +53,21 @@ bool tunesItself(const Workspace &workspace)
     return workspace.hasAction(QStringLiteral("autotune"));
 }
 
+bool givesReadings(const Workspace &workspace)
+{
+    return workspace.hasAction(QStringLiteral("sensors.average"));
+}
+
+bool isSetUpByTasks(const Workspace &workspace)
+{
+    return workspace.hasAction(QStringLiteral("setup.orientation"));
+}
+
+bool keepsScripts(const Workspace &workspace)
+{
+    return workspace.family() && workspace.family()->scripts;
+}
+
 constexpr PageEntry kPages[] = {
     {"dashboard", QT_TRANSLATE_NOOP("Pages", "Dashboard"), QT_TRANSLATE_NOOP("Pages", "Watch"), make<DashboardPage>},
     {"monitor", QT_TRANSLATE_NOOP("Pages", "Monitor"), QT_TRANSLATE_NOOP("Pages", "Watch"), make<MonitorPage>},
@@ -57,6 +75,9 @@ constexpr PageEntry kPages[] = {
     {"parameters", QT_TRANSLATE_NOOP("Pages", "Parameters"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<ParametersPage>},
     {"profiles", QT_TRANSLATE_NOOP("Pages", "Profiles"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<ProfilesPage>, hasProfiles},
     {"calibration", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<CalibrationPage>, calibratesItself},
+    {"setup", QT_TRANSLATE_NOOP("Pages", "Gimbal setup"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<SetupPage>, isSetUpByTasks},
+    {"sensors", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<SensorPage>, givesReadings},
+    {"scripts", QT_TRANSLATE_NOOP("Pages", "Scripts"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<ScriptsPage>, keepsScripts},
     {"tuning", QT_TRANSLATE_NOOP("Pages", "Tuning"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<TuningPage>},
     {"spectrum", QT_TRANSLATE_NOOP("Pages", "Spectrum"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<SpectrumPage>},
     {"response", QT_TRANSLATE_NOOP("Pages", "Response"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<ResponsePage>},

@@ -546,7 +546,7 @@ const Device *Workspace::tables() const
         return m_client.device();
     const Family *shown = family();
     if (!shown)
-        return nullptr;
+        shown = &m_client.families().first();   // before the first board or file, the usual one
     if (std::exchange(m_tablesOf, shown->key) != shown->key || !m_tables)
         m_tables = shown->makeDevice();
     return m_tables.get();

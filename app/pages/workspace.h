@@ -100,7 +100,7 @@ public:
     [[nodiscard]] ChannelRoles roles() const;
     /// The board shown, or boards like it when none is connected, have an action of that name.
     [[nodiscard]] bool hasAction(const QString &key) const;
-    /// The tables of that board, or of its family without one; null before the first.
+    /// The tables of that board, or of its family without one.
     [[nodiscard]] const Device *tables() const;
     /// The family of the board or file shown; null before the first.
     [[nodiscard]] const Family *family() const;

@@ -20,6 +20,8 @@ public:
     /// The block that holds them (BlockSpec::id).
     [[nodiscard]] virtual int block() const = 0;
     [[nodiscard]] virtual int count() const = 0;
+    /// Key of the parameter that says what runs a script; empty: none.
+    [[nodiscard]] virtual QString inputKey(int script) const = 0;
     /// Ending of their files, "scr".
     [[nodiscard]] virtual QString suffix() const = 0;
     /// Text of one script, from 0; empty when there is none.

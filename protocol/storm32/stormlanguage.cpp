@@ -25,6 +25,7 @@ class Language final : public ScriptLanguage
 public:
     [[nodiscard]] int block() const override { return Scripts; }
     [[nodiscard]] int count() const override { return kScriptCount; }
+    [[nodiscard]] QString inputKey(int script) const override { return u"script%1.input"_s.arg(script + 1); }
     [[nodiscard]] QString suffix() const override { return u"scr"_s; }
 
     [[nodiscard]] QString text(const Configuration &configuration, int script) const override

@@ -40,6 +40,7 @@ constexpr int kUsageDisabled = 3;
 constexpr int kOrientationWord = 39;
 constexpr int kOrientation2Word = 95;
 constexpr std::array<int, 3> kUsageWords{78, 79, 80};
+constexpr std::array<int, 3> kPoleWords{20, 26, 32};
 constexpr std::array<int, 3> kDirectionWords{21, 27, 33};
 constexpr std::array<int, 3> kStartWords{23, 29, 35};
 constexpr std::array<int, 5> kYawWords{58, 59, 108, 61, 62};    // input, mode, offset, least, most
@@ -61,6 +62,11 @@ constexpr ArgumentSpec kWrite[] = {kImu,
     {.key = "scale.y", .label = "Scale Y", .min = 1, .max = 32767}, {.key = "scale.z", .label = "Scale Z", .min = 1, .max = 32767}};
 constexpr ArgumentSpec kOffset[] = {{.key = "angle", .label = "Angle", .kind = ArgumentKind::Real, .min = -45, .max = 45, .unit = "°"}};
 constexpr ArgumentSpec kTake[] = {{.key = "take", .label = "Take the position over", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
+constexpr ArgumentSpec kTakeMotors[] = {{.key = "directions", .label = "Directions", .kind = ArgumentKind::Toggle, .defaultText = "on"},
+                                        {.key = "positions", .label = "Start positions", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
+constexpr ArgumentSpec kPoles[] = {{.key = "pitch", .label = "Pitch", .min = 12, .max = 28, .defaultText = "14"},
+                                   {.key = "roll", .label = "Roll", .min = 12, .max = 28, .defaultText = "14"},
+                                   {.key = "yaw", .label = "Yaw", .min = 12, .max = 28, .defaultText = "14"}};
 constexpr Choice kDirectionChoices[] = {{0, "normal"}, {1, "reversed"}, {2, "auto"}};
 constexpr ArgumentSpec kDirections[] = {{.key = "direction", .label = "Direction of all motors", .kind = ArgumentKind::Choice,
                                          .choices = kDirectionChoices, .defaultText = "auto"}};
@@ -84,6 +90,8 @@ constexpr ActionSpec kActions[] = {
     {.key = "setup.orientation", .label = "Set up: find the orientation of the sensors",
      .help = "Hold the camera level, then tilt it 45° down. Sets the orientation of each sensor; in RAM.", .group = "Gimbal configuration",
      .risk = ActionRisk::Writes, .isProcedure = true, .memory = MemoryEffect::ChangesInUse},
+    {.key = "setup.poles", .label = "Set up: poles of the motors", .help = "Magnets in the bells, even numbers; in RAM.",
+     .group = "Gimbal configuration", .risk = ActionRisk::Writes, .arguments = kPoles, .memory = MemoryEffect::ChangesInUse},
     {.key = "setup.directions", .label = "Set up: direction of all motors", .help = "Auto lets the board find it at the next start; in RAM.",
      .group = "Gimbal configuration", .risk = ActionRisk::Writes, .arguments = kDirections, .memory = MemoryEffect::ChangesInUse},
     {.key = "setup.start", .label = "Set up: enable the motors and start",
@@ -91,7 +99,7 @@ constexpr ActionSpec kActions[] = {
      .risk = ActionRisk::Writes, .isProcedure = true, .memory = MemoryEffect::ChangesInUse},
     {.key = "setup.take_motors", .label = "Set up: take directions and start positions",
      .help = "Copies what the board has found and where the motors stand; in RAM.", .group = "Gimbal configuration",
-     .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
+     .risk = ActionRisk::Writes, .arguments = kTakeMotors, .memory = MemoryEffect::ChangesInUse},
     {.key = "setup.yaw_begin", .label = "Set up: begin to align yaw", .help = "Steers yaw by its offset only.",
      .group = "Gimbal configuration", .risk = ActionRisk::Moves, .memory = MemoryEffect::ChangesInUse},
     {.key = "setup.yaw_move", .label = "Set up: turn yaw", .help = "Turns the camera to this angle.", .group = "Gimbal configuration",
@@ -470,9 +478,11 @@ Result<ActionReply> StormProcedures::restartAndWait()
     return failure(ErrorCode::NotSeen, u"the board did not reach normal working"_s);
 }
 
-Result<ActionReply> StormProcedures::takeMotors()
+Result<ActionReply> StormProcedures::takeMotors(bool directions, bool positions)
 {
-    for (const Simple id : {Simple::TakeDirections, Simple::TakeStartPositions}) {
+    for (const auto &[id, wanted] : {std::pair{Simple::TakeDirections, directions}, {Simple::TakeStartPositions, positions}}) {
+        if (!wanted)
+            continue;
         if (const auto done = m_channel.transact(m_device.simple(id)); !done)
             return tl::unexpected(done.error());
     }
@@ -491,6 +501,19 @@ Result<ActionReply> StormProcedures::takeMotors()
         reply.insert(u"start.%1"_s.arg(QLatin1String(kNames[axis])), *position);
     }
     return reply;
+}
+
+Result<ActionReply> StormProcedures::setPoles(const std::array<int, 3> &poles)
+{
+    for (std::size_t axis = 0; axis < poles.size(); ++axis) {
+        if (poles[axis] % 2 != 0)
+            return failure(ErrorCode::InvalidArgument, u"magnets come in pairs: %1 is odd"_s.arg(poles[axis]));
+    }
+    for (std::size_t axis = 0; axis < poles.size(); ++axis) {
+        if (const auto done = m_device.writeWord(m_channel, kPoleWords[axis], poles[axis]); !done)
+            return tl::unexpected(done.error());
+    }
+    return ActionReply{};
 }
 
 Result<ActionReply> StormProcedures::beginYaw()
@@ -603,10 +626,12 @@ Result<ActionReply> StormProcedures::perform(const QString &key, const QVariantM
         }
         return ActionReply{};
     }
+    if (key == u"setup.poles"_s)
+        return setPoles({arguments.value(u"pitch"_s).toInt(), arguments.value(u"roll"_s).toInt(), arguments.value(u"yaw"_s).toInt()});
     if (key == u"setup.start"_s)
         return restartAndWait();
     if (key == u"setup.take_motors"_s)
-        return takeMotors();
+        return takeMotors(arguments.value(u"directions"_s).toBool(), arguments.value(u"positions"_s).toBool());
     if (key == u"setup.yaw_begin"_s)
         return beginYaw();
     if (key == u"setup.yaw_move"_s)

@@ -54,7 +54,8 @@ private:
     /// The vector of a sensor, of length 1, when one axis has passed the limit long enough.
     Result<std::array<int, 3>> holdAxis(int imu, const std::array<int, 3> *up, milliseconds limit, Progress &progress);
     Result<ActionReply> restartAndWait();
-    Result<ActionReply> takeMotors();
+    Result<ActionReply> takeMotors(bool directions, bool positions);
+    Result<ActionReply> setPoles(const std::array<int, 3> &poles);
     Result<ActionReply> beginYaw();
     Result<ActionReply> moveYaw(double degrees);
     Result<ActionReply> endYaw(bool take);

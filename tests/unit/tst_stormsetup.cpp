@@ -241,7 +241,8 @@ void TestStormSetup::motorsAreSetUp()
     QVERIFY(rig.device.perform(rig.channel, u"setup.motors_off"_s, {}));
     QVERIFY(rig.device.perform(rig.channel, u"setup.directions"_s, {{u"direction"_s, 2}}));
     QCOMPARE(rig.board().inUse(21), 2);
-    rig.board().set(20, 16);      // set up before the start, and still so after it
+    QVERIFY(!rig.device.perform(rig.channel, u"setup.poles"_s, {{u"pitch"_s, 15}, {u"roll"_s, 14}, {u"yaw"_s, 14}}));
+    QVERIFY(rig.device.perform(rig.channel, u"setup.poles"_s, {{u"pitch"_s, 16}, {u"roll"_s, 14}, {u"yaw"_s, 14}}));   // set up before the start, and still so after it
     const auto started = rig.device.perform(rig.channel, u"setup.start"_s, {});
     QVERIFY2(started, started ? "" : qPrintable(started.error().detail));
     QCOMPARE(started->value(u"state"_s).toString(), u"normal"_s);
@@ -249,7 +250,7 @@ void TestStormSetup::motorsAreSetUp()
     QCOMPARE(rig.board().inUse(20), 16);
     rig.board().set(20, 14);
     rig.board().set(23, 0);
-    const auto taken = rig.device.perform(rig.channel, u"setup.take_motors"_s, {});
+    const auto taken = rig.device.perform(rig.channel, u"setup.take_motors"_s, {{u"directions"_s, true}, {u"positions"_s, true}});
     QVERIFY(taken);
     QCOMPARE(taken->value(u"direction.roll"_s).toString(), u"normal"_s);
     QCOMPARE(rig.board().inUse(21), 0);
