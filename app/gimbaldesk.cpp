@@ -141,7 +141,8 @@ int main(int argc, char **argv)
         if (!code.isEmpty() && code != u"en"_s)
             suffix += u'-' + code;
         guide = std::make_unique<Tour>(window, parser.value(tour), suffix,
-                                       parser.isSet(everything) ? Tour::Extent::Everything : Tour::Extent::Pages);
+                                       parser.isSet(everything) ? Tour::Extent::Everything : Tour::Extent::Pages,
+                                       parser.value(demo));
         QObject::connect(guide.get(), &Tour::finished, &application,
                          [](const QStringList &pictures, const QString &error) {
                              QTextStream out(error.isEmpty() ? stdout : stderr);

@@ -52,12 +52,13 @@ P *pageAs(MainWindow &window, const QString &key)
 
 } // namespace
 
-Tour::Tour(MainWindow &window, QString folder, QString suffix, Extent extent, QObject *parent)
+Tour::Tour(MainWindow &window, QString folder, QString suffix, Extent extent, QString family, QObject *parent)
     : QObject(parent)
     , m_window(window)
     , m_folder(std::move(folder))
     , m_suffix(std::move(suffix))
     , m_extent(extent)
+    , m_family(std::move(family))
 {
     m_timer.setInterval(kPollMs);
     connect(&m_timer, &QTimer::timeout, this, &Tour::poll);
@@ -84,6 +85,11 @@ std::function<void()> Tour::show(const QString &page)
 void Tour::addSteps()
 {
     Workspace &workspace = m_window.workspace();
+    const QList<Family> &families = workspace.client().families();
+    if (!m_family.isEmpty() && m_family != families.first().key) {
+        addFamilySteps(m_family);
+        return;
+    }
     const auto alive = [&workspace] { return workspace.motorsRunning().has_value() && !workspace.configuration().isEmpty(); };
     m_steps.append({u"start"_s, {}, {}, 300, {}, false});
     m_steps.append({{}, [this, &workspace] {
@@ -109,6 +115,8 @@ void Tour::addSteps()
     addMotionSteps();
     addTelemetrySteps();
     addDialogSteps();
+    for (qsizetype i = 1; i < families.size(); ++i)
+        addFamilySteps(families[i].key);
 }
 
 void Tour::addTelemetrySteps()
@@ -292,7 +300,7 @@ void Tour::addDialogSteps()
         m_window.findChild<QMessageBox *>()->reject();
         m_window.workspace().edits().discardAll();
     }, {}, 100, {}, true});
-    // The last minutes, opened as a recording: no other step can follow, the board is gone.
+    // The last minutes, opened as a recording: the board is gone then.
     const QString file = QDir(m_folder).filePath(u"tour.gimbalrec"_s);
     m_steps.append({{}, [this, file] { std::ignore = m_window.workspace().recorder().savePast(file); }, [file] {
         return Recording::load(file).has_value();

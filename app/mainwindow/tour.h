@@ -18,7 +18,8 @@ public:
     enum class Extent { Pages, Everything };
 
     /// Pictures go to this folder, which is made if need be; their names end in the suffix.
-    Tour(MainWindow &window, QString folder, QString suffix, Extent extent, QObject *parent = nullptr);
+    /// @param family only the pages of a board of that family; empty: everything with the first, then what others add
+    Tour(MainWindow &window, QString folder, QString suffix, Extent extent, QString family = {}, QObject *parent = nullptr);
 
     /// Goes through all steps by itself once the board has been read.
     void start();
@@ -43,6 +44,7 @@ private:
     void addTelemetrySteps();
     void addMotionSteps();
     void addDialogSteps();
+    void addFamilySteps(const QString &family);
     void begin();
     void poll();
     void fail(const QString &error);
@@ -53,6 +55,7 @@ private:
     QString m_folder;
     QString m_suffix;
     Extent m_extent;
+    QString m_family;
     QList<Step> m_steps;
     qsizetype m_at = -1;
     QTimer m_timer;

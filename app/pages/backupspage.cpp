@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/backupspage.h"
 
+#include "app/pages/sharedialog.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/views/card.h"
 
@@ -84,10 +85,18 @@ BackupsPage::BackupsPage(Workspace &workspace, QWidget *parent)
         });
     });
     header()->addWidget(load);
-    header()->addWidget(saveAs);
-    header()->addWidget(m_export);
-    header()->addWidget(m_restore);
-    header()->addWidget(m_take);
+    auto *share = new QPushButton(tr("Share…"));
+    share->setObjectName(u"share"_s);
+    share->setToolTip(tr("All values as one picture"));
+    connect(share, &QPushButton::clicked, this, [this] {
+        if (this->workspace().configuration().isEmpty())
+            return;
+        auto *dialog = new ShareDialog(this->workspace(), this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->open();
+    });
+    for (QPushButton *button : {load, saveAs, share, m_take})
+        header()->addWidget(button);
     prepare(m_table, {tr("Taken"), tr("Why"), tr("File")});
     m_table->setAccessibleName(tr("Snapshots of this board"));
     m_table->setColumnWidth(0, 190);
@@ -99,7 +108,12 @@ BackupsPage::BackupsPage(Workspace &workspace, QWidget *parent)
     m_differences->setColumnWidth(2, 180);
     m_summary->setWordWrap(true);
     auto *card = new Card(tr("What differs from now"));
-    card->content()->addWidget(m_summary);
+    auto *line = new QHBoxLayout;
+    line->setSpacing(Metric::kGap);
+    line->addWidget(m_summary, 1);
+    line->addWidget(m_export);
+    line->addWidget(m_restore);
+    card->content()->addLayout(line);
     card->content()->addWidget(m_differences, 1);
     body()->addWidget(m_table, 1);
     body()->addWidget(card, 1);

@@ -106,8 +106,8 @@ ControlPage::ControlPage(Workspace &workspace, QWidget *parent)
     right->addWidget(now, 1);
     auto *row = new QHBoxLayout;
     row->setSpacing(12);
-    row->addWidget(steer, 3);
-    row->addWidget(m_functions, 3);
+    row->addWidget(steer, 2);
+    row->addWidget(m_functions, 2);
     row->addLayout(right, 2);
     body()->addWidget(m_state);
     body()->addLayout(row, 1);
@@ -183,9 +183,14 @@ void ControlPage::fillFunctions()
             continue;
         auto *form = new ArgumentForm(action);
         auto *button = new QPushButton(tableText(action.label));
+        // One field needs no name beside the button's; a tick does.
+        if (action.arguments.size() == 1 && action.arguments.front().kind != ArgumentKind::Toggle) {
+            for (QLabel *label : form->findChildren<QLabel *>())
+                label->hide();
+        }
         button->setToolTip(tableText(action.help));
         grid->addWidget(form, line, 0, Qt::AlignVCenter);
-        grid->addWidget(button, line++, 1, Qt::AlignVCenter);
+        grid->addWidget(button, line++, 1, action.arguments.size() > 1 ? Qt::AlignBottom : Qt::AlignVCenter);
         connect(button, &QPushButton::clicked, this, [this, form, key = QString::fromLatin1(action.key)] {
             if (const auto arguments = form->arguments())
                 workspace().perform(key, *arguments);

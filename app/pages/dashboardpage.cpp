@@ -131,8 +131,10 @@ void DashboardPage::refreshFacts()
     };
     if (roles.current >= 0)
         row(tr("Current"), number(workspace().latest(roles.current), 2, u"A"_s));
-    const QString temperature = temperatureText(workspace().latest(roles.temperature), workspace().settings().fahrenheit());
-    row(tr("Sensor temperature"), temperature.isEmpty() ? u"–"_s : temperature);
+    if (roles.temperature >= 0) {
+        const QString temperature = temperatureText(workspace().latest(roles.temperature), workspace().settings().fahrenheit());
+        row(tr("Sensor temperature"), temperature.isEmpty() ? u"–"_s : temperature);
+    }
     row(tr("Control cycle"), number(workspace().latest(roles.cycleTime), 0, u"µs"_s));
     row(tr("Sensor bus errors"), number(workspace().latest(roles.busErrors), 0, {}));
     const LinkStatistics &link = workspace().client().statistics();

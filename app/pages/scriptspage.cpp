@@ -58,15 +58,12 @@ ScriptsPage::ScriptsPage(Workspace &workspace, QWidget *parent)
     m_listing->setSelectionMode(QAbstractItemView::NoSelection);
     m_memory->setTextVisible(false);
     m_memory->setAccessibleName(tr("Memory used"));
-    auto *inputCard = new Card(tr("What runs it"));
-    inputCard->content()->addWidget(m_input);
     auto *code = new Card(tr("Code"));
     code->content()->addWidget(m_listing, 1);
     code->content()->addWidget(m_memoryText);
     code->content()->addWidget(m_memory);
     auto *right = new QVBoxLayout;
     right->setSpacing(12);
-    right->addWidget(inputCard);
     right->addWidget(code, 1);
     auto *rightHolder = new QWidget;
     right->setContentsMargins(0, 0, 0, 0);
@@ -74,6 +71,7 @@ ScriptsPage::ScriptsPage(Workspace &workspace, QWidget *parent)
     rightHolder->setFixedWidth(kRightWidth);
     auto *middle = new QVBoxLayout;
     middle->setSpacing(Metric::kGap);
+    middle->addWidget(m_input);
     middle->addWidget(m_editor, 1);
     middle->addWidget(m_message);
     auto *row = new QHBoxLayout;

@@ -427,7 +427,7 @@ QFuture<bool> Workspace::saveLive()
                 std::ignore = board.setRaw(*spec, board.activeProfile(), value.inUse);
         }
         m_configuration.setBoard(board);
-        emit notice(tr("Stored in the active profile. The board as it was is kept in %1").arg(saved->snapshotPath));
+        emit notice(tr("Stored on the board. The board as it was is kept in %1").arg(saved->snapshotPath));
         readBoard();   // what is stored now is what the board says, not what was meant
         return true;
     });
@@ -596,7 +596,7 @@ void Workspace::offerWayOut()
     question.choices.append({tableText(way->choice), [this, key = QString::fromLatin1(way->action)] {
         perform(key, {}).then(this, [this](const Result<ActionOutcome> &done) {
             if (done)
-                m_client.connectTo(m_client.address(), m_client.identity().family);
+                readBoard();   // scripts as well, now
         });
     }});
     question.choices.append({tr("Leave it so"), [] { }});

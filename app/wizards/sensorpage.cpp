@@ -282,7 +282,7 @@ void SensorPage::onProgress(const Progress &progress)
     row(u"X"_s, value(u"x"_s), 3, u"g"_s);
     row(u"Y"_s, value(u"y"_s), 3, u"g"_s);
     row(u"Z"_s, value(u"z"_s), 3, u"g"_s);
-    row(tr("Together"), length, 3, u"g"_s);
+    row(tr("Magnitude"), length, 3, u"g"_s);
     row(tr("Deviation"), value(u"deviation"_s), 4, u"g"_s);
     row(tr("Temperature"), value(u"temperature"_s), 1, u"°C"_s);
     m_live->setText(u"<table>%1</table>"_s.arg(rows));

@@ -155,7 +155,8 @@ QWidget *SetupPage::makeGuide()
     content->addWidget(m_held);
     content->addWidget(m_polesForm);
     content->addWidget(m_yawForm);
-    content->addWidget(m_report, 1);
+    content->addWidget(m_report, 4);
+    content->addStretch(1);
     content->addLayout(buttons);
     return card;
 }
@@ -192,6 +193,7 @@ QStringList SetupPage::report() const
 void SetupPage::note(const QString &text)
 {
     m_report->addItem(text);
+    m_report->show();
     m_report->scrollToBottom();
 }
 
@@ -243,6 +245,7 @@ void SetupPage::enter(Step step)
     m_failed = m_running = false;
     m_held->setVisible(step == Step::Orientation);
     m_held->setValue(0);
+    m_report->setVisible(m_report->count() > 0);
     m_polesForm->setVisible(step == Step::Poles);
     m_yawForm->setVisible(step == Step::AlignYaw);
     m_continue->setText(tr("Continue"));

@@ -58,7 +58,7 @@ QString recognizeProtocol(const QByteArray &bytes)
     return {};
 }
 
-Result<FoundBoard> findBoard(Channel &channel, Device &device, const LinkAddress &address)
+Result<FoundBoard> findBoard(Channel &channel, Device &device, const LinkAddress &address, Search search)
 {
     QList<std::optional<LineSettings>> candidates;
     if (address.kind() == LinkAddress::Kind::Serial || address.kind() == LinkAddress::Kind::Simulator) {
@@ -69,6 +69,8 @@ Result<FoundBoard> findBoard(Channel &channel, Device &device, const LinkAddress
         // A rate outside the document's list is the operator's own wish.
         if (candidates.isEmpty())
             candidates.append(LineSettings{address.baud().value_or(115200), address.parity().value_or(Parity::None)});
+        if (search == Search::UsualRate)
+            candidates.removeIf([usual = candidates.first()->baud](const auto &line) { return line->baud != usual; });
     } else {
         candidates.append(std::nullopt);
     }

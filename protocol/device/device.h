@@ -119,7 +119,7 @@ struct ConnectOffer
 {
     const char *text = "";
     const char *choice = "";       ///< what the button says
-    const char *action = "";       ///< the board has to be connected anew afterwards
+    const char *action = "";
 };
 
 /// Where the parameters of one notch filter are: their keys, and the bit that switches it on.

@@ -20,6 +20,12 @@ constexpr auto kStatisticsPeriod = 250ms;
 constexpr auto kLetGoBeforeReset = 300ms;
 constexpr auto kRestartTime = 1500ms;
 
+// The board may be one of another family, or speak at another rate.
+bool isNotHere(ErrorCode code)
+{
+    return code == ErrorCode::Silent || code == ErrorCode::Garbage || code == ErrorCode::WrongProtocol;
+}
+
 } // namespace
 
 /// One series of attempts to get a board: the first connection, or reconnecting until it succeeds.
@@ -39,14 +45,14 @@ struct DeviceClient::Attempt
     bool repeat = false;
     milliseconds delay{};
 
-    Result<FoundBoard> ask(const Candidate &candidate, SessionChannel &channel, bool useKnownLine)
+    Result<FoundBoard> ask(const Candidate &candidate, SessionChannel &channel, bool useKnownLine, Search search = Search::AllRates)
     {
         LinkAddress target = address;
         if (useKnownLine && knownLine && address.kind() == LinkAddress::Kind::Serial)
             target = LinkAddress::serial(address.target(), knownLine->baud, knownLine->parity);
         if (auto opened = channel.open(target, candidate.device->makeFramer()); !opened)
             return tl::unexpected(opened.error());
-        auto found = findBoard(channel, *candidate.device, target);
+        auto found = findBoard(channel, *candidate.device, target, search);
         if (found)
             chosen = candidate;
         return found;
@@ -57,6 +63,16 @@ struct DeviceClient::Attempt
     Result<FoundBoard> once(SessionChannel &channel, bool useKnownLine)
     {
         std::optional<Error> first;
+        // On a serial line each family is asked at its usual rate before any other rate is tried: a board that cannot answer
+        // the first one's question is found in two seconds instead of after all its rates.
+        const bool searches = candidates.size() > 1 && address.kind() == LinkAddress::Kind::Serial && !address.baud();
+        for (const Candidate &candidate : candidates) {
+            if (!searches || (useKnownLine && knownLine))
+                break;
+            auto found = ask(candidate, channel, useKnownLine, Search::UsualRate);
+            if (found || !isNotHere(found.error().code))
+                return found;
+        }
         for (const Candidate &candidate : candidates) {
             auto found = ask(candidate, channel, useKnownLine);
             if (found || found.error().code == ErrorCode::Cancelled)
@@ -488,4 +504,19 @@ void DeviceClient::jobFinished()
 {
     if (--m_jobs == 0)
         emit busyChanged(false);
+    if (m_state == State::Connected)
+        followWay();
+}
+
+// A job may have changed how the board is spoken to: what is sent without a job follows.
+void DeviceClient::followWay()
+{
+    const Request off = m_device->motorsOffRequest();
+    {
+        const std::lock_guard lock(m_urgentMutex);
+        if (!m_motorsOff || m_motorsOff->bytes == off.bytes)
+            return;
+        m_motorsOff = off;
+    }
+    requestTelemetry();
 }

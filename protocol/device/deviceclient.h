@@ -101,6 +101,7 @@ private:
     [[nodiscard]] std::optional<Error> refusal(const TelemetryWish &wish) const;
     void jobStarted();
     void jobFinished();
+    void followWay();
     std::unique_ptr<SessionChannel> makeChannel(std::shared_ptr<JobControl> control);
     void closeSession();
 

@@ -179,7 +179,7 @@ Result<ActionReply> StormActions::setHeartbeat(int mode)
     const auto done = m_device.writeWord(m_channel, kHeartbeatWord, mode);
     if (!done)
         return tl::unexpected(done.error());
-    return ActionReply{{u"note"_s, u"connect anew to use plain commands"_s}};
+    return ActionReply{};
 }
 
 Result<ActionReply> StormActions::perform(const QString &key, const QVariantMap &arguments)

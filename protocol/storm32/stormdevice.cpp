@@ -25,6 +25,10 @@ constexpr auto kPollInterval = 5ms;      // as often as the line allows, one aft
 constexpr int kRetries = 2;
 // Who we are on MAVLink: the address of the errata's examples.
 constexpr mavlink::Address kOwn{82, 67};
+constexpr int kPlain = -1;               // of m_way
+constexpr int kUsualAddress = 71 << 8 | 67;   // errata 6
+constexpr int kHeartbeatWord = 112;
+constexpr int kSystemWord = 110;         // and the component behind it
 constexpr double kMostAngle = 720.0;
 constexpr int kPulseMode = 3;            // microseconds from the middle
 constexpr double kMostPulse = 800.0;
@@ -116,7 +120,7 @@ QList<LineSettings> StormDevice::lineCandidates() const
 Request StormDevice::embed(Request plain, QByteArrayView content, std::optional<Simple> id) const
 {
     const mavlink::Message *message = mavlink::findMessage(mavlink::number(mavlink::MessageId::TargetSpecific));
-    const auto payload = mavlink::encodeFields(*message, {{u"target_system"_s, m_board.system}, {u"target_component"_s, m_board.component},
+    const auto payload = mavlink::encodeFields(*message, {{u"target_system"_s, m_way >> 8 & 0xFF}, {u"target_component"_s, m_way & 0xFF},
                                                           {u"specific_payload"_s, content.toByteArray()}});
     Request request = plain;
     request.bytes = mavlink::encode(mavlink::MessageId::TargetSpecific, payload.value_or(QByteArray()), kOwn, 0);
@@ -142,7 +146,7 @@ Request StormDevice::simple(Simple id, QByteArrayView arguments) const
     request.timeout = isStoring(id) ? milliseconds(kStoring) : milliseconds(kAnswer);
     request.idempotent = isRepeatable(id);
     request.retries = kRetries;
-    return m_embedded ? embed(request, request.bytes, id) : request;
+    return isEmbedded() ? embed(request, request.bytes, id) : request;
 }
 
 Request StormDevice::rc(Rc id, const QByteArray &payload) const
@@ -151,7 +155,7 @@ Request StormDevice::rc(Rc id, const QByteArray &payload) const
     request.timeout = kAnswer;
     request.idempotent = isRepeatable(id);
     request.retries = kRetries;
-    return m_embedded ? embed(request, ByteWriter().u8(0xFA).u8(int(id)).bytes(payload).take(), {}) : request;
+    return isEmbedded() ? embed(request, ByteWriter().u8(0xFA).u8(int(id)).bytes(payload).take(), {}) : request;
 }
 
 // First plainly, then by the way that a heartbeat leaves open. Neither harms a board of another family: SimpleBGC passes over
@@ -168,7 +172,7 @@ Result<bool> StormDevice::probe(Channel &channel)
     });
     const auto answers = [&]() -> Result<bool> {
         Request request = simple(Simple::Test);
-        request.retries = m_embedded ? 0 : 1;
+        request.retries = isEmbedded() ? 0 : 1;
         const auto reply = channel.transact(request);
         if (reply)
             return true;
@@ -177,12 +181,11 @@ Result<bool> StormDevice::probe(Channel &channel)
             return false;
         return tl::unexpected(reply.error());
     };
-    m_embedded = false;
-    m_board = {};
+    m_way = kPlain;
     auto found = answers();
     if (!found || *found)
         return found;
-    m_embedded = true;
+    m_way = kUsualAddress;
     found = answers();
     if (!found || *found)
         return found;
@@ -191,21 +194,21 @@ Result<bool> StormDevice::probe(Channel &channel)
         if (const auto beat = beats->next(kBeat); !beat && beat.error().code != ErrorCode::Timeout)
             return tl::unexpected(beat.error());
     }
-    if (const int address = *heard; address >= 0 && mavlink::Address{address >> 8, address & 0xFF} != m_board) {
-        m_board = {address >> 8, address & 0xFF};
+    if (const int address = *heard; address >= 0 && address != m_way) {
+        m_way = address;
         found = answers();
         if (!found || *found)
             return found;
     }
-    m_embedded = false;
+    m_way = kPlain;
     return false;
 }
 
 Result<BoardIdentity> StormDevice::identify(Channel &channel)
 {
     auto reply = channel.transact(simple(Simple::Version));
-    if (!reply && reply.error().code == ErrorCode::Timeout && !m_embedded) {
-        m_embedded = true;   // on a link without a rate nobody has probed yet
+    if (!reply && reply.error().code == ErrorCode::Timeout && !isEmbedded()) {
+        m_way = kUsualAddress;   // on a link without a rate nobody has probed yet
         reply = channel.transact(simple(Simple::Version));
     }
     if (!reply)
@@ -231,7 +234,7 @@ Result<BoardIdentity> StormDevice::identify(Channel &channel)
     identity.extra.insert(u"name"_s, name);
     identity.extra.insert(u"layout"_s, layout);
     identity.extra.insert(u"firmware"_s, m_firmware);
-    identity.extra.insert(u"embedded"_s, m_embedded);
+    identity.extra.insert(u"embedded"_s, isEmbedded());
     static constexpr std::array<std::pair<int, const char *>, 8> kCapabilities{{
         {0x0100, "battery"}, {0x0200, "on-board-imu"}, {0x0400, "i2c2"}, {0x0800, "rc2"}, {0x1000, "spektrum"}, {0x2000, "sbus"},
         {0x4000, "ir-camera"}, {0x8000, "aux"},
@@ -272,13 +275,31 @@ Result<void> StormDevice::writeWord(Channel &channel, int word, int raw)
     const auto reply = channel.transact(rc(Rc::SetParameter, ByteWriter().u16(word).u16(raw & 0xFFFF).take()));
     if (!reply)
         return tl::unexpected(reply.error());
-    return {};
+    return word == kHeartbeatWord ? findWay(channel, raw) : Result<void>();
+}
+
+// Writing the heartbeat's word locks plain commands out of a UART at once, or lets them in again (errata 6). USB answers
+// everything all the time, so it is looked at and not concluded.
+Result<void> StormDevice::findWay(Channel &channel, int heartbeat)
+{
+    const auto answers = [&] {
+        Request request = simple(Simple::Test);
+        request.retries = 1;
+        return channel.transact(request).map([](const Frame &) { });
+    };
+    const int before = m_way;
+    m_way = kPlain;
+    auto found = answers();
+    if (found || heartbeat == 0 || found.error().code != ErrorCode::Timeout)
+        return found;
+    m_way = before == kPlain ? m_address : before;
+    return answers();
 }
 
 // Words and, where they can be had, scripts. Embedded, `g` does not fit into a frame: the words are read one by one.
 Result<QByteArray> StormDevice::readStream(Channel &channel)
 {
-    if (!m_embedded) {
+    if (!isEmbedded()) {
         const auto reply = channel.transact(simple(Simple::GetParameters));
         if (!reply)
             return tl::unexpected(reply.error());
@@ -313,6 +334,7 @@ Result<Configuration> StormDevice::readConfiguration(Channel &channel)
     Configuration configuration(m_identity, m_parameters);
     for (const auto &[block, bytes] : splitStream(*stream, m_words))
         configuration.setBlock({0, block}, bytes);
+    learnAddress(*stream);
     if (configuration.blocks().empty())
         return failure(ErrorCode::BadReply, u"g: %1 bytes"_s.arg(stream->size()));
     return configuration;
@@ -339,7 +361,7 @@ Result<void> StormDevice::writeBlock(Channel &channel, BlockKey key, const QByte
     const qsizetype at = key.block == Parameters ? 0 : 2 * m_words;
     if (at + bytes.size() > stream->size())
         return failure(ErrorCode::Unsupported, u"scripts cannot be written while the heartbeat is on"_s);
-    if (m_embedded) {
+    if (isEmbedded()) {
         for (int word = 0; word < m_words; ++word) {
             if (stream->mid(2 * word, 2) == bytes.mid(2 * word, 2))
                 continue;
@@ -349,11 +371,25 @@ Result<void> StormDevice::writeBlock(Channel &channel, BlockKey key, const QByte
         }
         return {};
     }
+    const QByteArray before = *stream;
     stream->replace(at, bytes.size(), bytes);
     const auto reply = channel.transact(simple(Simple::PutParameters, *stream));
     if (!reply)
         return tl::unexpected(reply.error());
-    return {};
+    learnAddress(*stream);
+    if (before.mid(2 * kHeartbeatWord, 2) == stream->mid(2 * kHeartbeatWord, 2))
+        return {};
+    return findWay(channel, ByteReader(stream->mid(2 * kHeartbeatWord, 2)).u16());
+}
+
+// Under which numbers the board would be reached through MAVLink.
+void StormDevice::learnAddress(const QByteArray &stream)
+{
+    if (!isKnownLayout(m_identity.firmwareNumber))
+        return;
+    ByteReader reader(stream.mid(2 * kSystemWord, 4));
+    const int system = reader.u16() & 0xFF;
+    m_address = system << 8 | (reader.u16() & 0xFF);
 }
 
 Result<void> StormDevice::beginWrite(Channel &)
@@ -479,7 +515,7 @@ QString StormDevice::stateText(int state) const
 
 std::optional<ConnectOffer> StormDevice::connectOffer() const
 {
-    if (!m_embedded)
+    if (!isEmbedded())
         return {};
     return ConnectOffer{"This board sends a MAVLink heartbeat and therefore answers no plain commands on this port. It is reached "
                         "through MAVLink: that is slower, and scripts cannot be read.",

@@ -5,6 +5,8 @@
 #include "protocol/device/device.h"
 #include "protocol/storm32/commands.h"
 
+#include <atomic>
+
 /// STorM32 (o323bgc) with the setup layouts 78, 89 and 95; others open read-only with raw words. A board whose heartbeat has
 /// locked plain commands out of its serial port is reached by embedding them in MAVLink (errata 6).
 class StormDevice final : public Device
@@ -73,7 +75,7 @@ public:
     [[nodiscard]] ControlFrames controlFrames(const ControlSetpoint &setpoint) const override;
 
     /// Plain commands are locked out: everything goes through MAVLink.
-    [[nodiscard]] bool isEmbedded() const { return m_embedded; }
+    [[nodiscard]] bool isEmbedded() const { return m_way >= 0; }
 
 private:
     friend class StormActions;
@@ -86,13 +88,17 @@ private:
     Result<QByteArray> readStream(Channel &channel);
     Result<int> readWord(Channel &channel, int word);
     Result<void> writeWord(Channel &channel, int word, int raw);
+    Result<void> findWay(Channel &channel, int heartbeat);
+    void learnAddress(const QByteArray &stream);
 
     BoardIdentity m_identity;
     std::shared_ptr<const ParameterSet> m_parameters;
     std::vector<AdjustableSpec> m_adjustables;
     std::vector<QByteArray> m_adjustableKeys;   // what the specs point to
-    mavlink::Address m_board;
-    bool m_embedded = false;
+    // How the board is reached now: plainly (-1), or embedded at this system and component. The screen asks for the motors-off
+    // request while the worker may change it.
+    std::atomic<int> m_way{-1};
+    int m_address = 71 << 8 | 67;      // where it would be reached
     int m_firmware = 0;                // 79, 90, 96
     int m_words = 0;
     std::optional<std::array<int, 5>> m_yawBefore;   // the input words of yaw while it is aligned

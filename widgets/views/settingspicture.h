@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/device/configuration.h"
+#include "widgets/theme/theme.h"
+
+#include <QImage>
+
+/// All values of one profile on one picture, group by group, to be shown to somebody else; what differs from the default
+/// is bold. @param scale device pixels per pixel
+[[nodiscard]] QImage settingsPicture(const Configuration &configuration, int profile, const Theme &theme, double scale);
