@@ -46,8 +46,8 @@ void Tour::addFamilySteps(const QString &family)
         m_window.showPage(u"control"_s);
         static_cast<ControlPage *>(m_window.page(u"control"_s))->setArmed(true);
     }, {}, 700, {}, false});
-    const auto sensors = [this] { return static_cast<SensorPage *>(m_window.page(u"sensors"_s)); };
-    m_steps.append({name(u"calibration"_s), show(u"sensors"_s), {}, 500, {}, false});
+    const auto sensors = [this] { return static_cast<SensorPage *>(m_window.page(u"sensor"_s)); };
+    m_steps.append({name(u"calibration"_s), show(u"sensor"_s), {}, 500, {}, false});
     m_steps.append({{}, [this, sensors] {
         m_window.workspace().changeWorld(u"pose=1"_s);
         sensors()->start(true);

@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <QVBoxLayout>
 
@@ -208,6 +209,7 @@ void ControlPage::fillFunctions()
     }
     delete scroll->takeWidget();
     scroll->setWidget(rows);
+    scroll->setMinimumWidth(rows->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
     m_functions->setVisible(line > 0);
     for (QWidget *widget : rows->findChildren<QWidget *>())
         widget->installEventFilter(this);

@@ -82,6 +82,7 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
         emit problem({tr("The board did not confirm that the motors are off."), tr("They may still be running."),
                       tr("Hold the camera and disconnect the power."), {}});
     });
+    connect(&m_client, &DeviceClient::boardSpoke, this, [this](const QString &text) { emit notice(tr("The board says: %1").arg(text)); });
     connect(&m_client, &DeviceClient::controlRescued, this, [this] {
         emit notice(tr("Control was released because the program did not refresh it in time."));
     });

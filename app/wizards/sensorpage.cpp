@@ -44,7 +44,7 @@ QString faceName(int face)
 } // namespace
 
 SensorPage::SensorPage(Workspace &workspace, QWidget *parent)
-    : Page(workspace, u"sensors"_s, tr("Calibration"), parent)
+    : Page(workspace, u"sensor"_s, tr("Calibration"), parent)
     , m_stack(new QStackedWidget)
     , m_imu(new QComboBox)
     , m_what(new QLabel)

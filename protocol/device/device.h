@@ -208,6 +208,8 @@ public:
     [[nodiscard]] virtual std::vector<BoardFault> faults(unsigned bits, unsigned detail) const = 0;
     /// A state in words; empty where the board tells none.
     [[nodiscard]] virtual QString stateText(int) const { return {}; }
+    /// A text that the board sends for the operator's eyes; empty for other frames.
+    [[nodiscard]] virtual QString spokenText(const FrameView &) const { return {}; }
     [[nodiscard]] virtual std::optional<ConnectOffer> connectOffer() const { return {}; }
 
     /// A frame in words. @param fromBoard its direction; numbers mean other things each way

@@ -276,7 +276,11 @@ void DeviceClient::finishAttempt(const std::shared_ptr<Attempt> &attempt, Result
     m_store->setReplayed(m_address.isReplay());
     auto feed = std::make_unique<TelemetryFeed>(
         m_store, [device = m_device](const FrameView &frame) { return device->announcesReset(frame); },
-        [this] { QMetaObject::invokeMethod(this, &DeviceClient::onResetAnnounced, Qt::QueuedConnection); });
+        [this] { QMetaObject::invokeMethod(this, &DeviceClient::onResetAnnounced, Qt::QueuedConnection); },
+        [this, device = m_device](const FrameView &frame) {
+            if (const QString text = device->spokenText(frame); !text.isEmpty())
+                QMetaObject::invokeMethod(this, [this, text] { emit boardSpoke(text); }, Qt::QueuedConnection);
+        });
     QMetaObject::invokeMethod(m_session, [this, fresh = feed.get(), old = m_feed.get()] {
         m_session->removeListener(old);
         m_session->addListener(fresh);

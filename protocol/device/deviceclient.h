@@ -87,6 +87,8 @@ signals:
     /// The board confirmed (or did not) that the motors are off.
     void motorsOffFinished(bool confirmed);
     void controlRescued();
+    /// The board sent a text by itself.
+    void boardSpoke(const QString &text);
 
 private:
     struct Attempt;

@@ -11,8 +11,10 @@ class TelemetryFeed final : public FrameListener
 public:
     using ResetDetector = std::function<bool(const FrameView &)>;
 
-    TelemetryFeed(std::shared_ptr<TelemetryStore> store, ResetDetector isReset, std::function<void()> onReset)
-        : m_store(std::move(store)), m_isReset(std::move(isReset)), m_onReset(std::move(onReset))
+    /// @param onFrame hears of every frame, for what is no telemetry
+    TelemetryFeed(std::shared_ptr<TelemetryStore> store, ResetDetector isReset, std::function<void()> onReset,
+                  std::function<void(const FrameView &)> onFrame)
+        : m_store(std::move(store)), m_isReset(std::move(isReset)), m_onReset(std::move(onReset)), m_onFrame(std::move(onFrame))
     {
     }
 
@@ -24,6 +26,7 @@ public:
             m_decoder->decode(frame, at, *m_store);
         if (m_isReset(frame))
             m_onReset();
+        m_onFrame(frame);
     }
 
     void bytesSent(QByteArrayView bytes, TimePoint) override
@@ -37,4 +40,5 @@ private:
     std::shared_ptr<TelemetryDecoder> m_decoder;
     ResetDetector m_isReset;
     std::function<void()> m_onReset;
+    std::function<void(const FrameView &)> m_onFrame;
 };

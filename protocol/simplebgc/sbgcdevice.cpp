@@ -75,7 +75,12 @@ std::shared_ptr<const ParameterSet> parametersOf(const BoardIdentity &identity)
 
 } // namespace
 
-SbgcDevice::SbgcDevice() = default;
+// Until a board is asked, what every board can do.
+SbgcDevice::SbgcDevice()
+    : m_actions(SbgcActions::available({}))
+{
+}
+
 SbgcDevice::~SbgcDevice() = default;
 
 std::unique_ptr<Framer> SbgcDevice::makeFramer() const

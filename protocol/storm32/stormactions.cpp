@@ -55,7 +55,7 @@ constexpr ActionSpec kActions[] = {
     {.key = "recenter", .label = "Re-center", .help = "Brings the camera back to its middle.", .group = "Motion", .risk = ActionRisk::Moves, .whileSteering = true},
     {.key = "pan.mode", .label = "Pan mode", .help = "Which axes follow the handle, until it is changed back.", .group = "Motion",
      .risk = ActionRisk::Moves, .arguments = kPanMode, .whileSteering = true},
-    {.key = "pan.setting", .label = "Use a pan mode setting", .help = "One of the four that are set up.", .group = "Motion",
+    {.key = "pan.setting", .label = "Pan mode setting", .help = "One of the four that are set up.", .group = "Motion",
      .risk = ActionRisk::Moves, .arguments = kPanSetting, .whileSteering = true},
     {.key = "standby", .label = "Standby", .help = "Switches standby on or off.", .group = "Motion", .risk = ActionRisk::Moves,
      .arguments = kStandby, .whileSteering = true},

@@ -296,7 +296,7 @@ Result<void> StormDevice::findWay(Channel &channel, int heartbeat)
     return answers();
 }
 
-// Words and, where they can be had, scripts. Embedded, `g` does not fit into a frame: the words are read one by one.
+// Words and, where they can be had, scripts. Embedded, `g` does not fit into a frame: MAVLink's own list takes its place.
 Result<QByteArray> StormDevice::readStream(Channel &channel)
 {
     if (!isEmbedded()) {
@@ -305,18 +305,53 @@ Result<QByteArray> StormDevice::readStream(Channel &channel)
             return tl::unexpected(reply.error());
         return reply->payload;
     }
+    const auto listed = listParameters(channel);
+    if (!listed)
+        return tl::unexpected(listed.error());
     QByteArray words;
     Progress progress;
     progress.step = u"read-block"_s;
     progress.subject = u"PARAMETERS"_s;
     progress.total = m_words;
     for (int word = 0; word < m_words; ++word) {
-        const auto raw = readWord(channel, word);
+        const auto known = listed->find(word);
+        const auto raw = known != listed->end() ? Result<int>(known->second) : readWord(channel, word);   // what the list lost
         if (!raw)
             return tl::unexpected(raw.error());
         words += ByteWriter().u16(*raw).take();
         progress.done = word + 1;
         channel.progress(progress);
+    }
+    return words;
+}
+
+// All parameters in one go, as far as they come through; the value's coding depends on the firmware (errata 6).
+Result<std::map<int, int>> StormDevice::listParameters(Channel &channel)
+{
+    std::map<int, int> words;
+    const auto coding = m_firmware >= 91 ? mavlink::ValueCoding::Bits : mavlink::ValueCoding::Number;
+    const mavlink::Message *value = mavlink::findMessage(mavlink::number(mavlink::MessageId::ParamValue));
+    const auto values = channel.listen([](const FrameView &frame) {
+        return frame.id == FrameId::kMavlink + mavlink::number(mavlink::MessageId::ParamValue);
+    });
+    const mavlink::Message *list = mavlink::findMessage(mavlink::number(mavlink::MessageId::ParamRequestList));
+    const auto payload = mavlink::encodeFields(*list, {{u"target_system"_s, m_way >> 8 & 0xFF}, {u"target_component"_s, m_way & 0xFF}});
+    Request request;
+    request.name = u"PARAM_REQUEST_LIST"_s;
+    request.bytes = mavlink::encode(mavlink::MessageId::ParamRequestList, payload.value_or(QByteArray()), kOwn, 0);
+    channel.post(request);
+    while (int(words.size()) < m_words) {
+        const auto frame = values->next(kAnswer);
+        if (!frame && frame.error().code == ErrorCode::Timeout)
+            break;
+        if (!frame)
+            return tl::unexpected(frame.error());
+        const auto fields = mavlink::decodeFields(*value, asBytes(frame->payload));
+        if (!fields)
+            continue;
+        const int index = fields->value(u"param_index"_s).toInt();
+        if (index >= 0 && index < m_words)
+            words[index] = mavlink::decodeValue(fields->value(u"param_value"_s).toFloat(), coding) & 0xFFFF;
     }
     return words;
 }
@@ -511,6 +546,14 @@ std::vector<BoardFault> StormDevice::faults(unsigned bits, unsigned detail) cons
 QString StormDevice::stateText(int state) const
 {
     return stateName(state, m_firmware);
+}
+
+QString StormDevice::spokenText(const FrameView &frame) const
+{
+    if (frame.id != FrameId::kMavlink + mavlink::number(mavlink::MessageId::StatusText))
+        return {};
+    const auto fields = mavlink::decodeFields(*mavlink::findMessage(mavlink::number(mavlink::MessageId::StatusText)), frame.payload);
+    return fields ? fields->value(u"text"_s).toString().trimmed() : QString();
 }
 
 std::optional<ConnectOffer> StormDevice::connectOffer() const

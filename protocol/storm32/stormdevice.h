@@ -6,6 +6,7 @@
 #include "protocol/storm32/commands.h"
 
 #include <atomic>
+#include <map>
 
 /// STorM32 (o323bgc) with the setup layouts 78, 89 and 95; others open read-only with raw words. A board whose heartbeat has
 /// locked plain commands out of its serial port is reached by embedding them in MAVLink (errata 6).
@@ -60,6 +61,7 @@ public:
     [[nodiscard]] std::shared_ptr<TelemetryDecoder> replayDecoder() const override;
     [[nodiscard]] std::vector<BoardFault> faults(unsigned bits, unsigned detail) const override;
     [[nodiscard]] QString stateText(int state) const override;
+    [[nodiscard]] QString spokenText(const FrameView &frame) const override;
     [[nodiscard]] std::optional<ConnectOffer> connectOffer() const override;
 
     [[nodiscard]] FrameText describeFrame(const FrameView &frame, bool fromBoard) const override;
@@ -86,6 +88,7 @@ private:
     [[nodiscard]] Request rc(storm32::Rc id, const QByteArray &payload = {}) const;
     [[nodiscard]] Request embed(Request plain, QByteArrayView content, std::optional<storm32::Simple> id) const;
     Result<QByteArray> readStream(Channel &channel);
+    Result<std::map<int, int>> listParameters(Channel &channel);
     Result<int> readWord(Channel &channel, int word);
     Result<void> writeWord(Channel &channel, int word, int raw);
     Result<void> findWay(Channel &channel, int heartbeat);

@@ -819,7 +819,8 @@ void TestPages::anotherFamilyFillsThePages()
     QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && !m_rig->model().isEmpty(), 15000);
     QCOMPARE(m_rig->client().identity().family, u"storm32"_s);
     for (const PageEntry &entry : pageTable()) {
-        m_rig->window().showPage(QLatin1String(entry.key));
+        if (!m_rig->window().showPage(QLatin1String(entry.key)))
+            continue;   // it has no use for that one
         QTRY_VERIFY2(m_rig->window().page(QLatin1String(entry.key))->isVisible(), entry.key);
         QVERIFY2(!m_rig->window().page(QLatin1String(entry.key))->grab().isNull(), entry.key);
     }

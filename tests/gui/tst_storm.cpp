@@ -1,0 +1,495 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mainwindow/bars.h"
+#include "app/mainwindow/navigation.h"
+#include "app/pages/backupspage.h"
+#include "app/pages/controlpage.h"
+#include "app/pages/gaincard.h"
+#include "app/pages/parameterspage.h"
+#include "app/pages/scriptspage.h"
+#include "app/pages/sharedialog.h"
+#include "app/pages/tuningpage.h"
+#include "app/wizards/sensorpage.h"
+#include "app/wizards/setuppage.h"
+#include "tests/support/windowrig.h"
+#include "widgets/forms/parameterform.h"
+#include "widgets/forms/reviewdialog.h"
+#include "widgets/forms/valueeditor.h"
+#include "widgets/models/parametermodel.h"
+#include "widgets/views/controlpad.h"
+#include "widgets/views/scripteditor.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTest>
+
+using namespace Qt::StringLiterals;
+
+/// The operator's work with a STorM32 board, on the simulated one.
+class TestStorm : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { m_rig = std::make_unique<WindowRig>(); }
+    void cleanup() { m_rig.reset(); }
+
+    void onlyFittingPagesAreOffered();
+    void slidersSetThreeGains();
+    void unstoredValuesStayInSight();
+    void closingAsksForWhatIsNotStored();
+    void valuesWithoutEffectAreGrey();
+    void scriptIsTypedTakenOverAndWritten();
+    void scriptsAreEditedInAFile();
+    void sensorIsCalibratedAndStored();
+    void calibrationComesFromAFile();
+    void gimbalIsSetUp();
+    void setupCanBeCancelled();
+    void steeringByAngleAndByPulse();
+    void functionsAreAtHandWhileSteering();
+    void heartbeatIsEscapedByOneClick();
+    void motorsOffWorksThroughMavlink();
+    void settingsAreShared();
+    void settingsFileIsLoadedAndSaved();
+
+private:
+    bool openStorm(const QString &options = {}) { return m_rig->open(u"sim:storm32"_s + options) && ready(); }
+    bool ready()
+    {
+        return QTest::qWaitFor([this] { return m_rig->workspace().motorsRunning().has_value(); }, 10000);
+    }
+    Workspace &workspace() { return m_rig->workspace(); }
+    /// A word as the board uses it now, asked past all models.
+    int inUse(int word)
+    {
+        std::optional<int> value;
+        m_rig->client().submit<std::vector<AdjustableValue>>([word](Channel &channel, Device &device) {
+            return device.readAdjustables(channel, {word});
+        }).then(this, [&value](const Result<std::vector<AdjustableValue>> &read) { value = read ? int(read->front().value) : -1; });
+        return QTest::qWaitFor([&value] { return value.has_value(); }, 5000) ? *value : -1;
+    }
+    bool writeAll()
+    {
+        QSignalSpy finished(&workspace(), &Workspace::writeFinished);
+        m_rig->window().review();
+        if (!QTest::qWaitFor([this] { return m_rig->window().reviewDialog() != nullptr; }, 3000))
+            return false;
+        m_rig->window().reviewDialog()->accept();
+        return QTest::qWaitFor([&finished] { return finished.count() == 1; }, 20000) && workspace().lastReport()->isComplete();
+    }
+
+    std::unique_ptr<WindowRig> m_rig;
+};
+
+void TestStorm::onlyFittingPagesAreOffered()
+{
+    const Navigation &pages = *m_rig->window().navigation();
+    QVERIFY(pages.isOffered(u"calibration"_s) && !pages.isOffered(u"sensor"_s));   // before any board
+    QVERIFY(openStorm());
+    for (const char *there : {"dashboard", "parameters", "setup", "sensor", "scripts", "tuning", "control", "backups"})
+        QVERIFY2(pages.isOffered(QLatin1String(there)), there);
+    for (const char *absent : {"calibration", "autotune", "profiles", "debug"}) {
+        QVERIFY2(!pages.isOffered(QLatin1String(absent)), absent);
+        QVERIFY(!m_rig->window().showPage(QLatin1String(absent)));
+    }
+    m_rig->window().showPage(u"scripts"_s);
+    QVERIFY(m_rig->open());
+    QTRY_VERIFY(pages.isOffered(u"calibration"_s) && !pages.isOffered(u"scripts"_s));
+    QCOMPARE(pages.currentPage(), u"dashboard"_s);   // the page that was shown is gone
+}
+
+void TestStorm::slidersSetThreeGains()
+{
+    QVERIFY(openStorm());
+    auto *page = m_rig->page<TuningPage>();
+    QVERIFY(page->gains());
+    const auto value = [&](const char *key) { return page->live().value(m_rig->spec(QLatin1String(key)).id).value_or(-1); };
+    QTRY_COMPARE(value("pid.roll.p"), 400);
+    QVERIFY(page->gains()->shapeText(Axis::Roll).contains(u"7.1 Hz"_s));
+    page->gains()->dampingSlider(Axis::Roll)->setValue(50);
+    page->gains()->stabilitySlider(Axis::Roll)->setValue(20);
+    // Kd 0.4, Ki 400, Kp sqrt(0.5 * 0.4 * 400) = 8.94 (errata 9.1)
+    QTRY_COMPARE(value("pid.roll.d"), 4000);
+    QCOMPARE(value("pid.roll.i"), 4000);
+    QCOMPARE(value("pid.roll.p"), 894);
+    QTRY_VERIFY(page->live().isSettled());
+    QCOMPARE(inUse(8), 4000);
+    QCOMPARE(inUse(6), 894);
+    // The other way round: a gain moves the slider.
+    page->live().setValue(m_rig->spec(u"pid.pitch.i"_s).id, 2000);
+    QCOMPARE(page->gains()->stabilitySlider(Axis::Pitch)->value(), 10);
+    page->revertButton()->click();
+    QTRY_COMPARE(inUse(8), 500);
+    QCOMPARE(page->gains()->dampingSlider(Axis::Roll)->value(), 6);
+}
+
+void TestStorm::unstoredValuesStayInSight()
+{
+    QVERIFY(openStorm());
+    UnstoredBar *bar = m_rig->window().unstoredBar();
+    QVERIFY(!bar->isVisible());
+    auto *page = m_rig->page<TuningPage>();
+    QTRY_VERIFY(page->live().value(m_rig->spec(u"pid.yaw.p"_s).id));
+    page->live().setValue(m_rig->spec(u"pid.yaw.p"_s).id, 421);
+    QTRY_VERIFY(bar->isVisible());
+    m_rig->window().showPage(u"dashboard"_s);
+    QVERIFY(bar->isVisible());              // on every page
+    bar->storeButton()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(!bar->isVisible(), 10000);
+    QTRY_COMPARE(m_rig->raw(u"pid.yaw.p"_s), 421);
+    workspace().perform(u"restart"_s, {});
+    QTRY_COMPARE_WITH_TIMEOUT(inUse(12), 421, 8000);
+
+    // An action that changes what is in use says so as well, and there is a way back.
+    workspace().perform(u"defaults"_s, {});
+    QTRY_VERIFY(workspace().isUnstored() && bar->isVisible());
+    QTRY_COMPARE(inUse(12), 400);
+    bar->backButton()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(!workspace().isUnstored() && !bar->isVisible(), 10000);
+    QTRY_COMPARE(inUse(12), 421);
+}
+
+void TestStorm::closingAsksForWhatIsNotStored()
+{
+    QVERIFY(openStorm());
+    workspace().perform(u"directions.take"_s, {});
+    QTRY_VERIFY(workspace().isUnstored());
+    m_rig->window().close();
+    auto *box = m_rig->window().findChild<QMessageBox *>();
+    QVERIFY(box && m_rig->window().isVisible());
+    for (QAbstractButton *button : box->buttons()) {
+        if (box->buttonRole(button) == QMessageBox::AcceptRole)
+            button->click();
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(!m_rig->window().isVisible(), 10000);
+    QVERIFY(!workspace().isUnstored());
+}
+
+void TestStorm::valuesWithoutEffectAreGrey()
+{
+    QVERIFY(openStorm());
+    auto *page = m_rig->page<ParametersPage>();
+    page->showParameter(u"pan.mode.setting1"_s);
+    auto *form = page->findChild<ParameterForm *>();
+    ValueEditor *editor = form->editor(m_rig->spec(u"pan.mode.setting1"_s).id);
+    QVERIFY(editor);
+    QVERIFY(editor->control()->property("idle").toBool());
+    QVERIFY2(editor->control()->toolTip().contains(u"No effect while"_s), qPrintable(editor->control()->toolTip()));
+    QVERIFY(editor->control()->isEnabled());      // it can be prepared all the same
+    m_rig->edit(u"pan.mode.input"_s, 0, 1);
+    QVERIFY(!editor->control()->property("idle").toBool());
+    QVERIFY(!editor->control()->toolTip().contains(u"No effect while"_s));
+    workspace().edits().undoStack().undo();
+    QVERIFY(editor->control()->property("idle").toBool());
+}
+
+void TestStorm::scriptIsTypedTakenOverAndWritten()
+{
+    QVERIFY(openStorm());
+    auto *page = m_rig->page<ScriptsPage>();
+    QTRY_VERIFY(page->editor()->isEnabled());
+    QCOMPARE(page->scriptList()->count(), 4);
+    page->editor()->setFocus();
+    QTest::keyClicks(page->editor(), u"WAIT 5"_s);
+    QTest::keyClick(page->editor(), Qt::Key_Escape);   // completion
+    QTest::keyClick(page->editor(), Qt::Key_Return);
+    QTest::keyClicks(page->editor(), u"FLY"_s);
+    QTRY_VERIFY2(page->message().contains(u"line 2"_s), qPrintable(page->message()));
+    QVERIFY(!page->takeButton()->isEnabled());
+    QVERIFY(page->hasChanges() && m_rig->window().navigation()->isMarked(u"scripts"_s));
+    page->editor()->setText(u"; a while\nWAIT 5\nDORECENTER\n"_s);
+    QTRY_VERIFY(page->takeButton()->isEnabled());
+    QCOMPARE(page->listing()->count(), 3);              // and the STOP that was put behind
+    QVERIFY(page->listing()->item(0)->text().contains(u"WAIT 5"_s));
+    QCOMPARE(m_rig->model().changeCount(), 0);
+    page->takeButton()->click();
+    QCOMPARE(m_rig->model().changeCount(), 1);
+    QVERIFY(page->editor()->text().contains(u"a while"_s));   // as it was typed
+    // An edit like any other: undone, done again, written, read back.
+    workspace().edits().undoStack().undo();
+    QCOMPARE(m_rig->model().changeCount(), 0);
+    QVERIFY(page->editor()->text().isEmpty());
+    workspace().edits().undoStack().redo();
+    QVERIFY(page->editor()->text().contains(u"DORECENTER"_s));
+    QVERIFY(writeAll());
+    QCOMPARE(m_rig->model().changeCount(), 0);
+    QVERIFY(!page->hasChanges());
+    QSignalSpy read(&workspace(), &Workspace::boardRead);
+    workspace().readBoard();
+    QTRY_COMPARE(read.count(), 1);
+    QVERIFY(workspace().family()->scripts->text(std::as_const(m_rig->model()).board(), 0).contains(u"DORECENTER"_s));
+    // Tab leaves the editor.
+    page->editor()->setFocus();
+    QTest::keyClick(page->editor(), Qt::Key_Tab);
+    QVERIFY(!page->editor()->hasFocus());
+}
+
+void TestStorm::scriptsAreEditedInAFile()
+{
+    QVERIFY(openStorm());
+    const QString path = m_rig->filePath(u"board.json"_s);
+    QVERIFY(workspace().saveFile(path));
+    m_rig->client().disconnectFromBoard();
+    QTRY_VERIFY(!m_rig->client().isConnected());
+    QVERIFY(workspace().openFile(path));
+    auto *page = m_rig->page<ScriptsPage>();
+    QVERIFY(page->editor()->isEnabled());
+    page->showScript(2);
+    page->editor()->setText(u"STOP\n"_s);
+    QTRY_VERIFY(page->takeButton()->isEnabled());
+    page->takeButton()->click();
+    QVERIFY(workspace().saveFile(path));
+    const auto file = workspace().loadFile(path);
+    QVERIFY(file);
+    QVERIFY(workspace().family()->scripts->text(file->configuration, 2).contains(u"STOP"_s));
+}
+
+void TestStorm::sensorIsCalibratedAndStored()
+{
+    QVERIFY(openStorm());
+    auto *page = m_rig->page<SensorPage>();
+    workspace().changeWorld(u"pose=1"_s);
+    page->start(true);
+    const std::array poses{1, 4, 2, 6, 3, 5};
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        workspace().changeWorld(u"pose=%1"_s.arg(poses[i]));
+        QTRY_VERIFY2_WITH_TIMEOUT(page->doneCount() == int(i) + 1 || page->step() == SensorPage::Step::Result, qPrintable(page->sees()), 20000);
+    }
+    QTRY_COMPARE(page->step(), SensorPage::Step::Result);
+    QVERIFY(std::abs(page->calibration().scale[2] - 8356) < 60);    // 1.02 of 8192, the simulated sensor's own error
+    // Nothing was changed so far.
+    std::optional<int> scale;
+    const auto stored = [&] {
+        scale.reset();
+        workspace().perform(u"calibration.read"_s, {}).then(this, [&](const Result<ActionOutcome> &reply) {
+            scale = reply ? reply->reply.value(u"imu.acc.scale.z"_s).toInt() : -1;
+        });
+        return QTest::qWaitFor([&] { return scale.has_value(); }, 5000) ? *scale : -1;
+    };
+    QCOMPARE(stored(), 8192);
+    const QString file = m_rig->filePath(u"imu.cal"_s);
+    QVERIFY(page->saveFile(file));
+    page->storeButton()->click();
+    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SensorPage::Step::Choose, 10000);
+    QCOMPARE(stored(), page->calibration().scale[2]);
+}
+
+void TestStorm::calibrationComesFromAFile()
+{
+    QVERIFY(openStorm());
+    auto *page = m_rig->page<SensorPage>();
+    const QString path = m_rig->filePath(u"imu.cal"_s);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("IMUNAME: Imu\nAXZERO: 1\nAYZERO: 2\nAZZERO: 3\nAXSCALE: 8190\nAYSCALE: 8191\nAZSCALE: 8200\nCALIBRATIONMETHOD: 1 point\n");
+    file.close();
+    QVERIFY(page->loadFile(path));
+    QCOMPARE(page->step(), SensorPage::Step::Result);
+    page->storeButton()->click();
+    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SensorPage::Step::Choose, 10000);
+    QVERIFY(!page->loadFile(m_rig->filePath(u"none.cal"_s)));
+}
+
+void TestStorm::gimbalIsSetUp()
+{
+    QVERIFY(openStorm());
+    workspace().changeWorld(u"mount=5"_s);
+    auto *page = m_rig->page<SetupPage>();
+    using Step = SetupPage::Step;
+    workspace().changeWorld(u"pose=1"_s);
+    QTRY_VERIFY(page->continueButton()->isEnabled());
+    QTest::keyClick(page->continueButton(), Qt::Key_Space);
+    QTRY_VERIFY2_WITH_TIMEOUT(page->step() == Step::Orientation && page->what().contains(u"45°"_s), qPrintable(page->what()), 15000);
+    QVERIFY(workspace().isUnstored());
+    workspace().changeWorld(u"pose=7"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(page->step(), Step::Poles, 15000);
+    QVERIFY2(page->report().last().contains(u"x90°"_s), qPrintable(page->report().last()));
+    QCOMPARE(inUse(39), 5);
+    page->poles(Axis::Yaw)->setValue(16);
+    page->continueButton()->click();
+    QTRY_COMPARE_WITH_TIMEOUT(page->step(), Step::AskStart, 8000);
+    QCOMPARE(inUse(32), 16);
+    QCOMPARE(inUse(21), 2);
+    page->poles(Axis::Yaw)->setValue(14);
+    QVERIFY(!workspace().motorsRunning().value_or(true));     // nothing moves before it is asked
+    page->continueButton()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(page->step() == Step::AlignYaw && page->continueButton()->isEnabled(), 40000);
+    QCOMPARE(inUse(21), 0);
+    QTRY_VERIFY(workspace().motorsRunning().value_or(false));
+    for (QPushButton *button : page->findChildren<QPushButton *>()) {
+        if (button->text() == u"+5°"_s)
+            button->click();
+    }
+    QCOMPARE(page->yaw(), 5.0);
+    QTRY_COMPARE(inUse(108), 50);
+    page->continueButton()->click();
+    QTRY_COMPARE_WITH_TIMEOUT(page->step(), Step::AskFinish, 8000);
+    QCOMPARE(inUse(108), 0);
+    page->continueButton()->click();
+    QTRY_COMPARE_WITH_TIMEOUT(page->step(), Step::Done, 40000);
+    QVERIFY(!workspace().isUnstored());
+    QTRY_COMPARE(m_rig->raw(u"imu.orientation"_s), 5);
+    QCOMPARE(m_rig->raw(u"motor.yaw.poles"_s), 16);
+    workspace().perform(u"reset"_s, {});
+    QTRY_COMPARE_WITH_TIMEOUT(inUse(39), 5, 8000);           // kept over a restart
+}
+
+void TestStorm::setupCanBeCancelled()
+{
+    QVERIFY(openStorm());
+    auto *page = m_rig->page<SetupPage>();
+    for (const auto task : {SetupPage::Task::Orientation, SetupPage::Task::Poles, SetupPage::Task::AutoDirections})
+        page->box(task)->setChecked(false);
+    workspace().changeWorld(u"battery=7"_s);
+    page->continueButton()->click();
+    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SetupPage::Step::AskStart, 8000);
+    page->continueButton()->click();
+    QTRY_VERIFY2(page->sees().contains(u"battery"_s), qPrintable(page->sees()));
+    page->cancelButton()->click();
+    QCOMPARE(page->step(), SetupPage::Step::Choose);
+    QVERIFY(workspace().isUnstored());                        // the motors are disabled, and it says so
+    QTRY_COMPARE(inUse(79), 3);
+    m_rig->window().unstoredBar()->backButton()->click();
+    QTRY_COMPARE_WITH_TIMEOUT(inUse(79), 0, 8000);
+    // Nothing ticked: nothing to begin.
+    for (int task = 0; task < SetupPage::kTasks; ++task)
+        page->box(SetupPage::Task(task))->setChecked(false);
+    QVERIFY(!page->continueButton()->isEnabled());
+}
+
+void TestStorm::steeringByAngleAndByPulse()
+{
+    QVERIFY(openStorm());
+    workspace().changeWorld(u"shake=0"_s);
+    auto *page = m_rig->page<ControlPage>();
+    const ChannelRoles roles = workspace().roles();
+    const int input = findChannel(m_rig->client().device()->channels(), u"input.pitch"_s);
+    page->modeBox()->setCurrentIndex(page->modeBox()->findData(1));
+    page->setArmed(true);
+    QVERIFY(page->isArmed());
+    const auto spins = page->findChildren<QDoubleSpinBox *>();
+    const auto pitch = std::find_if(spins.begin(), spins.end(), [](QDoubleSpinBox *box) { return box->accessibleName().contains(u"Pitch"_s); });
+    QVERIFY(pitch != spins.end());
+    (*pitch)->setValue(12);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(workspace().latest(roles.angle[1]) - 12) < 1.0, 8000);
+    (*pitch)->setValue(90);   // within the limits of the sticks: 25 degrees
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(workspace().latest(roles.angle[1]) - 25) < 1.0, 8000);
+    const LinkStatistics before = m_rig->client().statistics();
+    (*pitch)->setValue(0);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(workspace().latest(roles.angle[1])) < 1.0, 8000);
+    // One request at a time: nothing was asked twice, no answer was taken for another's.
+    QCOMPARE(m_rig->client().statistics().timeouts, before.timeouts);
+    QCOMPARE(m_rig->client().statistics().framing.bodyErrors, 0U);
+    page->modeBox()->setCurrentIndex(page->modeBox()->findData(3));
+    page->setArmed(true);
+    (*pitch)->setValue(250);
+    QTRY_COMPARE_WITH_TIMEOUT(int(workspace().latest(input)), 250, 5000);
+    page->setArmed(false);
+}
+
+void TestStorm::functionsAreAtHandWhileSteering()
+{
+    QVERIFY(openStorm());
+    auto *page = m_rig->page<ControlPage>();
+    QPushButton *pan = nullptr;
+    for (QPushButton *button : page->findChildren<QPushButton *>()) {
+        if (button->text() == u"Pan mode"_s)
+            pan = button;
+    }
+    QVERIFY(pan && pan->isVisible());
+    const auto *choice = page->findChild<QComboBox *>(u"mode"_s);
+    QVERIFY(choice);
+    const_cast<QComboBox *>(choice)->setCurrentIndex(3);      // pan pan pan
+    pan->click();
+    const int status2 = findChannel(m_rig->client().device()->channels(), u"status2"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(int(workspace().latest(status2)) & 0xE000, 0xE000, 5000);
+    // A board without such actions has no such card.
+    QVERIFY(m_rig->open());
+    QTRY_VERIFY(!pan || !page->findChild<QComboBox *>(u"mode"_s));
+}
+
+void TestStorm::heartbeatIsEscapedByOneClick()
+{
+    QVERIFY(openStorm(u"?rate=115200"_s));
+    m_rig->edit(u"mavlink.heartbeat"_s, 0, 1);
+    QVERIFY2(writeAll(), "a write that switches the heartbeat on is read back through MAVLink");
+    QTRY_VERIFY(m_rig->raw(u"mavlink.heartbeat"_s) == 1);
+    m_rig->edit(u"pid.roll.p"_s, 0, 433);
+    QVERIFY(writeAll());
+    m_rig->client().disconnectFromBoard();
+    QTRY_VERIFY(!m_rig->client().isConnected());
+    m_rig->window().openLink(u"sim:storm32?rate=115200"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 15000);
+    QTRY_VERIFY(m_rig->window().offerBar()->text().contains(u"MAVLink"_s));
+    QVERIFY(ready());                                        // live data comes all the same
+    QTRY_COMPARE(m_rig->raw(u"pid.roll.p"_s), 433);
+    auto *page = m_rig->page<ScriptsPage>();
+    QVERIFY(!page->editor()->isEnabled() && !page->message().isEmpty());
+    m_rig->window().offerBar()->buttons().first()->click();
+    QTRY_COMPARE_WITH_TIMEOUT(m_rig->raw(u"mavlink.heartbeat"_s), 0, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(page->editor()->isEnabled(), 5000);
+    QVERIFY(workspace().isUnstored());                       // it would be back after a restart, and that is said
+    QVERIFY(ready());
+}
+
+void TestStorm::motorsOffWorksThroughMavlink()
+{
+    QVERIFY(openStorm(u"?rate=115200"_s));
+    QTRY_VERIFY(workspace().motorsRunning().value_or(false));
+    m_rig->edit(u"mavlink.heartbeat"_s, 0, 2);
+    QVERIFY(writeAll());
+    QSignalSpy done(&m_rig->client(), &DeviceClient::motorsOffFinished);
+    workspace().setMotors(false);
+    QTRY_COMPARE(done.count(), 1);
+    QVERIFY(done.first().first().toBool());
+    QTRY_VERIFY_WITH_TIMEOUT(!workspace().motorsRunning().value_or(true), 5000);
+}
+
+void TestStorm::settingsAreShared()
+{
+    QVERIFY(openStorm());
+    auto *page = m_rig->page<BackupsPage>();
+    page->findChild<QPushButton *>(u"share"_s)->click();
+    auto *dialog = page->findChild<ShareDialog *>();
+    QVERIFY(dialog);
+    QVERIFY(dialog->image().width() > 1000 && dialog->image().height() > 500);
+    const QString path = m_rig->filePath(u"settings.png"_s);
+    QVERIFY(dialog->save(path));
+    QCOMPARE(QImage(path).size(), dialog->image().size());
+    QVERIFY(!dialog->save(u"/nowhere/settings.png"_s));
+    // What is on it changes with the values.
+    const QImage before = dialog->image();
+    dialog->reject();
+    m_rig->edit(u"pid.roll.p"_s, 0, 1234);
+    const ShareDialog again(workspace());
+    QVERIFY(again.image() != before);
+}
+
+void TestStorm::settingsFileIsLoadedAndSaved()
+{
+    QVERIFY(openStorm());
+    m_rig->edit(u"pid.roll.p"_s, 0, 777);
+    const QString path = m_rig->filePath(u"mine.cfg"_s);
+    QVERIFY(workspace().saveFile(path));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly) && file.readAll().contains("'Roll P' => [ 777 , '7.77' ],"));
+    workspace().edits().discardAll();
+    QVERIFY(workspace().applyFile(path));
+    QCOMPARE(m_rig->model().value(m_rig->spec(u"pid.roll.p"_s), 0), 777);
+    QCOMPARE(m_rig->model().changeCount(), 1);
+    // Without a board it opens by itself.
+    workspace().edits().discardAll();
+    m_rig->client().disconnectFromBoard();
+    QTRY_VERIFY(!m_rig->client().isConnected());
+    m_rig->window().openFile(path);
+    QCOMPARE(workspace().offlineFile(), path);
+    QCOMPARE(m_rig->raw(u"pid.roll.p"_s), 777);
+}
+
+QTEST_MAIN(TestStorm)
+#include "tst_storm.moc"
