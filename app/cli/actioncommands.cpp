@@ -119,10 +119,10 @@ class CalibrateCommand final : public Command
 public:
     const char *name() const override { return "calibrate"; }
     const char *usage() const override { return "calibrate NAME [ARG=VALUE...]"; }
-    const char *help() const override { return "gyro, acc, battery, offset"; }
+    const char *help() const override { return "gyro, acc, battery, offset; with STorM32: level, six"; }
     QString check(const CommandOptions &options) const override
     {
-        return options.arguments.isEmpty() ? u"calibrate needs a name: gyro, acc, battery or offset"_s : QString();
+        return options.arguments.isEmpty() ? u"calibrate needs a name; \"do help\" lists the board's"_s : QString();
     }
     Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
     {

@@ -6,6 +6,8 @@
 #include "protocol/record/configurationfiles.h"
 #include "protocol/transport/portlist.h"
 
+#include <QFile>
+
 using namespace Qt::StringLiterals;
 
 namespace {
@@ -170,6 +172,63 @@ public:
     }
 };
 
+class ScriptCommand final : public Command
+{
+public:
+    const char *name() const override { return "script"; }
+    const char *usage() const override { return "script N [FILE] [--dry-run]"; }
+    const char *help() const override { return "text of a script of the board; with a file, compile and write it"; }
+    QString check(const CommandOptions &options) const override
+    {
+        bool ok = false;
+        options.arguments.value(0).toInt(&ok);
+        return ok && options.arguments.size() <= 2 ? QString() : u"script needs the number of a script, and maybe a file"_s;
+    }
+    Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
+    {
+        const auto families = allFamilies();
+        const Family *family = findFamily(families, device.identity().family);
+        const int script = options.arguments.first().toInt() - 1;
+        if (!family || !family->scripts)
+            return failure(ErrorCode::Unsupported, u"boards of this family keep no scripts"_s);
+        if (script < 0 || script >= family->scripts->count())
+            return failure(ErrorCode::InvalidArgument, u"there are scripts 1 to %1"_s.arg(family->scripts->count()));
+        const auto base = device.readConfiguration(channel);
+        if (!base)
+            return tl::unexpected(base.error());
+        const BlockKey key{0, family->scripts->block()};
+        if (base->block(key).isEmpty())
+            return failure(ErrorCode::Unsupported, u"the scripts cannot be read over this link"_s);
+        if (options.arguments.size() == 1) {
+            CommandOutcome outcome;
+            outcome.text = family->scripts->text(*base, script);
+            outcome.json = QJsonObject{{u"script"_s, script + 1}, {u"text"_s, outcome.text}};
+            return outcome;
+        }
+        QFile file(options.arguments[1]);
+        if (!file.open(QIODevice::ReadOnly))
+            return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(file.fileName(), file.errorString()));
+        QStringList texts;
+        for (int each = 0; each < family->scripts->count(); ++each)
+            texts.append(each == script ? QString::fromUtf8(file.read(kLargestScript)) : family->scripts->text(*base, each));
+        const auto code = family->scripts->compile(*base, texts);
+        if (!code)
+            return tl::unexpected(code.error());
+        Configuration edited = *base;
+        edited.setBlock(key, *code);
+        if (!options.dryRun)
+            return writeAndReport(channel, device, *base, edited, options);
+        const auto [used, all] = family->scripts->used(edited);
+        CommandOutcome outcome;
+        outcome.json = QJsonObject{{u"bytesUsed"_s, used}, {u"bytes"_s, all}};
+        outcome.text = u"compiles; %1 of %2 bytes would be used\n"_s.arg(used).arg(all);
+        return outcome;
+    }
+
+private:
+    static constexpr qint64 kLargestScript = 64 * 1024;
+};
+
 } // namespace
 
 std::vector<std::unique_ptr<Command>> fileCommands()
@@ -179,5 +238,6 @@ std::vector<std::unique_ptr<Command>> fileCommands()
     commands.push_back(std::make_unique<DumpCommand>());
     commands.push_back(std::make_unique<DiffCommand>());
     commands.push_back(std::make_unique<ApplyCommand>());
+    commands.push_back(std::make_unique<ScriptCommand>());
     return commands;
 }

@@ -61,6 +61,7 @@ private slots:
     void stormOverAPseudoTerminal_data();
     void stormOverAPseudoTerminal();
     void stormThatIsLockedOut();
+    void stormIsSetUp();
 
 private:
     Run ctl(const QStringList &arguments, bool withLink = true)
@@ -498,6 +499,44 @@ void TestCtl::stormThatIsLockedOut()
     QCOMPARE(ask({u"do"_s, u"heartbeat.off"_s}).exitCode, 0);
     const Run plain = ask({u"get"_s, u"mavlink.heartbeat"_s});
     QCOMPARE(plain.out, u"0\n"_s);
+}
+
+// Calibrating, comparing what is in use with what is stored, scripts and settings files, from the command line.
+void TestCtl::stormIsSetUp()
+{
+    const QString path = m_dir->filePath(u"storm"_s);
+    const SimProcess storm({u"--pty"_s, path, u"--fault"_s, u"pose=1"_s}, u"storm32"_s);
+    const QStringList link{u"--link"_s, u"serial:"_s + path, u"--family"_s, u"storm32"_s};
+    const auto ask = [&](const QStringList &arguments) { return ctl(link + arguments, false); };
+    const Run calibrated = ask({u"calibrate"_s, u"level"_s});
+    QVERIFY2(calibrated.exitCode == 0 && calibrated.out.contains(u"stored"_s), qPrintable(calibrated.err + calibrated.out));
+    QVERIFY(!ask({u"do"_s, u"calibration.read"_s}).out.contains(u"imu.acc.zero.z      0\n"_s));
+    QVERIFY(ask({u"do"_s, u"stored.compare"_s}).out.contains(u"false"_s));
+    QCOMPARE(ask({u"set"_s, u"pid.roll.p=4.44"_s, u"--no-save"_s}).exitCode, 0);
+    QVERIFY(ask({u"do"_s, u"stored.compare"_s}).out.contains(u"4.44 in use, 4.00 stored"_s));
+    QCOMPARE(ask({u"do"_s, u"retrieve"_s}).exitCode, 0);
+    QCOMPARE(ask({u"get"_s, u"pid.roll.p"_s}).out, u"4.00\n"_s);
+
+    const auto save = [this](const QString &name, const QByteArray &text) {
+        QFile file(m_dir->filePath(name));
+        return file.open(QIODevice::WriteOnly) && file.write(text) == text.size() ? file.fileName() : QString();
+    };
+    const QString script = save(u"look.scr"_s, "WAIT 5\nDORECENTER\n");
+    QVERIFY(ask({u"script"_s, u"2"_s, script, u"--dry-run"_s}).out.contains(u"5 of 124 bytes"_s));
+    const Run written = ask({u"script"_s, u"2"_s, script});
+    QVERIFY2(written.exitCode == 0 && written.out.contains(u"verified"_s), qPrintable(written.err));
+    QVERIFY(ask({u"script"_s, u"2"_s}).out.trimmed().startsWith(u"WAIT 5"_s));
+    const Run wrong = ask({u"script"_s, u"2"_s, save(u"bad.scr"_s, "WAIT 5\nFLY\n")});
+    QVERIFY(wrong.exitCode != 0 && wrong.err.contains(u"script 2, line 2"_s));
+    QVERIFY(ask({u"script"_s, u"2"_s}).out.trimmed().startsWith(u"WAIT 5"_s));
+
+    const QString settings = m_dir->filePath(u"mine.cfg"_s);
+    QCOMPARE(ask({u"dump"_s, settings}).exitCode, 0);
+    QVERIFY(ask({u"diff"_s, settings, u"board"_s}).out.contains(u"no difference"_s));
+    QCOMPARE(ask({u"set"_s, u"pid.yaw.p=5"_s}).exitCode, 0);
+    const Run applied = ask({u"apply"_s, settings});
+    QVERIFY2(applied.exitCode == 0 && applied.out.contains(u"pid.yaw.p"_s), qPrintable(applied.err));
+    QCOMPARE(ask({u"get"_s, u"pid.yaw.p"_s}).out, u"4.00\n"_s);
 }
 
 QTEST_GUILESS_MAIN(TestCtl)

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/analysis/accelerometer.h"
+#include "protocol/analysis/pidshape.h"
 #include "protocol/analysis/filterresponse.h"
 #include "protocol/analysis/frequencyresponse.h"
 #include "protocol/analysis/holdingquality.h"
@@ -75,6 +77,8 @@ class TestAnalysis : public QObject
 {
     Q_OBJECT
 private slots:
+    void gainsAsSliders();
+    void accelerometerIsCalibrated();
     void toneHasItsFrequencyAndAmplitude_data();
     void toneHasItsFrequencyAndAmplitude();
     void whiteNoiseIsFlatAndKeepsItsPower();
@@ -694,6 +698,55 @@ void TestAnalysis::holesInTheStoreAreBridgedOrSplit()
     QVERIFY(longest);
     QCOMPARE(longest->values.front(), 1100.0F);   // the piece behind the long hole
     QCOMPARE(longest->values.size(), std::size_t(1900));
+}
+
+// STorM32 errata 9.1, by hand.
+void TestAnalysis::gainsAsSliders()
+{
+    const PidGains gains = gainsFor(50, 20);
+    QCOMPARE(gains.kd, 0.4);
+    QCOMPARE(gains.ki, 400.0);
+    QVERIFY(std::abs(gains.kp - std::sqrt(80.0)) < 1e-12);
+    const auto [damping, stability] = slidersFor(gains);
+    QCOMPARE(damping, 50.0);
+    QCOMPARE(stability, 20.0);
+    QCOMPARE(slidersFor({0, 9999, 9}), (std::pair{100.0, 100.0}));
+    const PidShape shape = shapeOf({4, 100, 0.05});
+    QVERIFY(std::abs(shape.frequency - 7.1176) < 1e-3);
+    QVERIFY(std::abs(shape.damping - 0.8944) < 1e-3);
+    QVERIFY(std::abs(shape.delayMs - 15.5525) < 1e-3);
+    QCOMPARE(shapeOf({1, 0, 0}).frequency, 0.0);
+    QCOMPARE(shapeOf({1, 5, 0}).damping, 0.0);
+}
+
+// A sensor with known errors is seen through (STorM32 errata 9.2).
+void TestAnalysis::accelerometerIsCalibrated()
+{
+    constexpr double kOne = 8192;
+    const AccReading zero{120, -340, 55};
+    const AccReading scale{8100, 8300, 8250};
+    std::array<AccReading, kAccFaces> readings{};
+    for (int face = 0; face < kAccFaces; ++face) {
+        constexpr std::array<std::size_t, 3> axisOf{2, 0, 1};
+        readings[std::size_t(face)] = zero;
+        const std::size_t axis = axisOf[std::size_t(face) / 2];
+        readings[std::size_t(face)][axis] += face % 2 ? -scale[axis] : scale[axis];
+        QCOMPARE(faceUp(readings[std::size_t(face)], kOne), face);
+    }
+    AccCalibration found = sixPointCalibration(readings);
+    QCOMPARE(found.zero, (std::array{120, -340, 55}));
+    QCOMPARE(found.scale, (std::array{8100, 8300, 8250}));
+    QCOMPARE(found.quality, 0.0);
+    QVERIFY(isPlausible(found, kOne));
+    readings[2][1] += 1200;      // it did not lie square
+    QVERIFY(std::abs(sixPointCalibration(readings).quality - 1200 / std::sqrt(12.0)) < 1.0);
+    QCOMPARE(faceUp({5800, 0, 5800}, kOne), -1);
+    const AccCalibration one = onePointCalibration({100, -50, 8292}, kOne);
+    QCOMPARE(one.zero, (std::array{100, -50, 100}));
+    QCOMPARE(one.scale, (std::array{8192, 8192, 8192}));
+    for (const AccCalibration &bad : {AccCalibration{{3600, 0, 0}, {8192, 8192, 8192}}, AccCalibration{{0, 0, 0}, {7400, 8192, 8192}}})
+        QVERIFY(!isPlausible(bad, kOne));
+    QVERIFY(isPlausible({{6900, 0, 0}, {17400, 16384, 15100}}, 16384));
 }
 
 QTEST_GUILESS_MAIN(TestAnalysis)

@@ -39,6 +39,10 @@ private slots:
     void liveValues();
     void lockedOutBoardIsReached();
     void lockedOutBoardWithOtherNumbers();
+    void lockedOutBoardIsListed_data();
+    void lockedOutBoardIsListed();
+    void wayFollowsTheHeartbeat();
+    void textsAreHandedOn();
     void telemetryIsPolled_data();
     void telemetryIsPolled();
     void lossAndDamageAreSurvived();
@@ -230,6 +234,75 @@ void TestStormDevice::lockedOutBoardWithOtherNumbers()
     QVERIFY(rig.device.isEmbedded());
     QVERIFY(rig.device.perform(rig.channel, u"heartbeat.off"_s, {}));
     QCOMPARE(rig.board().inUse(112), 0);
+}
+
+void TestStormDevice::lockedOutBoardIsListed_data()
+{
+    boardIsIdentified_data();
+}
+
+// Both codings of values (errata 6), negative numbers among them; what the list loses is asked for one by one.
+void TestStormDevice::lockedOutBoardIsListed()
+{
+    QFETCH(int, firmware);
+    StormRig plain(stormOptions(firmware));
+    QVERIFY(plain.device.identify(plain.channel));
+    plain.board().set(22, 65536 - 250);
+    plain.board().set(112, 0);
+    StormRig rig(stormOptions(firmware, false), kLine);
+    rig.board().set(22, 65536 - 250);
+    rig.lockOut();
+    QVERIFY(findBoard(rig.channel, rig.device, serialAddress()));
+    QVERIFY(rig.device.isEmbedded());
+    const auto listed = rig.device.readConfiguration(rig.channel);
+    QVERIFY(listed);
+    QCOMPARE(listed->raw(*rig.device.parameters()->find(u"motor.pitch.offset"_s), 0), -250);
+    Configuration direct = plain.device.readConfiguration(plain.channel).value();
+    QByteArray words = direct.block({0, Parameters});
+    words[2 * 112] = 1;
+    QCOMPARE(listed->block({0, Parameters}), words);
+    QVERIFY(rig.channel.bytesOut() < 800);     // and not a question for each of 125 words
+}
+
+void TestStormDevice::wayFollowsTheHeartbeat()
+{
+    StormRig rig(stormOptions(96, false), kLine);
+    QVERIFY(findBoard(rig.channel, rig.device, serialAddress()));
+    auto configuration = rig.device.readConfiguration(rig.channel);
+    QVERIFY(configuration);
+    const QByteArray plainOff = rig.device.motorsOffRequest().bytes;
+    QByteArray words = configuration->block({0, Parameters});
+    words[2 * 110] = 12;                       // other numbers as well
+    words[2 * 111] = 34;
+    words[2 * 112] = 1;
+    QVERIFY(rig.device.writeBlock(rig.channel, {0, Parameters}, words));
+    QVERIFY(rig.device.isEmbedded());
+    QVERIFY(rig.device.motorsOffRequest().bytes != plainOff);
+    QVERIFY(rig.channel.transact(rig.device.motorsOffRequest()));
+    QCOMPARE(rig.board().state(), 99);
+    QVERIFY(rig.device.endWrite(rig.channel));
+    const auto again = rig.device.readConfiguration(rig.channel);
+    QVERIFY(again);
+    QCOMPARE(again->block({0, Parameters}), words);
+    QVERIFY(rig.device.perform(rig.channel, u"heartbeat.off"_s, {}));
+    QVERIFY(!rig.device.isEmbedded());
+    QCOMPARE(rig.device.motorsOffRequest().bytes, plainOff);
+    QCOMPARE(rig.device.readConfiguration(rig.channel)->blocks().size(), 2U);   // scripts too
+    // USB answers everything all the time: nothing has to change.
+    StormRig usb;
+    QVERIFY(usb.device.identify(usb.channel));
+    QVERIFY(usb.device.writeBlock(usb.channel, {0, Parameters}, words));
+    QVERIFY(!usb.device.isEmbedded());
+}
+
+void TestStormDevice::textsAreHandedOn()
+{
+    const mavlink::Message *message = mavlink::findMessage(mavlink::number(mavlink::MessageId::StatusText));
+    const QByteArray payload = mavlink::encodeFields(*message, {{u"severity"_s, 4}, {u"text"_s, u"Battery is weak"_s}}).value();
+    const StormDevice device;
+    const FrameView frame{FrameId::kMavlink + mavlink::number(mavlink::MessageId::StatusText), asBytes(payload), {}};
+    QCOMPARE(device.spokenText(frame), u"Battery is weak"_s);
+    QVERIFY(device.spokenText({FrameId::kMavlink, asBytes(payload), {}}).isEmpty());
 }
 
 void TestStormDevice::telemetryIsPolled_data()
