@@ -380,6 +380,42 @@
         <source>all</source>
         <translation>alle</translation>
     </message>
+    <message>
+        <source>Load a file…</source>
+        <translation>Datei laden…</translation>
+    </message>
+    <message>
+        <source>Put a file&apos;s values into the forms; nothing is on the board before you review and write</source>
+        <translation>Die Werte einer Datei in die Formulare übernehmen; auf dem Board ist nichts, bevor Sie prüfen und schreiben</translation>
+    </message>
+    <message>
+        <source>Save to a file…</source>
+        <translation>In Datei sichern…</translation>
+    </message>
+    <message>
+        <source>Save the values as they are shown, edits included</source>
+        <translation>Die Werte sichern, wie sie gezeigt werden, mit Änderungen</translation>
+    </message>
+    <message>
+        <source>Load a configuration</source>
+        <translation>Konfiguration laden</translation>
+    </message>
+    <message>
+        <source>Save the configuration</source>
+        <translation>Konfiguration sichern</translation>
+    </message>
+    <message>
+        <source>Share…</source>
+        <translation>Teilen…</translation>
+    </message>
+    <message>
+        <source>All values as one picture</source>
+        <translation>Alle Werte als ein Bild</translation>
+    </message>
+    <message>
+        <source>%1 differ.</source>
+        <translation>%1 unterscheiden sich.</translation>
+    </message>
 </context>
 <context>
     <name>CalibrationPage</name>
@@ -650,6 +686,14 @@
         <source>New</source>
         <translation>Neu</translation>
     </message>
+    <message>
+        <source>as on the board</source>
+        <translation>wie auf dem Board</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>geändert</translation>
+    </message>
 </context>
 <context>
     <name>ChannelModel</name>
@@ -889,6 +933,10 @@
         <source>target</source>
         <translation>Ziel</translation>
     </message>
+    <message>
+        <source>Functions</source>
+        <translation>Funktionen</translation>
+    </message>
 </context>
 <context>
     <name>CurveChart</name>
@@ -974,6 +1022,10 @@
     <message>
         <source>✓ The board reports no errors.</source>
         <translation>✓ Das Board meldet keine Fehler.</translation>
+    </message>
+    <message>
+        <source>State: %1</source>
+        <translation>Zustand: %1</translation>
     </message>
 </context>
 <context>
@@ -1335,6 +1387,38 @@
         <source>Lower the gains or make the movement smaller, then switch the motors on again.</source>
         <translation>Nehmen Sie die Verstärkungen zurück oder verkleinern Sie die Bewegung, dann schalten Sie die Motoren wieder ein.</translation>
     </message>
+    <message>
+        <source>What was waited for did not come.</source>
+        <translation>Worauf gewartet wurde, ist nicht eingetreten.</translation>
+    </message>
+    <message>
+        <source>This step was given up; nothing was stored.</source>
+        <translation>Dieser Schritt wurde aufgegeben; gespeichert wurde nichts.</translation>
+    </message>
+    <message>
+        <source>The details say what was missing. Put it right and do the step again.</source>
+        <translation>Die Einzelheiten sagen, was fehlte. Beheben Sie es und wiederholen Sie den Schritt.</translation>
+    </message>
+    <message>
+        <source>Lay the sensor still on one of its faces</source>
+        <translation>Den Sensor still auf eine seiner Flächen legen</translation>
+    </message>
+    <message>
+        <source>Hold the camera level and still</source>
+        <translation>Die Kamera waagerecht und still halten</translation>
+    </message>
+    <message>
+        <source>Tilt the camera about 45° down, without rolling it</source>
+        <translation>Die Kamera etwa 45° nach unten neigen, ohne sie zu rollen</translation>
+    </message>
+    <message>
+        <source>Connect the battery</source>
+        <translation>Akku anschließen</translation>
+    </message>
+    <message>
+        <source>The board starts; keep the camera still</source>
+        <translation>Das Board startet; die Kamera still halten</translation>
+    </message>
 </context>
 <context>
     <name>FrameLogModel</name>
@@ -1373,6 +1457,33 @@
     <message>
         <source>Bytes</source>
         <translation>Bytes</translation>
+    </message>
+</context>
+<context>
+    <name>GainCard</name>
+    <message>
+        <source>Simplified tuning</source>
+        <translation>Vereinfachte Abstimmung</translation>
+    </message>
+    <message>
+        <source>f₀ = √(Ki/Kd) / 2π, d = Kp / (2 √(Kd·Ki)), τ = 1570.8 ms / (1 + Ki)</source>
+        <translation>f₀ = √(Ki/Kd) / 2π, d = Kp / (2 √(Kd·Ki)), τ = 1570,8 ms / (1 + Ki)</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Stability</source>
+        <translation>Stabilität</translation>
+    </message>
+    <message>
+        <source>Moving a slider sets all three gains: Kd = 0.8 · D/100, Ki = 2000 · S/100, Kp = √(0.5 · Kd · Ki).</source>
+        <translation>Ein Regler setzt alle drei Verstärkungen: Kd = 0,8 · D/100, Ki = 2000 · S/100, Kp = √(0,5 · Kd · Ki).</translation>
+    </message>
+    <message>
+        <source>f₀ %1 Hz · d %2 · τ %3 ms</source>
+        <translation>f₀ %1 Hz · d %2 · τ %3 ms</translation>
     </message>
 </context>
 <context>
@@ -1585,10 +1696,6 @@
         <translation>Esc halten, um die Motoren auszuschalten.</translation>
     </message>
     <message>
-        <source>GimbalDesk configurations (*.json)</source>
-        <translation>GimbalDesk-Konfigurationen (*.json)</translation>
-    </message>
-    <message>
         <source>Save the configuration</source>
         <translation>Konfiguration speichern</translation>
     </message>
@@ -1620,12 +1727,24 @@
         <translation>Konfiguration oder Aufzeichnung öffnen</translation>
     </message>
     <message>
-        <source>GimbalDesk files (*.json *.gimbalrec)</source>
-        <translation>GimbalDesk-Dateien (*.json *.gimbalrec)</translation>
-    </message>
-    <message>
         <source>Quit and keep for next time</source>
         <translation>Beenden und fürs nächste Mal aufheben</translation>
+    </message>
+    <message>
+        <source>Not stored</source>
+        <translation>Nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>The board uses values that it has not stored. They are lost when it is switched off.</source>
+        <translation>Das Board verwendet Werte, die es nicht gespeichert hat. Beim Ausschalten gehen sie verloren.</translation>
+    </message>
+    <message>
+        <source>Store and quit</source>
+        <translation>Speichern und beenden</translation>
+    </message>
+    <message>
+        <source>Quit without storing</source>
+        <translation>Beenden ohne zu speichern</translation>
     </message>
 </context>
 <context>
@@ -1970,6 +2089,14 @@
     <message>
         <source>Response</source>
         <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Gimbal setup</source>
+        <translation>Gimbal einrichten</translation>
+    </message>
+    <message>
+        <source>Scripts</source>
+        <translation>Skripte</translation>
     </message>
 </context>
 <context>
@@ -2684,6 +2811,109 @@
     </message>
 </context>
 <context>
+    <name>ScriptsPage</name>
+    <message>
+        <source>Scripts</source>
+        <translation>Skripte</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Laden…</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Sichern…</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Put the text of a file into this script</source>
+        <translation>Den Text einer Datei in dieses Skript übernehmen</translation>
+    </message>
+    <message>
+        <source>Save the text of this script</source>
+        <translation>Den Text dieses Skripts sichern</translation>
+    </message>
+    <message>
+        <source>Throw away what was typed since it was taken over</source>
+        <translation>Verwerfen, was seit der Übernahme eingegeben wurde</translation>
+    </message>
+    <message>
+        <source>Make the texts an edit of the configuration; nothing is on the board before you review and write</source>
+        <translation>Die Texte zu einer Änderung der Konfiguration machen; auf dem Board ist nichts, bevor Sie prüfen und schreiben</translation>
+    </message>
+    <message>
+        <source>Text of the script</source>
+        <translation>Text des Skripts</translation>
+    </message>
+    <message>
+        <source>Code of the script</source>
+        <translation>Code des Skripts</translation>
+    </message>
+    <message>
+        <source>Memory used</source>
+        <translation>Belegter Speicher</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Script %1</source>
+        <translation>Skript %1</translation>
+    </message>
+    <message>
+        <source>Connect a board, or open a file, to see its scripts.</source>
+        <translation>Verbinden Sie ein Board oder öffnen Sie eine Datei, um ihre Skripte zu sehen.</translation>
+    </message>
+    <message>
+        <source>The scripts of this board cannot be read over this link.</source>
+        <translation>Die Skripte dieses Boards lassen sich über diese Verbindung nicht lesen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bytes used by all scripts</source>
+        <translation>%1 von %2 Bytes von allen Skripten belegt</translation>
+    </message>
+    <message>
+        <source>✓ Nothing is wrong with it. Take it over to have it written.</source>
+        <translation>✓ Alles in Ordnung. Übernehmen Sie es, damit es geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>This script is empty. Words are completed while you type.</source>
+        <translation>Dieses Skript ist leer. Wörter werden beim Tippen ergänzt.</translation>
+    </message>
+    <message>
+        <source>✓ As in the configuration.</source>
+        <translation>✓ Wie in der Konfiguration.</translation>
+    </message>
+    <message>
+        <source>Load a script</source>
+        <translation>Skript laden</translation>
+    </message>
+    <message>
+        <source>Scripts (*.%1)</source>
+        <translation>Skripte (*.%1)</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a script</source>
+        <translation>%1 ist zu groß für ein Skript</translation>
+    </message>
+    <message>
+        <source>Save the script</source>
+        <translation>Skript sichern</translation>
+    </message>
+    <message>
+        <source>Saved to %1</source>
+        <translation>Gesichert in %1</translation>
+    </message>
+</context>
+<context>
     <name>SensorCube</name>
     <message>
         <source>Position of the sensor</source>
@@ -2692,6 +2922,240 @@
     <message>
         <source>tilted</source>
         <translation>schräg</translation>
+    </message>
+</context>
+<context>
+    <name>SensorPage</name>
+    <message>
+        <source>Z up</source>
+        <translation>Z oben</translation>
+    </message>
+    <message>
+        <source>Z down</source>
+        <translation>Z unten</translation>
+    </message>
+    <message>
+        <source>X up</source>
+        <translation>X oben</translation>
+    </message>
+    <message>
+        <source>X down</source>
+        <translation>X unten</translation>
+    </message>
+    <message>
+        <source>Y up</source>
+        <translation>Y oben</translation>
+    </message>
+    <message>
+        <source>Y down</source>
+        <translation>Y unten</translation>
+    </message>
+    <message>
+        <source>tilted</source>
+        <translation>schräg</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Simulated gimbal</source>
+        <translation>Simuliertes Gimbal</translation>
+    </message>
+    <message>
+        <source>Load a calibration…</source>
+        <translation>Kalibrierung laden…</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Sichern…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Store in the board</source>
+        <translation>Im Board speichern</translation>
+    </message>
+    <message>
+        <source>Camera sensor (Imu)</source>
+        <translation>Kamerasensor (Imu)</translation>
+    </message>
+    <message>
+        <source>Frame sensor (Imu2)</source>
+        <translation>Rahmensensor (Imu2)</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>Look at a calibration from a file before it is stored</source>
+        <translation>Eine Kalibrierung aus einer Datei ansehen, bevor sie gespeichert wird</translation>
+    </message>
+    <message>
+        <source>Where the simulated camera is</source>
+        <translation>Wo die simulierte Kamera ist</translation>
+    </message>
+    <message>
+        <source>in the gimbal, in your hand</source>
+        <translation>im Gimbal, in Ihrer Hand</translation>
+    </message>
+    <message>
+        <source>lies still: %1</source>
+        <translation>liegt still: %1</translation>
+    </message>
+    <message>
+        <source>Load a calibration</source>
+        <translation>Kalibrierung laden</translation>
+    </message>
+    <message>
+        <source>Save the calibration</source>
+        <translation>Kalibrierung sichern</translation>
+    </message>
+    <message>
+        <source>Saved to %1</source>
+        <translation>Gesichert in %1</translation>
+    </message>
+    <message>
+        <source>⚠ Take the battery off and work on USB power alone, so that the motors cannot move. Nothing is stored before you have seen the result.</source>
+        <translation>⚠ Nehmen Sie den Akku ab und arbeiten Sie nur mit USB-Strom, damit sich die Motoren nicht bewegen. Gespeichert wird erst, wenn Sie das Ergebnis gesehen haben.</translation>
+    </message>
+    <message>
+        <source>Accelerometer, one position</source>
+        <translation>Beschleunigungssensor, eine Lage</translation>
+    </message>
+    <message>
+        <source>Finds the zeros of the three axes. Takes two seconds while the sensor lies level and still, as it is mounted. Good enough for a horizon that is a little crooked.</source>
+        <translation>Findet die Nullpunkte der drei Achsen. Dauert zwei Sekunden, während der Sensor waagerecht und still liegt, wie er eingebaut ist. Genügt bei einem leicht schiefen Horizont.</translation>
+    </message>
+    <message>
+        <source>Calibrate one position</source>
+        <translation>Eine Lage kalibrieren</translation>
+    </message>
+    <message>
+        <source>Accelerometer, six positions</source>
+        <translation>Beschleunigungssensor, sechs Lagen</translation>
+    </message>
+    <message>
+        <source>Finds zeros and scales, for a horizon that stays straight at every angle. Each of the sensor&apos;s six faces has to lie up once, in any order. Takes about a minute.</source>
+        <translation>Findet Nullpunkte und Maßstäbe, für einen Horizont, der bei jedem Winkel gerade bleibt. Jede der sechs Flächen des Sensors muss einmal oben liegen, in beliebiger Reihenfolge. Dauert etwa eine Minute.</translation>
+    </message>
+    <message>
+        <source>Calibrate six positions</source>
+        <translation>Sechs Lagen kalibrieren</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Progress of the measurement</source>
+        <translation>Fortschritt der Messung</translation>
+    </message>
+    <message>
+        <source>Waiting for readings of the sensor.</source>
+        <translation>Warte auf Messwerte des Sensors.</translation>
+    </message>
+    <message>
+        <source>Lay the sensor on its faces, one after the other, and let it lie still on each.</source>
+        <translation>Legen Sie den Sensor nacheinander auf seine Flächen und lassen Sie ihn jedes Mal still liegen.</translation>
+    </message>
+    <message>
+        <source>Let the sensor lie level and still, as it is mounted.</source>
+        <translation>Lassen Sie den Sensor waagerecht und still liegen, wie er eingebaut ist.</translation>
+    </message>
+    <message>
+        <source>Magnitude</source>
+        <translation>Betrag</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>%1 lies still: measuring. Do not touch it.</source>
+        <translation>%1 liegt still: Messung läuft. Nicht berühren.</translation>
+    </message>
+    <message>
+        <source>It moves. Waiting until it lies still.</source>
+        <translation>Er bewegt sich. Warte, bis er still liegt.</translation>
+    </message>
+    <message>
+        <source>It is tilted. Waiting until one face lies up.</source>
+        <translation>Er liegt schräg. Warte, bis eine Fläche oben liegt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is done. %n face(s) to go: turn the sensor.</source>
+        <translation>
+            <numerusform>%1 ist fertig. Noch %n Fläche: drehen Sie den Sensor.</numerusform>
+            <numerusform>%1 ist fertig. Noch %n Flächen: drehen Sie den Sensor.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 lies up. Waiting until it has been still for a moment.</source>
+        <translation>%1. Warte, bis er einen Moment still gelegen hat.</translation>
+    </message>
+    <message>
+        <source>Calibration from the file</source>
+        <translation>Kalibrierung aus der Datei</translation>
+    </message>
+    <message>
+        <source>⚠ No sound sensor is like that. One of the readings was bad: calibrate again.</source>
+        <translation>⚠ So ist kein gesunder Sensor. Eine der Messungen war schlecht: kalibrieren Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The calibration is good.</source>
+        <translation>Die Kalibrierung ist gut.</translation>
+    </message>
+    <message>
+        <source>The calibration is usable.</source>
+        <translation>Die Kalibrierung ist brauchbar.</translation>
+    </message>
+    <message>
+        <source>The calibration is poor: faces did not lie square. Calibrate again.</source>
+        <translation>Die Kalibrierung ist schlecht: Flächen lagen nicht gerade. Kalibrieren Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The zeros are found.</source>
+        <translation>Die Nullpunkte sind gefunden.</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>Nullpunkt</translation>
+    </message>
+    <message>
+        <source>Counts per g</source>
+        <translation>Zählwerte je g</translation>
+    </message>
+    <message>
+        <source>Quality: %1 g off axis; good is below %2 g.</source>
+        <translation>Güte: %1 g neben der Achse; gut ist unter %2 g.</translation>
+    </message>
+    <message>
+        <source>Measured at %1 °C.</source>
+        <translation>Gemessen bei %1 °C.</translation>
+    </message>
+    <message>
+        <source>Nothing is on the board yet. Storing replaces the calibration of the sensor chosen above.</source>
+        <translation>Auf dem Board ist noch nichts. Speichern ersetzt die Kalibrierung des oben gewählten Sensors.</translation>
+    </message>
+    <message>
+        <source>Store although it is implausible</source>
+        <translation>Speichern, obwohl unglaubwürdig</translation>
+    </message>
+    <message>
+        <source>The calibration is stored and read back.</source>
+        <translation>Die Kalibrierung ist gespeichert und zurückgelesen.</translation>
     </message>
 </context>
 <context>
@@ -2803,6 +3267,315 @@
     <message>
         <source>At most %1 MB with 24 channels at full rate. The last ten minutes of the link itself, for recordings, take up to %2 MB more.</source>
         <translation>Höchstens %1 MB mit 24 Kanälen bei voller Rate. Die letzten zehn Minuten der Leitung selbst, für Aufzeichnungen, brauchen bis zu %2 MB dazu.</translation>
+    </message>
+</context>
+<context>
+    <name>SettingsPicture</name>
+    <message>
+        <source>%1 · bold differs from the default · GimbalDesk</source>
+        <translation>%1 · fett weicht vom Vorgabewert ab · GimbalDesk</translation>
+    </message>
+</context>
+<context>
+    <name>SetupPage</name>
+    <message>
+        <source>Gimbal setup</source>
+        <translation>Gimbal einrichten</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Aufgaben</translation>
+    </message>
+    <message>
+        <source>Simulated gimbal</source>
+        <translation>Simuliertes Gimbal</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Where the simulated camera is</source>
+        <translation>Wo die simulierte Kamera ist</translation>
+    </message>
+    <message>
+        <source>in the gimbal, in your hand</source>
+        <translation>im Gimbal, in Ihrer Hand</translation>
+    </message>
+    <message>
+        <source>held level</source>
+        <translation>waagerecht gehalten</translation>
+    </message>
+    <message>
+        <source>tilted 45° down</source>
+        <translation>45° nach unten geneigt</translation>
+    </message>
+    <message>
+        <source>✖ The link broke; the setup ended here.</source>
+        <translation>✖ Die Verbindung ist abgebrochen; die Einrichtung endete hier.</translation>
+    </message>
+    <message>
+        <source>Orientation of the sensors</source>
+        <translation>Ausrichtung der Sensoren</translation>
+    </message>
+    <message>
+        <source>Poles of the motors</source>
+        <translation>Pole der Motoren</translation>
+    </message>
+    <message>
+        <source>Motor directions: find them</source>
+        <translation>Motorrichtungen: finden</translation>
+    </message>
+    <message>
+        <source>Motor directions: keep what was found</source>
+        <translation>Motorrichtungen: gefundene behalten</translation>
+    </message>
+    <message>
+        <source>Start positions of pitch and roll</source>
+        <translation>Startlagen von Pitch und Roll</translation>
+    </message>
+    <message>
+        <source>Align yaw</source>
+        <translation>Yaw ausrichten</translation>
+    </message>
+    <message>
+        <source>How long it has been as it should</source>
+        <translation>Wie lange es schon so ist, wie es soll</translation>
+    </message>
+    <message>
+        <source>Poles, %1</source>
+        <translation>Pole, %1</translation>
+    </message>
+    <message>
+        <source>Turn by %1° to the left</source>
+        <translation>Um %1° nach links drehen</translation>
+    </message>
+    <message>
+        <source>Turn by %1° to the right</source>
+        <translation>Um %1° nach rechts drehen</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Was getan wurde</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Set the gimbal up after building it, or after changing a motor or a sensor.</source>
+        <translation>Richten Sie das Gimbal nach dem Bau ein, oder nachdem Sie einen Motor oder Sensor getauscht haben.</translation>
+    </message>
+    <message>
+        <source>Tick the tasks. The motors are disabled first; you are told before they start. Nothing is stored before the end, so switching the board off takes everything back.</source>
+        <translation>Wählen Sie die Aufgaben. Zuerst werden die Motoren stillgelegt; bevor sie starten, wird es gesagt. Gespeichert wird erst am Ende, Ausschalten nimmt also alles zurück.</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Disabling the motors.</source>
+        <translation>Motoren werden stillgelegt.</translation>
+    </message>
+    <message>
+        <source>Hold the camera level and still.</source>
+        <translation>Halten Sie die Kamera waagerecht und still.</translation>
+    </message>
+    <message>
+        <source>How many magnets have the bells of the motors?</source>
+        <translation>Wie viele Magnete haben die Glocken der Motoren?</translation>
+    </message>
+    <message>
+        <source>Most gimbal motors have 14. A wrong number makes a motor run away.</source>
+        <translation>Die meisten Gimbal-Motoren haben 14. Mit einer falschen Zahl läuft ein Motor davon.</translation>
+    </message>
+    <message>
+        <source>Setting the motor directions to be found.</source>
+        <translation>Motorrichtungen werden auf Suche gestellt.</translation>
+    </message>
+    <message>
+        <source>Now the motors start. Put the camera into the gimbal, hold the handle still, and connect the battery.</source>
+        <translation>Jetzt starten die Motoren. Setzen Sie die Kamera ein, halten Sie den Griff still und schließen Sie den Akku an.</translation>
+    </message>
+    <message>
+        <source>The board levels the camera and turns each motor a little to find its direction. Motors off stops it at any time.</source>
+        <translation>Das Board richtet die Kamera waagerecht und dreht jeden Motor ein wenig, um seine Richtung zu finden. „Motoren aus“ stoppt jederzeit.</translation>
+    </message>
+    <message>
+        <source>Start the motors</source>
+        <translation>Motoren starten</translation>
+    </message>
+    <message>
+        <source>The board starts. Keep the handle still.</source>
+        <translation>Das Board startet. Halten Sie den Griff still.</translation>
+    </message>
+    <message>
+        <source>Taking over what the board has found.</source>
+        <translation>Übernehme, was das Board gefunden hat.</translation>
+    </message>
+    <message>
+        <source>Turn the camera until it looks straight ahead.</source>
+        <translation>Drehen Sie die Kamera, bis sie geradeaus blickt.</translation>
+    </message>
+    <message>
+        <source>Take this position</source>
+        <translation>Diese Lage nehmen</translation>
+    </message>
+    <message>
+        <source>Everything is set. Store it, and start the gimbal?</source>
+        <translation>Alles ist eingestellt. Speichern und das Gimbal starten?</translation>
+    </message>
+    <message>
+        <source>A snapshot of the board as it was is kept. The motors start.</source>
+        <translation>Eine Sicherung des Boards, wie es war, wird aufgehoben. Die Motoren starten.</translation>
+    </message>
+    <message>
+        <source>Start and store</source>
+        <translation>Starten und speichern</translation>
+    </message>
+    <message>
+        <source>Starting and storing.</source>
+        <translation>Starte und speichere.</translation>
+    </message>
+    <message>
+        <source>The gimbal is set up.</source>
+        <translation>Das Gimbal ist eingerichtet.</translation>
+    </message>
+    <message>
+        <source>Begin again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>✓ Motors are disabled.</source>
+        <translation>✓ Motoren sind stillgelegt.</translation>
+    </message>
+    <message>
+        <source>✓ Sensor: %1, frame sensor: %2</source>
+        <translation>✓ Sensor: %1, Rahmensensor: %2</translation>
+    </message>
+    <message>
+        <source>✓ Sensor: %1</source>
+        <translation>✓ Sensor: %1</translation>
+    </message>
+    <message>
+        <source>✓ Poles: roll %1, pitch %2, yaw %3</source>
+        <translation>✓ Pole: Roll %1, Pitch %2, Yaw %3</translation>
+    </message>
+    <message>
+        <source>✓ Directions will be found at the start.</source>
+        <translation>✓ Richtungen werden beim Start gefunden.</translation>
+    </message>
+    <message>
+        <source>✓ The board works normally.</source>
+        <translation>✓ Das Board arbeitet normal.</translation>
+    </message>
+    <message>
+        <source>✓ Directions: roll %1, pitch %2, yaw %3</source>
+        <translation>✓ Richtungen: Roll %1, Pitch %2, Yaw %3</translation>
+    </message>
+    <message>
+        <source>✓ Start positions: roll %1, pitch %2</source>
+        <translation>✓ Startlagen: Roll %1, Pitch %2</translation>
+    </message>
+    <message>
+        <source>The buttons turn it within %1° either way.</source>
+        <translation>Die Knöpfe drehen sie innerhalb von %1° nach beiden Seiten.</translation>
+    </message>
+    <message>
+        <source>✓ Yaw starts at %1.</source>
+        <translation>✓ Yaw startet bei %1.</translation>
+    </message>
+    <message>
+        <source>✓ Everything is stored.</source>
+        <translation>✓ Alles ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>✖ It could not be stored. Use “Store on the board” below.</source>
+        <translation>✖ Es konnte nicht gespeichert werden. Verwenden Sie unten „Auf dem Board speichern“.</translation>
+    </message>
+    <message>
+        <source>Cancelled. What was set until here is in use, but not stored.</source>
+        <translation>Abgebrochen. Was bis hier eingestellt wurde, ist in Gebrauch, aber nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Tilt camera and frame about 45° down, without rolling them.</source>
+        <translation>Neigen Sie Kamera und Rahmen etwa 45° nach unten, ohne sie zu rollen.</translation>
+    </message>
+    <message>
+        <source>Hold camera and frame level and still.</source>
+        <translation>Halten Sie Kamera und Rahmen waagerecht und still.</translation>
+    </message>
+    <message>
+        <source>The sensor shows x %1 g, y %2 g, z %3 g. %4</source>
+        <translation>Der Sensor zeigt x %1 g, y %2 g, z %3 g. %4</translation>
+    </message>
+    <message>
+        <source>Good: hold it so.</source>
+        <translation>Gut: so halten.</translation>
+    </message>
+    <message>
+        <source>Waiting until one axis shows the tilt and the other none.</source>
+        <translation>Warte, bis eine Achse die Neigung zeigt und die andere keine.</translation>
+    </message>
+    <message>
+        <source>Waiting until one axis points straight up.</source>
+        <translation>Warte, bis eine Achse gerade nach oben zeigt.</translation>
+    </message>
+    <message>
+        <source>Waiting for the battery: connect it, and see that it is charged.</source>
+        <translation>Warte auf den Akku: schließen Sie ihn an und achten Sie darauf, dass er geladen ist.</translation>
+    </message>
+    <message>
+        <source>State: %1. Waiting for normal working.</source>
+        <translation>Zustand: %1. Warte auf normales Arbeiten.</translation>
+    </message>
+</context>
+<context>
+    <name>ShareDialog</name>
+    <message>
+        <source>Share settings</source>
+        <translation>Einstellungen teilen</translation>
+    </message>
+    <message>
+        <source>All values as they are shown now, edits included, for a forum or a colleague.</source>
+        <translation>Alle Werte, wie sie jetzt gezeigt werden, mit Änderungen, für ein Forum oder einen Kollegen.</translation>
+    </message>
+    <message>
+        <source>Picture of all values</source>
+        <translation>Bild aller Werte</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Sichern…</translation>
+    </message>
+    <message>
+        <source>The picture is in the clipboard.</source>
+        <translation>Das Bild ist in der Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild sichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved to %1</source>
+        <translation>Gesichert in %1</translation>
     </message>
 </context>
 <context>
@@ -8525,10 +9298,6 @@ Spitze %2°</translation>
         <translation>Skript</translation>
     </message>
     <message>
-        <source>Script input</source>
-        <translation>Skripteingang</translation>
-    </message>
-    <message>
         <source>Scripts</source>
         <translation>Skripte</translation>
     </message>
@@ -8771,10 +9540,6 @@ Spitze %2°</translation>
     <message>
         <source>Up to 16 letters; stored at once.</source>
         <translation>Bis zu 16 Buchstaben; sofort gespeichert.</translation>
-    </message>
-    <message>
-        <source>Use a pan mode setting</source>
-        <translation>Pan-Modus-Einstellung verwenden</translation>
     </message>
     <message>
         <source>Use all motors, restart</source>
@@ -9240,6 +10005,218 @@ Spitze %2°</translation>
         <source>z90°</source>
         <translation>z90°</translation>
     </message>
+    <message>
+        <source>No effect while “%1” is “%2”.</source>
+        <translation>Ohne Wirkung, solange „%1“ auf „%2“ steht.</translation>
+    </message>
+    <message>
+        <source>All three motor usages become disabled; in RAM.</source>
+        <translation>Alle drei Motoren werden stillgelegt; im RAM.</translation>
+    </message>
+    <message>
+        <source>Auto lets the board find it at the next start; in RAM.</source>
+        <translation>Mit „auto“ findet sie das Board beim nächsten Start; im RAM.</translation>
+    </message>
+    <message>
+        <source>Average of a sensor</source>
+        <translation>Mittelwert eines Sensors</translation>
+    </message>
+    <message>
+        <source>Calibrate an accelerometer, one position</source>
+        <translation>Beschleunigungssensor kalibrieren, eine Lage</translation>
+    </message>
+    <message>
+        <source>Calibrate an accelerometer, six positions</source>
+        <translation>Beschleunigungssensor kalibrieren, sechs Lagen</translation>
+    </message>
+    <message>
+        <source>Compare with what is stored</source>
+        <translation>Mit dem Gespeicherten vergleichen</translation>
+    </message>
+    <message>
+        <source>Copies what the board has found and where the motors stand; in RAM.</source>
+        <translation>Übernimmt, was das Board gefunden hat und wo die Motoren stehen; im RAM.</translation>
+    </message>
+    <message>
+        <source>Direction of all motors</source>
+        <translation>Richtung aller Motoren</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Richtungen</translation>
+    </message>
+    <message>
+        <source>Finds its zeros while it lies still on one face. Do it with the motors off, on USB power.</source>
+        <translation>Findet seine Nullpunkte, während er still auf einer Fläche liegt. Mit Motoren aus, nur mit USB-Strom.</translation>
+    </message>
+    <message>
+        <source>Finds zeros and scales; each face has to lie up once. Do it with the motors off, on USB power.</source>
+        <translation>Findet Nullpunkte und Maßstäbe; jede Fläche muss einmal oben liegen. Mit Motoren aus, nur mit USB-Strom.</translation>
+    </message>
+    <message>
+        <source>Hold the camera level, then tilt it 45° down. Sets the orientation of each sensor; in RAM.</source>
+        <translation>Kamera waagerecht halten, dann 45° nach unten neigen. Setzt die Ausrichtung jedes Sensors; im RAM.</translation>
+    </message>
+    <message>
+        <source>Imu</source>
+        <translation>Imu</translation>
+    </message>
+    <message>
+        <source>Imu2</source>
+        <translation>Imu2</translation>
+    </message>
+    <message>
+        <source>Input of script %1</source>
+        <translation>Eingang von Skript %1</translation>
+    </message>
+    <message>
+        <source>Magnets in the bells, even numbers; in RAM.</source>
+        <translation>Magnete in den Glocken, gerade Zahlen; im RAM.</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>Reloads what is stored for a moment, puts what is in use back and tells what differs.</source>
+        <translation>Lädt für einen Moment das Gespeicherte, setzt das Verwendete zurück und sagt, was sich unterscheidet.</translation>
+    </message>
+    <message>
+        <source>Scale X</source>
+        <translation>Maßstab X</translation>
+    </message>
+    <message>
+        <source>Scale Y</source>
+        <translation>Maßstab Y</translation>
+    </message>
+    <message>
+        <source>Scale Z</source>
+        <translation>Maßstab Z</translation>
+    </message>
+    <message>
+        <source>Set up: begin to align yaw</source>
+        <translation>Einrichten: Yaw ausrichten beginnen</translation>
+    </message>
+    <message>
+        <source>Set up: direction of all motors</source>
+        <translation>Einrichten: Richtung aller Motoren</translation>
+    </message>
+    <message>
+        <source>Set up: disable the motors</source>
+        <translation>Einrichten: Motoren stilllegen</translation>
+    </message>
+    <message>
+        <source>Set up: enable the motors and start</source>
+        <translation>Einrichten: Motoren freigeben und starten</translation>
+    </message>
+    <message>
+        <source>Set up: end aligning yaw</source>
+        <translation>Einrichten: Yaw ausrichten beenden</translation>
+    </message>
+    <message>
+        <source>Set up: find the orientation of the sensors</source>
+        <translation>Einrichten: Ausrichtung der Sensoren finden</translation>
+    </message>
+    <message>
+        <source>Set up: poles of the motors</source>
+        <translation>Einrichten: Pole der Motoren</translation>
+    </message>
+    <message>
+        <source>Set up: take directions and start positions</source>
+        <translation>Einrichten: Richtungen und Startlagen übernehmen</translation>
+    </message>
+    <message>
+        <source>Set up: turn yaw</source>
+        <translation>Einrichten: Yaw drehen</translation>
+    </message>
+    <message>
+        <source>Start positions</source>
+        <translation>Startlagen</translation>
+    </message>
+    <message>
+        <source>Steers yaw by its offset only.</source>
+        <translation>Steuert Yaw nur über seinen Versatz.</translation>
+    </message>
+    <message>
+        <source>Stick positions</source>
+        <translation>Knüppelstellungen</translation>
+    </message>
+    <message>
+        <source>Store the result</source>
+        <translation>Ergebnis speichern</translation>
+    </message>
+    <message>
+        <source>Take the position over</source>
+        <translation>Lage übernehmen</translation>
+    </message>
+    <message>
+        <source>Takes where yaw stands as its start position; in RAM.</source>
+        <translation>Übernimmt, wo Yaw steht, als Startlage; im RAM.</translation>
+    </message>
+    <message>
+        <source>Turns the camera to this angle.</source>
+        <translation>Dreht die Kamera auf diesen Winkel.</translation>
+    </message>
+    <message>
+        <source>Waits for the battery, starts the board and waits until it works normally.</source>
+        <translation>Wartet auf den Akku, startet das Board und wartet, bis es normal arbeitet.</translation>
+    </message>
+    <message>
+        <source>What an accelerometer shows over many readings, in counts.</source>
+        <translation>Was ein Beschleunigungssensor über viele Messwerte zeigt, in Zählwerten.</translation>
+    </message>
+    <message>
+        <source>Write a calibration</source>
+        <translation>Kalibrierung schreiben</translation>
+    </message>
+    <message>
+        <source>Zero X</source>
+        <translation>Nullpunkt X</translation>
+    </message>
+    <message>
+        <source>Zero Y</source>
+        <translation>Nullpunkt Y</translation>
+    </message>
+    <message>
+        <source>Zero Z</source>
+        <translation>Nullpunkt Z</translation>
+    </message>
+    <message>
+        <source>Zeros and scales of one accelerometer; stored at once.</source>
+        <translation>Nullpunkte und Maßstäbe eines Beschleunigungssensors; sofort gespeichert.</translation>
+    </message>
+    <message>
+        <source>This board sends a MAVLink heartbeat and therefore answers no plain commands on this port. It is reached through MAVLink: that is slower, and scripts cannot be read.</source>
+        <translation>Dieses Board sendet einen MAVLink-Heartbeat und antwortet an diesem Anschluss deshalb nicht auf einfache Befehle. Es wird über MAVLink erreicht: das ist langsamer, und Skripte sind nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>start motors</source>
+        <translation>Motoren starten</translation>
+    </message>
+    <message>
+        <source>settle</source>
+        <translation>beruhigen</translation>
+    </message>
+    <message>
+        <source>find motor directions</source>
+        <translation>Motorrichtungen finden</translation>
+    </message>
+    <message>
+        <source>relevel</source>
+        <translation>neu richten</translation>
+    </message>
+    <message>
+        <source>standby</source>
+        <translation>Bereitschaft</translation>
+    </message>
+    <message>
+        <source>fast level</source>
+        <translation>schnell richten</translation>
+    </message>
+    <message>
+        <source>service mode</source>
+        <translation>Wartung</translation>
+    </message>
 </context>
 <context>
     <name>TuningPage</name>
@@ -9415,6 +10392,32 @@ vorher</translation>
     <message>
         <source>Connect the board to write to it</source>
         <translation>Verbinden Sie das Board, um darauf zu schreiben</translation>
+    </message>
+</context>
+<context>
+    <name>UnstoredBar</name>
+    <message>
+        <source>Back to what is stored</source>
+        <translation>Zurück zum Gespeicherten</translation>
+    </message>
+    <message>
+        <source>Store on the board</source>
+        <translation>Auf dem Board speichern</translation>
+    </message>
+    <message>
+        <source>Keep everything that is in use; a snapshot is taken first</source>
+        <translation>Alles behalten, was in Gebrauch ist; vorher wird eine Sicherung gemacht</translation>
+    </message>
+    <message>
+        <source>Values in use on the board are not stored: a restart loses them.</source>
+        <translation>Werte, die das Board verwendet, sind nicht gespeichert: ein Neustart verliert sie.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) in use on the board, not stored: a restart loses them.</source>
+        <translation>
+            <numerusform>%n Wert auf dem Board in Gebrauch, nicht gespeichert: ein Neustart verliert ihn.</numerusform>
+            <numerusform>%n Werte auf dem Board in Gebrauch, nicht gespeichert: ein Neustart verliert sie.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9695,10 +10698,6 @@ Auf dem Board: %1</translation>
         <translation>Sicherung gemacht.</translation>
     </message>
     <message>
-        <source>Stored in the active profile. The board as it was is kept in %1</source>
-        <translation>Im aktiven Profil gespeichert. Das Board, wie es war, liegt in %1</translation>
-    </message>
-    <message>
         <source>Recording saved to %1 (%2)</source>
         <translation>Aufzeichnung in %1 gespeichert (%2)</translation>
     </message>
@@ -9717,6 +10716,29 @@ Auf dem Board: %1</translation>
     <message>
         <source>This is a recording: there are no motors to switch.</source>
         <translation>Das ist eine Aufzeichnung: hier gibt es keine Motoren zu schalten.</translation>
+    </message>
+    <message>
+        <source>The board says: %1</source>
+        <translation>Das Board meldet: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) are not in the file and got their defaults: %1</source>
+        <translation>
+            <numerusform>%n Wert steht nicht in der Datei und bekam seine Vorgabe: %1</numerusform>
+            <numerusform>%n Werte stehen nicht in der Datei und bekamen ihre Vorgaben: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Stored on the board. The board as it was is kept in %1</source>
+        <translation>Auf dem Board gespeichert. Das Board, wie es war, ist aufgehoben in %1</translation>
+    </message>
+    <message>
+        <source>GimbalDesk configurations (*.json)</source>
+        <translation>GimbalDesk-Konfigurationen (*.json)</translation>
+    </message>
+    <message>
+        <source>Configurations and recordings (%1)</source>
+        <translation>Konfigurationen und Aufzeichnungen (%1)</translation>
     </message>
 </context>
 </TS>

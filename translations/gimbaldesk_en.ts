@@ -66,6 +66,16 @@
     </message>
 </context>
 <context>
+    <name>SensorPage</name>
+    <message numerus="yes">
+        <source>%1 is done. %n face(s) to go: turn the sensor.</source>
+        <translation>
+            <numerusform>%1 is done. %n face to go: turn the sensor.</numerusform>
+            <numerusform>%1 is done. %n faces to go: turn the sensor.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>SpectrumPage</name>
     <message numerus="yes">
         <source>%1 samples/s, lines of %2 Hz, %n average(s)</source>
@@ -102,6 +112,16 @@
         <translation>
             <numerusform>%n unsaved change</numerusform>
             <numerusform>%n unsaved changes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>UnstoredBar</name>
+    <message numerus="yes">
+        <source>%n value(s) in use on the board, not stored: a restart loses them.</source>
+        <translation>
+            <numerusform>%n value in use on the board, not stored: a restart loses it.</numerusform>
+            <numerusform>%n values in use on the board, not stored: a restart loses them.</numerusform>
         </translation>
     </message>
 </context>
@@ -192,6 +212,13 @@
         <translation>
             <numerusform>%n value of the file does not fit this board and was left out: %1</numerusform>
             <numerusform>%n values of the file do not fit this board and were left out: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) are not in the file and got their defaults: %1</source>
+        <translation>
+            <numerusform>%n value is not in the file and got its default: %1</numerusform>
+            <numerusform>%n values are not in the file and got their defaults: %1</numerusform>
         </translation>
     </message>
 </context>

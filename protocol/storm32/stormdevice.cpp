@@ -9,6 +9,8 @@
 #include "protocol/storm32/stormlanguage.h"
 #include "protocol/storm32/telemetrytables.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -560,9 +562,9 @@ std::optional<ConnectOffer> StormDevice::connectOffer() const
 {
     if (!isEmbedded())
         return {};
-    return ConnectOffer{"This board sends a MAVLink heartbeat and therefore answers no plain commands on this port. It is reached "
-                        "through MAVLink: that is slower, and scripts cannot be read.",
-                        "Switch the heartbeat off", "heartbeat.off"};
+    return ConnectOffer{QT_TRANSLATE_NOOP("Tables", "This board sends a MAVLink heartbeat and therefore answers no plain commands on "
+                                                    "this port. It is reached through MAVLink: that is slower, and scripts cannot be read."),
+                        QT_TRANSLATE_NOOP("Tables", "Switch the heartbeat off"), "heartbeat.off"};
 }
 
 Request StormDevice::motorsOffRequest() const

@@ -4,6 +4,8 @@
 
 #include "protocol/storm32/commands.h"
 
+#include <QCoreApplication>
+
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -128,15 +130,15 @@ std::array<float, ChannelCount> liveRow(Bytes data, const LiveScales &scales)
 
 QString stateName(int state, int firmware)
 {
-    static constexpr std::array<const char *, 7> kNames{"start motors", "settle", "calibrate", "level", "find motor directions",
-                                                        "relevel", "normal"};
+    static constexpr std::array<const char *, 7> kNames{QT_TRANSLATE_NOOP("Tables", "start motors"), QT_TRANSLATE_NOOP("Tables", "settle"), QT_TRANSLATE_NOOP("Tables", "calibrate"), QT_TRANSLATE_NOOP("Tables", "level"), QT_TRANSLATE_NOOP("Tables", "find motor directions"),
+                                                        QT_TRANSLATE_NOOP("Tables", "relevel"), QT_TRANSLATE_NOOP("Tables", "normal")};
     if (state >= 0 && state < int(kNames.size()))
         return QString::fromLatin1(kNames[std::size_t(state)]);
     if (state == 99 || (state == 7 && firmware <= 95))
-        return u"standby"_s;
+        return QString::fromLatin1(QT_TRANSLATE_NOOP("Tables", "standby"));
     if (state == 7 && firmware >= 208)
-        return u"fast level"_s;
-    return state == 100 ? u"service mode"_s : u"unknown (%1)"_s.arg(state);
+        return QString::fromLatin1(QT_TRANSLATE_NOOP("Tables", "fast level"));
+    return state == 100 ? QString::fromLatin1(QT_TRANSLATE_NOOP("Tables", "service mode")) : u"unknown (%1)"_s.arg(state);
 }
 
 std::vector<BoardFault> faultsOf(unsigned bits, unsigned)
