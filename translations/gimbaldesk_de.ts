@@ -10217,6 +10217,86 @@ Spitze %2°</translation>
         <source>service mode</source>
         <translation>Wartung</translation>
     </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Camera sensor</source>
+        <translation>Kamerasensor</translation>
+    </message>
+    <message>
+        <source>Frame sensor</source>
+        <translation>Rahmensensor</translation>
+    </message>
+    <message>
+        <source>on the board</source>
+        <translation>auf dem Board</translation>
+    </message>
+    <message>
+        <source>external</source>
+        <translation>außen</translation>
+    </message>
+    <message>
+        <source>Magnetometer</source>
+        <translation>Magnetometer</translation>
+    </message>
+    <message>
+        <source>unused</source>
+        <translation>unbenutzt</translation>
+    </message>
+    <message>
+        <source>STorM32-Link</source>
+        <translation>STorM32-Link</translation>
+    </message>
+    <message>
+        <source>Following axes</source>
+        <translation>Folgende Achsen</translation>
+    </message>
+    <message>
+        <source>Re-centering</source>
+        <translation>Kehrt zur Mitte</translation>
+    </message>
+    <message>
+        <source>IR camera</source>
+        <translation>IR-Kamera</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>aktiv</translation>
+    </message>
+    <message>
+        <source>Input of pan mode</source>
+        <translation>Eingang Pan-Modus</translation>
+    </message>
+    <message>
+        <source>Input of standby</source>
+        <translation>Eingang Bereitschaft</translation>
+    </message>
+    <message>
+        <source>Input of IR camera</source>
+        <translation>Eingang IR-Kamera</translation>
+    </message>
+    <message>
+        <source>Input of re-center</source>
+        <translation>Eingang Re-center</translation>
+    </message>
+    <message>
+        <source>Input of script 1</source>
+        <translation>Eingang Skript 1</translation>
+    </message>
+    <message>
+        <source>Input of script 2</source>
+        <translation>Eingang Skript 2</translation>
+    </message>
+    <message>
+        <source>Input of script 3</source>
+        <translation>Eingang Skript 3</translation>
+    </message>
+    <message>
+        <source>Input of script 4</source>
+        <translation>Eingang Skript 4</translation>
+    </message>
 </context>
 <context>
     <name>TuningPage</name>

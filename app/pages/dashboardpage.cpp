@@ -135,6 +135,14 @@ void DashboardPage::refreshFacts()
         const QString temperature = temperatureText(workspace().latest(roles.temperature), workspace().settings().fahrenheit());
         row(tr("Sensor temperature"), temperature.isEmpty() ? u"–"_s : temperature);
     }
+    if (const Device *device = workspace().client().device(); device && workspace().client().isConnected()) {
+        for (const BoardFact &fact : device->facts([this](int channel) { return workspace().latest(channel); })) {
+            QStringList words;
+            for (const char *word : fact.words)
+                words.append(tableText(word));
+            row(tableText(fact.name), words.join(u", "_s));
+        }
+    }
     row(tr("Control cycle"), number(workspace().latest(roles.cycleTime), 0, u"µs"_s));
     row(tr("Sensor bus errors"), number(workspace().latest(roles.busErrors), 0, {}));
     const LinkStatistics &link = workspace().client().statistics();

@@ -93,6 +93,13 @@ struct BoardFault
     bool severe = true;
 };
 
+/// Something the board tells of its parts: a name, and words that stand side by side. All of it is in the tables' catalogue.
+struct BoardFact
+{
+    const char *name = "";
+    std::vector<const char *> words;
+};
+
 /// Roles that pages need to find channels by meaning, whatever the family calls them.
 struct ChannelRoles
 {
@@ -206,6 +213,8 @@ public:
     [[nodiscard]] virtual std::shared_ptr<TelemetryDecoder> replayDecoder() const = 0;
     /// The faults behind the value of the faults channel.
     [[nodiscard]] virtual std::vector<BoardFault> faults(unsigned bits, unsigned detail) const = 0;
+    /// What its status words say of its parts. @param latest the newest value of a channel, NaN without one
+    [[nodiscard]] virtual std::vector<BoardFact> facts(const std::function<double(int)> &) const { return {}; }
     /// A state in words; empty where the board tells none.
     [[nodiscard]] virtual QString stateText(int) const { return {}; }
     /// A text that the board sends for the operator's eyes; empty for other frames.

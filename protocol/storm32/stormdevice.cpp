@@ -545,6 +545,16 @@ std::vector<BoardFault> StormDevice::faults(unsigned bits, unsigned detail) cons
     return faultsOf(bits, detail);
 }
 
+std::vector<BoardFact> StormDevice::facts(const std::function<double(int)> &latest) const
+{
+    const double status = latest(Status);
+    const double status2 = latest(Status2);
+    const double functions = latest(Functions);
+    if (std::isnan(status) || std::isnan(status2) || std::isnan(functions))
+        return {};
+    return factsOf(unsigned(status), unsigned(status2), unsigned(functions));
+}
+
 QString StormDevice::stateText(int state) const
 {
     return stateName(state, m_firmware);

@@ -60,6 +60,7 @@ public:
     void stopTelemetry(Channel &) override { }
     [[nodiscard]] std::shared_ptr<TelemetryDecoder> replayDecoder() const override;
     [[nodiscard]] std::vector<BoardFault> faults(unsigned bits, unsigned detail) const override;
+    [[nodiscard]] std::vector<BoardFact> facts(const std::function<double(int)> &latest) const override;
     [[nodiscard]] QString stateText(int state) const override;
     [[nodiscard]] QString spokenText(const FrameView &frame) const override;
     [[nodiscard]] std::optional<ConnectOffer> connectOffer() const override;

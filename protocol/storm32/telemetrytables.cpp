@@ -130,8 +130,10 @@ std::array<float, ChannelCount> liveRow(Bytes data, const LiveScales &scales)
 
 QString stateName(int state, int firmware)
 {
-    static constexpr std::array<const char *, 7> kNames{QT_TRANSLATE_NOOP("Tables", "start motors"), QT_TRANSLATE_NOOP("Tables", "settle"), QT_TRANSLATE_NOOP("Tables", "calibrate"), QT_TRANSLATE_NOOP("Tables", "level"), QT_TRANSLATE_NOOP("Tables", "find motor directions"),
-                                                        QT_TRANSLATE_NOOP("Tables", "relevel"), QT_TRANSLATE_NOOP("Tables", "normal")};
+    static constexpr std::array<const char *, 7> kNames{
+        QT_TRANSLATE_NOOP("Tables", "start motors"), QT_TRANSLATE_NOOP("Tables", "settle"), QT_TRANSLATE_NOOP("Tables", "calibrate"),
+        QT_TRANSLATE_NOOP("Tables", "level"), QT_TRANSLATE_NOOP("Tables", "find motor directions"),
+        QT_TRANSLATE_NOOP("Tables", "relevel"), QT_TRANSLATE_NOOP("Tables", "normal")};
     if (state >= 0 && state < int(kNames.size()))
         return QString::fromLatin1(kNames[std::size_t(state)]);
     if (state == 99 || (state == 7 && firmware <= 95))
@@ -139,6 +141,55 @@ QString stateName(int state, int firmware)
     if (state == 7 && firmware >= 208)
         return QString::fromLatin1(QT_TRANSLATE_NOOP("Tables", "fast level"));
     return state == 100 ? QString::fromLatin1(QT_TRANSLATE_NOOP("Tables", "service mode")) : u"unknown (%1)"_s.arg(state);
+}
+
+std::vector<BoardFact> factsOf(unsigned status, unsigned status2, unsigned functions)
+{
+    const char *none = QT_TRANSLATE_NOOP("Tables", "none");
+    const char *ok = QT_TRANSLATE_NOOP("Tables", "OK");
+    const char *error = QT_TRANSLATE_NOOP("Tables", "error");
+    const auto part = [&](unsigned present, unsigned sound) {
+        return std::vector<const char *>{!(status & present) ? none : status & sound ? ok : error};
+    };
+    const auto axes = [status2, none](unsigned pitch, unsigned roll, unsigned yaw) {
+        std::vector<const char *> words;
+        if (status2 & roll)
+            words.push_back(QT_TRANSLATE_NOOP("Tables", "Roll"));
+        if (status2 & pitch)
+            words.push_back(QT_TRANSLATE_NOOP("Tables", "Pitch"));
+        if (status2 & yaw)
+            words.push_back(QT_TRANSLATE_NOOP("Tables", "Yaw"));
+        return words.empty() ? std::vector<const char *>{none} : words;
+    };
+    std::vector<BoardFact> facts{
+        {QT_TRANSLATE_NOOP("Tables", "Camera sensor"), part(0x8000, 0x0020)},
+        {QT_TRANSLATE_NOOP("Tables", "Frame sensor"), part(0x1000, 0x0040)},
+    };
+    if (status & 0x1000)
+        facts.back().words.push_back(status & 0x0800 ? QT_TRANSLATE_NOOP("Tables", "on the board") : QT_TRANSLATE_NOOP("Tables", "external"));
+    if (status & 0x2000)
+        facts.push_back({QT_TRANSLATE_NOOP("Tables", "Magnetometer"), part(0x2000, 0x0080)});
+    if (status & 0x0100) {
+        const char *link = !(status & 0x0002) ? error : status & 0x0001 ? ok : QT_TRANSLATE_NOOP("Tables", "unused");
+        facts.push_back({QT_TRANSLATE_NOOP("Tables", "STorM32-Link"), {link}});
+    }
+    facts.push_back({QT_TRANSLATE_NOOP("Tables", "Motors running"), axes(0x0008, 0x0010, 0x0020)});
+    facts.push_back({QT_TRANSLATE_NOOP("Tables", "Following axes"), axes(0x2000, 0x4000, 0x8000)});
+    if (status2 & 0x0700)
+        facts.push_back({QT_TRANSLATE_NOOP("Tables", "Re-centering"), axes(0x0100, 0x0200, 0x0400)});
+    if (status2 & 0x0800)
+        facts.push_back({QT_TRANSLATE_NOOP("Tables", "IR camera"), {QT_TRANSLATE_NOOP("Tables", "active")}});
+    // Two bits for each function input, from the top.
+    static constexpr std::array<const char *, 8> kInputs{
+        QT_TRANSLATE_NOOP("Tables", "Input of pan mode"), QT_TRANSLATE_NOOP("Tables", "Input of standby"), QT_TRANSLATE_NOOP("Tables", "Input of IR camera"),
+        QT_TRANSLATE_NOOP("Tables", "Input of re-center"), QT_TRANSLATE_NOOP("Tables", "Input of script 1"), QT_TRANSLATE_NOOP("Tables", "Input of script 2"),
+        QT_TRANSLATE_NOOP("Tables", "Input of script 3"), QT_TRANSLATE_NOOP("Tables", "Input of script 4")};
+    static constexpr std::array<const char *, 4> kLevels{"0", "+500", "-500", "+250"};
+    for (std::size_t input = 0; input < kInputs.size(); ++input) {
+        if (const unsigned level = functions >> (14 - 2 * input) & 3U)
+            facts.push_back({kInputs[input], {kLevels[level]}});
+    }
+    return facts;
 }
 
 std::vector<BoardFault> faultsOf(unsigned bits, unsigned)

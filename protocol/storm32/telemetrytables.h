@@ -38,6 +38,8 @@ struct LiveScales
 [[nodiscard]] std::array<float, ChannelCount> liveRow(Bytes data, const LiveScales &scales);
 /// The name of a state; up to 0.90 seven is standby (errata 3.7).
 [[nodiscard]] QString stateName(int state, int firmware);
+/// Status words and function inputs as facts (errata 3.5, 3.8).
+[[nodiscard]] std::vector<BoardFact> factsOf(unsigned status, unsigned status2, unsigned functions);
 /// Status bits and state as faults with causes. @param bits status; @param state the state
 [[nodiscard]] std::vector<BoardFault> faultsOf(unsigned bits, unsigned state);
 

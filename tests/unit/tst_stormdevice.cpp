@@ -43,6 +43,7 @@ private slots:
     void lockedOutBoardIsListed();
     void wayFollowsTheHeartbeat();
     void textsAreHandedOn();
+    void statusIsDecoded();
     void telemetryIsPolled_data();
     void telemetryIsPolled();
     void lossAndDamageAreSurvived();
@@ -303,6 +304,31 @@ void TestStormDevice::textsAreHandedOn()
     const FrameView frame{FrameId::kMavlink + mavlink::number(mavlink::MessageId::StatusText), asBytes(payload), {}};
     QCOMPARE(device.spokenText(frame), u"Battery is weak"_s);
     QVERIFY(device.spokenText({FrameId::kMavlink, asBytes(payload), {}}).isEmpty());
+}
+
+// Bits of errata 3.8 and word 31 of 3.5.
+void TestStormDevice::statusIsDecoded()
+{
+    const auto text = [](unsigned status, unsigned status2, unsigned functions) {
+        QStringList lines;
+        for (const BoardFact &fact : factsOf(status, status2, functions)) {
+            QStringList words;
+            for (const char *word : fact.words)
+                words.append(QString::fromUtf8(word));
+            lines.append(u"%1: %2"_s.arg(QString::fromUtf8(fact.name), words.join(u' ')));
+        }
+        return lines.join(u'\n');
+    };
+    QCOMPARE(text(0x8028, 0x8038, 0), u"Camera sensor: OK\nFrame sensor: none\nMotors running: Roll Pitch Yaw\nFollowing axes: Yaw"_s);
+    const QString all = text(0x8000 | 0x1000 | 0x0800 | 0x0040 | 0x2000 | 0x0100 | 0x0002, 0x0100 | 0x0800, 0x4000 | 0x0080);
+    for (const char *line : {"Camera sensor: error", "Frame sensor: OK on the board", "Magnetometer: error", "STorM32-Link: unused",
+                             "Motors running: none", "Re-centering: Pitch", "IR camera: active", "Input of pan mode: +500", "Input of script 1: -500"})
+        QVERIFY2(all.contains(QLatin1String(line)), qPrintable(all));
+    QVERIFY(text(0, 0, 0).startsWith(u"Camera sensor: none"_s));
+    // And from a running board.
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    QVERIFY(rig.device.facts([](int) { return std::nan(""); }).empty());
 }
 
 void TestStormDevice::telemetryIsPolled_data()
