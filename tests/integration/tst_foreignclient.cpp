@@ -102,6 +102,23 @@ int word(const QByteArray &bytes, int at)
     return qint16(quint8(bytes[at]) | quint8(bytes[at + 1]) << 8);
 }
 
+/// X.25 as the STorM32 document's supplement has it (section 2), worked out here once more.
+QByteArray withChecksum(const QByteArray &bytes)
+{
+    unsigned crc = 0xFFFF;
+    for (const char byte : bytes) {
+        crc ^= quint8(byte);
+        for (int bit = 0; bit < 8; ++bit)
+            crc = crc & 1 ? crc >> 1 ^ 0x8408 : crc >> 1;
+    }
+    return bytes + char(crc & 0xFF) + char(crc >> 8);
+}
+
+bool isChecked(const QByteArray &data)
+{
+    return data.size() > 2 && withChecksum(data.chopped(2)) == data;
+}
+
 } // namespace
 
 class TestForeignClient : public QObject
@@ -109,6 +126,8 @@ class TestForeignClient : public QObject
     Q_OBJECT
 private slots:
     void connectsReadsWritesStreamsAndMoves();
+    void speaksStorm_data();
+    void speaksStorm();
     void fullRateOnNativeUsb();
     void uartIsThrottled();
     void wrongRateIsNotUnderstood();
@@ -170,6 +189,87 @@ void TestForeignClient::connectsReadsWritesStreamsAndMoves()
     client.send(QByteArray::fromHex("3E56005700"));
     client.command(73);
     QCOMPARE(client.reply(73).size(), 18);
+}
+
+void TestForeignClient::speaksStorm_data()
+{
+    QTest::addColumn<QString>("firmware");
+    QTest::addColumn<int>("layout");
+    QTest::addColumn<int>("words");
+    QTest::newRow("0.79") << u"0.79"_s << 78 << 124;
+    QTest::newRow("0.90") << u"0.90"_s << 89 << 125;
+    QTest::newRow("0.96") << u"0.96"_s << 95 << 125;
+}
+
+// Simple, RC and MAVLink commands, what is refused and how, the lock-out and the way out (errata 2, 3, 4, 6).
+void TestForeignClient::speaksStorm()
+{
+    QFETCH(QString, firmware);
+    QFETCH(int, layout);
+    QFETCH(int, words);
+    QTemporaryDir dir;
+    const QString path = dir.filePath(u"gimbal"_s);
+    SimProcess simulator({u"--pty"_s, path, u"--firmware"_s, firmware, u"--rate"_s, u"115200"_s}, u"storm32"_s);
+    QVERIFY(!simulator.address().isEmpty());
+    Foreigner client(path);
+    QVERIFY(client.isOpen());
+    const auto ask = [&client](const QByteArray &bytes, qsizetype size, int ms = 3000) {
+        client.send(bytes);
+        return client.receive(ms, size);
+    };
+    const auto hex = [](const char *text) { return QByteArray::fromHex(text); };
+
+    QCOMPARE(ask("t", 1), "o");
+    const QByteArray version = ask("v", 57);
+    QCOMPARE(version.size(), 57);
+    QVERIFY(version.endsWith('o') && isChecked(version.left(56)));
+    QCOMPARE(word(version, 50), layout);
+    const QByteArray stream = ask("g", 2 * words + 128 + 3);
+    QCOMPARE(stream.size(), 2 * words + 128 + 3);
+    QVERIFY(stream.endsWith('o') && isChecked(stream.chopped(1)));
+    QCOMPARE(word(stream, 2 * 82), 25);                       // nobody's word, kept as read
+    const QByteArray live = ask("d", 67);
+    QVERIFY(live.size() == 67 && live.endsWith('o') && isChecked(live.left(66)));
+    QCOMPARE(word(live, 12), 1500);
+    const QByteArray status = ask("s", 13);
+    QVERIFY(status.size() == 13 && status.endsWith('o') && isChecked(status.left(12)));
+
+    // Writing: accepted whole, refused when damaged, given up when cut off.
+    QByteArray changed = stream.left(2 * words + 128);
+    changed[0] = char(0x9A);
+    QCOMPARE(ask("p" + withChecksum(changed), 1), "o");
+    QCOMPARE(ask(hex("fa0203000000001234").left(7), 9).left(7), hex("fb0403") + hex("0000") + hex("9a01"));   // any checksum will do
+    QByteArray damaged = withChecksum(changed);
+    damaged[4] = char(damaged[4] ^ 1);
+    QCOMPARE(ask("p" + damaged, 1), "c");
+    QCOMPARE(ask("p" + changed.left(10), 1), "t");
+    QCOMPARE(ask("xZ", 2, 400), "e");
+    QCOMPARE(ask("UUUUU", 5), "eeeee");
+    QCOMPARE(ask(hex("fa02"), 1), "t");
+
+    // The examples of section 2, byte by byte.
+    QCOMPARE(ask(hex("fa000131e1"), 11).left(3), hex("fb0601"));
+    QCOMPARE(ask(hex("fa020ae803ef5c"), 6), hex("fb019600622e"));
+    QCOMPARE(ask(hex("fa0211e8030000"), 6), hex("fb019698a336"));
+    QCOMPARE(ask(hex("fa014d000000"), 6), hex("fb019603f91c"));
+
+    // The heartbeat locks plain commands out of the UART, and embedding is the way back (section 6).
+    QCOMPARE(ask(hex("fa0404") + hex("70000100") + hex("0000"), 6), hex("fb019600622e"));
+    client.receive(200);
+    client.send("t");
+    QByteArray beats = client.receive(2500);
+    QVERIFY2(beats.contains(hex("fe09")), beats.toHex().constData());
+    while (beats.startsWith(char(0xFE)) && beats.size() > 8)
+        beats.remove(0, 8 + quint8(beats[1]));
+    QVERIFY2(beats.isEmpty(), beats.toHex().constData());   // and no answer between them
+    client.send(hex("fe03005243ea4743746893"));               // embedded t
+    QVERIFY(client.receive(2000).contains(hex("4743eb52436f")));
+    // Embedded RC command 4: FA 04, parameter 112, value 0; its checksum ends with the message's own byte, 152.
+    const QByteArray inner = hex("08005243ea4743") + hex("fa0470000000");
+    const QByteArray checked = withChecksum(inner + char(152));
+    client.send(QByteArray(1, char(0xFE)) + inner + checked.right(2));
+    QVERIFY(client.receive(2000).contains(hex("fb9600")));
+    QCOMPARE(ask("t", 1), "o");
 }
 
 void TestForeignClient::fullRateOnNativeUsb()
