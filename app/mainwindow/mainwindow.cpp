@@ -145,8 +145,8 @@ void MainWindow::addShortcuts()
     const auto on = [this](const QKeySequence &keys, auto action) {
         connect(new QShortcut(keys, this), &QShortcut::activated, this, action);
     };
-    for (int i = 0; i < std::min<int>(kNumberedPages, int(pageTable().size())); ++i)
-        on(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)), [this, i] { showPage(QLatin1String(pageTable()[std::size_t(i)].key)); });
+    for (int i = 0; i < kNumberedPages; ++i)
+        on(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)), [this, i] { showPage(m_navigation->pageOfNumber(i + 1)); });
     QUndoStack *stack = &m_workspace->edits().undoStack();
     on(QKeySequence::Undo, [stack] { stack->undo(); });
     on(QKeySequence::Redo, [stack] { stack->redo(); });

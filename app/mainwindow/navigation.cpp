@@ -25,7 +25,6 @@ Navigation::Navigation(QWidget *parent)
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     QString group;
-    int number = 0;
     for (const PageEntry &entry : pageTable()) {
         if (group != QLatin1String(entry.group)) {
             group = QLatin1String(entry.group);
@@ -40,8 +39,8 @@ Navigation::Navigation(QWidget *parent)
         auto *item = new QListWidgetItem(QIcon(u":/icons/%1.svg"_s.arg(QLatin1String(entry.key))), title, this);
         item->setData(kKeyRole, QString::fromLatin1(entry.key));
         item->setData(kTitleRole, title);
-        item->setToolTip(++number <= kLastNumber ? tr("%1 (Ctrl+%2)").arg(title).arg(number) : title);
     }
+    renumber();
     int width = 0;
     for (int row = 0; row < count(); ++row)
         width = std::max(width, sizeHintForColumn(0));
@@ -91,8 +90,30 @@ bool Navigation::isMarked(const QString &key) const
 
 void Navigation::setOffered(const QString &key, bool offered)
 {
-    if (QListWidgetItem *found = itemOf(key))
+    if (QListWidgetItem *found = itemOf(key); found && found->isHidden() == offered) {
         found->setHidden(!offered);
+        renumber();
+    }
+}
+
+void Navigation::renumber()
+{
+    int number = 0;
+    for (int row = 0; row < count(); ++row) {
+        const QString title = item(row)->data(kTitleRole).toString();
+        if (!title.isEmpty() && !item(row)->isHidden())
+            item(row)->setToolTip(++number <= kLastNumber ? tr("%1 (Ctrl+%2)").arg(title).arg(number) : title);
+    }
+}
+
+QString Navigation::pageOfNumber(int number) const
+{
+    for (int row = 0; row < count(); ++row) {
+        const QString key = item(row)->data(kKeyRole).toString();
+        if (!key.isEmpty() && !item(row)->isHidden() && --number == 0)
+            return key;
+    }
+    return {};
 }
 
 bool Navigation::isOffered(const QString &key) const

@@ -17,11 +17,14 @@ public:
     /// A page that the board shown has no use for is not listed.
     void setOffered(const QString &key, bool offered);
     [[nodiscard]] bool isOffered(const QString &key) const;
+    /// The page that Ctrl and this number (from 1) show: they count what is listed. Empty if there is none.
+    [[nodiscard]] QString pageOfNumber(int number) const;
     [[nodiscard]] bool isMarked(const QString &key) const;
 
 signals:
     void pageChosen(const QString &key);
 
 private:
+    void renumber();
     [[nodiscard]] QListWidgetItem *itemOf(const QString &key) const;
 };

@@ -787,23 +787,26 @@ void TestPages::settingsAreKept()
 void TestPages::helpForEveryPage()
 {
     QVERIFY(m_rig->open());
+    int seen = 0;
     for (const PageEntry &entry : pageTable()) {
         const QString key = QLatin1String(entry.key);
-        if (key == u"help"_s)
-            continue;
-        window().showPage(key);
+        QVERIFY2(key == u"help"_s || HelpPage::allTopics().contains(key), entry.key);
+        if (key == u"help"_s || !window().showPage(key))
+            continue;   // not offered with this board
+        ++seen;
         QTest::keyClick(&window(), Qt::Key_F1);
         auto *help = static_cast<HelpPage *>(window().page(u"help"_s));
         QTRY_VERIFY(help->isVisible());
         QCOMPARE(help->topic(), key);
         QVERIFY2(help->browser()->toPlainText().size() > 80, entry.key);
     }
+    QVERIFY(seen > 14);
 }
 
 void TestPages::helpIsSearchable()
 {
     auto *help = m_rig->page<HelpPage>();
-    help->search()->setText(u"six faces"_s);
+    help->search()->setText(u"order does not matter"_s);
     int visible = 0;
     for (int i = 0; i < help->topics()->count(); ++i)
         visible += !help->topics()->item(i)->isHidden();

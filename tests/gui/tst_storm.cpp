@@ -97,9 +97,12 @@ void TestStorm::onlyFittingPagesAreOffered()
         QVERIFY2(!pages.isOffered(QLatin1String(absent)), absent);
         QVERIFY(!m_rig->window().showPage(QLatin1String(absent)));
     }
+    QCOMPARE(pages.pageOfNumber(4), u"setup"_s);    // numbers count what is listed
     m_rig->window().showPage(u"scripts"_s);
     QVERIFY(m_rig->open());
     QTRY_VERIFY(pages.isOffered(u"calibration"_s) && !pages.isOffered(u"scripts"_s));
+    QCOMPARE(pages.pageOfNumber(7), u"tuning"_s);
+    QCOMPARE(pages.pageOfNumber(99), QString());
     QCOMPARE(pages.currentPage(), u"dashboard"_s);   // the page that was shown is gone
 }
 
