@@ -115,7 +115,7 @@ void Tour::addSteps()
     addMotionSteps();
     addTelemetrySteps();
     addDialogSteps();
-    for (qsizetype i = 1; i < families.size(); ++i)
+    for (qsizetype i = 1; m_family.isEmpty() && i < families.size(); ++i)
         addFamilySteps(families[i].key);
 }
 

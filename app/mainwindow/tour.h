@@ -18,7 +18,7 @@ public:
     enum class Extent { Pages, Everything };
 
     /// Pictures go to this folder, which is made if need be; their names end in the suffix.
-    /// @param family only the pages of a board of that family; empty: everything with the first, then what others add
+    /// @param family only with a board of that family; empty: everything with the first, then what others add
     Tour(MainWindow &window, QString folder, QString suffix, Extent extent, QString family = {}, QObject *parent = nullptr);
 
     /// Goes through all steps by itself once the board has been read.

@@ -13,6 +13,7 @@ using namespace storm32;
 namespace {
 
 constexpr int kHeartbeatWord = 112;
+constexpr auto kSettling = 1500ms;
 
 constexpr Choice kPanModes[] = {{0, "as set"}, {1, "hold hold pan"}, {2, "hold hold hold"}, {3, "pan pan pan"}, {4, "pan hold hold"},
                                 {5, "pan hold pan"}, {6, "hold pan pan"}};
@@ -239,8 +240,17 @@ Result<ActionReply> StormActions::perform(const QString &key, const QVariantMap 
         {"reset", Simple::HardReset}, {"motors.normal", Simple::NormalMotors},
     };
     for (const Plain &plain : kPlain) {
-        if (key == QLatin1String(plain.key))
-            return simple(plain.id);
+        if (key != QLatin1String(plain.key))
+            continue;
+        auto done = simple(plain.id);
+        // Answered at once, done later (errata 3.9, 7): only then can answers be trusted.
+        const bool late = plain.id == Simple::RcTrim || plain.id == Simple::Restart || plain.id == Simple::HardReset
+            || plain.id == Simple::NormalMotors;
+        if (done && late) {
+            if (const auto slept = m_channel.sleep(kSettling); !slept)
+                return tl::unexpected(slept.error());
+        }
+        return done;
     }
     return StormProcedures(m_device, m_channel).perform(key, arguments);
 }

@@ -36,6 +36,8 @@ constexpr int kMostBadAnswers = 10;
 constexpr int kNormalState = 6;
 constexpr int kUsageDisabled = 3;
 
+constexpr std::array<const char *, 3> kAxisNames{"x", "y", "z"};    // of the sensor
+
 // Words of all layouts that have a table (errata 9.3, 11).
 constexpr int kOrientationWord = 39;
 constexpr int kOrientation2Word = 95;
@@ -179,7 +181,6 @@ Result<StormProcedures::Average> StormProcedures::face(int imu, unsigned wanted,
         if (!seen)
             return seen;
         const bool moves = seen->deviation > kStillShare * oneG();
-        static constexpr std::array<const char *, 3> kAxisNames{"x", "y", "z"};
         for (std::size_t axis = 0; axis < 3; ++axis)
             progress.values.insert(QLatin1String(kAxisNames[axis]), seen->acc[axis] / oneG());
         progress.values.insert(u"deviation"_s, seen->deviation / oneG());
@@ -206,7 +207,6 @@ Result<StormProcedures::Average> StormProcedures::face(int imu, unsigned wanted,
 ActionReply StormProcedures::replyOf(const AccCalibration &calibration, double oneG, double temperature)
 {
     ActionReply reply;
-    static constexpr std::array<const char *, 3> kAxisNames{"x", "y", "z"};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         reply.insert(u"zero.%1"_s.arg(QLatin1String(kAxisNames[axis])), calibration.zero[axis]);
         reply.insert(u"scale.%1"_s.arg(QLatin1String(kAxisNames[axis])), calibration.scale[axis]);
@@ -334,7 +334,6 @@ Result<std::array<int, 3>> StormProcedures::holdAxis(int imu, const std::array<i
         bool clear = true;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double share = smooth[axis] / length;
-            static constexpr std::array<const char *, 3> kAxisNames{"x", "y", "z"};
             progress.values.insert(QLatin1String(kAxisNames[axis]), smooth[axis] / oneG());
             if (up && (*up)[axis] != 0)
                 continue;
@@ -608,7 +607,6 @@ Result<ActionReply> StormProcedures::perform(const QString &key, const QVariantM
         return calibrate(imu, key == u"calibrate.six"_s, arguments.value(u"store"_s).toBool());
     if (key == u"calibration.write"_s) {
         AccCalibration calibration;
-        static constexpr std::array<const char *, 3> kAxisNames{"x", "y", "z"};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             calibration.zero[axis] = arguments.value(u"zero.%1"_s.arg(QLatin1String(kAxisNames[axis]))).toInt();
             calibration.scale[axis] = arguments.value(u"scale.%1"_s.arg(QLatin1String(kAxisNames[axis]))).toInt();

@@ -581,7 +581,7 @@ void TestMainWindow::tourMakesEveryPicture()
     QFETCH(bool, everything);
     QFETCH(QStringList, names);
     const QString folder = filePath(u"tour"_s);
-    Tour tour(*m_window, folder, u"-light"_s, everything ? Tour::Extent::Everything : Tour::Extent::Pages);
+    Tour tour(*m_window, folder, u"-light"_s, everything ? Tour::Extent::Everything : Tour::Extent::Pages, u"simplebgc"_s);
     QSignalSpy finished(&tour, &Tour::finished);
     tour.start();
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 240000);

@@ -11,6 +11,8 @@
 #include "app/pages/tuningpage.h"
 #include "app/wizards/sensorpage.h"
 #include "app/wizards/setuppage.h"
+#include "protocol/record/recording.h"
+#include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/reviewdialog.h"
@@ -56,6 +58,7 @@ private slots:
     void motorsOffWorksThroughMavlink();
     void settingsAreShared();
     void settingsFileIsLoadedAndSaved();
+    void wholeDayOverAPseudoTerminal();
 
 private:
     bool openStorm(const QString &options = {}) { return m_rig->open(u"sim:storm32"_s + options) && ready(); }
@@ -492,6 +495,59 @@ void TestStorm::settingsFileIsLoadedAndSaved()
     m_rig->window().openFile(path);
     QCOMPARE(workspace().offlineFile(), path);
     QCOMPARE(m_rig->raw(u"pid.roll.p"_s), 777);
+}
+
+// Read, edit, review, write, store, restart, read again, calibrate, tune, steer and record, over a terminal with the real
+// serial port, without saying which family it is.
+void TestStorm::wholeDayOverAPseudoTerminal()
+{
+    const QString path = m_rig->filePath(u"storm"_s);
+    SimProcess board({u"--pty"_s, path, u"--rate"_s, u"115200"_s}, u"storm32"_s);
+    QVERIFY(!board.address().isEmpty());
+    QVERIFY(m_rig->open(u"serial:"_s + path));
+    QCOMPARE(m_rig->client().identity().family, u"storm32"_s);
+    QVERIFY(ready());
+    m_rig->edit(u"pid.roll.p"_s, 0, 430);
+    m_rig->edit(u"rc.pitch.max"_s, 0, 300);
+    QVERIFY(writeAll());
+    workspace().perform(u"restart"_s, {});
+    QSignalSpy read(&workspace(), &Workspace::boardRead);
+    workspace().readBoard();
+    QTRY_VERIFY_WITH_TIMEOUT(read.count() >= 1, 15000);
+    QCOMPARE(m_rig->raw(u"pid.roll.p"_s), 430);
+    QCOMPARE(m_rig->raw(u"rc.pitch.max"_s), 300);
+
+    board.process().write("pose=1\n");
+    auto *sensor = m_rig->page<SensorPage>();
+    sensor->start(false);
+    QTRY_VERIFY2_WITH_TIMEOUT(sensor->step() == SensorPage::Step::Result, qPrintable(sensor->sees()), 30000);
+    sensor->storeButton()->click();
+    QTRY_COMPARE_WITH_TIMEOUT(sensor->step(), SensorPage::Step::Choose, 10000);
+    board.process().write("pose=0\n");
+
+    auto *tuning = m_rig->page<TuningPage>();
+    QTRY_VERIFY(tuning->live().value(m_rig->spec(u"pid.pitch.d"_s).id));
+    tuning->live().setValue(m_rig->spec(u"pid.pitch.d"_s).id, 600);
+    QTRY_VERIFY(tuning->live().isSettled());
+    QCOMPARE(inUse(2), 600);
+    tuning->saveButton()->click();
+    QTRY_COMPARE_WITH_TIMEOUT(m_rig->raw(u"pid.pitch.d"_s), 600, 10000);
+
+    auto *control = m_rig->page<ControlPage>();
+    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning().value_or(false), 30000);
+    control->modeBox()->setCurrentIndex(control->modeBox()->findData(1));
+    control->setArmed(true);
+    for (QDoubleSpinBox *box : control->findChildren<QDoubleSpinBox *>()) {
+        if (box->accessibleName().contains(u"Pitch"_s))
+            box->setValue(15);
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(workspace().latest(workspace().roles().angle[1]) - 15) < 1.5, 15000);
+    control->setArmed(false);
+
+    const QString file = m_rig->filePath(u"day.gimbalrec"_s);
+    QVERIFY(workspace().recorder().savePast(file));
+    QTRY_VERIFY(Recording::load(file).has_value());
+    QCOMPARE(Recording::describe(file)->value(u"family"_s).toString(), u"storm32"_s);
 }
 
 QTEST_MAIN(TestStorm)
