@@ -424,7 +424,7 @@ void StormDevice::learnAddress(const QByteArray &stream)
 {
     if (!isKnownLayout(m_identity.firmwareNumber))
         return;
-    ByteReader reader(stream.mid(2 * kSystemWord, 4));
+    ByteReader reader(QByteArrayView(stream).sliced(2 * kSystemWord, 4));
     const int system = reader.u16() & 0xFF;
     m_address = system << 8 | (reader.u16() & 0xFF);
 }
