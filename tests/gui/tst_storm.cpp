@@ -408,9 +408,9 @@ void TestStorm::functionsAreAtHandWhileSteering()
             pan = button;
     }
     QVERIFY(pan && pan->isVisible());
-    const auto *choice = page->findChild<QComboBox *>(u"mode"_s);
+    auto *choice = page->findChild<QComboBox *>(u"mode"_s);
     QVERIFY(choice);
-    const_cast<QComboBox *>(choice)->setCurrentIndex(3);      // pan pan pan
+    choice->setCurrentIndex(3);      // pan pan pan
     pan->click();
     const int status2 = findChannel(m_rig->client().device()->channels(), u"status2"_s);
     QTRY_COMPARE_WITH_TIMEOUT(int(workspace().latest(status2)) & 0xE000, 0xE000, 5000);
