@@ -46,6 +46,7 @@ const std::vector<Row> &rows()
          [](Faults &f, double v) { f.pose = int(v); }},
         {"mount", 0, 23, "how the sensor sits on the camera, as STorM32 counts orientations",
          [](Faults &f, double v) { f.mount = int(v); }},
+        {"frame-mount", 0, 23, "how the second sensor sits on the frame", [](Faults &f, double v) { f.frameMount = int(v); }},
     };
     return table;
 }

@@ -24,6 +24,7 @@ struct Faults
     bool swappedAxes = false;    ///< swapped-axes: roll and pitch motors are plugged the wrong way round
     int pose = 0;                ///< pose: 0 in the gimbal, 1-6 the camera lies still with Z, -Z, X, -X, Y, -Y up, 7 tilted 45° down
     int mount = 0;               ///< mount: how the sensor sits on the camera, as STorM32 counts its orientations
+    int frameMount = 0;          ///< frame-mount: the same for the second sensor, at the frame
 
     /// Understands NAME=VALUE. Errors: InvalidArgument naming all faults.
     Result<void> set(const QString &assignment);

@@ -152,14 +152,13 @@ void Stabilizer::sense()
 {
     const double roll = radians(m_axes[0].plant.angle());
     const double pitch = radians(m_axes[1].plant.angle());
-    // Gravity in the camera's axes: x right, y forward, z up.
-    std::array<double, kAxisCount> gravity{std::sin(roll), -std::sin(pitch), std::cos(roll) * std::cos(pitch)};
+    m_gravity = {std::sin(roll), -std::sin(pitch), std::cos(roll) * std::cos(pitch)};
     if (m_pose == kTilted) {
-        gravity = {0.0, -std::numbers::sqrt2 / 2.0, std::numbers::sqrt2 / 2.0};
+        m_gravity = {0.0, -std::numbers::sqrt2 / 2.0, std::numbers::sqrt2 / 2.0};
     } else if (m_pose != 0) {
         constexpr std::array<std::size_t, 3> faceAxis{2, 0, 1};
-        gravity = {};
-        gravity[faceAxis[std::size_t(m_pose - 1) / 2]] = m_pose % 2 ? 1.0 : -1.0;
+        m_gravity = {};
+        m_gravity[faceAxis[std::size_t(m_pose - 1) / 2]] = m_pose % 2 ? 1.0 : -1.0;
     }
     for (std::size_t i = 0; i < kAxisCount; ++i) {
         AxisState &axis = m_axes[i];
@@ -171,7 +170,7 @@ void Stabilizer::sense()
         axis.gyroFiltered += (axis.plant.rate() - axis.gyroFiltered) * kCycle / kGyroLag;
         axis.rawGyro = axis.gyroFiltered + m_imu.gyroBias[i] + m_noise.gauss(m_imu.gyroNoise);
         axis.gyro = axis.rawGyro - m_imu.gyroCorrection[i];
-        const double reading = gravity[i] * m_imu.accScaleError[i] + m_imu.accError[i] + m_noise.gauss(m_imu.accNoise);
+        const double reading = m_gravity[i] * m_imu.accScaleError[i] + m_imu.accError[i] + m_noise.gauss(m_imu.accNoise);
         m_rawAcc[i] = reading;
         m_acc[i] = (reading - m_imu.accCorrection[i]) / m_imu.accScale[i];
     }

@@ -65,6 +65,8 @@ public:
     /// The camera lies still on one of its faces: 1-6 with Z, -Z, X, -X, Y, -Y up; 7 tilted 45 degrees down; 0 = in the gimbal.
     void setPose(int pose) { m_pose = pose; }
     [[nodiscard]] int pose() const { return m_pose; }
+    /// Gravity as it is, in g, in the camera's axes right, forward and up.
+    [[nodiscard]] const std::array<double, kAxisCount> &gravity() const { return m_gravity; }
     /// The accelerometer before calibration, in g.
     [[nodiscard]] double rawAcc(std::size_t axis) const
     {
@@ -128,6 +130,7 @@ private:
     HandShake m_hand;
     SimulatedImu m_imu;
     std::array<AxisState, kAxisCount> m_axes{AxisState(Axis::Roll), AxisState(Axis::Pitch), AxisState(Axis::Yaw)};
+    std::array<double, kAxisCount> m_gravity{0, 0, 1};
     std::array<double, kAxisCount> m_acc{0, 0, 1};
     std::array<double, kAxisCount> m_rawAcc{0, 0, 1};
     Rotation m_believed{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};

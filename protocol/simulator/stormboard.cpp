@@ -40,6 +40,7 @@ StormBoard::StormBoard(const SimulatorOptions &options)
     , m_stabilizer(options.seed)
     , m_name(QByteArray("OlliW 323BGC").leftJustified(16, '\0'))
     , m_latency(options.seed * 2 + 5)
+    , m_frameNoise(options.seed * 3 + 7)
 {
     m_ram = factoryStream();
     // A board that somebody has set up: the motors are in use, their directions known.
@@ -51,9 +52,8 @@ StormBoard::StormBoard(const SimulatorOptions &options)
         set(word("motor.%a.direction"), 0);
     }
     m_eeprom = m_ram;
-    const int one = m_options.firmware >= 94 ? 8192 : 16384;
     for (const std::size_t scale : {3U, 4U, 5U, 12U, 13U, 14U})
-        m_calibration[scale] = one;
+        m_calibration[scale] = int(oneG());
     restart(Memory::Reload);
     m_started = -kRunningFor;
 }
@@ -135,7 +135,7 @@ void StormBoard::applyParameters()
 // Words of Cr: zeros and scales of the accelerometer, zeros of the gyroscope, in the sensor's axes forward, left, up.
 void StormBoard::applyCalibration()
 {
-    const double one = m_options.firmware >= 94 ? 8192.0 : 16384.0;
+    const double one = oneG();
     SimulatedImu &imu = m_stabilizer.imu();
     constexpr std::array<std::size_t, 3> kPlantAxis{1, 0, 2};        // forward, left, up among right, forward, up
     constexpr std::array<double, 3> kPlantSign{1.0, -1.0, 1.0};

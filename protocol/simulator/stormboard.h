@@ -57,7 +57,15 @@ private:
     [[nodiscard]] std::array<int, 32> liveWords() const;
     [[nodiscard]] QByteArray liveData(int words) const;
     [[nodiscard]] QByteArray liveFields(int mask) const;
-    [[nodiscard]] QByteArray rawSensors() const;
+    [[nodiscard]] QByteArray rawSensors();
+    using Vector = std::array<double, 3>;
+    /// Gravity in the frame's axes forward, left and up, in g.
+    [[nodiscard]] Vector frameGravity() const;
+    /// What the frame's sensor shows of it in its own axes, in g, before calibration and without noise.
+    [[nodiscard]] Vector frameReading() const;
+    /// Pitch, roll and yaw of the frame as the board believes them, in degrees.
+    [[nodiscard]] Vector frameAngles() const;
+    [[nodiscard]] double oneG() const { return m_options.firmware >= 94 ? 8192.0 : 16384.0; }   ///< counts (errata 3.9)
     [[nodiscard]] int status() const;
     [[nodiscard]] int status2() const;
 
@@ -110,6 +118,7 @@ private:
     std::deque<Delayed> m_replies;
     QByteArray m_output;
     SimulatedNoise m_latency;
+    SimulatedNoise m_frameNoise;
     // Steering: roll, pitch, yaw in the firmware's signs; the two ways add up.
     std::array<double, kAxisCount> m_setAngle{};
     std::array<int, kAxisCount> m_pulse{};        // us from the middle

@@ -17,6 +17,13 @@ constexpr int kCapabilities = 0xFF03;      // a v1.30 board with everything
 constexpr double kLowCell = 3;             // cells of the simulated battery
 constexpr double kTemperature = 31.0;
 constexpr double kCountsPerDegree = 65.5;
+// The frame's sensor is not quite right either, in its own axes; calibration finds it.
+constexpr std::array<double, 3> kFrameZero{0.015, -0.02, 0.03};        // g
+constexpr std::array<double, 3> kFrameScale{0.99, 1.015, 1.01};
+constexpr std::array<double, 3> kFrameTurn{-0.9, 1.3, 0.5};            // deg/s
+constexpr double kFrameAccNoise = 0.004;                               // g
+constexpr double kFrameGyroNoise = 0.06;                               // deg/s
+constexpr int kFrameCalibration = 9;                                   // first word
 
 QByteArray padded(const QByteArray &text)
 {
@@ -26,6 +33,17 @@ QByteArray padded(const QByteArray &text)
 int rounded(double value)
 {
     return int(std::lround(std::clamp(value, -32768.0, 32767.0)));
+}
+
+// From forward, left and up to the axes of a sensor that sits so.
+std::array<double, 3> inSensor(const std::array<double, 3> &body, int mount)
+{
+    std::array<double, 3> own{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t i = 0; i < 3; ++i)
+            own[i] += body[axis] * orientations()[std::size_t(mount)].axes[axis][i];
+    }
+    return own;
 }
 
 } // namespace
@@ -96,6 +114,8 @@ std::array<int, 32> StormBoard::liveWords() const
     words[14] = rounded(std::cos(pitch * kRadian) * std::sin(roll * kRadian) * 10000.0);
     words[15] = rounded(std::cos(pitch * kRadian) * std::cos(roll * kRadian) * 10000.0);
     const std::array<double, 3> angles{pitch, roll, yaw};
+    const bool second = status() & 0x1000;
+    const Vector frame = second ? frameAngles() : Vector{};
     const std::array<Axis, 3> order{Axis::Pitch, Axis::Roll, Axis::Yaw};
     for (std::size_t i = 0; i < 3; ++i) {
         const Axis axis = order[i];
@@ -105,7 +125,7 @@ std::array<int, 32> StormBoard::liveWords() const
         const bool active = s.motorsOn() && axisValue("motor.%a.usage", axis) != 3.0;
         words[19 + i] = rounded((active ? sign * s.jointAngle(axis) : -angles[i]) * 100.0);
         words[22 + i] = m_pulse[std::size_t(axis)];
-        words[25 + i] = status() & 0x1000 ? rounded(sign * s.hand().angle(axis) * 100.0) : 0;
+        words[25 + i] = rounded(frame[i] * 100.0);
     }
     words[28] = 0;
     words[29] = m_options.firmware >= 90 ? 300 + int(40.0 * std::sin(m_now)) : 0;   // means nothing without a link
@@ -150,29 +170,70 @@ QByteArray StormBoard::liveFields(int mask) const
     return writer.take();
 }
 
-// Counts before calibration, in the sensor's own axes.
-QByteArray StormBoard::rawSensors() const
+// In the operator's hand; with the camera out of the gimbal or tilted by hand, the frame goes with it.
+StormBoard::Vector StormBoard::frameGravity() const
+{
+    if (m_stabilizer.pose() != 0) {
+        const auto &g = m_stabilizer.gravity();
+        return {g[1], -g[0], g[2]};
+    }
+    const double pitch = m_stabilizer.hand().angle(Axis::Pitch) * kRadian;
+    const double roll = -m_stabilizer.hand().angle(Axis::Roll) * kRadian;
+    return {-std::sin(pitch), std::cos(pitch) * std::sin(roll), std::cos(pitch) * std::cos(roll)};
+}
+
+StormBoard::Vector StormBoard::frameReading() const
+{
+    Vector reading = inSensor(frameGravity(), m_options.faults.frameMount);
+    for (std::size_t i = 0; i < 3; ++i)
+        reading[i] = reading[i] * kFrameScale[i] + kFrameZero[i];
+    return reading;
+}
+
+StormBoard::Vector StormBoard::frameAngles() const
+{
+    Vector own = frameReading();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int scale = m_calibration[kFrameCalibration + 3 + i];
+        own[i] = (own[i] * oneG() - m_calibration[kFrameCalibration + i]) / (scale != 0 ? scale : oneG());
+    }
+    const auto told = std::size_t(std::clamp(int(value(u"imu2.orientation"_s)), 0, int(orientations().size()) - 1));
+    Vector body{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t i = 0; i < 3; ++i)
+            body[axis] += orientations()[told].axes[axis][i] * own[i];
+    }
+    const double yaw = -m_stabilizer.hand().angle(Axis::Yaw);   // nothing but the gyroscope tells it
+    return {-std::atan2(body[0], std::hypot(body[1], body[2])) / kRadian, std::atan2(body[1], body[2]) / kRadian, yaw};
+}
+
+// Counts before calibration, in the sensors' own axes: acceleration, turning, temperature of the camera's, then of the frame's.
+QByteArray StormBoard::rawSensors()
 {
     const Stabilizer &s = m_stabilizer;
     if (!s.imuPresent())
         return QByteArray(28, '\0');
-    const double one = m_options.firmware >= 94 ? 8192.0 : 16384.0;
     ByteWriter writer;
-    // From the camera's forward, left and up to the axes of the sensor, as it sits.
-    const auto &mounted = orientations()[std::size_t(m_options.faults.mount)].axes;
-    const auto put = [&](const std::array<double, 3> &camera) {
-        for (std::size_t own = 0; own < 3; ++own) {
-            double along = 0;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                along += camera[axis] * mounted[axis][own];
-            writer.i16(rounded(along));
-        }
+    const auto put = [&](const Vector &own, double unit) {
+        for (const double value : own)
+            writer.i16(rounded(value * unit));
     };
-    put({s.rawAcc(1) * one, -s.rawAcc(0) * one, s.rawAcc(2) * one});
-    put({-s.rawGyro(Axis::Roll) * kCountsPerDegree, s.rawGyro(Axis::Pitch) * kCountsPerDegree, -s.rawGyro(Axis::Yaw) * kCountsPerDegree});
     const int temperature = rounded((kTemperature - 36.53) * 340.0);
+    put(inSensor({s.rawAcc(1), -s.rawAcc(0), s.rawAcc(2)}, m_options.faults.mount), oneG());
+    put(inSensor({-s.rawGyro(Axis::Roll), s.rawGyro(Axis::Pitch), -s.rawGyro(Axis::Yaw)}, m_options.faults.mount), kCountsPerDegree);
     writer.i16(temperature);
-    const bool second = status() & 0x1000;
-    writer.i16(0).i16(0).i16(second ? rounded(one) : 0).zeros(6).i16(second ? temperature : 0);
-    return writer.take();
+    if (!(status() & 0x1000))
+        return writer.zeros(14).take();
+    const HandShake &hand = s.hand();
+    const bool lies = s.pose() != 0;
+    Vector turn = lies ? Vector{} : Vector{-hand.rate(Axis::Roll), hand.rate(Axis::Pitch), -hand.rate(Axis::Yaw)};
+    turn = inSensor(turn, m_options.faults.frameMount);
+    Vector acc = frameReading();
+    for (std::size_t i = 0; i < 3; ++i) {
+        acc[i] += m_frameNoise.gauss(kFrameAccNoise);
+        turn[i] += kFrameTurn[i] + m_frameNoise.gauss(kFrameGyroNoise);
+    }
+    put(acc, oneG());
+    put(turn, kCountsPerDegree);
+    return writer.i16(temperature).take();
 }

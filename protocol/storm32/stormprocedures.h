@@ -37,6 +37,13 @@ private:
         int busErrors = 0;
     };
 
+    static constexpr std::array<const char *, 3> kSensorAxes{"x", "y", "z"};
+    using Sensors = std::array<Sensor, 2>;   ///< camera, frame; one that is not there shows nothing
+    using Directions = std::array<std::array<int, 3>, 2>;
+
+    // stormcalibration.cpp
+    Result<Sensors> sensors();
+    /// Errors: NotSeen when there is none.
     Result<Sensor> sensor(int imu);
     Result<Average> average(int imu, int readings, Progress &progress);
     /// Waits until one of the wanted faces lies still, then measures it.
@@ -48,17 +55,21 @@ private:
     Result<ActionReply> averaged(int imu, int readings);
     Result<ActionReply> calibrate(int imu, bool six, bool store);
 
+    // stormsetup.cpp
     Result<Status> status();
-    Result<void> setUsage(int usage);
+    Result<void> writeWords(const std::array<int, 3> &words, int raw);
+    Result<void> disableMotors();
     Result<ActionReply> findOrientation();
-    /// The vector of a sensor, of length 1, when one axis has passed the limit long enough.
-    Result<std::array<int, 3>> holdAxis(int imu, const std::array<int, 3> *up, milliseconds limit, Progress &progress);
+    /// Which axes of the first sensors point up, or forward when up is given, as soon as all are clear for a second.
+    Result<Directions> holdAxes(std::size_t count, const Directions *up, milliseconds limit, Progress &progress);
     Result<ActionReply> restartAndWait();
     Result<ActionReply> takeMotors(bool directions, bool positions);
+    Result<void> setDirections(int direction);
     Result<ActionReply> setPoles(const std::array<int, 3> &poles);
     Result<ActionReply> beginYaw();
     Result<ActionReply> moveYaw(double degrees);
     Result<ActionReply> endYaw(bool take);
+
     Result<ActionReply> compareStored();
 
     StormDevice &m_device;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/procedure/writeconfiguration.h"
+#include "protocol/storm32/commands.h"
 #include "protocol/storm32/parametertables.h"
 #include "protocol/storm32/stormfiles.h"
 #include "tests/support/stormrig.h"
@@ -42,6 +43,9 @@ private slots:
     void badCalibrationIsNotStored();
     void orientationIsFound_data();
     void orientationIsFound();
+    void bothOrientationsAreFound_data();
+    void bothOrientationsAreFound();
+    void frameSensorIsCalibrated();
     void wrongOrientationMisleadsTheBoard();
     void orientationIsNotGuessed();
     void motorsAreSetUp();
@@ -208,6 +212,88 @@ void TestStormSetup::orientationIsFound()
     QVERIFY(rig.channel.sleep(15s));
     QVERIFY(std::abs(rig.board().stabilizer().estimate(Axis::Pitch) - 45.0) < 4.0);
     QVERIFY(std::abs(rig.board().stabilizer().estimate(Axis::Roll)) < 4.0);
+}
+
+void TestStormSetup::bothOrientationsAreFound_data()
+{
+    QTest::addColumn<int>("firmware");
+    QTest::addColumn<int>("mount");
+    QTest::addColumn<int>("frameMount");
+    QTest::newRow("0.79") << 79 << 3 << 20;
+    QTest::newRow("0.90") << 90 << 5 << 14;
+    QTest::newRow("0.96") << 96 << 13 << 2;
+    QTest::newRow("0.96, frame on its side") << 96 << 0 << 9;
+    QTest::newRow("0.96, the same way") << 96 << 22 << 22;
+}
+
+void TestStormSetup::bothOrientationsAreFound()
+{
+    QFETCH(int, firmware);
+    QFETCH(int, mount);
+    QFETCH(int, frameMount);
+    StormRig rig(stormOptions(firmware));
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.board().set(94, 1);
+    rig.change(u"mount=%1"_s.arg(mount));
+    rig.change(u"frame-mount=%1"_s.arg(frameMount));
+    rig.change(u"pose=1"_s);
+    double tiltedAfter = 0;
+    rig.channel.setOperator([&](const Progress &progress) {
+        if (progress.step == u"tilt-camera"_s && rig.options.faults.pose == 1) {
+            tiltedAfter = rig.board().now();
+            rig.change(u"pose=7"_s);
+        }
+    });
+    const auto reply = rig.device.perform(rig.channel, u"setup.orientation"_s, {});
+    QVERIFY2(reply, reply ? "" : qPrintable(reply.error().detail));
+    QVERIFY(tiltedAfter > 0.9);   // level for a second, both
+    QCOMPARE(rig.board().inUse(39), mount);
+    QCOMPARE(rig.board().inUse(95), frameMount);
+    QCOMPARE(reply->value(u"imu2"_s).toString(), QString::fromUtf8(orientations()[std::size_t(frameMount)].name));
+    // With it the board sees how the frame lies: 45 degrees down, but for what its sensor's own error makes.
+    const auto data = rig.channel.transact(simpleRequest(Simple::LiveData));
+    QVERIFY(data);
+    ByteReader words(QByteArrayView(data->payload).sliced(2 * 25));
+    QVERIFY(std::abs(words.i16() - 4500) < 300);
+    QVERIFY(std::abs(words.i16()) < 300);
+}
+
+void TestStormSetup::frameSensorIsCalibrated()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.board().set(94, 1);
+    rig.change(u"frame-mount=5"_s);
+    rig.board().set(95, 5);
+    QList<int> poses{2, 1, 6, 3, 4, 5};
+    rig.change(u"pose=%1"_s.arg(poses.takeFirst()));
+    int done = 0;
+    rig.channel.setOperator([&](const Progress &progress) {
+        if (progress.done == done || poses.isEmpty())
+            return;
+        done = progress.done;
+        rig.change(u"pose=%1"_s.arg(poses.takeFirst()));
+    });
+    const auto before = rig.device.perform(rig.channel, u"calibration.read"_s, {}).value();
+    const auto reply = rig.device.perform(rig.channel, u"calibrate.six"_s, {{u"imu"_s, 2}, {u"store"_s, true}});
+    QVERIFY2(reply, reply ? "" : qPrintable(reply.error().detail));
+    // The simulated sensor: x shows 0.99 per g and 0.015 g too much.
+    QVERIFY(std::abs(reply->value(u"scale.x"_s).toDouble() / 8192 - 0.99) < 0.003);
+    QVERIFY(std::abs(reply->value(u"zero.x"_s).toDouble() / 8192 - 0.015) < 0.003);
+    rig.change(u"pose=1"_s);
+    QVERIFY(rig.channel.sleep(100ms));
+    const auto data = rig.channel.transact(simpleRequest(Simple::LiveData));
+    QVERIFY(data);
+    ByteReader words(QByteArrayView(data->payload).sliced(2 * 25));
+    QVERIFY(std::abs(words.i16()) < 30);
+    QVERIFY(std::abs(words.i16()) < 30);
+    // The camera's own was not touched.
+    const auto after = rig.device.perform(rig.channel, u"calibration.read"_s, {}).value();
+    for (const QString &key : before.keys()) {
+        if (!key.startsWith(u"imu2"_s))
+            QCOMPARE(after.value(key), before.value(key));
+    }
+    QVERIFY(after != before);
 }
 
 void TestStormSetup::wrongOrientationMisleadsTheBoard()
