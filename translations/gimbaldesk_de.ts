@@ -418,35 +418,102 @@
     </message>
 </context>
 <context>
+    <name>BoardWriter</name>
+    <message>
+        <source>Changes of the interrupted write</source>
+        <translation>Änderungen des unterbrochenen Schreibens</translation>
+    </message>
+    <message>
+        <source>Profile names written and read back.</source>
+        <translation>Profilnamen geschrieben und zurückgelesen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) written and read back.</source>
+        <translation>
+            <numerusform>%n Wert geschrieben und zurückgelesen.</numerusform>
+            <numerusform>%n Werte geschrieben und zurückgelesen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The board as it was is kept in %1</source>
+        <translation>Das Board, wie es war, liegt in %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n verified</source>
+        <translation>
+            <numerusform>%n bestätigt</numerusform>
+            <numerusform>%n bestätigt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n put back</source>
+        <translation>
+            <numerusform>%n zurückgelegt</numerusform>
+            <numerusform>%n zurückgelegt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unknown</source>
+        <translation>
+            <numerusform>%n unbekannt</numerusform>
+            <numerusform>%n unbekannt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not written</source>
+        <translation>
+            <numerusform>%n nicht geschrieben</numerusform>
+            <numerusform>%n nicht geschrieben</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n different</source>
+        <translation>
+            <numerusform>%n anders</numerusform>
+            <numerusform>%n anders</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The write is not complete: %1. </source>
+        <translation>Das Schreiben ist nicht vollständig: %1. </translation>
+    </message>
+    <message>
+        <source>When the board is back it is read again; then the write can be finished or undone.</source>
+        <translation>Wenn das Board zurück ist, wird es neu gelesen; dann lässt sich das Schreiben abschließen oder zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>The interrupted write was complete: all %1 values are on the board.</source>
+        <translation>Das unterbrochene Schreiben war vollständig: alle %1 Werte sind auf dem Board.</translation>
+    </message>
+    <message>
+        <source>The last write was interrupted: %1 of %2 values are not on the board.</source>
+        <translation>Das letzte Schreiben wurde unterbrochen: %1 von %2 Werten sind nicht auf dem Board.</translation>
+    </message>
+    <message>
+        <source>The board holds the old values.</source>
+        <translation>Das Board hält die alten Werte.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Finish: write %n value(s)</source>
+        <translation>
+            <numerusform>Abschließen: %n Wert schreiben</numerusform>
+            <numerusform>Abschließen: %n Werte schreiben</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Undo: put %n value(s) back</source>
+        <translation>
+            <numerusform>Zurücknehmen: %n Wert zurück</numerusform>
+            <numerusform>Zurücknehmen: %n Werte zurück</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Leave it so</source>
+        <translation>So lassen</translation>
+    </message>
+</context>
+<context>
     <name>CalibrationPage</name>
-    <message>
-        <source>Z up (level)</source>
-        <translation>Z oben (waagerecht)</translation>
-    </message>
-    <message>
-        <source>Z down (upside down)</source>
-        <translation>Z unten (kopfüber)</translation>
-    </message>
-    <message>
-        <source>X up</source>
-        <translation>X oben</translation>
-    </message>
-    <message>
-        <source>X down</source>
-        <translation>X unten</translation>
-    </message>
-    <message>
-        <source>Y up</source>
-        <translation>Y oben</translation>
-    </message>
-    <message>
-        <source>Y down</source>
-        <translation>Y unten</translation>
-    </message>
-    <message>
-        <source>tilted</source>
-        <translation>schräg</translation>
-    </message>
     <message>
         <source>good</source>
         <translation>gut</translation>
@@ -464,10 +531,6 @@
         <translation>Kalibrierung</translation>
     </message>
     <message>
-        <source>Simulated gimbal: your hands</source>
-        <translation>Simulierter Gimbal: Ihre Hände</translation>
-    </message>
-    <message>
         <source>Back</source>
         <translation>Zurück</translation>
     </message>
@@ -478,18 +541,6 @@
     <message>
         <source>Continue</source>
         <translation>Weiter</translation>
-    </message>
-    <message>
-        <source>Where the simulated sensor is</source>
-        <translation>Wo der simulierte Sensor ist</translation>
-    </message>
-    <message>
-        <source>in the gimbal, in your hand</source>
-        <translation>im Gimbal, in Ihrer Hand</translation>
-    </message>
-    <message>
-        <source>lies still: %1</source>
-        <translation>liegt still: %1</translation>
     </message>
     <message>
         <source>Gyroscope</source>
@@ -534,10 +585,6 @@
     <message>
         <source>Progress of the measurement</source>
         <translation>Fortschritt der Messung</translation>
-    </message>
-    <message>
-        <source>Positions</source>
-        <translation>Lagen</translation>
     </message>
     <message>
         <source>Finish</source>
@@ -1418,6 +1465,41 @@
     <message>
         <source>The board starts; keep the camera still</source>
         <translation>Das Board startet; die Kamera still halten</translation>
+    </message>
+</context>
+<context>
+    <name>FaceList</name>
+    <message>
+        <source>Z up</source>
+        <translation>Z oben</translation>
+    </message>
+    <message>
+        <source>Z down</source>
+        <translation>Z unten</translation>
+    </message>
+    <message>
+        <source>X up</source>
+        <translation>X oben</translation>
+    </message>
+    <message>
+        <source>X down</source>
+        <translation>X unten</translation>
+    </message>
+    <message>
+        <source>Y up</source>
+        <translation>Y oben</translation>
+    </message>
+    <message>
+        <source>Y down</source>
+        <translation>Y unten</translation>
+    </message>
+    <message>
+        <source>tilted</source>
+        <translation>schräg</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
     </message>
 </context>
 <context>
@@ -2927,40 +3009,8 @@
 <context>
     <name>SensorPage</name>
     <message>
-        <source>Z up</source>
-        <translation>Z oben</translation>
-    </message>
-    <message>
-        <source>Z down</source>
-        <translation>Z unten</translation>
-    </message>
-    <message>
-        <source>X up</source>
-        <translation>X oben</translation>
-    </message>
-    <message>
-        <source>X down</source>
-        <translation>X unten</translation>
-    </message>
-    <message>
-        <source>Y up</source>
-        <translation>Y oben</translation>
-    </message>
-    <message>
-        <source>Y down</source>
-        <translation>Y unten</translation>
-    </message>
-    <message>
-        <source>tilted</source>
-        <translation>schräg</translation>
-    </message>
-    <message>
         <source>Calibration</source>
         <translation>Kalibrierung</translation>
-    </message>
-    <message>
-        <source>Simulated gimbal</source>
-        <translation>Simuliertes Gimbal</translation>
     </message>
     <message>
         <source>Load a calibration…</source>
@@ -2997,18 +3047,6 @@
     <message>
         <source>Look at a calibration from a file before it is stored</source>
         <translation>Eine Kalibrierung aus einer Datei ansehen, bevor sie gespeichert wird</translation>
-    </message>
-    <message>
-        <source>Where the simulated camera is</source>
-        <translation>Wo die simulierte Kamera ist</translation>
-    </message>
-    <message>
-        <source>in the gimbal, in your hand</source>
-        <translation>im Gimbal, in Ihrer Hand</translation>
-    </message>
-    <message>
-        <source>lies still: %1</source>
-        <translation>liegt still: %1</translation>
     </message>
     <message>
         <source>Load a calibration</source>
@@ -3049,10 +3087,6 @@
     <message>
         <source>Calibrate six positions</source>
         <translation>Sechs Lagen kalibrieren</translation>
-    </message>
-    <message>
-        <source>Faces</source>
-        <translation>Flächen</translation>
     </message>
     <message>
         <source>Progress of the measurement</source>
@@ -3287,20 +3321,8 @@
         <translation>Aufgaben</translation>
     </message>
     <message>
-        <source>Simulated gimbal</source>
-        <translation>Simuliertes Gimbal</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Where the simulated camera is</source>
-        <translation>Wo die simulierte Kamera ist</translation>
-    </message>
-    <message>
-        <source>in the gimbal, in your hand</source>
-        <translation>im Gimbal, in Ihrer Hand</translation>
     </message>
     <message>
         <source>held level</source>
@@ -3576,6 +3598,25 @@
     <message>
         <source>Saved to %1</source>
         <translation>Gesichert in %1</translation>
+    </message>
+</context>
+<context>
+    <name>SimulatedHands</name>
+    <message>
+        <source>Simulated gimbal: your hands</source>
+        <translation>Simulierter Gimbal: Ihre Hände</translation>
+    </message>
+    <message>
+        <source>Where the simulated camera is</source>
+        <translation>Wo die simulierte Kamera ist</translation>
+    </message>
+    <message>
+        <source>lies still: %1</source>
+        <translation>liegt still: %1</translation>
+    </message>
+    <message>
+        <source>in the gimbal, in your hand</source>
+        <translation>im Gimbal, in Ihrer Hand</translation>
     </message>
 </context>
 <context>
@@ -10657,76 +10698,6 @@ Auf dem Board: %1</translation>
     <message>
         <source>Connected again.</source>
         <translation>Wieder verbunden.</translation>
-    </message>
-    <message>
-        <source>Changes of the interrupted write</source>
-        <translation>Änderungen des unterbrochenen Schreibens</translation>
-    </message>
-    <message>
-        <source>Profile names written and read back.</source>
-        <translation>Profilnamen geschrieben und zurückgelesen.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n value(s) written and read back.</source>
-        <translation>
-            <numerusform>%n Wert geschrieben und zurückgelesen.</numerusform>
-            <numerusform>%n Werte geschrieben und zurückgelesen.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The board as it was is kept in %1</source>
-        <translation>Das Board, wie es war, liegt in %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n verified</source>
-        <translation>
-            <numerusform>%n bestätigt</numerusform>
-            <numerusform>%n bestätigt</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n put back</source>
-        <translation>
-            <numerusform>%n zurückgelegt</numerusform>
-            <numerusform>%n zurückgelegt</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unknown</source>
-        <translation>
-            <numerusform>%n unbekannt</numerusform>
-            <numerusform>%n unbekannt</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n not written</source>
-        <translation>
-            <numerusform>%n nicht geschrieben</numerusform>
-            <numerusform>%n nicht geschrieben</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n different</source>
-        <translation>
-            <numerusform>%n anders</numerusform>
-            <numerusform>%n anders</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The write is not complete: %1. </source>
-        <translation>Das Schreiben ist nicht vollständig: %1. </translation>
-    </message>
-    <message>
-        <source>When the board is back it is read again; then the write can be finished or undone.</source>
-        <translation>Wenn das Board zurück ist, wird es neu gelesen; dann lässt sich das Schreiben abschließen oder zurücknehmen.</translation>
-    </message>
-    <message>
-        <source>The interrupted write was complete: all %1 values are on the board.</source>
-        <translation>Das unterbrochene Schreiben war vollständig: alle %1 Werte sind auf dem Board.</translation>
-    </message>
-    <message>
-        <source>The board holds the old values.</source>
-        <translation>Das Board hält die alten Werte.</translation>
     </message>
     <message numerus="yes">
         <source>%n unsaved step(s) of an earlier run belong to this board.</source>

@@ -12,6 +12,65 @@
     </message>
 </context>
 <context>
+    <name>BoardWriter</name>
+    <message numerus="yes">
+        <source>%n value(s) written and read back.</source>
+        <translation>
+            <numerusform>%n value written and read back.</numerusform>
+            <numerusform>%n values written and read back.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n verified</source>
+        <translation>
+            <numerusform>%n verified</numerusform>
+            <numerusform>%n verified</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n put back</source>
+        <translation>
+            <numerusform>%n put back</numerusform>
+            <numerusform>%n put back</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unknown</source>
+        <translation>
+            <numerusform>%n unknown</numerusform>
+            <numerusform>%n unknown</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not written</source>
+        <translation>
+            <numerusform>%n not written</numerusform>
+            <numerusform>%n not written</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n different</source>
+        <translation>
+            <numerusform>%n different</numerusform>
+            <numerusform>%n different</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Finish: write %n value(s)</source>
+        <translation>
+            <numerusform>Finish: write %n value</numerusform>
+            <numerusform>Finish: write %n values</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Undo: put %n value(s) back</source>
+        <translation>
+            <numerusform>Undo: put %n value back</numerusform>
+            <numerusform>Undo: put %n values back</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>LinkMarks</name>
     <message numerus="yes">
         <source>%n value(s) written</source>
@@ -138,13 +197,6 @@
 <context>
     <name>Workspace</name>
     <message numerus="yes">
-        <source>%n value(s) written and read back.</source>
-        <translation>
-            <numerusform>%n value written and read back.</numerusform>
-            <numerusform>%n values written and read back.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Finish: write %n value(s)</source>
         <translation>
             <numerusform>Finish: write %n value</numerusform>
@@ -156,41 +208,6 @@
         <translation>
             <numerusform>Undo: put %n value back</numerusform>
             <numerusform>Undo: put %n values back</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n verified</source>
-        <translation>
-            <numerusform>%n verified</numerusform>
-            <numerusform>%n verified</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n put back</source>
-        <translation>
-            <numerusform>%n put back</numerusform>
-            <numerusform>%n put back</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unknown</source>
-        <translation>
-            <numerusform>%n unknown</numerusform>
-            <numerusform>%n unknown</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n not written</source>
-        <translation>
-            <numerusform>%n not written</numerusform>
-            <numerusform>%n not written</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n different</source>
-        <translation>
-            <numerusform>%n different</numerusform>
-            <numerusform>%n different</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -329,64 +329,45 @@ void MainWindow::paintEvent(QPaintEvent *event)
         qCDebug(logStart) << "first paint";
 }
 
-void MainWindow::askBeforeLeaving()
+void MainWindow::askBeforeLeaving(const Leaving &question)
 {
-    auto *box = new QMessageBox(QMessageBox::NoIcon, tr("Unsaved changes"),
-                                tr("%n change(s) are not on the board.", nullptr,
-                                   m_workspace->configuration().changeCount()),
-                                QMessageBox::NoButton, this);
+    auto *box = new QMessageBox(QMessageBox::NoIcon, question.title, question.text, QMessageBox::NoButton, this);
     box->setAttribute(Qt::WA_DeleteOnClose);
-    auto *keep = box->addButton(tr("Quit and keep for next time"), QMessageBox::AcceptRole);
-    auto *discard = box->addButton(tr("Discard and quit"), QMessageBox::DestructiveRole);
+    connect(box->addButton(question.keep, QMessageBox::AcceptRole), &QPushButton::clicked, this, question.onKeep);
+    connect(box->addButton(question.lose, QMessageBox::DestructiveRole), &QPushButton::clicked, this, question.onLose);
     auto *stay = box->addButton(tr("Stay"), QMessageBox::RejectRole);
     box->setDefaultButton(stay);
     box->setEscapeButton(stay);
-    const auto leave = [this] {
-        m_leaving = true;
-        close();
-    };
-    connect(keep, &QPushButton::clicked, this, leave);
-    connect(discard, &QPushButton::clicked, this, [this, leave] {
-        m_workspace->edits().discardAll();
-        leave();
-    });
     box->open();
 }
 
-void MainWindow::askBeforeForgetting()
+void MainWindow::leave()
 {
-    auto *box = new QMessageBox(QMessageBox::NoIcon, tr("Not stored"),
-                                tr("The board uses values that it has not stored. They are lost when it is switched off."),
-                                QMessageBox::NoButton, this);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    auto *store = box->addButton(tr("Store and quit"), QMessageBox::AcceptRole);
-    auto *quit = box->addButton(tr("Quit without storing"), QMessageBox::DestructiveRole);
-    auto *stay = box->addButton(tr("Stay"), QMessageBox::RejectRole);
-    box->setDefaultButton(stay);
-    box->setEscapeButton(stay);
-    const auto leave = [this] {
-        m_leaving = true;
-        close();
-    };
-    connect(store, &QPushButton::clicked, this, [this, leave] {
-        m_workspace->saveLive().then(this, [leave](bool stored) {
-            if (stored)
-                leave();
-        });
-    });
-    connect(quit, &QPushButton::clicked, this, leave);
-    box->open();
+    m_leaving = true;
+    close();
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    if (m_workspace->configuration().changeCount() > 0 && !m_leaving) {
-        askBeforeLeaving();
+    const int changes = m_workspace->configuration().changeCount();
+    if (changes > 0 && !m_leaving) {
+        askBeforeLeaving({tr("Unsaved changes"), tr("%n change(s) are not on the board.", nullptr, changes),
+                          tr("Quit and keep for next time"), [this] { leave(); }, tr("Discard and quit"), [this] {
+                              m_workspace->edits().discardAll();
+                              leave();
+                          }});
         event->ignore();
         return;
     }
     if (m_workspace->isUnstored() && m_workspace->client().isConnected() && !m_leaving) {
-        askBeforeForgetting();
+        const auto storeAndLeave = [this] {
+            m_workspace->saveLive().then(this, [this](bool stored) {
+                if (stored)
+                    leave();
+            });
+        };
+        askBeforeLeaving({tr("Not stored"), tr("The board uses values that it has not stored. They are lost when it is switched off."),
+                          tr("Store and quit"), storeAndLeave, tr("Quit without storing"), [this] { leave(); }});
         event->ignore();
         return;
     }

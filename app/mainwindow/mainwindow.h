@@ -10,6 +10,8 @@
 #include <QMainWindow>
 #include <QPointer>
 
+#include <functional>
+
 class LinkBar;
 class MessageBar;
 class MotorsKeys;
@@ -66,8 +68,18 @@ private:
     void updateOffered();
     void askOpenFile();
     void askSaveFile();
-    void askBeforeLeaving();
-    void askBeforeForgetting();
+    /// What would be lost on leaving, with the two ways out; the third is to stay.
+    struct Leaving
+    {
+        QString title;
+        QString text;
+        QString keep;
+        std::function<void()> onKeep;
+        QString lose;
+        std::function<void()> onLose;
+    };
+    void askBeforeLeaving(const Leaving &question);
+    void leave();
     void applyTheme();
 
     std::unique_ptr<Workspace> m_workspace;

@@ -11,6 +11,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFormLayout>
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -188,6 +189,7 @@ void ControlPage::fillFunctions()
         if (action.arguments.size() == 1 && action.arguments.front().kind != ArgumentKind::Toggle) {
             for (QLabel *label : form->findChildren<QLabel *>())
                 label->hide();
+            static_cast<QFormLayout *>(form->layout())->setHorizontalSpacing(0);
         }
         button->setToolTip(tableText(action.help));
         grid->addWidget(form, line, 0, Qt::AlignVCenter);

@@ -7,7 +7,7 @@
 #include "widgets/views/axisdial.h"
 #include "widgets/views/card.h"
 
-#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -70,17 +70,19 @@ DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
         return scroll;
     };
 
-    auto *grid = new QGridLayout;
-    grid->setSpacing(12);
-    grid->addWidget(attitude, 0, 0);
-    grid->addWidget(axes, 1, 0);
-    grid->addWidget(inScroll(faults), 0, 1);
-    grid->addWidget(inScroll(power), 1, 1);
-    grid->setColumnStretch(0, 3);
-    grid->setColumnStretch(1, 2);
-    grid->setRowStretch(0, 3);
-    grid->setRowStretch(1, 2);
-    body()->addLayout(grid, 1);
+    // The columns divide their height each in its own way: the facts need more of it than the dials.
+    const auto column = [](QWidget *upper, int share, QWidget *lower, int rest) {
+        auto *layout = new QVBoxLayout;
+        layout->setSpacing(12);
+        layout->addWidget(upper, share);
+        layout->addWidget(lower, rest);
+        return layout;
+    };
+    auto *columns = new QHBoxLayout;
+    columns->setSpacing(12);
+    columns->addLayout(column(attitude, 3, axes, 2), 3);
+    columns->addLayout(column(inScroll(faults), 1, inScroll(power), 1), 2);
+    body()->addLayout(columns, 1);
 
     m_timer.setInterval(kRefresh);
     connect(&m_timer, &QTimer::timeout, this, &DashboardPage::refresh);

@@ -323,10 +323,8 @@ void TuningPage::updateFigures()
         const bool told = roles.target[axis] >= 0;
         SpanStatistics span = spanStatistics(*store, told ? roles.target[axis] : roles.angle[axis], told ? roles.angle[axis] : -1,
                                              now - kFigureSpan, now);
-        if (!told) {   // without a target, how far it strays from where it is held
-            span.rms = std::sqrt(std::max(0.0, span.rms * span.rms - span.mean * span.mean));
-            span.peak = std::max(0.0, span.peak - std::abs(span.mean));
-        }
+        if (!told)
+            span = span.aroundMean();   // without a target, how far it strays from where it is held
         m_now[axis] = {span.rms, span.peak};
         auto &cells = m_cells[axis];
         cells[0]->setText(figure(span.rms));

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/workspace.h"
 
-#include "protocol/procedure/writeconfiguration.h"
 #include "protocol/record/configurationfiles.h"
 #include "widgets/models/parametermodel.h"
 
@@ -41,6 +40,7 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     , m_journal(m_configuration, m_edits, m_history)
     , m_recorder(m_client)
     , m_linkMarks(*this)
+    , m_writer(*this)
 {
     connect(&m_journal, &EditJournal::leftoverFound, this, &Workspace::offerLeftover);
     connect(&m_journal, &EditJournal::failed, this, [this](const Error &error) {
@@ -57,6 +57,7 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
         text.cure = tr("What was recorded before is in the file. Make room, or choose another place.");
         emit problem(text);
     });
+    connect(&m_writer, &BoardWriter::completed, this, [this] { setUnstored(false); });   // a write ends with storing
     connect(&m_settings, &Settings::changed, this, &Workspace::applySettings);
     connect(&m_client, &DeviceClient::stateChanged, this, &Workspace::onState);
     connect(&m_client, &DeviceClient::connectionFailed, this, [this](const Error &error) {
@@ -111,8 +112,7 @@ void Workspace::onState(DeviceClient::State state)
 {
     if (state != DeviceClient::State::Connected)
         return;
-    // Another board, or one that may have been changed meanwhile: the next write makes its own safety copy.
-    m_backupDone = false;
+    m_writer.beginLink();
     m_reading = false;
     m_heldSpan.reset();
     if (std::exchange(m_wasLost, false))
@@ -160,123 +160,14 @@ void Workspace::readBoard()
             m_edits.undoStack().clear();
             m_configuration.reset(read);
         }
-        if (std::exchange(m_writeInterrupted, false))
-            offerRepair();
+        m_writer.offerRepair();
         emit boardRead();
     });
 }
 
 void Workspace::write(const Configuration &wanted)
 {
-    if (m_writing) {
-        emit problem(describe({ErrorCode::Busy, {}, 0}));
-        return;
-    }
-    m_writing = true;
-    m_client.submit<WriteReport>([base = m_configuration.board(), wanted, history = m_history,
-                                  backupDone = m_backupDone, live = m_live.unsaved()](Channel &channel, Device &device) {
-        WriteOptions options;
-        options.history = &history;
-        options.backupDone = backupDone;
-        options.live = live;
-        return writeConfiguration(channel, device, base, wanted, options);
-    }).then(this, [this, live = m_live.unsaved()](const Result<WriteReport> &result) {
-        m_writing = false;
-        onReport(result);
-        restoreLive(live);
-        // What was wanted is not lost: it is unsaved again.
-        if (const auto again = std::exchange(m_wantedAgain, std::nullopt); again && result && result->isComplete())
-            m_edits.apply(*again, tr("Changes of the interrupted write"));
-        emit writeFinished();
-    });
-}
-
-void Workspace::onReport(const Result<WriteReport> &result)
-{
-    if (!result) {
-        emit problem(describe(result.error()));
-        if (result.error().code == ErrorCode::Conflict)
-            readBoard();
-        return;
-    }
-    m_lastReport = *result;
-    if (!result->snapshotPath.isEmpty())
-        m_backupDone = true;
-    m_configuration.setBoard(result->onBoard);
-    if (!result->snapshotPath.isEmpty())
-        emit snapshotTaken();
-    const int verified = result->count(WriteState::Verified);
-    if (result->isComplete()) {
-        setUnstored(false);   // a write ends with storing
-        QString text = result->lines.empty() && result->data.empty() ? tr("Profile names written and read back.")
-                                             : tr("%n value(s) written and read back.", nullptr, verified);
-        if (!result->snapshotPath.isEmpty())
-            text += u' ' + tr("The board as it was is kept in %1").arg(result->snapshotPath);
-        emit notice(text);
-        return;
-    }
-    ErrorText text = describe(*result->error);
-    QStringList counts;
-    if (verified > 0)
-        counts.append(tr("%n verified", nullptr, verified));
-    if (const int n = result->count(WriteState::RolledBack))
-        counts.append(tr("%n put back", nullptr, n));
-    if (const int n = result->count(WriteState::Unknown))
-        counts.append(tr("%n unknown", nullptr, n));
-    if (const int n = result->count(WriteState::NotWritten))
-        counts.append(tr("%n not written", nullptr, n));
-    if (const int n = result->count(WriteState::Mismatch))
-        counts.append(tr("%n different", nullptr, n));
-    text.what = tr("The write is not complete: %1. ").arg(counts.join(u", "_s)) + text.what;
-    m_writeInterrupted = result->count(WriteState::Unknown) > 0;
-    if (m_writeInterrupted) {
-        text.cure = tr("When the board is back it is read again; then the write can be finished or undone.");
-    }
-    QStringList names;
-    for (const WriteLine &line : result->lines)
-        names.append(line.spec->key);
-    text.detail += u' ' + names.mid(0, 12).join(u", "_s);
-    emit problem(text);
-}
-
-// After the reconnection the board was read again, so it is known what a broken write left behind: the rest can be written,
-// or what got through can be put back. Either way it is an ordinary verified write.
-void Workspace::offerRepair()
-{
-    const Configuration &board = std::as_const(m_configuration).board();
-    Configuration finished = board;
-    Configuration undone = board;
-    int missing = 0;
-    int landed = 0;
-    for (const WriteLine &line : m_lastReport->lines) {
-        const ParameterSpec *spec = board.parameters().find(line.spec->key);
-        if (!spec)
-            continue;
-        if (board.raw(*spec, line.profile) == line.to) {
-            ++landed;
-            std::ignore = undone.setRaw(*spec, line.profile, line.from);
-        } else {
-            ++missing;
-            std::ignore = finished.setRaw(*spec, line.profile, line.to);
-        }
-    }
-    if (missing == 0) {
-        emit notice(tr("The interrupted write was complete: all %1 values are on the board.").arg(landed));
-        return;
-    }
-    Offer question;
-    question.text = tr("The last write was interrupted: %1 of %2 values are not on the board.").arg(missing)
-                        .arg(missing + landed);
-    if (landed == 0)
-        question.text += u' ' + tr("The board holds the old values.");
-    question.choices.append({tr("Finish: write %n value(s)", nullptr, missing), [this, finished] { write(finished); }});
-    if (landed > 0)
-        question.choices.append({tr("Undo: put %n value(s) back", nullptr, landed), [this, undone, finished] {
-            m_wantedAgain = finished;
-            write(undone);
-        }});
-    question.choices.append({tr("Leave it so"), [] { }});
-    emit offer(question);
+    m_writer.write(wanted);
 }
 
 void Workspace::offerLeftover(int steps)
@@ -399,22 +290,6 @@ void Workspace::changeWorld(const QString &assignment)
         emit problem(describe(changed.error()));
     else
         emit worldChanged(assignment);
-}
-
-// A written block is loaded by the board at once, stored values and all: what was in use beside it is put into use again.
-void Workspace::restoreLive(const LiveValues &before)
-{
-    if (!m_client.isConnected())
-        return;
-    QHash<int, int> values;
-    for (const LiveValue &value : before) {
-        const ParameterSpec *spec = std::as_const(m_configuration).board().parameters().find(value.key);
-        if (spec && m_live.stored(spec->id) == value.stored)
-            values.insert(spec->id, value.inUse);
-    }
-    m_live.forget();
-    m_live.read();
-    m_live.setValues(values);
 }
 
 QFuture<bool> Workspace::saveLive()
@@ -641,7 +516,7 @@ std::vector<BoardFault> Workspace::faults() const
 void Workspace::followActiveProfile()
 {
     const double active = latest(roles().activeProfile);
-    if (std::isnan(active) || m_switchingProfile || m_writing || m_reading || m_configuration.isEmpty()
+    if (std::isnan(active) || m_switchingProfile || isWriting() || m_reading || m_configuration.isEmpty()
         || !m_client.isConnected() || int(active) == m_configuration.board().activeProfile())
         return;
     m_configuration.setActiveProfile(int(active));

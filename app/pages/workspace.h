@@ -4,7 +4,7 @@
 
 #include "app/composition/links.h"
 #include "protocol/device/deviceclient.h"
-#include "protocol/device/writereport.h"
+#include "app/pages/boardwriter.h"
 #include "app/pages/editjournal.h"
 #include "app/pages/linkmarks.h"
 #include "app/pages/linkrecorder.h"
@@ -114,8 +114,8 @@ public:
     /// True, false, or nothing while telemetry is missing or old.
     [[nodiscard]] std::optional<bool> motorsRunning() const;
     [[nodiscard]] std::vector<BoardFault> faults() const;
-    [[nodiscard]] const std::optional<WriteReport> &lastReport() const { return m_lastReport; }
-    [[nodiscard]] bool isWriting() const { return m_writing; }
+    [[nodiscard]] const std::optional<WriteReport> &lastReport() const { return m_writer.lastReport(); }
+    [[nodiscard]] bool isWriting() const { return m_writer.isWriting(); }
 
 signals:
     /// Something the operator must know.
@@ -133,9 +133,6 @@ signals:
 
 private:
     void onState(DeviceClient::State state);
-    void onReport(const Result<WriteReport> &result);
-    void restoreLive(const LiveValues &before);
-    void offerRepair();
     void offerLeftover(int steps);
     void applySettings();
     void setUnstored(bool unstored);
@@ -159,15 +156,11 @@ private:
     std::optional<std::pair<double, double>> m_heldSpan;
     PlotMarks m_marks;
     LinkMarks m_linkMarks;
-    std::optional<WriteReport> m_lastReport;
-    std::optional<Configuration> m_wantedAgain;   // becomes edits once an interrupted write is undone
+    BoardWriter m_writer;
     mutable std::unique_ptr<Device> m_tables;             // of the file's family, while no board is connected
     mutable QString m_tablesOf;
     bool m_unstored = false;
     QString m_unstoredSerial;
-    bool m_backupDone = false;
-    bool m_writing = false;
-    bool m_writeInterrupted = false;   // the link broke during a write; told again once the board can be read
     bool m_wasLost = false;
     bool m_reading = false;
     bool m_switchingProfile = false;

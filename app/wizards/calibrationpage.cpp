@@ -2,20 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/wizards/calibrationpage.h"
 
+#include "app/wizards/wizardparts.h"
 #include "widgets/plot/spanstatistics.h"
-#include "widgets/views/card.h"
 #include "widgets/views/sensorcube.h"
 
-#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -33,20 +32,6 @@ constexpr double kFairBias = 0.5;
 constexpr double kGoodLevel = 0.012;
 constexpr double kFairLevel = 0.04;
 constexpr int kUsualSeconds = 6;
-constexpr int kPictureHeight = 190;
-
-QString faceName(int face)
-{
-    switch (face) {
-    case 0: return CalibrationPage::tr("Z up (level)");
-    case 1: return CalibrationPage::tr("Z down (upside down)");
-    case 2: return CalibrationPage::tr("X up");
-    case 3: return CalibrationPage::tr("X down");
-    case 4: return CalibrationPage::tr("Y up");
-    case 5: return CalibrationPage::tr("Y down");
-    default: return CalibrationPage::tr("tilted");
-    }
-}
 
 QString rating(double value, double good, double fair)
 {
@@ -65,9 +50,8 @@ CalibrationPage::CalibrationPage(Workspace &workspace, QWidget *parent)
     , m_cube(new SensorCube(workspace.theme()))
     , m_stillness(new QProgressBar)
     , m_progress(new QProgressBar)
-    , m_positions(new QListWidget)
-    , m_simulated(new Card(tr("Simulated gimbal: your hands")))
-    , m_pose(new QComboBox)
+    , m_positions(new FaceList)
+    , m_hands(new SimulatedHands(workspace, SimulatedHands::faces(), this))
     , m_back(new QPushButton(tr("Back")))
     , m_cancel(new QPushButton(tr("Cancel")))
     , m_continue(new QPushButton(tr("Continue")))
@@ -78,19 +62,8 @@ CalibrationPage::CalibrationPage(Workspace &workspace, QWidget *parent)
     row->setSpacing(12);
     row->addWidget(m_stack, 1);
     body()->addLayout(row, 1);
-    m_pose->setAccessibleName(tr("Where the simulated sensor is"));
-    m_pose->addItem(tr("in the gimbal, in your hand"));
-    for (int face = 0; face < kPositions; ++face)
-        m_pose->addItem(tr("lies still: %1").arg(faceName(face)));
-    m_pose->setMaximumWidth(Metric::kFieldWidth);
-    m_simulated->content()->addWidget(m_pose);
-    body()->addWidget(m_simulated);
+    body()->addWidget(m_hands);
 
-    connect(m_pose, &QComboBox::activated, this, [this](int index) { this->workspace().changeWorld(u"pose=%1"_s.arg(index)); });
-    connect(&workspace, &Workspace::worldChanged, this, [this](const QString &assignment) {
-        if (assignment.startsWith(u"pose="_s))
-            m_pose->setCurrentIndex(assignment.mid(5).toInt());
-    });
     connect(m_back, &QPushButton::clicked, this, [this] { setStep(Step::Choose); });
     connect(m_cancel, &QPushButton::clicked, this, &CalibrationPage::cancel);
     connect(m_continue, &QPushButton::clicked, this, [this] {
@@ -106,12 +79,12 @@ CalibrationPage::CalibrationPage(Workspace &workspace, QWidget *parent)
     connect(&workspace.client(), &DeviceClient::stateChanged, this, [this] {
         if (!this->workspace().client().isConnected() && m_step == Step::Place)
             setStep(Step::Choose);
-        updateSimulated();
+        updateButtons();
     });
     m_timer.setInterval(kLookPeriod);
     connect(&m_timer, &QTimer::timeout, this, &CalibrationPage::look);
     setStep(Step::Choose);
-    updateSimulated();
+    updateButtons();
 }
 
 QWidget *CalibrationPage::makeChooser()
@@ -123,21 +96,8 @@ QWidget *CalibrationPage::makeChooser()
     row->setSpacing(12);
     column->addLayout(row);
     column->addStretch(1);
-    const auto add = [&](Kind kind, const QString &title, const QString &text, const QString &button, int position) {
-        auto *card = new Card(title);
-        auto *picture = new SensorCube(workspace().theme());
-        picture->setPosition(position);
-        picture->setFixedHeight(kPictureHeight);
-        card->content()->addWidget(picture);
-        auto *label = new QLabel(text);
-        label->setWordWrap(true);
-        label->setAlignment(Qt::AlignTop);
-        card->content()->addWidget(label, 1);
-        auto *go = new QPushButton(button);
-        go->setObjectName(u"primary"_s);
-        card->content()->addWidget(go);
-        connect(go, &QPushButton::clicked, this, [this, kind] { start(kind); });
-        row->addWidget(card, 1);
+    const auto add = [&](Kind kind, const QString &title, const QString &text, const QString &button, int face) {
+        connect(addMethod(*row, workspace().theme(), title, text, button, face), &QPushButton::clicked, this, [this, kind] { start(kind); });
     };
     add(Kind::Gyroscope, tr("Gyroscope"),
         tr("Finds the zero of the turn-rate sensor. Do it when the camera drifts, after great changes of temperature, and "
@@ -154,25 +114,13 @@ QWidget *CalibrationPage::makeChooser()
 QWidget *CalibrationPage::makeWizard()
 {
     auto *card = new Card({});
-    QFont font = m_what->font();
-    font.setPointSizeF(font.pointSizeF() + 2);
-    font.setWeight(QFont::DemiBold);
-    m_what->setFont(font);
-    m_what->setWordWrap(true);
+    setHeadline(*m_what);
     m_sees->setWordWrap(true);
     m_result->setWordWrap(true);
     m_result->setAlignment(Qt::AlignTop);
     m_result->setTextFormat(Qt::RichText);
-    m_stillness->setRange(0, 100);
-    m_stillness->setTextVisible(false);   // the sentence above says it
-    m_stillness->setAccessibleName(tr("Stillness"));
-    m_progress->setRange(0, 100);
-    m_progress->setTextVisible(false);
-    m_progress->setAccessibleName(tr("Progress of the measurement"));
-    m_positions->setAccessibleName(tr("Positions"));
-    m_positions->setMaximumWidth(240);
-    m_positions->setFocusPolicy(Qt::NoFocus);
-    m_positions->setSelectionMode(QAbstractItemView::NoSelection);
+    setQuiet(*m_stillness, tr("Stillness"));   // the sentence above says it
+    setQuiet(*m_progress, tr("Progress of the measurement"));
     m_continue->setObjectName(u"primary"_s);
     auto *middle = new QHBoxLayout;
     middle->setSpacing(Metric::kGroupGap);
@@ -202,7 +150,7 @@ void CalibrationPage::showEvent(QShowEvent *event)
     QList<int> wanted(roles.gyro.begin(), roles.gyro.end());
     wanted.append(QList<int>(roles.acc.begin(), roles.acc.end()));
     workspace().wishTelemetry(this, wanted);
-    updateSimulated();
+    updateButtons();
     m_timer.start();
 }
 
@@ -212,9 +160,8 @@ void CalibrationPage::hideEvent(QHideEvent *event)
     m_timer.stop();
 }
 
-void CalibrationPage::updateSimulated()
+void CalibrationPage::updateButtons()
 {
-    m_simulated->setVisible(workspace().isSimulated());
     const bool can = !workspace().client().device() || workspace().hasAction(u"calibrate.gyro"_s);
     for (QPushButton *button : m_stack->widget(0)->findChildren<QPushButton *>()) {
         button->setEnabled(workspace().client().isConnected() && workspace().client().identity().writable && can);
@@ -224,13 +171,13 @@ void CalibrationPage::updateSimulated()
 
 int CalibrationPage::doneCount() const
 {
-    return int(std::count(m_done.begin(), m_done.end(), true));
+    return std::popcount(m_done);
 }
 
 void CalibrationPage::start(Kind kind)
 {
     m_kind = kind;
-    m_done = {};
+    m_done = 0;
     m_quality = {};
     setStep(Step::Place);
 }
@@ -241,9 +188,7 @@ void CalibrationPage::setStep(Step step)
     m_stack->setCurrentIndex(step == Step::Choose ? 0 : 1);
     const bool six = m_kind == Kind::SixPositions;
     m_positions->setVisible(six && step != Step::Choose);
-    m_positions->clear();
-    for (int face = 0; face < kPositions; ++face)
-        m_positions->addItem((m_done[std::size_t(face)] ? u"✓  "_s : u"○  "_s) + faceName(face));
+    m_positions->setDone(m_done);
     m_stillness->setVisible(step == Step::Place);
     m_sees->setVisible(step == Step::Place || step == Step::Measure);
     m_progress->setVisible(step == Step::Measure);
@@ -288,7 +233,7 @@ QString CalibrationPage::waitingFor() const
         return tr("Still, but not level: %1. Waiting for Z up.").arg(faceName(m_face));
     if (m_kind == Kind::SixPositions && m_face < 0)
         return tr("Still, but tilted. Waiting until one face lies up.");
-    if (m_kind == Kind::SixPositions && m_done[std::size_t(m_face)])
+    if (m_kind == Kind::SixPositions && m_done >> m_face & 1U)
         return tr("%1 is done already. Waiting for another face.").arg(faceName(m_face));
     return {};
 }
@@ -306,10 +251,9 @@ void CalibrationPage::look()
         m_motion = 0;
         std::array<double, 3> acc{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const SpanStatistics gyro = spanStatistics(*store, roles.gyro[axis], -1, now - kStillSpan, now);
-            const double deviation = std::sqrt(std::max(0.0, gyro.rms * gyro.rms - gyro.mean * gyro.mean));
+            const double deviation = spanStatistics(*store, roles.gyro[axis], -1, now - kStillSpan, now).aroundMean().rms;
             // A sensor without samples is not still.
-            m_motion = std::isnan(gyro.rms) ? gyro.rms : std::max(m_motion, deviation);
+            m_motion = std::isnan(deviation) ? deviation : std::max(m_motion, deviation);
             acc[axis] = spanStatistics(*store, roles.acc[axis], -1, now - kStillSpan / 2, now).mean;
             if (std::isnan(m_motion))
                 break;
@@ -365,8 +309,8 @@ void CalibrationPage::onMeasured(const Result<ActionOutcome> &outcome)
     m_quality.biasBefore = figures.value(u"gyro.bias.before"_s).toDouble();
     m_quality.noise = figures.value(u"gyro.noise"_s).toDouble();
     m_quality.level = level;
-    m_done[std::size_t(m_measuring)] = true;
-    if (m_kind == Kind::SixPositions && doneCount() < kPositions) {
+    m_done |= 1U << m_measuring;
+    if (m_kind == Kind::SixPositions && doneCount() < kSensorFaces) {
         setStep(Step::Place);   // only with all six known does an error say how good the calibration is
         return;
     }
@@ -397,10 +341,7 @@ void CalibrationPage::showResult()
     html += u"<p>%1</p>"_s.arg(tr("The result is stored in the sensor's memory; the settings as they were are among the backups."));
     m_result->setText(html);
     setStep(Step::Result);
-    if (workspace().isSimulated()) {
-        // The hands put the camera back.
-        workspace().changeWorld(u"pose=0"_s);
-    }
+    m_hands->putBack();
 }
 
 void CalibrationPage::cancel()

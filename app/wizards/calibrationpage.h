@@ -6,13 +6,12 @@
 
 #include <QTimer>
 
-class Card;
-class QComboBox;
-class QListWidget;
+class FaceList;
 class QProgressBar;
 class QPushButton;
 class QStackedWidget;
 class SensorCube;
+class SimulatedHands;
 
 /// Calibration step by step: what to do, what the program sees, when it is satisfied, how good the result is.
 class CalibrationPage final : public Page
@@ -21,7 +20,6 @@ class CalibrationPage final : public Page
 public:
     enum class Kind { Gyroscope, Level, SixPositions };
     enum class Step { Choose, Place, Measure, Result };
-    static constexpr int kPositions = 6;
 
     explicit CalibrationPage(Workspace &workspace, QWidget *parent = nullptr);
 
@@ -51,7 +49,7 @@ private:
     void onMeasured(const Result<ActionOutcome> &outcome);
     void showResult();
     void cancel();
-    void updateSimulated();
+    void updateButtons();
     [[nodiscard]] QString waitingFor() const;
 
     struct Quality
@@ -63,7 +61,7 @@ private:
     };
     Kind m_kind = Kind::Gyroscope;
     Step m_step = Step::Choose;
-    std::array<bool, kPositions> m_done{};
+    unsigned m_done = 0;       // positions, bit by face
     Quality m_quality;
     int m_face = -1;
     int m_measuring = 0;       // position being measured
@@ -76,9 +74,8 @@ private:
     SensorCube *m_cube;
     QProgressBar *m_stillness;
     QProgressBar *m_progress;
-    QListWidget *m_positions;
-    Card *m_simulated;
-    QComboBox *m_pose;
+    FaceList *m_positions;
+    SimulatedHands *m_hands;
     QPushButton *m_back;
     QPushButton *m_cancel;
     QPushButton *m_continue;

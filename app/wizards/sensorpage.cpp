@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/wizards/sensorpage.h"
 
-#include "widgets/views/card.h"
+#include "app/wizards/wizardparts.h"
 #include "widgets/views/sensorcube.h"
 
 #include <QComboBox>
 #include <QFile>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSaveFile>
@@ -23,23 +22,9 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kFaces = 6;
-constexpr int kPictureHeight = 190;
 constexpr double kGoodQuality = 0.01;      // g
 constexpr double kFairQuality = 0.03;
-
-QString faceName(int face)
-{
-    switch (face) {
-    case 0: return SensorPage::tr("Z up");
-    case 1: return SensorPage::tr("Z down");
-    case 2: return SensorPage::tr("X up");
-    case 3: return SensorPage::tr("X down");
-    case 4: return SensorPage::tr("Y up");
-    case 5: return SensorPage::tr("Y down");
-    default: return SensorPage::tr("tilted");
-    }
-}
+constexpr unsigned kAllFaces = (1U << kSensorFaces) - 1;
 
 } // namespace
 
@@ -52,10 +37,9 @@ SensorPage::SensorPage(Workspace &workspace, QWidget *parent)
     , m_live(new QLabel)
     , m_result(new QLabel)
     , m_cube(new SensorCube(workspace.theme()))
-    , m_faces(new QListWidget)
+    , m_faces(new FaceList)
     , m_progress(new QProgressBar)
-    , m_pose(new QComboBox)
-    , m_simulated(new Card(tr("Simulated gimbal")))
+    , m_hands(new SimulatedHands(workspace, SimulatedHands::faces(), this))
     , m_load(new QPushButton(tr("Load a calibration…")))
     , m_save(new QPushButton(tr("Save…")))
     , m_cancel(new QPushButton(tr("Cancel")))
@@ -71,19 +55,8 @@ SensorPage::SensorPage(Workspace &workspace, QWidget *parent)
     m_stack->addWidget(makeChooser());
     m_stack->addWidget(makeWizard());
     body()->addWidget(m_stack, 1);
-    m_pose->setAccessibleName(tr("Where the simulated camera is"));
-    m_pose->addItem(tr("in the gimbal, in your hand"));
-    for (int face = 0; face < kFaces; ++face)
-        m_pose->addItem(tr("lies still: %1").arg(faceName(face)));
-    m_pose->setMaximumWidth(Metric::kFieldWidth);
-    static_cast<Card *>(m_simulated)->content()->addWidget(m_pose);
-    body()->addWidget(m_simulated);
+    body()->addWidget(m_hands);
 
-    connect(m_pose, &QComboBox::activated, this, [this](int index) { this->workspace().changeWorld(u"pose=%1"_s.arg(index)); });
-    connect(&workspace, &Workspace::worldChanged, this, [this](const QString &assignment) {
-        if (const int pose = assignment.mid(5).toInt(); assignment.startsWith(u"pose="_s) && pose < m_pose->count())
-            m_pose->setCurrentIndex(pose);
-    });
     connect(m_load, &QPushButton::clicked, this, [this] {
         const Family *family = this->workspace().family();
         askOpenPath(tr("Load a calibration"), u"%1 (*.%2)"_s.arg(family->calibrationFile->name, family->calibrationFile->suffix),
@@ -126,52 +99,28 @@ QWidget *SensorPage::makeChooser()
     row->setSpacing(12);
     column->addLayout(row);
     column->addStretch(1);
-    const auto add = [&](const QString &title, const QString &text, const QString &button, int position, bool six) {
-        auto *card = new Card(title);
-        auto *picture = new SensorCube(workspace().theme());
-        picture->setPosition(position);
-        picture->setFixedHeight(kPictureHeight);
-        card->content()->addWidget(picture);
-        auto *label = new QLabel(text);
-        label->setWordWrap(true);
-        label->setAlignment(Qt::AlignTop);
-        card->content()->addWidget(label, 1);
-        auto *go = new QPushButton(button);
-        go->setObjectName(u"primary"_s);
-        card->content()->addWidget(go);
-        connect(go, &QPushButton::clicked, this, [this, six] { start(six); });
-        row->addWidget(card, 1);
-        return go;
-    };
-    m_oneButton = add(tr("Accelerometer, one position"),
+    m_oneButton = addMethod(*row, workspace().theme(), tr("Accelerometer, one position"),
                 tr("Finds the zeros of the three axes. Takes two seconds while the sensor lies level and still, as it is mounted. "
-                   "Good enough for a horizon that is a little crooked."), tr("Calibrate one position"), 0, false);
-    m_sixButton = add(tr("Accelerometer, six positions"),
+                   "Good enough for a horizon that is a little crooked."), tr("Calibrate one position"), 0);
+    m_sixButton = addMethod(*row, workspace().theme(), tr("Accelerometer, six positions"),
                  tr("Finds zeros and scales, for a horizon that stays straight at every angle. Each of the sensor's six faces has to lie "
-                    "up once, in any order. Takes about a minute."), tr("Calibrate six positions"), 2, true);
+                    "up once, in any order. Takes about a minute."), tr("Calibrate six positions"), 2);
+    connect(m_oneButton, &QPushButton::clicked, this, [this] { start(false); });
+    connect(m_sixButton, &QPushButton::clicked, this, [this] { start(true); });
     return holder;
 }
 
 QWidget *SensorPage::makeWizard()
 {
     auto *card = new Card({});
-    QFont font = m_what->font();
-    font.setPointSizeF(font.pointSizeF() + 2);
-    font.setWeight(QFont::DemiBold);
-    m_what->setFont(font);
-    for (QLabel *label : {m_what, m_sees, m_result})
+    setHeadline(*m_what);
+    for (QLabel *label : {m_sees, m_result})
         label->setWordWrap(true);
     m_live->setTextFormat(Qt::RichText);
     m_live->setAlignment(Qt::AlignTop);
     m_result->setTextFormat(Qt::RichText);
     m_result->setAlignment(Qt::AlignTop);
-    m_faces->setAccessibleName(tr("Faces"));
-    m_faces->setMaximumWidth(200);
-    m_faces->setFocusPolicy(Qt::NoFocus);
-    m_faces->setSelectionMode(QAbstractItemView::NoSelection);
-    m_progress->setRange(0, 100);
-    m_progress->setTextVisible(false);
-    m_progress->setAccessibleName(tr("Progress of the measurement"));
+    setQuiet(*m_progress, tr("Progress of the measurement"));
     m_store->setObjectName(u"primary"_s);
     auto *middle = new QHBoxLayout;
     middle->setSpacing(Metric::kGroupGap);
@@ -205,7 +154,6 @@ void SensorPage::updateState()
 {
     const DeviceClient &client = workspace().client();
     const bool ready = client.isConnected() && client.identity().writable;
-    m_simulated->setVisible(workspace().isSimulated());
     for (QWidget *widget : {static_cast<QWidget *>(m_oneButton), static_cast<QWidget *>(m_sixButton), static_cast<QWidget *>(m_load)})
         widget->setEnabled(ready);
     m_imu->setEnabled(ready && m_step == Step::Choose);
@@ -216,7 +164,7 @@ void SensorPage::updateState()
 
 int SensorPage::doneCount() const
 {
-    return (m_six ? kFaces : 1) - (m_six ? std::popcount(m_missing) : m_missing ? 1 : 0);
+    return (m_six ? kSensorFaces : 1) - (m_six ? std::popcount(m_missing) : m_missing ? 1 : 0);
 }
 
 QString SensorPage::sees() const
@@ -227,7 +175,7 @@ QString SensorPage::sees() const
 void SensorPage::start(bool six)
 {
     m_six = six;
-    m_missing = (1U << kFaces) - 1;
+    m_missing = kAllFaces;
     setStep(Step::Measure);
     m_sees->setText(tr("Waiting for readings of the sensor."));
     workspace().perform(six ? u"calibrate.six"_s : u"calibrate.level"_s, {{u"imu"_s, m_imu->currentData()}, {u"store"_s, false}}, true)
@@ -254,9 +202,7 @@ void SensorPage::setStep(Step step)
         m_cube->setPosition(-1);
         m_what->setText(m_six ? tr("Lay the sensor on its faces, one after the other, and let it lie still on each.")
                               : tr("Let the sensor lie level and still, as it is mounted."));
-        m_faces->clear();
-        for (int face = 0; face < kFaces; ++face)
-            m_faces->addItem(u"○  "_s + faceName(face));
+        m_faces->setDone(0);
         if (isVisible())
             m_cancel->setFocus();
     }
@@ -270,7 +216,7 @@ void SensorPage::onProgress(const Progress &progress)
     const int face = int(progress.values.value(u"face"_s));
     const bool moves = progress.values.value(u"moves"_s) != 0;
     const bool measuring = progress.step == u"calibrate"_s;
-    m_missing = unsigned(progress.values.value(u"missing"_s, double((1U << kFaces) - 1)));
+    m_missing = unsigned(progress.values.value(u"missing"_s, double(kAllFaces)));
     m_cube->setPosition(face);
     const auto value = [&progress](const QString &key) { return progress.values.value(key); };
     const double length = std::hypot(value(u"x"_s), value(u"y"_s), value(u"z"_s));
@@ -298,8 +244,7 @@ void SensorPage::onProgress(const Progress &progress)
     else
         m_sees->setText(tr("%1 lies up. Waiting until it has been still for a moment.").arg(faceName(face)));
     m_progress->setValue(measuring ? int(100 * value(u"measured"_s)) : 0);
-    for (int each = 0; each < m_faces->count(); ++each)
-        m_faces->item(each)->setText((m_missing >> each & 1U ? u"○  "_s : u"✓  "_s) + faceName(each));
+    m_faces->setDone(kAllFaces & ~m_missing);
 }
 
 void SensorPage::onMeasured(const Result<ActionOutcome> &outcome)
@@ -378,8 +323,7 @@ void SensorPage::store()
             return;
         emit workspace().notice(tr("The calibration is stored and read back."));
         setStep(Step::Choose);
-        if (workspace().isSimulated())
-            workspace().changeWorld(u"pose=0"_s);   // the hands put the camera back
+        m_hands->putBack();
     });
 }
 

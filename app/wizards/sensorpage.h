@@ -4,12 +4,13 @@
 
 #include "app/pages/page.h"
 
+class FaceList;
 class QComboBox;
-class QListWidget;
 class QProgressBar;
 class QPushButton;
 class QStackedWidget;
 class SensorCube;
+class SimulatedHands;
 
 /// Calibration of accelerometers whose readings the program averages itself: the sensor is laid on its faces, each is measured
 /// as soon as it lies still; the result is looked at before it is stored.
@@ -59,10 +60,9 @@ private:
     QLabel *m_live;
     QLabel *m_result;
     SensorCube *m_cube;
-    QListWidget *m_faces;
+    FaceList *m_faces;
     QProgressBar *m_progress;
-    QComboBox *m_pose;
-    QWidget *m_simulated;
+    SimulatedHands *m_hands;
     QPushButton *m_sixButton = nullptr;
     QPushButton *m_oneButton = nullptr;
     QPushButton *m_load;

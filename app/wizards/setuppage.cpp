@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/wizards/setuppage.h"
 
+#include "app/wizards/wizardparts.h"
 #include "widgets/models/parametermodel.h"
-#include "widgets/views/card.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
@@ -32,8 +30,7 @@ constexpr int kUsualPoles = 14;
 SetupPage::SetupPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"setup"_s, tr("Gimbal setup"), parent)
     , m_tasks(new Card(tr("Tasks")))
-    , m_simulated(new Card(tr("Simulated gimbal")))
-    , m_pose(new QComboBox)
+    , m_hands(new SimulatedHands(workspace, {SimulatedHands::inGimbal(), {tr("held level"), 1}, {tr("tilted 45° down"), 7}}, this))
     , m_what(new QLabel)
     , m_sees(new QLabel)
     , m_held(new QProgressBar)
@@ -45,12 +42,7 @@ SetupPage::SetupPage(Workspace &workspace, QWidget *parent)
     auto *left = new QVBoxLayout;
     left->setSpacing(12);
     left->addWidget(makeTasks());
-    m_pose->setAccessibleName(tr("Where the simulated camera is"));
-    m_pose->addItem(tr("in the gimbal, in your hand"), 0);
-    m_pose->addItem(tr("held level"), 1);
-    m_pose->addItem(tr("tilted 45° down"), 7);
-    m_simulated->content()->addWidget(m_pose);
-    left->addWidget(m_simulated);
+    left->addWidget(m_hands);
     left->addStretch(1);
     auto *row = new QHBoxLayout;
     row->setSpacing(12);
@@ -58,11 +50,6 @@ SetupPage::SetupPage(Workspace &workspace, QWidget *parent)
     row->addWidget(makeGuide(), 1);
     body()->addLayout(row, 1);
 
-    connect(m_pose, &QComboBox::activated, this, [this] { this->workspace().changeWorld(u"pose=%1"_s.arg(m_pose->currentData().toInt())); });
-    connect(&workspace, &Workspace::worldChanged, this, [this](const QString &assignment) {
-        if (assignment.startsWith(u"pose="_s))
-            m_pose->setCurrentIndex(std::max(0, m_pose->findData(assignment.mid(5).toInt())));
-    });
     connect(m_cancel, &QPushButton::clicked, this, &SetupPage::cancel);
     connect(m_continue, &QPushButton::clicked, this, &SetupPage::onContinue);
     connect(&workspace.client(), &DeviceClient::progressChanged, this, &SetupPage::onProgress);
@@ -94,15 +81,9 @@ QWidget *SetupPage::makeTasks()
 QWidget *SetupPage::makeGuide()
 {
     auto *card = new Card({});
-    QFont font = m_what->font();
-    font.setPointSizeF(font.pointSizeF() + 2);
-    font.setWeight(QFont::DemiBold);
-    m_what->setFont(font);
-    m_what->setWordWrap(true);
+    setHeadline(*m_what);
     m_sees->setWordWrap(true);
-    m_held->setRange(0, 100);
-    m_held->setTextVisible(false);
-    m_held->setAccessibleName(tr("How long it has been as it should"));
+    setQuiet(*m_held, tr("How long it has been as it should"));
 
     m_polesForm = new QWidget;
     auto *poles = new QGridLayout(m_polesForm);
@@ -203,7 +184,6 @@ void SetupPage::updateState()
     const bool ready = client.isConnected() && client.identity().writable;
     const bool choosing = m_step == Step::Choose || m_step == Step::Done;
     const bool any = std::any_of(m_boxes.begin(), m_boxes.end(), [](const QCheckBox *box) { return box->isChecked(); });
-    m_simulated->setVisible(workspace().isSimulated());
     m_tasks->setEnabled(choosing);
     m_continue->setEnabled(ready && any && !m_running);
     m_cancel->setVisible(!choosing);
@@ -286,8 +266,7 @@ void SetupPage::enter(Step step)
         m_sees->setText(tr("The board levels the camera and turns each motor a little to find its direction. Motors off stops it at any time."));
         m_continue->setText(tr("Start the motors"));
         m_continue->setObjectName(u"danger"_s);
-        if (workspace().isSimulated())
-            workspace().changeWorld(u"pose=0"_s);
+        m_hands->putBack();
         break;
     case Step::Start:
         m_what->setText(tr("The board starts. Keep the handle still."));
@@ -308,8 +287,7 @@ void SetupPage::enter(Step step)
         m_sees->setText(tr("A snapshot of the board as it was is kept. The motors start."));
         m_continue->setText(tr("Start and store"));
         m_continue->setObjectName(u"danger"_s);
-        if (workspace().isSimulated())
-            workspace().changeWorld(u"pose=0"_s);
+        m_hands->putBack();
         break;
     case Step::Finish:
         m_what->setText(tr("Starting and storing."));

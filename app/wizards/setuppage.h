@@ -6,12 +6,11 @@
 
 class Card;
 class QCheckBox;
-class QComboBox;
-class QDoubleSpinBox;
 class QListWidget;
 class QProgressBar;
 class QPushButton;
 class QSpinBox;
+class SimulatedHands;
 
 /// Sets a gimbal up, task by task: how its sensors sit, its motors, where they start. Each task says what to do and what the
 /// program waits for; nothing is stored before the end.
@@ -64,8 +63,7 @@ private:
     int m_run = 0;                     // answers of an earlier run are dropped
     std::array<QCheckBox *, kTasks> m_boxes{};
     Card *m_tasks;
-    Card *m_simulated;
-    QComboBox *m_pose;
+    SimulatedHands *m_hands;
     QLabel *m_what;
     QLabel *m_sees;
     QProgressBar *m_held;

@@ -58,6 +58,7 @@ private slots:
     void meterSaysWhatEachSampleSays_data();
     void meterSaysWhatEachSampleSays();
     void meterFollowsRetention();
+    void statisticsAroundTheMean();
     void scaleFollowsWithHysteresis();
     void scaleStandsStillWhereItWasPut();
     void marksAreInOrderAndFound();
@@ -112,6 +113,24 @@ void TestTraces::meterFollowsRetention()
             QVERIFY(std::abs(figures.rate - kRate) < 1.0);
         }
     }
+}
+
+void TestTraces::statisticsAroundTheMean()
+{
+    auto store = std::make_shared<TelemetryStore>(1);
+    auto group = store->defineGroup({0}, 1.0 / kRate);
+    const std::array<float, 4> values{9, 10, 10, 7};   // mean 9; it strays further down than up
+    for (std::size_t i = 0; i < values.size(); ++i)
+        store->append(*group, store->origin() + durationFromSeconds(double(i) / kRate), std::span(&values[i], 1));
+    const SpanStatistics all = spanStatistics(*store, 0, -1, -1.0, 1.0);
+    QCOMPARE(all.samples, values.size());
+    QCOMPARE(all.mean, 9.0);
+    QCOMPARE(all.peak, 10.0);
+    const SpanStatistics strays = all.aroundMean();
+    QCOMPARE(strays.mean, 0.0);
+    QCOMPARE(strays.peak, 2.0);
+    QVERIFY(std::abs(strays.rms - std::sqrt(1.5)) < 1e-9);
+    QVERIFY(std::isnan(spanStatistics(*store, 0, -1, 5.0, 6.0).aroundMean().rms));   // nothing is not stillness
 }
 
 void TestTraces::scaleFollowsWithHysteresis()

@@ -6,6 +6,8 @@
 #include "protocol/simulator/virtualchannel.h"
 #include "protocol/storm32/stormdevice.h"
 
+using namespace Qt::StringLiterals;
+
 inline SimulatorOptions stormOptions(int firmware, bool usb = true)
 {
     SimulatorOptions o;
@@ -30,6 +32,16 @@ struct StormRig
         if (!options.faults.set(fault))
             qFatal("no such fault: %s", qPrintable(fault));
         board().setFaults(options.faults);
+    }
+
+    /// The operator lays the camera on these faces, the next one as soon as a step of the job is done.
+    void layOn(QList<int> poses)
+    {
+        change(u"pose=%1"_s.arg(poses.takeFirst()));
+        channel.setOperator([this, poses, done = 0](const Progress &progress) mutable {
+            if (progress.done != std::exchange(done, progress.done) && !poses.isEmpty())
+                change(u"pose=%1"_s.arg(poses.takeFirst()));
+        });
     }
 
     SimulatorOptions options;

@@ -117,15 +117,7 @@ void TestStormSetup::sixPositionsFindZerosAndScales()
     QFETCH(int, firmware);
     StormRig rig(stormOptions(firmware));
     QVERIFY(rig.device.identify(rig.channel));
-    QList<int> poses{3, 1, 6, 2, 5, 4};
-    rig.change(u"pose=%1"_s.arg(poses.takeFirst()));
-    int done = 0;
-    rig.channel.setOperator([&](const Progress &progress) {
-        if (progress.done == done || poses.isEmpty())
-            return;
-        done = progress.done;
-        rig.change(u"pose=%1"_s.arg(poses.takeFirst()));
-    });
+    rig.layOn({3, 1, 6, 2, 5, 4});
     const auto reply = rig.device.perform(rig.channel, u"calibrate.six"_s, {{u"imu"_s, 1}, {u"store"_s, true}});
     QVERIFY2(reply, reply ? "" : qPrintable(reply.error().detail));
     const double one = firmware >= 94 ? 8192 : 16384;
@@ -171,12 +163,7 @@ void TestStormSetup::badCalibrationIsNotStored()
     StormRig rig;
     QVERIFY(rig.device.identify(rig.channel));
     rig.board().stabilizer().imu().accScaleError = {1.3, 1.3, 1.3};   // a sensor that is broken
-    QList<int> poses{1, 2, 3, 4, 5, 6};
-    int done = -1;
-    rig.channel.setOperator([&](const Progress &progress) {
-        if (progress.done != std::exchange(done, progress.done) && !poses.isEmpty())
-            rig.change(u"pose=%1"_s.arg(poses.takeFirst()));
-    });
+    rig.layOn({1, 2, 3, 4, 5, 6});
     const auto before = rig.device.perform(rig.channel, u"calibration.read"_s, {});
     const auto reply = rig.device.perform(rig.channel, u"calibrate.six"_s, {{u"imu"_s, 1}, {u"store"_s, true}});
     QVERIFY(!reply);
@@ -265,15 +252,7 @@ void TestStormSetup::frameSensorIsCalibrated()
     rig.board().set(94, 1);
     rig.change(u"frame-mount=5"_s);
     rig.board().set(95, 5);
-    QList<int> poses{2, 1, 6, 3, 4, 5};
-    rig.change(u"pose=%1"_s.arg(poses.takeFirst()));
-    int done = 0;
-    rig.channel.setOperator([&](const Progress &progress) {
-        if (progress.done == done || poses.isEmpty())
-            return;
-        done = progress.done;
-        rig.change(u"pose=%1"_s.arg(poses.takeFirst()));
-    });
+    rig.layOn({2, 1, 6, 3, 4, 5});
     const auto before = rig.device.perform(rig.channel, u"calibration.read"_s, {}).value();
     const auto reply = rig.device.perform(rig.channel, u"calibrate.six"_s, {{u"imu"_s, 2}, {u"store"_s, true}});
     QVERIFY2(reply, reply ? "" : qPrintable(reply.error().detail));

@@ -15,6 +15,19 @@ constexpr double kGapSeconds = 0.6;
 
 } // namespace
 
+SpanStatistics SpanStatistics::aroundMean() const
+{
+    SpanStatistics result = *this;
+    if (samples == 0)
+        return result;
+    result.mean = 0;
+    result.rms = std::sqrt(std::max(0.0, rms * rms - mean * mean));
+    result.least = least - mean;
+    result.greatest = greatest - mean;
+    result.peak = std::max(-result.least, result.greatest);
+    return result;
+}
+
 SpanStatistics spanStatistics(const TelemetryStore &store, int channel, int minus, double from, double to)
 {
     SpanStatistics result;
@@ -30,14 +43,16 @@ SpanStatistics spanStatistics(const TelemetryStore &store, int channel, int minu
                 continue;
             sum += value;
             squares += value * value;
-            result.peak = std::max(result.peak, std::abs(value));
+            result.least = result.samples == 0 ? value : std::min(result.least, value);
+            result.greatest = result.samples == 0 ? value : std::max(result.greatest, value);
             ++result.samples;
         }
     }
     if (result.samples == 0) {
-        result.mean = result.rms = result.peak = std::numeric_limits<double>::quiet_NaN();
+        result.mean = result.rms = result.peak = result.least = result.greatest = std::numeric_limits<double>::quiet_NaN();
         return result;
     }
+    result.peak = std::max(std::abs(result.least), std::abs(result.greatest));
     result.mean = sum / double(result.samples);
     result.rms = std::sqrt(squares / double(result.samples));
     return result;

@@ -10,7 +10,12 @@ struct SpanStatistics
     double mean = 0;
     double rms = 0;            ///< around zero
     double peak = 0;           ///< greatest absolute value
+    double least = 0;
+    double greatest = 0;
     std::size_t samples = 0;
+
+    /// The same of what is left when the mean is taken away.
+    [[nodiscard]] SpanStatistics aroundMean() const;
 };
 
 /// @param minus channel to subtract, -1 = none; times in seconds since the store's origin

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/boardwriter.h"
+
+#include "app/pages/workspace.h"
+#include "protocol/procedure/writeconfiguration.h"
+
+using namespace Qt::StringLiterals;
+
+BoardWriter::BoardWriter(Workspace &workspace)
+    : m_workspace(workspace)
+{
+}
+
+void BoardWriter::write(const Configuration &wanted)
+{
+    if (m_writing) {
+        emit m_workspace.problem(describe({ErrorCode::Busy, {}, 0}));
+        return;
+    }
+    m_writing = true;
+    m_workspace.client().submit<WriteReport>([base = m_workspace.configuration().board(), wanted, history = m_workspace.history(),
+                                  backupDone = m_backupDone, live = m_workspace.live().unsaved()](Channel &channel, Device &device) {
+        WriteOptions options;
+        options.history = &history;
+        options.backupDone = backupDone;
+        options.live = live;
+        return writeConfiguration(channel, device, base, wanted, options);
+    }).then(this, [this, live = m_workspace.live().unsaved()](const Result<WriteReport> &result) {
+        m_writing = false;
+        onReport(result);
+        restoreLive(live);
+        // What was wanted is not lost: it is unsaved again.
+        if (const auto again = std::exchange(m_wantedAgain, std::nullopt); again && result && result->isComplete())
+            m_workspace.edits().apply(*again, tr("Changes of the interrupted write"));
+        emit m_workspace.writeFinished();
+    });
+}
+
+void BoardWriter::onReport(const Result<WriteReport> &result)
+{
+    if (!result) {
+        emit m_workspace.problem(describe(result.error()));
+        if (result.error().code == ErrorCode::Conflict)
+            m_workspace.readBoard();
+        return;
+    }
+    m_lastReport = *result;
+    if (!result->snapshotPath.isEmpty())
+        m_backupDone = true;
+    m_workspace.configuration().setBoard(result->onBoard);
+    if (!result->snapshotPath.isEmpty())
+        emit m_workspace.snapshotTaken();
+    const int verified = result->count(WriteState::Verified);
+    if (result->isComplete()) {
+        emit completed();
+        QString text = result->lines.empty() && result->data.empty() ? tr("Profile names written and read back.")
+                                             : tr("%n value(s) written and read back.", nullptr, verified);
+        if (!result->snapshotPath.isEmpty())
+            text += u' ' + tr("The board as it was is kept in %1").arg(result->snapshotPath);
+        emit m_workspace.notice(text);
+        return;
+    }
+    ErrorText text = describe(*result->error);
+    QStringList counts;
+    if (verified > 0)
+        counts.append(tr("%n verified", nullptr, verified));
+    if (const int n = result->count(WriteState::RolledBack))
+        counts.append(tr("%n put back", nullptr, n));
+    if (const int n = result->count(WriteState::Unknown))
+        counts.append(tr("%n unknown", nullptr, n));
+    if (const int n = result->count(WriteState::NotWritten))
+        counts.append(tr("%n not written", nullptr, n));
+    if (const int n = result->count(WriteState::Mismatch))
+        counts.append(tr("%n different", nullptr, n));
+    text.what = tr("The write is not complete: %1. ").arg(counts.join(u", "_s)) + text.what;
+    m_interrupted = result->count(WriteState::Unknown) > 0;
+    if (m_interrupted) {
+        text.cure = tr("When the board is back it is read again; then the write can be finished or undone.");
+    }
+    QStringList names;
+    for (const WriteLine &line : result->lines)
+        names.append(line.spec->key);
+    text.detail += u' ' + names.mid(0, 12).join(u", "_s);
+    emit m_workspace.problem(text);
+}
+
+// After the reconnection the board was read again, so it is known what a broken write left behind: the rest can be written,
+// or what got through can be put back. Either way it is an ordinary verified write.
+void BoardWriter::offerRepair()
+{
+    if (!std::exchange(m_interrupted, false))
+        return;
+    const Configuration &board = std::as_const(m_workspace.configuration()).board();
+    Configuration finished = board;
+    Configuration undone = board;
+    int missing = 0;
+    int landed = 0;
+    for (const WriteLine &line : m_lastReport->lines) {
+        const ParameterSpec *spec = board.parameters().find(line.spec->key);
+        if (!spec)
+            continue;
+        if (board.raw(*spec, line.profile) == line.to) {
+            ++landed;
+            std::ignore = undone.setRaw(*spec, line.profile, line.from);
+        } else {
+            ++missing;
+            std::ignore = finished.setRaw(*spec, line.profile, line.to);
+        }
+    }
+    if (missing == 0) {
+        emit m_workspace.notice(tr("The interrupted write was complete: all %1 values are on the board.").arg(landed));
+        return;
+    }
+    Offer question;
+    question.text = tr("The last write was interrupted: %1 of %2 values are not on the board.").arg(missing)
+                        .arg(missing + landed);
+    if (landed == 0)
+        question.text += u' ' + tr("The board holds the old values.");
+    question.choices.append({tr("Finish: write %n value(s)", nullptr, missing), [this, finished] { write(finished); }});
+    if (landed > 0)
+        question.choices.append({tr("Undo: put %n value(s) back", nullptr, landed), [this, undone, finished] {
+            m_wantedAgain = finished;
+            write(undone);
+        }});
+    question.choices.append({tr("Leave it so"), [] { }});
+    emit m_workspace.offer(question);
+}
+
+// A written block is loaded by the board at once, stored values and all: what was in use beside it is put into use again.
+void BoardWriter::restoreLive(const LiveValues &before)
+{
+    if (!m_workspace.client().isConnected())
+        return;
+    QHash<int, int> values;
+    for (const LiveValue &value : before) {
+        const ParameterSpec *spec = std::as_const(m_workspace.configuration()).board().parameters().find(value.key);
+        if (spec && m_workspace.live().stored(spec->id) == value.stored)
+            values.insert(spec->id, value.inUse);
+    }
+    m_workspace.live().forget();
+    m_workspace.live().read();
+    m_workspace.live().setValues(values);
+}
