@@ -258,6 +258,10 @@ std::optional<int> Ctl::start(const QStringList &arguments)
     connect(m_client.get(), &DeviceClient::connectionLost, this,
             [this](const Error &error) { onError(error, Refused); });
     connect(m_client.get(), &DeviceClient::progressChanged, this, &Ctl::onProgress);
+    connect(m_client.get(), &DeviceClient::boardSpoke, this, [this](const QString &text) {
+        m_err << "the board says: " << text << "\n";
+        m_err.flush();
+    });
     auto *watcher = new SignalWatcher(this);
     connect(watcher, &SignalWatcher::stopRequested, this, &Ctl::stop);
     if (isRecording())

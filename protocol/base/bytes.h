@@ -30,6 +30,8 @@ class ByteReader
 public:
     explicit ByteReader(Bytes bytes) : m_bytes(bytes) { }
     explicit ByteReader(QByteArrayView view) : m_bytes(asBytes(view)) { }
+    explicit ByteReader(const QByteArray &bytes) : ByteReader(QByteArrayView(bytes)) { }
+    explicit ByteReader(const QByteArray &&) = delete;   // its bytes would be gone before they are read
 
     [[nodiscard]] bool ok() const { return m_ok; }
     [[nodiscard]] std::size_t position() const { return m_position; }

@@ -399,10 +399,10 @@ Result<void> StormDevice::writeBlock(Channel &channel, BlockKey key, const QByte
     if (at + bytes.size() > stream->size())
         return failure(ErrorCode::Unsupported, u"scripts cannot be written while the heartbeat is on"_s);
     if (isEmbedded()) {
-        for (int word = 0; word < m_words; ++word) {
+        for (int word = 0; word < int(bytes.size()) / 2; ++word) {   // parameters: there is nothing else
             if (stream->mid(2 * word, 2) == bytes.mid(2 * word, 2))
                 continue;
-            const auto done = writeWord(channel, word, ByteReader(bytes.mid(2 * word, 2)).u16());
+            const auto done = writeWord(channel, word, ByteReader(QByteArrayView(bytes).sliced(2 * word, 2)).u16());
             if (!done)
                 return done;
         }
@@ -416,7 +416,7 @@ Result<void> StormDevice::writeBlock(Channel &channel, BlockKey key, const QByte
     learnAddress(*stream);
     if (before.mid(2 * kHeartbeatWord, 2) == stream->mid(2 * kHeartbeatWord, 2))
         return {};
-    return findWay(channel, ByteReader(stream->mid(2 * kHeartbeatWord, 2)).u16());
+    return findWay(channel, ByteReader(QByteArrayView(*stream).sliced(2 * kHeartbeatWord, 2)).u16());
 }
 
 // Under which numbers the board would be reached through MAVLink.
