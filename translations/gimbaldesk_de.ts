@@ -2994,6 +2994,14 @@
         <source>Saved to %1</source>
         <translation>Gesichert in %1</translation>
     </message>
+    <message>
+        <source>Script %1, line %2: %3</source>
+        <translation>Skript %1, Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>Script %1: %2</source>
+        <translation>Skript %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>SensorCube</name>
@@ -10337,6 +10345,58 @@ Spitze %2°</translation>
     <message>
         <source>Input of script 4</source>
         <translation>Eingang Skript 4</translation>
+    </message>
+    <message>
+        <source>it is too long</source>
+        <translation>es ist zu lang</translation>
+    </message>
+    <message>
+        <source>a quote is not closed</source>
+        <translation>ein Anführungszeichen ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no statement</source>
+        <translation>„%1“ ist keine Anweisung</translation>
+    </message>
+    <message>
+        <source>%1 is shown only; use %2</source>
+        <translation>%1 wird nur angezeigt; nehmen Sie %2</translation>
+    </message>
+    <message>
+        <source>firmware 0.%1 does not know %2</source>
+        <translation>Firmware 0.%1 kennt %2 nicht</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 values, not %3</source>
+        <translation>%1 hat %2 Werte, nicht %3</translation>
+    </message>
+    <message>
+        <source>%1 is there already</source>
+        <translation>%1 ist schon da</translation>
+    </message>
+    <message>
+        <source>%1 has to come before %2</source>
+        <translation>%1 muss vor %2 stehen</translation>
+    </message>
+    <message>
+        <source>there is no parameter “%1”</source>
+        <translation>es gibt keinen Parameter „%1“</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has to be a whole number</source>
+        <translation>„%1“ muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3</source>
+        <translation>%1 liegt außerhalb von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>with it the scripts need %1 bytes; there are %2</source>
+        <translation>mit ihm brauchen die Skripte %1 Bytes; es gibt %2</translation>
     </message>
 </context>
 <context>

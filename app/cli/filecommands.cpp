@@ -213,7 +213,7 @@ public:
             texts.append(each == script ? QString::fromUtf8(file.read(kLargestScript)) : family->scripts->text(*base, each));
         const auto code = family->scripts->compile(*base, texts);
         if (!code)
-            return tl::unexpected(code.error());
+            return tl::unexpected(code.error().error());
         Configuration edited = *base;
         edited.setBlock(key, *code);
         if (!options.dryRun)

@@ -3,6 +3,7 @@
 #include "app/pages/scriptspage.h"
 
 #include "widgets/forms/parameterform.h"
+#include "widgets/models/parametermodel.h"
 #include "widgets/views/card.h"
 #include "widgets/views/scripteditor.h"
 
@@ -13,7 +14,6 @@
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QSaveFile>
 #include <QVBoxLayout>
 
@@ -183,14 +183,8 @@ void ScriptsPage::onTyped()
 void ScriptsPage::check()
 {
     m_checkTimer.stop();
-    m_code.reset();
-    const ScriptLanguage *scripts = language();
-    if (scripts && !m_texts.isEmpty()) {
-        const auto code = scripts->compile(std::as_const(workspace().configuration()).edited(), m_texts);
-        if (code)
-            m_code = *code;
-        m_message->setText(code ? QString() : code.error().detail);
-    }
+    if (const ScriptLanguage *scripts = language(); scripts && !m_texts.isEmpty())
+        m_code = scripts->compile(std::as_const(workspace().configuration()).edited(), m_texts);
     showState();
     emit changesChanged();
 }
@@ -221,11 +215,12 @@ void ScriptsPage::showState()
                                                                          : tr("✓ As in the configuration."));
         m_message->setObjectName(u"muted"_s);
     } else {
-        // "script 2, line 3: what is wrong"
-        static const QRegularExpression kPlace(u"^script (\\d+), line (\\d+): (.*)$"_s);
-        const auto place = kPlace.match(m_message->text());
-        const bool here = place.hasMatch() && place.captured(1).toInt() == m_script + 1;
-        m_editor->showMistake(here ? place.captured(2).toInt() : 0, place.captured(3));
+        const ScriptMistake &mistake = m_code.error();
+        const QString text = mistake.sentence(tableText(mistake.what));
+        const QString number = QString::number(mistake.script + 1);
+        m_message->setText(mistake.line > 0 ? tr("Script %1, line %2: %3").arg(number, QString::number(mistake.line), text)
+                                            : tr("Script %1: %2").arg(number, text));
+        m_editor->showMistake(mistake.script == m_script ? mistake.line : 0, text);
         m_message->setObjectName(u"error"_s);
     }
     repolish(m_message);
@@ -245,7 +240,7 @@ void ScriptsPage::take()
 {
     check();
     const ScriptLanguage *scripts = language();
-    if (!scripts || !m_code)
+    if (!scripts || m_texts.isEmpty() || !m_code)
         return;
     m_taken = m_texts;   // words and comments as they were typed, as long as the page lives
     const QStringList typed = m_texts;

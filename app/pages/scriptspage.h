@@ -54,7 +54,7 @@ private:
     QTimer m_checkTimer;
     QStringList m_texts;               // as typed
     QStringList m_taken;               // as the configuration has them
-    std::optional<QByteArray> m_code;  // of the texts, when there is nothing wrong with them
+    CompiledScripts m_code;            // of the texts
     int m_script = 0;
     bool m_filling = false;
 };

@@ -4,6 +4,21 @@
 
 #include "protocol/device/configuration.h"
 
+/// What is wrong with the text of a script.
+struct ScriptMistake
+{
+    int script = 0;          ///< from 0
+    int line = 0;            ///< from 1; 0 where it is the whole script
+    const char *what = "";   ///< a text of the tables, with places for the values
+    QStringList values;
+
+    /// The sentence with its values. @param pattern what, maybe in another language
+    [[nodiscard]] QString sentence(const QString &pattern) const;
+    /// "script 2, line 3: 'FLY' is no statement", as an error.
+    [[nodiscard]] Error error() const;
+};
+using CompiledScripts = tl::expected<QByteArray, ScriptMistake>;
+
 /// The programs that boards of a family keep in a block of data: texts for the operator, code for the board. A text is
 /// compiled, never run here.
 class ScriptLanguage
@@ -29,8 +44,8 @@ public:
     [[nodiscard]] virtual std::vector<Line> listing(const Configuration &configuration, int script) const = 0;
     /// Bytes of code used, and how many there are.
     [[nodiscard]] virtual std::pair<int, int> used(const Configuration &configuration) const = 0;
-    /// All texts as the block's bytes. Errors: InvalidArgument (what is wrong, in which script and line), OutOfRange (too long).
-    [[nodiscard]] virtual Result<QByteArray> compile(const Configuration &configuration, const QStringList &texts) const = 0;
+    /// All texts as the block's bytes.
+    [[nodiscard]] virtual CompiledScripts compile(const Configuration &configuration, const QStringList &texts) const = 0;
     /// Words that this board understands, and names it knows.
     [[nodiscard]] virtual QStringList words(const Configuration &configuration) const = 0;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storm32/scripts.h"
 
+#include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>
@@ -158,7 +159,7 @@ class Compiler
 public:
     Compiler(const ScriptContext &context, int script) : m_context(context), m_script(script) { }
 
-    Result<QByteArray> compile(const QString &text)
+    CompiledScripts compile(const QString &text)
     {
         const QStringList lines = text.split(u'\n');
         for (m_line = 1; m_line <= lines.size(); ++m_line) {
@@ -172,33 +173,38 @@ public:
             return QByteArray();
         closeCase();
         m_code.append(char(kEnd));
-        if (m_code.size() > kScriptArea)
-            return failure(ErrorCode::OutOfRange, u"script %1 is too long"_s.arg(m_script + 1));
+        if (m_code.size() > kScriptArea) {
+            m_line = 0;
+            return wrong(QT_TRANSLATE_NOOP("Tables", "it is too long"));
+        }
         return m_code;
     }
 
 private:
-    tl::unexpected<Error> wrong(const QString &what) const
+    using Done = tl::expected<void, ScriptMistake>;
+
+    tl::unexpected<ScriptMistake> wrong(const char *what, const QStringList &values = {}) const
     {
-        return failure(ErrorCode::InvalidArgument, u"script %1, line %2: %3"_s.arg(m_script + 1).arg(m_line).arg(what));
+        return tl::unexpected(ScriptMistake{m_script, int(m_line), what, values});
     }
 
-    Result<void> statement(const QString &line)
+    Done statement(const QString &line)
     {
         const auto words = wordsOf(line);
         if (!words)
-            return wrong(u"a quote is not closed"_s);
+            return wrong(QT_TRANSLATE_NOOP("Tables", "a quote is not closed"));
         const Statement *known = findWord(words->first());
         if (!known)
-            return wrong(u"'%1' is no statement"_s.arg(words->first()));
+            return wrong(QT_TRANSLATE_NOOP("Tables", "'%1' is no statement"), {words->first()});
+        const QString word = QLatin1String(known->word);
         if (!known->compiles)
-            return wrong(u"%1 is shown only; use %2"_s.arg(QLatin1String(known->word), u"SETANGLE"_s));
+            return wrong(QT_TRANSLATE_NOOP("Tables", "%1 is shown only; use %2"), {word, u"SETANGLE"_s});
         if (known->since > m_context.firmware)
-            return wrong(u"firmware 0.%1 does not know %2"_s.arg(m_context.firmware).arg(QLatin1String(known->word)));
+            return wrong(QT_TRANSLATE_NOOP("Tables", "firmware 0.%1 does not know %2"), {QString::number(m_context.firmware), word});
         const auto wanted = std::count_if(known->arguments.begin(), known->arguments.end(),
                                           [](const Argument &argument) { return argument.kind != Argument::None; });
         if (words->size() - 1 != wanted)
-            return wrong(u"%1 takes %2 values, not %3"_s.arg(QLatin1String(known->word)).arg(wanted).arg(words->size() - 1));
+            return wrong(QT_TRANSLATE_NOOP("Tables", "%1 takes %2 values, not %3"), {word, QString::number(wanted), QString::number(words->size() - 1)});
         if (isCase(known->code)) {
             if (const auto begun = beginCase(*known); !begun)
                 return begun;
@@ -217,14 +223,13 @@ private:
     }
 
     // Cases come once each and without holes, the default one first.
-    Result<void> beginCase(const Statement &known)
+    Done beginCase(const Statement &known)
     {
-        if (known.code != kFirstCase + m_cases) {
-            return wrong(known.code < kFirstCase + m_cases
-                             ? u"%1 is there already"_s.arg(QLatin1String(known.word))
-                             : u"%1 has to come before %2"_s.arg(QLatin1String(findCode(kFirstCase + m_cases)->word),
-                                                                   QLatin1String(known.word)));
-        }
+        const QString word = QLatin1String(known.word);
+        if (known.code < kFirstCase + m_cases)
+            return wrong(QT_TRANSLATE_NOOP("Tables", "%1 is there already"), {word});
+        if (known.code > kFirstCase + m_cases)
+            return wrong(QT_TRANSLATE_NOOP("Tables", "%1 has to come before %2"), {QLatin1String(findCode(kFirstCase + m_cases)->word), word});
         closeCase();
         ++m_cases;
         m_case = int(m_code.size());
@@ -242,7 +247,7 @@ private:
             m_code[m_case + 1] = char(std::min<qsizetype>(m_code.size(), 255));
     }
 
-    Result<void> argument(const Argument &wanted, const QString &text, const ScriptParameter *&parameter)
+    Done argument(const Argument &wanted, const QString &text, const ScriptParameter *&parameter)
     {
         if (wanted.kind == Argument::Parameter) {
             const auto it = std::find_if(m_context.parameters.begin(), m_context.parameters.end(), [&text](const ScriptParameter &each) {
@@ -252,16 +257,16 @@ private:
             bool numbered = false;
             const int index = parameter ? parameter->index : text.startsWith(u'#') ? text.mid(1).toInt(&numbered) : -1;
             if (!parameter && (!numbered || index < 0 || index > 255))
-                return wrong(u"there is no parameter \"%1\""_s.arg(text));
+                return wrong(QT_TRANSLATE_NOOP("Tables", "there is no parameter “%1”"), {text});
             m_code.append(char(index));
             return {};
         }
         bool ok = false;
         const double number = text.toDouble(&ok);
         if (!ok || !std::isfinite(number))
-            return wrong(u"'%1' is no number"_s.arg(text));
+            return wrong(QT_TRANSLATE_NOOP("Tables", "'%1' is no number"), {text});
         if (wanted.kind != Argument::Angle && number != std::floor(number))
-            return wrong(u"'%1' has to be a whole number"_s.arg(text));
+            return wrong(QT_TRANSLATE_NOOP("Tables", "'%1' has to be a whole number"), {text});
         int min = wanted.min;
         int max = wanted.max;
         if (wanted.kind == Argument::Value && parameter) {
@@ -269,7 +274,7 @@ private:
             max = parameter->isSigned ? 32767 : 65535;
         }
         if (number < min || number > max)
-            return wrong(u"%1 is outside %2 to %3"_s.arg(text).arg(min).arg(max));
+            return wrong(QT_TRANSLATE_NOOP("Tables", "%1 is outside %2 to %3"), {text, QString::number(min), QString::number(max)});
         const int raw = int(std::lround(wanted.kind == Argument::Angle ? number * kAnglesPerDegree : number));
         if (wireBytes(wanted.kind) == 1)
             m_code.append(char(raw));
@@ -361,7 +366,7 @@ QString scriptText(QByteArrayView area, int script, const ScriptContext &context
     return text;
 }
 
-Result<QByteArray> compileScripts(const std::array<QString, kScriptCount> &texts, const ScriptContext &context)
+CompiledScripts compileScripts(const std::array<QString, kScriptCount> &texts, const ScriptContext &context)
 {
     QByteArray area(kOffsets, char(kEnd));
     for (int script = 0; script < kScriptCount; ++script) {
@@ -371,8 +376,8 @@ Result<QByteArray> compileScripts(const std::array<QString, kScriptCount> &texts
         if (code->isEmpty())
             continue;
         if (area.size() + code->size() > kScriptArea) {
-            return failure(ErrorCode::OutOfRange, u"%1 of %2 bytes are used up to script %3"_s.arg(area.size() + code->size())
-                                                       .arg(kScriptArea).arg(script + 1));
+            return tl::unexpected(ScriptMistake{script, 0, QT_TRANSLATE_NOOP("Tables", "with it the scripts need %1 bytes; there are %2"),
+                                                {QString::number(area.size() + code->size()), QString::number(kScriptArea)}});
         }
         area[script] = char(area.size());
         area.append(*code);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "protocol/base/bytes.h"
-#include "protocol/base/result.h"
+#include "protocol/device/scriptlanguage.h"
 
 #include <QString>
 
@@ -49,8 +49,7 @@ struct ScriptLine
 [[nodiscard]] QString scriptText(QByteArrayView area, int script, const ScriptContext &context);
 
 /// All four texts as the area of 128 bytes. Empty lines, and lines that begin with // or ;, are passed over.
-/// Errors: InvalidArgument; the detail says script, line and what is wrong there. OutOfRange: together they are too long.
-[[nodiscard]] Result<QByteArray> compileScripts(const std::array<QString, kScriptCount> &texts, const ScriptContext &context);
+[[nodiscard]] CompiledScripts compileScripts(const std::array<QString, kScriptCount> &texts, const ScriptContext &context);
 
 /// The words that this firmware understands, for completion.
 [[nodiscard]] QStringList scriptWords(int firmware);

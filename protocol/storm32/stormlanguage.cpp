@@ -51,7 +51,7 @@ public:
         return {bytes, kScriptArea - kScriptCount};
     }
 
-    [[nodiscard]] Result<QByteArray> compile(const Configuration &configuration, const QStringList &texts) const override
+    [[nodiscard]] CompiledScripts compile(const Configuration &configuration, const QStringList &texts) const override
     {
         std::array<QString, kScriptCount> all;
         std::copy_n(texts.begin(), std::min<qsizetype>(texts.size(), kScriptCount), all.begin());

@@ -65,7 +65,7 @@ void TestStormScripts::textBecomesCode()
     QFETCH(QString, text);
     QFETCH(QByteArray, wanted);
     const auto area = compileScripts({text, {}, {}, {}}, context());
-    QVERIFY2(area, qPrintable(area ? QString() : area.error().detail));
+    QVERIFY2(area, qPrintable(area ? QString() : area.error().error().detail));
     QCOMPARE(area->size(), kScriptArea);
     QByteArray expected = (wanted.isEmpty() ? code("ffffffff") : code("04ffffff")) + wanted;
     expected.append(kScriptArea - expected.size(), char(0xFF));
@@ -99,8 +99,8 @@ void TestStormScripts::mistakesAreNamed()
     QFETCH(QString, word);
     const auto area = compileScripts({QString(), text, QString(), QString()}, context());
     QVERIFY(!area);
-    QCOMPARE(area.error().code, ErrorCode::InvalidArgument);
-    QVERIFY2(area.error().detail.startsWith(u"script 2, line"_s) && area.error().detail.contains(word), qPrintable(area.error().detail));
+    QCOMPARE(area.error().script, 1);
+    QVERIFY2(area.error().error().detail.startsWith(u"script 2, line"_s) && area.error().error().detail.contains(word), qPrintable(area.error().error().detail));
 }
 
 void TestStormScripts::whatIsCompiledReadsTheSame()
@@ -120,13 +120,13 @@ void TestStormScripts::whatIsCompiledReadsTheSame()
                                  "CASE#1", "  DORECENTER", "  REPEAT", "CASE#2", "  RESTART", "CASE#3", "  STOP"})
             text += QString::fromLatin1(line) + u'\n';
         const auto area = compileScripts({QString(), QString(), text, QString()}, old);
-        QVERIFY2(area, qPrintable(area ? QString() : area.error().detail));
+        QVERIFY2(area, qPrintable(area ? QString() : area.error().error().detail));
         QCOMPARE(scriptText(*area, 2, old), text);
         QVERIFY(scriptText(*area, 0, old).isEmpty());
     }
     ScriptContext old = context();
     old.firmware = 79;
-    QVERIFY(compileScripts({u"DOPANO 1 1"_s, {}, {}, {}}, old).error().detail.contains(u"0.79"_s));
+    QVERIFY(compileScripts({u"DOPANO 1 1"_s, {}, {}, {}}, old).error().error().detail.contains(u"0.79"_s));
 }
 
 void TestStormScripts::fourScriptsShareTheArea()
@@ -141,9 +141,12 @@ void TestStormScripts::fourScriptsShareTheArea()
     QVERIFY(compileScripts({sixty, sixty, {}, {}}, context()));
     const auto tooLong = compileScripts({sixty, sixty, ten, {}}, context());
     QVERIFY(!tooLong);
-    QCOMPARE(tooLong.error().code, ErrorCode::OutOfRange);
-    QVERIFY(tooLong.error().detail.contains(u"128"_s));
-    QCOMPARE(compileScripts({(sixty + u'\n').repeated(40), {}, {}, {}}, context()).error().code, ErrorCode::OutOfRange);
+    QCOMPARE(tooLong.error().script, 2);
+    QCOMPARE(tooLong.error().line, 0);
+    QVERIFY(tooLong.error().error().detail.contains(u"128"_s));
+    QVERIFY(compileScripts({(sixty + u'\n').repeated(40), {}, {}, {}}, context()).error().error().detail.contains(u"too long"_s));
+    // A word that looks like a place for a value is shown as it is.
+    QVERIFY(compileScripts({u"%2"_s, {}, {}, {}}, context()).error().error().detail.contains(u"'%2'"_s));
 }
 
 void TestStormScripts::anyBytesAreShown()

@@ -411,7 +411,7 @@ void TestStormSetup::scriptsAreWrittenLikeValues()
     QCOMPARE(readBoard(rig).block({0, Scripts}), *code);
     const auto wrong = language->compile(base, {u"WAIT 5"_s, u"FLY"_s});
     QVERIFY(!wrong);
-    QVERIFY2(wrong.error().detail.contains(u"script 2, line 1"_s), qPrintable(wrong.error().detail));
+    QVERIFY2(wrong.error().error().detail.contains(u"script 2, line 1"_s), qPrintable(wrong.error().error().detail));
 }
 
 void TestStormSetup::scriptsChangedByOthersAreAConflict()

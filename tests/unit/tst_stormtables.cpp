@@ -166,7 +166,7 @@ void TestStormTables::keysAreUniqueAndNamesKnown()
         const ScriptContext context = scriptContext(set, layout);
         QCOMPARE(context.parameters.size(), set.all().size());
         const auto area = compileScripts({u"SET \"Pitch Pan\" 3\nSET \"Rc Yaw Min\" -450\nSTOP"_s, {}, {}, {}}, context);
-        QVERIFY2(area, qPrintable(area ? QString() : area.error().detail));
+        QVERIFY2(area, qPrintable(area ? QString() : area.error().error().detail));
         QCOMPARE(area->mid(4, 9).toHex(), "0a0403000a3d3efe00");
     }
 }
