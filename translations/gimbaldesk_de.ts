@@ -1466,6 +1466,30 @@
         <source>The board starts; keep the camera still</source>
         <translation>Das Board startet; die Kamera still halten</translation>
     </message>
+    <message>
+        <source>The command reached the board damaged.</source>
+        <translation>Der Befehl kam beschädigt beim Board an.</translation>
+    </message>
+    <message>
+        <source>The board threw it away, also when it was repeated; nothing was changed by it.</source>
+        <translation>Das Board hat ihn verworfen, auch bei der Wiederholung; er hat nichts verändert.</translation>
+    </message>
+    <message>
+        <source>The line is disturbed: check cable, ground and rate, then try again.</source>
+        <translation>Die Leitung ist gestört: prüfen Sie Kabel, Masse und Rate, und versuchen Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>The values that were in use could not be put back.</source>
+        <translation>Die Werte, die in Gebrauch waren, konnten nicht zurückgesetzt werden.</translation>
+    </message>
+    <message>
+        <source>The board uses its stored values now; nothing that is stored was changed.</source>
+        <translation>Das Board verwendet jetzt seine gespeicherten Werte; an diesen wurde nichts verändert.</translation>
+    </message>
+    <message>
+        <source>The details list what was in use. Set it again if you want to keep it.</source>
+        <translation>Die Einzelheiten nennen, was in Gebrauch war. Setzen Sie es neu, wenn Sie es behalten wollen.</translation>
+    </message>
 </context>
 <context>
     <name>FaceList</name>
@@ -9375,10 +9399,6 @@ Spitze %2°</translation>
         <translation>Serielle Rate setzen</translation>
     </message>
     <message>
-        <source>Sets all motors to normal use and restarts.</source>
-        <translation>Setzt alle Motoren auf normale Verwendung und startet neu.</translation>
-    </message>
-    <message>
         <source>Sets the servo output.</source>
         <translation>Setzt den Servoausgang.</translation>
     </message>
@@ -10397,6 +10417,10 @@ Spitze %2°</translation>
     <message>
         <source>with it the scripts need %1 bytes; there are %2</source>
         <translation>mit ihm brauchen die Skripte %1 Bytes; es gibt %2</translation>
+    </message>
+    <message>
+        <source>Sets all motors to normal use and restarts: the motors start.</source>
+        <translation>Setzt alle Motoren auf normale Verwendung und startet neu: die Motoren laufen an.</translation>
     </message>
 </context>
 <context>

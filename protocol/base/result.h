@@ -19,6 +19,7 @@ enum class ErrorCode {
     Garbage,          ///< bytes arrive, no frame of a known protocol is among them
     WrongProtocol,    ///< frames of another family arrive
     ReadOnly,         ///< the firmware is unknown to us: nothing may be written
+    Damaged,          ///< the command reached the board damaged or in pieces and was thrown away
     BoardError,       ///< the board refused with its own error code (boardCode)
     BadReply,         ///< the board's answer does not hold what the document promises
     InvalidArgument,  ///< a value, key or address that makes no sense
@@ -32,6 +33,7 @@ enum class ErrorCode {
     TooMuch,          ///< more than the link can carry
     Unready,          ///< something has to be so first, and is not
     NotSeen,          ///< what a procedure waited for did not come; the detail says what
+    NotRestored,      ///< values in use were replaced and could not be put back; the detail lists them
     Diverged,         ///< an axis did not follow and was stopped
     Busy,             ///< another job of the same kind is running
 };

@@ -18,7 +18,7 @@ Result<QString> backupFor(Channel &channel, Device &device, ActionRisk risk, con
         return QString();
     const auto configuration = device.readConfiguration(channel);
     if (!configuration)
-        return failure(ErrorCode::NoBackup, configuration.error().detail);
+        return tl::unexpected(configuration.error());   // the board's own reason; nothing was sent yet
     return history.save(withoutLive(*configuration, live), reason);
 }
 

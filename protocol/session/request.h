@@ -20,6 +20,6 @@ struct Request
     int kind = 0;                    ///< requests of one kind could be answered by each other's replies
     int replyBytes = 0;              ///< expected size of the reply on the wire, for the timeout
     milliseconds timeout = 300ms;    ///< the board's own time to answer, beside the line's
-    int retries = 0;                 ///< used for idempotent requests only
+    int retries = 0;                 ///< after a timeout or a damaged command; used for idempotent requests only
     bool idempotent = false;
 };

@@ -55,7 +55,7 @@ void TransactionQueue::cancel(Id id)
     if (const auto it = std::find_if(m_inFlight.begin(), m_inFlight.end(), isIt); it != m_inFlight.end()) {
         Pending pending = std::move(*it);
         m_inFlight.erase(it);
-        leaveGhost(pending, pending.leftAt, pending.sends);
+        leaveGhost(pending, pending.leftAt, pending.sends - pending.refused);
         complete(std::move(pending), failure(ErrorCode::Cancelled));
     }
 }
@@ -81,10 +81,15 @@ bool TransactionQueue::frameArrived(const FrameView &frame, TimePoint now)
         auto answer = it->request.answer(frame);
         if (!answer)
             continue;
+        if (!answer->has_value() && answer->error().code == ErrorCode::Damaged && mayRepeat(*it)) {
+            ++it->refused;
+            send(*it, now);
+            return true;
+        }
         Pending pending = std::move(*it);
         m_inFlight.erase(it);
         m_roundTrip = std::max(Duration::zero(), now - pending.sentAt);
-        leaveGhost(pending, now, pending.sends - 1);
+        leaveGhost(pending, now, pending.sends - pending.refused - 1);
         complete(std::move(pending), std::move(*answer));
         startNext(now);
         return true;
@@ -124,7 +129,7 @@ void TransactionQueue::advance(TimePoint now)
             ++i;
             continue;
         }
-        if (pending.request.idempotent && pending.sends <= pending.request.retries) {
+        if (mayRepeat(pending)) {
             send(pending, now);
             ++i;
             continue;
@@ -132,7 +137,7 @@ void TransactionQueue::advance(TimePoint now)
         ++m_timeouts;
         Pending late = std::move(pending);
         m_inFlight.erase(m_inFlight.begin() + static_cast<std::ptrdiff_t>(i));
-        leaveGhost(late, now, late.sends);
+        leaveGhost(late, now, late.sends - late.refused);
         const QString name = late.request.name;
         complete(std::move(late), failure(ErrorCode::Timeout, name));
         i = 0;  // the completion may have changed the list
@@ -193,6 +198,11 @@ void TransactionQueue::leaveGhost(const Pending &pending, TimePoint now, int ans
 bool TransactionQueue::isHeldByGhost(int kind) const
 {
     return std::any_of(m_ghosts.begin(), m_ghosts.end(), [kind](const Ghost &ghost) { return ghost.kind == kind; });
+}
+
+bool TransactionQueue::mayRepeat(const Pending &pending)
+{
+    return pending.request.idempotent && pending.sends <= pending.request.retries;
 }
 
 bool TransactionQueue::normalInFlight() const

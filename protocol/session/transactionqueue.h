@@ -59,6 +59,7 @@ private:
         Completion completion;
         Lane lane = Lane::Normal;
         int sends = 0;
+        int refused = 0;            // answered, but to be sent again
         TimePoint sentAt{};     // when the line will have carried the last byte, for the round trip
         TimePoint leftAt{};     // when the last byte has left for certain, for the timeout
         TimePoint deadline{};
@@ -75,6 +76,7 @@ private:
     void complete(Pending pending, Result<Frame> result);
     void leaveGhost(const Pending &pending, TimePoint now, int answers);
     [[nodiscard]] bool isHeldByGhost(int kind) const;
+    [[nodiscard]] static bool mayRepeat(const Pending &pending);
     [[nodiscard]] bool normalInFlight() const;
     [[nodiscard]] Duration timeoutOf(const Request &request) const;
     void startNext(TimePoint now);

@@ -144,8 +144,8 @@ std::optional<Error> ackError(int code, const QString &command)
     case 1: return Error{ErrorCode::BoardError, u"%1: failed"_s.arg(command), code};
     case 2: return Error{ErrorCode::BoardError, u"%1: access denied"_s.arg(command), code};
     case 3: return Error{ErrorCode::Unsupported, u"%1: this firmware does not know it"_s.arg(command), code};
-    case 150: return Error{ErrorCode::BoardError, u"%1: the command arrived in pieces"_s.arg(command), code};
-    case 151: return Error{ErrorCode::BoardError, u"%1: the command arrived damaged"_s.arg(command), code};
+    case 150: return Error{ErrorCode::Damaged, u"%1: the command arrived in pieces"_s.arg(command), code};
+    case 151: return Error{ErrorCode::Damaged, u"%1: the command arrived damaged"_s.arg(command), code};
     case 152: return Error{ErrorCode::BoardError, u"%1: wrong length"_s.arg(command), code};
     case 153: return Error{ErrorCode::OutOfRange, u"%1: value out of range"_s.arg(command), code};
     default: return Error{ErrorCode::BoardError, u"%1: code %2"_s.arg(command).arg(code), code};
@@ -167,9 +167,9 @@ Request simpleRequest(Simple id, QByteArrayView arguments)
         if (frame.id == 'e')
             return failure(ErrorCode::Unsupported, u"'%1': the board does not know this command"_s.arg(name), 'e');
         if (frame.id == 't')
-            return failure(ErrorCode::BoardError, u"'%1': the command arrived in pieces"_s.arg(name), 't');
+            return failure(ErrorCode::Damaged, u"'%1': the command arrived in pieces"_s.arg(name), 't');
         if (frame.id == 'c')
-            return failure(ErrorCode::BoardError, u"'%1': the command arrived damaged"_s.arg(name), 'c');
+            return failure(ErrorCode::Damaged, u"'%1': the command arrived damaged"_s.arg(name), 'c');
         return {};
     };
     return request;
@@ -192,7 +192,7 @@ Request rcRequest(Rc id, const QByteArray &payload)
             return Frame(frame);
         }
         if (frame.id == 't')
-            return failure(ErrorCode::BoardError, u"%1: the command arrived in pieces"_s.arg(name), 't');
+            return failure(ErrorCode::Damaged, u"%1: the command arrived in pieces"_s.arg(name), 't');
         if (frame.id == 'e')
             return failure(ErrorCode::Unsupported, u"%1: the board does not know this command"_s.arg(name), 'e');
         return {};

@@ -93,7 +93,7 @@ constexpr ActionSpec kActions[] = {
     {.key = "restart", .label = "Restart", .help = "Restarts the controller with the stored values; motors go off meanwhile.",
      .group = "Board", .risk = ActionRisk::Moves, .memory = MemoryEffect::Reloads},
     {.key = "reset", .label = "Hardware reset", .help = "Like switching off and on.", .group = "Board", .risk = ActionRisk::Moves, .memory = MemoryEffect::Reloads},
-    {.key = "motors.normal", .label = "Use all motors, restart", .help = "Sets all motors to normal use and restarts.", .group = "Board",
+    {.key = "motors.normal", .label = "Use all motors, restart", .help = "Sets all motors to normal use and restarts: the motors start.", .group = "Board",
      .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
 };
 

@@ -25,6 +25,8 @@ constexpr auto kBeat = 1100ms;
 constexpr auto kStoring = 2s;            // up to about 1 s on hardware
 constexpr auto kPollInterval = 5ms;      // as often as the line allows, one after the other
 constexpr int kRetries = 2;
+constexpr int kRetriesOfLong = 5;        // a bad line hits many bytes more surely than few
+constexpr qsizetype kLong = 100;         // bytes
 // Who we are on MAVLink: the address of the errata's examples.
 constexpr mavlink::Address kOwn{82, 67};
 constexpr int kPlain = -1;               // of m_way
@@ -48,7 +50,7 @@ bool isStoring(Simple id)
         || id == Simple::WriteCalibration || id == Simple::NormalMotors;
 }
 
-// Reading twice does no harm; these are asked again when an answer is lost.
+// What may be done twice without harm is asked again when an answer is lost.
 bool isRepeatable(Simple id)
 {
     switch (id) {
@@ -56,6 +58,8 @@ bool isRepeatable(Simple id)
     case Simple::Version:
     case Simple::GetParameters:
     case Simple::PutParameters:
+    case Simple::Store:
+    case Simple::Retrieve:
     case Simple::LiveData:
     case Simple::Status:
     case Simple::ReadCalibration:
@@ -147,7 +151,7 @@ Request StormDevice::simple(Simple id, QByteArrayView arguments) const
     Request request = simpleRequest(id, arguments);
     request.timeout = isStoring(id) ? milliseconds(kStoring) : milliseconds(kAnswer);
     request.idempotent = isRepeatable(id);
-    request.retries = kRetries;
+    request.retries = std::max<qsizetype>(request.bytes.size(), request.replyBytes) > kLong ? kRetriesOfLong : kRetries;
     return isEmbedded() ? embed(request, request.bytes, id) : request;
 }
 
@@ -179,7 +183,7 @@ Result<bool> StormDevice::probe(Channel &channel)
         if (reply)
             return true;
         const ErrorCode code = reply.error().code;
-        if (code == ErrorCode::Timeout || code == ErrorCode::BoardError || code == ErrorCode::Unsupported)
+        if (code == ErrorCode::Timeout || code == ErrorCode::BoardError || code == ErrorCode::Damaged || code == ErrorCode::Unsupported)
             return false;
         return tl::unexpected(reply.error());
     };
@@ -272,12 +276,25 @@ Result<int> StormDevice::readWord(Channel &channel, int word)
     return int(reader.u16());
 }
 
+// The firmware takes these frames whatever their checksum says (errata 4), so a value is only written when it reads back.
 Result<void> StormDevice::writeWord(Channel &channel, int word, int raw)
 {
-    const auto reply = channel.transact(rc(Rc::SetParameter, ByteWriter().u16(word).u16(raw & 0xFFFF).take()));
-    if (!reply)
-        return tl::unexpected(reply.error());
-    return word == kHeartbeatWord ? findWay(channel, raw) : Result<void>();
+    const int wanted = raw & 0xFFFF;
+    int found = -1;
+    for (int attempt = 0; attempt <= kRetries; ++attempt) {
+        const auto reply = channel.transact(rc(Rc::SetParameter, ByteWriter().u16(word).u16(wanted).take()));
+        if (!reply)
+            return tl::unexpected(reply.error());
+        if (const auto way = word == kHeartbeatWord ? findWay(channel, raw) : Result<void>(); !way)
+            return way;
+        const auto back = readWord(channel, word);
+        if (!back)
+            return tl::unexpected(back.error());
+        if (*back == wanted)
+            return {};
+        found = *back;
+    }
+    return failure(ErrorCode::VerifyFailed, u"word %1: %2 was written, %3 read"_s.arg(word).arg(wanted).arg(found));
 }
 
 // Writing the heartbeat's word locks plain commands out of a UART at once, or lets them in again (errata 6). USB answers

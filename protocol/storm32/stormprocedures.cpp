@@ -80,26 +80,42 @@ Result<ActionReply> StormProcedures::compareStored()
     const auto inUse = m_device.readStream(m_channel);
     if (!inUse)
         return tl::unexpected(inUse.error());
-    if (const auto loaded = m_channel.transact(m_device.simple(Simple::Retrieve)); !loaded)
-        return tl::unexpected(loaded.error());
-    const auto stored = m_device.readStream(m_channel);
-    const auto put = m_channel.transact(m_device.simple(Simple::PutParameters, *inUse));
+    const Configuration use = configurationOf(*inUse);
+    // Put back also when loading seems to have failed: only its answer may have been lost.
+    const auto loaded = m_channel.transact(m_device.simple(Simple::Retrieve));
+    const auto stored = loaded ? m_device.readStream(m_channel) : Result<QByteArray>(tl::unexpected(loaded.error()));
+    if (const auto put = m_channel.transact(m_device.simple(Simple::PutParameters, *inUse)); !put)
+        return failure(ErrorCode::NotRestored, inUseText(use, stored) + u"; "_s + put.error().detail);
     if (!stored)
         return tl::unexpected(stored.error());
-    if (!put)
-        return tl::unexpected(put.error());
     ActionReply reply{{u"unstored"_s, *stored != *inUse}};
-    Configuration use(m_device.identity(), m_device.parameters());
-    Configuration kept = use;
-    for (const auto &[block, bytes] : splitStream(*inUse, m_device.m_words))
-        use.setBlock({0, block}, bytes);
-    for (const auto &[block, bytes] : splitStream(*stored, m_device.m_words))
-        kept.setBlock({0, block}, bytes);
+    const Configuration kept = configurationOf(*stored);
     for (const ParameterChange &change : kept.changesTo(use))
         reply.insert(change.spec->key, u"%1 in use, %2 stored"_s.arg(change.spec->format(change.to), change.spec->format(change.from)));
     for (const DataChange &change : kept.dataChangesTo(use))
         reply.insert(QLatin1String(change.spec->data), u"not stored"_s);
     return reply;
+}
+
+Configuration StormProcedures::configurationOf(const QByteArray &stream) const
+{
+    Configuration configuration(m_device.identity(), m_device.parameters());
+    for (const auto &[block, bytes] : splitStream(stream, m_device.m_words))
+        configuration.setBlock({0, block}, bytes);
+    return configuration;
+}
+
+// What was in use and differs from what is stored, or from the defaults where that is not known.
+QString StormProcedures::inUseText(const Configuration &use, const Result<QByteArray> &stored) const
+{
+    QStringList values;
+    const Configuration kept = stored ? configurationOf(*stored) : use;
+    for (const ParameterSpec &spec : use.parameters().all()) {
+        const auto raw = use.raw(spec, 0);
+        if (raw && *raw != (stored ? kept.raw(spec, 0).value_or(*raw) : spec.defaultRaw))
+            values.append(u"%1=%2"_s.arg(spec.key, spec.format(*raw)));
+    }
+    return values.join(u' ');
 }
 
 Result<ActionReply> StormProcedures::perform(const QString &key, const QVariantMap &arguments)

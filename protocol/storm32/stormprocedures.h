@@ -71,6 +71,8 @@ private:
     Result<ActionReply> endYaw(bool take);
 
     Result<ActionReply> compareStored();
+    [[nodiscard]] Configuration configurationOf(const QByteArray &stream) const;
+    [[nodiscard]] QString inUseText(const Configuration &use, const Result<QByteArray> &stored) const;
 
     StormDevice &m_device;
     Channel &m_channel;

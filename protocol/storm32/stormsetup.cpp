@@ -218,9 +218,9 @@ Result<ActionReply> StormProcedures::restartAndWait()
     bool restored = false;
     while (m_channel.now() < until) {
         const auto now = status();
-        if (!now && (now.error().code != ErrorCode::Timeout && now.error().code != ErrorCode::BoardError))
-            return tl::unexpected(now.error());
-        if (!now && ++bad > kMostBadAnswers)
+        const bool tolerable = now || now.error().code == ErrorCode::Timeout || now.error().code == ErrorCode::Damaged
+            || now.error().code == ErrorCode::BoardError;
+        if (!tolerable || (!now && ++bad > kMostBadAnswers))
             return tl::unexpected(now.error());
         if (now) {
             if (now->status & kLevelFailed)

@@ -374,8 +374,8 @@ void TestStormDevice::lossAndDamageAreSurvived()
     for (const unsigned seed : {1U, 2U, 3U}) {
         SimulatorOptions o = stormOptions(96, false);
         o.seed = seed;
-        o.faults.loseByte = 0.0005;
-        o.faults.flipByte = 0.0005;
+        o.faults.loseByte = 0.001;
+        o.faults.flipByte = 0.001;
         StormRig rig(o, kLine);
         std::ignore = rig.channel.setLine(kLine);
         int identified = 0;
@@ -392,7 +392,7 @@ void TestStormDevice::lossAndDamageAreSurvived()
             QCOMPARE(configuration->raw(*rig.device.parameters()->find(u"pid.pitch.p"_s), 0), 400);
             QCOMPARE(configuration->raw(*rig.device.parameters()->find(u"motor.yaw.vmax"_s), 0), 150);
         }
-        QVERIFY2(good >= 15, qPrintable(QString::number(good)));
+        QVERIFY2(good >= 19, qPrintable(QString::number(good)));
     }
 }
 

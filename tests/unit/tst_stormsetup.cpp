@@ -52,6 +52,8 @@ private slots:
     void startWaitsForTheBattery();
     void yawIsAligned();
     void storedIsComparedWithUse();
+    void comparingLosesNothing();
+    void valuesArriveOrAreReported();
     void scriptsAreWrittenLikeValues();
     void scriptsChangedByOthersAreAConflict();
     void scriptsOfABackupComeBack();
@@ -381,6 +383,65 @@ void TestStormSetup::storedIsComparedWithUse()
     QCOMPARE(reply->value(u"pid.pitch.p"_s).toString(), u"4.44 in use, 4.00 stored"_s);
     QCOMPARE(rig.board().inUse(0), 444);      // nothing was changed by asking
     QCOMPARE(rig.board().stored(0), 400);
+}
+
+// A line that damages every tenth frame: what was in use is in use again, or the operator is told what it was.
+void TestStormSetup::comparingLosesNothing()
+{
+    int compared = 0;
+    for (unsigned seed = 1; seed <= 30; ++seed) {
+        SimulatorOptions options = stormOptions(96);
+        options.seed = seed;
+        options.faults.loseByte = options.faults.flipByte = 0.001;
+        StormRig rig(options);
+        if (!rig.device.identify(rig.channel))
+            continue;
+        rig.board().set(0, 444);
+        const auto reply = rig.device.perform(rig.channel, u"stored.compare"_s, {});
+        compared += reply.has_value();
+        if (reply)
+            QCOMPARE(rig.board().inUse(0), 444);
+        else if (rig.board().inUse(0) != 444)
+            QVERIFY2(reply.error().code == ErrorCode::NotRestored && reply.error().detail.contains(u"pid.pitch.p=4.44"_s),
+                     qPrintable(reply.error().detail));
+    }
+    QVERIFY2(compared >= 20, qPrintable(QString::number(compared)));
+    // The line dies after the values in use were read, after the stored ones were loaded, after these were read.
+    for (int after = 1; after <= 3; ++after) {
+        StormRig rig;
+        QVERIFY(rig.device.identify(rig.channel));
+        rig.board().set(0, 444);
+        rig.channel.setTap([&, frames = 0](const FrameView &, TimePoint) mutable {
+            if (++frames == after)
+                QVERIFY(rig.port.change(u"lose=1"_s));
+        });
+        const auto reply = rig.device.perform(rig.channel, u"stored.compare"_s, {});
+        QVERIFY(!reply);
+        QCOMPARE(rig.board().inUse(0), after == 1 ? 444 : 400);
+        QCOMPARE(reply.error().code, ErrorCode::NotRestored);
+        QVERIFY2(reply.error().detail.contains(u"pid.pitch.p=4.44"_s), qPrintable(reply.error().detail));
+    }
+}
+
+// The firmware looks at no checksum of these frames: a value that is said to be set is set.
+void TestStormSetup::valuesArriveOrAreReported()
+{
+    int set = 0;
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        SimulatorOptions options = stormOptions(96);
+        options.seed = seed;
+        options.faults.flipByte = 0.004;
+        StormRig rig(options);
+        if (!rig.device.identify(rig.channel))
+            continue;
+        for (int value = 300; value < 340; ++value) {
+            const auto done = rig.device.writeAdjustables(rig.channel, {{1, double(value)}});
+            if (done)
+                QCOMPARE(rig.board().inUse(1), value);
+            set += done.has_value();
+        }
+    }
+    QVERIFY2(set > 300, qPrintable(QString::number(set)));
 }
 
 void TestStormSetup::scriptsAreWrittenLikeValues()

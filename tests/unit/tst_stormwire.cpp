@@ -125,8 +125,8 @@ void TestStormWire::acksBecomeCauses_data()
     QTest::newRow("failed") << 1 << int(ErrorCode::BoardError);
     QTest::newRow("denied") << 2 << int(ErrorCode::BoardError);
     QTest::newRow("not supported") << 3 << int(ErrorCode::Unsupported);
-    QTest::newRow("timeout") << 150 << int(ErrorCode::BoardError);
-    QTest::newRow("checksum") << 151 << int(ErrorCode::BoardError);
+    QTest::newRow("timeout") << 150 << int(ErrorCode::Damaged);
+    QTest::newRow("checksum") << 151 << int(ErrorCode::Damaged);
     QTest::newRow("length") << 152 << int(ErrorCode::BoardError);
     QTest::newRow("range") << 153 << int(ErrorCode::OutOfRange);
     QTest::newRow("unknown") << 77 << int(ErrorCode::BoardError);

@@ -24,6 +24,8 @@ Request request(const QString &name, int replyId, bool idempotent = true, int re
             return Frame(frame);
         if (frame.id == 255)
             return failure(ErrorCode::BoardError);
+        if (frame.id == 254)
+            return failure(ErrorCode::Damaged);
         return {};
     };
     return r;
@@ -77,6 +79,7 @@ private slots:
     void doesNotRetryWhatIsNotIdempotent();
     void completesExactlyOnce();
     void boardRefusalIsAnError();
+    void damagedCommandIsSentAgain();
     void lateAnswerIsNotTakenForTheNextRequest();
     void otherKindsAreNotHeldByALateAnswer();
     void answerToARetriedRequestLeavesOneToCome();
@@ -157,6 +160,29 @@ void TestTransactionQueue::boardRefusalIsAnError()
     bench.submit(request(u"a"_s, 1));
     bench.arrive(255);
     QCOMPARE(bench.completed, QStringList{failed("a", ErrorCode::BoardError)});
+}
+
+void TestTransactionQueue::damagedCommandIsSentAgain()
+{
+    Bench bench;
+    bench.submit(request(u"a"_s, 1, true, 2));
+    QVERIFY(bench.arrive(254));
+    QCOMPARE(bench.written, (QStringList{u"a"_s, u"a"_s}));
+    QVERIFY(bench.completed.isEmpty());
+    QVERIFY(bench.arrive(1));
+    QCOMPARE(bench.completed, QStringList{u"a:ok"_s});
+    // Each sending was answered: nothing late is to be waited for.
+    bench.submit(request(u"b"_s, 1, true, 1));
+    bench.pass(11ms);
+    QCOMPARE(bench.written.size(), 3);
+    bench.arrive(254);
+    bench.arrive(254);
+    QCOMPARE(bench.completed, (QStringList{u"a:ok"_s, failed("b", ErrorCode::Damaged)}));
+    // What must not be done twice is not repeated, even so.
+    Bench once;
+    once.submit(request(u"c"_s, 1, false, 2));
+    once.arrive(254);
+    QCOMPARE(once.completed, QStringList{failed("c", ErrorCode::Damaged)});
 }
 
 void TestTransactionQueue::lateAnswerIsNotTakenForTheNextRequest()

@@ -86,6 +86,11 @@ ErrorText describe(const Error &error)
         text.meaning = Words::tr("It is a recording, or its firmware or this value must not be written by this version of the program.");
         text.cure = Words::tr("Connect the board itself, update the program, or change the value with the board maker's tool.");
         break;
+    case ErrorCode::Damaged:
+        text.what = Words::tr("The command reached the board damaged.");
+        text.meaning = Words::tr("The board threw it away, also when it was repeated; nothing was changed by it.");
+        text.cure = Words::tr("The line is disturbed: check cable, ground and rate, then try again.");
+        break;
     case ErrorCode::BoardError:
         text.what = Words::tr("The board refused.");
         text.meaning = Words::tr("Nothing was changed by this command.");
@@ -140,6 +145,11 @@ ErrorText describe(const Error &error)
         text.what = Words::tr("What was waited for did not come.");
         text.meaning = Words::tr("This step was given up; nothing was stored.");
         text.cure = Words::tr("The details say what was missing. Put it right and do the step again.");
+        break;
+    case ErrorCode::NotRestored:
+        text.what = Words::tr("The values that were in use could not be put back.");
+        text.meaning = Words::tr("The board uses its stored values now; nothing that is stored was changed.");
+        text.cure = Words::tr("The details list what was in use. Set it again if you want to keep it.");
         break;
     case ErrorCode::Diverged:
         text.what = Words::tr("The axis did not follow; the motors were switched off.");
