@@ -273,12 +273,7 @@ void UnstoredBar::goBack()
         m_workspace.live().revert();
         return;
     }
-    m_workspace.perform(reloadAction(), {}).then(this, [this](const Result<ActionOutcome> &done) {
-        m_workspace.live().forget();
-        m_workspace.live().read();
-        if (done)
-            m_workspace.readBoard();
-    });
+    m_workspace.perform(reloadAction(), {});
 }
 
 void UnstoredBar::refresh()

@@ -2,55 +2,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/boardwriter.h"
 
-#include "app/pages/workspace.h"
 #include "protocol/procedure/writeconfiguration.h"
 
 using namespace Qt::StringLiterals;
 
-BoardWriter::BoardWriter(Workspace &workspace)
-    : m_workspace(workspace)
+BoardWriter::BoardWriter(DeviceClient &client, ConfigurationModel &configuration, LiveModel &live, EditStack &edits,
+                         const BoardHistory &history)
+    : m_client(client)
+    , m_configuration(configuration)
+    , m_live(live)
+    , m_edits(edits)
+    , m_history(history)
 {
 }
 
 void BoardWriter::write(const Configuration &wanted)
 {
     if (m_writing) {
-        emit m_workspace.problem(describe({ErrorCode::Busy, {}, 0}));
+        emit problem(describe({ErrorCode::Busy, {}, 0}));
         return;
     }
     m_writing = true;
-    m_workspace.client().submit<WriteReport>([base = m_workspace.configuration().board(), wanted, history = m_workspace.history(),
-                                  backupDone = m_backupDone, live = m_workspace.live().unsaved()](Channel &channel, Device &device) {
+    m_client.submit<WriteReport>([base = m_configuration.board(), wanted, history = m_history,
+                                  backupDone = m_backupDone, live = m_live.unsaved()](Channel &channel, Device &device) {
         WriteOptions options;
         options.history = &history;
         options.backupDone = backupDone;
         options.live = live;
         return writeConfiguration(channel, device, base, wanted, options);
-    }).then(this, [this, live = m_workspace.live().unsaved()](const Result<WriteReport> &result) {
+    }).then(this, [this, live = m_live.unsaved()](const Result<WriteReport> &result) {
         m_writing = false;
         onReport(result);
         restoreLive(live);
         // What was wanted is not lost: it is unsaved again.
         if (const auto again = std::exchange(m_wantedAgain, std::nullopt); again && result && result->isComplete())
-            m_workspace.edits().apply(*again, tr("Changes of the interrupted write"));
-        emit m_workspace.writeFinished();
+            m_edits.apply(*again, tr("Changes of the interrupted write"));
+        emit finished();
     });
 }
 
 void BoardWriter::onReport(const Result<WriteReport> &result)
 {
     if (!result) {
-        emit m_workspace.problem(describe(result.error()));
+        emit problem(describe(result.error()));
         if (result.error().code == ErrorCode::Conflict)
-            m_workspace.readBoard();
+            emit conflicted();
         return;
     }
     m_lastReport = *result;
     if (!result->snapshotPath.isEmpty())
         m_backupDone = true;
-    m_workspace.configuration().setBoard(result->onBoard);
+    m_configuration.setBoard(result->onBoard);
     if (!result->snapshotPath.isEmpty())
-        emit m_workspace.snapshotTaken();
+        emit snapshotTaken();
     const int verified = result->count(WriteState::Verified);
     if (result->isComplete()) {
         emit completed();
@@ -58,7 +62,7 @@ void BoardWriter::onReport(const Result<WriteReport> &result)
                                              : tr("%n value(s) written and read back.", nullptr, verified);
         if (!result->snapshotPath.isEmpty())
             text += u' ' + tr("The board as it was is kept in %1").arg(result->snapshotPath);
-        emit m_workspace.notice(text);
+        emit notice(text);
         return;
     }
     ErrorText text = describe(*result->error);
@@ -82,7 +86,7 @@ void BoardWriter::onReport(const Result<WriteReport> &result)
     for (const WriteLine &line : result->lines)
         names.append(line.spec->key);
     text.detail += u' ' + names.mid(0, 12).join(u", "_s);
-    emit m_workspace.problem(text);
+    emit problem(text);
 }
 
 // After the reconnection the board was read again, so it is known what a broken write left behind: the rest can be written,
@@ -91,7 +95,7 @@ void BoardWriter::offerRepair()
 {
     if (!std::exchange(m_interrupted, false))
         return;
-    const Configuration &board = std::as_const(m_workspace.configuration()).board();
+    const Configuration &board = std::as_const(m_configuration).board();
     Configuration finished = board;
     Configuration undone = board;
     int missing = 0;
@@ -109,7 +113,7 @@ void BoardWriter::offerRepair()
         }
     }
     if (missing == 0) {
-        emit m_workspace.notice(tr("The interrupted write was complete: all %1 values are on the board.").arg(landed));
+        emit notice(tr("The interrupted write was complete: all %1 values are on the board.").arg(landed));
         return;
     }
     Offer question;
@@ -124,21 +128,21 @@ void BoardWriter::offerRepair()
             write(undone);
         }});
     question.choices.append({tr("Leave it so"), [] { }});
-    emit m_workspace.offer(question);
+    emit offer(question);
 }
 
 // A written block is loaded by the board at once, stored values and all: what was in use beside it is put into use again.
 void BoardWriter::restoreLive(const LiveValues &before)
 {
-    if (!m_workspace.client().isConnected())
+    if (!m_client.isConnected())
         return;
     QHash<int, int> values;
     for (const LiveValue &value : before) {
-        const ParameterSpec *spec = std::as_const(m_workspace.configuration()).board().parameters().find(value.key);
-        if (spec && m_workspace.live().stored(spec->id) == value.stored)
+        const ParameterSpec *spec = std::as_const(m_configuration).board().parameters().find(value.key);
+        if (spec && m_live.stored(spec->id) == value.stored)
             values.insert(spec->id, value.inUse);
     }
-    m_workspace.live().forget();
-    m_workspace.live().read();
-    m_workspace.live().setValues(values);
+    m_live.forget();
+    m_live.read();
+    m_live.setValues(values);
 }

@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/configuration.h"
+#include "app/pages/offer.h"
+#include "protocol/device/deviceclient.h"
 #include "protocol/device/writereport.h"
+#include "protocol/record/boardhistory.h"
+#include "widgets/forms/editstack.h"
+#include "widgets/models/errortext.h"
 #include "widgets/models/livemodel.h"
-
-#include <QObject>
-
-class Workspace;
 
 /// Writes edits to the board, tells the operator how it went, and mends what a broken link left half done.
 class BoardWriter final : public QObject
 {
     Q_OBJECT
 public:
-    explicit BoardWriter(Workspace &workspace);
+    BoardWriter(DeviceClient &client, ConfigurationModel &configuration, LiveModel &live, EditStack &edits, const BoardHistory &history);
 
     /// Writes what differs between the board and this, verified, with a snapshot before the first write on this link.
     void write(const Configuration &wanted);
@@ -29,12 +29,24 @@ public:
 signals:
     /// Everything that was wanted is on the board, and stored.
     void completed();
+    /// The board was changed by somebody else; nothing was written.
+    void conflicted();
+    /// A write has come to its end, one way or the other.
+    void finished();
+    void snapshotTaken();
+    void problem(const ErrorText &text);
+    void notice(const QString &text);
+    void offer(const Offer &offer);
 
 private:
     void onReport(const Result<WriteReport> &result);
     void restoreLive(const LiveValues &before);
 
-    Workspace &m_workspace;
+    DeviceClient &m_client;
+    ConfigurationModel &m_configuration;
+    LiveModel &m_live;
+    EditStack &m_edits;
+    const BoardHistory &m_history;
     std::optional<WriteReport> m_lastReport;
     std::optional<Configuration> m_wantedAgain;   // becomes edits once an interrupted write is undone
     bool m_backupDone = false;

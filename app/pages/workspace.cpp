@@ -40,7 +40,7 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     , m_journal(m_configuration, m_edits, m_history)
     , m_recorder(m_client)
     , m_linkMarks(*this)
-    , m_writer(*this)
+    , m_writer(m_client, m_configuration, m_live, m_edits, m_history)
 {
     connect(&m_journal, &EditJournal::leftoverFound, this, &Workspace::offerLeftover);
     connect(&m_journal, &EditJournal::failed, this, [this](const Error &error) {
@@ -58,6 +58,12 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
         emit problem(text);
     });
     connect(&m_writer, &BoardWriter::completed, this, [this] { setUnstored(false); });   // a write ends with storing
+    connect(&m_writer, &BoardWriter::conflicted, this, &Workspace::readBoard);
+    connect(&m_writer, &BoardWriter::finished, this, &Workspace::writeFinished);
+    connect(&m_writer, &BoardWriter::snapshotTaken, this, &Workspace::snapshotTaken);
+    connect(&m_writer, &BoardWriter::problem, this, &Workspace::problem);
+    connect(&m_writer, &BoardWriter::notice, this, &Workspace::notice);
+    connect(&m_writer, &BoardWriter::offer, this, &Workspace::offer);
     connect(&m_settings, &Settings::changed, this, &Workspace::applySettings);
     connect(&m_client, &DeviceClient::stateChanged, this, &Workspace::onState);
     connect(&m_client, &DeviceClient::connectionFailed, this, [this](const Error &error) {
@@ -275,6 +281,11 @@ QFuture<Result<ActionOutcome>> Workspace::perform(const QString &key, const QVar
                 setUnstored(outcome->reply.value(u"unstored"_s).toBool());
             else if (outcome && effect != MemoryEffect::None)
                 setUnstored(effect == MemoryEffect::ChangesInUse);
+            if (outcome && effect == MemoryEffect::Reloads) {   // what was set live is gone
+                m_live.forget();
+                m_live.read();
+                readBoard();
+            }
             return outcome;
         });
 }

@@ -15,18 +15,6 @@
 #include "widgets/models/livemodel.h"
 #include "widgets/theme/theme.h"
 
-/// A question to the operator with the answers to choose from, shown without stopping anything.
-struct Offer
-{
-    struct Choice
-    {
-        QString text;
-        std::function<void()> chosen;
-    };
-    QString text;
-    QList<Choice> choices;   ///< the first one is what is usually wanted
-};
-
 /// "31 °C" or "88 °F"; empty for NaN.
 [[nodiscard]] QString temperatureText(double celsius, bool fahrenheit);
 

@@ -151,6 +151,14 @@ void TestStorm::unstoredValuesStayInSight()
     workspace().perform(u"restart"_s, {});
     QTRY_COMPARE_WITH_TIMEOUT(inUse(12), 421, 8000);
 
+    // A restart that was asked for elsewhere takes live values with it; the pages know.
+    page->live().setValue(m_rig->spec(u"pid.yaw.p"_s).id, 433);
+    QTRY_VERIFY(bar->isVisible());
+    QTRY_COMPARE(inUse(12), 433);
+    workspace().perform(u"restart"_s, {});
+    QTRY_VERIFY_WITH_TIMEOUT(!bar->isVisible(), 10000);
+    QTRY_COMPARE(page->live().value(m_rig->spec(u"pid.yaw.p"_s).id), std::optional(421));
+
     // An action that changes what is in use says so as well, and there is a way back.
     workspace().perform(u"defaults"_s, {});
     QTRY_VERIFY(workspace().isUnstored() && bar->isVisible());

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QList>
+#include <QString>
+
+#include <functional>
+
+/// A question to the operator with the answers to choose from, shown without stopping anything.
+struct Offer
+{
+    struct Choice
+    {
+        QString text;
+        std::function<void()> chosen;
+    };
+    QString text;
+    QList<Choice> choices;   ///< the first one is what is usually wanted
+};
