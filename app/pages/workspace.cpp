@@ -281,7 +281,8 @@ QFuture<Result<ActionOutcome>> Workspace::perform(const QString &key, const QVar
                 setUnstored(outcome->reply.value(u"unstored"_s).toBool());
             else if (outcome && effect != MemoryEffect::None)
                 setUnstored(effect == MemoryEffect::ChangesInUse);
-            if (outcome && effect == MemoryEffect::Reloads) {   // what was set live is gone
+            // What was set live is gone, also when only the answer was lost.
+            if (effect == MemoryEffect::Reloads && m_client.isConnected()) {
                 m_live.forget();
                 m_live.read();
                 readBoard();
