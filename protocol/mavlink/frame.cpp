@@ -63,55 +63,16 @@ Result<QVariantMap> decodeFields(const Message &message, Bytes payload)
 {
     if (payload.size() < std::size_t(message.size))
         return failure(ErrorCode::BadReply, u"%1 of %2 bytes"_s.arg(QLatin1String(message.name)).arg(payload.size()));
-    QVariantMap values;
-    for (const Field &field : message.fields) {
-        ByteReader reader(payload.subspan(std::size_t(field.offset)));
-        QVariant value;
-        switch (field.type) {
-        case Field::U8: value = int(reader.u8()); break;
-        case Field::I8: value = int(reader.i8()); break;
-        case Field::U16: value = int(reader.u16()); break;
-        case Field::I16: value = int(reader.i16()); break;
-        case Field::U32: value = reader.u32(); break;
-        case Field::I32: value = reader.i32(); break;
-        case Field::F32: value = reader.f32(); break;
-        case Field::Text: {
-            const QByteArray text = toByteArray(reader.take(std::size_t(field.size)));
-            value = QString::fromLatin1(text.constData(), qstrnlen(text.constData(), std::size_t(text.size())));
-            break;
-        }
-        case Field::Bytes: value = toByteArray(reader.take(reader.remaining())); break;
-        }
-        values.insert(QString::fromLatin1(field.name), value);
-    }
-    return values;
+    return ::decodeFields(message.fields, payload);
 }
 
 Result<QByteArray> encodeFields(const Message &message, const QVariantMap &values)
 {
-    ByteWriter writer;
-    qsizetype used = 0;
-    for (const Field &field : message.fields) {
-        const auto it = values.find(QString::fromLatin1(field.name));
-        const QVariant value = it == values.end() ? QVariant() : it.value();
-        used += it != values.end();
-        switch (field.type) {
-        case Field::U8: writer.u8(value.toInt()); break;
-        case Field::I8: writer.i8(value.toInt()); break;
-        case Field::U16: writer.u16(value.toInt()); break;
-        case Field::I16: writer.i16(value.toInt()); break;
-        case Field::U32: writer.u32(value.toUInt()); break;
-        case Field::I32: writer.i32(value.toInt()); break;
-        case Field::F32: writer.f32(value.toFloat()); break;
-        case Field::Text: writer.bytes(value.toString().toLatin1().leftJustified(field.size, '\0', true)); break;
-        case Field::Bytes: writer.bytes(value.toByteArray()); break;
-        }
-    }
-    if (used != values.size())
-        return failure(ErrorCode::InvalidArgument, u"%1 has no such field"_s.arg(QLatin1String(message.name)));
-    QByteArray payload = writer.take();
-    if (payload.size() > 255)
-        return failure(ErrorCode::InvalidArgument, u"%1 bytes in %2"_s.arg(payload.size()).arg(QLatin1String(message.name)));
+    auto payload = ::encodeFields(message.fields, values);
+    if (!payload)
+        return failure(payload.error().code, u"%1: %2"_s.arg(QLatin1String(message.name), payload.error().detail));
+    if (payload->size() > 255)
+        return failure(ErrorCode::InvalidArgument, u"%1 bytes in %2"_s.arg(payload->size()).arg(QLatin1String(message.name)));
     return payload;
 }
 

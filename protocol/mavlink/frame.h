@@ -2,13 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/base/bytes.h"
-#include "protocol/base/result.h"
 #include "protocol/mavlink/messages.h"
-
-#include <QVariantMap>
-
-#include <optional>
 
 namespace mavlink {
 
@@ -47,9 +41,10 @@ struct Sighting
 /// A complete frame. The payload must have the message's size (a variable one at most 255 bytes).
 [[nodiscard]] QByteArray encode(MessageId id, QByteArrayView payload, const Address &from, int sequence);
 
-/// The values of a payload by field name; floats as they stand, bytes as QByteArray. Errors: BadReply (too short).
+/// The values of a message's payload by field name. Errors: BadReply (too short).
 [[nodiscard]] Result<QVariantMap> decodeFields(const Message &message, Bytes payload);
-/// A payload out of values by name; what is not named is zero. Errors: InvalidArgument (no such field).
+/// A message's payload out of values by name; what is not named is zero. Errors: those of the fields, and InvalidArgument (more
+/// than 255 bytes).
 [[nodiscard]] Result<QByteArray> encodeFields(const Message &message, const QVariantMap &values);
 
 /// How a parameter's 16 bits travel in the value field (errata 6): as a float up to firmware 0.90, as they are from 0.91.

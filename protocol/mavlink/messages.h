@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
-
-#include <cstdint>
-#include <span>
+#include "protocol/base/namedfields.h"
 
 /// The MAVLink version 1 messages that a STorM32 board speaks, with the checksum seeds of its own dialect. Public tables of
 /// today give other seeds for some of the numbers, so none of them would do (STorM32 errata 6).
@@ -36,15 +33,7 @@ constexpr int number(MessageId id)
     return static_cast<int>(id);
 }
 
-/// One field of a message, where it stands on the wire.
-struct Field
-{
-    enum Type : std::uint8_t { U8, I8, U16, I16, U32, I32, F32, Text, Bytes };
-    const char *name = "";
-    Type type = U8;
-    int offset = 0;
-    int size = 1;          ///< in bytes; for Text the room it has, for Bytes 0: all that is left
-};
+using Field = NamedField;
 
 struct Message
 {
@@ -53,7 +42,7 @@ struct Message
     std::uint8_t crcExtra = 0;
     int size = 0;              ///< of the payload; of a variable one the least it can have
     bool variable = false;
-    std::span<const Field> fields;
+    NamedFields fields;            ///< in the order of the wire, one behind the other
 };
 
 [[nodiscard]] std::span<const Message> messages();

@@ -42,27 +42,51 @@ constexpr SimpleCommand kSimple[] = {
 };
 static_assert(std::size(kSimple) == std::size_t(Simple::Count));
 
+// Payloads of the RC set (errata 4). The board takes no notice of bytes that have no name here.
+constexpr NamedField kIndex[] = {{"index", NamedField::U16, 0, 2}};
+constexpr NamedField kIndexAndValue[] = {{"index", NamedField::U16, 0, 2}, {"value", NamedField::U16, 2, 2}};
+constexpr NamedField kVersion[] = {{"firmware", NamedField::U16, 0, 2}, {"layout", NamedField::U16, 2, 2},
+                                   {"capabilities", NamedField::U16, 4, 2}};
+constexpr NamedField kVersionStrings[] = {{"version", NamedField::Text, 0, 16}, {"name", NamedField::Text, 16, 16},
+                                          {"board", NamedField::Text, 32, 16}};
+constexpr NamedField kDataType[] = {{"type", NamedField::U8, 0}};
+constexpr NamedField kTypedData[] = {{"type", NamedField::U8, 0}, {"data", NamedField::Bytes, 2, 0}};
+constexpr NamedField kMask[] = {{"mask", NamedField::U16, 0, 2}};
+constexpr NamedField kMaskedData[] = {{"mask", NamedField::U16, 0, 2}, {"data", NamedField::Bytes, 2, 0}};
+constexpr NamedField kPulse[] = {{"pulse", NamedField::U16, 0, 2}};
+constexpr NamedField kPanMode[] = {{"mode", NamedField::U8, 0}};
+constexpr NamedField kStandby[] = {{"on", NamedField::U8, 0}};
+constexpr NamedField kCamera[] = {{"shot", NamedField::U8, 1}};
+constexpr NamedField kScript[] = {{"script", NamedField::U8, 0}, {"case", NamedField::U8, 1}};
+constexpr NamedField kAngles[] = {{"pitch", NamedField::F32, 0, 4}, {"roll", NamedField::F32, 4, 4}, {"yaw", NamedField::F32, 8, 4},
+                                  {"flags", NamedField::U8, 12}, {"type", NamedField::U8, 13}};
+constexpr NamedField kPulses[] = {{"pitch", NamedField::U16, 0, 2}, {"roll", NamedField::U16, 2, 2}, {"yaw", NamedField::U16, 4, 2}};
+constexpr NamedField kPanSetting[] = {{"setting", NamedField::U8, 0}};
+constexpr NamedField kAck[] = {{"code", NamedField::U8, 0}};
+
 constexpr RcCommand kRc[] = {
-    {Rc::GetVersion, "GETVERSION", 0},
-    {Rc::GetVersionStrings, "GETVERSIONSTR", 0},
-    {Rc::GetParameter, "GETPARAMETER", 2},
-    {Rc::SetParameter, "SETPARAMETER", 4},
-    {Rc::GetData, "GETDATA", 1},
-    {Rc::GetDataFields, "GETDATAFIELDS", 2},
-    {Rc::SetPitch, "SETPITCH", 2},
-    {Rc::SetRoll, "SETROLL", 2},
-    {Rc::SetYaw, "SETYAW", 2},
-    {Rc::SetPanMode, "SETPANMODE", 1},
-    {Rc::SetStandby, "SETSTANDBY", 1},
-    {Rc::DoCamera, "DOCAMERA", 6},
-    {Rc::SetScriptControl, "SETSCRIPTCONTROL", 2},
-    {Rc::SetAngle, "SETANGLE", 14},
-    {Rc::SetPitchRollYaw, "SETPITCHROLLYAW", 6},
-    {Rc::SetPwmOut, "SETPWMOUT", 2},
-    {Rc::RestoreParameter, "RESTOREPARAMETER", 2},
+    {Rc::GetVersion, "GETVERSION", 0, {}, kVersion},
+    {Rc::GetVersionStrings, "GETVERSIONSTR", 0, {}, kVersionStrings},
+    {Rc::GetParameter, "GETPARAMETER", 2, kIndex, kIndexAndValue},
+    {Rc::SetParameter, "SETPARAMETER", 4, kIndexAndValue},
+    {Rc::GetData, "GETDATA", 1, kDataType, kTypedData},
+    {Rc::GetDataFields, "GETDATAFIELDS", 2, kMask, kMaskedData},
+    {Rc::SetPitch, "SETPITCH", 2, kPulse},
+    {Rc::SetRoll, "SETROLL", 2, kPulse},
+    {Rc::SetYaw, "SETYAW", 2, kPulse},
+    {Rc::SetPanMode, "SETPANMODE", 1, kPanMode},
+    {Rc::SetStandby, "SETSTANDBY", 1, kStandby},
+    {Rc::DoCamera, "DOCAMERA", 6, kCamera},
+    {Rc::SetScriptControl, "SETSCRIPTCONTROL", 2, kScript},
+    {Rc::SetAngle, "SETANGLE", 14, kAngles},
+    {Rc::SetPitchRollYaw, "SETPITCHROLLYAW", 6, kPulses},
+    {Rc::SetPwmOut, "SETPWMOUT", 2, kPulse},
+    {Rc::RestoreParameter, "RESTOREPARAMETER", 2, kIndex},
     {Rc::RestoreAllParameters, "RESTOREALLPARAMETER", 0},
-    {Rc::ActivePanModeSetting, "ACTIVEPANMODESETTING", 1},
+    {Rc::ActivePanModeSetting, "ACTIVEPANMODESETTING", 1, kPanSetting},
 };
+
+constexpr RcCommand kAckFrame{Rc::Ack, "ACK", 1, {}, kAck};
 
 // Answers that carry data come under these numbers (errata 4); everything else is acknowledged.
 bool isAnswer(Rc asked, int number, Bytes payload)
@@ -71,8 +95,9 @@ bool isAnswer(Rc asked, int number, Bytes payload)
     case Rc::GetVersion: return number == 1 && payload.size() == 6;
     case Rc::GetVersionStrings: return (number == 5 || number == 2) && payload.size() == 48;   // 2 from v2.09 on
     case Rc::GetParameter: return number == 3 && payload.size() == 4;
-    case Rc::GetData: return number == 5 && payload.size() != 48;
-    case Rc::GetDataFields: return number == 6;
+    case Rc::GetData: return number == 5 && payload.size() >= 2 && payload.size() != 48;
+    case Rc::GetDataFields: return number == 6 && payload.size() >= 2;
+    case Rc::Ack: return number == int(Rc::Ack) && payload.size() == 1;
     default: return false;
     }
 }
@@ -112,6 +137,15 @@ std::span<const RcCommand> rcCommands()
 const RcCommand *findRc(int id)
 {
     const auto it = std::find_if(std::begin(kRc), std::end(kRc), [id](const RcCommand &command) { return int(command.id) == id; });
+    return it == std::end(kRc) ? nullptr : it;
+}
+
+const RcCommand *findRcAnswer(int id, Bytes payload)
+{
+    const auto answers = [id, payload](const RcCommand &command) { return isAnswer(command.id, id, payload); };
+    if (answers(kAckFrame))
+        return &kAckFrame;
+    const auto it = std::find_if(std::begin(kRc), std::end(kRc), answers);
     return it == std::end(kRc) ? nullptr : it;
 }
 
@@ -186,7 +220,7 @@ Request rcRequest(Rc id, const QByteArray &payload)
     request.answer = [id, name = request.name](const FrameView &frame) -> std::optional<Result<Frame>> {
         if (isAnswer(id, frame.id - FrameId::kRc, frame.payload))
             return Frame(frame);
-        if (frame.id == FrameId::kRc + int(Rc::Ack) && frame.payload.size() == 1) {
+        if (isAnswer(Rc::Ack, frame.id - FrameId::kRc, frame.payload)) {
             if (const auto error = ackError(std::to_integer<int>(frame.payload[0]), name))
                 return tl::unexpected(*error);
             return Frame(frame);

@@ -53,10 +53,15 @@ struct RcCommand
     Rc id{};
     const char *name = "";
     int payloadBytes = 0;
+    NamedFields fields{};
+    NamedFields answer{};              ///< of the data that comes back; none: an ack
 };
 
 [[nodiscard]] std::span<const RcCommand> rcCommands();
 [[nodiscard]] const RcCommand *findRc(int id);
+/// What a board's frame answers, or the ack itself; null when it is none of both. Texts come under the number of the data up to
+/// v2.08 and are told by their length (errata 4).
+[[nodiscard]] const RcCommand *findRcAnswer(int id, Bytes payload);
 
 /// The bytes of a simple command; arguments get their checksum.
 [[nodiscard]] QByteArray encodeSimple(Simple id, QByteArrayView arguments = {});

@@ -67,12 +67,6 @@ ActionRisk riskOf(Rc id)
     }
 }
 
-QString rcName(int id)
-{
-    const RcCommand *known = findRc(id);
-    return known ? QString::fromLatin1(known->name) : id == int(Rc::Ack) ? u"ACK"_s : u"RC %1"_s.arg(id);
-}
-
 // A parameter by its number, with its value in words.
 QString wordText(const ParameterSet *parameters, int word, int raw)
 {
@@ -87,24 +81,18 @@ QString wordText(const ParameterSet *parameters, int word, int raw)
     return u"word %1 = %2"_s.arg(word).arg(raw);
 }
 
-QString rcFields(int id, QByteArrayView payload, bool fromBoard, const ParameterSet *parameters)
+// "pitch=30 roll=0", in the order of the wire.
+QString fieldsText(NamedFields fields, const QVariantMap &values)
 {
-    ByteReader reader(payload);
-    if (id == int(Rc::Ack) && payload.size() == 1) {
-        const auto error = ackError(std::uint8_t(payload[0]), u"ack"_s);
-        return error ? error->detail : u"ok"_s;
+    QStringList parts;
+    for (const NamedField &field : fields) {
+        const QVariant value = values.value(QString::fromLatin1(field.name));
+        const bool command = qstrcmp(field.name, "command") == 0;
+        parts.append(QString::fromLatin1(field.name) + u'='
+                     + (field.type == NamedField::Bytes ? hexOf(value.toByteArray())
+                        : command ? mavlink::commandName(value.toInt()) : value.toString()));
     }
-    if ((id == int(Rc::SetParameter) && payload.size() == 4) || (id == int(Rc::GetParameter) && fromBoard && payload.size() == 4)) {
-        const int word = reader.u16();
-        return wordText(parameters, word, reader.u16());
-    }
-    if (id == int(Rc::SetAngle) && payload.size() == 14) {
-        const double pitch = double(reader.f32());
-        const double roll = double(reader.f32());
-        const double yaw = double(reader.f32());
-        return u"pitch %1°, roll %2°, yaw %3°, flags %4"_s.arg(pitch).arg(roll).arg(yaw).arg(reader.u8());
-    }
-    return hexOf(payload);
+    return parts.join(u' ');
 }
 
 QString liveFields(Bytes data)
@@ -113,6 +101,25 @@ QString liveFields(Bytes data)
     return u"state %1, pitch %2°, roll %3°, yaw %4°, %5 V"_s.arg(int(row[State]))
         .arg(double(row[AnglePitch]), 0, 'f', 2).arg(double(row[AngleRoll]), 0, 'f', 2).arg(double(row[AngleYaw]), 0, 'f', 2)
         .arg(double(row[Voltage]), 0, 'f', 2);
+}
+
+// A frame of the RC set, as a command or as what a board answers; null stands for one that is unknown.
+FrameText rcText(const RcCommand *known, int id, Bytes payload, bool answer, const ParameterSet *parameters)
+{
+    const QString name = known ? QString::fromLatin1(known->name) : u"RC %1"_s.arg(id);
+    const NamedFields fields = !known ? NamedFields() : answer ? known->answer : known->fields;
+    const auto values = decodeFields(fields, payload);
+    if (fields.empty() || !values)
+        return {name, hexOf(toByteArray(payload))};
+    if (known->id == Rc::Ack) {
+        const auto error = ackError(values->value(u"code"_s).toInt(), u"ack"_s);
+        return {name, error ? error->detail : u"ok"_s};
+    }
+    if (known->id == Rc::GetData && answer && payload.size() == 66)
+        return {name, liveFields(payload.subspan(2))};
+    if (values->contains(u"index"_s) && values->contains(u"value"_s))
+        return {name, wordText(parameters, values->value(u"index"_s).toInt(), values->value(u"value"_s).toInt())};
+    return {name, fieldsText(fields, *values)};
 }
 
 QString simpleFields(Simple id, Bytes data)
@@ -133,20 +140,53 @@ QString simpleFields(Simple id, Bytes data)
     return u"%1 bytes"_s.arg(data.size());
 }
 
-QString mavlinkFields(const mavlink::Message &message, Bytes payload)
+// A command or an answer of the other sets inside of MAVLink: FA or FB, number and payload, or what a simple command is (errata 6).
+QString embeddedText(Bytes inner, const ParameterSet *parameters)
+{
+    if (inner.size() >= 2 && (inner[0] == std::byte{0xFA} || inner[0] == std::byte{0xFB})) {
+        const bool answer = inner[0] == std::byte{0xFB};
+        const int id = std::to_integer<int>(inner[1]);
+        const Bytes payload = inner.subspan(2);
+        const FrameText text = rcText(answer ? findRcAnswer(id, payload) : findRc(id), id, payload, answer, parameters);
+        return text.name + u' ' + text.fields;
+    }
+    return hexOf(toByteArray(inner));
+}
+
+QString mavlinkFields(const mavlink::Message &message, Bytes payload, const ParameterSet *parameters)
 {
     const auto fields = mavlink::decodeFields(message, payload);
     if (!fields)
         return fields.error().detail;
-    QStringList parts;
-    for (const mavlink::Field &field : message.fields) {
-        const QVariant value = fields->value(QString::fromLatin1(field.name));
-        const bool command = qstrcmp(field.name, "command") == 0;
-        parts.append(QString::fromLatin1(field.name) + u'='
-                     + (field.type == mavlink::Field::Bytes ? hexOf(value.toByteArray())
-                        : command ? mavlink::commandName(value.toInt()) : value.toString()));
+    if (message.variable)
+        return embeddedText(payload.subspan(std::size_t(message.size)), parameters);
+    return fieldsText(message.fields, *fields);
+}
+
+// What is typed behind the name of a command of the RC set.
+QString afterName(const RcCommand &command)
+{
+    QStringList names;
+    for (const NamedField &field : command.fields)
+        names.append(QString::fromLatin1(field.name) + u"=…"_s);
+    const QString bytes = u"after %1 come %2 bytes in hex"_s.arg(QLatin1String(command.name)).arg(command.payloadBytes);
+    return names.isEmpty() ? bytes : u"%1, or %2"_s.arg(bytes, names.join(u' '));
+}
+
+// "pitch=10 yaw=-5"
+Result<QByteArray> payloadByNames(const RcCommand &command, const QString &arguments)
+{
+    static const QRegularExpression blanks(u"\\s+"_s);
+    QVariantMap values;
+    for (const QString &argument : arguments.split(blanks, Qt::SkipEmptyParts)) {
+        if (argument.count(u'=') != 1)
+            return failure(ErrorCode::InvalidArgument, afterName(command));
+        values.insert(argument.section(u'=', 0, 0).toLower(), argument.section(u'=', 1));
     }
-    return parts.join(u' ');
+    const auto payload = encodeFields(command.fields, values, command.payloadBytes);
+    if (!payload)
+        return failure(payload.error().code, u"%1: %2; %3"_s.arg(QLatin1String(command.name), payload.error().detail, afterName(command)));
+    return payload;
 }
 
 } // namespace
@@ -155,14 +195,13 @@ FrameText StormDevice::describeFrame(const FrameView &frame, bool fromBoard) con
 {
     if (frame.id >= FrameId::kMavlink) {
         const mavlink::Message *message = mavlink::findMessage(frame.id - FrameId::kMavlink);
-        return message ? FrameText{QString::fromLatin1(message->name), mavlinkFields(*message, frame.payload)}
+        return message ? FrameText{QString::fromLatin1(message->name), mavlinkFields(*message, frame.payload, m_parameters.get())}
                        : FrameText{u"MAVLink %1"_s.arg(frame.id - FrameId::kMavlink), {}};
     }
     if (frame.id >= FrameId::kRc) {
         const int id = frame.id - FrameId::kRc;
-        if (id == int(Rc::GetData) && frame.payload.size() == 66)
-            return {rcName(id), liveFields(frame.payload.subspan(2))};
-        return {rcName(id), rcFields(id, toByteArray(frame.payload), fromBoard, m_parameters.get())};
+        const RcCommand *known = fromBoard ? findRcAnswer(id, frame.payload) : findRc(id);
+        return rcText(known, id, frame.payload, fromBoard, m_parameters.get());
     }
     if (frame.id >= FrameId::kSimple) {
         const auto id = Simple(frame.id - FrameId::kSimple);
@@ -184,7 +223,7 @@ FrameText StormDevice::describeSent(QByteArrayView bytes) const
     const auto first = std::uint8_t(bytes[0]);
     if (first == 0xFA && bytes.size() >= 5) {
         const int id = std::uint8_t(bytes[2]);
-        return {rcName(id), rcFields(id, bytes.sliced(3, bytes.size() - 5), false, m_parameters.get())};
+        return rcText(findRc(id), id, asBytes(bytes.sliced(3, bytes.size() - 5)), false, m_parameters.get());
     }
     if (const mavlink::Sighting seen = mavlink::sight(asBytes(bytes)); seen.look == mavlink::Look::Complete)
         return describeFrame({FrameId::kMavlink + seen.packet.id, seen.packet.payload}, false);
@@ -201,7 +240,7 @@ bool StormDevice::isTelemetryFrame(int id) const
         || id == FrameId::kMavlink + mavlink::number(mavlink::MessageId::Attitude);
 }
 
-// "d", "xs", "GETPARAMETER 2F00" or the whole of a frame in hex.
+// "d", "xs", "GETPARAMETER 2F00", "SETANGLE pitch=10 yaw=-5" or the whole of a frame in hex.
 Result<RawCommand> StormDevice::parseCommand(const QString &text) const
 {
     const QString trimmed = text.trimmed();
@@ -220,9 +259,16 @@ Result<RawCommand> StormDevice::parseCommand(const QString &text) const
     for (const RcCommand &command : rcCommands()) {
         if (name.compare(QLatin1String(command.name), Qt::CaseInsensitive) != 0)
             continue;
-        const auto payload = bytesFromHex(trimmed.mid(name.size()));
+        const QString arguments = trimmed.mid(name.size());
+        if (arguments.contains(u'=')) {
+            const auto payload = payloadByNames(command, arguments);
+            if (!payload)
+                return tl::unexpected(payload.error());
+            return RawCommand{name.toUpper(), rc(command.id, *payload).bytes, riskOf(command.id)};
+        }
+        const auto payload = bytesFromHex(arguments);
         if (!payload || payload->size() != command.payloadBytes)
-            return failure(ErrorCode::InvalidArgument, u"after %1 come %2 bytes in hex"_s.arg(name.toUpper()).arg(command.payloadBytes));
+            return failure(ErrorCode::InvalidArgument, afterName(command));
         return RawCommand{name.toUpper(), rc(command.id, *payload).bytes, riskOf(command.id)};
     }
     const auto whole = bytesFromHex(trimmed);

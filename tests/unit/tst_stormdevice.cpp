@@ -491,15 +491,30 @@ void TestStormDevice::framesAreWorded()
     const FrameText set = device.describeSent(encodeRc(4, QByteArray::fromHex("2f0006ff")));
     QCOMPARE(set.name, u"SETPARAMETER"_s);
     QCOMPARE(set.fields, u"rc.pitch.min = -25.0"_s);
-    QVERIFY(device.describeSent(QByteArray::fromHex("fe03005243ea4743746893")).name.contains(u"TARGET_SPECIFIC"_s));
+    const auto sent = [&device](const char *bytes) { return device.describeSent(QByteArray::fromHex(bytes)); };
+    QCOMPARE(sent("fa0e11000048c1000040400000b4420500fdfd").fields, u"pitch=-12.5 roll=3 yaw=90 flags=5 type=0"_s);
+    QCOMPARE(sent("fa060f0003000000000565").fields, u"shot=3"_s);
+    // What is embedded in MAVLink is told like what is not.
+    QCOMPARE(sent("fe03005243ea4743746893").name, u"COMMAND_TARGET_SPECIFIC"_s);
+    QCOMPARE(sent("fe03005243ea4743746893").fields, u"74"_s);
+    QCOMPARE(sent("fe06095243ea4743fa0ae8033c58").fields, u"SETPITCH pulse=1000"_s);
+    QCOMPARE(sent("fe05054743eb5243fb960099a9").fields, u"ACK ok"_s);
     const QByteArray ack("\x99");
     QVERIFY(device.describeFrame({FrameId::kRc + 150, asBytes(ack)}, true).fields.contains(u"range"_s));
     QCOMPARE(device.describeFrame({'t', {}}, true).fields, u"arrived in pieces"_s);
+    const QByteArray version = QByteArray::fromHex("60005f0003ff");
+    QCOMPARE(device.describeFrame({FrameId::kRc + 1, asBytes(version)}, true).fields, u"firmware=96 layout=95 capabilities=65283"_s);
+    const QByteArray texts(48, 'a');   // under the number of the data, by their length
+    QCOMPARE(device.describeFrame({FrameId::kRc + 5, asBytes(texts)}, true).name, u"GETVERSIONSTR"_s);
+    QCOMPARE(device.describeFrame({FrameId::kRc + 77, asBytes(version)}, true).name, u"RC 77"_s);
     QCOMPARE(device.parseCommand(u"xs"_s)->bytes, "xs");
     QCOMPARE(device.parseCommand(u"xc"_s)->risk, ActionRisk::Destroys);
     QCOMPARE(device.parseCommand(u"getparameter 2F00"_s)->bytes, QByteArray::fromHex("fa02032f00c875"));
+    QCOMPARE(device.parseCommand(u"setangle pitch=-12.5  roll=3 yaw=90 flags=5"_s)->bytes, QByteArray::fromHex("fa0e11000048c1000040400000b4420500fdfd"));
+    QCOMPARE(device.parseCommand(u"SETANGLE Pitch=5"_s)->risk, ActionRisk::Moves);
     QCOMPARE(device.parseCommand(u"fa000131e1"_s)->name, u"GETVERSION"_s);
-    for (const char *wrong : {"", "XS", "getparameter 2F", "fa000131e2", "nonsense", "p 00"})
+    for (const char *wrong : {"", "XS", "getparameter 2F", "fa000131e2", "nonsense", "p 00", "setangle tilt=5", "setangle pitch=", "setangle pitch=5 7",
+                              "setstandby on=256", "getversion on=1"})
         QVERIFY2(!device.parseCommand(QString::fromLatin1(wrong)), wrong);
     QVERIFY(device.commandNames().contains(u"ACTIVEPANMODESETTING"_s));
 }

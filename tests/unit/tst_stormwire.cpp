@@ -43,8 +43,6 @@ class TestStormWire : public QObject
     Q_OBJECT
 private slots:
     void checksums();
-    void rcFrames_data();
-    void rcFrames();
     void simpleCommandsAreKnown();
     void acksBecomeCauses_data();
     void acksBecomeCauses();
@@ -55,8 +53,6 @@ private slots:
     void staleBytesBelongToNobody();
     void requestsTakeTheirAnswersOnly();
     void mavlinkTableIsWhole();
-    void mavlinkFrames_data();
-    void mavlinkFrames();
     void mavlinkFieldsSurvive();
     void parameterValuesByFirmware();
     void damageIsNeverTakenForAFrame();
@@ -70,35 +66,6 @@ void TestStormWire::checksums()
     QCOMPARE(crc16Mcrf4xx(asBytes(hex("0001" "31e1"))), 0);        // over data and its own bytes
     const QByteArray bytes("a longer text, to get past eight bytes at once");
     QCOMPARE(crc16Mcrf4xx(asBytes(bytes.mid(7)), crc16Mcrf4xx(asBytes(bytes.left(7)))), crc16Mcrf4xx(asBytes(bytes)));
-}
-
-void TestStormWire::rcFrames_data()
-{
-    QTest::addColumn<int>("id");
-    QTest::addColumn<QByteArray>("payload");
-    QTest::addColumn<bool>("answer");
-    QTest::addColumn<QByteArray>("wire");
-    QTest::newRow("get version") << 1 << QByteArray() << false << hex("fa000131e1");
-    QTest::newRow("get parameter 47") << 3 << hex("2f00") << false << hex("fa02032f00c875");
-    QTest::newRow("set pitch 1000") << 10 << hex("e803") << false << hex("fa020ae803ef5c");
-    QTest::newRow("ack") << 150 << hex("00") << true << hex("fb019600622e");
-    QTest::newRow("ack, not supported") << 150 << hex("03") << true << hex("fb019603f91c");
-    QTest::newRow("ack, length") << 150 << hex("98") << true << hex("fb019698a336");
-}
-
-void TestStormWire::rcFrames()
-{
-    QFETCH(int, id);
-    QFETCH(QByteArray, payload);
-    QFETCH(bool, answer);
-    QFETCH(QByteArray, wire);
-    QCOMPARE(encodeRc(id, payload, answer), wire);
-    StormFramer framer;
-    const QList<Heard> heard = hear(framer, wire, 2);
-    if (answer)
-        QCOMPARE(heard, (QList<Heard>{{FrameId::kRc + id, payload}}));
-    else
-        QVERIFY(heard.isEmpty());   // what we send is nothing that comes
 }
 
 void TestStormWire::simpleCommandsAreKnown()
@@ -284,40 +251,6 @@ void TestStormWire::mavlinkTableIsWhole()
     QVERIFY(!mavlink::findMessage(239) && !mavlink::findMessage(u"NONSENSE"_s));
     for (const int command : {180, 183, 203, 204, 205, 220, 245, 1234})
         QVERIFY(mavlink::commandName(command) != QString::number(command));
-}
-
-void TestStormWire::mavlinkFrames_data()
-{
-    QTest::addColumn<int>("id");
-    QTest::addColumn<QByteArray>("payload");
-    QTest::addColumn<int>("system");
-    QTest::addColumn<int>("component");
-    QTest::addColumn<QByteArray>("wire");
-    // Errata 6: an embedded "t" as it goes out, with its checksum.
-    QTest::newRow("embedded t") << 234 << hex("474374") << 0x52 << 0x43 << hex("fe03005243ea4743746893");
-}
-
-void TestStormWire::mavlinkFrames()
-{
-    QFETCH(int, id);
-    QFETCH(QByteArray, payload);
-    QFETCH(int, system);
-    QFETCH(int, component);
-    QFETCH(QByteArray, wire);
-    QCOMPARE(mavlink::encode(mavlink::MessageId(id), payload, {system, component}, 0).toHex(), wire.toHex());
-    const auto seen = mavlink::sight(asBytes(wire));
-    QCOMPARE(seen.look, mavlink::Look::Complete);
-    QCOMPARE(seen.size, std::size_t(wire.size()));
-    QCOMPARE(seen.packet.id, id);
-    QCOMPARE(seen.packet.from, (mavlink::Address{system, component}));
-    QCOMPARE(toByteArray(seen.packet.payload), payload);
-    for (qsizetype i = 1; i < wire.size(); ++i)
-        QCOMPARE(mavlink::sight(asBytes(wire.left(i))).look, mavlink::Look::Incomplete);
-    for (qsizetype i = 1; i < wire.size(); ++i) {
-        QByteArray damaged = wire;
-        damaged[i] = char(damaged[i] ^ 0x10);
-        QVERIFY(mavlink::sight(asBytes(damaged)).look != mavlink::Look::Complete);
-    }
 }
 
 void TestStormWire::mavlinkFieldsSurvive()
