@@ -2877,6 +2877,14 @@
         <source>Step: how fast and how calmly the axis arrives. Sweep: margins, by moving it slowly, then ever faster. Own motion: the same from what you steered just now.</source>
         <translation>Sprung: wie schnell und wie ruhig die Achse ankommt. Gleitsinus: Reserven, indem sie langsam und dann immer schneller bewegt wird. Eigene Bewegung: dasselbe aus dem, was Sie eben gesteuert haben.</translation>
     </message>
+    <message>
+        <source>This board does not tell its targets: the line&apos;s delay would be taken for its own.</source>
+        <translation>Dieses Board nennt seine Ziele nicht: Die Verzögerung der Leitung würde für seine eigene gehalten.</translation>
+    </message>
+    <message>
+        <source>Armed: Start brings the camera to its middle, then moves the axis by %1°. Keep clear.</source>
+        <translation>Scharf: Start bringt die Kamera in ihre Mitte und bewegt dann die Achse um %1°. Abstand halten.</translation>
+    </message>
 </context>
 <context>
     <name>ReviewDialog</name>
@@ -3902,6 +3910,10 @@ Spitze %2°</translation>
     <message>
         <source>as held on Monitor, %1 s</source>
         <translation>wie auf Monitor festgehalten, %1 s</translation>
+    </message>
+    <message>
+        <source>%1; what is faster than %2 Hz shows up lower</source>
+        <translation>%1; was schneller als %2 Hz ist, erscheint tiefer</translation>
     </message>
 </context>
 <context>

@@ -411,7 +411,8 @@ void Ctl::runMeasure()
     });
     m_client->setTelemetry({MotionTest::channels(*m_client->device(), plan.axis), 0});
     QTimer::singleShot(1500, this, [this, plan] {
-        m_err << "moving " << axisKey(plan.axis) << " by " << plan.degrees << " degrees\n";
+        m_err << (MotionTest::tellsTargets(*m_client->device()) ? "moving " : "bringing the camera to its middle, then moving ")
+              << axisKey(plan.axis) << " by " << plan.degrees << " degrees\n";
         m_err.flush();
         if (const auto started = m_test->start(plan); !started)
             onError(started.error(), Refused);

@@ -280,7 +280,7 @@ private:
             for (const BandQuality &quality : holdingQuality(samples->values, samples->rate)) {
                 if (!quality.known)
                     continue;
-                outcome.text += u"  %1 to %2 Hz  %3° RMS  %4° peak\n"_s.arg(quality.band.from).arg(quality.band.to)
+                outcome.text += u"  %1 to %2 Hz  %3° RMS  %4° peak\n"_s.arg(quality.band.from).arg(quality.band.to, 0, 'g', 3)
                                     .arg(quality.rms, 0, 'f', 4).arg(quality.peak, 0, 'f', 4);
                 bands.append(QJsonObject{{u"fromHz"_s, quality.band.from}, {u"toHz"_s, quality.band.to},
                                          {u"rms"_s, quality.rms}, {u"peak"_s, quality.peak}});
@@ -291,9 +291,16 @@ private:
         return outcome;
     }
 
+    static Error untold()
+    {
+        return {ErrorCode::Unsupported, u"this board does not tell its targets; 'measure steps' knows what it asked for"_s, 0};
+    }
+
     static Result<CommandOutcome> steps(const Opened &opened)
     {
         const ChannelRoles roles = opened.device->roles();
+        if (!MotionTest::tellsTargets(*opened.device))
+            return tl::unexpected(untold());
         CommandOutcome outcome;
         QJsonArray list;
         for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
@@ -337,6 +344,8 @@ private:
         const ChannelRoles roles = opened.device->roles();
         QList<std::pair<int, int>> pairs;
         if (options.channels.isEmpty()) {
+            if (!MotionTest::tellsTargets(*opened.device))
+                return tl::unexpected(untold());
             for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis)
                 pairs.append({roles.target[axis], roles.angle[axis]});
         } else {

@@ -135,7 +135,10 @@ ResponsePage::ResponsePage(Workspace &workspace, QWidget *parent)
     connect(&m_test, &MotionTest::progressed, this, [this](double share) { m_progress->setValue(int(share * 100)); });
     connect(&m_test, &MotionTest::measured, this, &ResponsePage::onMeasured);
     connect(&m_test, &MotionTest::failed, this, &ResponsePage::onFailed);
-    connect(&workspace.client(), &DeviceClient::stateChanged, this, [this] { setArmed(false); });
+    connect(&workspace.client(), &DeviceClient::stateChanged, this, [this] {
+        offerWays();
+        setArmed(false);
+    });
     m_disarm.setSingleShot(true);
     connect(&m_disarm, &QTimer::timeout, this, [this] { setArmed(false); });
     onWay();
@@ -219,6 +222,26 @@ void ResponsePage::makeMovementCard(QVBoxLayout *column)
     column->addWidget(card);
 }
 
+bool ResponsePage::tellsTargets() const
+{
+    const Device *device = workspace().client().device();
+    return !device || MotionTest::tellsTargets(*device);
+}
+
+// A board that does not tell its targets can be seen to step; its margins cannot be told from the line's.
+void ResponsePage::offerWays()
+{
+    const bool told = tellsTargets();
+    auto *ways = qobject_cast<QStandardItemModel *>(m_way->model());
+    for (int row = 0; row < ways->rowCount(); ++row) {
+        const bool fits = told || Way(m_way->itemData(row).toInt()) == Way::Steps;
+        ways->item(row)->setEnabled(fits);
+        ways->item(row)->setToolTip(fits ? QString() : tr("This board does not tell its targets: the line's delay would be taken for its own."));
+    }
+    if (!told)
+        m_way->setCurrentIndex(m_way->findData(int(Way::Steps)));
+}
+
 ResponsePage::Way ResponsePage::way() const
 {
     return Way(m_way->currentData().toInt());
@@ -285,8 +308,10 @@ void ResponsePage::setArmed(bool armed)
         m_state->setText(tr("Steer the axis to and fro for a while, by hand controller or on the Control page; then measure."));
     else if (m_test.isRunning())
         m_state->setText(tr("The axis is being moved. Keep your hands off the camera."));
-    else if (armed)
+    else if (armed && tellsTargets())
         m_state->setText(tr("Armed: Start moves the axis by %1°. Keep clear.").arg(m_degrees->value()));
+    else if (armed)
+        m_state->setText(tr("Armed: Start brings the camera to its middle, then moves the axis by %1°. Keep clear.").arg(m_degrees->value()));
     else
         m_state->setText(tr("Not armed: nothing moves. The motors must run and hold the camera."));
     m_state->setObjectName(armed || m_test.isRunning() ? u"warning"_s : u"muted"_s);
@@ -543,6 +568,7 @@ void ResponsePage::showEvent(QShowEvent *event)
     for (const auto &triple : {roles.angle, roles.target, roles.gyro})
         wanted.append(QList<int>(triple.begin(), triple.end()));
     workspace().wishTelemetry(this, wanted);
+    offerWays();
     setArmed(false);
 }
 

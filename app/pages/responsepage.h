@@ -51,6 +51,7 @@ protected:
 private:
     void makeMovementCard(QVBoxLayout *column);
     void makePictures(QVBoxLayout *column);
+    void offerWays();
     void onWay();
     void setArmed(bool armed);
     void start();
@@ -63,6 +64,7 @@ private:
     void drawSteps();
     void drawBode();
     void updateButtons();
+    [[nodiscard]] bool tellsTargets() const;
     [[nodiscard]] Way way() const;
     [[nodiscard]] Axis axis() const;
     [[nodiscard]] ResponseRecord::Kind kind() const;

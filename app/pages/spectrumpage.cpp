@@ -283,6 +283,8 @@ void SpectrumPage::refresh()
             m_lines.push_back({kAxes[i], peak});
         m_note->setText(tr("%1 samples/s, lines of %2 Hz, %n average(s)", nullptr, result->segments)
                             .arg(result->rate, 0, 'f', 0).arg(result->resolution, 0, 'g', 2));
+        if (samples->polled)   // no filter stands before what is asked for one by one
+            m_note->setText(tr("%1; what is faster than %2 Hz shows up lower").arg(m_note->text()).arg(result->rate / 2, 0, 'f', 0));
         m_now.push_back({axisLabel(kAxes[i]), kAxes[i], std::move(*result), false});
     }
     drawCurves();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 using namespace Qt::StringLiterals;
 
@@ -14,6 +15,9 @@ constexpr auto kTick = 20ms;             // as often as set-points go out
 constexpr double kTail = 0.3;            // seconds after the end until the last samples are there
 constexpr double kStale = 0.4;           // seconds without new samples
 constexpr double kStill = 1.0;           // degrees off target before it begins
+constexpr double kQuiet = 1.0;           // seconds within kStay that show that the camera has arrived
+constexpr double kStay = 0.5;            // degrees
+constexpr double kCentering = 15.0;      // seconds it may take to arrive
 constexpr double kFade = 0.5;            // seconds in which a sweep grows and dies away
 
 Result<void> within(double value, double low, double high, const QString &what)
@@ -74,6 +78,12 @@ MotionTest::MotionTest(DeviceClient &client, QObject *parent)
     });
 }
 
+bool MotionTest::tellsTargets(const Device &device)
+{
+    const ChannelRoles roles = device.roles();
+    return std::all_of(roles.target.begin(), roles.target.end(), [](int channel) { return channel >= 0; });
+}
+
 QList<int> MotionTest::channels(const Device &device, Axis axis)
 {
     const ChannelRoles roles = device.roles();
@@ -98,27 +108,39 @@ Result<void> MotionTest::start(const MotionTestPlan &plan)
     if (const auto checked = plan.check(); !checked)
         return checked;
     const Device &device = *m_client.device();
-    const auto modes = device.controlModes();
-    const auto mode = std::find_if(modes.begin(), modes.end(), [](const ControlMode &each) {
-        return each.usesAngle && each.usesSpeed;
-    });
+    const bool told = tellsTargets(device);
+    const ControlMode *mode = nullptr;
+    for (const ControlMode &each : device.controlModes()) {   // the one that reaches furthest
+        const bool fits = each.usesAngle && (each.usesSpeed || !told) && qstrcmp(each.unit, "°") == 0;
+        if (fits && (!mode || each.maxAngle > mode->maxAngle))
+            mode = &each;
+    }
     const QList<int> needed = channels(device, plan.axis);
-    if (mode == modes.end() || needed[0] < 0 || needed[1] < 0)
+    if (!mode || needed[1] < 0)
         return failure(ErrorCode::Unsupported, u"the board cannot be steered to an angle"_s);
+    if (!told && plan.kind == MotionTestPlan::Kind::Sweep) {
+        return failure(ErrorCode::Unsupported, u"the board does not tell its targets, so the line's delay would be taken for its own; "
+                                               "steps can be measured"_s);
+    }
     const ChannelRoles roles = device.roles();
     for (std::size_t i = 0; i < kAxisCount; ++i) {
-        m_middle[i] = latest(roles.target[i]);
-        if (std::isnan(m_middle[i]))
-            return failure(ErrorCode::Unready, u"no telemetry of the target angles"_s);
+        m_middle[i] = told ? latest(roles.target[i]) : 0.0;
+        if (std::isnan(m_middle[i]) || std::isnan(latest(roles.angle[i])))
+            return failure(ErrorCode::Unready, u"no telemetry of the angles"_s);
     }
     if (roles.motorsOn >= 0 && !(latest(roles.motorsOn) > 0.5))
         return failure(ErrorCode::Unready, u"the motors are off"_s);
     m_plan = plan;
     m_mode = mode->id;
     m_speed = mode->maxSpeed;
-    const double off = std::abs(latest(needed[1]) - m_middle[std::size_t(plan.axis)]);
-    if (!(off < kStill))
+    m_rest = m_middle[std::size_t(plan.axis)];
+    m_centering = !told;
+    m_sent.clear();
+    const double off = std::abs(latest(needed[1]) - m_rest);
+    if (told && !(off < kStill))
         return failure(ErrorCode::Unready, u"the axis is %1° away from its target"_s.arg(off, 0, 'f', 1));
+    m_quietAngle = latest(needed[1]);
+    m_quietSince = Clock::now();
     m_startedAt = m_lastNewsAt = Clock::now();
     m_lastRows = m_client.telemetry()->rows();
     m_timer.start();
@@ -146,8 +168,10 @@ std::optional<Error> MotionTest::danger()
         return Error{ErrorCode::Unready, u"no telemetry for %1 s"_s.arg(seconds(now - m_lastNewsAt), 0, 'f', 1), 0};
     if (roles.motorsOn >= 0 && latest(roles.motorsOn) < 0.5)
         return Error{ErrorCode::Unready, u"the motors went off"_s, 0};
+    if (m_centering)
+        return {};
     // A step is not followed at once: while it rises, its own height does not count.
-    const double off = std::abs(latest(roles.angle[axis]) - m_middle[axis]);
+    const double off = std::abs(latest(roles.angle[axis]) - m_rest);
     const double allowed = m_plan.degrees + m_plan.limit;
     if (off > allowed)
         return Error{ErrorCode::Diverged, u"%1° from the middle, %2° are allowed"_s.arg(off, 0, 'f', 1).arg(allowed, 0, 'f', 1), 0};
@@ -168,19 +192,71 @@ void MotionTest::tick()
         end(tl::unexpected(*found), true);
         return;
     }
+    if (m_centering) {
+        center();
+        return;
+    }
     const double elapsed = seconds(Clock::now() - m_startedAt);
     if (elapsed > m_plan.duration() + kTail) {
         end(collect(), true);
         return;
     }
+    steer(m_plan.offsetAt(elapsed));
+    emit progressed(std::min(1.0, elapsed / m_plan.duration()));
+}
+
+// Brings the camera to its middle and finds where that is; the test's own time begins then.
+void MotionTest::center()
+{
+    const auto axis = std::size_t(m_plan.axis);
+    const int channel = m_client.device()->roles().angle[axis];
+    const TimePoint now = Clock::now();
+    if (std::abs(latest(channel) - m_quietAngle) > kStay) {
+        m_quietAngle = latest(channel);
+        m_quietSince = now;
+    }
+    if (seconds(now - m_startedAt) > kCentering) {
+        end(failure(ErrorCode::Unready, u"the axis does not come to rest in its middle"_s), true);
+        return;
+    }
+    steer(0.0);
+    if (seconds(now - m_quietSince) < kQuiet)
+        return;
+    const auto store = m_client.telemetry();
+    const double end = store->secondsAt(now);
+    const auto still = uniformSamples(*store, channel, -1, end - kQuiet, end);
+    m_rest = m_quietAngle;
+    if (still)
+        m_rest = std::accumulate(still->values.begin(), still->values.end(), 0.0) / double(still->values.size());
+    m_centering = false;
+    m_sent.clear();
+    m_startedAt = now;
+}
+
+void MotionTest::steer(double offset)
+{
     ControlSetpoint setpoint{};
     for (std::size_t i = 0; i < kAxisCount; ++i) {
         setpoint[i] = {m_mode, m_speed, m_middle[i]};
         if (i == std::size_t(m_plan.axis))
-            setpoint[i].angle += m_plan.offsetAt(elapsed);
+            setpoint[i].angle += offset;
     }
+    if (m_sent.empty() || m_sent.back().second != offset)
+        m_sent.emplace_back(Clock::now(), offset);
     m_client.setControl(setpoint);
-    emit progressed(std::min(1.0, elapsed / m_plan.duration()));
+}
+
+// What was sent, at the instants of the angle.
+UniformSamples MotionTest::sentTarget(const UniformSamples &angle) const
+{
+    const auto store = m_client.telemetry();
+    UniformSamples target = angle;
+    for (std::size_t i = 0; i < target.values.size(); ++i) {
+        const double time = angle.start + double(i) / angle.rate;
+        const auto next = std::find_if(m_sent.begin(), m_sent.end(), [&](const auto &sent) { return store->secondsAt(sent.first) > time; });
+        target.values[i] = float(m_rest + (next == m_sent.begin() ? 0.0 : std::prev(next)->second));
+    }
+    return target;
 }
 
 Result<MotionTestResult> MotionTest::collect() const
@@ -189,12 +265,12 @@ Result<MotionTestResult> MotionTest::collect() const
     const auto store = m_client.telemetry();
     const double from = store->secondsAt(m_startedAt);
     const double to = from + m_plan.duration();
-    auto target = uniformSamples(*store, wanted[0], -1, from, to);
-    if (!target)
-        return tl::unexpected(target.error());
     auto angle = uniformSamples(*store, wanted[1], -1, from, to);
     if (!angle)
         return tl::unexpected(angle.error());
+    auto target = wanted[0] < 0 ? Result<UniformSamples>(sentTarget(*angle)) : uniformSamples(*store, wanted[0], -1, from, to);
+    if (!target)
+        return tl::unexpected(target.error());
     if (angle->start != target->start || angle->values.size() != target->values.size())
         return failure(ErrorCode::InvalidArgument, u"target and angle do not come in the same rows"_s);
     if (double(angle->values.size()) / angle->rate < 0.9 * m_plan.duration())

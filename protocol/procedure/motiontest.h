@@ -38,19 +38,24 @@ struct MotionTestResult
 };
 
 /// Runs a motion test: steers one axis through the client's control stream (so that the dead-man's rule and "motors off"
-/// hold), watches telemetry all the while, and stops when the axis does not follow. Lives on the screen's thread.
+/// hold), watches telemetry all the while, and stops when the axis does not follow. Where a board tells its targets, the test
+/// begins from the one in force. Where it does not, the camera is brought to its middle first, and what was sent stands for the
+/// target; the line's delay cannot be told from the board's own then, so that only steps are measured. Lives on the screen's thread.
 class MotionTest final : public QObject
 {
     Q_OBJECT
 public:
     explicit MotionTest(DeviceClient &client, QObject *parent = nullptr);
 
-    /// The axis' angle and target must come as telemetry. Errors: NotConnected, ReadOnly, Unsupported (no way to steer by
-    /// angle, no telemetry), OutOfRange, Busy, Unready (motors are off, or the axis does not hold still).
+    /// The axis' angle, and where the board tells it the target, must come as telemetry. Errors: NotConnected, ReadOnly, Unsupported
+    /// (no way to steer by angle, no telemetry, a sweep without targets), OutOfRange, Busy, Unready (motors are off, or the axis does
+    /// not hold still).
     Result<void> start(const MotionTestPlan &plan);
     /// Ends it, gives control back. failed() tells Cancelled.
     void stop();
     [[nodiscard]] bool isRunning() const { return m_timer.isActive(); }
+    /// Whether the board tells where it wants an axis to be.
+    [[nodiscard]] static bool tellsTargets(const Device &device);
     /// Channels that have to come.
     [[nodiscard]] static QList<int> channels(const Device &device, Axis axis);
 
@@ -63,17 +68,25 @@ signals:
 
 private:
     void tick();
+    void center();
+    void steer(double offset);
     void end(const Result<MotionTestResult> &result, bool release);
     [[nodiscard]] std::optional<Error> danger();
     [[nodiscard]] double latest(int channel) const;
     [[nodiscard]] Result<MotionTestResult> collect() const;
+    [[nodiscard]] UniformSamples sentTarget(const UniformSamples &angle) const;
 
     DeviceClient &m_client;
     QTimer m_timer;
     MotionTestPlan m_plan;
     int m_mode = 0;
     double m_speed = 0;
-    std::array<double, kAxisCount> m_middle{};
+    std::array<double, kAxisCount> m_middle{};      // set-points without the movement
+    double m_rest = 0;                              // where the axis stands then
+    bool m_centering = false;
+    double m_quietAngle = 0;                        // near which the axis has been since then
+    TimePoint m_quietSince{};
+    std::vector<std::pair<TimePoint, double>> m_sent;   // offsets, each until the next
     TimePoint m_startedAt{};
     quint64 m_lastRows = 0;
     TimePoint m_lastNewsAt{};

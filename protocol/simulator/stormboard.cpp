@@ -11,10 +11,6 @@ using namespace storm32;
 namespace {
 
 constexpr double kNominalVoltage = 12.3;
-// One unit of Kp, Ki and Kd in the units of the plant's controller: the factory's gains hold the simulated camera.
-constexpr double kUnitP = 8.75;
-constexpr double kUnitI = 0.13;
-constexpr double kUnitD = 600.0;
 constexpr double kCountsPerDegree = 65.5;      // of the gyroscope, per second
 constexpr double kRunningFor = 60.0;           // a board that is met has been on for a while
 

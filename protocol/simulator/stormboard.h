@@ -17,6 +17,11 @@
 class StormBoard final : public SimulatedBoard
 {
 public:
+    /// One unit of Kp, Ki and Kd in the units of the plant's controller: the factory's gains hold the simulated camera.
+    static constexpr double kUnitP = 8.75;
+    static constexpr double kUnitI = 0.13;
+    static constexpr double kUnitD = 600.0;
+
     explicit StormBoard(const SimulatorOptions &options);
     ~StormBoard() override;
 

@@ -6,12 +6,16 @@
 #include "app/pages/controlpage.h"
 #include "app/pages/gaincard.h"
 #include "app/pages/parameterspage.h"
+#include "app/pages/responsepage.h"
 #include "app/pages/scriptspage.h"
 #include "app/pages/sharedialog.h"
+#include "app/pages/spectrumpage.h"
 #include "app/pages/tuningpage.h"
 #include "app/wizards/sensorpage.h"
 #include "app/wizards/setuppage.h"
 #include "protocol/record/recording.h"
+#include "protocol/simulator/stormboard.h"
+#include "tests/support/loopmath.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/parameterform.h"
@@ -23,13 +27,18 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
+#include <QStandardItemModel>
+#include <QTableWidget>
 #include <QTest>
+
+#include <numbers>
 
 using namespace Qt::StringLiterals;
 
@@ -50,14 +59,19 @@ private slots:
     void scriptsAreEditedInAFile();
     void sensorIsCalibratedAndStored();
     void calibrationComesFromAFile();
+    void gimbalIsSetUp_data();
     void gimbalIsSetUp();
     void setupCanBeCancelled();
     void steeringByAngleAndByPulse();
+    void stepsAreMeasuredWithoutToldTargets();
+    void stepsAreRefusedWhereNothingHolds();
+    void spectrumOfPolledSamples();
     void functionsAreAtHandWhileSteering();
     void heartbeatIsEscapedByOneClick();
     void motorsOffWorksThroughMavlink();
     void settingsAreShared();
     void settingsFileIsLoadedAndSaved();
+    void wholeDayOverAPseudoTerminal_data();
     void wholeDayOverAPseudoTerminal();
 
 private:
@@ -309,18 +323,40 @@ void TestStorm::calibrationComesFromAFile()
     QVERIFY(!page->loadFile(m_rig->filePath(u"none.cal"_s)));
 }
 
+void TestStorm::gimbalIsSetUp_data()
+{
+    QTest::addColumn<bool>("terminal");
+    QTest::newRow("in the program") << false;
+    QTest::newRow("over a pseudo-terminal") << true;
+}
+
 void TestStorm::gimbalIsSetUp()
 {
-    QVERIFY(openStorm());
-    workspace().changeWorld(u"mount=5"_s);
+    QFETCH(bool, terminal);
+    std::unique_ptr<SimProcess> board;
+    if (terminal) {
+        const QString path = m_rig->filePath(u"storm"_s);
+        board = std::make_unique<SimProcess>(QStringList{u"--pty"_s, path, u"--rate"_s, u"115200"_s}, u"storm32"_s);
+        QVERIFY(m_rig->open(u"serial:"_s + path));
+        QVERIFY(ready());
+    } else {
+        QVERIFY(openStorm());
+    }
+    const auto changeWorld = [&](const char *words) {
+        if (board)
+            board->process().write(QByteArray(words) + '\n');
+        else
+            workspace().changeWorld(QString::fromLatin1(words));
+    };
+    changeWorld("mount=5");
     auto *page = m_rig->page<SetupPage>();
     using Step = SetupPage::Step;
-    workspace().changeWorld(u"pose=1"_s);
+    changeWorld("pose=1");
     QTRY_VERIFY(page->continueButton()->isEnabled());
     QTest::keyClick(page->continueButton(), Qt::Key_Space);
     QTRY_VERIFY2_WITH_TIMEOUT(page->step() == Step::Orientation && page->what().contains(u"45°"_s), qPrintable(page->what()), 15000);
     QVERIFY(workspace().isUnstored());
-    workspace().changeWorld(u"pose=7"_s);
+    changeWorld("pose=7");
     QTRY_COMPARE_WITH_TIMEOUT(page->step(), Step::Poles, 15000);
     QVERIFY2(page->report().last().contains(u"x90°"_s), qPrintable(page->report().last()));
     QCOMPARE(inUse(39), 5);
@@ -404,6 +440,83 @@ void TestStorm::steeringByAngleAndByPulse()
     (*pitch)->setValue(250);
     QTRY_COMPARE_WITH_TIMEOUT(int(workspace().latest(input)), 250, 5000);
     page->setArmed(false);
+}
+
+// The board does not tell where it wants the camera: it is brought to its middle, and what was sent stands for the target.
+void TestStorm::stepsAreMeasuredWithoutToldTargets()
+{
+    QVERIFY(openStorm());
+    workspace().changeWorld(u"shake=0"_s);
+    m_rig->edit(u"rc.yaw.speed_limit"_s, 0, 0);   // else a step is a ramp
+    QVERIFY(writeAll());
+    const int yaw = workspace().roles().angle[2];
+    workspace().perform(u"angle"_s, {{u"yaw"_s, 20}});
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(workspace().latest(yaw) - 20) < 1.0, 8000);
+    auto *page = m_rig->page<ResponsePage>();
+    const auto *ways = qobject_cast<QStandardItemModel *>(page->wayChoice()->model());
+    QVERIFY(ways->item(0)->isEnabled() && !ways->item(1)->isEnabled() && !ways->item(2)->isEnabled());
+    page->axisChoice()->setCurrentIndex(2);       // nothing pulls at yaw
+    const auto measure = [&]() -> ResponseRecord {
+        const auto before = page->records().size();
+        QTest::mouseClick(page->armButton(), Qt::LeftButton);
+        QTest::mouseClick(page->startButton(), Qt::LeftButton);
+        if (!page->isRunning() || !QTest::qWaitFor([&] { return page->records().size() == before + 1; }, 30000))
+            return {};
+        return page->records().back();
+    };
+    const ResponseRecord usual = measure();
+    QVERIFY(std::abs(workspace().latest(yaw)) < 1.0);
+    QVERIFY(usual.steps.metrics.riseSeconds);
+    AxisGains gains;
+    gains.p = m_rig->spec(u"pid.yaw.p"_s).toDisplay(m_rig->raw(u"pid.yaw.p"_s)) * StormBoard::kUnitP;
+    gains.i = m_rig->spec(u"pid.yaw.i"_s).toDisplay(m_rig->raw(u"pid.yaw.i"_s)) * StormBoard::kUnitI;
+    gains.d = m_rig->spec(u"pid.yaw.d"_s).toDisplay(m_rig->raw(u"pid.yaw.d"_s)) * StormBoard::kUnitD;
+    gains.dLpfHz = 1000.0 / (2.0 * std::numbers::pi * 1.5);
+    const auto wanted = stepMetrics(LoopMath{simulatedMechanics(Axis::Yaw), gains}.step(1250, 0.95), 1250, 0, 1);
+    QVERIFY(wanted && wanted->riseSeconds);
+    qInfo("rise %.1f ms, mathematics %.1f ms; overshoot %.1f %%, mathematics %.1f %%", *usual.steps.metrics.riseSeconds * 1000,
+          *wanted->riseSeconds * 1000, usual.steps.metrics.overshoot, wanted->overshoot);
+    QVERIFY(std::abs(*usual.steps.metrics.riseSeconds - *wanted->riseSeconds) < 0.3 * *wanted->riseSeconds + 0.01);
+    QVERIFY(std::abs(usual.steps.metrics.overshoot - wanted->overshoot) < 12.0);
+    // Less damping shows.
+    m_rig->edit(u"pid.yaw.d"_s, 0, m_rig->raw(u"pid.yaw.d"_s) / 3);
+    QVERIFY(writeAll());
+    m_rig->page<ResponsePage>();
+    const ResponseRecord lively = measure();
+    QVERIFY2(lively.steps.metrics.overshoot > usual.steps.metrics.overshoot + 10,
+             qPrintable(u"%1 after %2"_s.arg(lively.steps.metrics.overshoot).arg(usual.steps.metrics.overshoot)));
+}
+
+void TestStorm::stepsAreRefusedWhereNothingHolds()
+{
+    QVERIFY(openStorm());
+    workspace().setMotors(false);
+    QTRY_VERIFY(!workspace().motorsRunning().value_or(true));
+    auto *page = m_rig->page<ResponsePage>();
+    QSignalSpy problems(&workspace(), &Workspace::problem);
+    QTest::mouseClick(page->armButton(), Qt::LeftButton);
+    QTest::mouseClick(page->startButton(), Qt::LeftButton);
+    QVERIFY(!page->isRunning());
+    QCOMPARE(problems.count(), 1);
+    // On the way to its middle the motors go off: it ends.
+    workspace().setMotors(true);
+    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning().value_or(false), 30000);
+    QTest::mouseClick(page->armButton(), Qt::LeftButton);
+    QTest::mouseClick(page->startButton(), Qt::LeftButton);
+    QVERIFY(page->isRunning());
+    workspace().setMotors(false);
+    QTRY_VERIFY(!page->isRunning());
+    QVERIFY(page->records().empty());
+}
+
+void TestStorm::spectrumOfPolledSamples()
+{
+    QVERIFY(openStorm());
+    auto *page = m_rig->page<SpectrumPage>();
+    QTRY_COMPARE_WITH_TIMEOUT(page->chart()->curveCount(), 3, 15000);
+    QTRY_VERIFY(page->bands()->item(0, 1) && page->bands()->item(0, 1)->text().contains(u'°'));
+    const auto labels = page->findChildren<QLabel *>();
+    QVERIFY(std::any_of(labels.begin(), labels.end(), [](QLabel *label) { return label->text().contains(u"shows up lower"_s); }));
 }
 
 void TestStorm::functionsAreAtHandWhileSteering()
@@ -505,25 +618,41 @@ void TestStorm::settingsFileIsLoadedAndSaved()
     QCOMPARE(m_rig->raw(u"pid.roll.p"_s), 777);
 }
 
-// Read, edit, review, write, store, restart, read again, calibrate, tune, steer and record, over a terminal with the real
+void TestStorm::wholeDayOverAPseudoTerminal_data()
+{
+    QTest::addColumn<QString>("firmware");
+    for (const char *firmware : {"0.79", "0.90", "0.96"})
+        QTest::newRow(firmware) << QString::fromLatin1(firmware);
+}
+
+// Read, edit, review, write, restart, read again, compare, calibrate, tune, store, steer and record, over a terminal with the real
 // serial port, without saying which family it is.
 void TestStorm::wholeDayOverAPseudoTerminal()
 {
+    QFETCH(QString, firmware);
     const QString path = m_rig->filePath(u"storm"_s);
-    SimProcess board({u"--pty"_s, path, u"--rate"_s, u"115200"_s}, u"storm32"_s);
+    SimProcess board({u"--pty"_s, path, u"--rate"_s, u"115200"_s, u"--firmware"_s, firmware}, u"storm32"_s);
     QVERIFY(!board.address().isEmpty());
     QVERIFY(m_rig->open(u"serial:"_s + path));
     QCOMPARE(m_rig->client().identity().family, u"storm32"_s);
+    QCOMPARE(m_rig->client().identity().firmware, firmware);
     QVERIFY(ready());
+    const QString before = m_rig->filePath(u"before.cfg"_s);
+    QVERIFY(workspace().saveFile(before));
     m_rig->edit(u"pid.roll.p"_s, 0, 430);
     m_rig->edit(u"rc.pitch.max"_s, 0, 300);
-    QVERIFY(writeAll());
+    QCOMPARE(m_rig->model().changeCount(), 2);
+    QVERIFY(writeAll());                                  // by the review of these changes, read back and stored
+    QVERIFY(!workspace().isUnstored());
     workspace().perform(u"restart"_s, {});
     QSignalSpy read(&workspace(), &Workspace::boardRead);
     workspace().readBoard();
     QTRY_VERIFY_WITH_TIMEOUT(read.count() >= 1, 15000);
     QCOMPARE(m_rig->raw(u"pid.roll.p"_s), 430);
     QCOMPARE(m_rig->raw(u"rc.pitch.max"_s), 300);
+    QVERIFY(workspace().applyFile(before));               // the way back: what differs becomes an edit
+    QCOMPARE(m_rig->model().changeCount(), 2);
+    workspace().edits().discardAll();
 
     board.process().write("pose=1\n");
     auto *sensor = m_rig->page<SensorPage>();
@@ -538,11 +667,20 @@ void TestStorm::wholeDayOverAPseudoTerminal()
     tuning->live().setValue(m_rig->spec(u"pid.pitch.d"_s).id, 600);
     QTRY_VERIFY(tuning->live().isSettled());
     QCOMPARE(inUse(2), 600);
+    QVERIFY(!workspace().live().unsaved().empty() && tuning->saveButton()->isEnabled());
     tuning->saveButton()->click();
     QTRY_COMPARE_WITH_TIMEOUT(m_rig->raw(u"pid.pitch.d"_s), 600, 10000);
+    QTRY_VERIFY(!workspace().isUnstored());
+    workspace().perform(u"reset"_s, {});
+    QTRY_COMPARE_WITH_TIMEOUT(inUse(2), 600, 15000);      // it was stored
+
+    auto *response = m_rig->page<ResponsePage>();
+    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning().value_or(false), 40000);
+    QTest::mouseClick(response->armButton(), Qt::LeftButton);
+    QTest::mouseClick(response->startButton(), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(response->records().size(), std::size_t(1), 40000);
 
     auto *control = m_rig->page<ControlPage>();
-    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning().value_or(false), 30000);
     control->modeBox()->setCurrentIndex(control->modeBox()->findData(1));
     control->setArmed(true);
     for (QDoubleSpinBox *box : control->findChildren<QDoubleSpinBox *>()) {

@@ -62,6 +62,7 @@ private slots:
     void stormOverAPseudoTerminal();
     void stormThatIsLockedOut();
     void stormIsSetUp();
+    void stormIsSteeredAndTuned();
 
 private:
     Run ctl(const QStringList &arguments, bool withLink = true)
@@ -537,6 +538,64 @@ void TestCtl::stormIsSetUp()
     const Run applied = ask({u"apply"_s, settings});
     QVERIFY2(applied.exitCode == 0 && applied.out.contains(u"pid.yaw.p"_s), qPrintable(applied.err));
     QCOMPARE(ask({u"get"_s, u"pid.yaw.p"_s}).out, u"4.00\n"_s);
+}
+
+// Steering, then tuning by what a step shows, kept over a reset.
+void TestCtl::stormIsSteeredAndTuned()
+{
+    const QString path = m_dir->filePath(u"storm"_s);
+    const SimProcess storm({u"--pty"_s, path, u"--rate"_s, u"115200"_s, u"--fault"_s, u"shake=0"_s}, u"storm32"_s);
+    const QStringList link{u"--link"_s, u"serial:"_s + path};
+    const auto ask = [&](const QStringList &arguments) { return ctl(link + arguments, false); };
+    const auto does = [&](const QStringList &arguments) { return ask(QStringList{u"do"_s} + arguments).exitCode == 0; };
+    // The last row of what comes now.
+    const auto shows = [&](const QString &channel) {
+        const QStringList rows = ask({u"monitor"_s, u"--channels"_s, channel, u"--seconds"_s, u"1.5"_s}).out.trimmed().split(u'\n');
+        return rows.last().section(u',', 1, 1).toDouble();
+    };
+    QVERIFY(does({u"angle"_s, u"pitch=15"_s}));
+    QVERIFY(std::abs(shows(u"imu.angle.pitch"_s) - 15) < 1.0);
+    QVERIFY(does({u"angle"_s, u"pitch=90"_s}));           // the sticks reach 25 degrees
+    QVERIFY(std::abs(shows(u"imu.angle.pitch"_s) - 25) < 1.0);
+    QVERIFY(does({u"recenter"_s}));
+    QVERIFY(std::abs(shows(u"imu.angle.pitch"_s)) < 1.0);
+    QVERIFY(does({u"sticks"_s, u"pitch=1700"_s}));
+    QCOMPARE(shows(u"input.pitch"_s), 200.0);
+    QVERIFY(does({u"recenter"_s}));
+    QCOMPARE(shows(u"input.pitch"_s), 0.0);
+    QVERIFY(does({u"pan.mode"_s, u"mode=3"_s}));          // pan pan pan
+    QCOMPARE(int(shows(u"status2"_s)) & 0xE000, 0xE000);
+    QVERIFY(does({u"pan.mode"_s, u"mode=0"_s}));
+    QCOMPARE(ask({u"motors"_s, u"off"_s}).exitCode, 0);
+    QCOMPARE(shows(u"state"_s), 99.0);
+    const Run refused = ask({u"measure"_s, u"steps"_s, u"yaw"_s});
+    QVERIFY2(refused.exitCode == 1 && refused.err.contains(u"motors are off"_s), qPrintable(refused.err));
+    QCOMPARE(ask({u"motors"_s, u"on"_s}).exitCode, 0);
+
+    const auto overshoot = [&] {
+        const Run measured = ask({u"--json"_s, u"measure"_s, u"steps"_s, u"yaw"_s});
+        return measured.exitCode == 0 ? measured.json().object().value(u"overshootPercent"_s).toDouble(-1) : -1.0;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(shows(u"state"_s) == 6.0, 30000);
+    const double before = overshoot();
+    QVERIFY2(before >= 0, qPrintable(QString::number(before)));
+    QCOMPARE(ask({u"set"_s, u"pid.yaw.d=0.0200"_s, u"--no-save"_s}).exitCode, 0);
+    const double lively = overshoot();
+    QVERIFY2(lively > before + 5, qPrintable(u"%1 after %2"_s.arg(lively).arg(before)));
+    QCOMPARE(ask({u"set"_s, u"pid.yaw.d=0.0600"_s, u"--no-save"_s}).exitCode, 0);
+    QVERIFY(overshoot() < lively - 5);
+    QVERIFY(ask({u"do"_s, u"stored.compare"_s}).out.contains(u"0.0600 in use, 0.0500 stored"_s));
+    QVERIFY(does({u"store"_s}));
+    QVERIFY(does({u"reset"_s}));
+    QTRY_COMPARE_WITH_TIMEOUT(ask({u"get"_s, u"pid.yaw.d"_s}).out, u"0.0600\n"_s, 15000);
+    const Run sweep = ask({u"measure"_s, u"sweep"_s, u"yaw"_s});
+    QVERIFY2(sweep.exitCode == 1 && sweep.err.contains(u"steps can be measured"_s), qPrintable(sweep.err));
+    // Without told targets a recording cannot say how the camera followed; how it held it can.
+    const QString file = m_dir->filePath(u"held.gimbalrec"_s);
+    QCOMPARE(ask({u"record"_s, file, u"--seconds"_s, u"3"_s}).exitCode, 0);
+    QVERIFY(ctl({u"analyze"_s, u"steps"_s, file}, false).err.contains(u"does not tell its targets"_s));
+    QVERIFY(ctl({u"analyze"_s, u"holding"_s, file}, false).out.contains(u"RMS"_s));
+    QVERIFY(ctl({u"analyze"_s, u"spectrum"_s, file}, false).out.contains(u"gyro.z"_s));
 }
 
 QTEST_GUILESS_MAIN(TestCtl)

@@ -110,6 +110,7 @@ private slots:
     void plantHasTheMarginsOfItsMathematics_data();
     void plantHasTheMarginsOfItsMathematics();
     void samplesComeOutOfTheStore();
+    void polledSamplesArePutOnAGrid();
     void holesInTheStoreAreBridgedOrSplit();
 };
 
@@ -674,7 +675,42 @@ void TestAnalysis::samplesComeOutOfTheStore()
     QVERIFY(!uniformSamples(store, 7, -1, 0.0, 1.0));
     auto polled = store.defineGroup({1}, 0.0);
     store.append(*polled, store.origin() + durationFromSeconds(30.0), std::array<float, 1>{1.0F});
-    QVERIFY(!uniformSamples(store, 1, -1, 29.0, 31.0));
+    QVERIFY(!uniformSamples(store, 1, -1, 29.0, 31.0));   // one sample has no rate
+}
+
+// A board that is asked for each row answers about evenly: the tone in it keeps its frequency and height.
+void TestAnalysis::polledSamplesArePutOnAGrid()
+{
+    TelemetryStore store(2);
+    auto group = store.defineGroup({0, 1}, 0.0);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> jitter(-0.002, 0.002);
+    for (int i = 0; i < 3000; ++i) {
+        const double time = 0.012 * i + jitter(random);
+        if (i % 100 == 50)
+            continue;                                        // an answer that was lost
+        if (i >= 2000 && i < 2030)
+            continue;                                        // a hole of 0.36 s
+        const std::array<float, 2> row{float(2.0 * std::sin(2 * std::numbers::pi * 5.0 * time)), float(time)};
+        store.append(*group, store.origin() + durationFromSeconds(time), row);
+    }
+    const auto samples = uniformSamples(store, 0, -1, -1e9, 1e9);
+    QVERIFY(samples && samples->polled);
+    QVERIFY(near(samples->rate, 1 / 0.012, 1.5));
+    QVERIFY(samples->end() < 24.1);                          // up to the hole: that is the longest piece
+    QVERIFY(samples->filled >= 20 && samples->filled < 30);
+    const auto tone = spectrum(samples->values, samples->rate, {1024, 0.5, WindowShape::Hann});
+    QVERIFY(tone);
+    const auto peaks = findPeaks(*tone);
+    QVERIFY(!peaks.empty());
+    QVERIFY(near(peaks.front().frequency, 5.0, 0.05));
+    QVERIFY(near(peaks.front().rms, std::sqrt(2.0), 0.06));
+    // Times stand where they stood: a ramp of time shows its own grid.
+    const auto ramp = uniformSamples(store, 1, -1, -1e9, 1e9);
+    QVERIFY(ramp);
+    for (std::size_t i = 0; i < ramp->values.size(); ++i)
+        QVERIFY(near(double(ramp->values[i]), ramp->start + double(i) / ramp->rate, 1e-3));
+    QVERIFY(!uniformSamples(store, 0, -1, 0.0, 0.1));        // too few to tell a rate
 }
 
 void TestAnalysis::holesInTheStoreAreBridgedOrSplit()
