@@ -863,10 +863,6 @@
         <translation>Zu sendender Befehl</translation>
     </message>
     <message>
-        <source>Command: a name with payload bytes (READ_PARAMS_3 00), or a whole frame in hex</source>
-        <translation>Befehl: ein Name mit Datenbytes (READ_PARAMS_3 00) oder ein ganzer Frame in Hex</translation>
-    </message>
-    <message>
         <source>Commands that write take a snapshot first; motors may move</source>
         <translation>Befehle, die schreiben, machen vorher eine Sicherung; Motoren können sich bewegen</translation>
     </message>
@@ -897,6 +893,10 @@
     <message>
         <source>Tick “Allow commands that change something” to send it all the same.</source>
         <translation>Haken Sie „Befehle erlauben, die etwas ändern“ an, um es trotzdem zu senden.</translation>
+    </message>
+    <message>
+        <source>Command: a name with payload bytes, or a whole frame in hex</source>
+        <translation>Befehl: ein Name mit Datenbytes oder ein ganzer Frame in Hex</translation>
     </message>
 </context>
 <context>
@@ -3780,24 +3780,6 @@
         <translation>Band</translation>
     </message>
     <message>
-        <source>Sway
-0.5–5 Hz</source>
-        <translation>Schwanken
-0.5–5 Hz</translation>
-    </message>
-    <message>
-        <source>Wobble
-5–30 Hz</source>
-        <translation>Wackeln
-5–30 Hz</translation>
-    </message>
-    <message>
-        <source>Jitter
-30–300 Hz</source>
-        <translation>Zittern
-30–300 Hz</translation>
-    </message>
-    <message>
         <source>%1° RMS
 %2° peak</source>
         <translation>%1° RMS
@@ -3914,6 +3896,18 @@ Spitze %2°</translation>
     <message>
         <source>%1; what is faster than %2 Hz shows up lower</source>
         <translation>%1; was schneller als %2 Hz ist, erscheint tiefer</translation>
+    </message>
+    <message>
+        <source>Sway</source>
+        <translation>Schwanken</translation>
+    </message>
+    <message>
+        <source>Wobble</source>
+        <translation>Wackeln</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation>Zittern</translation>
     </message>
 </context>
 <context>

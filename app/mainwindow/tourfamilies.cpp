@@ -6,6 +6,7 @@
 #include "app/mainwindow/mainwindow.h"
 #include "app/pages/controlpage.h"
 #include "app/pages/parameterspage.h"
+#include "app/pages/responsepage.h"
 #include "app/pages/scriptspage.h"
 #include "app/pages/sharedialog.h"
 #include "app/pages/tuningpage.h"
@@ -42,6 +43,15 @@ void Tour::addFamilySteps(const QString &family)
         tuning()->live().setValue(spec->id, 450);
     }, {}, 3000, {}, false});
     m_steps.append({{}, [tuning] { tuning()->revertButton()->click(); }, {}, 400, {}, false});
+    m_steps.append({name(u"spectrum"_s), show(u"spectrum"_s), {}, 5000, {}, true});
+    const auto response = [this] { return static_cast<ResponsePage *>(m_window.page(u"response"_s)); };
+    m_steps.append({name(u"response-armed"_s), [this, response] {
+        m_window.showPage(u"response"_s);
+        response()->armButton()->click();
+    }, {}, 600, {}, true});
+    m_steps.append({name(u"response"_s), [response] { response()->startButton()->click(); },
+                    [response] { return !response()->records().empty() && !response()->isRunning(); }, 400, {}, true});
+    m_steps.append({name(u"variables"_s), show(u"variables"_s), {}, 900, {}, true});
     m_steps.append({name(u"control"_s), [this] {
         m_window.showPage(u"control"_s);
         static_cast<ControlPage *>(m_window.page(u"control"_s))->setArmed(true);
@@ -92,6 +102,18 @@ void Tour::addFamilySteps(const QString &family)
         m_window.page(u"backups"_s)->findChild<QPushButton *>(u"share"_s)->click();
     }, {}, 800, [this] { return m_window.findChild<ShareDialog *>(); }, true});
     m_steps.append({{}, [this] { m_window.findChild<ShareDialog *>()->reject(); }, {}, 200, {}, true});
+    m_steps.append({name(u"review"_s), [this] {
+        const ParameterSet &set = std::as_const(m_window.workspace().configuration()).edited().parameters();
+        for (const auto &[key, raw] : {std::pair(u"pid.roll.p"_s, 450), {u"pan.mode.setting1"_s, 2}, {u"rc.pitch.min"_s, -300}})
+            m_window.workspace().edits().edit(set.find(key)->id, 0, raw);
+        m_window.review();
+    }, [this] { return m_window.reviewDialog() != nullptr; }, 400, [this] { return m_window.reviewDialog(); }, true});
+    m_steps.append({name(u"backups"_s), [this] {
+        m_window.reviewDialog()->reject();
+        m_window.workspace().edits().discardAll();
+        m_window.showPage(u"backups"_s);
+    }, {}, 500, {}, true});
+    m_steps.append({name(u"console"_s), show(u"console"_s), {}, 800, {}, true});
     m_steps.append({name(u"unstored"_s), [this] {
         m_window.showPage(u"actions"_s);
         m_window.workspace().perform(u"directions.take"_s, {});

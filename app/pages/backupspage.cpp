@@ -7,6 +7,7 @@
 #include "widgets/views/card.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -172,7 +173,9 @@ void BackupsPage::reload()
         const auto file = workspace().loadFile(path);
         m_table->setItem(row, 0, when);
         m_table->setItem(row, 1, new QTableWidgetItem(file ? reasonText(file->reason) : tr("damaged")));
-        m_table->setItem(row, 2, new QTableWidgetItem(path));
+        auto *name = new QTableWidgetItem(QFileInfo(path).fileName());
+        name->setToolTip(path);
+        m_table->setItem(row, 2, name);
         if (path == before)
             m_table->selectRow(row);
     }
@@ -201,7 +204,7 @@ void BackupsPage::showDifferences()
     QStringList skipped;
     const Configuration wanted = applied(model.edited(), file->configuration, skipped);
     const auto changes = model.edited().changesTo(wanted);
-    const bool names = wanted.profileNames() != model.edited().profileNames();
+    const bool names = model.edited().hasOtherNames(wanted);
     const auto blocks = model.edited().dataChangesTo(wanted);
     m_restore->setEnabled(!changes.empty() || !blocks.empty() || names);
     QString text = changes.empty() ? tr("All values are the same.")

@@ -119,11 +119,9 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
     buttons->addStretch(1);
     buttons->addWidget(m_compare);
     bands->content()->addLayout(buttons);
-    const QStringList names{tr("Sway\n0.5–5 Hz"), tr("Wobble\n5–30 Hz"), tr("Jitter\n30–300 Hz")};
-    m_bands->setRowCount(int(names.size()));
+    m_bands->setRowCount(int(kHoldingBands.size()));
     m_bands->verticalHeader()->setDefaultSectionSize(2 * m_bands->fontMetrics().lineSpacing() + Metric::kGap);
-    for (int band = 0; band < names.size(); ++band)
-        setText(m_bands, band, 0, names[band]);
+    nameBands({});
     auto *row = new QHBoxLayout;
     row->setSpacing(Metric::kGroupGap);
     row->addWidget(peaks, 1);
@@ -271,6 +269,7 @@ void SpectrumPage::refresh()
             const auto qualities = holdingQuality(error->values, error->rate);
             for (std::size_t band = 0; band < qualities.size(); ++band)
                 m_left[i][band] = {qualities[band].rms, qualities[band].peak, qualities[band].known};
+            nameBands(qualities);
         }
         const auto samples = gyro ? uniformSamples(*store, channel, -1, from, to) : error;
         if (!samples)
@@ -372,6 +371,7 @@ void SpectrumPage::updateNotch()
 {
     const Device *device = workspace().client().device();
     const int row = m_peaks->currentRow();
+    m_notch->setVisible(!device || std::any_of(kAxes.begin(), kAxes.end(), [device](Axis axis) { return !device->notchFilters(axis).empty(); }));
     m_notch->setEnabled(device && workspace().client().isConnected() && workspace().client().identity().writable
                         && !workspace().configuration().isEmpty() && row >= 0 && row < int(m_lines.size())
                         && !device->notchFilters(m_lines[std::size_t(row)].axis).empty());
@@ -438,6 +438,16 @@ void SpectrumPage::askNotch()
         workspace().edits().apply(plan.wanted, tr("Notch %1 of %2").arg(plan.filter.bit + 1).arg(name));
     });
     m_question->open();
+}
+
+// The bands, as far as they could be measured.
+void SpectrumPage::nameBands(const std::vector<BandQuality> &measured)
+{
+    const QStringList names{tr("Sway"), tr("Wobble"), tr("Jitter")};
+    for (std::size_t i = 0; i < kHoldingBands.size(); ++i) {
+        const Band &band = i < measured.size() && measured[i].known ? measured[i].band : kHoldingBands[i];
+        setText(m_bands, int(i), 0, u"%1\n%2–%3 Hz"_s.arg(names[qsizetype(i)]).arg(band.from, 0, 'g', 2).arg(band.to, 0, 'f', 0));
+    }
 }
 
 void SpectrumPage::showBands()

@@ -4,6 +4,7 @@
 
 #include "app/pages/page.h"
 #include "protocol/analysis/filterresponse.h"
+#include "protocol/analysis/holdingquality.h"
 #include "protocol/analysis/spectrum.h"
 #include "widgets/plot/spectrumchart.h"
 
@@ -79,6 +80,7 @@ private:
     void updateNotch();
     void askNotch();
     [[nodiscard]] std::optional<NotchPlan> planNotch(const Line &line);
+    void nameBands(const std::vector<BandQuality> &measured);
     void showBands();
     [[nodiscard]] Signal signal() const;
 

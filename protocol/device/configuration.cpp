@@ -16,6 +16,16 @@ QString Configuration::profileName(int profile) const
     return name.isEmpty() ? u"Profile %1"_s.arg(profile + 1) : name;
 }
 
+bool Configuration::hasOtherNames(const Configuration &other) const
+{
+    const qsizetype count = std::max(m_profileNames.size(), other.m_profileNames.size());
+    for (qsizetype profile = 0; profile < count; ++profile) {
+        if (m_profileNames.value(profile) != other.m_profileNames.value(profile))
+            return true;
+    }
+    return false;
+}
+
 QByteArray Configuration::block(BlockKey key) const
 {
     const auto it = m_blocks.find(key);

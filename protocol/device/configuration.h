@@ -51,6 +51,8 @@ public:
     void setActiveProfile(int profile) { m_activeProfile = profile; }
     [[nodiscard]] const QStringList &profileNames() const { return m_profileNames; }
     void setProfileNames(const QStringList &names) { m_profileNames = names; }
+    /// Whether a profile has another name there; no name at all is an empty one.
+    [[nodiscard]] bool hasOtherNames(const Configuration &other) const;
     /// The name, or "Profile N" (N from 1) where there is none.
     [[nodiscard]] QString profileName(int profile) const;
 

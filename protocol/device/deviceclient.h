@@ -37,6 +37,8 @@ public:
     [[nodiscard]] std::shared_ptr<TelemetryStore> telemetry() const { return m_store; }
     [[nodiscard]] const TelemetryPlan &telemetryPlan() const { return m_plan; }
     [[nodiscard]] const LinkStatistics &statistics() const { return m_statistics; }
+    /// The question that live data is asked for with; empty where the board streams it by itself.
+    [[nodiscard]] QByteArray pollBytes() const { return m_plan.poll ? m_plan.poll->bytes : QByteArray(); }
     [[nodiscard]] std::optional<LineSettings> line() const { return m_line; }
     [[nodiscard]] bool isBusy() const { return m_jobs > 0; }
     /// Hears everything on the link, on the I/O thread, until it is removed or the client is shut down.

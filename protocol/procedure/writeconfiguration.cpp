@@ -66,7 +66,7 @@ Result<WriteReport> Writer::run()
         return failure(ErrorCode::ReadOnly, m_device.identity().firmware);
     m_changes = m_base.changesTo(m_edited);
     m_data = m_base.dataChangesTo(m_edited);
-    m_namesChanged = m_base.profileNames() != m_edited.profileNames();
+    m_namesChanged = m_base.hasOtherNames(m_edited);
     m_report.onBoard = m_base;
     for (const ParameterChange &change : m_changes)
         m_report.lines.push_back({change.spec, change.profile, change.from, change.to, WriteState::NotWritten, 0});
@@ -206,7 +206,7 @@ Result<void> Writer::writeNames()
     if (!again)
         return tl::unexpected(again.error());
     m_report.onBoard.setProfileNames(*again);
-    if (*again != m_edited.profileNames())
+    if (m_report.onBoard.hasOtherNames(m_edited))
         return failure(ErrorCode::VerifyFailed, again->join(u", "_s));
     m_report.namesWritten = true;
     return {};

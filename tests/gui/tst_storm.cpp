@@ -3,6 +3,7 @@
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/navigation.h"
 #include "app/pages/backupspage.h"
+#include "app/pages/consolepage.h"
 #include "app/pages/controlpage.h"
 #include "app/pages/gaincard.h"
 #include "app/pages/parameterspage.h"
@@ -21,6 +22,7 @@
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/reviewdialog.h"
 #include "widgets/forms/valueeditor.h"
+#include "widgets/models/framelogmodel.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/views/controlpad.h"
 #include "widgets/views/scripteditor.h"
@@ -28,6 +30,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
@@ -66,6 +69,8 @@ private slots:
     void stepsAreMeasuredWithoutToldTargets();
     void stepsAreRefusedWhereNothingHolds();
     void spectrumOfPolledSamples();
+    void consoleLeavesPollingOut();
+    void snapshotsShowWhatDiffers();
     void functionsAreAtHandWhileSteering();
     void heartbeatIsEscapedByOneClick();
     void motorsOffWorksThroughMavlink();
@@ -517,6 +522,50 @@ void TestStorm::spectrumOfPolledSamples()
     QTRY_VERIFY(page->bands()->item(0, 1) && page->bands()->item(0, 1)->text().contains(u'°'));
     const auto labels = page->findChildren<QLabel *>();
     QVERIFY(std::any_of(labels.begin(), labels.end(), [](QLabel *label) { return label->text().contains(u"shows up lower"_s); }));
+    const QString highest = page->bands()->item(2, 0)->text();   // as far as the samples reach
+    QVERIFY2(highest.contains(u"30–4"_s) && !highest.contains(u"300"_s), qPrintable(highest));
+    QVERIFY(!page->notchButton()->isVisible());              // such a board has no filter to put there
+}
+
+void TestStorm::consoleLeavesPollingOut()
+{
+    QVERIFY(openStorm());
+    auto *page = m_rig->page<ConsolePage>();
+    FrameLogModel &model = page->model();
+    const auto count = [&model](const QString &name) {
+        int found = 0;
+        for (int row = 0; row < model.rowCount(); ++row)
+            found += model.index(row, FrameLogModel::NameColumn).data().toString() == name ? 1 : 0;
+        return found;
+    };
+    model.clear();
+    page->input()->setText(u"getparameter index=0"_s);
+    page->send();
+    QTRY_COMPARE(count(u"GETPARAMETER"_s), 2);               // the question and its answer
+    QVERIFY(QTest::qWaitFor([&] { return m_rig->client().telemetry()->rows() > 200; }, 10000));
+    QCOMPARE(count(u"d"_s), 0);
+    for (QCheckBox *box : page->findChildren<QCheckBox *>()) {
+        if (box->text().contains(u"Live data"_s))
+            box->setChecked(true);
+    }
+    QTRY_VERIFY(count(u"d"_s) > 10);
+}
+
+void TestStorm::snapshotsShowWhatDiffers()
+{
+    QVERIFY(openStorm());
+    auto *page = m_rig->page<BackupsPage>();
+    page->takeButton()->click();
+    const auto says = [page](const QString &words) {
+        const auto labels = page->findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(), [&words](QLabel *label) { return label->text().startsWith(words); });
+    };
+    QTRY_VERIFY(says(u"All values are the same."_s));
+    QVERIFY(!page->restoreButton()->isEnabled());            // this board's one profile has no name that could differ
+    m_rig->edit(u"pid.roll.p"_s, 0, 555);
+    m_rig->page<ParametersPage>();
+    m_rig->page<BackupsPage>();
+    QTRY_VERIFY(says(u"1 value"_s));
 }
 
 void TestStorm::functionsAreAtHandWhileSteering()

@@ -28,7 +28,8 @@ void TestTour::otherFamilyHasEveryPicture()
     QCOMPARE(finished.first().at(1).toString(), QString());
     const QStringList pictures = finished.first().at(0).toStringList();
     for (const char *name : {"dashboard", "parameters", "tuning", "control", "calibration", "calibration-six", "calibration-result", "setup",
-                             "setup-orientation", "setup-yaw", "setup-done", "scripts", "scripts-wrong", "share", "unstored"}) {
+                             "setup-orientation", "setup-yaw", "setup-done", "scripts", "scripts-wrong", "share", "unstored", "spectrum", "response", "response-armed",
+                             "review", "backups", "console", "variables"}) {
         const QString path = folder + u"/storm32-"_s + QLatin1String(name) + u"-light.png"_s;
         QVERIFY2(pictures.contains(path) && !QImage(path).isNull(), name);
     }

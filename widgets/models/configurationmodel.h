@@ -45,7 +45,7 @@ public:
     [[nodiscard]] int changeCount() const { return m_changeCount; }
     /// Number of profiles that changes concern; board-wide ones count for the active profile.
     [[nodiscard]] int changedProfileCount() const;
-    [[nodiscard]] bool namesChanged() const { return m_board.profileNames() != m_edited.profileNames(); }
+    [[nodiscard]] bool namesChanged() const { return m_board.hasOtherNames(m_edited); }
 
 signals:
     void boardReset();

@@ -17,9 +17,11 @@ void FrameLogModel::refresh()
         return;
     m_seen = fresh.back().number;
     if (!m_showsStreams) {
-        // A frame from the board that nobody asked for, again and again, is live data; errors and notices are not.
-        std::erase_if(fresh, [this](const LoggedFrame &frame) {
-            return frame.fromBoard && !frame.claimed && m_client.device() && m_client.device()->isTelemetryFrame(frame.id);
+        // Live data is what comes from the board again and again, asked for by the program or by nobody; errors and notices are not.
+        std::erase_if(fresh, [this, poll = m_client.pollBytes()](const LoggedFrame &frame) {
+            if (!frame.fromBoard)
+                return !poll.isEmpty() && frame.bytes == poll;
+            return (!frame.claimed || !poll.isEmpty()) && m_client.device() && m_client.device()->isTelemetryFrame(frame.id);
         });
     }
     if (fresh.empty())
