@@ -522,8 +522,9 @@ void TestStorm::spectrumOfPolledSamples()
     QTRY_VERIFY(page->bands()->item(0, 1) && page->bands()->item(0, 1)->text().contains(u'°'));
     const auto labels = page->findChildren<QLabel *>();
     QVERIFY(std::any_of(labels.begin(), labels.end(), [](QLabel *label) { return label->text().contains(u"shows up lower"_s); }));
-    const QString highest = page->bands()->item(2, 0)->text();   // as far as the samples reach
-    QVERIFY2(highest.contains(u"30–4"_s) && !highest.contains(u"300"_s), qPrintable(highest));
+    // The highest band ends where the samples do.
+    const auto end = [page] { return page->bands()->item(2, 0)->text().section(u'–', 1).section(u' ', 0, 0).toDouble(); };
+    QTRY_VERIFY2(end() > 30 && end() < 60, qPrintable(page->bands()->item(2, 0)->text()));
     QVERIFY(!page->notchButton()->isVisible());              // such a board has no filter to put there
 }
 
