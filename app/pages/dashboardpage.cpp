@@ -54,23 +54,19 @@ DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
     large.setWeight(QFont::DemiBold);
     m_battery->setFont(large);
     power->content()->addWidget(m_battery);
+
+    auto *state = new Card(tr("State of the board"));
+    state->content()->addLayout(m_faultList);
     m_facts->setTextFormat(Qt::RichText);
     m_facts->setWordWrap(true);
-    power->content()->addWidget(m_facts);
-    power->content()->addStretch(1);
+    state->content()->addWidget(m_facts);
+    state->content()->addStretch(1);
+    auto *scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(state);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 
-    auto *faults = new Card(tr("State of the board"));
-    faults->content()->addLayout(m_faultList);
-    faults->content()->addStretch(1);
-    const auto inScroll = [](QWidget *card) {
-        auto *scroll = new QScrollArea;
-        scroll->setWidgetResizable(true);
-        scroll->setWidget(card);
-        scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-        return scroll;
-    };
-
-    // The columns divide their height each in its own way: the facts need more of it than the dials.
+    // The columns divide their height each in its own way: what is said of the board takes all that the voltage leaves.
     const auto column = [](QWidget *upper, int share, QWidget *lower, int rest) {
         auto *layout = new QVBoxLayout;
         layout->setSpacing(12);
@@ -81,7 +77,7 @@ DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
     auto *columns = new QHBoxLayout;
     columns->setSpacing(12);
     columns->addLayout(column(attitude, 3, axes, 2), 3);
-    columns->addLayout(column(inScroll(faults), 1, inScroll(power), 1), 2);
+    columns->addLayout(column(scroll, 1, power, 0), 2);
     body()->addLayout(columns, 1);
 
     m_timer.setInterval(kRefresh);

@@ -477,6 +477,7 @@ void TestPages::consoleShowsAndSends()
     };
     QTRY_VERIFY(names().contains(u"READ_PARAMS_3"_s));
     QVERIFY(names().contains(u"BOARD_INFO"_s));
+    QVERIFY(model.index(0, FrameLogModel::TimeColumn).data().toString().toDouble() >= 0);   // counted from the first frame
     // Live data is left out unless asked for.
     QVERIFY(!names().contains(u"REALTIME_DATA_4"_s));
     model.clear();

@@ -16,6 +16,8 @@ void FrameLogModel::refresh()
     if (fresh.empty())
         return;
     m_seen = fresh.back().number;
+    if (!m_origin)
+        m_origin = fresh.front().at;
     if (!m_showsStreams) {
         // Live data is what comes from the board again and again, asked for by the program or by nobody; errors and notices are not.
         std::erase_if(fresh, [this, poll = m_client.pollBytes()](const LoggedFrame &frame) {
@@ -68,7 +70,7 @@ const FrameText &FrameLogModel::textOf(const Row &row) const
 
 QString FrameLogModel::timeText(const Row &row) const
 {
-    return QString::number(seconds(row.frame.at - m_origin), 'f', 4);
+    return QString::number(seconds(row.frame.at - *m_origin), 'f', 4);
 }
 
 QString FrameLogModel::text() const
