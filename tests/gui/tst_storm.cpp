@@ -718,6 +718,7 @@ void TestStorm::wholeDayOverAPseudoTerminal()
     QTRY_VERIFY(tuning->live().isSettled());
     QCOMPARE(inUse(2), 600);
     QVERIFY(!workspace().live().unsaved().empty() && tuning->saveButton()->isEnabled());
+    QTRY_VERIFY(m_rig->window().unstoredBar()->isVisible());
     tuning->saveButton()->click();
     QTRY_COMPARE_WITH_TIMEOUT(m_rig->raw(u"pid.pitch.d"_s), 600, 10000);
     QTRY_VERIFY(!workspace().isUnstored());
