@@ -67,11 +67,14 @@ struct LoopMath
         std::vector<float> angle(std::size_t(rateHz * seconds));
         constexpr double kStep = 0.02;   // Hz
         constexpr double kHighest = 200.0;
+        std::vector<double> parts;
+        for (double hz = kStep / 2; hz < kHighest; hz += kStep)
+            parts.push_back(closed(hz).real() / hz * kStep);
         for (std::size_t i = 0; i < angle.size(); ++i) {
-            const double t = double(i) / rateHz;
+            const double turns = 2.0 * std::numbers::pi * double(i) / rateHz;
             double sum = 0.0;
-            for (double hz = kStep / 2; hz < kHighest; hz += kStep)
-                sum += closed(hz).real() * std::sin(2.0 * std::numbers::pi * hz * t) / hz * kStep;
+            for (std::size_t part = 0; part < parts.size(); ++part)
+                sum += parts[part] * std::sin(turns * kStep * (double(part) + 0.5));
             angle[i] = float(2.0 / std::numbers::pi * sum);
         }
         return angle;
