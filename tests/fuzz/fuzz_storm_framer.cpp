@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storm32/framer.h"
+#include "protocol/storm32/stormdevice.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -14,6 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     const std::size_t chunk = 1 + data[0] % 97;
     const unsigned question = data[1];
     std::size_t inFrames = 0;
+    static const StormDevice device;
     const auto count = [&inFrames](const FrameView &frame) {
         inFrames += frame.raw.size();
         if (frame.payload.size() > frame.raw.size())
@@ -21,6 +23,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         // Whoever gets a frame may look at it closely.
         if (const mavlink::Message *message = mavlink::findMessage(frame.id - storm32::FrameId::kMavlink))
             std::ignore = mavlink::decodeFields(*message, frame.payload);
+        std::ignore = device.describeFrame(frame, true);
+        std::ignore = device.describeFrame(frame, false);
     };
     storm32::StormFramer framer;
     std::size_t round = 0;
@@ -36,6 +40,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
             framer.flush(count);
     }
     framer.flush(count);
+    // The same bytes as something that was sent, and as something that somebody types.
+    const QByteArray whole = toByteArray(bytes);
+    std::ignore = device.describeSent(whole);
+    std::ignore = device.parseCommand(QString::fromLatin1(whole));
     if (framer.isWaiting() || inFrames + framer.statistics().skippedBytes != bytes.size())
         std::abort();
     return 0;
