@@ -416,6 +416,10 @@
         <source>%1 differ.</source>
         <translation>%1 unterscheiden sich.</translation>
     </message>
+    <message>
+        <source>before “%1”</source>
+        <translation>vor „%1“</translation>
+    </message>
 </context>
 <context>
     <name>BoardWriter</name>

@@ -40,7 +40,8 @@ void prepare(QTableWidget *table, const QStringList &heads)
 }
 
 // Reasons are stored in English, the language of files.
-QString reasonText(const QString &reason)
+// Actions are named as they are on their page, when the board (or its tables) is there.
+QString reasonText(const QString &reason, const Device *device)
 {
     if (reason == u"by the operator"_s)
         return BackupsPage::tr("by the operator");
@@ -48,9 +49,16 @@ QString reasonText(const QString &reason)
         return BackupsPage::tr("before the first write");
     if (reason == u"unsaved edits of an earlier run"_s)
         return BackupsPage::tr("unsaved edits of an earlier run");
-    if (reason.startsWith(u"before "_s))
-        return BackupsPage::tr("before the action %1").arg(reason.mid(7));
-    return reason;
+    if (!reason.startsWith(u"before "_s))
+        return reason;
+    const QString key = reason.mid(7);
+    if (device) {
+        for (const ActionSpec &action : device->actions()) {
+            if (key == QLatin1String(action.key))
+                return BackupsPage::tr("before “%1”").arg(tableText(action.label));
+        }
+    }
+    return BackupsPage::tr("before the action %1").arg(key);
 }
 
 } // namespace
@@ -172,7 +180,7 @@ void BackupsPage::reload()
         when->setData(Qt::UserRole, path);
         const auto file = workspace().loadFile(path);
         m_table->setItem(row, 0, when);
-        m_table->setItem(row, 1, new QTableWidgetItem(file ? reasonText(file->reason) : tr("damaged")));
+        m_table->setItem(row, 1, new QTableWidgetItem(file ? reasonText(file->reason, workspace().tables()) : tr("damaged")));
         auto *name = new QTableWidgetItem(QFileInfo(path).fileName());
         name->setToolTip(path);
         m_table->setItem(row, 2, name);

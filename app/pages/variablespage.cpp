@@ -79,7 +79,7 @@ void VariablesPage::onState()
     m_table->setColumnWidth(AdjustableModel::NumberColumn, 52);
     m_table->setColumnWidth(AdjustableModel::NameColumn, 220);
     m_table->setColumnWidth(AdjustableModel::GroupColumn, 150);
-    m_table->setColumnWidth(AdjustableModel::ValueColumn, 84);
+    m_table->setColumnWidth(AdjustableModel::ValueColumn, 100);
     m_table->setColumnWidth(AdjustableModel::MeaningColumn, 230);
     m_table->setColumnWidth(AdjustableModel::RangeColumn, 130);
 }

@@ -564,8 +564,20 @@ void TestStorm::snapshotsShowWhatDiffers()
     QTRY_VERIFY(says(u"All values are the same."_s));
     QVERIFY(!page->restoreButton()->isEnabled());            // this board's one profile has no name that could differ
     m_rig->edit(u"pid.roll.p"_s, 0, 555);
+    workspace().perform(u"directions.take"_s, {});
     m_rig->page<ParametersPage>();
+    QTRY_VERIFY(workspace().isUnstored());
     m_rig->page<BackupsPage>();
+    // A snapshot says before what it was taken, by the name that the operator knows.
+    const QTableWidget *whys = page->table();
+    const auto named = [whys] {
+        for (int row = 0; row < whys->rowCount(); ++row) {
+            if (whys->item(row, 1)->text() == u"before “Take motor directions”"_s)
+                return true;
+        }
+        return false;
+    };
+    QTRY_VERIFY(named());
     QTRY_VERIFY(says(u"1 value"_s));
 }
 
