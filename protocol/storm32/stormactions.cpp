@@ -118,9 +118,13 @@ Result<ActionReply> StormActions::simple(Simple id, QByteArrayView arguments)
     return ActionReply{};
 }
 
-Result<ActionReply> StormActions::rc(Rc id, const QByteArray &payload)
+Result<ActionReply> StormActions::rc(Rc id, const QVariantMap &values)
 {
-    const auto reply = m_channel.transact(m_device.rc(id, payload));
+    const RcCommand &command = *findRc(int(id));
+    const auto payload = encodeFields(command.fields, values, command.payloadBytes);
+    if (!payload)
+        return tl::unexpected(payload.error());
+    const auto reply = m_channel.transact(m_device.rc(id, *payload));
     if (!reply)
         return tl::unexpected(reply.error());
     return ActionReply{};
@@ -188,7 +192,6 @@ Result<ActionReply> StormActions::perform(const QString &key, const QVariantMap 
     const auto number = [&arguments](const char *name) { return arguments.value(QString::fromLatin1(name)).toInt(); };
     const auto real = [&arguments](const char *name) { return float(arguments.value(QString::fromLatin1(name)).toDouble()); };
     const auto on = [&arguments](const char *name) { return arguments.value(QString::fromLatin1(name)).toBool(); };
-    const auto byte = [](int value) { return QByteArray(1, char(value)); };
     if (key == u"status"_s)
         return status();
     if (key == u"calibration.read"_s)
@@ -196,28 +199,29 @@ Result<ActionReply> StormActions::perform(const QString &key, const QVariantMap 
     if (key == u"sensors.raw"_s)
         return rawSensors();
     if (key == u"motors.on"_s || key == u"motors.off"_s)
-        return rc(Rc::SetStandby, byte(key == u"motors.off"_s));
+        return rc(Rc::SetStandby, {{u"on"_s, key == u"motors.off"_s}});
     if (key == u"standby"_s)
-        return rc(Rc::SetStandby, byte(on("on")));
+        return rc(Rc::SetStandby, {{u"on"_s, on("on")}});
     if (key == u"angle"_s) {
-        return rc(Rc::SetAngle, ByteWriter().f32(real("pitch")).f32(real("roll")).f32(real("yaw")).u8(on("limited") ? 7 : 0).u8(0).take());
+        return rc(Rc::SetAngle, {{u"pitch"_s, real("pitch")}, {u"roll"_s, real("roll")}, {u"yaw"_s, real("yaw")},
+                                 {u"flags"_s, on("limited") ? 7 : 0}});
     }
     if (key == u"sticks"_s)
-        return rc(Rc::SetPitchRollYaw, ByteWriter().u16(number("pitch")).u16(number("roll")).u16(number("yaw")).take());
+        return rc(Rc::SetPitchRollYaw, {{u"pitch"_s, number("pitch")}, {u"roll"_s, number("roll")}, {u"yaw"_s, number("yaw")}});
     if (key == u"recenter"_s)
-        return rc(Rc::SetPitchRollYaw, QByteArray(6, '\0'));
+        return rc(Rc::SetPitchRollYaw, {});
     if (key == u"pan.mode"_s)
-        return rc(Rc::SetPanMode, byte(number("mode")));
+        return rc(Rc::SetPanMode, {{u"mode"_s, number("mode")}});
     if (key == u"pan.setting"_s)
-        return rc(Rc::ActivePanModeSetting, byte(number("setting")));
+        return rc(Rc::ActivePanModeSetting, {{u"setting"_s, number("setting")}});
     if (key == u"camera"_s)
-        return rc(Rc::DoCamera, ByteWriter().u8(0).u8(number("shot")).zeros(4).take());
+        return rc(Rc::DoCamera, {{u"shot"_s, number("shot")}});
     if (key == u"script"_s)
-        return rc(Rc::SetScriptControl, ByteWriter().u8(number("script") - 1).u8(number("case")).take());
+        return rc(Rc::SetScriptControl, {{u"script"_s, number("script") - 1}, {u"case"_s, number("case")}});
     if (key == u"pwm"_s)
-        return rc(Rc::SetPwmOut, ByteWriter().u16(number("pulse")).take());
+        return rc(Rc::SetPwmOut, {{u"pulse"_s, number("pulse")}});
     if (key == u"restore"_s)
-        return rc(Rc::RestoreParameter, ByteWriter().u16(number("word")).take());
+        return rc(Rc::RestoreParameter, {{u"index"_s, number("word")}});
     if (key == u"heartbeat.off"_s)
         return setHeartbeat(0);
     if (key == u"name"_s) {

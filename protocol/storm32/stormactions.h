@@ -16,7 +16,8 @@ public:
 
 private:
     Result<ActionReply> simple(storm32::Simple id, QByteArrayView arguments = {});
-    Result<ActionReply> rc(storm32::Rc id, const QByteArray &payload);
+    /// @param values of the command's fields, see storm32::RcCommand
+    Result<ActionReply> rc(storm32::Rc id, const QVariantMap &values);
     Result<ActionReply> status();
     Result<ActionReply> calibration();
     Result<ActionReply> rawSensors();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storm32/framer.h"
+#include "protocol/storm32/stormdevice.h"
 #include "protocol/storm32/telemetrytables.h"
 
 #include <QTest>
@@ -62,6 +63,27 @@ QList<std::pair<int, QByteArray>> hear(const QByteArray &asked, const QByteArray
     return heard;
 }
 
+// Hears what is sent and never answers.
+class DeafChannel final : public Channel
+{
+public:
+    Result<Frame> transact(const Request &request) override
+    {
+        sent = request.bytes;
+        return failure(ErrorCode::Timeout);
+    }
+    void post(const Request &request) override { sent = request.bytes; }
+    Result<void> sleep(milliseconds) override { return {}; }
+    std::unique_ptr<Mailbox> listen(std::function<bool(const FrameView &)>) override { return nullptr; }
+    Result<void> setLine(const LineSettings &) override { return {}; }
+    [[nodiscard]] bool cancelled() const override { return false; }
+    void progress(const Progress &) override { }
+    [[nodiscard]] TimePoint now() const override { return {}; }
+    [[nodiscard]] LinkObservation observation() const override { return {}; }
+
+    QByteArray sent;
+};
+
 } // namespace
 
 /// Every message of STorM32's three command sets against bytes that were worked out by hand from the tables of the errata (sections
@@ -75,6 +97,8 @@ private slots:
     void liveDataHasUnits();
     void rc_data();
     void rc();
+    void actionsSendThem_data();
+    void actionsSendThem();
     void mavlink_data();
     void mavlink();
     void valueBits();
@@ -291,6 +315,38 @@ void TestStormHex::rc()
         for (const auto &[number, data] : heard)
             QVERIFY(number < FrameId::kSimple);
     }
+}
+
+void TestStormHex::actionsSendThem_data()
+{
+    QTest::addColumn<QString>("action");
+    QTest::addColumn<QVariantMap>("arguments");
+    QTest::addColumn<QByteArray>("wire");
+    const auto row = [](const char *action, const char *arguments, const char *wire) {
+        QTest::newRow(action) << QString::fromLatin1(action) << valuesOf(arguments) << hex(wire);
+    };
+    row("standby", "on=true", "fa010e0176e8");
+    row("motors.off", "", "fa010e0176e8");
+    row("angle", "pitch=-12.5, roll=3, yaw=90, limited=true", "fa0e11000048c1000040400000b44207004dce");
+    row("sticks", "pitch=700, roll=1500, yaw=2300", "fa0612bc02dc05fc085009");
+    row("recenter", "", "fa06120000000000004fe3");
+    row("pan.mode", "mode=5", "fa010d053a84");
+    row("pan.setting", "setting=2", "fa016402c842");
+    row("camera", "shot=3", "fa060f0003000000000565");
+    row("script", "script=4, case=4", "fa021003048ed3");    // the board counts from 0
+    row("pwm", "pulse=1520", "fa0213f005037b");
+    row("restore", "word=124", "fa02147c00c785");
+}
+
+void TestStormHex::actionsSendThem()
+{
+    QFETCH(QString, action);
+    QFETCH(QVariantMap, arguments);
+    QFETCH(QByteArray, wire);
+    StormDevice device;
+    DeafChannel channel;
+    QCOMPARE(device.perform(channel, action, arguments).error().code, ErrorCode::Timeout);
+    QCOMPARE(channel.sent.toHex(), wire.toHex());
 }
 
 void TestStormHex::mavlink_data()
