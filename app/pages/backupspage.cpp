@@ -109,7 +109,7 @@ BackupsPage::BackupsPage(Workspace &workspace, QWidget *parent)
     prepare(m_table, {tr("Taken"), tr("Why"), tr("File")});
     m_table->setAccessibleName(tr("Snapshots of this board"));
     m_table->setColumnWidth(0, 190);
-    m_table->setColumnWidth(1, 240);
+    m_table->setColumnWidth(1, 400);
     prepare(m_differences, {tr("Parameter"), tr("Profile"), tr("Snapshot"), tr("Now")});
     m_differences->setAccessibleName(tr("Differences between the snapshot and now"));
     m_differences->setColumnWidth(0, 300);

@@ -4,49 +4,31 @@
 #include "app/mainwindow/navigation.h"
 #include "app/pages/backupspage.h"
 #include "app/pages/consolepage.h"
-#include "app/pages/controlpage.h"
 #include "app/pages/gaincard.h"
 #include "app/pages/parameterspage.h"
-#include "app/pages/responsepage.h"
 #include "app/pages/scriptspage.h"
 #include "app/pages/sharedialog.h"
 #include "app/pages/spectrumpage.h"
 #include "app/pages/tuningpage.h"
-#include "app/wizards/sensorpage.h"
-#include "app/wizards/setuppage.h"
-#include "protocol/record/recording.h"
-#include "protocol/simulator/stormboard.h"
-#include "tests/support/loopmath.h"
-#include "tests/support/simprocess.h"
-#include "tests/support/windowrig.h"
+#include "tests/support/stormwindow.h"
 #include "widgets/forms/parameterform.h"
-#include "widgets/forms/reviewdialog.h"
 #include "widgets/forms/valueeditor.h"
 #include "widgets/models/framelogmodel.h"
-#include "widgets/models/parametermodel.h"
-#include "widgets/views/controlpad.h"
 #include "widgets/views/scripteditor.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QSlider>
-#include <QSpinBox>
-#include <QStandardItemModel>
 #include <QTableWidget>
 #include <QTest>
 
-#include <numbers>
-
 using namespace Qt::StringLiterals;
 
-/// The operator's work with a STorM32 board, on the simulated one.
-class TestStorm : public QObject
+/// The operator's work with the values of a STorM32 board, on the simulated one.
+class TestStorm : public StormWindowTest
 {
     Q_OBJECT
 private slots:
@@ -60,52 +42,12 @@ private slots:
     void valuesWithoutEffectAreGrey();
     void scriptIsTypedTakenOverAndWritten();
     void scriptsAreEditedInAFile();
-    void sensorIsCalibratedAndStored();
-    void calibrationComesFromAFile();
-    void gimbalIsSetUp_data();
-    void gimbalIsSetUp();
-    void setupCanBeCancelled();
-    void steeringByAngleAndByPulse();
-    void stepsAreMeasuredWithoutToldTargets();
-    void stepsAreRefusedWhereNothingHolds();
     void spectrumOfPolledSamples();
     void consoleLeavesPollingOut();
     void snapshotsShowWhatDiffers();
-    void functionsAreAtHandWhileSteering();
     void heartbeatIsEscapedByOneClick();
-    void motorsOffWorksThroughMavlink();
     void settingsAreShared();
     void settingsFileIsLoadedAndSaved();
-    void wholeDayOverAPseudoTerminal_data();
-    void wholeDayOverAPseudoTerminal();
-
-private:
-    bool openStorm(const QString &options = {}) { return m_rig->open(u"sim:storm32"_s + options) && ready(); }
-    bool ready()
-    {
-        return QTest::qWaitFor([this] { return m_rig->workspace().motorsRunning().has_value(); }, 10000);
-    }
-    Workspace &workspace() { return m_rig->workspace(); }
-    /// A word as the board uses it now, asked past all models.
-    int inUse(int word)
-    {
-        std::optional<int> value;
-        m_rig->client().submit<std::vector<AdjustableValue>>([word](Channel &channel, Device &device) {
-            return device.readAdjustables(channel, {word});
-        }).then(this, [&value](const Result<std::vector<AdjustableValue>> &read) { value = read ? int(read->front().value) : -1; });
-        return QTest::qWaitFor([&value] { return value.has_value(); }, 5000) ? *value : -1;
-    }
-    bool writeAll()
-    {
-        QSignalSpy finished(&workspace(), &Workspace::writeFinished);
-        m_rig->window().review();
-        if (!QTest::qWaitFor([this] { return m_rig->window().reviewDialog() != nullptr; }, 3000))
-            return false;
-        m_rig->window().reviewDialog()->accept();
-        return QTest::qWaitFor([&finished] { return finished.count() == 1; }, 20000) && workspace().lastReport()->isComplete();
-    }
-
-    std::unique_ptr<WindowRig> m_rig;
 };
 
 void TestStorm::onlyFittingPagesAreOffered()
@@ -282,238 +224,6 @@ void TestStorm::scriptsAreEditedInAFile()
     QVERIFY(workspace().family()->scripts->text(file->configuration, 2).contains(u"STOP"_s));
 }
 
-void TestStorm::sensorIsCalibratedAndStored()
-{
-    QVERIFY(openStorm());
-    auto *page = m_rig->page<SensorPage>();
-    workspace().changeWorld(u"pose=1"_s);
-    page->start(true);
-    const std::array poses{1, 4, 2, 6, 3, 5};
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-        workspace().changeWorld(u"pose=%1"_s.arg(poses[i]));
-        QTRY_VERIFY2_WITH_TIMEOUT(page->doneCount() == int(i) + 1 || page->step() == SensorPage::Step::Result, qPrintable(page->sees()), 20000);
-    }
-    QTRY_COMPARE(page->step(), SensorPage::Step::Result);
-    QVERIFY(std::abs(page->calibration().scale[2] - 8356) < 60);    // 1.02 of 8192, the simulated sensor's own error
-    // Nothing was changed so far.
-    std::optional<int> scale;
-    const auto stored = [&] {
-        scale.reset();
-        workspace().perform(u"calibration.read"_s, {}).then(this, [&](const Result<ActionOutcome> &reply) {
-            scale = reply ? reply->reply.value(u"imu.acc.scale.z"_s).toInt() : -1;
-        });
-        return QTest::qWaitFor([&] { return scale.has_value(); }, 5000) ? *scale : -1;
-    };
-    QCOMPARE(stored(), 8192);
-    const QString file = m_rig->filePath(u"imu.cal"_s);
-    QVERIFY(page->saveFile(file));
-    page->storeButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SensorPage::Step::Choose, 10000);
-    QCOMPARE(stored(), page->calibration().scale[2]);
-}
-
-void TestStorm::calibrationComesFromAFile()
-{
-    QVERIFY(openStorm());
-    auto *page = m_rig->page<SensorPage>();
-    const QString path = m_rig->filePath(u"imu.cal"_s);
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("IMUNAME: Imu\nAXZERO: 1\nAYZERO: 2\nAZZERO: 3\nAXSCALE: 8190\nAYSCALE: 8191\nAZSCALE: 8200\nCALIBRATIONMETHOD: 1 point\n");
-    file.close();
-    QVERIFY(page->loadFile(path));
-    QCOMPARE(page->step(), SensorPage::Step::Result);
-    page->storeButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SensorPage::Step::Choose, 10000);
-    QVERIFY(!page->loadFile(m_rig->filePath(u"none.cal"_s)));
-}
-
-void TestStorm::gimbalIsSetUp_data()
-{
-    QTest::addColumn<bool>("terminal");
-    QTest::newRow("in the program") << false;
-    QTest::newRow("over a pseudo-terminal") << true;
-}
-
-void TestStorm::gimbalIsSetUp()
-{
-    QFETCH(bool, terminal);
-    std::unique_ptr<SimProcess> board;
-    if (terminal) {
-        const QString path = m_rig->filePath(u"storm"_s);
-        board = std::make_unique<SimProcess>(QStringList{u"--pty"_s, path, u"--rate"_s, u"115200"_s}, u"storm32"_s);
-        QVERIFY(m_rig->open(u"serial:"_s + path));
-        QVERIFY(ready());
-    } else {
-        QVERIFY(openStorm());
-    }
-    const auto changeWorld = [&](const char *words) {
-        if (board)
-            board->process().write(QByteArray(words) + '\n');
-        else
-            workspace().changeWorld(QString::fromLatin1(words));
-    };
-    changeWorld("mount=5");
-    auto *page = m_rig->page<SetupPage>();
-    using Step = SetupPage::Step;
-    changeWorld("pose=1");
-    QTRY_VERIFY(page->continueButton()->isEnabled());
-    QTest::keyClick(page->continueButton(), Qt::Key_Space);
-    QTRY_VERIFY2_WITH_TIMEOUT(page->step() == Step::Orientation && page->what().contains(u"45°"_s), qPrintable(page->what()), 15000);
-    QVERIFY(workspace().isUnstored());
-    changeWorld("pose=7");
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), Step::Poles, 15000);
-    QVERIFY2(page->report().last().contains(u"x90°"_s), qPrintable(page->report().last()));
-    QCOMPARE(inUse(39), 5);
-    page->poles(Axis::Yaw)->setValue(16);
-    page->continueButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), Step::AskStart, 8000);
-    QCOMPARE(inUse(32), 16);
-    QCOMPARE(inUse(21), 2);
-    page->poles(Axis::Yaw)->setValue(14);
-    QVERIFY(!workspace().motorsRunning().value_or(true));     // nothing moves before it is asked
-    page->continueButton()->click();
-    QTRY_VERIFY_WITH_TIMEOUT(page->step() == Step::AlignYaw && page->continueButton()->isEnabled(), 40000);
-    QCOMPARE(inUse(21), 0);
-    QTRY_VERIFY(workspace().motorsRunning().value_or(false));
-    for (QPushButton *button : page->findChildren<QPushButton *>()) {
-        if (button->text() == u"+5°"_s)
-            button->click();
-    }
-    QCOMPARE(page->yaw(), 5.0);
-    QTRY_COMPARE(inUse(108), 50);
-    page->continueButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), Step::AskFinish, 8000);
-    QCOMPARE(inUse(108), 0);
-    page->continueButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), Step::Done, 40000);
-    QVERIFY(!workspace().isUnstored());
-    QTRY_COMPARE(m_rig->raw(u"imu.orientation"_s), 5);
-    QCOMPARE(m_rig->raw(u"motor.yaw.poles"_s), 16);
-    workspace().perform(u"reset"_s, {});
-    QTRY_COMPARE_WITH_TIMEOUT(inUse(39), 5, 8000);           // kept over a restart
-}
-
-void TestStorm::setupCanBeCancelled()
-{
-    QVERIFY(openStorm());
-    auto *page = m_rig->page<SetupPage>();
-    for (const auto task : {SetupPage::Task::Orientation, SetupPage::Task::Poles, SetupPage::Task::AutoDirections})
-        page->box(task)->setChecked(false);
-    workspace().changeWorld(u"battery=7"_s);
-    page->continueButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SetupPage::Step::AskStart, 8000);
-    page->continueButton()->click();
-    QTRY_VERIFY2(page->sees().contains(u"battery"_s), qPrintable(page->sees()));
-    page->cancelButton()->click();
-    QCOMPARE(page->step(), SetupPage::Step::Choose);
-    QVERIFY(workspace().isUnstored());                        // the motors are disabled, and it says so
-    QTRY_COMPARE(inUse(79), 3);
-    m_rig->window().unstoredBar()->backButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(inUse(79), 0, 8000);
-    // Nothing ticked: nothing to begin.
-    for (int task = 0; task < SetupPage::kTasks; ++task)
-        page->box(SetupPage::Task(task))->setChecked(false);
-    QVERIFY(!page->continueButton()->isEnabled());
-}
-
-void TestStorm::steeringByAngleAndByPulse()
-{
-    QVERIFY(openStorm());
-    workspace().changeWorld(u"shake=0"_s);
-    auto *page = m_rig->page<ControlPage>();
-    const ChannelRoles roles = workspace().roles();
-    const int input = findChannel(m_rig->client().device()->channels(), u"input.pitch"_s);
-    page->modeBox()->setCurrentIndex(page->modeBox()->findData(1));
-    page->setArmed(true);
-    QVERIFY(page->isArmed());
-    const auto spins = page->findChildren<QDoubleSpinBox *>();
-    const auto pitch = std::find_if(spins.begin(), spins.end(), [](QDoubleSpinBox *box) { return box->accessibleName().contains(u"Pitch"_s); });
-    QVERIFY(pitch != spins.end());
-    (*pitch)->setValue(12);
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(workspace().latest(roles.angle[1]) - 12) < 1.0, 8000);
-    (*pitch)->setValue(90);   // within the limits of the sticks: 25 degrees
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(workspace().latest(roles.angle[1]) - 25) < 1.0, 8000);
-    const LinkStatistics before = m_rig->client().statistics();
-    (*pitch)->setValue(0);
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(workspace().latest(roles.angle[1])) < 1.0, 8000);
-    // One request at a time: nothing was asked twice, no answer was taken for another's.
-    QCOMPARE(m_rig->client().statistics().timeouts, before.timeouts);
-    QCOMPARE(m_rig->client().statistics().framing.bodyErrors, 0U);
-    page->modeBox()->setCurrentIndex(page->modeBox()->findData(3));
-    page->setArmed(true);
-    (*pitch)->setValue(250);
-    QTRY_COMPARE_WITH_TIMEOUT(int(workspace().latest(input)), 250, 5000);
-    page->setArmed(false);
-}
-
-// The board does not tell where it wants the camera: it is brought to its middle, and what was sent stands for the target.
-void TestStorm::stepsAreMeasuredWithoutToldTargets()
-{
-    QVERIFY(openStorm());
-    workspace().changeWorld(u"shake=0"_s);
-    m_rig->edit(u"rc.yaw.speed_limit"_s, 0, 0);   // else a step is a ramp
-    QVERIFY(writeAll());
-    const int yaw = workspace().roles().angle[2];
-    workspace().perform(u"angle"_s, {{u"yaw"_s, 20}});
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(workspace().latest(yaw) - 20) < 1.0, 8000);
-    auto *page = m_rig->page<ResponsePage>();
-    const auto *ways = qobject_cast<QStandardItemModel *>(page->wayChoice()->model());
-    QVERIFY(ways->item(0)->isEnabled() && !ways->item(1)->isEnabled() && !ways->item(2)->isEnabled());
-    page->axisChoice()->setCurrentIndex(2);       // nothing pulls at yaw
-    const auto measure = [&]() -> ResponseRecord {
-        const auto before = page->records().size();
-        QTest::mouseClick(page->armButton(), Qt::LeftButton);
-        QTest::mouseClick(page->startButton(), Qt::LeftButton);
-        if (!page->isRunning() || !QTest::qWaitFor([&] { return page->records().size() == before + 1; }, 30000))
-            return {};
-        return page->records().back();
-    };
-    const ResponseRecord usual = measure();
-    QVERIFY(std::abs(workspace().latest(yaw)) < 1.0);
-    QVERIFY(usual.steps.metrics.riseSeconds);
-    AxisGains gains;
-    gains.p = m_rig->spec(u"pid.yaw.p"_s).toDisplay(m_rig->raw(u"pid.yaw.p"_s)) * StormBoard::kUnitP;
-    gains.i = m_rig->spec(u"pid.yaw.i"_s).toDisplay(m_rig->raw(u"pid.yaw.i"_s)) * StormBoard::kUnitI;
-    gains.d = m_rig->spec(u"pid.yaw.d"_s).toDisplay(m_rig->raw(u"pid.yaw.d"_s)) * StormBoard::kUnitD;
-    gains.dLpfHz = 1000.0 / (2.0 * std::numbers::pi * 1.5);
-    const auto wanted = stepMetrics(LoopMath{simulatedMechanics(Axis::Yaw), gains}.step(1250, 0.95), 1250, 0, 1);
-    QVERIFY(wanted && wanted->riseSeconds);
-    qInfo("rise %.1f ms, mathematics %.1f ms; overshoot %.1f %%, mathematics %.1f %%", *usual.steps.metrics.riseSeconds * 1000,
-          *wanted->riseSeconds * 1000, usual.steps.metrics.overshoot, wanted->overshoot);
-    QVERIFY(std::abs(*usual.steps.metrics.riseSeconds - *wanted->riseSeconds) < 0.3 * *wanted->riseSeconds + 0.01);
-    QVERIFY(std::abs(usual.steps.metrics.overshoot - wanted->overshoot) < 12.0);
-    // Less damping shows.
-    m_rig->edit(u"pid.yaw.d"_s, 0, m_rig->raw(u"pid.yaw.d"_s) / 3);
-    QVERIFY(writeAll());
-    m_rig->page<ResponsePage>();
-    const ResponseRecord lively = measure();
-    QVERIFY2(lively.steps.metrics.overshoot > usual.steps.metrics.overshoot + 10,
-             qPrintable(u"%1 after %2"_s.arg(lively.steps.metrics.overshoot).arg(usual.steps.metrics.overshoot)));
-}
-
-void TestStorm::stepsAreRefusedWhereNothingHolds()
-{
-    QVERIFY(openStorm());
-    workspace().setMotors(false);
-    QTRY_VERIFY(!workspace().motorsRunning().value_or(true));
-    auto *page = m_rig->page<ResponsePage>();
-    QSignalSpy problems(&workspace(), &Workspace::problem);
-    QTest::mouseClick(page->armButton(), Qt::LeftButton);
-    QTest::mouseClick(page->startButton(), Qt::LeftButton);
-    QVERIFY(!page->isRunning());
-    QCOMPARE(problems.count(), 1);
-    // On the way to its middle the motors go off: it ends.
-    workspace().setMotors(true);
-    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning().value_or(false), 30000);
-    QTest::mouseClick(page->armButton(), Qt::LeftButton);
-    QTest::mouseClick(page->startButton(), Qt::LeftButton);
-    QVERIFY(page->isRunning());
-    workspace().setMotors(false);
-    QTRY_VERIFY(!page->isRunning());
-    QVERIFY(page->records().empty());
-}
-
 void TestStorm::spectrumOfPolledSamples()
 {
     QVERIFY(openStorm());
@@ -581,27 +291,6 @@ void TestStorm::snapshotsShowWhatDiffers()
     QTRY_VERIFY(says(u"1 value"_s));
 }
 
-void TestStorm::functionsAreAtHandWhileSteering()
-{
-    QVERIFY(openStorm());
-    auto *page = m_rig->page<ControlPage>();
-    QPushButton *pan = nullptr;
-    for (QPushButton *button : page->findChildren<QPushButton *>()) {
-        if (button->text() == u"Pan mode"_s)
-            pan = button;
-    }
-    QVERIFY(pan && pan->isVisible());
-    auto *choice = page->findChild<QComboBox *>(u"mode"_s);
-    QVERIFY(choice);
-    choice->setCurrentIndex(3);      // pan pan pan
-    pan->click();
-    const int status2 = findChannel(m_rig->client().device()->channels(), u"status2"_s);
-    QTRY_COMPARE_WITH_TIMEOUT(int(workspace().latest(status2)) & 0xE000, 0xE000, 5000);
-    // A board without such actions has no such card.
-    QVERIFY(m_rig->open());
-    QTRY_VERIFY(!pan || !page->findChild<QComboBox *>(u"mode"_s));
-}
-
 void TestStorm::heartbeatIsEscapedByOneClick()
 {
     QVERIFY(openStorm(u"?rate=115200"_s));
@@ -624,19 +313,6 @@ void TestStorm::heartbeatIsEscapedByOneClick()
     QTRY_VERIFY_WITH_TIMEOUT(page->editor()->isEnabled(), 5000);
     QVERIFY(workspace().isUnstored());                       // it would be back after a restart, and that is said
     QVERIFY(ready());
-}
-
-void TestStorm::motorsOffWorksThroughMavlink()
-{
-    QVERIFY(openStorm(u"?rate=115200"_s));
-    QTRY_VERIFY(workspace().motorsRunning().value_or(false));
-    m_rig->edit(u"mavlink.heartbeat"_s, 0, 2);
-    QVERIFY(writeAll());
-    QSignalSpy done(&m_rig->client(), &DeviceClient::motorsOffFinished);
-    workspace().setMotors(false);
-    QTRY_COMPARE(done.count(), 1);
-    QVERIFY(done.first().first().toBool());
-    QTRY_VERIFY_WITH_TIMEOUT(!workspace().motorsRunning().value_or(true), 5000);
 }
 
 void TestStorm::settingsAreShared()
@@ -678,85 +354,6 @@ void TestStorm::settingsFileIsLoadedAndSaved()
     m_rig->window().openFile(path);
     QCOMPARE(workspace().offlineFile(), path);
     QCOMPARE(m_rig->raw(u"pid.roll.p"_s), 777);
-}
-
-void TestStorm::wholeDayOverAPseudoTerminal_data()
-{
-    QTest::addColumn<QString>("firmware");
-    for (const char *firmware : {"0.79", "0.90", "0.96"})
-        QTest::newRow(firmware) << QString::fromLatin1(firmware);
-}
-
-// Read, edit, review, write, restart, read again, compare, calibrate, tune, store, steer and record, over a terminal with the real
-// serial port, without saying which family it is.
-void TestStorm::wholeDayOverAPseudoTerminal()
-{
-    QFETCH(QString, firmware);
-    const QString path = m_rig->filePath(u"storm"_s);
-    SimProcess board({u"--pty"_s, path, u"--rate"_s, u"115200"_s, u"--firmware"_s, firmware}, u"storm32"_s);
-    QVERIFY(!board.address().isEmpty());
-    QVERIFY(m_rig->open(u"serial:"_s + path));
-    QCOMPARE(m_rig->client().identity().family, u"storm32"_s);
-    QCOMPARE(m_rig->client().identity().firmware, firmware);
-    QVERIFY(ready());
-    const QString before = m_rig->filePath(u"before.cfg"_s);
-    QVERIFY(workspace().saveFile(before));
-    m_rig->edit(u"pid.roll.p"_s, 0, 430);
-    m_rig->edit(u"rc.pitch.max"_s, 0, 300);
-    QCOMPARE(m_rig->model().changeCount(), 2);
-    QVERIFY(writeAll());                                  // by the review of these changes, read back and stored
-    QVERIFY(!workspace().isUnstored());
-    workspace().perform(u"restart"_s, {});
-    QSignalSpy read(&workspace(), &Workspace::boardRead);
-    workspace().readBoard();
-    QTRY_VERIFY_WITH_TIMEOUT(read.count() >= 1, 15000);
-    QCOMPARE(m_rig->raw(u"pid.roll.p"_s), 430);
-    QCOMPARE(m_rig->raw(u"rc.pitch.max"_s), 300);
-    QVERIFY(workspace().applyFile(before));               // the way back: what differs becomes an edit
-    QCOMPARE(m_rig->model().changeCount(), 2);
-    workspace().edits().discardAll();
-
-    board.process().write("pose=1\n");
-    auto *sensor = m_rig->page<SensorPage>();
-    sensor->start(false);
-    QTRY_VERIFY2_WITH_TIMEOUT(sensor->step() == SensorPage::Step::Result, qPrintable(sensor->sees()), 30000);
-    sensor->storeButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(sensor->step(), SensorPage::Step::Choose, 10000);
-    board.process().write("pose=0\n");
-
-    auto *tuning = m_rig->page<TuningPage>();
-    QTRY_VERIFY(tuning->live().value(m_rig->spec(u"pid.pitch.d"_s).id));
-    tuning->live().setValue(m_rig->spec(u"pid.pitch.d"_s).id, 600);
-    QTRY_VERIFY(tuning->live().isSettled());
-    QCOMPARE(inUse(2), 600);
-    QVERIFY(!workspace().live().unsaved().empty() && tuning->saveButton()->isEnabled());
-    QTRY_VERIFY(m_rig->window().unstoredBar()->isVisible());
-    tuning->saveButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(m_rig->raw(u"pid.pitch.d"_s), 600, 10000);
-    QTRY_VERIFY(!workspace().isUnstored());
-    workspace().perform(u"reset"_s, {});
-    QTRY_COMPARE_WITH_TIMEOUT(inUse(2), 600, 15000);      // it was stored
-
-    auto *response = m_rig->page<ResponsePage>();
-    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning().value_or(false), 40000);
-    QTest::mouseClick(response->armButton(), Qt::LeftButton);
-    QTest::mouseClick(response->startButton(), Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(response->records().size(), std::size_t(1), 40000);
-
-    auto *control = m_rig->page<ControlPage>();
-    control->modeBox()->setCurrentIndex(control->modeBox()->findData(1));
-    control->setArmed(true);
-    for (QDoubleSpinBox *box : control->findChildren<QDoubleSpinBox *>()) {
-        if (box->accessibleName().contains(u"Pitch"_s))
-            box->setValue(15);
-    }
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(workspace().latest(workspace().roles().angle[1]) - 15) < 1.5, 15000);
-    control->setArmed(false);
-
-    const QString file = m_rig->filePath(u"day.gimbalrec"_s);
-    QVERIFY(workspace().recorder().savePast(file));
-    QTRY_VERIFY(Recording::load(file).has_value());
-    QCOMPARE(Recording::describe(file)->value(u"family"_s).toString(), u"storm32"_s);
 }
 
 QTEST_MAIN(TestStorm)
