@@ -9,8 +9,9 @@ int main(int argc, char **argv)
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("gimbalctl"));
     Ctl ctl;
-    QObject::connect(&ctl, &Ctl::finished, &application, [](int code) { QCoreApplication::exit(code); },
-                     Qt::QueuedConnection);
+    QObject::connect(
+        &ctl, &Ctl::finished, &application, [](int code) { QCoreApplication::exit(code); },
+        Qt::QueuedConnection);
     if (const auto code = ctl.start(application.arguments()))
         return *code;
     return QCoreApplication::exec();

@@ -51,12 +51,13 @@ int runWholeTour(const QString &folder, const QStringList &more)
     return QApplication::exec();
 }
 
-} // namespace
+}  // namespace
 
 int main(int argc, char **argv)
 {
     // Pictures need no screen.
-    const bool hasScreen = qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY");
+    const bool hasScreen
+        = qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY");
     for (int i = 1; i < argc; ++i) {
         if (qstrcmp(argv[i], "--tour") == 0 && !hasScreen && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
             qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -70,13 +71,21 @@ int main(int argc, char **argv)
     QCommandLineParser parser;
     parser.setApplicationDescription(u"Configure, tune and watch gimbal controllers."_s);
     const QCommandLineOption link(u"link"_s, u"Connect to this address at start."_s, u"address"_s);
-    const QCommandLineOption demo(u"demo"_s, u"Connect to a simulated board (of this family)."_s, u"family"_s);
-    const QCommandLineOption tour(u"tour"_s, u"Write a picture of each page to this folder and end."_s, u"dir"_s);
-    const QCommandLineOption tourAll(u"tour-all"_s, u"With --tour: every page, wizard step and dialog, light and dark, at 100 and 200 %."_s);
-    const QCommandLineOption everything(u"everything"_s, u"With --tour: every page, wizard step and dialog in one look."_s);
-    const QCommandLineOption language(u"language"_s, u"en or de; without it, as set or as the system."_s, u"code"_s);
-    const QCommandLineOption page(u"page"_s, u"Page to begin with: dashboard, parameters, monitor, ..."_s, u"name"_s);
-    const QCommandLineOption themeOption(u"theme"_s, u"light or dark; without it, the system's."_s, u"theme"_s);
+    const QCommandLineOption demo(u"demo"_s, u"Connect to a simulated board (of this family)."_s,
+                                  u"family"_s);
+    const QCommandLineOption tour(u"tour"_s, u"Write a picture of each page to this folder and end."_s,
+                                  u"dir"_s);
+    const QCommandLineOption tourAll(
+        u"tour-all"_s,
+        u"With --tour: every page, wizard step and dialog, light and dark, at 100 and 200 %."_s);
+    const QCommandLineOption everything(u"everything"_s,
+                                        u"With --tour: every page, wizard step and dialog in one look."_s);
+    const QCommandLineOption language(u"language"_s, u"en or de; without it, as set or as the system."_s,
+                                      u"code"_s);
+    const QCommandLineOption page(u"page"_s, u"Page to begin with: dashboard, parameters, monitor, ..."_s,
+                                  u"name"_s);
+    const QCommandLineOption themeOption(u"theme"_s, u"light or dark; without it, the system's."_s,
+                                         u"theme"_s);
     parser.addOptions({link, demo, tour, tourAll, everything, page, themeOption, language});
     parser.addHelpOption();
     parser.addVersionOption();
@@ -85,13 +94,15 @@ int main(int argc, char **argv)
     if (parser.isSet(u"help"_s) || parser.isSet(u"version"_s))
         parser.process(withDemoFamily(QApplication::arguments()));
     if (!parser.positionalArguments().isEmpty())
-        return wrong(u"'%1' is not understood (gimbaldesk --help)"_s.arg(parser.positionalArguments().first()));
+        return wrong(
+            u"'%1' is not understood (gimbaldesk --help)"_s.arg(parser.positionalArguments().first()));
 
     if ((parser.isSet(tourAll) || parser.isSet(everything)) && !parser.isSet(tour))
         return wrong(u"--tour-all and --everything go with --tour DIR"_s);
     if (parser.isSet(tourAll))
-        return runWholeTour(parser.value(tour), parser.isSet(language) ? QStringList{u"--language"_s, parser.value(language)}
-                                                                     : QStringList());
+        return runWholeTour(parser.value(tour),
+                            parser.isSet(language) ? QStringList{u"--language"_s, parser.value(language)}
+                                                   : QStringList());
 
     // Pictures show a program that was never used before.
     QTemporaryDir pristine;
@@ -104,7 +115,8 @@ int main(int argc, char **argv)
     Translations translations(code);
     Theme theme;
     if (settings.theme() != Settings::ThemeChoice::System)
-        theme.setMode(settings.theme() == Settings::ThemeChoice::Dark ? Theme::Mode::Dark : Theme::Mode::Light);
+        theme.setMode(settings.theme() == Settings::ThemeChoice::Dark ? Theme::Mode::Dark
+                                                                      : Theme::Mode::Light);
     const QString themeName = parser.value(themeOption);
     if (themeName == u"light"_s)
         theme.setMode(Theme::Mode::Light);
@@ -140,9 +152,9 @@ int main(int argc, char **argv)
             suffix += u"@2x"_s;
         if (!code.isEmpty() && code != u"en"_s)
             suffix += u'-' + code;
-        guide = std::make_unique<Tour>(window, parser.value(tour), suffix,
-                                       parser.isSet(everything) ? Tour::Extent::Everything : Tour::Extent::Pages,
-                                       parser.value(demo));
+        guide = std::make_unique<Tour>(
+            window, parser.value(tour), suffix,
+            parser.isSet(everything) ? Tour::Extent::Everything : Tour::Extent::Pages, parser.value(demo));
         QObject::connect(guide.get(), &Tour::finished, &application,
                          [](const QStringList &pictures, const QString &error) {
                              QTextStream out(error.isEmpty() ? stdout : stderr);

@@ -28,24 +28,27 @@ int wrong(const QString &message, int code = kWrongArguments)
 QString helpText()
 {
     return u"gimbalsim --family F (--pty PATH | --tcp PORT) [options]\n\n"
-           u"A simulated gimbal for other programs. Prints \"ready ADDRESS\" and runs until it is told to end.\n"
+           u"A simulated gimbal for other programs. Prints \"ready ADDRESS\" and runs until it is told to "
+           u"end.\n"
            u"Lines NAME=VALUE on standard input change the world while it runs: pose=1, shake=3, unplug=0.\n"
            u"The line \"streams\" is answered with how many stream frames were sent and how many skipped.\n\n"
            u"  --family F        simplebgc or storm32\n"
            u"  --pty PATH        a pseudo-terminal, reachable at PATH (a symbolic link)\n"
            u"  --tcp PORT        a TCP server on 127.0.0.1, 0 = any free port\n"
            u"  --seed N          another gimbal: noise, bias, hand; same seed, same behaviour\n"
-           u"  --firmware V      simplebgc: 2.59 (default), 2.40 ... 2.73.8; storm32: 0.79, 0.90, 0.96 (default)\n"
+           u"  --firmware V      simplebgc: 2.59 (default), 2.40 ... 2.73.8; storm32: 0.79, 0.90, 0.96 "
+           u"(default)\n"
            u"  --strict 1        storm32: refuse frames that the real firmware lets pass, to test a client\n"
            u"  --board N         board version times ten, default 30 (simplebgc)\n"
-           u"  --rate BAUD       behave like a UART of that rate; without it, like native USB (not throttled)\n"
+           u"  --rate BAUD       behave like a UART of that rate; without it, like native USB (not "
+           u"throttled)\n"
            u"  --parity P        none or even. Firmware 2.40 knows only even, later ones take both.\n"
            u"                    Linux pseudo-terminals carry no parity: there it changes the timing only\n"
            u"  --fault NAME=V    repeatable:\n                      "_s
         + Faults::help().join(u"\n                      "_s) + u"\n"_s;
 }
 
-} // namespace
+}  // namespace
 
 int main(int argc, char **argv)
 {
@@ -67,7 +70,8 @@ int main(int argc, char **argv)
         return 0;
     }
     if (!parser.positionalArguments().isEmpty())
-        return wrong(u"'%1' is not understood (gimbalsim --help)"_s.arg(parser.positionalArguments().first()));
+        return wrong(
+            u"'%1' is not understood (gimbalsim --help)"_s.arg(parser.positionalArguments().first()));
     if (!parser.isSet(family))
         return wrong(u"which gimbal? --family simplebgc or storm32"_s);
     if (parser.isSet(pty) == parser.isSet(tcp))
@@ -119,7 +123,8 @@ int main(int argc, char **argv)
                 continue;
             if (line == u"streams"_s) {
                 const SimulatedBoard::StreamCount streams = host->port().board().streamCount();
-                QTextStream(stdout) << "streams sent " << streams.sent << " skipped " << streams.skipped << "\n";
+                QTextStream(stdout) << "streams sent " << streams.sent << " skipped " << streams.skipped
+                                    << "\n";
                 continue;
             }
             if (const auto changed = host->port().change(line); !changed)

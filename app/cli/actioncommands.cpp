@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
-
 #include "protocol/procedure/safeaction.h"
 
 #include <algorithm>
@@ -22,17 +21,19 @@ Result<QMap<QString, QString>> assignments(const QStringList &words)
     return map;
 }
 
-Result<CommandOutcome> performAction(Channel &channel, Device &device, const QString &key, const QStringList &words,
-                                     const CommandOptions &options)
+Result<CommandOutcome> performAction(Channel &channel, Device &device, const QString &key,
+                                     const QStringList &words, const CommandOptions &options)
 {
     const auto actions = device.actions();
-    const auto it = std::find_if(actions.begin(), actions.end(),
-                                 [&key](const ActionSpec &action) { return key == QLatin1String(action.key); });
+    const auto it = std::find_if(actions.begin(), actions.end(), [&key](const ActionSpec &action) {
+        return key == QLatin1String(action.key);
+    });
     if (it == actions.end()) {
         QStringList names;
         for (const ActionSpec &action : actions)
             names.append(QLatin1String(action.key));
-        return failure(ErrorCode::InvalidArgument, u"no action '%1'; there are: %2"_s.arg(key, names.join(u", "_s)));
+        return failure(ErrorCode::InvalidArgument,
+                       u"no action '%1'; there are: %2"_s.arg(key, names.join(u", "_s)));
     }
     const auto texts = assignments(words);
     if (!texts)
@@ -44,7 +45,8 @@ Result<CommandOutcome> performAction(Channel &channel, Device &device, const QSt
     if (!done)
         return tl::unexpected(done.error());
     CommandOutcome outcome;
-    QJsonObject json{{u"action"_s, key}, {u"done"_s, true}, {u"reply"_s, QJsonObject::fromVariantMap(done->reply)}};
+    QJsonObject json{
+        {u"action"_s, key}, {u"done"_s, true}, {u"reply"_s, QJsonObject::fromVariantMap(done->reply)}};
     if (!done->snapshotPath.isEmpty()) {
         json.insert(u"snapshot"_s, done->snapshotPath);
         outcome.note = u"snapshot: "_s + done->snapshotPath;
@@ -52,8 +54,8 @@ Result<CommandOutcome> performAction(Channel &channel, Device &device, const QSt
     outcome.json = json;
     for (auto reply = done->reply.begin(); reply != done->reply.end(); ++reply) {
         QStringList values;
-        for (const QVariant &value : reply->typeId() == QMetaType::QVariantList ? reply->toList()
-                                                                               : QVariantList{*reply})
+        for (const QVariant &value :
+             reply->typeId() == QMetaType::QVariantList ? reply->toList() : QVariantList{*reply})
             values.append(value.typeId() == QMetaType::Double ? QString::number(value.toDouble(), 'g', 6)
                                                               : value.toString());
         outcome.text += u"%1 %2\n"_s.arg(reply.key().leftJustified(20), values.join(u' '));
@@ -72,7 +74,8 @@ public:
     bool moves() const override { return true; }
     QString check(const CommandOptions &options) const override
     {
-        return options.arguments.isEmpty() ? u"do needs the name of an action; \"do help\" lists them"_s : QString();
+        return options.arguments.isEmpty() ? u"do needs the name of an action; \"do help\" lists them"_s
+                                           : QString();
     }
     Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
     {
@@ -91,22 +94,26 @@ private:
             const QString key = QLatin1String(action.key);
             const QString risk = QLatin1String(risks[std::size_t(action.risk)]);
             outcome.text += u"%1 %2 %3\n"_s.arg(key.leftJustified(20), risk.leftJustified(9),
-                                               QString::fromUtf8(action.help));
+                                                QString::fromUtf8(action.help));
             QJsonArray arguments;
             for (const ArgumentSpec &argument : action.arguments) {
                 QStringList names;
                 for (const Choice &choice : argument.choices)
                     names.append(QString::fromUtf8(choice.name));
-                arguments.append(QJsonObject{{u"key"_s, QLatin1String(argument.key)}, {u"min"_s, argument.min},
-                                             {u"max"_s, argument.max}, {u"unit"_s, QString::fromUtf8(argument.unit)},
+                arguments.append(QJsonObject{{u"key"_s, QLatin1String(argument.key)},
+                                             {u"min"_s, argument.min},
+                                             {u"max"_s, argument.max},
+                                             {u"unit"_s, QString::fromUtf8(argument.unit)},
                                              {u"default"_s, QLatin1String(argument.defaultText)},
                                              {u"choices"_s, QJsonArray::fromStringList(names)}});
                 const QString preset = QLatin1String(argument.defaultText);
                 outcome.text += u"    %1=%2  %3\n"_s.arg(QLatin1String(argument.key),
-                                                        preset == u"nan"_s ? QString() : preset,
-                                                        QString::fromUtf8(argument.label));
+                                                         preset == u"nan"_s ? QString() : preset,
+                                                         QString::fromUtf8(argument.label));
             }
-            array.append(QJsonObject{{u"key"_s, key}, {u"risk"_s, risk}, {u"help"_s, QString::fromUtf8(action.help)},
+            array.append(QJsonObject{{u"key"_s, key},
+                                     {u"risk"_s, risk},
+                                     {u"help"_s, QString::fromUtf8(action.help)},
                                      {u"arguments"_s, arguments}});
         }
         outcome.json = array;
@@ -122,12 +129,13 @@ public:
     const char *help() const override { return "gyro, acc, battery, offset; with STorM32: level, six"; }
     QString check(const CommandOptions &options) const override
     {
-        return options.arguments.isEmpty() ? u"calibrate needs a name; \"do help\" lists the board's"_s : QString();
+        return options.arguments.isEmpty() ? u"calibrate needs a name; \"do help\" lists the board's"_s
+                                           : QString();
     }
     Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
     {
-        return performAction(channel, device, u"calibrate."_s + options.arguments.first(), options.arguments.mid(1),
-                             options);
+        return performAction(channel, device, u"calibrate."_s + options.arguments.first(),
+                             options.arguments.mid(1), options);
     }
 };
 
@@ -135,7 +143,10 @@ class AutotuneCommand final : public Command
 {
 public:
     const char *name() const override { return "autotune"; }
-    const char *usage() const override { return "autotune [roll=off] [gain=0..255] [keep=on] [save=off] ..."; }
+    const char *usage() const override
+    {
+        return "autotune [roll=off] [gain=0..255] [keep=on] [save=off] ...";
+    }
     const char *help() const override { return "the board searches its gains by moving the camera"; }
     bool moves() const override { return true; }
     QString check(const CommandOptions &) const override { return {}; }
@@ -169,7 +180,10 @@ class StreamsCommand final : public Command
 public:
     const char *name() const override { return "streams"; }
     const char *usage() const override { return "streams [--channels a,b]"; }
-    const char *help() const override { return "data streams of the board, and how fast a line can carry each"; }
+    const char *help() const override
+    {
+        return "data streams of the board, and how fast a line can carry each";
+    }
     QString check(const CommandOptions &options) const override
     {
         return options.arguments.isEmpty() ? QString() : u"streams takes options only"_s;
@@ -180,7 +194,8 @@ public:
         for (const QString &key : options.channels) {
             const int channel = findChannel(device.channels(), key.trimmed());
             if (channel < 0)
-                return failure(ErrorCode::InvalidArgument, u"no channel '%1'; gimbalctl monitor lists them"_s.arg(key));
+                return failure(ErrorCode::InvalidArgument,
+                               u"no channel '%1'; gimbalctl monitor lists them"_s.arg(key));
             channels.append(channel);
         }
         if (channels.isEmpty())
@@ -188,7 +203,8 @@ public:
         CommandOutcome outcome;
         QJsonArray list;
         // The line sets no limit on USB.
-        const std::vector<int> lines = device.identity().usb ? std::vector<int>{0} : std::vector<int>{115200, 256000, 921600};
+        const std::vector<int> lines
+            = device.identity().usb ? std::vector<int>{0} : std::vector<int>{115200, 256000, 921600};
         outcome.text = u"%1 %2 %3"_s.arg(u"stream"_s, -12).arg(u""_s, -22).arg(u"bytes"_s, 6);
         for (const int baud : lines)
             outcome.text += u"%1"_s.arg(baud ? QString::number(baud) : u"USB"_s, 12);
@@ -199,7 +215,8 @@ public:
             QJsonObject rates;
             QString cells;
             for (const int baud : lines) {
-                const auto budget = device.streamBudget({{}, 0, {{spec.key, 0, wanted}}}, LineSettings{baud, Parity::None});
+                const auto budget
+                    = device.streamBudget({{}, 0, {{spec.key, 0, wanted}}}, LineSettings{baud, Parity::None});
                 if (!budget)
                     return tl::unexpected(budget.error());
                 const StreamUse &use = budget->streams.front();
@@ -220,7 +237,7 @@ public:
     }
 };
 
-} // namespace
+}  // namespace
 
 std::vector<std::unique_ptr<Command>> actionCommands()
 {

@@ -21,7 +21,7 @@ QString stateText(WriteState state)
     return {};
 }
 
-} // namespace
+}  // namespace
 
 QList<int> usualChannels(const Device &device)
 {
@@ -58,8 +58,10 @@ QString valueText(const ParameterSpec &spec, int raw)
 
 QJsonObject changeJson(const ParameterChange &change)
 {
-    return {{u"key"_s, change.spec->key}, {u"profile"_s, change.profile + 1},
-            {u"from"_s, change.spec->format(change.from)}, {u"to"_s, change.spec->format(change.to)},
+    return {{u"key"_s, change.spec->key},
+            {u"profile"_s, change.profile + 1},
+            {u"from"_s, change.spec->format(change.from)},
+            {u"to"_s, change.spec->format(change.to)},
             {u"red"_s, change.spec->row->risk == Risk::Red},
             {u"scope"_s, change.spec->row->scope == Scope::Board ? u"board"_s : u"profile"_s}};
 }
@@ -68,10 +70,12 @@ QString changeText(const Configuration &configuration, const std::vector<Paramet
 {
     QString text;
     for (const ParameterChange &change : changes) {
-        const QString where = change.spec->row->scope == Scope::Board ? u"all profiles"_s
-                                                                      : configuration.profileName(change.profile);
+        const QString where = change.spec->row->scope == Scope::Board
+            ? u"all profiles"_s
+            : configuration.profileName(change.profile);
         text += u"%1 %2 %3 -> %4%5\n"_s.arg(where.leftJustified(14), change.spec->key.leftJustified(28),
-                                            valueText(*change.spec, change.from), valueText(*change.spec, change.to),
+                                            valueText(*change.spec, change.from),
+                                            valueText(*change.spec, change.to),
                                             change.spec->row->risk == Risk::Red ? u"   (risk)"_s : QString());
     }
     return text;
@@ -99,28 +103,34 @@ Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Co
         QJsonObject object = changeJson({line.spec, line.profile, line.from, line.to});
         object.insert(u"state"_s, stateText(line.state));
         lines.append(object);
-        outcome.text += u"%1 %2 %3 -> %4\n"_s.arg(stateText(line.state).leftJustified(12),
-                                                 line.spec->key.leftJustified(28), valueText(*line.spec, line.from),
-                                                 valueText(*line.spec, line.to));
+        outcome.text += u"%1 %2 %3 -> %4\n"_s.arg(
+            stateText(line.state).leftJustified(12), line.spec->key.leftJustified(28),
+            valueText(*line.spec, line.from), valueText(*line.spec, line.to));
     }
     QJsonArray data;
     for (const WriteData &block : report->data) {
-        data.append(QJsonObject{{u"data"_s, QLatin1String(block.spec->data)}, {u"state"_s, stateText(block.state)}});
-        outcome.text += u"%1 %2\n"_s.arg(stateText(block.state).leftJustified(12), QLatin1String(block.spec->data));
+        data.append(
+            QJsonObject{{u"data"_s, QLatin1String(block.spec->data)}, {u"state"_s, stateText(block.state)}});
+        outcome.text
+            += u"%1 %2\n"_s.arg(stateText(block.state).leftJustified(12), QLatin1String(block.spec->data));
     }
     if (report->namesWritten)
         outcome.text += u"verified     profile names\n"_s;
     if (lines.isEmpty() && data.isEmpty() && !report->namesWritten && report->isComplete())
         outcome.text = u"nothing to write: the board holds these values already\n"_s;
-    QJsonObject json{{u"complete"_s, report->isComplete()}, {u"written"_s, lines}, {u"data"_s, data},
-                     {u"namesWritten"_s, report->namesWritten}, {u"snapshot"_s, report->snapshotPath}};
+    QJsonObject json{{u"complete"_s, report->isComplete()},
+                     {u"written"_s, lines},
+                     {u"data"_s, data},
+                     {u"namesWritten"_s, report->namesWritten},
+                     {u"snapshot"_s, report->snapshotPath}};
     if (report->error) {
         outcome.exitCode = Refused;
         outcome.note = describe(*report->error).oneLine();
         json.insert(u"error"_s, outcome.note);
     }
     if (!report->snapshotPath.isEmpty())
-        outcome.note += (outcome.note.isEmpty() ? QString() : u"\n"_s) + u"snapshot: "_s + report->snapshotPath;
+        outcome.note
+            += (outcome.note.isEmpty() ? QString() : u"\n"_s) + u"snapshot: "_s + report->snapshotPath;
     outcome.json = json;
     return outcome;
 }

@@ -15,13 +15,13 @@
 struct CommandOptions
 {
     QStringList arguments;
-    int profile = 0;           ///< from 1; 0 = the active one
+    int profile = 0;  ///< from 1; 0 = the active one
     bool noSave = false;
     bool dryRun = false;
     QStringList channels;
-    QStringList streams;       ///< "realtime4@100": which streams to ask for; empty = arranged for the channels
-    double seconds = 0;        ///< 0 = until interrupted
-    QString csv;               ///< where to write samples; - = stdout
+    QStringList streams;  ///< "realtime4@100": which streams to ask for; empty = arranged for the channels
+    double seconds = 0;  ///< 0 = until interrupted
+    QString csv;  ///< where to write samples; - = stdout
     BoardHistory history;
 };
 
@@ -30,7 +30,7 @@ struct CommandOutcome
 {
     QJsonValue json;
     QString text;
-    QString note;              ///< for people only, on stderr: where the snapshot went, how it went
+    QString note;  ///< for people only, on stderr: where the snapshot went, how it went
     int exitCode = 0;
 };
 
@@ -54,11 +54,14 @@ public:
     {
         return failure(ErrorCode::Unsupported);
     }
-    virtual Result<CommandOutcome> runWithoutBoard(const CommandOptions &) { return failure(ErrorCode::NotConnected); }
+    virtual Result<CommandOutcome> runWithoutBoard(const CommandOptions &)
+    {
+        return failure(ErrorCode::NotConnected);
+    }
 };
 
-/// All commands in the order of the help text; "monitor" and "record" are built into the program, as they live on the
-/// running link.
+/// All commands in the order of the help text; "monitor" and "record" are built into the program, as they
+/// live on the running link.
 [[nodiscard]] std::vector<std::unique_ptr<Command>> allCommands();
 
 [[nodiscard]] std::vector<std::unique_ptr<Command>> parameterCommands();
@@ -74,7 +77,8 @@ public:
 [[nodiscard]] QString valueText(const ParameterSpec &spec, int raw);
 [[nodiscard]] QJsonObject changeJson(const ParameterChange &change);
 /// Lines "profile  key  old -> new".
-[[nodiscard]] QString changeText(const Configuration &configuration, const std::vector<ParameterChange> &changes);
+[[nodiscard]] QString changeText(const Configuration &configuration,
+                                 const std::vector<ParameterChange> &changes);
 /// Lines for the blocks that differ as a whole.
 [[nodiscard]] QString dataText(const std::vector<DataChange> &changes);
 /// Writes and tells how it went. The exit code is 1 unless everything was verified.

@@ -23,8 +23,14 @@ class MonitorCommand final : public Command
 {
 public:
     const char *name() const override { return "monitor"; }
-    const char *usage() const override { return "monitor [--channels a,b] [--stream KIND@RATE] [--seconds N]"; }
-    const char *help() const override { return "live telemetry as CSV on stdout; without channels, all fast ones"; }
+    const char *usage() const override
+    {
+        return "monitor [--channels a,b] [--stream KIND@RATE] [--seconds N]";
+    }
+    const char *help() const override
+    {
+        return "live telemetry as CSV on stdout; without channels, all fast ones";
+    }
     QString check(const CommandOptions &options) const override
     {
         return options.arguments.isEmpty() ? QString() : u"monitor takes options only"_s;
@@ -36,7 +42,10 @@ class RecordCommand final : public Command
 {
 public:
     const char *name() const override { return "record"; }
-    const char *usage() const override { return "record FILE [--channels a,b] [--stream KIND@RATE] [--seconds N]"; }
+    const char *usage() const override
+    {
+        return "record FILE [--channels a,b] [--stream KIND@RATE] [--seconds N]";
+    }
     const char *help() const override { return "everything on the link into a file, until Ctrl-C"; }
     QString check(const CommandOptions &options) const override
     {
@@ -64,21 +73,25 @@ Result<MotionTestPlan> motionPlan(const QStringList &words)
     if (words.size() < 2 || (words[0] != u"steps"_s && words[0] != u"sweep"_s))
         return failure(ErrorCode::InvalidArgument, u"measure needs steps or sweep, and an axis"_s);
     plan.kind = words[0] == u"steps"_s ? MotionTestPlan::Kind::Steps : MotionTestPlan::Kind::Sweep;
-    const auto axis = std::find_if(kAxes.begin(), kAxes.end(), [&](Axis each) { return words[1] == QLatin1String(axisKey(each)); });
+    const auto axis = std::find_if(kAxes.begin(), kAxes.end(),
+                                   [&](Axis each) { return words[1] == QLatin1String(axisKey(each)); });
     if (axis == kAxes.end())
-        return failure(ErrorCode::InvalidArgument, u"'%1' is no axis; there are roll, pitch, yaw"_s.arg(words[1]));
+        return failure(ErrorCode::InvalidArgument,
+                       u"'%1' is no axis; there are roll, pitch, yaw"_s.arg(words[1]));
     plan.axis = *axis;
     double steps = plan.steps;
-    const QMap<QString, double *> values{{u"degrees"_s, &plan.degrees}, {u"steps"_s, &steps}, {u"rest"_s, &plan.rest},
-                                         {u"from"_s, &plan.fromHz}, {u"to"_s, &plan.toHz}, {u"seconds"_s, &plan.sweepSeconds},
+    const QMap<QString, double *> values{{u"degrees"_s, &plan.degrees}, {u"steps"_s, &steps},
+                                         {u"rest"_s, &plan.rest},       {u"from"_s, &plan.fromHz},
+                                         {u"to"_s, &plan.toHz},         {u"seconds"_s, &plan.sweepSeconds},
                                          {u"limit"_s, &plan.limit}};
     for (const QString &word : words.sliced(2)) {
         const QString name = word.section(u'=', 0, 0);
         bool ok = false;
         const double value = word.section(u'=', 1).toDouble(&ok);
         if (!ok || !values.contains(name)) {
-            return failure(ErrorCode::InvalidArgument, u"'%1' is not NAME=NUMBER with one of %2"_s
-                               .arg(word, QStringList(values.keys()).join(u", "_s)));
+            return failure(ErrorCode::InvalidArgument,
+                           u"'%1' is not NAME=NUMBER with one of %2"_s.arg(
+                               word, QStringList(values.keys()).join(u", "_s)));
         }
         *values.value(name) = value;
     }
@@ -93,8 +106,14 @@ class MeasureCommand final : public Command
 {
 public:
     const char *name() const override { return "measure"; }
-    const char *usage() const override { return "measure steps|sweep AXIS [degrees=N] [to=HZ] ... [--csv FILE]"; }
-    const char *help() const override { return "moves an axis a little and tells how it follows; motors must run"; }
+    const char *usage() const override
+    {
+        return "measure steps|sweep AXIS [degrees=N] [to=HZ] ... [--csv FILE]";
+    }
+    const char *help() const override
+    {
+        return "moves an axis a little and tells how it follows; motors must run";
+    }
     QString check(const CommandOptions &options) const override
     {
         const auto plan = motionPlan(options.arguments);
@@ -113,14 +132,14 @@ TelemetryWish wishFor(const QList<int> &channels, const QStringList &streams)
 {
     TelemetryWish wish{channels, 0, {}};
     for (const QString &text : streams) {
-        StreamWish stream = *parseStreamWish(text);   // checked with the arguments
+        StreamWish stream = *parseStreamWish(text);  // checked with the arguments
         stream.channels = channels;
         wish.streams.append(stream);
     }
     return wish;
 }
 
-} // namespace
+}  // namespace
 
 Ctl::Ctl(QObject *parent)
     : QObject(parent)
@@ -136,15 +155,17 @@ Ctl::~Ctl() = default;
 
 QString Ctl::helpText() const
 {
-    QString text = u"gimbalctl --link ADDRESS [--family F] [--json] COMMAND\n\n"
-                   u"ADDRESS: serial:/dev/ttyUSB0?baud=115200&parity=none, tcp://host:port, sim:simplebgc?seed=1,\n"
-                   u"         sim:storm32?firmware=0.90, replay:FILE?speed=4\n"
-                   u"F: simplebgc or storm32; without it gimbalctl finds out who answers\n\n"_s;
+    QString text
+        = u"gimbalctl --link ADDRESS [--family F] [--json] COMMAND\n\n"
+          u"ADDRESS: serial:/dev/ttyUSB0?baud=115200&parity=none, tcp://host:port, sim:simplebgc?seed=1,\n"
+          u"         sim:storm32?firmware=0.90, replay:FILE?speed=4\n"
+          u"F: simplebgc or storm32; without it gimbalctl finds out who answers\n\n"_s;
     for (const auto &command : m_commands) {
         text += u"  %1 %2\n"_s.arg(QString::fromUtf8(command->usage()).leftJustified(64),
-                                  QString::fromUtf8(command->help()));
+                                   QString::fromUtf8(command->help()));
     }
-    text += u"\nOptions: --profile N, --no-save, --dry-run, --channels LIST, --stream KIND@RATE (again for\n         more), --seconds N, --csv FILE, --history DIR, --version\n"
+    text += u"\nOptions: --profile N, --no-save, --dry-run, --channels LIST, --stream KIND@RATE (again for\n "
+            u"        more), --seconds N, --csv FILE, --history DIR, --version\n"
             u"Exit codes: 0 done, 1 the board or the link said no, 2 wrong arguments.\n"_s;
     return text;
 }
@@ -172,7 +193,8 @@ std::optional<int> Ctl::start(const QStringList &arguments)
     const QCommandLineOption history(u"history"_s, {}, u"dir"_s);
     const QCommandLineOption help(QStringList{u"h"_s, u"help"_s});
     const QCommandLineOption version(u"version"_s);
-    parser.addOptions({link, family, json, profile, noSave, dryRun, channels, stream, seconds, csv, history, help, version});
+    parser.addOptions({link, family, json, profile, noSave, dryRun, channels, stream, seconds, csv, history,
+                       help, version});
     if (!parser.parse(arguments))
         return wrong(parser.errorText());
     if (parser.isSet(help)) {
@@ -214,8 +236,9 @@ std::optional<int> Ctl::start(const QStringList &arguments)
     if (words.isEmpty())
         return wrong(u"no command"_s);
     const QString name = words.takeFirst();
-    const auto it = std::find_if(m_commands.begin(), m_commands.end(),
-                                 [&name](const auto &command) { return name == QLatin1String(command->name()); });
+    const auto it = std::find_if(m_commands.begin(), m_commands.end(), [&name](const auto &command) {
+        return name == QLatin1String(command->name());
+    });
     if (it == m_commands.end())
         return wrong(u"there is no command '%1'"_s.arg(name));
     m_command = it->get();
@@ -224,7 +247,8 @@ std::optional<int> Ctl::start(const QStringList &arguments)
         return wrong(problem + u"\nusage: gimbalctl "_s + QString::fromUtf8(m_command->usage()));
 
     if (!m_command->needsBoard(m_options)) {
-        QMetaObject::invokeMethod(this, [this] { finish(m_command->runWithoutBoard(m_options)); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this] { finish(m_command->runWithoutBoard(m_options)); }, Qt::QueuedConnection);
         return {};
     }
     if (!parser.isSet(link))
@@ -235,7 +259,9 @@ std::optional<int> Ctl::start(const QStringList &arguments)
     const QList<Family> families = allFamilies();
     const QString familyKey = parser.value(family);
     // Without one it is found out who answers.
-    if (parser.isSet(family) && std::none_of(families.begin(), families.end(), [&](const Family &f) { return f.key == familyKey; })) {
+    if (parser.isSet(family) && std::none_of(families.begin(), families.end(), [&](const Family &f) {
+            return f.key == familyKey;
+        })) {
         QStringList keys;
         for (const Family &known : families)
             keys.append(known.key);
@@ -246,8 +272,8 @@ std::optional<int> Ctl::start(const QStringList &arguments)
         if (const auto transport = allLinks().transports(*address); !transport) {
             if (transport.error().code != ErrorCode::BadFile)
                 return wrong(transport.error().detail);
-            QMetaObject::invokeMethod(this, [this, error = transport.error()] { onError(error, Refused); },
-                                      Qt::QueuedConnection);
+            QMetaObject::invokeMethod(
+                this, [this, error = transport.error()] { onError(error, Refused); }, Qt::QueuedConnection);
             return {};
         }
     }
@@ -320,12 +346,16 @@ bool Ctl::isRecording() const
 void Ctl::runCommand()
 {
     const auto kind = m_command->moves() ? DeviceClient::JobKind::Moving : DeviceClient::JobKind::Quiet;
-    m_client->submit<CommandOutcome>([command = m_command, options = m_options](Channel &channel, Device &device) {
-        return command->run(channel, device, options);
-    }, kind).then(this, [this](const Result<CommandOutcome> &outcome) {
-        // A moving job posts its "stop" as the last thing; the link stays open until it is out.
-        QTimer::singleShot(outcome ? 0 : 100, this, [this, outcome] { finish(outcome); });
-    });
+    m_client
+        ->submit<CommandOutcome>(
+            [command = m_command, options = m_options](Channel &channel, Device &device) {
+                return command->run(channel, device, options);
+            },
+            kind)
+        .then(this, [this](const Result<CommandOutcome> &outcome) {
+            // A moving job posts its "stop" as the last thing; the link stays open until it is out.
+            QTimer::singleShot(outcome ? 0 : 100, this, [this, outcome] { finish(outcome); });
+        });
 }
 
 // The channels asked for, or what an operator looks at first. Empty after an error, which has been told.
@@ -339,7 +369,8 @@ QList<int> Ctl::wantedChannels()
             QStringList keys;
             for (const ChannelSpec &spec : device->channels())
                 keys.append(QLatin1String(spec.key));
-            onError({ErrorCode::InvalidArgument, u"no channel '%1'; there are: %2"_s.arg(key, keys.join(u", "_s)), 0},
+            onError({ErrorCode::InvalidArgument,
+                     u"no channel '%1'; there are: %2"_s.arg(key, keys.join(u", "_s)), 0},
                     WrongArguments);
             return {};
         }
@@ -361,12 +392,16 @@ void Ctl::runRecording()
         return;
     }
     m_recording = std::move(*task);
-    connect(m_client.get(), &DeviceClient::telemetryFailed, this, [this](const Error &error) { finish(tl::unexpected(error)); });
-    m_client->submit<Configuration>([](Channel &channel, Device &device) { return device.readConfiguration(channel); })
+    connect(m_client.get(), &DeviceClient::telemetryFailed, this,
+            [this](const Error &error) { finish(tl::unexpected(error)); });
+    m_client
+        ->submit<Configuration>(
+            [](Channel &channel, Device &device) { return device.readConfiguration(channel); })
         .then(this, [this, channels](const Result<Configuration> &) {
             m_client->setTelemetry(wishFor(channels, m_options.streams));
             if (m_options.seconds > 0)
-                QTimer::singleShot(milliseconds(qint64(m_options.seconds * 1000)), this, &Ctl::finishRecording);
+                QTimer::singleShot(milliseconds(qint64(m_options.seconds * 1000)), this,
+                                   &Ctl::finishRecording);
         });
     // A full disk ends it at once, not at the end of the hour.
     auto *watch = new QTimer(this);
@@ -393,7 +428,9 @@ void Ctl::finishRecording()
     const auto store = m_client->telemetry();
     outcome.text = u"%1 bytes in %2\n"_s.arg(bytes).arg(path);
     outcome.note = u"%1 rows, %2 lost"_s.arg(store->rows()).arg(store->lost());
-    outcome.json = QJsonObject{{u"file"_s, path}, {u"bytes"_s, bytes}, {u"rows"_s, qint64(store->rows())},
+    outcome.json = QJsonObject{{u"file"_s, path},
+                               {u"bytes"_s, bytes},
+                               {u"rows"_s, qint64(store->rows())},
                                {u"lost"_s, qint64(store->lost())}};
     finish(outcome);
 }
@@ -403,7 +440,8 @@ void Ctl::runMeasure()
 {
     m_test = std::make_unique<MotionTest>(*m_client);
     const MotionTestPlan plan = *motionPlan(m_options.arguments);
-    connect(m_client.get(), &DeviceClient::telemetryFailed, this, [this](const Error &error) { finish(tl::unexpected(error)); });
+    connect(m_client.get(), &DeviceClient::telemetryFailed, this,
+            [this](const Error &error) { finish(tl::unexpected(error)); });
     connect(m_test.get(), &MotionTest::measured, this, &Ctl::finishMeasure);
     connect(m_test.get(), &MotionTest::failed, this, [this](const Error &error) {
         // "stop" and "release" go out before the link is closed.
@@ -411,7 +449,9 @@ void Ctl::runMeasure()
     });
     m_client->setTelemetry({MotionTest::channels(*m_client->device(), plan.axis), 0});
     QTimer::singleShot(1500, this, [this, plan] {
-        m_err << (MotionTest::tellsTargets(*m_client->device()) ? "moving " : "bringing the camera to its middle, then moving ")
+        m_err << (MotionTest::tellsTargets(*m_client->device())
+                      ? "moving "
+                      : "bringing the camera to its middle, then moving ")
               << axisKey(plan.axis) << " by " << plan.degrees << " degrees\n";
         m_err.flush();
         if (const auto started = m_test->start(plan); !started)
@@ -425,7 +465,8 @@ void Ctl::finishMeasure(const MotionTestResult &result)
     if (outcome && !m_options.csv.isEmpty()) {
         QSaveFile file(m_options.csv);
         const bool written = file.open(QIODevice::WriteOnly)
-            && writeResponseCsv(file, result.target.values, result.angle.values, result.angle.rate) && file.commit();
+            && writeResponseCsv(file, result.target.values, result.angle.values, result.angle.rate)
+            && file.commit();
         if (!written)
             outcome = failure(ErrorCode::BadFile, u"%1: %2"_s.arg(m_options.csv, file.errorString()));
         else
@@ -440,8 +481,10 @@ void Ctl::runPublish()
     if (channels.isEmpty())
         return;
     m_publish = std::make_unique<UdpExport>(m_client->device()->channels(), m_client->telemetry(), channels);
-    connect(m_publish.get(), &UdpExport::failed, this, [this](const Error &error) { onError(error, Refused); });
-    connect(m_client.get(), &DeviceClient::telemetryFailed, this, [this](const Error &error) { finish(tl::unexpected(error)); });
+    connect(m_publish.get(), &UdpExport::failed, this,
+            [this](const Error &error) { onError(error, Refused); });
+    connect(m_client.get(), &DeviceClient::telemetryFailed, this,
+            [this](const Error &error) { finish(tl::unexpected(error)); });
     if (const auto started = m_publish->start(m_options.arguments.first()); !started) {
         onError(started.error(), WrongArguments);
         return;
@@ -457,7 +500,8 @@ void Ctl::finishPublish()
     CommandOutcome outcome;
     outcome.text = u"%1 samples sent to %2\n"_s.arg(m_publish->sent()).arg(m_options.arguments.first());
     outcome.note = u"%1 lost"_s.arg(m_client->telemetry()->lost());
-    outcome.json = QJsonObject{{u"sent"_s, qint64(m_publish->sent())}, {u"lost"_s, qint64(m_client->telemetry()->lost())}};
+    outcome.json = QJsonObject{{u"sent"_s, qint64(m_publish->sent())},
+                               {u"lost"_s, qint64(m_client->telemetry()->lost())}};
     finish(outcome);
 }
 
@@ -466,7 +510,8 @@ void Ctl::runMonitor()
     const QList<int> channels = wantedChannels();
     if (channels.isEmpty())
         return;
-    connect(m_client.get(), &DeviceClient::telemetryFailed, this, [this](const Error &error) { finish(tl::unexpected(error)); });
+    connect(m_client.get(), &DeviceClient::telemetryFailed, this,
+            [this](const Error &error) { finish(tl::unexpected(error)); });
     m_printer = std::make_unique<TelemetryPrinter>(*m_client, channels, wishFor(channels, m_options.streams),
                                                    m_options.seconds, m_json);
     connect(m_printer.get(), &TelemetryPrinter::finished, this, [this](const QString &note) {
@@ -488,7 +533,9 @@ void Ctl::onError(const Error &error, int exitCode)
     m_err << "gimbalctl: " << text.oneLine() << "\n";
     m_err.flush();
     if (m_json) {
-        m_out << toJsonText(QJsonObject{{u"error"_s, text.what}, {u"meaning"_s, text.meaning}, {u"cure"_s, text.cure},
+        m_out << toJsonText(QJsonObject{{u"error"_s, text.what},
+                                        {u"meaning"_s, text.meaning},
+                                        {u"cure"_s, text.cure},
                                         {u"detail"_s, text.detail}});
         m_out.flush();
     }
@@ -503,7 +550,8 @@ void Ctl::onProgress(const Progress &progress)
         for (const Axis axis : kAxes) {
             const QString name = QLatin1String(axisKey(axis));
             text += u" %1 P %2 I %3 D %4 error %5°"_s.arg(name)
-                        .arg(progress.values.value(u"p."_s + name)).arg(progress.values.value(u"i."_s + name))
+                        .arg(progress.values.value(u"p."_s + name))
+                        .arg(progress.values.value(u"i."_s + name))
                         .arg(progress.values.value(u"d."_s + name))
                         .arg(progress.values.value(u"error."_s + name), 0, 'f', 2);
         }
@@ -522,7 +570,8 @@ void Ctl::finish(const Result<CommandOutcome> &outcome)
     if (!outcome) {
         const ErrorCode code = outcome.error().code;
         onError(outcome.error(),
-                code == ErrorCode::InvalidArgument || code == ErrorCode::OutOfRange ? WrongArguments : Refused);
+                code == ErrorCode::InvalidArgument || code == ErrorCode::OutOfRange ? WrongArguments
+                                                                                    : Refused);
         return;
     }
     m_finished = true;

@@ -12,7 +12,8 @@
 
 class TelemetryPrinter;
 
-/// gimbalctl: finds the command, connects, runs it on the worker thread, prints, ends with an honest exit code.
+/// gimbalctl: finds the command, connects, runs it on the worker thread, prints, ends with an honest exit
+/// code.
 class Ctl final : public QObject
 {
     Q_OBJECT
@@ -52,7 +53,7 @@ private:
     CommandOptions m_options;
     bool m_json = false;
     QString m_lastProgress;
-    Recorder m_recorder;                        // the client's threads feed it, so it outlives them
+    Recorder m_recorder;  // the client's threads feed it, so it outlives them
     std::unique_ptr<RecordingTask> m_recording;
     std::unique_ptr<DeviceClient> m_client;
     std::unique_ptr<TelemetryPrinter> m_printer;

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
-
 #include "app/composition/composition.h"
 #include "protocol/record/configurationfiles.h"
 #include "protocol/transport/portlist.h"
@@ -25,8 +24,10 @@ public:
         CommandOutcome outcome;
         QJsonArray array;
         for (const PortInfo &port : listSerialPorts()) {
-            array.append(QJsonObject{{u"path"_s, port.path}, {u"description"_s, port.description},
-                                     {u"vendorId"_s, port.vendorId}, {u"productId"_s, port.productId},
+            array.append(QJsonObject{{u"path"_s, port.path},
+                                     {u"description"_s, port.description},
+                                     {u"vendorId"_s, port.vendorId},
+                                     {u"productId"_s, port.productId},
                                      {u"address"_s, u"serial:"_s + port.path}});
             outcome.text += port.label() + u'\n';
         }
@@ -42,7 +43,10 @@ class DumpCommand final : public Command
 public:
     const char *name() const override { return "dump"; }
     const char *usage() const override { return "dump FILE"; }
-    const char *help() const override { return "save the whole configuration to a file; .cfg for STorM32's own format"; }
+    const char *help() const override
+    {
+        return "save the whole configuration to a file; .cfg for STorM32's own format";
+    }
     QString check(const CommandOptions &options) const override
     {
         return options.arguments.size() == 1 ? QString() : u"dump needs one file name"_s;
@@ -72,7 +76,10 @@ public:
     {
         return options.arguments.size() == 2 ? QString() : u"diff needs two files, one may be \"board\""_s;
     }
-    bool needsBoard(const CommandOptions &options) const override { return options.arguments.contains(u"board"_s); }
+    bool needsBoard(const CommandOptions &options) const override
+    {
+        return options.arguments.contains(u"board"_s);
+    }
     Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
     {
         auto board = device.readConfiguration(channel);
@@ -80,7 +87,10 @@ public:
             return tl::unexpected(board.error());
         return compare(options, &*board);
     }
-    Result<CommandOutcome> runWithoutBoard(const CommandOptions &options) override { return compare(options, nullptr); }
+    Result<CommandOutcome> runWithoutBoard(const CommandOptions &options) override
+    {
+        return compare(options, nullptr);
+    }
 
 private:
     static Result<CommandOutcome> compare(const CommandOptions &options, const Configuration *board)
@@ -111,16 +121,18 @@ private:
         for (int i = 0; i < sides[0].identity().profileCount; ++i) {
             if (sides[0].profileNames().value(i) == second.profileNames().value(i))
                 continue;
-            array.append(QJsonObject{{u"key"_s, u"profile.name"_s}, {u"profile"_s, i + 1},
+            array.append(QJsonObject{{u"key"_s, u"profile.name"_s},
+                                     {u"profile"_s, i + 1},
                                      {u"from"_s, sides[0].profileNames().value(i)},
                                      {u"to"_s, second.profileNames().value(i)}});
-            outcome.text += u"name of profile %1: %2 -> %3\n"_s.arg(i + 1).arg(sides[0].profileNames().value(i),
-                                                                            second.profileNames().value(i));
+            outcome.text += u"name of profile %1: %2 -> %3\n"_s.arg(i + 1).arg(
+                sides[0].profileNames().value(i), second.profileNames().value(i));
         }
         if (array.isEmpty())
             outcome.text = u"no difference\n"_s;
         if (!skipped.isEmpty())
-            outcome.note = u"not compared, as the first side does not have them: %1"_s.arg(skipped.join(u", "_s));
+            outcome.note
+                = u"not compared, as the first side does not have them: %1"_s.arg(skipped.join(u", "_s));
         outcome.json = array;
         return outcome;
     }
@@ -131,7 +143,10 @@ class ApplyCommand final : public Command
 public:
     const char *name() const override { return "apply"; }
     const char *usage() const override { return "apply FILE [--dry-run]"; }
-    const char *help() const override { return "write a file's values to the board; --dry-run only shows them"; }
+    const char *help() const override
+    {
+        return "write a file's values to the board; --dry-run only shows them";
+    }
     QString check(const CommandOptions &options) const override
     {
         return options.arguments.size() == 1 ? QString() : u"apply needs one file name"_s;
@@ -142,8 +157,9 @@ public:
         if (!file)
             return tl::unexpected(file.error());
         if (file->configuration.identity().family != device.identity().family) {
-            return failure(ErrorCode::BadFile, u"it is for a board of the family %1"_s
-                               .arg(file->configuration.identity().family));
+            return failure(
+                ErrorCode::BadFile,
+                u"it is for a board of the family %1"_s.arg(file->configuration.identity().family));
         }
         const auto base = device.readConfiguration(channel);
         if (!base)
@@ -159,13 +175,15 @@ public:
             for (const DataChange &change : base->dataChangesTo(edited))
                 array.append(QJsonObject{{u"data"_s, QLatin1String(change.spec->data)}});
             outcome->json = array;
-            outcome->text = array.isEmpty() ? u"nothing would change\n"_s
-                                            : changeText(*base, changes) + dataText(base->dataChangesTo(edited));
+            outcome->text = array.isEmpty()
+                ? u"nothing would change\n"_s
+                : changeText(*base, changes) + dataText(base->dataChangesTo(edited));
         } else {
             outcome = writeAndReport(channel, device, *base, edited, options);
         }
         if (outcome && !file->missingKeys.isEmpty())
-            outcome->note += u"\nnot in the file, so the default was taken: "_s + file->missingKeys.join(u", "_s);
+            outcome->note
+                += u"\nnot in the file, so the default was taken: "_s + file->missingKeys.join(u", "_s);
         if (outcome && !skipped.isEmpty())
             outcome->note += u"\nnot applied, as this board does not have them: "_s + skipped.join(u", "_s);
         return outcome;
@@ -177,12 +195,17 @@ class ScriptCommand final : public Command
 public:
     const char *name() const override { return "script"; }
     const char *usage() const override { return "script N [FILE] [--dry-run]"; }
-    const char *help() const override { return "text of a script of the board; with a file, compile and write it"; }
+    const char *help() const override
+    {
+        return "text of a script of the board; with a file, compile and write it";
+    }
     QString check(const CommandOptions &options) const override
     {
         bool ok = false;
         options.arguments.value(0).toInt(&ok);
-        return ok && options.arguments.size() <= 2 ? QString() : u"script needs the number of a script, and maybe a file"_s;
+        return ok && options.arguments.size() <= 2
+            ? QString()
+            : u"script needs the number of a script, and maybe a file"_s;
     }
     Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
     {
@@ -192,7 +215,8 @@ public:
         if (!family || !family->scripts)
             return failure(ErrorCode::Unsupported, u"boards of this family keep no scripts"_s);
         if (script < 0 || script >= family->scripts->count())
-            return failure(ErrorCode::InvalidArgument, u"there are scripts 1 to %1"_s.arg(family->scripts->count()));
+            return failure(ErrorCode::InvalidArgument,
+                           u"there are scripts 1 to %1"_s.arg(family->scripts->count()));
         const auto base = device.readConfiguration(channel);
         if (!base)
             return tl::unexpected(base.error());
@@ -210,7 +234,8 @@ public:
             return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(file.fileName(), file.errorString()));
         QStringList texts;
         for (int each = 0; each < family->scripts->count(); ++each)
-            texts.append(each == script ? QString::fromUtf8(file.read(kLargestScript)) : family->scripts->text(*base, each));
+            texts.append(each == script ? QString::fromUtf8(file.read(kLargestScript))
+                                        : family->scripts->text(*base, each));
         const auto code = family->scripts->compile(*base, texts);
         if (!code)
             return tl::unexpected(code.error().error());
@@ -229,7 +254,7 @@ private:
     static constexpr qint64 kLargestScript = 64 * 1024;
 };
 
-} // namespace
+}  // namespace
 
 std::vector<std::unique_ptr<Command>> fileCommands()
 {

@@ -15,7 +15,8 @@ Result<int> chosenProfile(const CommandOptions &options, const Configuration &co
     if (options.profile == 0)
         return configuration.activeProfile();
     if (options.profile > configuration.identity().profileCount) {
-        return failure(ErrorCode::InvalidArgument, u"profile %1; the board has %2"_s.arg(options.profile)
+        return failure(ErrorCode::InvalidArgument,
+                       u"profile %1; the board has %2"_s.arg(options.profile)
                            .arg(configuration.identity().profileCount));
     }
     return options.profile - 1;
@@ -23,8 +24,11 @@ Result<int> chosenProfile(const CommandOptions &options, const Configuration &co
 
 QJsonObject parameterJson(const ParameterSpec &spec, int profile, int raw)
 {
-    QJsonObject json{{u"key"_s, spec.key}, {u"value"_s, spec.format(raw)}, {u"raw"_s, raw},
-                     {u"unit"_s, QString::fromUtf8(spec.row->unit)}, {u"profile"_s, profile + 1},
+    QJsonObject json{{u"key"_s, spec.key},
+                     {u"value"_s, spec.format(raw)},
+                     {u"raw"_s, raw},
+                     {u"unit"_s, QString::fromUtf8(spec.row->unit)},
+                     {u"profile"_s, profile + 1},
                      {u"label"_s, QString::fromUtf8(spec.row->label)}};
     if (spec.row->kind == ValueKind::Number) {
         json.insert(u"min"_s, spec.toDisplay(spec.row->min));
@@ -46,19 +50,22 @@ public:
         QStringList capabilities(identity.capabilities.begin(), identity.capabilities.end());
         capabilities.sort();
         CommandOutcome outcome;
-        outcome.json = QJsonObject{{u"family"_s, identity.family}, {u"model"_s, identity.model},
-                                   {u"firmware"_s, identity.firmware}, {u"serial"_s, identity.serial},
-                                   {u"profiles"_s, identity.profileCount}, {u"usb"_s, identity.usb},
+        outcome.json = QJsonObject{{u"family"_s, identity.family},
+                                   {u"model"_s, identity.model},
+                                   {u"firmware"_s, identity.firmware},
+                                   {u"serial"_s, identity.serial},
+                                   {u"profiles"_s, identity.profileCount},
+                                   {u"usb"_s, identity.usb},
                                    {u"writable"_s, identity.writable},
                                    {u"capabilities"_s, QJsonArray::fromStringList(capabilities)},
                                    {u"extra"_s, QJsonObject::fromVariantMap(identity.extra)}};
-        outcome.text = u"board        %1\nfirmware     %2%3\nserial       %4\nprofiles     %5\nport         %6\n"
-                       u"can          %7\n"_s
-                           .arg(identity.model, identity.firmware,
-                                identity.writable ? QString() : u" (read-only)"_s,
-                                identity.serial)
-                           .arg(identity.profileCount)
-                           .arg(identity.usb ? u"USB"_s : u"UART"_s, capabilities.join(u", "_s));
+        outcome.text
+            = u"board        %1\nfirmware     %2%3\nserial       %4\nprofiles     %5\nport         %6\n"
+              u"can          %7\n"_s
+                  .arg(identity.model, identity.firmware, identity.writable ? QString() : u" (read-only)"_s,
+                       identity.serial)
+                  .arg(identity.profileCount)
+                  .arg(identity.usb ? u"USB"_s : u"UART"_s, capabilities.join(u", "_s));
         return outcome;
     }
 };
@@ -91,10 +98,10 @@ public:
             if (!raw || !matcher.match(spec.key).hasMatch())
                 continue;
             array.append(parameterJson(spec, *profile, *raw));
-            const QString range = spec.row->kind == ValueKind::Number ? spec.minText() + u".."_s + spec.maxText()
-                                                                      : QString();
+            const QString range
+                = spec.row->kind == ValueKind::Number ? spec.minText() + u".."_s + spec.maxText() : QString();
             outcome.text += u"%1 %2 %3\n"_s.arg(spec.key.leftJustified(32),
-                                               valueText(spec, *raw).leftJustified(24), range);
+                                                valueText(spec, *raw).leftJustified(24), range);
         }
         outcome.json = array;
         if (array.isEmpty()) {
@@ -144,7 +151,10 @@ class SetCommand final : public Command
 public:
     const char *name() const override { return "set"; }
     const char *usage() const override { return "set KEY=VALUE... [--profile N] [--no-save]"; }
-    const char *help() const override { return "change parameters; --no-save changes them in volatile memory only"; }
+    const char *help() const override
+    {
+        return "change parameters; --no-save changes them in volatile memory only";
+    }
     QString check(const CommandOptions &options) const override
     {
         if (options.arguments.isEmpty())
@@ -217,7 +227,8 @@ public:
         CommandOutcome outcome;
         QJsonArray array;
         for (int i = 0; i < names->size(); ++i) {
-            array.append(QJsonObject{{u"number"_s, i + 1}, {u"name"_s, (*names)[i]}, {u"active"_s, i == *active}});
+            array.append(
+                QJsonObject{{u"number"_s, i + 1}, {u"name"_s, (*names)[i]}, {u"active"_s, i == *active}});
             outcome.text += u"%1 %2  %3\n"_s.arg(i == *active ? u"*"_s : u" "_s).arg(i + 1).arg((*names)[i]);
         }
         outcome.json = array;
@@ -244,10 +255,12 @@ public:
         const int number = options.arguments.value(0).toInt();
         const QString wanted = options.arguments.value(1);
         if (number > device.identity().profileCount)
-            return failure(ErrorCode::InvalidArgument, u"the board has %1 profiles"_s.arg(device.identity().profileCount));
+            return failure(ErrorCode::InvalidArgument,
+                           u"the board has %1 profiles"_s.arg(device.identity().profileCount));
         if (wanted.toUtf8().size() > device.profileNameBytes()) {
-            return failure(ErrorCode::InvalidArgument, u"a name has at most %1 bytes, this one has %2"_s
-                               .arg(device.profileNameBytes()).arg(wanted.toUtf8().size()));
+            return failure(ErrorCode::InvalidArgument,
+                           u"a name has at most %1 bytes, this one has %2"_s.arg(device.profileNameBytes())
+                               .arg(wanted.toUtf8().size()));
         }
         const auto base = device.readConfiguration(channel);
         if (!base)
@@ -261,7 +274,7 @@ public:
     }
 };
 
-} // namespace
+}  // namespace
 
 std::vector<std::unique_ptr<Command>> parameterCommands()
 {

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
-
 #include "app/composition/composition.h"
 #include "protocol/analysis/frequencyresponse.h"
 #include "protocol/analysis/holdingquality.h"
@@ -21,8 +20,8 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr double kAllTime = 1e12;
-constexpr double kStepSize = 0.5;      // degrees: a smaller jump of a target is no step
-constexpr double kStepRest = 0.5;      // seconds a target must rest before and after
+constexpr double kStepSize = 0.5;  // degrees: a smaller jump of a target is no step
+constexpr double kStepRest = 0.5;  // seconds a target must rest before and after
 constexpr std::array kAxisNames{"roll", "pitch", "yaw"};
 
 /// A recording with its telemetry decoded.
@@ -52,9 +51,11 @@ struct Opened
     {
         QString text = u"%1 s recorded, %2 rows, %3 lost"_s
                            .arg(double(recording.end() - recording.begin()) * 1e-9, 0, 'f', 1)
-                           .arg(store->rows()).arg(store->lost());
+                           .arg(store->rows())
+                           .arg(store->lost());
         if (!recording.damage.isEmpty())
-            text += u"\ndamaged from byte %1 on (%2); everything before is here"_s.arg(recording.damageAt).arg(recording.damage);
+            text += u"\ndamaged from byte %1 on (%2); everything before is here"_s.arg(recording.damageAt)
+                        .arg(recording.damage);
         return text;
     }
 };
@@ -66,7 +67,8 @@ Result<QList<int>> channelsOf(const Opened &opened, const QStringList &keys)
     for (const QString &key : keys) {
         const int channel = findChannel(table, key.trimmed());
         if (channel < 0)
-            return failure(ErrorCode::InvalidArgument, u"no channel '%1'; gimbalctl monitor lists them"_s.arg(key));
+            return failure(ErrorCode::InvalidArgument,
+                           u"no channel '%1'; gimbalctl monitor lists them"_s.arg(key));
         channels.append(channel);
     }
     for (int channel = 0; keys.isEmpty() && channel < int(table.size()); ++channel) {
@@ -89,7 +91,8 @@ QJsonObject describeResponse(const FrequencyResponse &closed, const Margins &m, 
 {
     QJsonArray bins;
     for (std::size_t bin = 0; bin < closed.gain.size(); ++bin)
-        bins.append(QJsonArray{closed.frequency(bin), closed.gainDb(bin), closed.phaseDeg(bin), closed.coherence[bin]});
+        bins.append(QJsonArray{closed.frequency(bin), closed.gainDb(bin), closed.phaseDeg(bin),
+                               closed.coherence[bin]});
     QJsonObject object{{u"bins"_s, bins}, {u"usableBins"_s, m.bins}};
     text += u"  %1 of %2 frequencies have enough motion in them\n"_s.arg(m.bins).arg(closed.gain.size());
     if (m.gainDb) {
@@ -101,7 +104,8 @@ QJsonObject describeResponse(const FrequencyResponse &closed, const Margins &m, 
         object.insert(u"phaseMarginDeg"_s, *m.phaseDeg);
     }
     if (m.bins > 0) {
-        text += u"  greatest sensitivity %1 dB at %2 Hz\n"_s.arg(m.sensitivityDb, 0, 'f', 1).arg(m.sensitivityHz, 0, 'f', 1);
+        text += u"  greatest sensitivity %1 dB at %2 Hz\n"_s.arg(m.sensitivityDb, 0, 'f', 1)
+                    .arg(m.sensitivityHz, 0, 'f', 1);
         object.insert(u"sensitivityDb"_s, m.sensitivityDb);
     }
     return object;
@@ -115,7 +119,8 @@ Result<CommandOutcome> responseOfText(const QString &path)
     const auto samples = readResponseCsv(file.readAll());
     if (!samples)
         return failure(samples.error().code, path + u": "_s + samples.error().detail);
-    const auto closed = frequencyResponse(samples->in, samples->out, samples->rate, averaging(samples->in.size(), samples->rate));
+    const auto closed = frequencyResponse(samples->in, samples->out, samples->rate,
+                                          averaging(samples->in.size(), samples->rate));
     if (!closed)
         return tl::unexpected(closed.error());
     CommandOutcome outcome;
@@ -159,7 +164,8 @@ public:
                                    : file->open(QIODevice::WriteOnly);
         if (!open)
             return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(options.csv, file->errorString()));
-        const auto lines = writeTelemetryCsv(*file, *opened->store, opened->device->channels(), *channels, -kAllTime, kAllTime);
+        const auto lines = writeTelemetryCsv(*file, *opened->store, opened->device->channels(), *channels,
+                                             -kAllTime, kAllTime);
         if (!lines)
             return tl::unexpected(lines.error());
         if (!toScreen && !static_cast<QSaveFile &>(*file).commit())
@@ -178,13 +184,17 @@ class AnalyzeCommand final : public Command
 public:
     const char *name() const override { return "analyze"; }
     const char *usage() const override { return "analyze spectrum|holding|steps|response FILE [--channels]"; }
-    const char *help() const override { return "measure a recording, or the response in an in;out file (.csv)"; }
+    const char *help() const override
+    {
+        return "measure a recording, or the response in an in;out file (.csv)";
+    }
     QString check(const CommandOptions &options) const override
     {
         static const QStringList kinds{u"spectrum"_s, u"holding"_s, u"steps"_s, u"response"_s};
         if (options.arguments.size() != 2 || !kinds.contains(options.arguments.first()))
             return u"analyze needs spectrum, holding, steps or response, and a recording"_s;
-        if (options.arguments.first() == u"response"_s && options.channels.size() != 2 && !options.channels.isEmpty())
+        if (options.arguments.first() == u"response"_s && options.channels.size() != 2
+            && !options.channels.isEmpty())
             return u"response needs two channels: input,output"_s;
         return {};
     }
@@ -203,7 +213,8 @@ public:
     }
 
 private:
-    static Result<CommandOutcome> measure(const QString &kind, const Opened &opened, const CommandOptions &options)
+    static Result<CommandOutcome> measure(const QString &kind, const Opened &opened,
+                                          const CommandOptions &options)
     {
         if (kind == u"spectrum"_s)
             return spectra(opened, options);
@@ -246,20 +257,29 @@ private:
                 return tl::unexpected(result.error());
             QJsonArray peaks;
             outcome.text += u"%1: %2 %3 RMS, %4 Hz steps up to %5 Hz\n"_s.arg(QString::fromUtf8(spec.key))
-                                .arg(result->bandRms(0, result->rate / 2), 0, 'g', 4).arg(QString::fromUtf8(spec.unit))
-                                .arg(result->resolution, 0, 'f', 2).arg(result->rate / 2, 0, 'f', 0);
+                                .arg(result->bandRms(0, result->rate / 2), 0, 'g', 4)
+                                .arg(QString::fromUtf8(spec.unit))
+                                .arg(result->resolution, 0, 'f', 2)
+                                .arg(result->rate / 2, 0, 'f', 0);
             for (const SpectrumPeak &peak : findPeaks(*result)) {
                 outcome.text += u"  %1 Hz  %2 %3 RMS  width %4 Hz  %5 dB above its surroundings\n"_s
-                                    .arg(peak.frequency, 7, 'f', 2).arg(peak.rms, 0, 'g', 4)
-                                    .arg(QString::fromUtf8(spec.unit)).arg(peak.width, 0, 'f', 1).arg(peak.height, 0, 'f', 0);
-                peaks.append(QJsonObject{{u"hz"_s, peak.frequency}, {u"rms"_s, peak.rms}, {u"widthHz"_s, peak.width},
+                                    .arg(peak.frequency, 7, 'f', 2)
+                                    .arg(peak.rms, 0, 'g', 4)
+                                    .arg(QString::fromUtf8(spec.unit))
+                                    .arg(peak.width, 0, 'f', 1)
+                                    .arg(peak.height, 0, 'f', 0);
+                peaks.append(QJsonObject{{u"hz"_s, peak.frequency},
+                                         {u"rms"_s, peak.rms},
+                                         {u"widthHz"_s, peak.width},
                                          {u"aboveDb"_s, peak.height}});
             }
             QJsonArray density;
             for (const double value : result->density)
                 density.append(value);
             json.insert(QString::fromUtf8(spec.key),
-                        QJsonObject{{u"resolutionHz"_s, result->resolution}, {u"density"_s, density}, {u"peaks"_s, peaks}});
+                        QJsonObject{{u"resolutionHz"_s, result->resolution},
+                                    {u"density"_s, density},
+                                    {u"peaks"_s, peaks}});
         }
         outcome.json = json;
         return outcome;
@@ -280,10 +300,14 @@ private:
             for (const BandQuality &quality : holdingQuality(samples->values, samples->rate)) {
                 if (!quality.known)
                     continue;
-                outcome.text += u"  %1 to %2 Hz  %3° RMS  %4° peak\n"_s.arg(quality.band.from).arg(quality.band.to, 0, 'g', 3)
-                                    .arg(quality.rms, 0, 'f', 4).arg(quality.peak, 0, 'f', 4);
-                bands.append(QJsonObject{{u"fromHz"_s, quality.band.from}, {u"toHz"_s, quality.band.to},
-                                         {u"rms"_s, quality.rms}, {u"peak"_s, quality.peak}});
+                outcome.text += u"  %1 to %2 Hz  %3° RMS  %4° peak\n"_s.arg(quality.band.from)
+                                    .arg(quality.band.to, 0, 'g', 3)
+                                    .arg(quality.rms, 0, 'f', 4)
+                                    .arg(quality.peak, 0, 'f', 4);
+                bands.append(QJsonObject{{u"fromHz"_s, quality.band.from},
+                                         {u"toHz"_s, quality.band.to},
+                                         {u"rms"_s, quality.rms},
+                                         {u"peak"_s, quality.peak}});
             }
             json.insert(name, bands);
         }
@@ -293,7 +317,8 @@ private:
 
     static Error untold()
     {
-        return {ErrorCode::Unsupported, u"this board does not tell its targets; 'measure steps' knows what it asked for"_s, 0};
+        return {ErrorCode::Unsupported,
+                u"this board does not tell its targets; 'measure steps' knows what it asked for"_s, 0};
     }
 
     static Result<CommandOutcome> steps(const Opened &opened)
@@ -308,19 +333,26 @@ private:
             const auto angle = samplesOf(opened, roles.angle[axis]);
             if (!target || !angle)
                 return tl::unexpected(target ? angle.error() : target.error());
-            const std::vector<StepEvent> events = findSteps(target->values, target->rate, kStepSize, kStepRest);
+            const std::vector<StepEvent> events
+                = findSteps(target->values, target->rate, kStepSize, kStepRest);
             for (std::size_t i = 0; i < events.size(); ++i) {
                 const StepEvent &event = events[i];
                 const std::size_t end = i + 1 < events.size() ? events[i + 1].index : angle->values.size();
                 if (event.index == 0 || event.index >= std::min(end, angle->values.size()))
                     continue;
-                const auto piece = std::span(angle->values).subspan(event.index, std::min(end, angle->values.size()) - event.index);
-                const auto metrics = stepMetrics(piece, angle->rate, double(angle->values[event.index - 1]), event.to);
+                const auto piece
+                    = std::span(angle->values)
+                          .subspan(event.index, std::min(end, angle->values.size()) - event.index);
+                const auto metrics
+                    = stepMetrics(piece, angle->rate, double(angle->values[event.index - 1]), event.to);
                 if (!metrics)
                     continue;
                 const double at = angle->start + double(event.index) / angle->rate;
-                QJsonObject json{{u"axis"_s, QString::fromLatin1(kAxisNames[axis])}, {u"at"_s, at}, {u"from"_s, event.from},
-                                 {u"to"_s, event.to}, {u"overshootPercent"_s, metrics->overshoot},
+                QJsonObject json{{u"axis"_s, QString::fromLatin1(kAxisNames[axis])},
+                                 {u"at"_s, at},
+                                 {u"from"_s, event.from},
+                                 {u"to"_s, event.to},
+                                 {u"overshootPercent"_s, metrics->overshoot},
                                  {u"error"_s, metrics->error}};
                 if (metrics->riseSeconds)
                     json.insert(u"riseSeconds"_s, *metrics->riseSeconds);
@@ -328,9 +360,13 @@ private:
                     json.insert(u"settlingSeconds"_s, *metrics->settlingSeconds);
                 list.append(json);
                 outcome.text += u"%1 at %2 s: %3° to %4°  rise %5  overshoot %6 %  settled %7\n"_s
-                                    .arg(QString::fromLatin1(kAxisNames[axis])).arg(at, 0, 'f', 2).arg(event.from, 0, 'f', 2)
-                                    .arg(event.to, 0, 'f', 2).arg(timeText(metrics->riseSeconds))
-                                    .arg(metrics->overshoot, 0, 'f', 0).arg(timeText(metrics->settlingSeconds));
+                                    .arg(QString::fromLatin1(kAxisNames[axis]))
+                                    .arg(at, 0, 'f', 2)
+                                    .arg(event.from, 0, 'f', 2)
+                                    .arg(event.to, 0, 'f', 2)
+                                    .arg(timeText(metrics->riseSeconds))
+                                    .arg(metrics->overshoot, 0, 'f', 0)
+                                    .arg(timeText(metrics->settlingSeconds));
             }
         }
         if (list.isEmpty())
@@ -362,7 +398,8 @@ private:
             const auto output = samplesOf(opened, to);
             if (!input || !output)
                 return tl::unexpected(input ? output.error() : input.error());
-            const auto closed = frequencyResponse(input->values, output->values, input->rate, optionsFor(*input));
+            const auto closed
+                = frequencyResponse(input->values, output->values, input->rate, optionsFor(*input));
             if (!closed)
                 return tl::unexpected(closed.error());
             outcome.text += name + u":\n"_s;
@@ -374,27 +411,34 @@ private:
     }
 };
 
-} // namespace
+}  // namespace
 
 Result<CommandOutcome> describeMotion(const MotionTestResult &result)
 {
     const double rate = result.angle.rate;
     CommandOutcome outcome;
     if (result.plan.kind == MotionTestPlan::Kind::Sweep) {
-        const auto closed = frequencyResponse(result.target.values, result.angle.values, rate, averaging(result.angle.values.size(), rate));
+        const auto closed = frequencyResponse(result.target.values, result.angle.values, rate,
+                                              averaging(result.angle.values.size(), rate));
         if (!closed)
             return tl::unexpected(closed.error());
-        outcome.json = describeResponse(*closed, margins(openLoop(*closed), 0.7, result.plan.fromHz, result.plan.toHz), outcome.text);
+        outcome.json = describeResponse(
+            *closed, margins(openLoop(*closed), 0.7, result.plan.fromHz, result.plan.toHz), outcome.text);
         return outcome;
     }
     const auto steps = measureSteps(result.target.values, result.angle.values, rate, 0.95 * result.plan.rest);
     if (!steps)
         return tl::unexpected(steps.error());
     const StepMetrics &m = steps->metrics;
-    outcome.text = u"%1 steps: rise %2  overshoot %3 %  settled %4  left over %5 %\n"_s.arg(steps->runs.response.size())
-                       .arg(timeText(m.riseSeconds)).arg(m.overshoot, 0, 'f', 1).arg(timeText(m.settlingSeconds))
+    outcome.text = u"%1 steps: rise %2  overshoot %3 %  settled %4  left over %5 %\n"_s
+                       .arg(steps->runs.response.size())
+                       .arg(timeText(m.riseSeconds))
+                       .arg(m.overshoot, 0, 'f', 1)
+                       .arg(timeText(m.settlingSeconds))
                        .arg(100 * m.error, 0, 'f', 1);
-    QJsonObject json{{u"steps"_s, int(steps->runs.response.size())}, {u"overshootPercent"_s, m.overshoot}, {u"error"_s, m.error}};
+    QJsonObject json{{u"steps"_s, int(steps->runs.response.size())},
+                     {u"overshootPercent"_s, m.overshoot},
+                     {u"error"_s, m.error}};
     if (m.riseSeconds)
         json.insert(u"riseSeconds"_s, *m.riseSeconds);
     if (m.settlingSeconds)

@@ -18,7 +18,7 @@ void onSignal(int)
     [[maybe_unused]] const ssize_t written = ::write(g_pipe[0], &byte, 1);
 }
 
-} // namespace
+}  // namespace
 
 SignalWatcher::SignalWatcher(QObject *parent)
     : QObject(parent)
@@ -31,7 +31,9 @@ SignalWatcher::SignalWatcher(QObject *parent)
         [[maybe_unused]] const ssize_t count = ::read(g_pipe[1], &byte, 1);
         emit stopRequested();
     });
-    struct sigaction action{};
+    struct sigaction action
+    {
+    };
     action.sa_handler = onSignal;
     ::sigaction(SIGINT, &action, nullptr);
     ::sigaction(SIGTERM, &action, nullptr);

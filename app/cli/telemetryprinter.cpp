@@ -12,10 +12,10 @@ namespace {
 
 constexpr auto kDrainPeriod = 50ms;
 
-} // namespace
+}  // namespace
 
-TelemetryPrinter::TelemetryPrinter(DeviceClient &client, QList<int> channels, TelemetryWish wish, double seconds,
-                                   bool asJson)
+TelemetryPrinter::TelemetryPrinter(DeviceClient &client, QList<int> channels, TelemetryWish wish,
+                                   double seconds, bool asJson)
     : m_client(client)
     , m_channels(std::move(channels))
     , m_wish(std::move(wish))
@@ -52,7 +52,8 @@ void TelemetryPrinter::drain()
             // The fastest stream sets the pace: the one with the shortest period, else the fuller one.
             const double period = m_tracks[i]->period();
             if (m_lead < 0 || (period > 0 && m_tracks[std::size_t(m_lead)]->period() <= 0)
-                || (period <= 0 && m_tracks[i]->end() > mostRows && m_tracks[std::size_t(m_lead)]->period() <= 0))
+                || (period <= 0 && m_tracks[i]->end() > mostRows
+                    && m_tracks[std::size_t(m_lead)]->period() <= 0))
                 m_lead = int(i);
             mostRows = std::max(mostRows, m_tracks[i]->end());
         }
@@ -125,11 +126,12 @@ void TelemetryPrinter::finish()
     m_out.flush();
     const auto store = m_client.telemetry();
     QString note = u"%1 rows, %2 lost"_s.arg(m_rows).arg(store ? store->lost() : 0);
-    if (const double rate = m_client.telemetryPlan().rate; rate > 0)   // a recording has the rate that it has
+    if (const double rate = m_client.telemetryPlan().rate; rate > 0)  // a recording has the rate that it has
         note += u", %1 rows/s arranged"_s.arg(rate, 0, 'f', 0);
     const StreamBudget &budget = m_client.telemetryPlan().budget;
     if (budget.capacity > 0) {
-        note += u", %1 of %2 bytes/s"_s.arg(budget.bytesPerSecond(), 0, 'f', 0).arg(budget.capacity, 0, 'f', 0);
+        note += u", %1 of %2 bytes/s"_s.arg(budget.bytesPerSecond(), 0, 'f', 0)
+                    .arg(budget.capacity, 0, 'f', 0);
     }
     if (store && store->silences() > 0)
         note += u", silent %1 times, %2 s"_s.arg(store->silences()).arg(store->silentSeconds(), 0, 'f', 1);
@@ -142,6 +144,8 @@ QJsonValue TelemetryPrinter::json() const
     for (const int channel : m_channels)
         names.append(QLatin1String(m_client.device()->channels()[std::size_t(channel)].key));
     const auto store = m_client.telemetry();
-    return QJsonObject{{u"columns"_s, names}, {u"rows"_s, m_json}, {u"lost"_s, qint64(store ? store->lost() : 0)},
+    return QJsonObject{{u"columns"_s, names},
+                       {u"rows"_s, m_json},
+                       {u"lost"_s, qint64(store ? store->lost() : 0)},
                        {u"rate"_s, m_client.telemetryPlan().rate}};
 }

@@ -7,13 +7,15 @@
 #include <QJsonArray>
 #include <QTextStream>
 
-/// Prints telemetry as CSV, one line per sample of the fastest group; slower channels repeat their latest value.
+/// Prints telemetry as CSV, one line per sample of the fastest group; slower channels repeat their latest
+/// value.
 class TelemetryPrinter final : public QObject
 {
     Q_OBJECT
 public:
     /// @param channels columns; @param wish what to ask the board for
-    TelemetryPrinter(DeviceClient &client, QList<int> channels, TelemetryWish wish, double seconds, bool asJson);
+    TelemetryPrinter(DeviceClient &client, QList<int> channels, TelemetryWish wish, double seconds,
+                     bool asJson);
 
     void start();
     void finish();
@@ -37,7 +39,7 @@ private:
     QTimer m_timer;
     int m_generation = -1;
     std::vector<std::optional<TrackView>> m_tracks;
-    int m_lead = -1;              // the channel whose rows are printed
+    int m_lead = -1;  // the channel whose rows are printed
     std::size_t m_next = 0;
     std::optional<double> m_firstTime;
     QJsonArray m_json;

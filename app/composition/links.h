@@ -8,6 +8,7 @@
 struct Links
 {
     TransportFactory transports;
-    /// A fault as NAME=VALUE for a `sim:` address that was connected to. Errors: InvalidArgument, NotConnected.
+    /// A fault as NAME=VALUE for a `sim:` address that was connected to. Errors: InvalidArgument,
+    /// NotConnected.
     std::function<Result<void>(const LinkAddress &, const QString &)> changeWorld;
 };

@@ -20,9 +20,9 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr auto kNoticeTime = 8s;
-constexpr qint64 kBadTimeMs = 10000;    // a loss colours the link's dot for so long
+constexpr qint64 kBadTimeMs = 10000;  // a loss colours the link's dot for so long
 
-} // namespace
+}  // namespace
 
 MessageBar::MessageBar(QWidget *parent)
     : QFrame(parent)
@@ -216,8 +216,8 @@ void UnsavedBar::refresh()
     m_undo->setToolTip(stack.canUndo() ? tr("Undo: %1 (Ctrl+Z)").arg(stack.undoText()) : QString());
     m_redo->setToolTip(stack.canRedo() ? tr("Redo: %1 (Ctrl+Shift+Z)").arg(stack.redoText()) : QString());
     m_discard->setEnabled(count > 0);
-    const bool canWrite = count > 0 && m_workspace.client().isConnected() && m_workspace.client().identity().writable
-        && !m_workspace.isWriting();
+    const bool canWrite = count > 0 && m_workspace.client().isConnected()
+        && m_workspace.client().identity().writable && !m_workspace.isWriting();
     m_write->setEnabled(canWrite);
     m_write->setToolTip(canWrite || count == 0 ? tr("Ctrl+S") : tr("Connect the board to write to it"));
     const QString offline = m_workspace.offlineFile();
@@ -281,8 +281,9 @@ void UnstoredBar::refresh()
     const bool connected = m_workspace.client().isConnected() && m_workspace.client().identity().writable;
     const int live = m_workspace.live().changeCount();
     const bool more = m_workspace.isUnstored();
-    m_text->setText(more ? tr("Values in use on the board are not stored: a restart loses them.")
-                         : tr("%n value(s) in use on the board, not stored: a restart loses them.", nullptr, live));
+    m_text->setText(
+        more ? tr("Values in use on the board are not stored: a restart loses them.")
+             : tr("%n value(s) in use on the board, not stored: a restart loses them.", nullptr, live));
     m_back->setEnabled(!more || !reloadAction().isEmpty());
     setVisible(connected && (more || live > 0));
 }
@@ -321,9 +322,11 @@ void StatusStrip::refresh()
     };
     if (!client.isConnected()) {
         const QString offline = m_workspace.offlineFile();
-        m_link->setText(dot(ColorRole::Muted)
-                        + (offline.isEmpty() ? tr("no link")
-                                             : tr("offline: editing %1").arg(QFileInfo(offline).fileName().toHtmlEscaped())));
+        m_link->setText(
+            dot(ColorRole::Muted)
+            + (offline.isEmpty()
+                   ? tr("no link")
+                   : tr("offline: editing %1").arg(QFileInfo(offline).fileName().toHtmlEscaped())));
         for (QLabel *label : {m_battery, m_temperature, m_faults})
             label->clear();
         return;
@@ -358,5 +361,5 @@ void StatusStrip::refresh()
     for (const BoardFault &fault : faults)
         names.append(tableText(fault.name.toUtf8().constData()));
     m_faults->setText(u"<span style='color:%1'>✖ %2</span>"_s.arg(theme.color(ColorRole::Danger).name(),
-                                                                 names.join(u", "_s).toHtmlEscaped()));
+                                                                  names.join(u", "_s).toHtmlEscaped()));
 }

@@ -13,8 +13,8 @@ class QLabel;
 class QPushButton;
 class QToolButton;
 
-/// What the operator must know, below the link bar: cause, meaning, cure; details folded; a button that copies it all.
-/// Questions stay beside it until they are answered.
+/// What the operator must know, below the link bar: cause, meaning, cure; details folded; a button that
+/// copies it all. Questions stay beside it until they are answered.
 class MessageBar final : public QFrame
 {
     Q_OBJECT
@@ -83,7 +83,7 @@ private:
     QPushButton *m_undo;
     QPushButton *m_redo;
     QPushButton *m_discard;
-    bool m_written = false;    // since the last step
+    bool m_written = false;  // since the last step
     QPushButton *m_saveFile;
     QPushButton *m_write;
 };
@@ -119,7 +119,7 @@ private:
     void refresh();
 
     Workspace &m_workspace;
-    quint64 m_lastBad = 0;      // lost samples and damaged frames when they last changed
+    quint64 m_lastBad = 0;  // lost samples and damaged frames when they last changed
     QElapsedTimer m_badAt;
     QLabel *m_link;
     QLabel *m_battery;

@@ -18,7 +18,7 @@ namespace {
 constexpr int kMostShown = 60;
 constexpr int kIndexRole = Qt::UserRole;
 
-} // namespace
+}  // namespace
 
 CommandPalette::CommandPalette(QList<PaletteEntry> entries, QWidget *parent)
     : QDialog(parent)
@@ -62,7 +62,8 @@ void CommandPalette::refilter()
             const PaletteEntry &entry = m_entries[i];
             if (entry.text.toLower().startsWith(start) != beginning || !matches(entry))
                 continue;
-            auto *item = new QListWidgetItem(u"%1:  %2   %3"_s.arg(entry.kind, entry.text, entry.hint), m_list);
+            auto *item
+                = new QListWidgetItem(u"%1:  %2   %3"_s.arg(entry.kind, entry.text, entry.hint), m_list);
             item->setData(kIndexRole, i);
         }
     }
@@ -84,8 +85,12 @@ bool CommandPalette::eventFilter(QObject *watched, QEvent *event)
     if (event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent *>(event)->key();
         if (key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_PageUp || key == Qt::Key_PageDown) {
-            const int step = key == Qt::Key_Up ? -1 : key == Qt::Key_Down ? 1 : key == Qt::Key_PageUp ? -8 : 8;
-            m_list->setCurrentRow(std::clamp(m_list->currentRow() + step, 0, std::max(0, m_list->count() - 1)));
+            const int step = key == Qt::Key_Up ? -1
+                : key == Qt::Key_Down          ? 1
+                : key == Qt::Key_PageUp        ? -8
+                                               : 8;
+            m_list->setCurrentRow(
+                std::clamp(m_list->currentRow() + step, 0, std::max(0, m_list->count() - 1)));
             return true;
         }
     }

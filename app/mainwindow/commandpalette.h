@@ -12,10 +12,10 @@ class QListWidget;
 /// Something that can be gone to or done from the palette.
 struct PaletteEntry
 {
-    QString kind;       ///< "Page", "Parameter", "Channel", "Action"
+    QString kind;  ///< "Page", "Parameter", "Channel", "Action"
     QString text;
-    QString hint;       ///< key, shown in a lighter tone
-    QString search;     ///< lower-case text to look in
+    QString hint;  ///< key, shown in a lighter tone
+    QString search;  ///< lower-case text to look in
     std::function<void()> chosen;
 };
 

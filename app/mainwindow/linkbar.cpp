@@ -20,7 +20,7 @@ namespace {
 
 constexpr auto kMotorsRefresh = 100ms;
 
-} // namespace
+}  // namespace
 
 LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     : QFrame(parent)
@@ -105,10 +105,13 @@ void LinkBar::scanPorts()
 {
     QThreadPool::globalInstance()->start([self = QPointer<LinkBar>(this)] {
         const QList<PortInfo> ports = listSerialPorts();
-        QMetaObject::invokeMethod(qApp, [self, ports] {
-            if (self)
-                self->showPorts(ports);
-        }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            qApp,
+            [self, ports] {
+                if (self)
+                    self->showPorts(ports);
+            },
+            Qt::QueuedConnection);
     });
 }
 

@@ -43,5 +43,5 @@ private:
     QPushButton *m_motors;
     QTimer m_refresh;
     QString m_progress;
-    bool m_offNext = true;     // what the motors button does when pressed
+    bool m_offNext = true;  // what the motors button does when pressed
 };

@@ -34,7 +34,7 @@ namespace {
 const QString kWindowLayout = u"window"_s;
 constexpr int kNumberedPages = 9;
 
-} // namespace
+}  // namespace
 
 MainWindow::MainWindow(Links links, QList<Family> families, Theme &theme, Settings &settings, QWidget *parent)
     : QMainWindow(parent)
@@ -129,7 +129,8 @@ void MainWindow::connectFrame()
     connect(&workspace->configuration(), &ConfigurationModel::boardReset, this, &MainWindow::updateStart);
     connect(&workspace->configuration(), &ConfigurationModel::boardReset, this, &MainWindow::updateOffered);
     connect(&workspace->client(), &DeviceClient::stateChanged, this, &MainWindow::updateOffered);
-    connect(&workspace->configuration(), &ConfigurationModel::changeCountChanged, this, &MainWindow::updateMarks);
+    connect(&workspace->configuration(), &ConfigurationModel::changeCountChanged, this,
+            &MainWindow::updateMarks);
     connect(&workspace->client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
         if (state == DeviceClient::State::Connecting) {
             m_messages->hide();
@@ -146,7 +147,8 @@ void MainWindow::addShortcuts()
         connect(new QShortcut(keys, this), &QShortcut::activated, this, action);
     };
     for (int i = 0; i < kNumberedPages; ++i)
-        on(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)), [this, i] { showPage(m_navigation->pageOfNumber(i + 1)); });
+        on(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)),
+           [this, i] { showPage(m_navigation->pageOfNumber(i + 1)); });
     QUndoStack *stack = &m_workspace->edits().undoStack();
     on(QKeySequence::Undo, [stack] { stack->undo(); });
     on(QKeySequence::Redo, [stack] { stack->redo(); });
@@ -187,11 +189,11 @@ void MainWindow::openFile(const QString &path)
 void MainWindow::askOpenFile()
 {
     if (m_workspace->client().isConnected()) {
-        showPage(u"backups"_s);   // with a board, a file is something to compare with and to load
+        showPage(u"backups"_s);  // with a board, a file is something to compare with and to load
         return;
     }
-    auto *dialog = new QFileDialog(this, tr("Open a configuration or a recording"), BoardHistory::defaultRoot(),
-                                   m_workspace->openFilter());
+    auto *dialog = new QFileDialog(this, tr("Open a configuration or a recording"),
+                                   BoardHistory::defaultRoot(), m_workspace->openFilter());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openFile);
@@ -200,7 +202,8 @@ void MainWindow::askOpenFile()
 
 void MainWindow::askSaveFile()
 {
-    auto *dialog = new QFileDialog(this, tr("Save the configuration"), {}, m_workspace->configurationFilter());
+    auto *dialog
+        = new QFileDialog(this, tr("Save the configuration"), {}, m_workspace->configurationFilter());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(u"json"_s);
@@ -257,7 +260,8 @@ void MainWindow::updateStart()
 {
     const QString key = m_navigation->currentPage();
     const bool needsBoard = key != u"settings"_s && key != u"help"_s;
-    const bool begin = needsBoard && m_workspace->configuration().isEmpty() && !m_workspace->client().isConnected();
+    const bool begin
+        = needsBoard && m_workspace->configuration().isEmpty() && !m_workspace->client().isConnected();
     QWidget *wanted = begin ? static_cast<QWidget *>(m_start) : page(key);
     if (wanted && m_stack->currentWidget() != wanted)
         m_stack->setCurrentWidget(wanted);
@@ -315,9 +319,9 @@ void MainWindow::applyTheme()
     if (choice == std::exchange(m_themeChoice, choice))
         return;
     Theme &theme = m_workspace->theme();
-    theme.setMode(choice == Settings::ThemeChoice::Light  ? Theme::Mode::Light
-                  : choice == Settings::ThemeChoice::Dark ? Theme::Mode::Dark
-                                                          : Theme::Mode::System);
+    theme.setMode(choice == Settings::ThemeChoice::Light      ? Theme::Mode::Light
+                      : choice == Settings::ThemeChoice::Dark ? Theme::Mode::Dark
+                                                              : Theme::Mode::System);
     theme.apply();
 }
 
@@ -331,10 +335,13 @@ void MainWindow::paintEvent(QPaintEvent *event)
 
 void MainWindow::askBeforeLeaving(const Leaving &question)
 {
-    auto *box = new QMessageBox(QMessageBox::NoIcon, question.title, question.text, QMessageBox::NoButton, this);
+    auto *box
+        = new QMessageBox(QMessageBox::NoIcon, question.title, question.text, QMessageBox::NoButton, this);
     box->setAttribute(Qt::WA_DeleteOnClose);
-    connect(box->addButton(question.keep, QMessageBox::AcceptRole), &QPushButton::clicked, this, question.onKeep);
-    connect(box->addButton(question.lose, QMessageBox::DestructiveRole), &QPushButton::clicked, this, question.onLose);
+    connect(box->addButton(question.keep, QMessageBox::AcceptRole), &QPushButton::clicked, this,
+            question.onKeep);
+    connect(box->addButton(question.lose, QMessageBox::DestructiveRole), &QPushButton::clicked, this,
+            question.onLose);
     auto *stay = box->addButton(tr("Stay"), QMessageBox::RejectRole);
     box->setDefaultButton(stay);
     box->setEscapeButton(stay);
@@ -352,7 +359,8 @@ void MainWindow::closeEvent(QCloseEvent *event)
     const int changes = m_workspace->configuration().changeCount();
     if (changes > 0 && !m_leaving) {
         askBeforeLeaving({tr("Unsaved changes"), tr("%n change(s) are not on the board.", nullptr, changes),
-                          tr("Quit and keep for next time"), [this] { leave(); }, tr("Discard and quit"), [this] {
+                          tr("Quit and keep for next time"), [this] { leave(); }, tr("Discard and quit"),
+                          [this] {
                               m_workspace->edits().discardAll();
                               leave();
                           }});
@@ -366,8 +374,10 @@ void MainWindow::closeEvent(QCloseEvent *event)
                     leave();
             });
         };
-        askBeforeLeaving({tr("Not stored"), tr("The board uses values that it has not stored. They are lost when it is switched off."),
-                          tr("Store and quit"), storeAndLeave, tr("Quit without storing"), [this] { leave(); }});
+        askBeforeLeaving(
+            {tr("Not stored"),
+             tr("The board uses values that it has not stored. They are lost when it is switched off."),
+             tr("Store and quit"), storeAndLeave, tr("Quit without storing"), [this] { leave(); }});
         event->ignore();
         return;
     }

@@ -23,12 +23,14 @@ class StatusStrip;
 class UnsavedBar;
 class UnstoredBar;
 
-/// The frame: link bar, messages, navigation, pages, unsaved bar, status. Pages are made when they are first shown.
+/// The frame: link bar, messages, navigation, pages, unsaved bar, status. Pages are made when they are first
+/// shown.
 class MainWindow final : public QMainWindow
 {
     Q_OBJECT
 public:
-    MainWindow(Links links, QList<Family> families, Theme &theme, Settings &settings, QWidget *parent = nullptr);
+    MainWindow(Links links, QList<Family> families, Theme &theme, Settings &settings,
+               QWidget *parent = nullptr);
     ~MainWindow() override;
 
     [[nodiscard]] Workspace &workspace() { return *m_workspace; }

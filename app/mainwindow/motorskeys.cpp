@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kAutoRepeatGap = 60;
 
-} // namespace
+}  // namespace
 
 MotorsKeys::MotorsKeys(Workspace &workspace, QObject *parent)
     : QObject(parent)
@@ -24,7 +24,8 @@ MotorsKeys::MotorsKeys(Workspace &workspace, QObject *parent)
         emit holdEnded();
     });
     connect(&m_hold, &QTimer::timeout, this, [this] { m_workspace.setMotors(false); });
-    // The application sees every key before any widget, also in dialogs that have nothing to do with the main window.
+    // The application sees every key before any widget, also in dialogs that have nothing to do with the main
+    // window.
     qApp->installEventFilter(this);
 }
 
@@ -43,7 +44,8 @@ bool MotorsKeys::eventFilter(QObject *watched, QEvent *event)
         event->accept();
         return press && watched->isWidgetType();
     }
-    // Esc keeps its meaning everywhere; held on, it stops the motors as well. A window that closes meanwhile does not matter.
+    // Esc keeps its meaning everywhere; held on, it stops the motors as well. A window that closes meanwhile
+    // does not matter.
     if (key->key() == Qt::Key_Escape && release)
         m_letGo.start();
     else if (key->key() == Qt::Key_Escape && press)

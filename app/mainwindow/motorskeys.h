@@ -26,6 +26,6 @@ private:
 
     Workspace &m_workspace;
     QTimer m_hold;
-    QTimer m_letGo;         // a release counts only if no press follows at once: that would be auto-repeat
+    QTimer m_letGo;  // a release counts only if no press follows at once: that would be auto-repeat
     bool m_down = false;
 };

@@ -12,9 +12,9 @@ constexpr int kKeyRole = Qt::UserRole;
 constexpr int kTitleRole = Qt::UserRole + 1;
 constexpr int kMarkRole = Qt::UserRole + 2;
 constexpr int kIcon = 18;
-constexpr int kLastNumber = 9;      // Ctrl+1 to Ctrl+9
+constexpr int kLastNumber = 9;  // Ctrl+1 to Ctrl+9
 
-} // namespace
+}  // namespace
 
 Navigation::Navigation(QWidget *parent)
     : QListWidget(parent)
@@ -36,7 +36,8 @@ Navigation::Navigation(QWidget *parent)
             heading->setFont(font);
         }
         const QString title = pageText(entry.title);
-        auto *item = new QListWidgetItem(QIcon(u":/icons/%1.svg"_s.arg(QLatin1String(entry.key))), title, this);
+        auto *item
+            = new QListWidgetItem(QIcon(u":/icons/%1.svg"_s.arg(QLatin1String(entry.key))), title, this);
         item->setData(kKeyRole, QString::fromLatin1(entry.key));
         item->setData(kTitleRole, title);
     }
@@ -102,7 +103,8 @@ void Navigation::renumber()
     for (int row = 0; row < count(); ++row) {
         const QString title = item(row)->data(kTitleRole).toString();
         if (!title.isEmpty() && !item(row)->isHidden())
-            item(row)->setToolTip(++number <= kLastNumber ? tr("%1 (Ctrl+%2)").arg(title).arg(number) : title);
+            item(row)->setToolTip(++number <= kLastNumber ? tr("%1 (Ctrl+%2)").arg(title).arg(number)
+                                                          : title);
     }
 }
 

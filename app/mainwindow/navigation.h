@@ -4,7 +4,8 @@
 
 #include <QListWidget>
 
-/// The list of pages at the left: groups with headings, an icon and a word for each page, a dot for unsaved changes.
+/// The list of pages at the left: groups with headings, an icon and a word for each page, a dot for unsaved
+/// changes.
 class Navigation final : public QListWidget
 {
     Q_OBJECT

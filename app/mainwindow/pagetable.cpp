@@ -27,8 +27,7 @@
 
 namespace {
 
-template<typename P>
-Page *make(Workspace &workspace)
+template <typename P> Page *make(Workspace &workspace)
 {
     return new P(workspace);
 }
@@ -69,30 +68,47 @@ bool keepsScripts(const Workspace &workspace)
 }
 
 constexpr PageEntry kPages[] = {
-    {"dashboard", QT_TRANSLATE_NOOP("Pages", "Dashboard"), QT_TRANSLATE_NOOP("Pages", "Watch"), make<DashboardPage>},
-    {"monitor", QT_TRANSLATE_NOOP("Pages", "Monitor"), QT_TRANSLATE_NOOP("Pages", "Watch"), make<MonitorPage>},
-    {"debug", QT_TRANSLATE_NOOP("Pages", "Debug variables"), QT_TRANSLATE_NOOP("Pages", "Watch"), make<DebugPage>, hasDebugVariables},
-    {"parameters", QT_TRANSLATE_NOOP("Pages", "Parameters"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<ParametersPage>},
-    {"profiles", QT_TRANSLATE_NOOP("Pages", "Profiles"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<ProfilesPage>, hasProfiles},
-    {"calibration", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<CalibrationPage>, calibratesItself},
-    {"setup", QT_TRANSLATE_NOOP("Pages", "Gimbal setup"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<SetupPage>, isSetUpByTasks},
-    {"sensor", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<SensorPage>, givesReadings},
-    {"scripts", QT_TRANSLATE_NOOP("Pages", "Scripts"), QT_TRANSLATE_NOOP("Pages", "Set up"), make<ScriptsPage>, keepsScripts},
+    {"dashboard", QT_TRANSLATE_NOOP("Pages", "Dashboard"), QT_TRANSLATE_NOOP("Pages", "Watch"),
+     make<DashboardPage>},
+    {"monitor", QT_TRANSLATE_NOOP("Pages", "Monitor"), QT_TRANSLATE_NOOP("Pages", "Watch"),
+     make<MonitorPage>},
+    {"debug", QT_TRANSLATE_NOOP("Pages", "Debug variables"), QT_TRANSLATE_NOOP("Pages", "Watch"),
+     make<DebugPage>, hasDebugVariables},
+    {"parameters", QT_TRANSLATE_NOOP("Pages", "Parameters"), QT_TRANSLATE_NOOP("Pages", "Set up"),
+     make<ParametersPage>},
+    {"profiles", QT_TRANSLATE_NOOP("Pages", "Profiles"), QT_TRANSLATE_NOOP("Pages", "Set up"),
+     make<ProfilesPage>, hasProfiles},
+    {"calibration", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"),
+     make<CalibrationPage>, calibratesItself},
+    {"setup", QT_TRANSLATE_NOOP("Pages", "Gimbal setup"), QT_TRANSLATE_NOOP("Pages", "Set up"),
+     make<SetupPage>, isSetUpByTasks},
+    {"sensor", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"),
+     make<SensorPage>, givesReadings},
+    {"scripts", QT_TRANSLATE_NOOP("Pages", "Scripts"), QT_TRANSLATE_NOOP("Pages", "Set up"),
+     make<ScriptsPage>, keepsScripts},
     {"tuning", QT_TRANSLATE_NOOP("Pages", "Tuning"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<TuningPage>},
-    {"spectrum", QT_TRANSLATE_NOOP("Pages", "Spectrum"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<SpectrumPage>},
-    {"response", QT_TRANSLATE_NOOP("Pages", "Response"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<ResponsePage>},
-    {"autotune", QT_TRANSLATE_NOOP("Pages", "Auto-tune"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<AutoTunePage>, tunesItself},
+    {"spectrum", QT_TRANSLATE_NOOP("Pages", "Spectrum"), QT_TRANSLATE_NOOP("Pages", "Tune"),
+     make<SpectrumPage>},
+    {"response", QT_TRANSLATE_NOOP("Pages", "Response"), QT_TRANSLATE_NOOP("Pages", "Tune"),
+     make<ResponsePage>},
+    {"autotune", QT_TRANSLATE_NOOP("Pages", "Auto-tune"), QT_TRANSLATE_NOOP("Pages", "Tune"),
+     make<AutoTunePage>, tunesItself},
     {"variables", QT_TRANSLATE_NOOP("Pages", "Adjustable variables"), QT_TRANSLATE_NOOP("Pages", "Tune"),
      make<VariablesPage>},
-    {"control", QT_TRANSLATE_NOOP("Pages", "Control"), QT_TRANSLATE_NOOP("Pages", "Board"), make<ControlPage>},
-    {"actions", QT_TRANSLATE_NOOP("Pages", "Actions"), QT_TRANSLATE_NOOP("Pages", "Board"), make<ActionsPage>},
-    {"backups", QT_TRANSLATE_NOOP("Pages", "Backups"), QT_TRANSLATE_NOOP("Pages", "Board"), make<BackupsPage>},
-    {"console", QT_TRANSLATE_NOOP("Pages", "Console"), QT_TRANSLATE_NOOP("Pages", "Board"), make<ConsolePage>},
-    {"settings", QT_TRANSLATE_NOOP("Pages", "Settings"), QT_TRANSLATE_NOOP("Pages", "Program"), make<SettingsPage>},
+    {"control", QT_TRANSLATE_NOOP("Pages", "Control"), QT_TRANSLATE_NOOP("Pages", "Board"),
+     make<ControlPage>},
+    {"actions", QT_TRANSLATE_NOOP("Pages", "Actions"), QT_TRANSLATE_NOOP("Pages", "Board"),
+     make<ActionsPage>},
+    {"backups", QT_TRANSLATE_NOOP("Pages", "Backups"), QT_TRANSLATE_NOOP("Pages", "Board"),
+     make<BackupsPage>},
+    {"console", QT_TRANSLATE_NOOP("Pages", "Console"), QT_TRANSLATE_NOOP("Pages", "Board"),
+     make<ConsolePage>},
+    {"settings", QT_TRANSLATE_NOOP("Pages", "Settings"), QT_TRANSLATE_NOOP("Pages", "Program"),
+     make<SettingsPage>},
     {"help", QT_TRANSLATE_NOOP("Pages", "Help"), QT_TRANSLATE_NOOP("Pages", "Program"), make<HelpPage>},
 };
 
-} // namespace
+}  // namespace
 
 std::span<const PageEntry> pageTable()
 {

@@ -10,10 +10,10 @@
 struct PageEntry
 {
     const char *key;
-    const char *title;      ///< translated in the context "Pages"
-    const char *group;      ///< heading of the navigation
+    const char *title;  ///< translated in the context "Pages"
+    const char *group;  ///< heading of the navigation
     Page *(*make)(Workspace &workspace);
-    bool (*fits)(const Workspace &workspace) = nullptr;   ///< null: every board has a use for it
+    bool (*fits)(const Workspace &workspace) = nullptr;  ///< null: every board has a use for it
 };
 
 /// All pages in the order of the navigation.

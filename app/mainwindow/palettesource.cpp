@@ -20,7 +20,7 @@ PaletteEntry makeEntry(const QString &kind, const QString &text, const QString &
     return {kind, text, hint, (kind + u' ' + text + u' ' + hint + u' ' + more).toLower(), std::move(chosen)};
 }
 
-} // namespace
+}  // namespace
 
 QList<PaletteEntry> paletteEntries(MainWindow &window)
 {
@@ -33,20 +33,26 @@ QList<PaletteEntry> paletteEntries(MainWindow &window)
                                  [&window, key] { window.showPage(key); }));
     }
     Workspace &workspace = window.workspace();
-    entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Motors off"), u"F12"_s, {}, [&workspace] { workspace.setMotors(false); }));
+    entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Motors off"), u"F12"_s, {},
+                             [&workspace] { workspace.setMotors(false); }));
     if (workspace.client().isConnected())
-        entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Motors on"), {}, {}, [&workspace] { workspace.setMotors(true); }));
+        entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Motors on"), {}, {},
+                                 [&workspace] { workspace.setMotors(true); }));
     if (!workspace.configuration().isEmpty()) {
-        entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Review and write"), u"Ctrl+S"_s, {}, [&window] { window.review(); }));
-        entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Take a snapshot"), {}, {}, [&workspace] { workspace.takeSnapshot(); }));
-        for (const ParameterSpec &spec : std::as_const(workspace.configuration()).board().parameters().all()) {
+        entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Review and write"),
+                                 u"Ctrl+S"_s, {}, [&window] { window.review(); }));
+        entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Take a snapshot"), {}, {},
+                                 [&workspace] { workspace.takeSnapshot(); }));
+        for (const ParameterSpec &spec :
+             std::as_const(workspace.configuration()).board().parameters().all()) {
             if (spec.row->state)
                 continue;
-            entries.append(makeEntry(CommandPalette::tr("Parameter"), parameterLabel(spec), spec.key, tableText(spec.row->group),
-                                     [&window, key = spec.key] {
-                                         window.showPage(u"parameters"_s);
-                                         static_cast<ParametersPage *>(window.page(u"parameters"_s))->showParameter(key);
-                                     }));
+            entries.append(
+                makeEntry(CommandPalette::tr("Parameter"), parameterLabel(spec), spec.key,
+                          tableText(spec.row->group), [&window, key = spec.key] {
+                              window.showPage(u"parameters"_s);
+                              static_cast<ParametersPage *>(window.page(u"parameters"_s))->showParameter(key);
+                          }));
         }
     }
     const Device *device = workspace.client().device();
@@ -54,17 +60,19 @@ QList<PaletteEntry> paletteEntries(MainWindow &window)
         return entries;
     const ChannelTable channels = device->channels();
     for (std::size_t i = 0; i < channels.size(); ++i) {
-        entries.append(makeEntry(CommandPalette::tr("Channel"), tableText(channels[i].label), QLatin1String(channels[i].key),
-                                 tableText(channels[i].group), [&window, channel = int(i)] {
-                                     window.showPage(u"monitor"_s);
-                                     ChannelModel &model = static_cast<MonitorPage *>(window.page(u"monitor"_s))->channels();
-                                     QList<int> ticked = model.ticked();
-                                     if (!ticked.contains(channel))
-                                         model.setTicked(ticked << channel);
-                                 }));
+        entries.append(makeEntry(
+            CommandPalette::tr("Channel"), tableText(channels[i].label), QLatin1String(channels[i].key),
+            tableText(channels[i].group), [&window, channel = int(i)] {
+                window.showPage(u"monitor"_s);
+                ChannelModel &model = static_cast<MonitorPage *>(window.page(u"monitor"_s))->channels();
+                QList<int> ticked = model.ticked();
+                if (!ticked.contains(channel))
+                    model.setTicked(ticked << channel);
+            }));
     }
     for (const ActionSpec &action : device->actions()) {
-        entries.append(makeEntry(CommandPalette::tr("Action"), tableText(action.label), QLatin1String(action.key), tableText(action.help),
+        entries.append(makeEntry(CommandPalette::tr("Action"), tableText(action.label),
+                                 QLatin1String(action.key), tableText(action.help),
                                  [&window, key = QString::fromLatin1(action.key)] {
                                      window.showPage(u"actions"_s);
                                      static_cast<ActionsPage *>(window.page(u"actions"_s))->showAction(key);

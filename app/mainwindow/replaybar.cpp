@@ -24,7 +24,7 @@ QString clock(double seconds)
     return u"%1:%2"_s.arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
 }
 
-} // namespace
+}  // namespace
 
 ReplayBar::ReplayBar(Workspace &workspace, QWidget *parent)
     : QFrame(parent)
@@ -41,7 +41,7 @@ ReplayBar::ReplayBar(Workspace &workspace, QWidget *parent)
     m_place->setAccessibleName(tr("Place in the recording"));
     m_place->setPageStep(int(10 * kStepsPerSecond));
     m_place->setSingleStep(int(kStepsPerSecond));
-    m_place->setTracking(false);   // a place is gone to when the slider is let go
+    m_place->setTracking(false);  // a place is gone to when the slider is let go
     for (const double speed : kSpeeds)
         m_speed->addItem(tr("%1×").arg(speed), speed);
     m_speed->setCurrentIndex(2);
@@ -59,16 +59,20 @@ ReplayBar::ReplayBar(Workspace &workspace, QWidget *parent)
         m_workspace.client().setReplayPaused(paused);
     });
     connect(m_place, &QSlider::valueChanged, this, &ReplayBar::seek);
-    connect(m_place, &QSlider::sliderMoved, this, [this](int value) { m_text->setText(clock(value / kStepsPerSecond)); });
+    connect(m_place, &QSlider::sliderMoved, this,
+            [this](int value) { m_text->setText(clock(value / kStepsPerSecond)); });
     connect(m_speed, &QComboBox::activated, this,
             [this] { m_workspace.client().setReplaySpeed(m_speed->currentData().toDouble()); });
     DeviceClient &client = workspace.client();
     connect(&client, &DeviceClient::statisticsChanged, this, &ReplayBar::showState);
     // Queued: going back opens the recording anew, and the bar must not go away and come back meanwhile.
-    connect(&client, &DeviceClient::stateChanged, this, [this] {
-        const DeviceClient &now = m_workspace.client();
-        setVisible(now.address().isReplay() && now.state() != DeviceClient::State::Disconnected);
-    }, Qt::QueuedConnection);
+    connect(
+        &client, &DeviceClient::stateChanged, this,
+        [this] {
+            const DeviceClient &now = m_workspace.client();
+            setVisible(now.address().isReplay() && now.state() != DeviceClient::State::Disconnected);
+        },
+        Qt::QueuedConnection);
     hide();
 }
 
@@ -99,7 +103,7 @@ void ReplayBar::showState()
     m_text->setText(text);
     if (m_speed->currentData().toDouble() != state->speed) {
         int place = m_speed->findData(state->speed);
-        if (place < 0) {   // from the address
+        if (place < 0) {  // from the address
             m_speed->addItem(tr("%1×").arg(state->speed), state->speed);
             place = m_speed->count() - 1;
         }

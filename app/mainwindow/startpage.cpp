@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kMostLeftovers = 3;
 
-} // namespace
+}  // namespace
 
 StartPage::StartPage(QWidget *parent)
     : QWidget(parent)
@@ -33,22 +33,25 @@ StartPage::StartPage(QWidget *parent)
     font.setPointSizeF(font.pointSizeF() + 8);
     font.setWeight(QFont::DemiBold);
     title->setFont(font);
-    auto *text = new QLabel(tr("Plug the controller in with USB or a serial adapter, choose its port at the top left and "
-                               "connect. Rate and parity are found by the program. Nothing is sent to a port you did not "
-                               "choose, and nothing is written without your review."));
+    auto *text = new QLabel(
+        tr("Plug the controller in with USB or a serial adapter, choose its port at the top left and "
+           "connect. Rate and parity are found by the program. Nothing is sent to a port you did not "
+           "choose, and nothing is written without your review."));
     text->setWordWrap(true);
     auto *connectButton = new QPushButton(tr("&Choose a port"));
     connectButton->setObjectName(u"primary"_s);
     auto *demo = new QPushButton(tr("&Try the simulated gimbal"));
     auto *open = new QPushButton(tr("&Open a file"));
-    open->setToolTip(tr("Look at a snapshot or a saved configuration and edit it without a board, or replay a recording"));
+    open->setToolTip(
+        tr("Look at a snapshot or a saved configuration and edit it without a board, or replay a recording"));
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(Metric::kGap);
     buttons->addWidget(connectButton);
     buttons->addWidget(open);
     buttons->addWidget(demo);
     buttons->addStretch(1);
-    auto *hint = new QLabel(tr("The simulated gimbal shakes, drifts and answers like a real one: a safe place to learn."));
+    auto *hint = new QLabel(
+        tr("The simulated gimbal shakes, drifts and answers like a real one: a safe place to learn."));
     hint->setObjectName(u"muted"_s);
     hint->setWordWrap(true);
     card->content()->setContentsMargins(24, 24, 24, 24);
@@ -84,7 +87,8 @@ void StartPage::setLeftovers(const QStringList &bases)
     m_leftovers->addWidget(title);
     for (const QString &base : bases.mid(0, kMostLeftovers)) {
         const QString serial = QFileInfo(base).dir().dirName() == u"unsaved"_s
-            ? QFileInfo(QFileInfo(base).path()).dir().dirName() : QFileInfo(base).baseName();
+            ? QFileInfo(QFileInfo(base).path()).dir().dirName()
+            : QFileInfo(base).baseName();
         const QString when = QLocale::system().toString(QFileInfo(base).lastModified(), QLocale::ShortFormat);
         auto *button = new QPushButton(tr("Board %1, %2").arg(serial, when));
         connect(button, &QPushButton::clicked, this, [this, base] { emit leftoverRequested(base); });

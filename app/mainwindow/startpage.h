@@ -6,7 +6,8 @@
 
 class QVBoxLayout;
 
-/// The first thing a new operator sees: connect, open a file, or try the simulated gimbal; and what an earlier run has left.
+/// The first thing a new operator sees: connect, open a file, or try the simulated gimbal; and what an
+/// earlier run has left.
 class StartPage final : public QWidget
 {
     Q_OBJECT

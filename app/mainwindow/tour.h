@@ -19,7 +19,8 @@ public:
 
     /// Pictures go to this folder, which is made if need be; their names end in the suffix.
     /// @param family only with a board of that family; empty: everything with the first, then what others add
-    Tour(MainWindow &window, QString folder, QString suffix, Extent extent, QString family = {}, QObject *parent = nullptr);
+    Tour(MainWindow &window, QString folder, QString suffix, Extent extent, QString family = {},
+         QObject *parent = nullptr);
 
     /// Goes through all steps by itself once the board has been read.
     void start();
@@ -31,11 +32,11 @@ signals:
 private:
     struct Step
     {
-        QString name;                          ///< of the picture; empty = none
+        QString name;  ///< of the picture; empty = none
         std::function<void()> prepare;
-        std::function<bool()> ready;           ///< empty = only the time counts
+        std::function<bool()> ready;  ///< empty = only the time counts
         int settleMs = 400;
-        std::function<QWidget *()> what;       ///< empty = the window
+        std::function<QWidget *()> what;  ///< empty = the window
         bool everythingOnly = false;
     };
     void addSteps();

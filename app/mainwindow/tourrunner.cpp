@@ -18,7 +18,7 @@ struct Look
 };
 constexpr std::array<Look, 4> kLooks{{{"light", "1"}, {"dark", "1"}, {"light", "2"}, {"dark", "2"}}};
 
-} // namespace
+}  // namespace
 
 TourRunner::TourRunner(QString folder, QStringList moreArguments, QObject *parent)
     : QObject(parent)
@@ -56,6 +56,8 @@ void TourRunner::next()
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(u"QT_SCALE_FACTOR"_s, QLatin1String(look.scale));
     m_process.setProcessEnvironment(environment);
-    m_process.start(QCoreApplication::applicationFilePath(),
-                    QStringList{u"--tour"_s, m_folder, u"--everything"_s, u"--theme"_s, QLatin1String(look.theme)} + m_more);
+    m_process.start(
+        QCoreApplication::applicationFilePath(),
+        QStringList{u"--tour"_s, m_folder, u"--everything"_s, u"--theme"_s, QLatin1String(look.theme)}
+            + m_more);
 }

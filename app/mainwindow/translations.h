@@ -12,7 +12,7 @@ public:
     explicit Translations(const QString &code);
 
 private:
-    QTranslator m_english;   // plural forms; also what another language leaves out
+    QTranslator m_english;  // plural forms; also what another language leaves out
     QTranslator m_program;
     QTranslator m_qt;
 };

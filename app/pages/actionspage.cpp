@@ -39,13 +39,14 @@ QString replyText(const QVariant &value)
     return value.toString();
 }
 
-} // namespace
+}  // namespace
 
 QString riskText(ActionRisk risk)
 {
     switch (risk) {
     case ActionRisk::Safe: return ActionsPage::tr("Changes nothing");
-    case ActionRisk::Moves: return ActionsPage::tr("⚠ Can move the camera or change how it is held, until the next start");
+    case ActionRisk::Moves:
+        return ActionsPage::tr("⚠ Can move the camera or change how it is held, until the next start");
     case ActionRisk::Writes: return ActionsPage::tr("⚠ Changes permanent memory; a snapshot is taken first");
     case ActionRisk::Destroys: return ActionsPage::tr("⚠ Overwrites settings; a snapshot is taken first");
     }
@@ -148,7 +149,8 @@ void ActionsPage::refilter()
         for (int i = 0; i < group->childCount(); ++i) {
             QTreeWidgetItem *item = group->child(i);
             const QString text = (group->text(0) + u' ' + item->text(0) + u' ' + item->toolTip(0) + u' '
-                                  + item->data(0, Qt::UserRole).toString()).toLower();
+                                  + item->data(0, Qt::UserRole).toString())
+                                     .toLower();
             const bool match = std::all_of(words.begin(), words.end(),
                                            [&text](const QString &word) { return text.contains(word); });
             item->setHidden(!match);
@@ -187,8 +189,9 @@ void ActionsPage::onChosen()
     m_title->setText(tableText(m_action->label));
     m_help->setText(tableText(m_action->help));
     m_risk->setText(riskText(m_action->risk));
-    m_risk->setObjectName(m_action->risk == ActionRisk::Safe ? u"muted"_s
-                          : m_action->risk == ActionRisk::Destroys ? u"error"_s : u"warning"_s);
+    m_risk->setObjectName(m_action->risk == ActionRisk::Safe           ? u"muted"_s
+                              : m_action->risk == ActionRisk::Destroys ? u"error"_s
+                                                                       : u"warning"_s);
     repolish(m_risk);
     m_form = new ArgumentForm(*m_action);
     m_formHolder->addWidget(m_form);
@@ -201,7 +204,7 @@ void ActionsPage::updateRun()
     const bool red = m_action && m_action->risk == ActionRisk::Destroys;
     // The button says what will happen; nothing else asks.
     m_run->setText(!m_action ? tr("Run")
-                   : red     ? tr("%1: overwrite settings").arg(tableText(m_action->label))
+                       : red ? tr("%1: overwrite settings").arg(tableText(m_action->label))
                              : tableText(m_action->label));
     m_run->setObjectName(red ? u"danger"_s : u"primary"_s);
     repolish(m_run);
@@ -223,7 +226,8 @@ void ActionsPage::run()
     const QString label = tableText(m_action->label);
     m_reply->setPlainText(tr("%1 …").arg(label));
     const bool rereads = m_action->risk == ActionRisk::Writes || m_action->risk == ActionRisk::Destroys;
-    workspace().perform(QString::fromLatin1(m_action->key), *arguments)
+    workspace()
+        .perform(QString::fromLatin1(m_action->key), *arguments)
         .then(this, [this, label, rereads](const Result<ActionOutcome> &outcome) {
             m_running = false;
             updateRun();
@@ -232,14 +236,16 @@ void ActionsPage::run()
                 m_reply->setPlainText(time + u"  "_s + label + u'\n' + describe(outcome.error()).oneLine());
                 return;
             }
-            QString html = u"<p>%1  <b>%2</b>: %3</p><table>"_s.arg(time, label.toHtmlEscaped(), tr("done").toHtmlEscaped());
+            QString html = u"<p>%1  <b>%2</b>: %3</p><table>"_s.arg(time, label.toHtmlEscaped(),
+                                                                    tr("done").toHtmlEscaped());
             for (auto it = outcome->reply.begin(); it != outcome->reply.end(); ++it) {
-                html += u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td>%2</td></tr>"_s
-                            .arg(it.key().toHtmlEscaped(), replyText(it.value()).toHtmlEscaped());
+                html += u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td>%2</td></tr>"_s.arg(
+                    it.key().toHtmlEscaped(), replyText(it.value()).toHtmlEscaped());
             }
             html += u"</table>"_s;
             if (!outcome->snapshotPath.isEmpty())
-                html += u"<p>%1</p>"_s.arg(tr("The board as it was is kept in %1").arg(outcome->snapshotPath).toHtmlEscaped());
+                html += u"<p>%1</p>"_s.arg(
+                    tr("The board as it was is kept in %1").arg(outcome->snapshotPath).toHtmlEscaped());
             m_reply->setHtml(html);
             if (rereads)
                 workspace().readBoard();

@@ -11,7 +11,8 @@ class QPushButton;
 class QTextBrowser;
 class QTreeWidget;
 
-/// Every action of the board in a searchable list, with its arguments, what it can do to the gimbal, and its reply.
+/// Every action of the board in a searchable list, with its arguments, what it can do to the gimbal, and its
+/// reply.
 class ActionsPage final : public Page
 {
     Q_OBJECT

@@ -20,7 +20,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kMostShown = 60;      // snapshots listed; older ones stay on the disk
+constexpr int kMostShown = 60;  // snapshots listed; older ones stay on the disk
 constexpr int kMostDifferences = 500;
 
 void prepare(QTableWidget *table, const QStringList &heads)
@@ -61,7 +61,7 @@ QString reasonText(const QString &reason, const Device *device)
     return BackupsPage::tr("before the action %1").arg(key);
 }
 
-} // namespace
+}  // namespace
 
 BackupsPage::BackupsPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"backups"_s, tr("Backups"), parent)
@@ -73,10 +73,12 @@ BackupsPage::BackupsPage(Workspace &workspace, QWidget *parent)
     , m_export(new QPushButton(tr("Export…")))
 {
     m_take->setObjectName(u"primary"_s);
-    m_restore->setToolTip(tr("Put the snapshot's values into the forms; nothing is on the board before you review and write"));
+    m_restore->setToolTip(
+        tr("Put the snapshot's values into the forms; nothing is on the board before you review and write"));
     m_export->setToolTip(tr("Copy the snapshot to a file of your choice"));
     auto *load = new QPushButton(tr("Load a file…"));
-    load->setToolTip(tr("Put a file's values into the forms; nothing is on the board before you review and write"));
+    load->setToolTip(
+        tr("Put a file's values into the forms; nothing is on the board before you review and write"));
     auto *saveAs = new QPushButton(tr("Save to a file…"));
     saveAs->setToolTip(tr("Save the values as they are shown, edits included"));
     connect(load, &QPushButton::clicked, this, [this] {
@@ -86,12 +88,13 @@ BackupsPage::BackupsPage(Workspace &workspace, QWidget *parent)
         });
     });
     connect(saveAs, &QPushButton::clicked, this, [this] {
-        askSavePath(tr("Save the configuration"), u"gimbal.json"_s, this->workspace().configurationFilter(), [this](const QString &path) {
-            if (const auto saved = this->workspace().saveFile(path); !saved)
-                emit this->workspace().problem(describe(saved.error()));
-            else
-                emit this->workspace().notice(tr("Saved to %1").arg(path));
-        });
+        askSavePath(tr("Save the configuration"), u"gimbal.json"_s, this->workspace().configurationFilter(),
+                    [this](const QString &path) {
+                        if (const auto saved = this->workspace().saveFile(path); !saved)
+                            emit this->workspace().problem(describe(saved.error()));
+                        else
+                            emit this->workspace().notice(tr("Saved to %1").arg(path));
+                    });
     });
     header()->addWidget(load);
     auto *share = new QPushButton(tr("Share…"));
@@ -147,7 +150,8 @@ BackupsPage::BackupsPage(Workspace &workspace, QWidget *parent)
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &BackupsPage::showDifferences);
     connect(&workspace, &Workspace::snapshotTaken, this, &BackupsPage::reload);
     connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &BackupsPage::reload);
-    connect(&workspace.configuration(), &ConfigurationModel::storedChanged, this, &BackupsPage::showDifferences);
+    connect(&workspace.configuration(), &ConfigurationModel::storedChanged, this,
+            &BackupsPage::showDifferences);
 }
 
 void BackupsPage::showEvent(QShowEvent *event)
@@ -159,7 +163,8 @@ void BackupsPage::showEvent(QShowEvent *event)
 QString BackupsPage::chosenPath() const
 {
     const auto items = m_table->selectedItems();
-    return items.isEmpty() ? QString() : m_table->item(items.first()->row(), 0)->data(Qt::UserRole).toString();
+    return items.isEmpty() ? QString()
+                           : m_table->item(items.first()->row(), 0)->data(Qt::UserRole).toString();
 }
 
 void BackupsPage::reload()
@@ -170,8 +175,8 @@ void BackupsPage::reload()
     const QString before = chosenPath();
     m_table->setRowCount(0);
     m_take->setEnabled(!model.isEmpty());
-    const QStringList paths = model.isEmpty() ? QStringList()
-                                              : workspace().history().snapshots(model.board().identity().serial);
+    const QStringList paths
+        = model.isEmpty() ? QStringList() : workspace().history().snapshots(model.board().identity().serial);
     for (const QString &path : paths.mid(0, kMostShown)) {
         const int row = m_table->rowCount();
         m_table->insertRow(row);
@@ -180,7 +185,9 @@ void BackupsPage::reload()
         when->setData(Qt::UserRole, path);
         const auto file = workspace().loadFile(path);
         m_table->setItem(row, 0, when);
-        m_table->setItem(row, 1, new QTableWidgetItem(file ? reasonText(file->reason, workspace().tables()) : tr("damaged")));
+        m_table->setItem(
+            row, 1,
+            new QTableWidgetItem(file ? reasonText(file->reason, workspace().tables()) : tr("damaged")));
         auto *name = new QTableWidgetItem(QFileInfo(path).fileName());
         name->setToolTip(path);
         m_table->setItem(row, 2, name);
@@ -200,8 +207,9 @@ void BackupsPage::showDifferences()
     m_restore->setEnabled(false);
     m_export->setEnabled(!path.isEmpty());
     if (path.isEmpty() || model.isEmpty()) {
-        m_summary->setText(tr("No snapshot yet. One is taken before the first write to a board, and before each action that "
-                              "writes."));
+        m_summary->setText(
+            tr("No snapshot yet. One is taken before the first write to a board, and before each action that "
+               "writes."));
         return;
     }
     const auto file = workspace().loadFile(path);
@@ -228,8 +236,9 @@ void BackupsPage::showDifferences()
             break;
         m_differences->insertRow(row);
         const bool boardWide = change.spec->row->scope == Scope::Board;
-        const QStringList cells{parameterLabel(*change.spec), boardWide ? tr("all") : QString::number(change.profile + 1),
-                                parameterValueText(*change.spec, change.to), parameterValueText(*change.spec, change.from)};
+        const QStringList cells{
+            parameterLabel(*change.spec), boardWide ? tr("all") : QString::number(change.profile + 1),
+            parameterValueText(*change.spec, change.to), parameterValueText(*change.spec, change.from)};
         for (int column = 0; column < cells.size(); ++column)
             m_differences->setItem(row, column, new QTableWidgetItem(cells[column]));
     }

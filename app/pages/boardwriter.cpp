@@ -6,8 +6,8 @@
 
 using namespace Qt::StringLiterals;
 
-BoardWriter::BoardWriter(DeviceClient &client, ConfigurationModel &configuration, LiveModel &live, EditStack &edits,
-                         const BoardHistory &history)
+BoardWriter::BoardWriter(DeviceClient &client, ConfigurationModel &configuration, LiveModel &live,
+                         EditStack &edits, const BoardHistory &history)
     : m_client(client)
     , m_configuration(configuration)
     , m_live(live)
@@ -23,22 +23,26 @@ void BoardWriter::write(const Configuration &wanted)
         return;
     }
     m_writing = true;
-    m_client.submit<WriteReport>([base = m_configuration.board(), wanted, history = m_history,
-                                  backupDone = m_backupDone, live = m_live.unsaved()](Channel &channel, Device &device) {
-        WriteOptions options;
-        options.history = &history;
-        options.backupDone = backupDone;
-        options.live = live;
-        return writeConfiguration(channel, device, base, wanted, options);
-    }).then(this, [this, live = m_live.unsaved()](const Result<WriteReport> &result) {
-        m_writing = false;
-        onReport(result);
-        restoreLive(live);
-        // What was wanted is not lost: it is unsaved again.
-        if (const auto again = std::exchange(m_wantedAgain, std::nullopt); again && result && result->isComplete())
-            m_edits.apply(*again, tr("Changes of the interrupted write"));
-        emit finished();
-    });
+    m_client
+        .submit<WriteReport>([base = m_configuration.board(), wanted, history = m_history,
+                              backupDone = m_backupDone,
+                              live = m_live.unsaved()](Channel &channel, Device &device) {
+            WriteOptions options;
+            options.history = &history;
+            options.backupDone = backupDone;
+            options.live = live;
+            return writeConfiguration(channel, device, base, wanted, options);
+        })
+        .then(this, [this, live = m_live.unsaved()](const Result<WriteReport> &result) {
+            m_writing = false;
+            onReport(result);
+            restoreLive(live);
+            // What was wanted is not lost: it is unsaved again.
+            if (const auto again = std::exchange(m_wantedAgain, std::nullopt);
+                again && result && result->isComplete())
+                m_edits.apply(*again, tr("Changes of the interrupted write"));
+            emit finished();
+        });
 }
 
 void BoardWriter::onReport(const Result<WriteReport> &result)
@@ -58,8 +62,9 @@ void BoardWriter::onReport(const Result<WriteReport> &result)
     const int verified = result->count(WriteState::Verified);
     if (result->isComplete()) {
         emit completed();
-        QString text = result->lines.empty() && result->data.empty() ? tr("Profile names written and read back.")
-                                             : tr("%n value(s) written and read back.", nullptr, verified);
+        QString text = result->lines.empty() && result->data.empty()
+            ? tr("Profile names written and read back.")
+            : tr("%n value(s) written and read back.", nullptr, verified);
         if (!result->snapshotPath.isEmpty())
             text += u' ' + tr("The board as it was is kept in %1").arg(result->snapshotPath);
         emit notice(text);
@@ -89,8 +94,8 @@ void BoardWriter::onReport(const Result<WriteReport> &result)
     emit problem(text);
 }
 
-// After the reconnection the board was read again, so it is known what a broken write left behind: the rest can be written,
-// or what got through can be put back. Either way it is an ordinary verified write.
+// After the reconnection the board was read again, so it is known what a broken write left behind: the rest
+// can be written, or what got through can be put back. Either way it is an ordinary verified write.
 void BoardWriter::offerRepair()
 {
     if (!std::exchange(m_interrupted, false))
@@ -117,21 +122,24 @@ void BoardWriter::offerRepair()
         return;
     }
     Offer question;
-    question.text = tr("The last write was interrupted: %1 of %2 values are not on the board.").arg(missing)
+    question.text = tr("The last write was interrupted: %1 of %2 values are not on the board.")
+                        .arg(missing)
                         .arg(missing + landed);
     if (landed == 0)
         question.text += u' ' + tr("The board holds the old values.");
-    question.choices.append({tr("Finish: write %n value(s)", nullptr, missing), [this, finished] { write(finished); }});
+    question.choices.append(
+        {tr("Finish: write %n value(s)", nullptr, missing), [this, finished] { write(finished); }});
     if (landed > 0)
         question.choices.append({tr("Undo: put %n value(s) back", nullptr, landed), [this, undone, finished] {
-            m_wantedAgain = finished;
-            write(undone);
-        }});
-    question.choices.append({tr("Leave it so"), [] { }});
+                                     m_wantedAgain = finished;
+                                     write(undone);
+                                 }});
+    question.choices.append({tr("Leave it so"), [] {}});
     emit offer(question);
 }
 
-// A written block is loaded by the board at once, stored values and all: what was in use beside it is put into use again.
+// A written block is loaded by the board at once, stored values and all: what was in use beside it is put
+// into use again.
 void BoardWriter::restoreLive(const LiveValues &before)
 {
     if (!m_client.isConnected())

@@ -15,9 +15,11 @@ class BoardWriter final : public QObject
 {
     Q_OBJECT
 public:
-    BoardWriter(DeviceClient &client, ConfigurationModel &configuration, LiveModel &live, EditStack &edits, const BoardHistory &history);
+    BoardWriter(DeviceClient &client, ConfigurationModel &configuration, LiveModel &live, EditStack &edits,
+                const BoardHistory &history);
 
-    /// Writes what differs between the board and this, verified, with a snapshot before the first write on this link.
+    /// Writes what differs between the board and this, verified, with a snapshot before the first write on
+    /// this link.
     void write(const Configuration &wanted);
     [[nodiscard]] bool isWriting() const { return m_writing; }
     [[nodiscard]] const std::optional<WriteReport> &lastReport() const { return m_lastReport; }
@@ -48,8 +50,8 @@ private:
     EditStack &m_edits;
     const BoardHistory &m_history;
     std::optional<WriteReport> m_lastReport;
-    std::optional<Configuration> m_wantedAgain;   // becomes edits once an interrupted write is undone
+    std::optional<Configuration> m_wantedAgain;  // becomes edits once an interrupted write is undone
     bool m_backupDone = false;
     bool m_writing = false;
-    bool m_interrupted = false;   // the link broke during a write; told again once the board can be read
+    bool m_interrupted = false;  // the link broke during a write; told again once the board can be read
 };

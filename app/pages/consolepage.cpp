@@ -24,7 +24,7 @@ namespace {
 
 constexpr auto kPeriod = 100ms;
 
-} // namespace
+}  // namespace
 
 ConsolePage::ConsolePage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"console"_s, tr("Console"), parent)
@@ -46,8 +46,9 @@ ConsolePage::ConsolePage(Workspace &workspace, QWidget *parent)
     auto *clear = new QPushButton(tr("Clear"));
     auto *save = new QPushButton(tr("Save…"));
     save->setToolTip(tr("Save all frames listed as text"));
-    for (QWidget *widget : {static_cast<QWidget *>(m_streams), static_cast<QWidget *>(m_filter),
-                            static_cast<QWidget *>(m_pause), static_cast<QWidget *>(clear), static_cast<QWidget *>(save)})
+    for (QWidget *widget :
+         {static_cast<QWidget *>(m_streams), static_cast<QWidget *>(m_filter),
+          static_cast<QWidget *>(m_pause), static_cast<QWidget *>(clear), static_cast<QWidget *>(save)})
         header()->addWidget(widget);
 
     const QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
@@ -77,21 +78,23 @@ ConsolePage::ConsolePage(Workspace &workspace, QWidget *parent)
 
     connect(m_filter, &QLineEdit::textChanged, m_table, &FilterTable::setFilter);
     connect(m_streams, &QCheckBox::toggled, this, [this](bool on) { m_model.setShowsStreams(on); });
-    connect(m_pause, &QPushButton::toggled, this, [this](bool on) { m_pause->setText(on ? tr("Continue") : tr("Pause")); });
+    connect(m_pause, &QPushButton::toggled, this,
+            [this](bool on) { m_pause->setText(on ? tr("Continue") : tr("Pause")); });
     connect(clear, &QPushButton::clicked, &m_model, &FrameLogModel::clear);
     connect(save, &QPushButton::clicked, this, [this] {
-        askSavePath(tr("Save frames"), u"frames.txt"_s, tr("Text files (*.txt)"), [this](const QString &path) {
-            const auto saved = saveText(path);
-            if (!saved)
-                emit this->workspace().problem(describe(saved.error()));
-        });
+        askSavePath(tr("Save frames"), u"frames.txt"_s, tr("Text files (*.txt)"),
+                    [this](const QString &path) {
+                        const auto saved = saveText(path);
+                        if (!saved)
+                            emit this->workspace().problem(describe(saved.error()));
+                    });
     });
     connect(sendButton, &QPushButton::clicked, this, &ConsolePage::send);
     connect(m_input, &QLineEdit::returnPressed, this, &ConsolePage::send);
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &ConsolePage::showDetails);
-    connect(m_table->verticalScrollBar(), &QScrollBar::valueChanged, this, [this](int value) {
-        m_follow = value >= m_table->verticalScrollBar()->maximum();
-    });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            &ConsolePage::showDetails);
+    connect(m_table->verticalScrollBar(), &QScrollBar::valueChanged, this,
+            [this](int value) { m_follow = value >= m_table->verticalScrollBar()->maximum(); });
     connect(&workspace.client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
         if (state != DeviceClient::State::Connected)
             return;
@@ -119,9 +122,10 @@ void ConsolePage::showDetails(const QModelIndex &shown)
     if (!shown.isValid())
         return;
     const auto text = [&](int column) { return shown.siblingAtColumn(column).data().toString(); };
-    m_details->setPlainText(u"%1 s  %2  %3\n%4\n%5"_s.arg(text(FrameLogModel::TimeColumn), text(FrameLogModel::DirectionColumn),
-                                                          text(FrameLogModel::NameColumn), text(FrameLogModel::FieldsColumn),
-                                                          text(FrameLogModel::BytesColumn)));
+    m_details->setPlainText(
+        u"%1 s  %2  %3\n%4\n%5"_s.arg(text(FrameLogModel::TimeColumn), text(FrameLogModel::DirectionColumn),
+                                      text(FrameLogModel::NameColumn), text(FrameLogModel::FieldsColumn),
+                                      text(FrameLogModel::BytesColumn)));
 }
 
 void ConsolePage::send()
@@ -144,14 +148,17 @@ void ConsolePage::send()
         emit workspace().problem(text);
         return;
     }
-    client.submit<bool>([command = *command, history = workspace().history(), live = workspace().live().unsaved()](Channel &channel, Device &device) {
-        return sendRaw(channel, device, command, history, live);
-    }).then(this, [this](const Result<bool> &sent) {
-        if (!sent)
-            emit workspace().problem(describe(sent.error()));
-        else
-            m_input->selectAll();
-    });
+    client
+        .submit<bool>([command = *command, history = workspace().history(),
+                       live = workspace().live().unsaved()](Channel &channel, Device &device) {
+            return sendRaw(channel, device, command, history, live);
+        })
+        .then(this, [this](const Result<bool> &sent) {
+            if (!sent)
+                emit workspace().problem(describe(sent.error()));
+            else
+                m_input->selectAll();
+        });
 }
 
 Result<void> ConsolePage::saveText(const QString &path) const

@@ -28,11 +28,11 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr auto kSendPeriod = 50ms;       // well below the dead-man's 250 ms
+constexpr auto kSendPeriod = 50ms;  // well below the dead-man's 250 ms
 constexpr auto kRefreshPeriod = 100ms;
 constexpr int kSliderSteps = 100;
 
-} // namespace
+}  // namespace
 
 ControlPage::ControlPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"control"_s, tr("Control"), parent)
@@ -49,7 +49,8 @@ ControlPage::ControlPage(Workspace &workspace, QWidget *parent)
     , m_functions(new Card(tr("Functions")))
 {
     m_arm->setCheckable(true);
-    m_arm->setToolTip(tr("While armed the camera moves as you steer. Let go, leave this page or press Esc to end it."));
+    m_arm->setToolTip(
+        tr("While armed the camera moves as you steer. Let go, leave this page or press Esc to end it."));
     m_mode->setAccessibleName(tr("Mode of control"));
     m_pad->setLabels(axisLabel(Axis::Yaw), axisLabel(Axis::Pitch));
     m_roll->setRange(-kSliderSteps, kSliderSteps);
@@ -211,7 +212,8 @@ void ControlPage::fillFunctions()
     }
     delete scroll->takeWidget();
     scroll->setWidget(rows);
-    scroll->setMinimumWidth(rows->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+    scroll->setMinimumWidth(rows->minimumSizeHint().width()
+                            + scroll->verticalScrollBar()->sizeHint().width());
     m_functions->setVisible(line > 0);
     for (QWidget *widget : rows->findChildren<QWidget *>())
         widget->installEventFilter(this);
@@ -311,9 +313,12 @@ void ControlPage::setArmed(bool on)
         widget->setEnabled(isArmed());
     if (allowed)
         m_pad->setFocus();
-    m_state->setText(isArmed() ? tr("Armed: the camera follows you. It stops when you let go, leave this page, or do nothing "
-                                    "for %1 s.").arg(workspace().settings().disarmSeconds())
-                               : tr("Not armed: nothing is sent. Choose a mode, then arm."));
+    m_state->setText(
+        isArmed()
+            ? tr("Armed: the camera follows you. It stops when you let go, leave this page, or do nothing "
+                 "for %1 s.")
+                  .arg(workspace().settings().disarmSeconds())
+            : tr("Not armed: nothing is sent. Choose a mode, then arm."));
     m_state->setObjectName(isArmed() ? u"warning"_s : u"muted"_s);
     repolish(m_state);
 }
@@ -325,7 +330,8 @@ ControlSetpoint ControlPage::setpoint() const
     if (!chosen)
         return wanted;
     const double speed = m_speed->value();
-    const std::array<double, kAxisCount> push{double(m_roll->value()) / kSliderSteps, m_pad->value().y(), m_pad->value().x()};
+    const std::array<double, kAxisCount> push{double(m_roll->value()) / kSliderSteps, m_pad->value().y(),
+                                              m_pad->value().x()};
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         wanted[axis].mode = chosen->id;
         wanted[axis].speed = !chosen->usesSpeed ? 0.0 : chosen->usesAngle ? speed : push[axis] * speed;
@@ -350,18 +356,22 @@ void ControlPage::updateNow()
     const ChannelRoles roles = workspace().roles();
     const auto value = [this](int channel) { return workspace().latest(channel); };
     m_attitude->setAttitude(value(roles.angle[0]), value(roles.angle[1]), value(roles.angle[2]));
-    const auto text = [](double number) { return std::isnan(number) ? u"–"_s : u"%1°"_s.arg(std::abs(number) < 0.05 ? 0.0 : number, 0, 'f', 1); };
-    QString rows = u"<tr><td></td><td align='right'>%1</td><td align='right'>%2</td></tr>"_s.arg(tr("is"), tr("target"));
+    const auto text = [](double number) {
+        return std::isnan(number) ? u"–"_s : u"%1°"_s.arg(std::abs(number) < 0.05 ? 0.0 : number, 0, 'f', 1);
+    };
+    QString rows = u"<tr><td></td><td align='right'>%1</td><td align='right'>%2</td></tr>"_s.arg(
+        tr("is"), tr("target"));
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-        rows += u"<tr><td>%1</td><td align='right'>%2</td><td align='right'>%3</td></tr>"_s
-                    .arg(axisLabel(kAxes[axis]), text(value(roles.angle[axis])), text(value(roles.target[axis])));
+        rows += u"<tr><td>%1</td><td align='right'>%2</td><td align='right'>%3</td></tr>"_s.arg(
+            axisLabel(kAxes[axis]), text(value(roles.angle[axis])), text(value(roles.target[axis])));
     }
     m_now->setText(u"<table width='100%'>%1</table>"_s.arg(rows));
 }
 
 bool ControlPage::eventFilter(QObject *watched, QEvent *event)
 {
-    if (event->type() == QEvent::KeyPress && isArmed() && static_cast<QKeyEvent *>(event)->key() == Qt::Key_Escape)
+    if (event->type() == QEvent::KeyPress && isArmed()
+        && static_cast<QKeyEvent *>(event)->key() == Qt::Key_Escape)
         setArmed(false);
     return Page::eventFilter(watched, event);
 }

@@ -15,8 +15,8 @@ class QDoubleSpinBox;
 class QPushButton;
 class QSlider;
 
-/// Steering by hand: a pad for two axes, a slider for the third, every mode the board has. Armed on purpose; lets go by
-/// itself.
+/// Steering by hand: a pad for two axes, a slider for the third, every mode the board has. Armed on purpose;
+/// lets go by itself.
 class ControlPage final : public Page
 {
     Q_OBJECT
@@ -55,9 +55,9 @@ private:
     QLabel *m_state;
     QLabel *m_now;
     AttitudeView *m_attitude;
-    Card *m_functions;            // what else is at hand while steering
+    Card *m_functions;  // what else is at hand while steering
     QTimer m_send;
     QTimer m_refresh;
-    QElapsedTimer m_touched;      // since the operator last moved something
+    QElapsedTimer m_touched;  // since the operator last moved something
     bool m_filling = false;
 };

@@ -29,7 +29,7 @@ QString number(double value, int decimals, const QString &unit)
     return unit.isEmpty() ? text : text + u' ' + unit;
 }
 
-} // namespace
+}  // namespace
 
 DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"dashboard"_s, tr("Dashboard"), parent)
@@ -66,7 +66,8 @@ DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
     scroll->setWidget(state);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 
-    // The columns divide their height each in its own way: what is said of the board takes all that the voltage leaves.
+    // The columns divide their height each in its own way: what is said of the board takes all that the
+    // voltage leaves.
     const auto column = [](QWidget *upper, int share, QWidget *lower, int rest) {
         auto *layout = new QVBoxLayout;
         layout->setSpacing(12);
@@ -83,7 +84,8 @@ DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
     m_timer.setInterval(kRefresh);
     connect(&m_timer, &QTimer::timeout, this, &DashboardPage::refresh);
     connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &DashboardPage::updateLimits);
-    connect(&workspace.configuration(), &ConfigurationModel::activeProfileChanged, this, &DashboardPage::updateLimits);
+    connect(&workspace.configuration(), &ConfigurationModel::activeProfileChanged, this,
+            &DashboardPage::updateLimits);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &DashboardPage::refreshFacts);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &DashboardPage::refreshFaults);
     refreshFaults();
@@ -111,7 +113,8 @@ void DashboardPage::refresh()
     const auto value = [this](int channel) { return workspace().latest(channel); };
     m_attitude->setAttitude(value(roles.angle[0]), value(roles.angle[1]), value(roles.angle[2]));
     for (std::size_t axis = 0; axis < m_dials.size(); ++axis)
-        m_dials[axis]->setValues(value(roles.angle[axis]), value(roles.target[axis]), value(roles.motorPower[axis]));
+        m_dials[axis]->setValues(value(roles.angle[axis]), value(roles.target[axis]),
+                                 value(roles.motorPower[axis]));
     if (m_tick++ % kTicksPerFacts == 0) {
         refreshFacts();
         refreshFaults();
@@ -124,17 +127,20 @@ void DashboardPage::refreshFacts()
     m_battery->setText(number(workspace().latest(roles.battery), 2, u"V"_s));
     QStringList rows;
     const auto row = [&rows](const QString &name, const QString &text) {
-        rows.append(u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td style='padding:2px 0' align='right'>%2</td></tr>"_s
-                        .arg(name, text.toHtmlEscaped()));
+        rows.append(
+            u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td style='padding:2px 0' align='right'>%2</td></tr>"_s
+                .arg(name, text.toHtmlEscaped()));
     };
     if (roles.current >= 0)
         row(tr("Current"), number(workspace().latest(roles.current), 2, u"A"_s));
     if (roles.temperature >= 0) {
-        const QString temperature = temperatureText(workspace().latest(roles.temperature), workspace().settings().fahrenheit());
+        const QString temperature
+            = temperatureText(workspace().latest(roles.temperature), workspace().settings().fahrenheit());
         row(tr("Sensor temperature"), temperature.isEmpty() ? u"–"_s : temperature);
     }
     if (const Device *device = workspace().client().device(); device && workspace().client().isConnected()) {
-        for (const BoardFact &fact : device->facts([this](int channel) { return workspace().latest(channel); })) {
+        for (const BoardFact &fact :
+             device->facts([this](int channel) { return workspace().latest(channel); })) {
             QStringList words;
             for (const char *word : fact.words)
                 words.append(tableText(word));
@@ -146,7 +152,8 @@ void DashboardPage::refreshFacts()
     const LinkStatistics &link = workspace().client().statistics();
     row(tr("Frames received"), tr("%1 per second").arg(link.framesPerSecond, 0, 'f', 0));
     row(tr("Damaged frames"), QString::number(link.framing.headerErrors + link.framing.bodyErrors));
-    row(tr("Answer time"), link.roundTrip ? tr("%1 ms").arg(seconds(*link.roundTrip) * 1000, 0, 'f', 1) : u"–"_s);
+    row(tr("Answer time"),
+        link.roundTrip ? tr("%1 ms").arg(seconds(*link.roundTrip) * 1000, 0, 'f', 1) : u"–"_s);
     m_facts->setText(u"<table width='100%'>%1</table>"_s.arg(rows.join(QString())));
 }
 
@@ -158,9 +165,11 @@ void DashboardPage::refreshFaults()
         keys.append(fault.name);
     const auto running = workspace().motorsRunning();
     const double state = workspace().latest(workspace().roles().state);
-    const QString doing = running && !std::isnan(state) ? workspace().client().device()->stateText(int(state)) : QString();
+    const QString doing
+        = running && !std::isnan(state) ? workspace().client().device()->stateText(int(state)) : QString();
     keys.append(doing);
-    keys.append(workspace().client().isConnected() ? (running ? (*running ? u"on"_s : u"off"_s) : u"?"_s) : u"-"_s);
+    keys.append(workspace().client().isConnected() ? (running ? (*running ? u"on"_s : u"off"_s) : u"?"_s)
+                                                   : u"-"_s);
     if (keys == m_shownFaults)
         return;
     m_shownFaults = keys;
@@ -189,7 +198,8 @@ void DashboardPage::refreshFaults()
     for (const BoardFault &fault : faults) {
         add((fault.severe ? u"✖ "_s : u"⚠ "_s) + tableText(fault.name.toUtf8().constData()),
             fault.severe ? "error" : "warning");
-        add(tableText(fault.meaning.toUtf8().constData()) + u' ' + tableText(fault.cure.toUtf8().constData()), "muted");
+        add(tableText(fault.meaning.toUtf8().constData()) + u' ' + tableText(fault.cure.toUtf8().constData()),
+            "muted");
     }
 }
 

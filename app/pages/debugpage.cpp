@@ -20,7 +20,7 @@ constexpr auto kPeriod = 100ms;
 constexpr double kSeconds = 30;
 constexpr qsizetype kMostCurves = 6;
 
-} // namespace
+}  // namespace
 
 DebugPage::DebugPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"debug"_s, tr("Debug variables"), parent)
@@ -44,10 +44,12 @@ DebugPage::DebugPage(Workspace &workspace, QWidget *parent)
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_table->setToolTip(tr("Choose several with Ctrl or Shift to see them together"));
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_table->horizontalHeader()->setDefaultSectionSize(m_table->fontMetrics().horizontalAdvance(u"-0.0000000000"_s) + Metric::kMargin);
+    m_table->horizontalHeader()->setDefaultSectionSize(
+        m_table->fontMetrics().horizontalAdvance(u"-0.0000000000"_s) + Metric::kMargin);
     m_table->horizontalHeader()->setSectionResizeMode(DebugModel::NameColumn, QHeaderView::Stretch);
     m_plots->setSeconds(kSeconds);
-    auto *note = new QLabel(tr("What these variables mean is known to the firmware's makers only; they help a supporter."));
+    auto *note = new QLabel(
+        tr("What these variables mean is known to the firmware's makers only; they help a supporter."));
     note->setObjectName(u"muted"_s);
     note->setWordWrap(true);
     body()->addWidget(note);

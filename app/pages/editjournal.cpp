@@ -14,7 +14,7 @@ namespace {
 // Long enough for one drag of a slider to be one write, short enough that a crash takes no thought with it.
 constexpr int kDelayMs = 150;
 
-} // namespace
+}  // namespace
 
 EditJournal::EditJournal(ConfigurationModel &configuration, EditStack &edits, const BoardHistory &history,
                          QObject *parent)
@@ -69,7 +69,8 @@ void EditJournal::flush()
         write();
 }
 
-// New edits take the place of an earlier run's that nobody has decided about; those become a snapshot instead.
+// New edits take the place of an earlier run's that nobody has decided about; those become a snapshot
+// instead.
 void EditJournal::keepUndecided()
 {
     const auto leftover = std::exchange(m_leftover, std::nullopt);

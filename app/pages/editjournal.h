@@ -7,7 +7,8 @@
 
 #include <QTimer>
 
-/// Keeps the undo stack in a file beside the board's snapshots while anything is unsaved, so that a crash loses nothing.
+/// Keeps the undo stack in a file beside the board's snapshots while anything is unsaved, so that a crash
+/// loses nothing.
 class EditJournal final : public QObject
 {
     Q_OBJECT

@@ -53,7 +53,8 @@ GainCard::GainCard(LiveModel &live, QWidget *parent)
         slider(tr("Stability"), row.stability, row.stabilityText);
     }
     content()->addLayout(grid);
-    auto *formulas = new QLabel(tr("Moving a slider sets all three gains: Kd = 0.8 · D/100, Ki = 2000 · S/100, Kp = √(0.5 · Kd · Ki)."));
+    auto *formulas = new QLabel(tr(
+        "Moving a slider sets all three gains: Kd = 0.8 · D/100, Ki = 2000 · S/100, Kp = √(0.5 · Kd · Ki)."));
     formulas->setObjectName(u"muted"_s);
     formulas->setWordWrap(true);
     content()->addWidget(formulas);
@@ -74,7 +75,8 @@ void GainCard::setParameters(std::shared_ptr<const ParameterSet> set)
         constexpr std::array<char16_t, 3> kGains{u'p', u'i', u'd'};
         for (std::size_t gain = 0; gain < kGains.size(); ++gain) {
             const ParameterSpec *spec = m_set
-                ? m_set->find(u"pid.%1.%2"_s.arg(QLatin1String(axisKey(kAxes[axis]))).arg(QChar(kGains[gain])))
+                ? m_set->find(
+                    u"pid.%1.%2"_s.arg(QLatin1String(axisKey(kAxes[axis]))).arg(QChar(kGains[gain])))
                 : nullptr;
             row.gains[gain] = spec ? spec->id : -1;
         }
@@ -127,7 +129,10 @@ void GainCard::refresh(std::size_t axis)
     row.dampingText->setText(QString::number(damping, 'f', 0));
     row.stabilityText->setText(QString::number(stability, 'f', 0));
     const PidShape shape = shapeOf(*gains);
-    row.shape->setText(tr("f₀ %1 Hz · d %2 · τ %3 ms").arg(shape.frequency, 0, 'f', 1).arg(shape.damping, 0, 'f', 2).arg(shape.delayMs, 0, 'f', 1));
+    row.shape->setText(tr("f₀ %1 Hz · d %2 · τ %3 ms")
+                           .arg(shape.frequency, 0, 'f', 1)
+                           .arg(shape.damping, 0, 'f', 2)
+                           .arg(shape.delayMs, 0, 'f', 1));
 }
 
 QString GainCard::shapeText(Axis axis) const

@@ -11,7 +11,8 @@
 class QLabel;
 class QSlider;
 
-/// Two sliders for each axis, damping and stability, instead of three gains, with what the gains in use make of the loop.
+/// Two sliders for each axis, damping and stability, instead of three gains, with what the gains in use make
+/// of the loop.
 class GainCard final : public Card
 {
     Q_OBJECT
@@ -32,7 +33,7 @@ private:
         QLabel *dampingText = nullptr;
         QLabel *stabilityText = nullptr;
         QLabel *shape = nullptr;
-        std::array<int, 3> gains{-1, -1, -1};    // ids of P, I and D
+        std::array<int, 3> gains{-1, -1, -1};  // ids of P, I and D
     };
     void onMoved(std::size_t axis);
     void refresh(std::size_t axis);

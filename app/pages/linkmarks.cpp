@@ -12,20 +12,22 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr qsizetype kNamed = 3;   // values that one mark spells out
+constexpr qsizetype kNamed = 3;  // values that one mark spells out
 
-} // namespace
+}  // namespace
 
 LinkMarks::LinkMarks(Workspace &workspace)
     : m_workspace(workspace)
 {
     DeviceClient &client = workspace.client();
-    connect(&client, &DeviceClient::connectionLost, this, [this] { add(PlotMark::Kind::Fault, tr("Connection lost")); });
+    connect(&client, &DeviceClient::connectionLost, this,
+            [this] { add(PlotMark::Kind::Fault, tr("Connection lost")); });
     connect(&client, &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
         if (state != DeviceClient::State::Connected)
             return;
-        if (const void *store = m_workspace.client().telemetry().get(); store != std::exchange(m_store, store)) {
-            m_workspace.marks().clear();   // another board, another time line
+        if (const void *store = m_workspace.client().telemetry().get();
+            store != std::exchange(m_store, store)) {
+            m_workspace.marks().clear();  // another board, another time line
             m_faults.clear();
             m_profile = -1;
             m_silences = 0;
@@ -35,7 +37,8 @@ LinkMarks::LinkMarks(Workspace &workspace)
         }
     });
     connect(&client, &DeviceClient::statisticsChanged, this, &LinkMarks::look);
-    connect(&client, &DeviceClient::telemetryPlanChanged, this, [this] { add(PlotMark::Kind::Note, tr("Streams arranged")); });
+    connect(&client, &DeviceClient::telemetryPlanChanged, this,
+            [this] { add(PlotMark::Kind::Note, tr("Streams arranged")); });
     connect(&client, &DeviceClient::motorsOffFinished, this, [this](bool confirmed) {
         add(confirmed ? PlotMark::Kind::Change : PlotMark::Kind::Fault,
             confirmed ? tr("Motors switched off") : tr("Motors off: not confirmed"));
@@ -91,7 +94,8 @@ void LinkMarks::look()
     }
     m_faults = faults;
     if (store->silences() > m_silences) {
-        add(PlotMark::Kind::Note, tr("The board was silent for %1 s").arg(store->silentSeconds() - m_silentSeconds, 0, 'f', 1));
+        add(PlotMark::Kind::Note,
+            tr("The board was silent for %1 s").arg(store->silentSeconds() - m_silentSeconds, 0, 'f', 1));
         m_silences = store->silences();
         m_silentSeconds = store->silentSeconds();
     }

@@ -8,8 +8,8 @@
 
 class Workspace;
 
-/// Puts what happens on the link beside the data: connection lost and found, profile switched, values written, faults of the
-/// board, silences.
+/// Puts what happens on the link beside the data: connection lost and found, profile switched, values
+/// written, faults of the board, silences.
 class LinkMarks final : public QObject
 {
     Q_OBJECT

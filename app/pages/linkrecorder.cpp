@@ -8,7 +8,7 @@ namespace {
 
 constexpr auto kWatchPeriod = 500ms;
 
-} // namespace
+}  // namespace
 
 LinkRecorder::LinkRecorder(DeviceClient &client, QObject *parent)
     : QObject(parent)
@@ -42,7 +42,8 @@ Result<void> LinkRecorder::start(const QString &path)
         return failure(ErrorCode::Busy, m_path);
     if (!m_client.isConnected())
         return failure(ErrorCode::NotConnected);
-    auto task = RecordingTask::start(m_recorder, path, recordingDescription(m_client.identity(), m_client.address()), false);
+    auto task = RecordingTask::start(m_recorder, path,
+                                     recordingDescription(m_client.identity(), m_client.address()), false);
     if (!task)
         return tl::unexpected(task.error());
     m_task = std::move(*task);
@@ -67,7 +68,8 @@ Result<void> LinkRecorder::savePast(const QString &path)
         return failure(ErrorCode::NotConnected);
     if (m_task && path == m_path)
         return failure(ErrorCode::Busy, path);
-    auto task = RecordingTask::start(m_recorder, path, recordingDescription(m_client.identity(), m_client.address()), true);
+    auto task = RecordingTask::start(m_recorder, path,
+                                     recordingDescription(m_client.identity(), m_client.address()), true);
     if (!task)
         return tl::unexpected(task.error());
     end(std::move(*task), path);
@@ -79,11 +81,14 @@ void LinkRecorder::end(std::shared_ptr<RecordingTask> task, const QString &path)
     m_writers.start([this, task = std::move(task), path] {
         const Result<void> result = task->finish();
         const qint64 bytes = task->bytesWritten();
-        QMetaObject::invokeMethod(this, [this, result, bytes, path] {
-            if (result)
-                emit finished(path, bytes);
-            else
-                emit failed(result.error());
-        }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this,
+            [this, result, bytes, path] {
+                if (result)
+                    emit finished(path, bytes);
+                else
+                    emit failed(result.error());
+            },
+            Qt::QueuedConnection);
     });
 }

@@ -25,7 +25,8 @@ public:
     /// Records from now on. Errors: BadFile, NotConnected, Busy.
     Result<void> start(const QString &path);
     void stop();
-    /// Saves the minutes that are held; finished() or failed() tells when it is done. Errors: BadFile, NotConnected.
+    /// Saves the minutes that are held; finished() or failed() tells when it is done. Errors: BadFile,
+    /// NotConnected.
     Result<void> savePast(const QString &path);
 
 signals:
@@ -43,5 +44,5 @@ private:
     std::unique_ptr<RecordingTask> m_task;
     QString m_path;
     QTimer m_watch;
-    QThreadPool m_writers;   // the last bytes go to the disk without anybody waiting
+    QThreadPool m_writers;  // the last bytes go to the disk without anybody waiting
 };

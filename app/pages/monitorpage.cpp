@@ -31,7 +31,7 @@ constexpr std::array<double, 6> kWindows{2, 5, 10, 30, 60, 600};
 constexpr int kDefaultWindow = 2;
 const QString kLastPlots = u"monitor-plots"_s;
 
-} // namespace
+}  // namespace
 
 MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"monitor"_s, tr("Monitor"), parent)
@@ -54,9 +54,10 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     m_window->setAccessibleName(tr("Time shown"));
     m_window->setToolTip(tr("Time shown"));
     m_pause->setCheckable(true);
-    m_pause->setToolTip(tr("Hold the picture still while data goes on (Space in the plot). The wheel zooms, dragging moves, "
-                           "Shift and dragging zooms to a box, a click sets the line that differences are counted from. "
-                           "Arrow keys move the cursor, with Ctrl from event to event; End goes on."));
+    m_pause->setToolTip(
+        tr("Hold the picture still while data goes on (Space in the plot). The wheel zooms, dragging moves, "
+           "Shift and dragging zooms to a box, a click sets the line that differences are counted from. "
+           "Arrow keys move the cursor, with Ctrl from event to event; End goes on."));
     m_layout->setMenu(m_layoutMenu);
     m_layout->setToolTip(tr("Which plots there are and what they show, kept by name"));
     connect(m_layoutMenu, &QMenu::aboutToShow, this, &MonitorPage::fillLayoutMenu);
@@ -64,16 +65,14 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     connect(m_streams, &QPushButton::clicked, this, &MonitorPage::askStreams);
     m_note->setObjectName(u"muted"_s);
     header()->addWidget(m_note);
-    for (QWidget *widget : {static_cast<QWidget *>(m_window), static_cast<QWidget *>(m_pause), static_cast<QWidget *>(m_layout),
-                            static_cast<QWidget *>(m_streams), static_cast<QWidget *>(m_record),
-                            static_cast<QWidget *>(m_export)})
+    for (QWidget *widget : {static_cast<QWidget *>(m_window), static_cast<QWidget *>(m_pause),
+                            static_cast<QWidget *>(m_layout), static_cast<QWidget *>(m_streams),
+                            static_cast<QWidget *>(m_record), static_cast<QWidget *>(m_export)})
         header()->addWidget(widget);
-    m_recordMenu->addAction(tr("Record from now on…"), this, [this] {
-        askRecording(tr("Record to a file"), &LinkRecorder::start);
-    });
-    m_recordMenu->addAction(tr("Save the last minutes…"), this, [this] {
-        askRecording(tr("Save the last minutes"), &LinkRecorder::savePast);
-    });
+    m_recordMenu->addAction(tr("Record from now on…"), this,
+                            [this] { askRecording(tr("Record to a file"), &LinkRecorder::start); });
+    m_recordMenu->addAction(tr("Save the last minutes…"), this,
+                            [this] { askRecording(tr("Save the last minutes"), &LinkRecorder::savePast); });
     m_record->setToolTip(tr("Everything on the link goes into a file that can be opened like the board"));
     connect(m_record, &QPushButton::clicked, this, [this] { this->workspace().recorder().stop(); });
     connect(&workspace.recorder(), &LinkRecorder::recordingChanged, this, &MonitorPage::updateRecord);
@@ -81,9 +80,11 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     auto *exports = new QMenu(m_export);
     exports->addAction(tr("Samples as CSV…"), this, &MonitorPage::askExport);
     exports->addAction(tr("Picture…"), this, &MonitorPage::askPicture);
-    QAction *publishing = exports->addAction(tr("Send to PlotJuggler (UDP)…"), this, &MonitorPage::askPublish);
+    QAction *publishing
+        = exports->addAction(tr("Send to PlotJuggler (UDP)…"), this, &MonitorPage::askPublish);
     connect(exports, &QMenu::aboutToShow, this, [this, publishing] {
-        publishing->setText(m_publication ? tr("Stop sending to %1").arg(m_publishedTo) : tr("Send to PlotJuggler (UDP)…"));
+        publishing->setText(m_publication ? tr("Stop sending to %1").arg(m_publishedTo)
+                                          : tr("Send to PlotJuggler (UDP)…"));
     });
     m_export->setMenu(exports);
     m_export->setToolTip(tr("Save what is seen"));
@@ -132,7 +133,8 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     connect(m_stack, &PlotStack::edited, this, &MonitorPage::onPlotsEdited);
     connect(m_stack, &PlotStack::secondsChanged, this, &MonitorPage::showSeconds);
     connect(m_stack, &PlotStack::pausedChanged, m_pause, &QPushButton::setChecked);
-    connect(m_window, &QComboBox::activated, this, [this] { m_stack->setSeconds(m_window->currentData().toDouble()); });
+    connect(m_window, &QComboBox::activated, this,
+            [this] { m_stack->setSeconds(m_window->currentData().toDouble()); });
     connect(m_pause, &QPushButton::toggled, this, [this](bool paused) {
         m_pause->setText(paused ? tr("Continue") : tr("Pause"));
         m_stack->setPaused(paused);
@@ -215,7 +217,8 @@ void MonitorPage::showChannelMenu(const QPoint &at)
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     for (qsizetype i = 0; i < m_stack->panels().size(); ++i)
-        menu->addAction(tr("Show in plot %1").arg(i + 1), this, [this, i, channels] { m_stack->addChannels(i, channels); });
+        menu->addAction(tr("Show in plot %1").arg(i + 1), this,
+                        [this, i, channels] { m_stack->addChannels(i, channels); });
     menu->addAction(tr("Show in a new plot"), this, [this, channels] { m_stack->addChannels(-1, channels); });
     menu->popup(m_tree->viewport()->mapToGlobal(at));
 }
@@ -232,7 +235,8 @@ void MonitorPage::hideEvent(QHideEvent *event)
     m_valueTimer.stop();
     // What is held here can be measured on other pages.
     const double end = m_stack->endTime();
-    workspace().setHeldSpan(m_stack->isPaused() ? std::optional(std::pair(end - m_stack->seconds(), end)) : std::nullopt);
+    workspace().setHeldSpan(m_stack->isPaused() ? std::optional(std::pair(end - m_stack->seconds(), end))
+                                                : std::nullopt);
 }
 
 // A span made by zooming is shown as it is.
@@ -274,7 +278,8 @@ void MonitorPage::fillLayoutMenu()
 
 void MonitorPage::saveLayout(const QString &name)
 {
-    workspace().settings().setPlotLayout(name, PlotLayout{m_stack->layoutPlots(), m_stack->seconds()}.toJson(table()));
+    workspace().settings().setPlotLayout(
+        name, PlotLayout{m_stack->layoutPlots(), m_stack->seconds()}.toJson(table()));
     emit workspace().notice(tr("Layout kept as “%1”.").arg(name));
 }
 
@@ -313,7 +318,8 @@ Result<qint64> MonitorPage::exportCsv(const QString &path)
     if (!file.open(QIODevice::WriteOnly))
         return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
     const double end = m_stack->endTime();
-    const auto lines = writeTelemetryCsv(file, *store, table(), m_channels.ticked(), end - m_stack->seconds(), end);
+    const auto lines
+        = writeTelemetryCsv(file, *store, table(), m_channels.ticked(), end - m_stack->seconds(), end);
     if (!lines)
         return lines;
     if (!file.commit())
@@ -366,9 +372,8 @@ Result<void> MonitorPage::publish(const QString &hostAndPort)
     auto publication = std::make_unique<UdpExport>(table(), store, m_stack->channels());
     if (const auto started = publication->start(hostAndPort); !started)
         return started;
-    connect(publication.get(), &UdpExport::failed, this, [this](const Error &error) {
-        emit workspace().problem(describe(error));
-    });
+    connect(publication.get(), &UdpExport::failed, this,
+            [this](const Error &error) { emit workspace().problem(describe(error)); });
     m_publication = std::move(publication);
     m_publishedTo = hostAndPort;
     return {};
@@ -387,7 +392,8 @@ void MonitorPage::askPublish()
     dialog->setTextValue(u"127.0.0.1:%1"_s.arg(UdpExport::kUsualPort));
     connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString &address) {
         if (const auto started = publish(address.trimmed()); started)
-            emit workspace().notice(tr("What is ticked now is sent to %1 until you stop it in the same menu.").arg(address.trimmed()));
+            emit workspace().notice(tr("What is ticked now is sent to %1 until you stop it in the same menu.")
+                                        .arg(address.trimmed()));
         else
             emit workspace().problem(describe(started.error()));
     });
@@ -409,7 +415,8 @@ void MonitorPage::updateRecord()
     m_record->setMenu(recording ? nullptr : m_recordMenu);
     m_record->setText(recording ? tr("Stop recording") : tr("Record"));
     m_record->setEnabled(recording || (client.isConnected() && !client.address().isReplay()));
-    m_streams->setEnabled(client.isConnected() && !client.address().isReplay() && !client.device()->streams().isEmpty());
+    m_streams->setEnabled(client.isConnected() && !client.address().isReplay()
+                          && !client.device()->streams().isEmpty());
 }
 
 void MonitorPage::askRecording(const QString &title, Result<void> (LinkRecorder::*record)(const QString &))
@@ -429,7 +436,7 @@ void MonitorPage::updateNote()
         m_note->setFullText({});
         return;
     }
-    QStringList parts{tr("%1 lost").arg(store->lost())};   // what matters first: the end may be left out
+    QStringList parts{tr("%1 lost").arg(store->lost())};  // what matters first: the end may be left out
     if (store->silences() > 0)
         parts.append(tr("silent for %1 s").arg(store->silentSeconds(), 0, 'f', 1));
     if (const LinkRecorder &recorder = workspace().recorder(); recorder.isRecording())
@@ -437,11 +444,14 @@ void MonitorPage::updateNote()
     if (workspace().client().address().isReplay())
         parts.append(tr("recording"));
     else if (plan.streaming && plan.budget.capacity > 0)
-        parts.append(tr("%1 % of the line").arg(100.0 * plan.budget.bytesPerSecond() / plan.budget.capacity, 0, 'f', 0));
+        parts.append(tr("%1 % of the line")
+                         .arg(100.0 * plan.budget.bytesPerSecond() / plan.budget.capacity, 0, 'f', 0));
     else if (plan.poll)
         parts.append(tr("polled, up to %1 samples/s").arg(plan.rate, 0, 'f', 0));
     if (m_publication)
         parts.append(tr("sent on: %1").arg(m_publication->sent()));
-    m_note->setFullText(parts.join(u" · "_s), tr("Lost: samples that were sent and never arrived. Silent: the board sent nothing at "
-                                                 "all, as while it calibrates."));
+    m_note->setFullText(
+        parts.join(u" · "_s),
+        tr("Lost: samples that were sent and never arrived. Silent: the board sent nothing at "
+           "all, as while it calibrates."));
 }

@@ -35,7 +35,8 @@ public:
     Result<qint64> exportCsv(const QString &path);
     /// Saves the plots as they look, at twice the size. Errors: BadFile.
     Result<void> exportPicture(const QString &path) const;
-    /// Sends what is ticked on as JSON over UDP; an empty address ends it. Errors: InvalidArgument, NotConnected.
+    /// Sends what is ticked on as JSON over UDP; an empty address ends it. Errors: InvalidArgument,
+    /// NotConnected.
     Result<void> publish(const QString &hostAndPort);
     [[nodiscard]] const UdpExport *publication() const { return m_publication.get(); }
     /// Keeps which plots there are and what they show under a name; shows what was kept.
@@ -80,5 +81,5 @@ private:
     QTimer m_valueTimer;
     std::unique_ptr<UdpExport> m_publication;
     QString m_publishedTo;
-    bool m_chosen = false;     // the operator (or the first board) has chosen channels
+    bool m_chosen = false;  // the operator (or the first board) has chosen channels
 };

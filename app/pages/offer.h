@@ -16,5 +16,5 @@ struct Offer
         std::function<void()> chosen;
     };
     QString text;
-    QList<Choice> choices;   ///< the first one is what is usually wanted
+    QList<Choice> choices;  ///< the first one is what is usually wanted
 };

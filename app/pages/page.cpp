@@ -42,13 +42,15 @@ void Page::askSavePath(const QString &title, const QString &name, const QString 
     dialog->setDefaultSuffix(QFileInfo(name).suffix());
     dialog->selectFile(name);
     // "Settings (*.cfg)" asks for that ending.
-    connect(dialog, &QFileDialog::filterSelected, dialog,
-            [dialog](const QString &chosenFilter) { dialog->setDefaultSuffix(chosenFilter.section(u"*."_s, 1).chopped(1)); });
+    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString &chosenFilter) {
+        dialog->setDefaultSuffix(chosenFilter.section(u"*."_s, 1).chopped(1));
+    });
     connect(dialog, &QFileDialog::fileSelected, this, chosen);
     dialog->open();
 }
 
-void Page::askOpenPath(const QString &title, const QString &filter, const std::function<void(const QString &)> &chosen)
+void Page::askOpenPath(const QString &title, const QString &filter,
+                       const std::function<void(const QString &)> &chosen)
 {
     auto *dialog = new QFileDialog(this, title, {}, filter);
     dialog->setAttribute(Qt::WA_DeleteOnClose);

@@ -36,7 +36,8 @@ protected:
     /// Asks for a file without stopping anything; calls back when one was chosen.
     void askSavePath(const QString &title, const QString &name, const QString &filter,
                      const std::function<void(const QString &)> &chosen);
-    void askOpenPath(const QString &title, const QString &filter, const std::function<void(const QString &)> &chosen);
+    void askOpenPath(const QString &title, const QString &filter,
+                     const std::function<void(const QString &)> &chosen);
 
 private:
     Workspace &m_workspace;

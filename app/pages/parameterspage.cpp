@@ -30,7 +30,11 @@ class RowFilter final : public QSortFilterProxyModel
 {
 public:
     using Accept = std::function<bool(int)>;
-    RowFilter(Accept accept, QObject *parent) : QSortFilterProxyModel(parent), m_accept(std::move(accept)) { }
+    RowFilter(Accept accept, QObject *parent)
+        : QSortFilterProxyModel(parent)
+        , m_accept(std::move(accept))
+    {
+    }
     void refilter() { invalidateFilter(); }
 
 protected:
@@ -53,14 +57,16 @@ QPushButton *makeChip(const QString &text)
     return chip;
 }
 
-} // namespace
+}  // namespace
 
 ParametersPage::ParametersPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"parameters"_s, tr("Parameters"), parent)
     , m_model(workspace.configuration())
-    , m_proxy(new RowFilter([this](int row) {
-        return matches(this->workspace().configuration().edited().parameters().at(row));
-    }, this))
+    , m_proxy(new RowFilter(
+          [this](int row) {
+              return matches(this->workspace().configuration().edited().parameters().at(row));
+          },
+          this))
     , m_groups(new QListWidget)
     , m_scroll(new QScrollArea)
     , m_form(new ParameterForm(workspace.configuration(), workspace.edits()))
@@ -135,16 +141,19 @@ ParametersPage::ParametersPage(Workspace &workspace, QWidget *parent)
     });
     connect(m_groups, &QListWidget::currentRowChanged, this, &ParametersPage::refilter);
     connect(m_form, &ParameterForm::parameterFocused, m_help, &HelpCard::show);
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex &index) {
-        if (index.isValid())
-            m_help->show(index.data(ParameterModel::IdRole).toInt());
-    });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex &index) {
+                if (index.isValid())
+                    m_help->show(index.data(ParameterModel::IdRole).toInt());
+            });
     connect(&m_model, &ParameterModel::editRequested, this, [this](int parameter, int raw) {
         this->workspace().edits().edit(parameter, this->workspace().configuration().shownProfile(), raw);
     });
     connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &ParametersPage::onBoard);
-    connect(&workspace.configuration(), &ConfigurationModel::valueChanged, this, &ParametersPage::updateGroupMarks);
-    connect(&workspace.configuration(), &ConfigurationModel::shownProfileChanged, this, &ParametersPage::updateGroupMarks);
+    connect(&workspace.configuration(), &ConfigurationModel::valueChanged, this,
+            &ParametersPage::updateGroupMarks);
+    connect(&workspace.configuration(), &ConfigurationModel::shownProfileChanged, this,
+            &ParametersPage::updateGroupMarks);
     connect(&workspace.configuration(), &ConfigurationModel::changeCountChanged, this, [this] {
         updateGroupMarks();
         emit changesChanged();
@@ -207,7 +216,8 @@ bool ParametersPage::matches(const ParameterSpec &spec) const
         return false;
     const QString text = parameterSearchText(spec);
     const auto parts = words.split(u' ', Qt::SkipEmptyParts);
-    return std::all_of(parts.begin(), parts.end(), [&text](const QString &part) { return text.contains(part); });
+    return std::all_of(parts.begin(), parts.end(),
+                       [&text](const QString &part) { return text.contains(part); });
 }
 
 void ParametersPage::onBoard()

@@ -16,8 +16,8 @@ class QSortFilterProxyModel;
 class QStackedWidget;
 class QTableView;
 
-/// All parameters: groups on the left, forms made from the tables in the middle, the help card on the right; or everything
-/// as one table.
+/// All parameters: groups on the left, forms made from the tables in the middle, the help card on the right;
+/// or everything as one table.
 class ParametersPage final : public Page
 {
     Q_OBJECT

@@ -3,7 +3,6 @@
 #include "app/pages/profilespage.h"
 
 #include "widgets/models/parametermodel.h"
-
 #include "widgets/views/card.h"
 
 #include <QComboBox>
@@ -25,7 +24,7 @@ namespace {
 
 const char *const kFilter = QT_TRANSLATE_NOOP("ProfilesPage", "GimbalDesk configurations (*.json)");
 
-} // namespace
+}  // namespace
 
 ProfilesPage::ProfilesPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"profiles"_s, tr("Profiles"), parent)
@@ -59,8 +58,10 @@ ProfilesPage::ProfilesPage(Workspace &workspace, QWidget *parent)
     m_target->setMinimumContentsLength(14);
     m_active->setToolTip(tr("The board uses this profile from now on"));
     m_rename->setToolTip(tr("Change the name (F2)"));
-    m_copy->setToolTip(tr("Take all values of the chosen profile over into another one, as an edit that can be undone"));
-    m_load->setToolTip(tr("Take one profile of a file over into the chosen profile, as an edit that can be undone"));
+    m_copy->setToolTip(
+        tr("Take all values of the chosen profile over into another one, as an edit that can be undone"));
+    m_load->setToolTip(
+        tr("Take one profile of a file over into the chosen profile, as an edit that can be undone"));
     m_save->setToolTip(tr("Save all profiles with their unsaved changes"));
     m_loadAll->setToolTip(tr("Take everything in a file over, as one edit that can be undone"));
 
@@ -76,8 +77,9 @@ ProfilesPage::ProfilesPage(Workspace &workspace, QWidget *parent)
     row->addStretch(1);
     header()->addWidget(m_loadAll);
     header()->addWidget(m_save);
-    auto *note = new QLabel(tr("Copying, renaming and loading are edits: nothing is on the board before you review and write. "
-                               "Board-wide values (sensors, motors' outputs, ports) belong to no profile and stay."));
+    auto *note = new QLabel(
+        tr("Copying, renaming and loading are edits: nothing is on the board before you review and write. "
+           "Board-wide values (sensors, motors' outputs, ports) belong to no profile and stay."));
     note->setObjectName(u"muted"_s);
     note->setWordWrap(true);
     body()->addWidget(m_table, 1);
@@ -89,20 +91,21 @@ ProfilesPage::ProfilesPage(Workspace &workspace, QWidget *parent)
     connect(&m_model, &ProfileModel::nameRefused, this, [this](int profile, int bytes, int limit) {
         ErrorText text;
         text.what = tr("The name of profile %1 is too long.").arg(profile + 1);
-        text.meaning = tr("It has %1 bytes, the board holds %2; an accented letter counts as two.").arg(bytes).arg(limit);
+        text.meaning = tr("It has %1 bytes, the board holds %2; an accented letter counts as two.")
+                           .arg(bytes)
+                           .arg(limit);
         text.cure = tr("Choose a shorter one.");
         emit this->workspace().problem(text);
     });
     connect(m_active, &QPushButton::clicked, this, [this] { this->workspace().useProfile(chosen()); });
-    connect(m_rename, &QPushButton::clicked, this, [this] {
-        m_table->edit(m_model.index(chosen(), ProfileModel::NameColumn));
-    });
-    connect(m_copy, &QPushButton::clicked, this, [this] {
-        this->workspace().edits().copyProfile(chosen(), m_target->currentData().toInt());
-    });
+    connect(m_rename, &QPushButton::clicked, this,
+            [this] { m_table->edit(m_model.index(chosen(), ProfileModel::NameColumn)); });
+    connect(m_copy, &QPushButton::clicked, this,
+            [this] { this->workspace().edits().copyProfile(chosen(), m_target->currentData().toInt()); });
     connect(m_load, &QPushButton::clicked, this, [this] {
         const int profile = chosen();
-        askOpenPath(tr("Load a profile"), tr(kFilter), [this, profile](const QString &path) { loadInto(path, profile); });
+        askOpenPath(tr("Load a profile"), tr(kFilter),
+                    [this, profile](const QString &path) { loadInto(path, profile); });
     });
     connect(m_loadAll, &QPushButton::clicked, this, [this] {
         askOpenPath(tr("Load all profiles"), tr(kFilter), [this](const QString &path) {
@@ -111,9 +114,11 @@ ProfilesPage::ProfilesPage(Workspace &workspace, QWidget *parent)
         });
     });
     connect(m_save, &QPushButton::clicked, this, [this] {
-        askSavePath(tr("Save profiles"), u"gimbal.json"_s, tr(kFilter), [this](const QString &path) { saveTo(path); });
+        askSavePath(tr("Save profiles"), u"gimbal.json"_s, tr(kFilter),
+                    [this](const QString &path) { saveTo(path); });
     });
-    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ProfilesPage::updateButtons);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &ProfilesPage::updateButtons);
     connect(&m_model, &QAbstractItemModel::modelReset, this, [this] {
         const ConfigurationModel &shown = this->workspace().configuration();
         if (this->workspace().client().device())
@@ -145,7 +150,8 @@ void ProfilesPage::updateButtons()
     const ConfigurationModel &model = workspace().configuration();
     const int profile = chosen();
     const bool any = profile >= 0 && !model.isEmpty();
-    m_active->setEnabled(any && workspace().client().isConnected() && profile != model.board().activeProfile());
+    m_active->setEnabled(any && workspace().client().isConnected()
+                         && profile != model.board().activeProfile());
     for (QPushButton *button : {m_rename, m_copy, m_load})
         button->setEnabled(any);
     for (QPushButton *button : {m_loadAll, m_save})
@@ -193,7 +199,8 @@ void ProfilesPage::loadInto(const QString &path, int profile)
     connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
     connect(list, &QListWidget::itemActivated, dialog, &QDialog::accept);
-    connect(dialog, &QDialog::accepted, this, [this, path, list, profile] { loadFrom(path, list->currentRow(), profile); });
+    connect(dialog, &QDialog::accepted, this,
+            [this, path, list, profile] { loadFrom(path, list->currentRow(), profile); });
     dialog->open();
 }
 

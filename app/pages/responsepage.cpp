@@ -51,7 +51,7 @@ QDoubleSpinBox *makeField(double low, double high, double value, int decimals, c
     return field;
 }
 
-} // namespace
+}  // namespace
 
 ResponsePage::ResponsePage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"response"_s, tr("Response"), parent)
@@ -76,7 +76,8 @@ ResponsePage::ResponsePage(Workspace &workspace, QWidget *parent)
     m_way->addItem(tr("Sweep"), int(Way::Sweep));
     m_way->addItem(tr("Own motion"), int(Way::OwnMotion));
     m_way->setAccessibleName(tr("Kind of test"));
-    m_way->setToolTip(tr("Step: how fast and how calmly the axis arrives. Sweep: margins, by moving it slowly, then ever faster. "
+    m_way->setToolTip(tr("Step: how fast and how calmly the axis arrives. Sweep: margins, by moving it "
+                         "slowly, then ever faster. "
                          "Own motion: the same from what you steered just now."));
     for (const Axis each : kAxes)
         m_axis->addItem(axisLabel(each), int(each));
@@ -108,7 +109,8 @@ ResponsePage::ResponsePage(Workspace &workspace, QWidget *parent)
     connect(m_start, &QPushButton::clicked, this, &ResponsePage::start);
     connect(m_remove, &QPushButton::clicked, this, &ResponsePage::removeChosen);
     m_table->setModel(m_model);
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &ResponsePage::updateButtons);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            &ResponsePage::updateButtons);
     connect(m_model, &QStandardItemModel::itemChanged, this, [this](QStandardItem *item) {
         const auto place = recordAt(item->row());
         if (m_filling || item->column() != 0 || !place)
@@ -119,20 +121,23 @@ ResponsePage::ResponsePage(Workspace &workspace, QWidget *parent)
         drawBode();
     });
     connect(import, &QPushButton::clicked, this, [this] {
-        askOpenPath(tr("Import a measurement"), tr("Text files (*.csv *.txt);;All files (*)"), [this](const QString &path) {
-            if (const auto done = importCsv(path); !done)
-                emit this->workspace().problem(describe(done.error()));
-        });
+        askOpenPath(tr("Import a measurement"), tr("Text files (*.csv *.txt);;All files (*)"),
+                    [this](const QString &path) {
+                        if (const auto done = importCsv(path); !done)
+                            emit this->workspace().problem(describe(done.error()));
+                    });
     });
     connect(m_export, &QPushButton::clicked, this, [this] {
-        askSavePath(tr("Export a measurement"), u"response.csv"_s, tr("CSV files (*.csv)"), [this](const QString &path) {
-            if (const auto done = exportCsv(path); done)
-                emit this->workspace().notice(tr("Measurement saved to %1").arg(path));
-            else
-                emit this->workspace().problem(describe(done.error()));
-        });
+        askSavePath(tr("Export a measurement"), u"response.csv"_s, tr("CSV files (*.csv)"),
+                    [this](const QString &path) {
+                        if (const auto done = exportCsv(path); done)
+                            emit this->workspace().notice(tr("Measurement saved to %1").arg(path));
+                        else
+                            emit this->workspace().problem(describe(done.error()));
+                    });
     });
-    connect(&m_test, &MotionTest::progressed, this, [this](double share) { m_progress->setValue(int(share * 100)); });
+    connect(&m_test, &MotionTest::progressed, this,
+            [this](double share) { m_progress->setValue(int(share * 100)); });
     connect(&m_test, &MotionTest::measured, this, &ResponsePage::onMeasured);
     connect(&m_test, &MotionTest::failed, this, &ResponsePage::onFailed);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, [this] {
@@ -201,9 +206,10 @@ void ResponsePage::makeMovementCard(QVBoxLayout *column)
     m_form->addRow(tr("To"), m_to);
     m_form->addRow(tr("Duration"), m_seconds);
     m_form->addRow(tr("Stop beyond"), m_limit);
-    for (QWidget *field : {static_cast<QWidget *>(m_degrees), static_cast<QWidget *>(m_count), static_cast<QWidget *>(m_rest),
-                           static_cast<QWidget *>(m_from), static_cast<QWidget *>(m_to), static_cast<QWidget *>(m_seconds),
-                           static_cast<QWidget *>(m_limit)})
+    for (QWidget *field :
+         {static_cast<QWidget *>(m_degrees), static_cast<QWidget *>(m_count), static_cast<QWidget *>(m_rest),
+          static_cast<QWidget *>(m_from), static_cast<QWidget *>(m_to), static_cast<QWidget *>(m_seconds),
+          static_cast<QWidget *>(m_limit)})
         field->setAccessibleName(static_cast<QLabel *>(m_form->labelForField(field))->text());
     card->content()->addLayout(m_form);
     m_state->setWordWrap(true);
@@ -236,7 +242,9 @@ void ResponsePage::offerWays()
     for (int row = 0; row < ways->rowCount(); ++row) {
         const bool fits = told || Way(m_way->itemData(row).toInt()) == Way::Steps;
         ways->item(row)->setEnabled(fits);
-        ways->item(row)->setToolTip(fits ? QString() : tr("This board does not tell its targets: the line's delay would be taken for its own."));
+        ways->item(row)->setToolTip(
+            fits ? QString()
+                 : tr("This board does not tell its targets: the line's delay would be taken for its own."));
     }
     if (!told)
         m_way->setCurrentIndex(m_way->findData(int(Way::Steps)));
@@ -305,13 +313,16 @@ void ResponsePage::setArmed(bool armed)
     else
         m_disarm.stop();
     if (way() == Way::OwnMotion)
-        m_state->setText(tr("Steer the axis to and fro for a while, by hand controller or on the Control page; then measure."));
+        m_state->setText(tr("Steer the axis to and fro for a while, by hand controller or on the Control "
+                            "page; then measure."));
     else if (m_test.isRunning())
         m_state->setText(tr("The axis is being moved. Keep your hands off the camera."));
     else if (armed && tellsTargets())
         m_state->setText(tr("Armed: Start moves the axis by %1°. Keep clear.").arg(m_degrees->value()));
     else if (armed)
-        m_state->setText(tr("Armed: Start brings the camera to its middle, then moves the axis by %1°. Keep clear.").arg(m_degrees->value()));
+        m_state->setText(
+            tr("Armed: Start brings the camera to its middle, then moves the axis by %1°. Keep clear.")
+                .arg(m_degrees->value()));
     else
         m_state->setText(tr("Not armed: nothing moves. The motors must run and hold the camera."));
     m_state->setObjectName(armed || m_test.isRunning() ? u"warning"_s : u"muted"_s);
@@ -323,7 +334,8 @@ void ResponsePage::updateButtons()
 {
     const bool running = m_test.isRunning();
     m_start->setText(running ? tr("Stop") : way() == Way::OwnMotion ? tr("Measure") : tr("Start"));
-    m_start->setEnabled(running || m_arm->isChecked() || (way() == Way::OwnMotion && workspace().client().device()));
+    m_start->setEnabled(running || m_arm->isChecked()
+                        || (way() == Way::OwnMotion && workspace().client().device()));
     m_progress->setVisible(running);
     m_way->setEnabled(!running);
     m_axis->setEnabled(!running);
@@ -355,7 +367,8 @@ void ResponsePage::onMeasured(const MotionTestResult &result)
     if (result.plan.kind == MotionTestPlan::Kind::Steps) {
         add(stepRecord(result), result.plan.axis);
     } else {
-        add(frequencyRecord(result.target.values, result.angle.values, result.angle.rate, result.plan.fromHz, result.plan.toHz),
+        add(frequencyRecord(result.target.values, result.angle.values, result.angle.rate, result.plan.fromHz,
+                            result.plan.toHz),
             result.plan.axis);
     }
     setArmed(false);
@@ -363,7 +376,8 @@ void ResponsePage::onMeasured(const MotionTestResult &result)
 
 void ResponsePage::onFailed(const Error &error)
 {
-    workspace().mark(error.code == ErrorCode::Diverged ? PlotMark::Kind::Fault : PlotMark::Kind::Note, tr("Test was ended"));
+    workspace().mark(error.code == ErrorCode::Diverged ? PlotMark::Kind::Fault : PlotMark::Kind::Note,
+                     tr("Test was ended"));
     if (error.code == ErrorCode::Cancelled)
         emit workspace().notice(tr("The test was ended; control was given back."));
     else
@@ -430,9 +444,10 @@ void ResponsePage::showRecords()
 {
     m_filling = true;
     const bool steps = kind() == ResponseRecord::Kind::Steps;
-    const QStringList titles = steps ? QStringList{tr("Measurement"), tr("Rise"), tr("Overshoot"), tr("Settled after"), tr("Left over")}
-                                     : QStringList{tr("Measurement"), tr("Phase margin"), tr("Gain margin"), tr("Bandwidth"),
-                                                   tr("Greatest sensitivity")};
+    const QStringList titles = steps
+        ? QStringList{tr("Measurement"), tr("Rise"), tr("Overshoot"), tr("Settled after"), tr("Left over")}
+        : QStringList{tr("Measurement"), tr("Phase margin"), tr("Gain margin"), tr("Bandwidth"),
+                      tr("Greatest sensitivity")};
     m_model->clear();
     m_model->setHorizontalHeaderLabels(titles);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -440,12 +455,16 @@ void ResponsePage::showRecords()
         const ResponseRecord &record = m_records[*place];
         QStringList cells;
         if (steps) {
-            cells = {msText(record.steps.metrics.riseSeconds), tr("%1 %").arg(record.steps.metrics.overshoot, 0, 'f', 1),
-                     msText(record.steps.metrics.settlingSeconds), tr("%1 %").arg(100.0 * record.steps.metrics.error, 0, 'f', 1)};
+            cells = {msText(record.steps.metrics.riseSeconds),
+                     tr("%1 %").arg(record.steps.metrics.overshoot, 0, 'f', 1),
+                     msText(record.steps.metrics.settlingSeconds),
+                     tr("%1 %").arg(100.0 * record.steps.metrics.error, 0, 'f', 1)};
         } else {
             const Margins &m = record.margins;
-            cells = {m.phaseDeg ? tr("%1° at %2 Hz").arg(*m.phaseDeg, 0, 'f', 0).arg(*m.phaseHz, 0, 'f', 1) : u"–"_s,
-                     m.gainDb ? tr("%1 dB at %2 Hz").arg(*m.gainDb, 0, 'f', 1).arg(*m.gainHz, 0, 'f', 1) : u"–"_s,
+            cells = {m.phaseDeg ? tr("%1° at %2 Hz").arg(*m.phaseDeg, 0, 'f', 0).arg(*m.phaseHz, 0, 'f', 1)
+                                : u"–"_s,
+                     m.gainDb ? tr("%1 dB at %2 Hz").arg(*m.gainDb, 0, 'f', 1).arg(*m.gainHz, 0, 'f', 1)
+                              : u"–"_s,
                      m.phaseHz ? tr("%1 Hz").arg(*m.phaseHz, 0, 'f', 1) : u"–"_s,
                      tr("%1 dB at %2 Hz").arg(m.sensitivityDb, 0, 'f', 1).arg(m.sensitivityHz, 0, 'f', 1)};
         }
@@ -476,12 +495,14 @@ void ResponsePage::drawSteps()
         if (record.kind != ResponseRecord::Kind::Steps || !record.shown)
             continue;
         curves.append(stepCurves(record, int(i), std::exchange(newest, false)));
-        last = std::max(curves.size() == 1 ? 0.0 : last, 1000.0 * double(record.steps.mean.size()) / record.rate);
+        last = std::max(curves.size() == 1 ? 0.0 : last,
+                        1000.0 * double(record.steps.mean.size()) / record.rate);
         for (const float value : record.steps.mean)
             high = std::max(high, std::ceil(double(value) * 5.0 + 0.5) / 5.0);
     }
-    m_steps->setScales({{}, 0, std::ceil(last / 100.0) * 100.0, false, tr("%g ms"), 0},
-                       {tr("Share of the way"), -0.2, high, false, u"%.1f"_s, int(std::lround((high + 0.2) / 0.2))});
+    m_steps->setScales(
+        {{}, 0, std::ceil(last / 100.0) * 100.0, false, tr("%g ms"), 0},
+        {tr("Share of the way"), -0.2, high, false, u"%.1f"_s, int(std::lround((high + 0.2) / 0.2))});
     m_steps->setCurves(curves);
 }
 
@@ -514,8 +535,11 @@ void ResponsePage::drawBode()
     lowGain = std::max(lowGain, -60.0);
     lowPhase = std::max(lowPhase, -540.0);
     const ChartScale hertz{{}, 0.3, highest, true, tr("%g Hz"), 0};
-    m_gain->setScales(hertz, {tr("Gain, dB"), lowGain, highGain, false, u"%.0f"_s, int(std::lround((highGain - lowGain) / 10.0))});
-    m_phase->setScales(hertz, {tr("Phase, °"), lowPhase, 90, false, u"%.0f"_s, int(std::lround((90 - lowPhase) / 90.0))});
+    m_gain->setScales(
+        hertz,
+        {tr("Gain, dB"), lowGain, highGain, false, u"%.0f"_s, int(std::lround((highGain - lowGain) / 10.0))});
+    m_phase->setScales(
+        hertz, {tr("Phase, °"), lowPhase, 90, false, u"%.0f"_s, int(std::lround((90 - lowPhase) / 90.0))});
     m_coherence->setScales(hertz, {tr("Coherence"), 0, 1, false, u"%.1f"_s, 2});
     m_gain->setCurves(gain);
     m_phase->setCurves(phase);
@@ -532,7 +556,8 @@ Result<void> ResponsePage::importCsv(const QString &path)
     auto samples = readResponseCsv(file.readAll());
     if (!samples)
         return failure(samples.error().code, path + u": "_s + samples.error().detail);
-    auto record = frequencyRecord(std::move(samples->in), std::move(samples->out), samples->rate, kOwnFromHz, kOwnToHz);
+    auto record = frequencyRecord(std::move(samples->in), std::move(samples->out), samples->rate, kOwnFromHz,
+                                  kOwnToHz);
     if (!record)
         return tl::unexpected(record.error());
     record->name = QFileInfo(path).completeBaseName();
@@ -540,7 +565,8 @@ Result<void> ResponsePage::importCsv(const QString &path)
         m_way->setCurrentIndex(m_way->findData(int(Way::OwnMotion)));
     add(std::move(record), Axis::None);
     if (samples->rateAssumed)
-        emit workspace().notice(tr("The file does not tell its rate; %1 samples/s are assumed.").arg(samples->rate));
+        emit workspace().notice(
+            tr("The file does not tell its rate; %1 samples/s are assumed.").arg(samples->rate));
     return {};
 }
 
@@ -575,6 +601,6 @@ void ResponsePage::showEvent(QShowEvent *event)
 void ResponsePage::hideEvent(QHideEvent *event)
 {
     Page::hideEvent(event);
-    m_test.stop();   // nobody looks any more
+    m_test.stop();  // nobody looks any more
     setArmed(false);
 }

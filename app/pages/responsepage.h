@@ -18,7 +18,8 @@ class QStackedWidget;
 class QStandardItemModel;
 class QTableView;
 
-/// How an axis follows: a guarded small step, a sweep, or the motion there was anyway; the measurements side by side.
+/// How an axis follows: a guarded small step, a sweep, or the motion there was anyway; the measurements side
+/// by side.
 class ResponsePage final : public Page
 {
     Q_OBJECT
@@ -41,7 +42,8 @@ public:
     [[nodiscard]] bool isRunning() const { return m_test.isRunning(); }
     /// Reads a measurement from in;out. Errors: BadFile, InvalidArgument.
     Result<void> importCsv(const QString &path);
-    /// Writes both sides of the chosen (or newest) measurement. Errors: BadFile, InvalidArgument (there is none).
+    /// Writes both sides of the chosen (or newest) measurement. Errors: BadFile, InvalidArgument (there is
+    /// none).
     Result<void> exportCsv(const QString &path) const;
 
 protected:
@@ -73,7 +75,7 @@ private:
     [[nodiscard]] std::optional<std::size_t> recordAt(int row) const;
 
     MotionTest m_test;
-    std::vector<ResponseRecord> m_records;   // oldest first
+    std::vector<ResponseRecord> m_records;  // oldest first
     QComboBox *m_way;
     QComboBox *m_axis;
     QDoubleSpinBox *m_degrees;

@@ -9,14 +9,14 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double kRunShare = 0.95;        // of the rest between steps: the next one must not come in
+constexpr double kRunShare = 0.95;  // of the rest between steps: the next one must not come in
 constexpr int kMostPoints = 400;
 constexpr double kCoherence = 0.7;
-constexpr double kFinest = 0.3;           // Hz from bin to bin
+constexpr double kFinest = 0.3;  // Hz from bin to bin
 constexpr double kEarlier = 0.45;
-constexpr double kPhaseGap = 300;         // degrees: a jump like that is the edge of the scale, not the system
+constexpr double kPhaseGap = 300;  // degrees: a jump like that is the edge of the scale, not the system
 
-} // namespace
+}  // namespace
 
 Result<ResponseRecord> stepRecord(const MotionTestResult &result)
 {
@@ -33,8 +33,8 @@ Result<ResponseRecord> stepRecord(const MotionTestResult &result)
     return record;
 }
 
-Result<ResponseRecord> frequencyRecord(std::vector<float> target, std::vector<float> angle, double rate, double fromHz,
-                                       double toHz)
+Result<ResponseRecord> frequencyRecord(std::vector<float> target, std::vector<float> angle, double rate,
+                                       double fromHz, double toHz)
 {
     ResponseRecord record;
     record.kind = ResponseRecord::Kind::Frequency;
@@ -51,7 +51,8 @@ Result<ResponseRecord> frequencyRecord(std::vector<float> target, std::vector<fl
     record.closed = std::move(*closed);
     record.margins = margins(openLoop(record.closed), kCoherence, fromHz, record.toHz);
     if (record.margins.bins == 0)
-        return failure(ErrorCode::InvalidArgument, u"at no frequency does the axis follow the target clearly enough to tell"_s);
+        return failure(ErrorCode::InvalidArgument,
+                       u"at no frequency does the axis follow the target clearly enough to tell"_s);
     return record;
 }
 
@@ -69,10 +70,11 @@ QList<ChartCurve> stepCurves(const ResponseRecord &record, int color, bool newes
         for (const std::vector<float> &run : record.steps.runs.response)
             curves.append({{}, points(run), record.axis, color, Qt::SolidLine, 1, 0.25});
         if (!record.steps.runs.target.empty())
-            curves.append({CurveChart::tr("Target"), points(record.steps.runs.target.front()), Axis::None, 7, Qt::DashLine, 1, 1});
+            curves.append({CurveChart::tr("Target"), points(record.steps.runs.target.front()), Axis::None, 7,
+                           Qt::DashLine, 1, 1});
     }
-    curves.append({record.name, points(record.steps.mean), newest ? record.axis : Axis::None, color, Qt::SolidLine, newest ? 2.0 : 1.5,
-                   newest ? 1.0 : kEarlier});
+    curves.append({record.name, points(record.steps.mean), newest ? record.axis : Axis::None, color,
+                   Qt::SolidLine, newest ? 2.0 : 1.5, newest ? 1.0 : kEarlier});
     return curves;
 }
 
@@ -91,7 +93,7 @@ ChartCurve bodeCurve(const ResponseRecord &record, BodePart part, int color, boo
         if (hz > record.toHz)
             break;
         if (part != BodePart::Coherence && record.closed.coherence[bin] < kCoherence)
-            continue;   // not drawn as truth
+            continue;  // not drawn as truth
         double value = record.closed.coherence[bin];
         if (part == BodePart::Gain)
             value = record.closed.gainDb(bin);

@@ -26,15 +26,15 @@ struct ResponseRecord
     // Frequency.
     FrequencyResponse closed;
     Margins margins;
-    double toHz = 0;               ///< nothing above was asked of the axis
+    double toHz = 0;  ///< nothing above was asked of the axis
 };
 
 /// Finds steps in a motion test. Errors: InvalidArgument (there is no step to measure).
 [[nodiscard]] Result<ResponseRecord> stepRecord(const MotionTestResult &result);
 /// The response of evenly spaced samples. @param fromHz,toHz frequencies that were in the input
 /// Errors: InvalidArgument (too few samples, no frequency with enough motion).
-[[nodiscard]] Result<ResponseRecord> frequencyRecord(std::vector<float> target, std::vector<float> angle, double rate,
-                                                     double fromHz, double toHz);
+[[nodiscard]] Result<ResponseRecord> frequencyRecord(std::vector<float> target, std::vector<float> angle,
+                                                     double rate, double fromHz, double toHz);
 
 /// Curves of a record, drawn faintly when it is not the newest one.
 [[nodiscard]] QList<ChartCurve> stepCurves(const ResponseRecord &record, int color, bool newest);

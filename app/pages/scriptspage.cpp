@@ -26,7 +26,7 @@ constexpr int kListWidth = 132;
 constexpr int kRightWidth = 300;
 constexpr qint64 kLargestText = 64 * 1024;
 
-} // namespace
+}  // namespace
 
 ScriptsPage::ScriptsPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"scripts"_s, tr("Scripts"), parent)
@@ -45,7 +45,8 @@ ScriptsPage::ScriptsPage(Workspace &workspace, QWidget *parent)
     m_load->setToolTip(tr("Put the text of a file into this script"));
     m_save->setToolTip(tr("Save the text of this script"));
     m_revert->setToolTip(tr("Throw away what was typed since it was taken over"));
-    m_take->setToolTip(tr("Make the texts an edit of the configuration; nothing is on the board before you review and write"));
+    m_take->setToolTip(tr(
+        "Make the texts an edit of the configuration; nothing is on the board before you review and write"));
     m_take->setObjectName(u"primary"_s);
     for (QPushButton *button : {m_load, m_save, m_revert, m_take})
         header()->addWidget(button);
@@ -211,15 +212,17 @@ void ScriptsPage::showState()
         m_memoryText->setText(tr("%1 of %2 bytes used by all scripts").arg(used).arg(all));
         m_editor->showMistake(0, {});
         m_message->setText(isTyped() ? tr("✓ Nothing is wrong with it. Take it over to have it written.")
-                           : m_texts.value(m_script).trimmed().isEmpty() ? tr("This script is empty. Words are completed while you type.")
-                                                                         : tr("✓ As in the configuration."));
+                               : m_texts.value(m_script).trimmed().isEmpty()
+                               ? tr("This script is empty. Words are completed while you type.")
+                               : tr("✓ As in the configuration."));
         m_message->setObjectName(u"muted"_s);
     } else {
         const ScriptMistake &mistake = m_code.error();
         const QString text = mistake.sentence(tableText(mistake.what));
         const QString number = QString::number(mistake.script + 1);
-        m_message->setText(mistake.line > 0 ? tr("Script %1, line %2: %3").arg(number, QString::number(mistake.line), text)
-                                            : tr("Script %1: %2").arg(number, text));
+        m_message->setText(mistake.line > 0
+                               ? tr("Script %1, line %2: %3").arg(number, QString::number(mistake.line), text)
+                               : tr("Script %1: %2").arg(number, text));
         m_editor->showMistake(mistake.script == m_script ? mistake.line : 0, text);
         m_message->setObjectName(u"error"_s);
     }
@@ -242,7 +245,7 @@ void ScriptsPage::take()
     const ScriptLanguage *scripts = language();
     if (!scripts || m_texts.isEmpty() || !m_code)
         return;
-    m_taken = m_texts;   // words and comments as they were typed, as long as the page lives
+    m_taken = m_texts;  // words and comments as they were typed, as long as the page lives
     const QStringList typed = m_texts;
     workspace().edits().editData({0, scripts->block()}, *m_code);
     m_texts = m_taken = typed;
@@ -252,14 +255,19 @@ void ScriptsPage::take()
 
 void ScriptsPage::load()
 {
-    askOpenPath(tr("Load a script"), tr("Scripts (*.%1)").arg(language()->suffix()), [this](const QString &path) {
-        QFile file(path);
-        if (!file.open(QIODevice::ReadOnly) || file.size() > kLargestText) {
-            emit workspace().problem(describe({ErrorCode::BadFile, file.isOpen() ? tr("%1 is too large for a script").arg(path) : u"%1: %2"_s.arg(path, file.errorString()), 0}));
-            return;
-        }
-        m_editor->setText(QString::fromUtf8(file.readAll()));   // as if it had been typed
-    });
+    askOpenPath(tr("Load a script"), tr("Scripts (*.%1)").arg(language()->suffix()),
+                [this](const QString &path) {
+                    QFile file(path);
+                    if (!file.open(QIODevice::ReadOnly) || file.size() > kLargestText) {
+                        emit workspace().problem(
+                            describe({ErrorCode::BadFile,
+                                      file.isOpen() ? tr("%1 is too large for a script").arg(path)
+                                                    : u"%1: %2"_s.arg(path, file.errorString()),
+                                      0}));
+                        return;
+                    }
+                    m_editor->setText(QString::fromUtf8(file.readAll()));  // as if it had been typed
+                });
 }
 
 void ScriptsPage::save()
@@ -267,8 +275,10 @@ void ScriptsPage::save()
     askSavePath(tr("Save the script"), u"script%1.%2"_s.arg(m_script + 1).arg(language()->suffix()),
                 tr("Scripts (*.%1)").arg(language()->suffix()), [this](const QString &path) {
                     QSaveFile file(path);
-                    if (!file.open(QIODevice::WriteOnly) || file.write(m_texts.value(m_script).toUtf8()) < 0 || !file.commit())
-                        emit workspace().problem(describe({ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()), 0}));
+                    if (!file.open(QIODevice::WriteOnly) || file.write(m_texts.value(m_script).toUtf8()) < 0
+                        || !file.commit())
+                        emit workspace().problem(
+                            describe({ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()), 0}));
                     else
                         emit workspace().notice(tr("Saved to %1").arg(path));
                 });

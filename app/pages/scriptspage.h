@@ -12,8 +12,8 @@ class QProgressBar;
 class QPushButton;
 class ScriptEditor;
 
-/// The programs that a board keeps: text, checked while it is typed; what comes of it; taken over as an edit like any other,
-/// so that it is reviewed, written, read back and can be undone.
+/// The programs that a board keeps: text, checked while it is typed; what comes of it; taken over as an edit
+/// like any other, so that it is reviewed, written, read back and can be undone.
 class ScriptsPage final : public Page
 {
     Q_OBJECT
@@ -52,9 +52,9 @@ private:
     QPushButton *m_revert;
     QPushButton *m_take;
     QTimer m_checkTimer;
-    QStringList m_texts;               // as typed
-    QStringList m_taken;               // as the configuration has them
-    CompiledScripts m_code;            // of the texts
+    QStringList m_texts;  // as typed
+    QStringList m_taken;  // as the configuration has them
+    CompiledScripts m_code;  // of the texts
     int m_script = 0;
     bool m_filling = false;
 };

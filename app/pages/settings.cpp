@@ -28,7 +28,8 @@ Settings::Settings(const QString &path, QObject *parent)
 
 QString Settings::defaultPath()
 {
-    return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + u"/gimbaldesk/gimbaldesk.ini"_s;
+    return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation)
+        + u"/gimbaldesk/gimbaldesk.ini"_s;
 }
 
 void Settings::set(const QString &key, const QVariant &value)
@@ -50,12 +51,17 @@ int Settings::number(const QString &key, int standard, int low, int high) const
 Settings::ThemeChoice Settings::theme() const
 {
     const QString name = m_file.value(kTheme).toString();
-    return name == u"light"_s ? ThemeChoice::Light : name == u"dark"_s ? ThemeChoice::Dark : ThemeChoice::System;
+    return name == u"light"_s ? ThemeChoice::Light
+        : name == u"dark"_s   ? ThemeChoice::Dark
+                              : ThemeChoice::System;
 }
 
 void Settings::setTheme(ThemeChoice theme)
 {
-    set(kTheme, theme == ThemeChoice::Light ? u"light"_s : theme == ThemeChoice::Dark ? u"dark"_s : u"system"_s);
+    set(kTheme,
+        theme == ThemeChoice::Light      ? u"light"_s
+            : theme == ThemeChoice::Dark ? u"dark"_s
+                                         : u"system"_s);
 }
 
 int Settings::retentionMinutes() const

@@ -43,7 +43,10 @@ public:
     [[nodiscard]] QString lastAddress() const { return m_file.value(kLastAddress).toString(); }
     void setLastAddress(const QString &address) { set(kLastAddress, address); }
     /// Sizes of windows and splitters, by name.
-    [[nodiscard]] QByteArray layout(const QString &name) const { return m_file.value(kLayout + name).toByteArray(); }
+    [[nodiscard]] QByteArray layout(const QString &name) const
+    {
+        return m_file.value(kLayout + name).toByteArray();
+    }
     void setLayout(const QString &name, const QByteArray &state) { m_file.setValue(kLayout + name, state); }
 
     /// Names of the kept arrangements of plots.
@@ -56,8 +59,8 @@ signals:
     void changed();
 
 private:
-    static const QString kTheme, kLanguage, kFahrenheit, kRetention, kEscapeHold, kSpeedLimit, kDisarm, kMotorsOffOnQuit,
-        kLastAddress, kLayout, kPlotLayouts;
+    static const QString kTheme, kLanguage, kFahrenheit, kRetention, kEscapeHold, kSpeedLimit, kDisarm,
+        kMotorsOffOnQuit, kLastAddress, kLayout, kPlotLayouts;
     void set(const QString &key, const QVariant &value);
     [[nodiscard]] int number(const QString &key, int standard, int low, int high) const;
 

@@ -17,9 +17,10 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int kLabelWidth = 230;
-constexpr double kBytesPerMinute = 24 * 1250 * 60 * 4.9;   // 24 channels at the firmware's full rate, with their index
+constexpr double kBytesPerMinute
+    = 24 * 1250 * 60 * 4.9;  // 24 channels at the firmware's full rate, with their index
 
-} // namespace
+}  // namespace
 
 SettingsPage::SettingsPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"settings"_s, tr("Settings"), parent)
@@ -101,14 +102,16 @@ SettingsPage::SettingsPage(Workspace &workspace, QWidget *parent)
     row(safety, tr("Highest speed on Control"), m_speed);
     row(safety, tr("Disarm control after"), m_disarm);
     safety->addRow(m_offOnQuit);
-    auto *fixed = new QLabel(tr("Always so, and not to be switched off: a snapshot before the first write, reading back of every "
-                                "byte, F12 for motors off, and control that ends when the program does not refresh it."));
+    auto *fixed = new QLabel(
+        tr("Always so, and not to be switched off: a snapshot before the first write, reading back of every "
+           "byte, F12 for motors off, and control that ends when the program does not refresh it."));
     fixed->setObjectName(u"muted"_s);
     fixed->setWordWrap(true);
     safety->addRow(fixed);
     auto *about = section(tr("About"));
-    auto *text = new QLabel(tr("GimbalDesk %1, GPL 3.0 or later. Settings: %2. Snapshots: %3.")
-                                .arg(QStringLiteral(GIMBAL_VERSION), Settings::defaultPath(), BoardHistory::defaultRoot()));
+    auto *text = new QLabel(
+        tr("GimbalDesk %1, GPL 3.0 or later. Settings: %2. Snapshots: %3.")
+            .arg(QStringLiteral(GIMBAL_VERSION), Settings::defaultPath(), BoardHistory::defaultRoot()));
     text->setWordWrap(true);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     about->addRow(text);
@@ -119,9 +122,8 @@ SettingsPage::SettingsPage(Workspace &workspace, QWidget *parent)
     scroll->setWidget(holder);
     body()->addWidget(scroll, 1);
 
-    connect(m_theme, &QComboBox::activated, this, [this, &settings] {
-        settings.setTheme(Settings::ThemeChoice(m_theme->currentData().toInt()));
-    });
+    connect(m_theme, &QComboBox::activated, this,
+            [this, &settings] { settings.setTheme(Settings::ThemeChoice(m_theme->currentData().toInt())); });
     connect(m_language, &QComboBox::activated, this, [this, &settings] {
         settings.setLanguage(m_language->currentData().toString());
         updateNotes();
@@ -136,16 +138,20 @@ SettingsPage::SettingsPage(Workspace &workspace, QWidget *parent)
         settings.setEscapeHoldMs(m_escape->value());
         m_escape->setValue(settings.escapeHoldMs());
     });
-    connect(m_speed, &QSpinBox::valueChanged, this, [&settings](int value) { settings.setControlSpeedLimit(value); });
-    connect(m_disarm, &QSpinBox::valueChanged, this, [&settings](int value) { settings.setDisarmSeconds(value); });
-    connect(m_offOnQuit, &QCheckBox::toggled, this, [&settings](bool on) { settings.setMotorsOffOnQuit(on); });
+    connect(m_speed, &QSpinBox::valueChanged, this,
+            [&settings](int value) { settings.setControlSpeedLimit(value); });
+    connect(m_disarm, &QSpinBox::valueChanged, this,
+            [&settings](int value) { settings.setDisarmSeconds(value); });
+    connect(m_offOnQuit, &QCheckBox::toggled, this,
+            [&settings](bool on) { settings.setMotorsOffOnQuit(on); });
     updateNotes();
 }
 
 void SettingsPage::updateNotes()
 {
     m_restart->setVisible(workspace().settings().language() != m_startLanguage);
-    m_memory->setText(tr("At most %1 MB with 24 channels at full rate. The last ten minutes of the link itself, for recordings, "
+    m_memory->setText(tr("At most %1 MB with 24 channels at full rate. The last ten minutes of the link "
+                         "itself, for recordings, "
                          "take up to %2 MB more.")
                           .arg(m_retention->value() * kBytesPerMinute / 1e6, 0, 'f', 0)
                           .arg(double(Recorder::kMostBytes) / 1e6, 0, 'f', 0));

@@ -18,11 +18,13 @@ using namespace Qt::StringLiterals;
 
 ShareDialog::ShareDialog(Workspace &workspace, QWidget *parent)
     : QDialog(parent)
-    , m_image(settingsPicture(std::as_const(workspace.configuration()).edited(), workspace.configuration().shownProfile(), workspace.theme(), 2.0))
+    , m_image(settingsPicture(std::as_const(workspace.configuration()).edited(),
+                              workspace.configuration().shownProfile(), workspace.theme(), 2.0))
 {
     setWindowTitle(tr("Share settings"));
     resize(940, 580);
-    auto *intro = new QLabel(tr("All values as they are shown now, edits included, for a forum or a colleague."));
+    auto *intro
+        = new QLabel(tr("All values as they are shown now, edits included, for a forum or a colleague."));
     intro->setWordWrap(true);
     auto *picture = new QLabel;
     picture->setPixmap(QPixmap::fromImage(m_image));

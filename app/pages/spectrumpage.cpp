@@ -25,16 +25,16 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr auto kPeriod = 500ms;
-constexpr std::array<int, 4> kSpans{5, 10, 30, 60};   // seconds
+constexpr std::array<int, 4> kSpans{5, 10, 30, 60};  // seconds
 constexpr int kDefaultSpan = 1;
-constexpr int kPeaks = 3;                             // of each axis
-constexpr double kFinest = 0.5;                       // Hz
+constexpr int kPeaks = 3;  // of each axis
+constexpr double kFinest = 0.5;  // Hz
 constexpr double kNotchDepthDb = 20.0;
-constexpr double kLeastNotchWidth = 0.25;             // of its frequency
+constexpr double kLeastNotchWidth = 0.25;  // of its frequency
 constexpr std::array<double, 3> kCostHz{5, 10, 20};
-constexpr double kCostShare = 0.7;                    // of the notch's frequency: nearer it, the lag says little
-constexpr double kWaterfallSpan = 1.0;                // seconds in one column
-constexpr double kSlowest = 5.0;                      // Hz: below it nothing is a vibration
+constexpr double kCostShare = 0.7;  // of the notch's frequency: nearer it, the lag says little
+constexpr double kWaterfallSpan = 1.0;  // seconds in one column
+constexpr double kSlowest = 5.0;  // Hz: below it nothing is a vibration
 
 // As fine as the span allows with eight segments or more to average.
 int segmentLength(const UniformSamples &samples)
@@ -69,7 +69,7 @@ void setText(QTableWidget *table, int row, int column, const QString &text)
     table->item(row, column)->setText(text);
 }
 
-} // namespace
+}  // namespace
 
 SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"spectrum"_s, tr("Spectrum"), parent)
@@ -133,7 +133,8 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
     body()->addWidget(m_pictures, 3);
     body()->addLayout(row, 2);
 
-    connect(m_pause, &QPushButton::toggled, this, [this](bool on) { m_pause->setText(on ? tr("Continue") : tr("Pause")); });
+    connect(m_pause, &QPushButton::toggled, this,
+            [this](bool on) { m_pause->setText(on ? tr("Continue") : tr("Pause")); });
     connect(m_compare, &QPushButton::clicked, this, [this] {
         m_before = m_left;
         m_earlier = m_now;
@@ -187,39 +188,43 @@ void SpectrumPage::makeViewMenu()
 {
     m_view->setMenu(m_viewMenu);
     m_view->setToolTip(tr("How the spectrum is made and drawn"));
-    const auto choices = [this](const QString &title, const QList<std::pair<QString, std::function<void()>>> &entries) {
-        m_viewMenu->addSection(title);
-        auto *group = new QActionGroup(m_viewMenu);
-        for (const auto &[text, chosen] : entries) {
-            QAction *action = m_viewMenu->addAction(text);
-            action->setCheckable(true);
-            action->setChecked(group->actions().isEmpty());
-            group->addAction(action);
-            connect(action, &QAction::triggered, this, [this, chosen] {
-                chosen();
-                refresh();
-            });
-        }
-    };
+    const auto choices
+        = [this](const QString &title, const QList<std::pair<QString, std::function<void()>>> &entries) {
+              m_viewMenu->addSection(title);
+              auto *group = new QActionGroup(m_viewMenu);
+              for (const auto &[text, chosen] : entries) {
+                  QAction *action = m_viewMenu->addAction(text);
+                  action->setCheckable(true);
+                  action->setChecked(group->actions().isEmpty());
+                  group->addAction(action);
+                  connect(action, &QAction::triggered, this, [this, chosen] {
+                      chosen();
+                      refresh();
+                  });
+              }
+          };
     QList<std::pair<QString, std::function<void()>>> pictures{{tr("Lines"), [this] {
-        m_waterfallAxis = Axis::None;
-        m_pictures->setCurrentWidget(m_chart);
-    }}};
+                                                                   m_waterfallAxis = Axis::None;
+                                                                   m_pictures->setCurrentWidget(m_chart);
+                                                               }}};
     for (const Axis axis : kAxes) {
         pictures.append({tr("Waterfall, %1").arg(axisLabel(axis)), [this, axis] {
-            m_waterfallAxis = axis;
-            m_pictures->setCurrentWidget(m_waterfall);
-            fillWaterfall();
-        }});
+                             m_waterfallAxis = axis;
+                             m_pictures->setCurrentWidget(m_waterfall);
+                             fillWaterfall();
+                         }});
     }
     choices(tr("Picture"), pictures);
-    choices(tr("Frequency"), {{tr("Logarithmic"), [this] { m_scale.linearFrequency = false; }},
-                              {tr("Linear"), [this] { m_scale.linearFrequency = true; }}});
-    choices(tr("Level"), {{tr("Decibel"), [this] { m_scale.amplitude = false; }},
-                          {tr("RMS of each line"), [this] { m_scale.amplitude = true; }}});
-    choices(tr("Window"), {{tr("Hann: the usual one"), [this] { m_window = WindowShape::Hann; }},
-                           {tr("Flat top: true heights of single tones"), [this] { m_window = WindowShape::FlatTop; }},
-                           {tr("Rectangular: sharpest, leaks"), [this] { m_window = WindowShape::Rectangular; }}});
+    choices(tr("Frequency"),
+            {{tr("Logarithmic"), [this] { m_scale.linearFrequency = false; }},
+             {tr("Linear"), [this] { m_scale.linearFrequency = true; }}});
+    choices(tr("Level"),
+            {{tr("Decibel"), [this] { m_scale.amplitude = false; }},
+             {tr("RMS of each line"), [this] { m_scale.amplitude = true; }}});
+    choices(tr("Window"),
+            {{tr("Hann: the usual one"), [this] { m_window = WindowShape::Hann; }},
+             {tr("Flat top: true heights of single tones"), [this] { m_window = WindowShape::FlatTop; }},
+             {tr("Rectangular: sharpest, leaks"), [this] { m_window = WindowShape::Rectangular; }}});
 }
 
 // A span that the operator holds still on the Monitor can be measured here, and compared with another one.
@@ -281,9 +286,12 @@ void SpectrumPage::refresh()
         for (const SpectrumPeak &peak : findPeaks(*result, kPeaks, kSlowest))
             m_lines.push_back({kAxes[i], peak});
         m_note->setText(tr("%1 samples/s, lines of %2 Hz, %n average(s)", nullptr, result->segments)
-                            .arg(result->rate, 0, 'f', 0).arg(result->resolution, 0, 'g', 2));
-        if (samples->polled)   // no filter stands before what is asked for one by one
-            m_note->setText(tr("%1; what is faster than %2 Hz shows up lower").arg(m_note->text()).arg(result->rate / 2, 0, 'f', 0));
+                            .arg(result->rate, 0, 'f', 0)
+                            .arg(result->resolution, 0, 'g', 2));
+        if (samples->polled)  // no filter stands before what is asked for one by one
+            m_note->setText(tr("%1; what is faster than %2 Hz shows up lower")
+                                .arg(m_note->text())
+                                .arg(result->rate / 2, 0, 'f', 0));
         m_now.push_back({axisLabel(kAxes[i]), kAxes[i], std::move(*result), false});
     }
     drawCurves();
@@ -333,7 +341,8 @@ void SpectrumPage::fillWaterfall()
 int SpectrumPage::waterfallChannel() const
 {
     const ChannelRoles roles = workspace().roles();
-    return signal() == Signal::Gyro ? roles.gyro[std::size_t(m_waterfallAxis)] : roles.angle[std::size_t(m_waterfallAxis)];
+    return signal() == Signal::Gyro ? roles.gyro[std::size_t(m_waterfallAxis)]
+                                    : roles.angle[std::size_t(m_waterfallAxis)];
 }
 
 // A second alone, so that a column shows what happened then.
@@ -344,7 +353,8 @@ void SpectrumPage::addColumn(double end)
     const auto axis = std::size_t(m_waterfallAxis);
     const bool gyro = signal() == Signal::Gyro;
     const int channel = waterfallChannel();
-    const auto samples = uniformSamples(*store, channel, gyro ? -1 : roles.target[axis], end - kWaterfallSpan, end);
+    const auto samples
+        = uniformSamples(*store, channel, gyro ? -1 : roles.target[axis], end - kWaterfallSpan, end);
     if (!samples)
         return;
     int length = 64;
@@ -371,9 +381,12 @@ void SpectrumPage::updateNotch()
 {
     const Device *device = workspace().client().device();
     const int row = m_peaks->currentRow();
-    m_notch->setVisible(!device || std::any_of(kAxes.begin(), kAxes.end(), [device](Axis axis) { return !device->notchFilters(axis).empty(); }));
-    m_notch->setEnabled(device && workspace().client().isConnected() && workspace().client().identity().writable
-                        && !workspace().configuration().isEmpty() && row >= 0 && row < int(m_lines.size())
+    m_notch->setVisible(!device || std::any_of(kAxes.begin(), kAxes.end(), [device](Axis axis) {
+        return !device->notchFilters(axis).empty();
+    }));
+    m_notch->setEnabled(device && workspace().client().isConnected()
+                        && workspace().client().identity().writable && !workspace().configuration().isEmpty()
+                        && row >= 0 && row < int(m_lines.size())
                         && !device->notchFilters(m_lines[std::size_t(row)].axis).empty());
 }
 
@@ -396,9 +409,11 @@ std::optional<SpectrumPage::NotchPlan> SpectrumPage::planNotch(const Line &line)
             plan.wanted.setRaw(spec, profile, raw);
             return spec.toDisplay(raw);
         };
-        // A resonance wanders with temperature and load: twice its width, a quarter of its frequency at least.
+        // A resonance wanders with temperature and load: twice its width, a quarter of its frequency at
+        // least.
         plan.shape.hz = put(*frequency, line.peak.frequency);
-        plan.shape.width = put(*width, std::max(2.0 * line.peak.width, line.peak.frequency * kLeastNotchWidth));
+        plan.shape.width
+            = put(*width, std::max(2.0 * line.peak.width, line.peak.frequency * kLeastNotchWidth));
         plan.shape.depthDb = put(*depth, kNotchDepthDb);
         plan.wanted.setRaw(*enabled, profile, *bits | (1 << filter.bit));
         return plan;
@@ -413,7 +428,8 @@ void SpectrumPage::askNotch()
         return;
     const auto plan = planNotch(m_lines[std::size_t(row)]);
     if (!plan) {
-        emit workspace().notice(tr("All notch filters of this axis are in use; change one of them on Parameters."));
+        emit workspace().notice(
+            tr("All notch filters of this axis are in use; change one of them on Parameters."));
         return;
     }
     // What it costs, before anything is changed: the lag at frequencies where a loop crosses over.
@@ -423,12 +439,19 @@ void SpectrumPage::askNotch()
             costs.append(tr("%1° at %2 Hz").arg(lagDeg(notchResponse(plan->shape, hz)), 0, 'f', 0).arg(hz));
     }
     const QString name = axisLabel(plan->axis);
-    QString text = tr("%1, notch %2: %3 Hz, width %4 Hz, depth %5 dB.").arg(name).arg(plan->filter.bit + 1)
-                       .arg(plan->shape.hz).arg(plan->shape.width).arg(plan->shape.depthDb);
+    QString text = tr("%1, notch %2: %3 Hz, width %4 Hz, depth %5 dB.")
+                       .arg(name)
+                       .arg(plan->filter.bit + 1)
+                       .arg(plan->shape.hz)
+                       .arg(plan->shape.width)
+                       .arg(plan->shape.depthDb);
     if (!costs.isEmpty())
-        text += u"\n\n"_s + tr("It delays the loop: %1. Every degree is taken from the phase margin.").arg(costs.join(u", "_s));
+        text += u"\n\n"_s
+            + tr("It delays the loop: %1. Every degree is taken from the phase margin.")
+                  .arg(costs.join(u", "_s));
     text += u"\n\n"_s + tr("Nothing is on the board before you review and write.");
-    m_question = new QMessageBox(QMessageBox::NoIcon, tr("Put a notch here"), text, QMessageBox::NoButton, this);
+    m_question
+        = new QMessageBox(QMessageBox::NoIcon, tr("Put a notch here"), text, QMessageBox::NoButton, this);
     m_question->setAttribute(Qt::WA_DeleteOnClose);
     auto *accept = m_question->addButton(tr("Take over as an edit"), QMessageBox::AcceptRole);
     auto *leave = m_question->addButton(tr("Leave it"), QMessageBox::RejectRole);
@@ -446,7 +469,8 @@ void SpectrumPage::nameBands(const std::vector<BandQuality> &measured)
     const QStringList names{tr("Sway"), tr("Wobble"), tr("Jitter")};
     for (std::size_t i = 0; i < kHoldingBands.size(); ++i) {
         const Band &band = i < measured.size() && measured[i].known ? measured[i].band : kHoldingBands[i];
-        setText(m_bands, int(i), 0, u"%1\n%2–%3 Hz"_s.arg(names[qsizetype(i)]).arg(band.from, 0, 'g', 2).arg(band.to, 0, 'f', 0));
+        setText(m_bands, int(i), 0,
+                u"%1\n%2–%3 Hz"_s.arg(names[qsizetype(i)]).arg(band.from, 0, 'g', 2).arg(band.to, 0, 'f', 0));
     }
 }
 
@@ -455,7 +479,9 @@ void SpectrumPage::showBands()
     for (std::size_t axis = 0; axis < m_left.size(); ++axis) {
         for (std::size_t band = 0; band < m_left[axis].size(); ++band) {
             const Left &left = m_left[axis][band];
-            QString text = left.known ? tr("%1° RMS\n%2° peak").arg(left.rms, 0, 'f', 3).arg(left.peak, 0, 'f', 3) : u"–"_s;
+            QString text = left.known
+                ? tr("%1° RMS\n%2° peak").arg(left.rms, 0, 'f', 3).arg(left.peak, 0, 'f', 3)
+                : u"–"_s;
             if (m_before && left.known && (*m_before)[axis][band].known && (*m_before)[axis][band].rms > 0) {
                 const double change = (left.rms / (*m_before)[axis][band].rms - 1.0) * 100.0;
                 text = tr("%1° RMS").arg(left.rms, 0, 'f', 3)

@@ -19,7 +19,8 @@ class QMenu;
 class QStackedWidget;
 class WaterfallView;
 
-/// What shakes and how much is left of it: spectra of the last seconds, their peaks, the error in three bands.
+/// What shakes and how much is left of it: spectra of the last seconds, their peaks, the error in three
+/// bands.
 class SpectrumPage final : public Page
 {
     Q_OBJECT
@@ -64,7 +65,7 @@ private:
         double peak = 0;
         bool known = false;
     };
-    using Bands = std::array<std::array<Left, 3>, 3>;   // axis, band
+    using Bands = std::array<std::array<Left, 3>, 3>;  // axis, band
 
     void makeViewMenu();
     void offerHeldSpan();
@@ -101,11 +102,11 @@ private:
     QTimer m_timer;
     SpectrumScale m_scale;
     WindowShape m_window = WindowShape::Hann;
-    Axis m_waterfallAxis = Axis::None;           // None: lines instead
+    Axis m_waterfallAxis = Axis::None;  // None: lines instead
     std::vector<SpectrumCurve> m_now;
-    std::vector<SpectrumCurve> m_earlier;        // kept by Compare
+    std::vector<SpectrumCurve> m_earlier;  // kept by Compare
     QString m_unit;
-    std::vector<Line> m_lines;   // as the table shows them
+    std::vector<Line> m_lines;  // as the table shows them
     Bands m_left{};
     std::optional<Bands> m_before;
 };

@@ -36,10 +36,13 @@ StreamsDialog::StreamsDialog(Workspace &workspace, QWidget *parent)
     const QList<StreamSpec> offered = workspace.client().device()->streams();
     for (const StreamSpec &spec : offered) {
         Row row{spec, new QCheckBox(spec.label), new QDoubleSpinBox, new QLabel};
-        const auto wish = std::find_if(now.begin(), now.end(), [&](const StreamWish &each) { return each.key == spec.key; });
+        const auto wish = std::find_if(now.begin(), now.end(),
+                                       [&](const StreamWish &each) { return each.key == spec.key; });
         row.check->setChecked(wish != now.end());
-        row.check->setToolTip(spec.choosesChannels ? tr("Carries the channels that are to be seen, as often as you say")
-                                                   : tr("Carries %n channel(s), all of them each time", nullptr, int(spec.channels.size())));
+        row.check->setToolTip(
+            spec.choosesChannels
+                ? tr("Carries the channels that are to be seen, as often as you say")
+                : tr("Carries %n channel(s), all of them each time", nullptr, int(spec.channels.size())));
         row.rate->setRange(0, spec.maxRate);
         row.rate->setDecimals(0);
         row.rate->setSpecialValueText(tr("as fast as possible"));
@@ -97,13 +100,15 @@ void StreamsDialog::showEvent(QShowEvent *event)
 
 QCheckBox *StreamsDialog::check(const QString &stream) const
 {
-    const auto row = std::find_if(m_rows.begin(), m_rows.end(), [&](const Row &each) { return each.spec.key == stream; });
+    const auto row = std::find_if(m_rows.begin(), m_rows.end(),
+                                  [&](const Row &each) { return each.spec.key == stream; });
     return row == m_rows.end() ? nullptr : row->check;
 }
 
 QDoubleSpinBox *StreamsDialog::rate(const QString &stream) const
 {
-    const auto row = std::find_if(m_rows.begin(), m_rows.end(), [&](const Row &each) { return each.spec.key == stream; });
+    const auto row = std::find_if(m_rows.begin(), m_rows.end(),
+                                  [&](const Row &each) { return each.spec.key == stream; });
     return row == m_rows.end() ? nullptr : row->rate;
 }
 
@@ -126,7 +131,8 @@ void StreamsDialog::update()
         row.use->clear();
     }
     const bool nothing = byHand && chosen().isEmpty();
-    const auto budget = m_workspace.client().device()->streamBudget(m_workspace.telemetryWish(chosen()), m_workspace.client().line());
+    const auto budget = m_workspace.client().device()->streamBudget(m_workspace.telemetryWish(chosen()),
+                                                                    m_workspace.client().line());
     QString text;
     bool fits = !nothing;
     if (nothing) {
@@ -137,8 +143,11 @@ void StreamsDialog::update()
         fits = false;
     } else {
         for (const StreamUse &use : budget->streams) {
-            const auto row = std::find_if(m_rows.begin(), m_rows.end(), [&](const Row &each) { return each.spec.key == use.key; });
-            row->use->setText(tr("%1 samples/s, %2 bytes each, %3 bytes/s").arg(use.rate, 0, 'f', 0).arg(use.frameBytes)
+            const auto row = std::find_if(m_rows.begin(), m_rows.end(),
+                                          [&](const Row &each) { return each.spec.key == use.key; });
+            row->use->setText(tr("%1 samples/s, %2 bytes each, %3 bytes/s")
+                                  .arg(use.rate, 0, 'f', 0)
+                                  .arg(use.frameBytes)
                                   .arg(use.bytesPerSecond(), 0, 'f', 0));
         }
         const double used = budget->bytesPerSecond();
@@ -146,20 +155,26 @@ void StreamsDialog::update()
         if (budget->capacity > 0) {
             const double share = 100.0 * used / budget->capacity;
             m_line->setValue(std::min(100, int(std::lround(share))));
-            text = tr("%1 of %2 bytes/s, %3 % of the line.").arg(used, 0, 'f', 0).arg(budget->capacity, 0, 'f', 0).arg(share, 0, 'f', 0);
+            text = tr("%1 of %2 bytes/s, %3 % of the line.")
+                       .arg(used, 0, 'f', 0)
+                       .arg(budget->capacity, 0, 'f', 0)
+                       .arg(share, 0, 'f', 0);
         } else {
             m_line->setValue(0);
             text = tr("%1 bytes/s. This link sets no limit.").arg(used, 0, 'f', 0);
         }
         if (!fits)
-            text += u' ' + tr("That is too much: %1 % may be used, the rest is kept for commands. Lower a rate, look at fewer "
-                              "channels, or set a faster serial speed.").arg(StreamBudget::kShare * 100);
+            text += u' '
+                + tr("That is too much: %1 % may be used, the rest is kept for commands. Lower a rate, look "
+                     "at fewer "
+                     "channels, or set a faster serial speed.")
+                      .arg(StreamBudget::kShare * 100);
     }
     m_verdict->setText(text);
     m_verdict->setObjectName(fits ? u"muted"_s : u"warning"_s);
     repolish(m_verdict);
     m_apply->setEnabled(fits);
-    if (isVisible()) {   // grows with its texts, which its own least width keeps the layout from doing
+    if (isVisible()) {  // grows with its texts, which its own least width keeps the layout from doing
         layout()->activate();
         resize(size().expandedTo(layout()->totalMinimumSize()));
     }

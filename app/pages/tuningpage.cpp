@@ -27,7 +27,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr auto kFigurePeriod = 250ms;
-constexpr double kFigureSpan = 3.0;      // seconds that the figures look back
+constexpr double kFigureSpan = 3.0;  // seconds that the figures look back
 constexpr double kPlotWindow = 10.0;
 constexpr int kControlsWidth = 404;
 constexpr int kControlsMost = 520;
@@ -44,7 +44,7 @@ QString figure(double value)
     return std::isnan(value) ? u"–"_s : u"%1°"_s.arg(value, 0, 'f', 3);
 }
 
-} // namespace
+}  // namespace
 
 TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"tuning"_s, tr("Tuning"), parent)
@@ -54,7 +54,8 @@ TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
     , m_b(makeButton(tr("Set B"), tr("Use the second set of values (F6 switches)")))
     , m_copy(makeButton(tr("Copy to other"), tr("Make the other set the same as the values in use")))
     , m_revert(makeButton(tr("Revert all"), tr("Put the stored values into use at once (F9)")))
-    , m_save(makeButton(tr("Save"), tr("Store the values in use in the active profile; a snapshot is taken first")))
+    , m_save(makeButton(tr("Save"),
+                        tr("Store the values in use in the active profile; a snapshot is taken first")))
     , m_state(new QLabel)
 {
     auto *sets = new QButtonGroup(this);
@@ -89,7 +90,8 @@ TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
     auto *grid = new QGridLayout;
     grid->setHorizontalSpacing(12);
     grid->setVerticalSpacing(Metric::kUnit);
-    const QStringList heads{QString(), tr("RMS"), tr("Peak"), tr("RMS\nbefore"), tr("Peak\nbefore"), tr("Change")};
+    const QStringList heads{QString(),         tr("RMS"),          tr("Peak"),
+                            tr("RMS\nbefore"), tr("Peak\nbefore"), tr("Change")};
     for (int column = 0; column < heads.size(); ++column) {
         auto *head = new QLabel(heads[column]);
         head->setObjectName(u"muted"_s);
@@ -105,7 +107,8 @@ TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
             grid->addWidget(m_cells[axis][cell], int(axis) + 1, int(cell) + 1);
         }
     }
-    auto *keep = makeButton(tr("Compare"), tr("Compare what follows with these figures; switching sets does so too"));
+    auto *keep = makeButton(tr("Compare"),
+                            tr("Compare what follows with these figures; switching sets does so too"));
     grid->setColumnStretch(0, 1);
     figures->content()->addLayout(grid);
     figures->content()->addWidget(keep, 0, Qt::AlignRight);
@@ -130,9 +133,7 @@ TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
     connect(m_copy, &QPushButton::clicked, &m_live, &LiveModel::copyToOther);
     connect(m_revert, &QPushButton::clicked, &m_live, &LiveModel::revert);
     connect(m_save, &QPushButton::clicked, this, &TuningPage::save);
-    new QShortcut(Qt::Key_F6, this, [this] {
-        (m_live.slot() == LiveModel::Slot::A ? m_b : m_a)->click();
-    });
+    new QShortcut(Qt::Key_F6, this, [this] { (m_live.slot() == LiveModel::Slot::A ? m_b : m_a)->click(); });
     new QShortcut(Qt::Key_F9, this, [this] { m_revert->click(); });
     connect(&m_live, &LiveModel::modelReset, this, &TuningPage::rebuild);
     connect(&m_live, &LiveModel::valueChanged, this, [this](int parameter) {
@@ -207,7 +208,8 @@ QWidget *TuningPage::makeControls()
         grid->addWidget(control, row, column, 1, spec.axis == Axis::None ? 3 : 1);
         connect(control, &LiveSlider::edited, this, [this, control, parameter](int raw) {
             m_live.setValue(parameter, raw);
-            control->show(m_live.value(parameter), m_live.stored(parameter));   // what came of it, within its range
+            control->show(m_live.value(parameter),
+                          m_live.stored(parameter));  // what came of it, within its range
         });
         m_controls.insert(parameter, control);
         control->show(m_live.value(parameter), m_live.stored(parameter));
@@ -261,7 +263,8 @@ void TuningPage::onStore()
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         // A board that does not tell its targets shows the angles themselves.
         if (roles.target[axis] >= 0)
-            errors.append({roles.target[axis], roles.angle[axis], tr("Error, %1").arg(axisLabel(kAxes[axis]))});
+            errors.append(
+                {roles.target[axis], roles.angle[axis], tr("Error, %1").arg(axisLabel(kAxes[axis]))});
         else
             errors.append({roles.angle[axis], -1, {}});
         gyros.append({roles.gyro[axis], -1, {}});
@@ -306,7 +309,8 @@ void TuningPage::updateState()
         m_state->setText(tr("Connect the board to tune it live"));
         return;
     }
-    QString text = changed == 0 ? tr("In use: as stored") : tr("%n value(s) in use, not stored", nullptr, changed);
+    QString text
+        = changed == 0 ? tr("In use: as stored") : tr("%n value(s) in use, not stored", nullptr, changed);
     if (const int different = m_live.slotDifference())
         text += u" · "_s + tr("A and B differ in %1").arg(different);
     m_state->setText(text);
@@ -321,10 +325,10 @@ void TuningPage::updateFigures()
     const double now = store->now();
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         const bool told = roles.target[axis] >= 0;
-        SpanStatistics span = spanStatistics(*store, told ? roles.target[axis] : roles.angle[axis], told ? roles.angle[axis] : -1,
-                                             now - kFigureSpan, now);
+        SpanStatistics span = spanStatistics(*store, told ? roles.target[axis] : roles.angle[axis],
+                                             told ? roles.angle[axis] : -1, now - kFigureSpan, now);
         if (!told)
-            span = span.aroundMean();   // without a target, how far it strays from where it is held
+            span = span.aroundMean();  // without a target, how far it strays from where it is held
         m_now[axis] = {span.rms, span.peak};
         auto &cells = m_cells[axis];
         cells[0]->setText(figure(span.rms));
@@ -332,10 +336,14 @@ void TuningPage::updateFigures()
         const auto &before = m_before[axis];
         cells[2]->setText(before ? figure(before->rms) : u"–"_s);
         cells[3]->setText(before ? figure(before->peak) : u"–"_s);
-        const double change = before && before->rms > 0 ? 100.0 * (span.rms / before->rms - 1.0) : std::nan("");
+        const double change
+            = before && before->rms > 0 ? 100.0 * (span.rms / before->rms - 1.0) : std::nan("");
         cells[4]->setText(std::isnan(change) ? u"–"_s
-                                             : (change < 0 ? u"▼ "_s : u"▲ "_s) + u"%1 %"_s.arg(std::abs(change), 0, 'f', 0));
-        const QString name = std::isnan(change) || std::abs(change) < 5 ? u"muted"_s : change < 0 ? u"ok"_s : u"warning"_s;
+                                             : (change < 0 ? u"▼ "_s : u"▲ "_s)
+                                  + u"%1 %"_s.arg(std::abs(change), 0, 'f', 0));
+        const QString name = std::isnan(change) || std::abs(change) < 5 ? u"muted"_s
+            : change < 0                                                ? u"ok"_s
+                                                                        : u"warning"_s;
         if (cells[4]->objectName() != name) {
             cells[4]->setObjectName(name);
             repolish(cells[4]);

@@ -25,7 +25,10 @@ public:
     [[nodiscard]] LiveSlider *control(const QString &key) const;
     [[nodiscard]] QPushButton *revertButton() const { return m_revert; }
     [[nodiscard]] QPushButton *saveButton() const { return m_save; }
-    [[nodiscard]] QPushButton *slotButton(LiveModel::Slot slot) const { return slot == LiveModel::Slot::A ? m_a : m_b; }
+    [[nodiscard]] QPushButton *slotButton(LiveModel::Slot slot) const
+    {
+        return slot == LiveModel::Slot::A ? m_a : m_b;
+    }
     /// Two sliders for three gains; null where the board's gains are of another kind.
     [[nodiscard]] GainCard *gains() const { return m_gains; }
     [[nodiscard]] const QList<PlotView *> &plots() const { return m_plots; }
@@ -64,6 +67,6 @@ private:
     std::array<Figures, kAxisCount> m_now{};
     std::array<std::optional<Figures>, kAxisCount> m_before{};
     std::array<std::array<QLabel *, 5>, kAxisCount> m_cells{};
-    std::shared_ptr<const ParameterSet> m_set;   // what the controls refer to
+    std::shared_ptr<const ParameterSet> m_set;  // what the controls refer to
     bool m_saving = false;
 };

@@ -20,7 +20,7 @@ namespace {
 
 constexpr auto kPeriod = 500ms;
 
-} // namespace
+}  // namespace
 
 VariablesPage::VariablesPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"variables"_s, tr("Adjustable variables"), parent)
@@ -32,8 +32,9 @@ VariablesPage::VariablesPage(Workspace &workspace, QWidget *parent)
 {
     m_note->setObjectName(u"muted"_s);
     m_note->setWordWrap(true);
-    m_note->setText(tr("A value set here takes effect at once and is forgotten at the next start unless it is saved. "
-                       "Numbers are the board's own; the meaning stands beside them."));
+    m_note->setText(
+        tr("A value set here takes effect at once and is forgotten at the next start unless it is saved. "
+           "Numbers are the board's own; the meaning stands beside them."));
     m_search->setPlaceholderText(tr("Search (Ctrl+F)"));
     m_search->setAccessibleName(tr("Search variables"));
     m_search->setClearButtonEnabled(true);
@@ -57,9 +58,7 @@ VariablesPage::VariablesPage(Workspace &workspace, QWidget *parent)
             emit this->workspace().problem(describe(error));
     });
     connect(&m_model, &AdjustableModel::written, &workspace.live(), &LiveModel::read);
-    connect(save, &QPushButton::clicked, this, [this] {
-        std::ignore = this->workspace().saveLive();
-    });
+    connect(save, &QPushButton::clicked, this, [this] { std::ignore = this->workspace().saveLive(); });
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &VariablesPage::onState);
     m_timer.setInterval(kPeriod);
     connect(&m_timer, &QTimer::timeout, this, [this] {

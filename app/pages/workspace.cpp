@@ -19,7 +19,7 @@ namespace {
 // Older than this, telemetry says nothing about now.
 constexpr auto kStale = 1500ms;
 
-} // namespace
+}  // namespace
 
 QString temperatureText(double celsius, bool fahrenheit)
 {
@@ -57,7 +57,8 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
         text.cure = tr("What was recorded before is in the file. Make room, or choose another place.");
         emit problem(text);
     });
-    connect(&m_writer, &BoardWriter::completed, this, [this] { setUnstored(false); });   // a write ends with storing
+    connect(&m_writer, &BoardWriter::completed, this,
+            [this] { setUnstored(false); });  // a write ends with storing
     connect(&m_writer, &BoardWriter::conflicted, this, &Workspace::readBoard);
     connect(&m_writer, &BoardWriter::finished, this, &Workspace::writeFinished);
     connect(&m_writer, &BoardWriter::snapshotTaken, this, &Workspace::snapshotTaken);
@@ -66,9 +67,8 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     connect(&m_writer, &BoardWriter::offer, this, &Workspace::offer);
     connect(&m_settings, &Settings::changed, this, &Workspace::applySettings);
     connect(&m_client, &DeviceClient::stateChanged, this, &Workspace::onState);
-    connect(&m_client, &DeviceClient::connectionFailed, this, [this](const Error &error) {
-        emit problem(describe(error));
-    });
+    connect(&m_client, &DeviceClient::connectionFailed, this,
+            [this](const Error &error) { emit problem(describe(error)); });
     connect(&m_client, &DeviceClient::connectionLost, this, [this](const Error &error) {
         m_wasLost = true;
         ErrorText text = describe(error);
@@ -86,10 +86,13 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
             emit notice(tr("Motors are off."));
             return;
         }
-        emit problem({tr("The board did not confirm that the motors are off."), tr("They may still be running."),
-                      tr("Hold the camera and disconnect the power."), {}});
+        emit problem({tr("The board did not confirm that the motors are off."),
+                      tr("They may still be running."),
+                      tr("Hold the camera and disconnect the power."),
+                      {}});
     });
-    connect(&m_client, &DeviceClient::boardSpoke, this, [this](const QString &text) { emit notice(tr("The board says: %1").arg(text)); });
+    connect(&m_client, &DeviceClient::boardSpoke, this,
+            [this](const QString &text) { emit notice(tr("The board says: %1").arg(text)); });
     connect(&m_client, &DeviceClient::controlRescued, this, [this] {
         emit notice(tr("Control was released because the program did not refresh it in time."));
     });
@@ -128,7 +131,7 @@ void Workspace::onState(DeviceClient::State state)
     else if (!m_client.identity().writable)
         emit problem(describe({ErrorCode::ReadOnly, m_client.identity().firmware, 0}));
     if (m_client.identity().serial != m_unstoredSerial)
-        setUnstored(false);   // another board; of the same one nobody knows what it did meanwhile
+        setUnstored(false);  // another board; of the same one nobody knows what it did meanwhile
     offerWayOut();
     applySettings();
     if (m_client.device()->streams().isEmpty())
@@ -148,27 +151,29 @@ void Workspace::readBoard()
     if (m_reading)
         return;
     m_reading = true;
-    m_client.submit<Configuration>([](Channel &channel, Device &device) {
-        return device.readConfiguration(channel);
-    }).then(this, [this](const Result<Configuration> &answer) {
-        m_reading = false;
-        if (!answer) {
-            if (answer.error().code != ErrorCode::Cancelled && answer.error().code != ErrorCode::LinkClosed)
-                emit problem(describe(answer.error()));
-            return;
-        }
-        const bool sameBoard = !m_configuration.isEmpty()
-            && answer->identity().serial == std::as_const(m_configuration).board().identity().serial;
-        const Configuration read = sameBoard ? withoutLive(*answer, m_live.unsaved()) : *answer;
-        m_offlineFile.clear();
-        if (!m_configuration.rebase(read)) {
-            m_journal.flush();   // edits of another board stay in its journal
-            m_edits.undoStack().clear();
-            m_configuration.reset(read);
-        }
-        m_writer.offerRepair();
-        emit boardRead();
-    });
+    m_client
+        .submit<Configuration>(
+            [](Channel &channel, Device &device) { return device.readConfiguration(channel); })
+        .then(this, [this](const Result<Configuration> &answer) {
+            m_reading = false;
+            if (!answer) {
+                if (answer.error().code != ErrorCode::Cancelled
+                    && answer.error().code != ErrorCode::LinkClosed)
+                    emit problem(describe(answer.error()));
+                return;
+            }
+            const bool sameBoard = !m_configuration.isEmpty()
+                && answer->identity().serial == std::as_const(m_configuration).board().identity().serial;
+            const Configuration read = sameBoard ? withoutLive(*answer, m_live.unsaved()) : *answer;
+            m_offlineFile.clear();
+            if (!m_configuration.rebase(read)) {
+                m_journal.flush();  // edits of another board stay in its journal
+                m_edits.undoStack().clear();
+                m_configuration.reset(read);
+            }
+            m_writer.offerRepair();
+            emit boardRead();
+        });
 }
 
 void Workspace::write(const Configuration &wanted)
@@ -179,13 +184,13 @@ void Workspace::write(const Configuration &wanted)
 void Workspace::offerLeftover(int steps)
 {
     if (m_client.isConnected() && !m_client.identity().writable)
-        return;   // they wait for the board itself
+        return;  // they wait for the board itself
     Offer question;
     question.text = tr("%n unsaved step(s) of an earlier run belong to this board.", nullptr, steps);
     question.choices.append({tr("Restore them"), [this] {
-        if (!m_journal.restoreLeftover())
-            emit notice(tr("Nothing of it fits this board any more."));
-    }});
+                                 if (!m_journal.restoreLeftover())
+                                     emit notice(tr("Nothing of it fits this board any more."));
+                             }});
     question.choices.append({tr("Throw them away"), [this] { m_journal.dropLeftover(); }});
     emit offer(question);
 }
@@ -227,7 +232,8 @@ Result<void> Workspace::applyFile(const QString &path, std::optional<int> from, 
     if (file->configuration.identity().family != std::as_const(m_configuration).board().identity().family)
         return failure(ErrorCode::BadFile, tr("The file is of another family of boards."));
     QStringList skipped;
-    const Configuration wanted = applied(std::as_const(m_configuration).edited(), file->configuration, skipped);
+    const Configuration wanted
+        = applied(std::as_const(m_configuration).edited(), file->configuration, skipped);
     const QString name = QFileInfo(path).fileName();
     if (from)
         m_edits.applyProfile(wanted, *from, to, tr("Load profile %1 from %2").arg(to + 1).arg(name));
@@ -235,12 +241,14 @@ Result<void> Workspace::applyFile(const QString &path, std::optional<int> from, 
         m_edits.apply(wanted, tr("Load %1").arg(name));
     skipped += file->unknownKeys;
     if (!file->missingKeys.isEmpty()) {
-        emit notice(tr("%n value(s) are not in the file and got their defaults: %1", nullptr, int(file->missingKeys.size()))
+        emit notice(tr("%n value(s) are not in the file and got their defaults: %1", nullptr,
+                       int(file->missingKeys.size()))
                         .arg(file->missingKeys.mid(0, 8).join(u", "_s)));
     }
     if (!skipped.isEmpty()) {
         emit notice(tr("%n value(s) of the file do not fit this board and were left out: %1", nullptr,
-                       int(skipped.size())).arg(skipped.mid(0, 8).join(u", "_s)));
+                       int(skipped.size()))
+                        .arg(skipped.mid(0, 8).join(u", "_s)));
     }
     return {};
 }
@@ -261,17 +269,20 @@ void Workspace::takeSnapshot()
     emit snapshotTaken();
 }
 
-QFuture<Result<ActionOutcome>> Workspace::perform(const QString &key, const QVariantMap &arguments, bool quiet)
+QFuture<Result<ActionOutcome>> Workspace::perform(const QString &key, const QVariantMap &arguments,
+                                                  bool quiet)
 {
     const auto actions = m_client.device() ? m_client.device()->actions() : std::span<const ActionSpec>();
     const auto it = std::find_if(actions.begin(), actions.end(),
                                  [&key](const ActionSpec &spec) { return key == QLatin1String(spec.key); });
     const bool moving = it != actions.end() && it->isProcedure;
     const MemoryEffect effect = it == actions.end() ? MemoryEffect::None : it->memory;
-    return m_client.submit<ActionOutcome>([key, arguments, history = m_history,
-                                           live = m_live.unsaved()](Channel &channel, Device &device) {
-        return performSafely(channel, device, key, arguments, history, live);
-    }, moving ? DeviceClient::JobKind::Moving : DeviceClient::JobKind::Quiet)
+    return m_client
+        .submit<ActionOutcome>(
+            [key, arguments, history = m_history, live = m_live.unsaved()](Channel &channel, Device &device) {
+                return performSafely(channel, device, key, arguments, history, live);
+            },
+            moving ? DeviceClient::JobKind::Moving : DeviceClient::JobKind::Quiet)
         .then(this, [this, quiet, effect](const Result<ActionOutcome> &outcome) {
             if (!outcome && !quiet)
                 emit problem(describe(outcome.error()));
@@ -306,19 +317,21 @@ void Workspace::changeWorld(const QString &assignment)
 
 QFuture<bool> Workspace::saveLive()
 {
-    return perform(m_client.device() ? m_client.device()->storeAction() : QString(), {}).then(this, [this, live = m_live.unsaved()](const Result<ActionOutcome> &saved) {
-        if (!saved)
-            return false;
-        Configuration board = std::as_const(m_configuration).board();
-        for (const LiveValue &value : live) {
-            if (const ParameterSpec *spec = board.parameters().find(value.key))
-                std::ignore = board.setRaw(*spec, board.activeProfile(), value.inUse);
-        }
-        m_configuration.setBoard(board);
-        emit notice(tr("Stored on the board. The board as it was is kept in %1").arg(saved->snapshotPath));
-        readBoard();   // what is stored now is what the board says, not what was meant
-        return true;
-    });
+    return perform(m_client.device() ? m_client.device()->storeAction() : QString(), {})
+        .then(this, [this, live = m_live.unsaved()](const Result<ActionOutcome> &saved) {
+            if (!saved)
+                return false;
+            Configuration board = std::as_const(m_configuration).board();
+            for (const LiveValue &value : live) {
+                if (const ParameterSpec *spec = board.parameters().find(value.key))
+                    std::ignore = board.setRaw(*spec, board.activeProfile(), value.inUse);
+            }
+            m_configuration.setBoard(board);
+            emit notice(
+                tr("Stored on the board. The board as it was is kept in %1").arg(saved->snapshotPath));
+            readBoard();  // what is stored now is what the board says, not what was meant
+            return true;
+        });
 }
 
 void Workspace::useProfile(int profile)
@@ -328,19 +341,21 @@ void Workspace::useProfile(int profile)
         return;
     }
     m_switchingProfile = true;
-    m_client.submit<bool>([profile](Channel &channel, Device &device) -> Result<bool> {
-        const auto selected = device.selectProfile(channel, profile);
-        return selected ? Result<bool>(true) : tl::unexpected(selected.error());
-    }).then(this, [this, profile](const Result<bool> &done) {
-        m_switchingProfile = false;
-        if (!done) {
-            emit problem(describe(done.error()));
-            emit m_configuration.activeProfileChanged(m_configuration.board().activeProfile());
-            return;
-        }
-        m_configuration.setActiveProfile(profile);
-        m_configuration.setShownProfile(profile);
-    });
+    m_client
+        .submit<bool>([profile](Channel &channel, Device &device) -> Result<bool> {
+            const auto selected = device.selectProfile(channel, profile);
+            return selected ? Result<bool>(true) : tl::unexpected(selected.error());
+        })
+        .then(this, [this, profile](const Result<bool> &done) {
+            m_switchingProfile = false;
+            if (!done) {
+                emit problem(describe(done.error()));
+                emit m_configuration.activeProfileChanged(m_configuration.board().activeProfile());
+                return;
+            }
+            m_configuration.setActiveProfile(profile);
+            m_configuration.setShownProfile(profile);
+        });
 }
 
 void Workspace::setMotors(bool on)
@@ -353,12 +368,13 @@ void Workspace::setMotors(bool on)
         m_client.motorsOff();
         return;
     }
-    m_client.submit<Frame>([](Channel &channel, Device &device) {
-        return channel.transact(device.motorsOnRequest());
-    }).then(this, [this](const Result<Frame> &done) {
-        if (!done)
-            emit problem(describe(done.error()));
-    });
+    m_client
+        .submit<Frame>(
+            [](Channel &channel, Device &device) { return channel.transact(device.motorsOnRequest()); })
+        .then(this, [this](const Result<Frame> &done) {
+            if (!done)
+                emit problem(describe(done.error()));
+        });
 }
 
 void Workspace::wishTelemetry(const QObject *who, const QList<int> &channels)
@@ -417,15 +433,17 @@ bool Workspace::hasAction(const QString &key) const
     if (!tables())
         return false;
     const auto actions = tables()->actions();
-    return std::any_of(actions.begin(), actions.end(), [&key](const ActionSpec &action) { return key == QLatin1String(action.key); });
+    return std::any_of(actions.begin(), actions.end(),
+                       [&key](const ActionSpec &action) { return key == QLatin1String(action.key); });
 }
 
 const Family *Workspace::family() const
 {
     if (m_client.isConnected())
         return findFamily(m_client.families(), m_client.identity().family);
-    return m_configuration.isEmpty() ? nullptr
-                                     : findFamily(m_client.families(), std::as_const(m_configuration).board().identity().family);
+    return m_configuration.isEmpty()
+        ? nullptr
+        : findFamily(m_client.families(), std::as_const(m_configuration).board().identity().family);
 }
 
 const Device *Workspace::tables() const
@@ -434,7 +452,7 @@ const Device *Workspace::tables() const
         return m_client.device();
     const Family *shown = family();
     if (!shown)
-        shown = &m_client.families().first();   // before the first board or file, the usual one
+        shown = &m_client.families().first();  // before the first board or file, the usual one
     if (std::exchange(m_tablesOf, shown->key) != shown->key || !m_tables)
         m_tables = shown->makeDevice();
     return m_tables.get();
@@ -482,12 +500,12 @@ void Workspace::offerWayOut()
     Offer question;
     question.text = tableText(way->text);
     question.choices.append({tableText(way->choice), [this, key = QString::fromLatin1(way->action)] {
-        perform(key, {}).then(this, [this](const Result<ActionOutcome> &done) {
-            if (done)
-                readBoard();   // scripts as well, now
-        });
-    }});
-    question.choices.append({tr("Leave it so"), [] { }});
+                                 perform(key, {}).then(this, [this](const Result<ActionOutcome> &done) {
+                                     if (done)
+                                         readBoard();  // scripts as well, now
+                                 });
+                             }});
+    question.choices.append({tr("Leave it so"), [] {}});
     emit offer(question);
 }
 

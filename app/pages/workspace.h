@@ -3,12 +3,12 @@
 #pragma once
 
 #include "app/composition/links.h"
-#include "protocol/device/deviceclient.h"
 #include "app/pages/boardwriter.h"
 #include "app/pages/editjournal.h"
 #include "app/pages/linkmarks.h"
 #include "app/pages/linkrecorder.h"
 #include "app/pages/settings.h"
+#include "protocol/device/deviceclient.h"
 #include "protocol/procedure/safeaction.h"
 #include "widgets/forms/editstack.h"
 #include "widgets/models/errortext.h"
@@ -18,13 +18,14 @@
 /// "31 °C" or "88 °F"; empty for NaN.
 [[nodiscard]] QString temperatureText(double celsius, bool fahrenheit);
 
-/// What all pages share: the client, the configuration with its edits, the history of snapshots, the theme. Turns wishes of
-/// the operator into jobs, and their results into model changes and messages.
+/// What all pages share: the client, the configuration with its edits, the history of snapshots, the theme.
+/// Turns wishes of the operator into jobs, and their results into model changes and messages.
 class Workspace final : public QObject
 {
     Q_OBJECT
 public:
-    Workspace(Links links, QList<Family> families, Theme &theme, Settings &settings, QObject *parent = nullptr);
+    Workspace(Links links, QList<Family> families, Theme &theme, Settings &settings,
+              QObject *parent = nullptr);
     ~Workspace() override;
     /// Ends the link and keeps what is unsaved; before pages are taken down.
     void shutDown();
@@ -49,10 +50,12 @@ public:
     void readBoard();
     /// Writes what differs between the board and this, verified, with a snapshot before the first write.
     void write(const Configuration &wanted);
-    /// Stores the values in use in the active profile, with a snapshot of what was stored before. True when it was done.
+    /// Stores the values in use in the active profile, with a snapshot of what was stored before. True when
+    /// it was done.
     QFuture<bool> saveLive();
     void useProfile(int profile);
-    /// Opens a configuration without a board, to look at and to edit, or a recording as a link. Errors: BadFile.
+    /// Opens a configuration without a board, to look at and to edit, or a recording as a link. Errors:
+    /// BadFile.
     Result<void> openFile(const QString &path);
     /// Understands a configuration file in terms of the board shown. Errors: BadFile.
     Result<ConfigurationFile> loadFile(const QString &path) const;
@@ -65,8 +68,10 @@ public:
     /// Takes a snapshot of the board as it is now, or of the offline configuration.
     void takeSnapshot();
 
-    /// Performs an action, with a snapshot before it where it writes. Failures are told by problem() unless quiet.
-    QFuture<Result<ActionOutcome>> perform(const QString &key, const QVariantMap &arguments, bool quiet = false);
+    /// Performs an action, with a snapshot before it where it writes. Failures are told by problem() unless
+    /// quiet.
+    QFuture<Result<ActionOutcome>> perform(const QString &key, const QVariantMap &arguments,
+                                           bool quiet = false);
 
     /// The gimbal is a simulated one whose world can be changed.
     [[nodiscard]] bool isSimulated() const;
@@ -145,7 +150,7 @@ private:
     PlotMarks m_marks;
     LinkMarks m_linkMarks;
     BoardWriter m_writer;
-    mutable std::unique_ptr<Device> m_tables;             // of the file's family, while no board is connected
+    mutable std::unique_ptr<Device> m_tables;  // of the file's family, while no board is connected
     mutable QString m_tablesOf;
     bool m_unstored = false;
     QString m_unstoredSerial;

@@ -33,7 +33,7 @@ const ActionSpec *findAction(const Device *device, const QString &key)
     return nullptr;
 }
 
-} // namespace
+}  // namespace
 
 AutoTunePage::AutoTunePage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"autotune"_s, tr("Auto-tune"), parent)
@@ -99,7 +99,7 @@ void AutoTunePage::onState()
         m_ask->content()->insertWidget(1, m_form);
     }
     if (!client.isConnected() && m_state == State::Finished)
-        m_before.clear();   // the board may have restarted: what it uses now is asked anew
+        m_before.clear();  // the board may have restarted: what it uses now is asked anew
     if (m_state == State::Finished && m_before.isEmpty())
         m_state = State::Ready;
     setState(m_state);
@@ -110,13 +110,16 @@ void AutoTunePage::setState(State state)
 {
     const bool changed = state != m_state;
     m_state = state;
-    const bool ready = workspace().client().isConnected() && workspace().client().identity().writable && m_form;
+    const bool ready
+        = workspace().client().isConnected() && workspace().client().identity().writable && m_form;
     m_start->setVisible(state != State::Running);
     m_start->setEnabled(ready);
-    m_start->setToolTip(workspace().client().isConnected() && !m_form ? tr("This board has no command for it.") : QString());
+    m_start->setToolTip(
+        workspace().client().isConnected() && !m_form ? tr("This board has no command for it.") : QString());
     m_start->setText(state == State::Finished ? tr("Search again: the camera will shake")
                                               : tr("Start: the camera will shake"));
-    m_start->setObjectName(state == State::Finished ? QString() : u"primary"_s);   // then accepting is the next step
+    m_start->setObjectName(state == State::Finished ? QString()
+                                                    : u"primary"_s);  // then accepting is the next step
     repolish(m_start);
     m_stop->setVisible(state == State::Running);
     m_accept->setVisible(state == State::Finished);
@@ -125,15 +128,19 @@ void AutoTunePage::setState(State state)
         m_form->setEnabled(state != State::Running);
     switch (state) {
     case State::Ready:
-        m_text->setText(tr("Hold the gimbal in your hand or on a stand, balanced, with all motors running. The board moves the "
-                           "camera a little to find gains; the lower “gain against stability”, the calmer the result. "
-                           "Nothing is saved before you accept."));
+        m_text->setText(
+            tr("Hold the gimbal in your hand or on a stand, balanced, with all motors running. The board "
+               "moves the "
+               "camera a little to find gains; the lower “gain against stability”, the calmer the result. "
+               "Nothing is saved before you accept."));
         break;
     case State::Running:
-        m_text->setText(tr("The board is searching. Keep the gimbal as it is. F12 or the red button stops everything."));
+        m_text->setText(
+            tr("The board is searching. Keep the gimbal as it is. F12 or the red button stops everything."));
         break;
     case State::Finished:
-        m_text->setText(tr("The new gains are in use, but not saved. Try them: turn the gimbal by hand and look at Tuning. Then "
+        m_text->setText(tr("The new gains are in use, but not saved. Try them: turn the gimbal by hand and "
+                           "look at Tuning. Then "
                            "accept them or put the old ones back."));
         break;
     }
@@ -172,17 +179,20 @@ void AutoTunePage::onProgress(const Progress &progress)
     m_last = progress.values;
     for (const Axis axis : kAxes) {
         const QString key = QLatin1String(axisKey(axis));
-        const auto add = [&](IterationChart *chart, const QString &figure, const QString &name, Qt::PenStyle style) {
-            const QString id = figure + u'.' + key;
-            if (progress.values.contains(id))
-                chart->addPoint(u"%1, %2"_s.arg(name, axisLabel(axis)), axis, progress.done, progress.values.value(id), style);
-        };
+        const auto add
+            = [&](IterationChart *chart, const QString &figure, const QString &name, Qt::PenStyle style) {
+                  const QString id = figure + u'.' + key;
+                  if (progress.values.contains(id))
+                      chart->addPoint(u"%1, %2"_s.arg(name, axisLabel(axis)), axis, progress.done,
+                                      progress.values.value(id), style);
+              };
         add(m_gains, u"p"_s, u"P"_s, Qt::SolidLine);
         add(m_gains, u"d"_s, u"D"_s, Qt::DashLine);
         add(m_errors, u"error"_s, tr("Error"), Qt::SolidLine);
     }
     m_live.read();
-    m_text->setText(tr("Iteration %1. Keep the gimbal as it is. F12 or the red button stops everything.").arg(progress.done));
+    m_text->setText(tr("Iteration %1. Keep the gimbal as it is. F12 or the red button stops everything.")
+                        .arg(progress.done));
 }
 
 void AutoTunePage::onFinished(const Result<ActionOutcome> &outcome)
@@ -195,8 +205,10 @@ void AutoTunePage::onFinished(const Result<ActionOutcome> &outcome)
     if (outcome.error().code == ErrorCode::LinkClosed || !workspace().client().isConnected()) {
         setState(State::Ready);
         ErrorText text = describe(outcome.error());
-        text.meaning = tr("Nothing was saved. The board may still use what it has found so far, until its next start.");
-        text.cure = tr("When it is connected again, look at Tuning: “Revert all” puts the stored gains back.");
+        text.meaning = tr(
+            "Nothing was saved. The board may still use what it has found so far, until its next start.");
+        text.cure
+            = tr("When it is connected again, look at Tuning: “Revert all” puts the stored gains back.");
         emit workspace().problem(text);
         return;
     }
@@ -235,13 +247,16 @@ void AutoTunePage::fillTable()
         if (!spec.key.startsWith(u"pid."_s))
             continue;
         const auto now = m_live.value(parameter);
-        const auto before = m_before.contains(parameter) ? std::optional(m_before.value(parameter)) : m_live.stored(parameter);
+        const auto before = m_before.contains(parameter) ? std::optional(m_before.value(parameter))
+                                                         : m_live.stored(parameter);
         const int row = m_table->rowCount();
         m_table->insertRow(row);
         const auto text = [&](std::optional<int> raw) { return raw ? spec.format(*raw) : u"–"_s; };
         const double change = now && before ? spec.toDisplay(*now) - spec.toDisplay(*before) : 0.0;
         const QStringList cells{parameterLabel(spec), text(before), text(now),
-                                change == 0.0 ? QString() : (change > 0 ? u"▲ "_s : u"▼ "_s) + QString::number(std::abs(change), 'g', 3)};
+                                change == 0.0 ? QString()
+                                              : (change > 0 ? u"▲ "_s : u"▼ "_s)
+                                        + QString::number(std::abs(change), 'g', 3)};
         for (int column = 0; column < cells.size(); ++column) {
             auto *item = new QTableWidgetItem(cells[column]);
             if (column > 0)

@@ -50,7 +50,7 @@ private:
     IterationChart *m_gains;
     IterationChart *m_errors;
     QTableWidget *m_table;
-    QHash<int, int> m_before;     // parameter -> raw value in use before the run
-    QMap<QString, double> m_last; // latest figures of the run
+    QHash<int, int> m_before;  // parameter -> raw value in use before the run
+    QMap<QString, double> m_last;  // latest figures of the run
     State m_state = State::Ready;
 };

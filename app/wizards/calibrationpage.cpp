@@ -22,10 +22,10 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr auto kLookPeriod = 100ms;
-constexpr double kStillSpan = 1.0;        // seconds that must be still
-constexpr double kStillEnough = 0.8;      // deg/s, standard deviation of the shakiest axis
-constexpr double kFaceUp = 0.8;           // g on the axis that points up
-constexpr double kFaceSide = 0.35;        // g at most on the others
+constexpr double kStillSpan = 1.0;  // seconds that must be still
+constexpr double kStillEnough = 0.8;  // deg/s, standard deviation of the shakiest axis
+constexpr double kFaceUp = 0.8;  // g on the axis that points up
+constexpr double kFaceSide = 0.35;  // g at most on the others
 // Residual errors that are good and that are usable.
 constexpr double kGoodBias = 0.1;
 constexpr double kFairBias = 0.5;
@@ -35,11 +35,12 @@ constexpr int kUsualSeconds = 6;
 
 QString rating(double value, double good, double fair)
 {
-    return value <= good ? CalibrationPage::tr("good") : value <= fair ? CalibrationPage::tr("usable")
-                                                                       : CalibrationPage::tr("poor, repeat it");
+    return value <= good ? CalibrationPage::tr("good")
+        : value <= fair  ? CalibrationPage::tr("usable")
+                         : CalibrationPage::tr("poor, repeat it");
 }
 
-} // namespace
+}  // namespace
 
 CalibrationPage::CalibrationPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"calibration"_s, tr("Calibration"), parent)
@@ -96,18 +97,25 @@ QWidget *CalibrationPage::makeChooser()
     row->setSpacing(12);
     column->addLayout(row);
     column->addStretch(1);
-    const auto add = [&](Kind kind, const QString &title, const QString &text, const QString &button, int face) {
-        connect(addMethod(*row, workspace().theme(), title, text, button, face), &QPushButton::clicked, this, [this, kind] { start(kind); });
-    };
+    const auto add
+        = [&](Kind kind, const QString &title, const QString &text, const QString &button, int face) {
+              connect(addMethod(*row, workspace().theme(), title, text, button, face), &QPushButton::clicked,
+                      this, [this, kind] { start(kind); });
+          };
     add(Kind::Gyroscope, tr("Gyroscope"),
-        tr("Finds the zero of the turn-rate sensor. Do it when the camera drifts, after great changes of temperature, and "
-           "before anything else. Takes about ten seconds, with the camera lying still."), tr("Calibrate the gyroscope"), 4);
+        tr("Finds the zero of the turn-rate sensor. Do it when the camera drifts, after great changes of "
+           "temperature, and "
+           "before anything else. Takes about ten seconds, with the camera lying still."),
+        tr("Calibrate the gyroscope"), 4);
     add(Kind::Level, tr("Accelerometer, level"),
-        tr("Finds what is level. Do it when the horizon is crooked. Takes about ten seconds, with the sensor lying level."),
+        tr("Finds what is level. Do it when the horizon is crooked. Takes about ten seconds, with the sensor "
+           "lying level."),
         tr("Calibrate level"), 0);
     add(Kind::SixPositions, tr("Accelerometer, six positions"),
-        tr("Finds zero and scale of all three directions, for a horizon that stays straight at every angle. Do it once for "
-           "each sensor; each of its six faces has to lie up once. Takes about two minutes."), tr("Calibrate six positions"), 2);
+        tr("Finds zero and scale of all three directions, for a horizon that stays straight at every angle. "
+           "Do it once for "
+           "each sensor; each of its six faces has to lie up once. Takes about two minutes."),
+        tr("Calibrate six positions"), 2);
     return holder;
 }
 
@@ -119,13 +127,13 @@ QWidget *CalibrationPage::makeWizard()
     m_result->setWordWrap(true);
     m_result->setAlignment(Qt::AlignTop);
     m_result->setTextFormat(Qt::RichText);
-    setQuiet(*m_stillness, tr("Stillness"));   // the sentence above says it
+    setQuiet(*m_stillness, tr("Stillness"));  // the sentence above says it
     setQuiet(*m_progress, tr("Progress of the measurement"));
     m_continue->setObjectName(u"primary"_s);
     auto *middle = new QHBoxLayout;
     middle->setSpacing(Metric::kGroupGap);
     middle->addWidget(m_cube, 2);
-    middle->addWidget(m_result, 2);   // in the cube's place when the measurement is over
+    middle->addWidget(m_result, 2);  // in the cube's place when the measurement is over
     middle->addWidget(m_positions, 1);
     auto *buttons = new QHBoxLayout;
     buttons->addWidget(m_back);
@@ -164,7 +172,8 @@ void CalibrationPage::updateButtons()
 {
     const bool can = !workspace().client().device() || workspace().hasAction(u"calibrate.gyro"_s);
     for (QPushButton *button : m_stack->widget(0)->findChildren<QPushButton *>()) {
-        button->setEnabled(workspace().client().isConnected() && workspace().client().identity().writable && can);
+        button->setEnabled(workspace().client().isConnected() && workspace().client().identity().writable
+                           && can);
         button->setToolTip(can ? QString() : tr("This board has no command for it."));
     }
 }
@@ -202,21 +211,22 @@ void CalibrationPage::setStep(Step step)
     if (step == Step::Place) {
         switch (m_kind) {
         case Kind::Gyroscope:
-            m_what->setText(tr("Lay the camera down so that nothing moves it. Take your hands off the table."));
+            m_what->setText(
+                tr("Lay the camera down so that nothing moves it. Take your hands off the table."));
             break;
-        case Kind::Level:
-            m_what->setText(tr("Put the sensor level, Z up, and let it lie still."));
-            break;
+        case Kind::Level: m_what->setText(tr("Put the sensor level, Z up, and let it lie still.")); break;
         case Kind::SixPositions:
-            m_what->setText(doneCount() == 0 ? tr("Lay the sensor on one of its six faces. Begin with Z up.")
-                                             : tr("%1 of 6 done. Lay the sensor on another face.").arg(doneCount()));
+            m_what->setText(doneCount() == 0
+                                ? tr("Lay the sensor on one of its six faces. Begin with Z up.")
+                                : tr("%1 of 6 done. Lay the sensor on another face.").arg(doneCount()));
             break;
         }
         look();
     } else if (step == Step::Measure) {
         m_progress->setValue(0);
-        m_what->setText(tr("Measuring. Leave it absolutely still for about %1 seconds; the motors are off meanwhile.")
-                            .arg(kUsualSeconds));
+        m_what->setText(
+            tr("Measuring. Leave it absolutely still for about %1 seconds; the motors are off meanwhile.")
+                .arg(kUsualSeconds));
         m_sees->setText(tr("If it is moved, the board begins again."));
     }
     if (step != Step::Choose && isVisible())
@@ -251,7 +261,8 @@ void CalibrationPage::look()
         m_motion = 0;
         std::array<double, 3> acc{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double deviation = spanStatistics(*store, roles.gyro[axis], -1, now - kStillSpan, now).aroundMean().rms;
+            const double deviation
+                = spanStatistics(*store, roles.gyro[axis], -1, now - kStillSpan, now).aroundMean().rms;
             // A sensor without samples is not still.
             m_motion = std::isnan(deviation) ? deviation : std::max(m_motion, deviation);
             acc[axis] = spanStatistics(*store, roles.acc[axis], -1, now - kStillSpan / 2, now).mean;
@@ -260,14 +271,16 @@ void CalibrationPage::look()
         }
         for (int axis = 0; axis < 3; ++axis) {
             const double up = acc[std::size_t(axis)];
-            const double side = std::max(std::abs(acc[std::size_t((axis + 1) % 3)]), std::abs(acc[std::size_t((axis + 2) % 3)]));
+            const double side = std::max(std::abs(acc[std::size_t((axis + 1) % 3)]),
+                                         std::abs(acc[std::size_t((axis + 2) % 3)]));
             constexpr std::array<int, 3> faceOfAxis{2, 4, 0};
             if (std::abs(up) > kFaceUp && side < kFaceSide)
                 m_face = faceOfAxis[std::size_t(axis)] + (up < 0 ? 1 : 0);
         }
     }
     m_cube->setPosition(m_face);
-    m_stillness->setValue(std::isnan(m_motion) ? 0 : int(100.0 * std::clamp(1.0 - m_motion / (4 * kStillEnough), 0.0, 1.0)));
+    m_stillness->setValue(
+        std::isnan(m_motion) ? 0 : int(100.0 * std::clamp(1.0 - m_motion / (4 * kStillEnough), 0.0, 1.0)));
     const QString waiting = waitingFor();
     m_satisfied = waiting.isEmpty();
     m_sees->setText(m_satisfied ? tr("✓ Still, %1. Ready.").arg(faceName(m_face)) : waiting);
@@ -284,7 +297,8 @@ void CalibrationPage::measure()
     m_measuring = std::max(0, m_face);
     setStep(Step::Measure);
     const QString key = m_kind == Kind::Gyroscope ? u"calibrate.gyro"_s : u"calibrate.acc"_s;
-    workspace().perform(key, {{u"imu"_s, 0}, {u"action"_s, 1}, {u"form"_s, 0}}, true)
+    workspace()
+        .perform(key, {{u"imu"_s, 0}, {u"action"_s, 1}, {u"form"_s, 0}}, true)
         .then(this, [this](const Result<ActionOutcome> &outcome) { onMeasured(outcome); });
 }
 
@@ -311,7 +325,7 @@ void CalibrationPage::onMeasured(const Result<ActionOutcome> &outcome)
     m_quality.level = level;
     m_done |= 1U << m_measuring;
     if (m_kind == Kind::SixPositions && doneCount() < kSensorFaces) {
-        setStep(Step::Place);   // only with all six known does an error say how good the calibration is
+        setStep(Step::Place);  // only with all six known does an error say how good the calibration is
         return;
     }
     showResult();
@@ -321,12 +335,13 @@ void CalibrationPage::showResult()
 {
     const bool gyro = m_kind == Kind::Gyroscope;
     const double figure = gyro ? m_quality.biasAfter : m_quality.level;
-    const QString verdict = gyro ? rating(figure, kGoodBias, kFairBias) : rating(figure, kGoodLevel, kFairLevel);
+    const QString verdict
+        = gyro ? rating(figure, kGoodBias, kFairBias) : rating(figure, kGoodLevel, kFairLevel);
     m_what->setText(gyro ? tr("Gyroscope: %1").arg(verdict) : tr("Accelerometer: %1").arg(verdict));
     QString html = u"<table>"_s;
     const auto row = [&html](const QString &name, const QString &value) {
-        html += u"<tr><td style='padding:2px 24px 2px 0'>%1</td><td align='right'>%2</td></tr>"_s
-                    .arg(name.toHtmlEscaped(), value.toHtmlEscaped());
+        html += u"<tr><td style='padding:2px 24px 2px 0'>%1</td><td align='right'>%2</td></tr>"_s.arg(
+            name.toHtmlEscaped(), value.toHtmlEscaped());
     };
     if (gyro) {
         row(tr("Drift before"), tr("%1 °/s").arg(m_quality.biasBefore, 0, 'f', 2));
@@ -335,10 +350,13 @@ void CalibrationPage::showResult()
         html += u"</table><p>%1</p>"_s.arg(tr("Good is a drift below %1 °/s.").arg(kGoodBias));
     } else {
         row(tr("Error against gravity"), tr("%1 g").arg(m_quality.level, 0, 'f', 4));
-        row(tr("That is a tilt of about"), tr("%1°").arg(std::asin(std::min(1.0, figure)) * 180 / 3.14159265358979, 0, 'f', 2));
-        html += u"</table><p>%1</p>"_s.arg(tr("Good is an error below %1 g; the noise of the sensor is part of it.").arg(kGoodLevel));
+        row(tr("That is a tilt of about"),
+            tr("%1°").arg(std::asin(std::min(1.0, figure)) * 180 / 3.14159265358979, 0, 'f', 2));
+        html += u"</table><p>%1</p>"_s.arg(
+            tr("Good is an error below %1 g; the noise of the sensor is part of it.").arg(kGoodLevel));
     }
-    html += u"<p>%1</p>"_s.arg(tr("The result is stored in the sensor's memory; the settings as they were are among the backups."));
+    html += u"<p>%1</p>"_s.arg(
+        tr("The result is stored in the sensor's memory; the settings as they were are among the backups."));
     m_result->setText(html);
     setStep(Step::Result);
     m_hands->putBack();

@@ -57,15 +57,15 @@ private:
         double biasAfter = 0;
         double biasBefore = 0;
         double noise = 0;
-        double level = 0;          // g, in the last position
+        double level = 0;  // g, in the last position
     };
     Kind m_kind = Kind::Gyroscope;
     Step m_step = Step::Choose;
-    unsigned m_done = 0;       // positions, bit by face
+    unsigned m_done = 0;  // positions, bit by face
     Quality m_quality;
     int m_face = -1;
-    int m_measuring = 0;       // position being measured
-    double m_motion = 0;       // standard deviation of the gyroscope, deg/s
+    int m_measuring = 0;  // position being measured
+    double m_motion = 0;  // standard deviation of the gyroscope, deg/s
     bool m_satisfied = false;
     QStackedWidget *m_stack;
     QLabel *m_what;

@@ -22,11 +22,11 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double kGoodQuality = 0.01;      // g
+constexpr double kGoodQuality = 0.01;  // g
 constexpr double kFairQuality = 0.03;
 constexpr unsigned kAllFaces = (1U << kSensorFaces) - 1;
 
-} // namespace
+}  // namespace
 
 SensorPage::SensorPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"sensor"_s, tr("Calibration"), parent)
@@ -59,7 +59,8 @@ SensorPage::SensorPage(Workspace &workspace, QWidget *parent)
 
     connect(m_load, &QPushButton::clicked, this, [this] {
         const Family *family = this->workspace().family();
-        askOpenPath(tr("Load a calibration"), u"%1 (*.%2)"_s.arg(family->calibrationFile->name, family->calibrationFile->suffix),
+        askOpenPath(tr("Load a calibration"),
+                    u"%1 (*.%2)"_s.arg(family->calibrationFile->name, family->calibrationFile->suffix),
                     [this](const QString &path) {
                         if (const auto loaded = loadFile(path); !loaded)
                             emit this->workspace().problem(describe(loaded.error()));
@@ -68,15 +69,18 @@ SensorPage::SensorPage(Workspace &workspace, QWidget *parent)
     connect(m_save, &QPushButton::clicked, this, [this] {
         const Family *family = this->workspace().family();
         const QString suffix = family->calibrationFile->suffix;
-        askSavePath(tr("Save the calibration"), u"calibration."_s + suffix, u"%1 (*.%2)"_s.arg(family->calibrationFile->name, suffix),
-                    [this](const QString &path) {
+        askSavePath(tr("Save the calibration"), u"calibration."_s + suffix,
+                    u"%1 (*.%2)"_s.arg(family->calibrationFile->name, suffix), [this](const QString &path) {
                         if (const auto saved = saveFile(path); !saved)
                             emit this->workspace().problem(describe(saved.error()));
                         else
                             emit this->workspace().notice(tr("Saved to %1").arg(path));
                     });
     });
-    connect(m_cancel, &QPushButton::clicked, this, [this] { this->workspace().client().cancelJobs(); setStep(Step::Choose); });
+    connect(m_cancel, &QPushButton::clicked, this, [this] {
+        this->workspace().client().cancelJobs();
+        setStep(Step::Choose);
+    });
     connect(m_again, &QPushButton::clicked, this, [this] { setStep(Step::Choose); });
     connect(m_store, &QPushButton::clicked, this, &SensorPage::store);
     connect(&workspace.client(), &DeviceClient::progressChanged, this, &SensorPage::onProgress);
@@ -90,7 +94,8 @@ QWidget *SensorPage::makeChooser()
     auto *column = new QVBoxLayout(holder);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(12);
-    auto *warning = new QLabel(tr("⚠ Take the battery off and work on USB power alone, so that the motors cannot move. Nothing is stored "
+    auto *warning = new QLabel(tr("⚠ Take the battery off and work on USB power alone, so that the motors "
+                                  "cannot move. Nothing is stored "
                                   "before you have seen the result."));
     warning->setObjectName(u"warning"_s);
     warning->setWordWrap(true);
@@ -100,11 +105,15 @@ QWidget *SensorPage::makeChooser()
     column->addLayout(row);
     column->addStretch(1);
     m_oneButton = addMethod(*row, workspace().theme(), tr("Accelerometer, one position"),
-                tr("Finds the zeros of the three axes. Takes two seconds while the sensor lies level and still, as it is mounted. "
-                   "Good enough for a horizon that is a little crooked."), tr("Calibrate one position"), 0);
+                            tr("Finds the zeros of the three axes. Takes two seconds while the sensor lies "
+                               "level and still, as it is mounted. "
+                               "Good enough for a horizon that is a little crooked."),
+                            tr("Calibrate one position"), 0);
     m_sixButton = addMethod(*row, workspace().theme(), tr("Accelerometer, six positions"),
-                 tr("Finds zeros and scales, for a horizon that stays straight at every angle. Each of the sensor's six faces has to lie "
-                    "up once, in any order. Takes about a minute."), tr("Calibrate six positions"), 2);
+                            tr("Finds zeros and scales, for a horizon that stays straight at every angle. "
+                               "Each of the sensor's six faces has to lie "
+                               "up once, in any order. Takes about a minute."),
+                            tr("Calibrate six positions"), 2);
     connect(m_oneButton, &QPushButton::clicked, this, [this] { start(false); });
     connect(m_sixButton, &QPushButton::clicked, this, [this] { start(true); });
     return holder;
@@ -154,7 +163,8 @@ void SensorPage::updateState()
 {
     const DeviceClient &client = workspace().client();
     const bool ready = client.isConnected() && client.identity().writable;
-    for (QWidget *widget : {static_cast<QWidget *>(m_oneButton), static_cast<QWidget *>(m_sixButton), static_cast<QWidget *>(m_load)})
+    for (QWidget *widget : {static_cast<QWidget *>(m_oneButton), static_cast<QWidget *>(m_sixButton),
+                            static_cast<QWidget *>(m_load)})
         widget->setEnabled(ready);
     m_imu->setEnabled(ready && m_step == Step::Choose);
     m_store->setEnabled(ready);
@@ -178,7 +188,9 @@ void SensorPage::start(bool six)
     m_missing = kAllFaces;
     setStep(Step::Measure);
     m_sees->setText(tr("Waiting for readings of the sensor."));
-    workspace().perform(six ? u"calibrate.six"_s : u"calibrate.level"_s, {{u"imu"_s, m_imu->currentData()}, {u"store"_s, false}}, true)
+    workspace()
+        .perform(six ? u"calibrate.six"_s : u"calibrate.level"_s,
+                 {{u"imu"_s, m_imu->currentData()}, {u"store"_s, false}}, true)
         .then(this, [this](const Result<ActionOutcome> &outcome) { onMeasured(outcome); });
 }
 
@@ -200,8 +212,9 @@ void SensorPage::setStep(Step step)
     if (measuring) {
         m_progress->setValue(0);
         m_cube->setPosition(-1);
-        m_what->setText(m_six ? tr("Lay the sensor on its faces, one after the other, and let it lie still on each.")
-                              : tr("Let the sensor lie level and still, as it is mounted."));
+        m_what->setText(
+            m_six ? tr("Lay the sensor on its faces, one after the other, and let it lie still on each.")
+                  : tr("Let the sensor lie level and still, as it is mounted."));
         m_faces->setDone(0);
         if (isVisible())
             m_cancel->setFocus();
@@ -222,8 +235,8 @@ void SensorPage::onProgress(const Progress &progress)
     const double length = std::hypot(value(u"x"_s), value(u"y"_s), value(u"z"_s));
     QString rows;
     const auto row = [&rows](const QString &name, double number, int decimals, const QString &unit) {
-        rows += u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td align='right'>%2 %3</td></tr>"_s
-                    .arg(name, QString::number(number, 'f', decimals), unit);
+        rows += u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td align='right'>%2 %3</td></tr>"_s.arg(
+            name, QString::number(number, 'f', decimals), unit);
     };
     row(u"X"_s, value(u"x"_s), 3, u"g"_s);
     row(u"Y"_s, value(u"y"_s), 3, u"g"_s);
@@ -240,7 +253,9 @@ void SensorPage::onProgress(const Progress &progress)
     else if (face < 0)
         m_sees->setText(tr("It is tilted. Waiting until one face lies up."));
     else if (known)
-        m_sees->setText(tr("%1 is done. %n face(s) to go: turn the sensor.", nullptr, std::popcount(m_missing)).arg(faceName(face)));
+        m_sees->setText(
+            tr("%1 is done. %n face(s) to go: turn the sensor.", nullptr, std::popcount(m_missing))
+                .arg(faceName(face)));
     else
         m_sees->setText(tr("%1 lies up. Waiting until it has been still for a moment.").arg(faceName(face)));
     m_progress->setValue(measuring ? int(100 * value(u"measured"_s)) : 0);
@@ -281,24 +296,30 @@ void SensorPage::showResult()
     else if (!m_plausible)
         m_what->setText(tr("⚠ No sound sensor is like that. One of the readings was bad: calibrate again."));
     else if (six)
-        m_what->setText(m_quality <= kGoodQuality   ? tr("The calibration is good.")
-                        : m_quality <= kFairQuality ? tr("The calibration is usable.")
-                                                    : tr("The calibration is poor: faces did not lie square. Calibrate again."));
+        m_what->setText(m_quality <= kGoodQuality ? tr("The calibration is good.")
+                            : m_quality <= kFairQuality
+                            ? tr("The calibration is usable.")
+                            : tr("The calibration is poor: faces did not lie square. Calibrate again."));
     else
         m_what->setText(tr("The zeros are found."));
-    QString rows = u"<tr><td></td><td align='right' style='padding:2px 12px'>%1</td><td align='right' style='padding:2px 12px'>%2</td></tr>"_s
-                       .arg(tr("Zero"), tr("Counts per g"));
+    QString rows
+        = u"<tr><td></td><td align='right' style='padding:2px 12px'>%1</td><td align='right' style='padding:2px 12px'>%2</td></tr>"_s
+              .arg(tr("Zero"), tr("Counts per g"));
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        rows += u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td align='right' style='padding:2px 12px'>%2</td>"
-                "<td align='right' style='padding:2px 12px'>%3</td></tr>"_s
-                    .arg(QChar(u"XYZ"[axis])).arg(m_calibration.zero[axis]).arg(m_calibration.scale[axis]);
+        rows += u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td align='right' style='padding:2px "
+                u"12px'>%2</td>"
+                "<td align='right' style='padding:2px 12px'>%3</td></tr>"_s.arg(QChar(u"XYZ"[axis]))
+                    .arg(m_calibration.zero[axis])
+                    .arg(m_calibration.scale[axis]);
     }
     QString html = u"<table>%1</table>"_s.arg(rows);
     if (measured && six)
-        html += u"<p>%1</p>"_s.arg(tr("Quality: %1 g off axis; good is below %2 g.").arg(m_quality, 0, 'f', 4).arg(kGoodQuality));
+        html += u"<p>%1</p>"_s.arg(
+            tr("Quality: %1 g off axis; good is below %2 g.").arg(m_quality, 0, 'f', 4).arg(kGoodQuality));
     if (m_calibration.temperature != 0)
         html += u"<p>%1</p>"_s.arg(tr("Measured at %1 °C.").arg(m_calibration.temperature, 0, 'f', 1));
-    html += u"<p>%1</p>"_s.arg(tr("Nothing is on the board yet. Storing replaces the calibration of the sensor chosen above."));
+    html += u"<p>%1</p>"_s.arg(
+        tr("Nothing is on the board yet. Storing replaces the calibration of the sensor chosen above."));
     m_result->setText(html);
     m_store->setText(m_plausible ? tr("Store in the board") : tr("Store although it is implausible"));
     m_store->setObjectName(m_plausible ? u"primary"_s : u"danger"_s);
@@ -317,14 +338,16 @@ void SensorPage::store()
         arguments.insert(u"scale.%1"_s.arg(QChar(kAxisNames[axis])), m_calibration.scale[axis]);
     }
     m_store->setEnabled(false);
-    workspace().perform(u"calibration.write"_s, arguments).then(this, [this](const Result<ActionOutcome> &outcome) {
-        m_store->setEnabled(true);
-        if (!outcome)
-            return;
-        emit workspace().notice(tr("The calibration is stored and read back."));
-        setStep(Step::Choose);
-        m_hands->putBack();
-    });
+    workspace()
+        .perform(u"calibration.write"_s, arguments)
+        .then(this, [this](const Result<ActionOutcome> &outcome) {
+            m_store->setEnabled(true);
+            if (!outcome)
+                return;
+            emit workspace().notice(tr("The calibration is stored and read back."));
+            setStep(Step::Choose);
+            m_hands->putBack();
+        });
 }
 
 Result<void> SensorPage::loadFile(const QString &path)
@@ -351,7 +374,8 @@ Result<void> SensorPage::saveFile(const QString &path) const
     if (!family || !family->calibrationFile)
         return failure(ErrorCode::NotConnected);
     QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(family->calibrationFile->write(m_calibration)) < 0 || !file.commit())
+    if (!file.open(QIODevice::WriteOnly) || file.write(family->calibrationFile->write(m_calibration)) < 0
+        || !file.commit())
         return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
     return {};
 }

@@ -12,8 +12,8 @@ class QStackedWidget;
 class SensorCube;
 class SimulatedHands;
 
-/// Calibration of accelerometers whose readings the program averages itself: the sensor is laid on its faces, each is measured
-/// as soon as it lies still; the result is looked at before it is stored.
+/// Calibration of accelerometers whose readings the program averages itself: the sensor is laid on its faces,
+/// each is measured as soon as it lies still; the result is looked at before it is stored.
 class SensorPage final : public Page
 {
     Q_OBJECT
@@ -48,9 +48,9 @@ private:
 
     Step m_step = Step::Choose;
     bool m_six = false;
-    unsigned m_missing = 0;            // faces still to be measured, bit by face
+    unsigned m_missing = 0;  // faces still to be measured, bit by face
     SensorCalibration m_calibration;
-    double m_quality = 0;              // g
+    double m_quality = 0;  // g
     double m_oneG = 0;
     bool m_plausible = true;
     QStackedWidget *m_stack;

@@ -25,12 +25,13 @@ constexpr int kLeastPoles = 12;
 constexpr int kMostPoles = 28;
 constexpr int kUsualPoles = 14;
 
-} // namespace
+}  // namespace
 
 SetupPage::SetupPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"setup"_s, tr("Gimbal setup"), parent)
     , m_tasks(new Card(tr("Tasks")))
-    , m_hands(new SimulatedHands(workspace, {SimulatedHands::inGimbal(), {tr("held level"), 1}, {tr("tilted 45° down"), 7}}, this))
+    , m_hands(new SimulatedHands(
+          workspace, {SimulatedHands::inGimbal(), {tr("held level"), 1}, {tr("tilted 45° down"), 7}}, this))
     , m_what(new QLabel)
     , m_sees(new QLabel)
     , m_held(new QProgressBar)
@@ -65,9 +66,10 @@ SetupPage::SetupPage(Workspace &workspace, QWidget *parent)
 
 QWidget *SetupPage::makeTasks()
 {
-    const std::array<QString, kTasks> names{tr("Orientation of the sensors"), tr("Poles of the motors"), tr("Motor directions: find them"),
-                                            tr("Motor directions: keep what was found"), tr("Start positions of pitch and roll"),
-                                            tr("Align yaw")};
+    const std::array<QString, kTasks> names{
+        tr("Orientation of the sensors"),        tr("Poles of the motors"),
+        tr("Motor directions: find them"),       tr("Motor directions: keep what was found"),
+        tr("Start positions of pitch and roll"), tr("Align yaw")};
     for (std::size_t i = 0; i < names.size(); ++i) {
         m_boxes[i] = new QCheckBox(names[i]);
         m_boxes[i]->setChecked(true);
@@ -108,7 +110,8 @@ QWidget *SetupPage::makeGuide()
     yaw->setSpacing(Metric::kGap);
     const auto button = [&](double by) {
         auto *make = new QPushButton(u"%1%2°"_s.arg(by > 0 ? u"+"_s : u"−"_s).arg(std::abs(by)));
-        make->setAccessibleName(by > 0 ? tr("Turn by %1° to the left").arg(by) : tr("Turn by %1° to the right").arg(-by));
+        make->setAccessibleName(by > 0 ? tr("Turn by %1° to the left").arg(by)
+                                       : tr("Turn by %1° to the right").arg(-by));
         connect(make, &QPushButton::clicked, this, [this, by] { moveYaw(by); });
         yaw->addWidget(make);
     };
@@ -183,7 +186,8 @@ void SetupPage::updateState()
     const DeviceClient &client = workspace().client();
     const bool ready = client.isConnected() && client.identity().writable;
     const bool choosing = m_step == Step::Choose || m_step == Step::Done;
-    const bool any = std::any_of(m_boxes.begin(), m_boxes.end(), [](const QCheckBox *box) { return box->isChecked(); });
+    const bool any
+        = std::any_of(m_boxes.begin(), m_boxes.end(), [](const QCheckBox *box) { return box->isChecked(); });
     m_tasks->setEnabled(choosing);
     m_continue->setEnabled(ready && any && !m_running);
     m_cancel->setVisible(!choosing);
@@ -202,17 +206,18 @@ void SetupPage::begin()
 void SetupPage::next()
 {
     const bool later = wants(Task::TakeDirections) || wants(Task::StartPositions) || wants(Task::AlignYaw);
-    static constexpr std::array kOrder{Step::MotorsOff, Step::Orientation, Step::Poles, Step::AutoDirections, Step::AskStart, Step::Start,
-                                       Step::Take, Step::AlignYaw, Step::AskFinish, Step::Finish, Step::Done};
+    static constexpr std::array kOrder{Step::MotorsOff, Step::Orientation, Step::Poles, Step::AutoDirections,
+                                       Step::AskStart,  Step::Start,       Step::Take,  Step::AlignYaw,
+                                       Step::AskFinish, Step::Finish,      Step::Done};
     auto it = std::find(kOrder.begin(), kOrder.end(), m_step);
     while (++it != kOrder.end()) {
-        const bool needed = *it == Step::Orientation ? wants(Task::Orientation)
-            : *it == Step::Poles                     ? wants(Task::Poles)
-            : *it == Step::AutoDirections            ? wants(Task::AutoDirections)
+        const bool needed = *it == Step::Orientation      ? wants(Task::Orientation)
+            : *it == Step::Poles                          ? wants(Task::Poles)
+            : *it == Step::AutoDirections                 ? wants(Task::AutoDirections)
             : *it == Step::AskStart || *it == Step::Start ? later
-            : *it == Step::Take                      ? wants(Task::TakeDirections) || wants(Task::StartPositions)
-            : *it == Step::AlignYaw                  ? wants(Task::AlignYaw)
-                                                     : true;
+            : *it == Step::Take     ? wants(Task::TakeDirections) || wants(Task::StartPositions)
+            : *it == Step::AlignYaw ? wants(Task::AlignYaw)
+                                    : true;
         if (needed)
             break;
     }
@@ -234,7 +239,8 @@ void SetupPage::enter(Step step)
     switch (step) {
     case Step::Choose:
         m_what->setText(tr("Set the gimbal up after building it, or after changing a motor or a sensor."));
-        m_sees->setText(tr("Tick the tasks. The motors are disabled first; you are told before they start. Nothing is stored before the end, "
+        m_sees->setText(tr("Tick the tasks. The motors are disabled first; you are told before they start. "
+                           "Nothing is stored before the end, "
                            "so switching the board off takes everything back."));
         m_continue->setText(tr("Begin"));
         break;
@@ -251,7 +257,8 @@ void SetupPage::enter(Step step)
         m_sees->setText(tr("Most gimbal motors have 14. A wrong number makes a motor run away."));
         const ConfigurationModel &model = workspace().configuration();
         for (std::size_t axis = 0; axis < kAxisCount && !model.isEmpty(); ++axis) {
-            const ParameterSpec *spec = model.board().parameters().find(u"motor.%1.poles"_s.arg(QLatin1String(axisKey(kAxes[axis]))));
+            const ParameterSpec *spec = model.board().parameters().find(
+                u"motor.%1.poles"_s.arg(QLatin1String(axisKey(kAxes[axis]))));
             if (const auto raw = spec ? model.board().raw(*spec, 0) : std::nullopt)
                 m_poles[axis]->setValue(*raw);
         }
@@ -262,8 +269,10 @@ void SetupPage::enter(Step step)
         runStep();
         break;
     case Step::AskStart:
-        m_what->setText(tr("Now the motors start. Put the camera into the gimbal, hold the handle still, and connect the battery."));
-        m_sees->setText(tr("The board levels the camera and turns each motor a little to find its direction. Motors off stops it at any time."));
+        m_what->setText(tr("Now the motors start. Put the camera into the gimbal, hold the handle still, and "
+                           "connect the battery."));
+        m_sees->setText(tr("The board levels the camera and turns each motor a little to find its direction. "
+                           "Motors off stops it at any time."));
         m_continue->setText(tr("Start the motors"));
         m_continue->setObjectName(u"danger"_s);
         m_hands->putBack();
@@ -322,12 +331,11 @@ void SetupPage::runStep()
         arguments.insert(u"direction"_s, 2);
         break;
     case Step::Start:
-    case Step::Finish:
-        key = u"setup.start"_s;
-        break;
+    case Step::Finish: key = u"setup.start"_s; break;
     case Step::Take:
         key = u"setup.take_motors"_s;
-        arguments = {{u"directions"_s, wants(Task::TakeDirections)}, {u"positions"_s, wants(Task::StartPositions)}};
+        arguments
+            = {{u"directions"_s, wants(Task::TakeDirections)}, {u"positions"_s, wants(Task::StartPositions)}};
         break;
     case Step::AlignYaw:
         key = m_yawBegun ? u"setup.yaw_end"_s : u"setup.yaw_begin"_s;
@@ -338,10 +346,12 @@ void SetupPage::runStep()
     m_running = true;
     m_failed = false;
     updateState();
-    workspace().perform(key, arguments, true).then(this, [this, run = m_run](const Result<ActionOutcome> &outcome) {
-        if (run == m_run && m_running)
-            finished(outcome);
-    });
+    workspace()
+        .perform(key, arguments, true)
+        .then(this, [this, run = m_run](const Result<ActionOutcome> &outcome) {
+            if (run == m_run && m_running)
+                finished(outcome);
+        });
 }
 
 void SetupPage::finished(const Result<ActionOutcome> &outcome)
@@ -360,22 +370,30 @@ void SetupPage::finished(const Result<ActionOutcome> &outcome)
     switch (m_step) {
     case Step::MotorsOff: note(tr("✓ Motors are disabled.")); break;
     case Step::Orientation:
-        note(reply.contains(u"imu2"_s) ? tr("✓ Sensor: %1, frame sensor: %2").arg(reply.value(u"imu"_s).toString(), reply.value(u"imu2"_s).toString())
-                                       : tr("✓ Sensor: %1").arg(reply.value(u"imu"_s).toString()));
+        note(reply.contains(u"imu2"_s)
+                 ? tr("✓ Sensor: %1, frame sensor: %2")
+                       .arg(reply.value(u"imu"_s).toString(), reply.value(u"imu2"_s).toString())
+                 : tr("✓ Sensor: %1").arg(reply.value(u"imu"_s).toString()));
         break;
     case Step::Poles:
-        note(tr("✓ Poles: roll %1, pitch %2, yaw %3").arg(m_poles[0]->value()).arg(m_poles[1]->value()).arg(m_poles[2]->value()));
+        note(tr("✓ Poles: roll %1, pitch %2, yaw %3")
+                 .arg(m_poles[0]->value())
+                 .arg(m_poles[1]->value())
+                 .arg(m_poles[2]->value()));
         break;
     case Step::AutoDirections: note(tr("✓ Directions will be found at the start.")); break;
     case Step::Start: note(tr("✓ The board works normally.")); break;
     case Step::Take:
         if (wants(Task::TakeDirections)) {
-            note(tr("✓ Directions: roll %1, pitch %2, yaw %3").arg(tableText(reply.value(u"direction.roll"_s).toByteArray().constData()),
-                                                                  tableText(reply.value(u"direction.pitch"_s).toByteArray().constData()),
-                                                                  tableText(reply.value(u"direction.yaw"_s).toByteArray().constData())));
+            note(tr("✓ Directions: roll %1, pitch %2, yaw %3")
+                     .arg(tableText(reply.value(u"direction.roll"_s).toByteArray().constData()),
+                          tableText(reply.value(u"direction.pitch"_s).toByteArray().constData()),
+                          tableText(reply.value(u"direction.yaw"_s).toByteArray().constData())));
         }
         if (wants(Task::StartPositions))
-            note(tr("✓ Start positions: roll %1, pitch %2").arg(reply.value(u"start.roll"_s).toInt()).arg(reply.value(u"start.pitch"_s).toInt()));
+            note(tr("✓ Start positions: roll %1, pitch %2")
+                     .arg(reply.value(u"start.roll"_s).toInt())
+                     .arg(reply.value(u"start.pitch"_s).toInt()));
         break;
     case Step::AlignYaw:
         if (!std::exchange(m_yawBegun, true)) {
@@ -394,7 +412,8 @@ void SetupPage::finished(const Result<ActionOutcome> &outcome)
             if (run != m_run)
                 return;
             m_running = false;
-            note(stored ? tr("✓ Everything is stored.") : tr("✖ It could not be stored. Use “Store on the board” below."));
+            note(stored ? tr("✓ Everything is stored.")
+                        : tr("✖ It could not be stored. Use “Store on the board” below."));
             next();
         });
         return;
@@ -440,20 +459,25 @@ void SetupPage::onProgress(const Progress &progress)
 {
     if (!m_running)
         return;
-    if (m_step == Step::Orientation && (progress.step == u"level-camera"_s || progress.step == u"tilt-camera"_s)) {
+    if (m_step == Step::Orientation
+        && (progress.step == u"level-camera"_s || progress.step == u"tilt-camera"_s)) {
         const bool tilt = progress.step == u"tilt-camera"_s;
-        m_what->setText(tilt ? tr("Tilt camera and frame about 45° down, without rolling them.") : tr("Hold camera and frame level and still."));
+        m_what->setText(tilt ? tr("Tilt camera and frame about 45° down, without rolling them.")
+                             : tr("Hold camera and frame level and still."));
         m_sees->setText(tr("The sensor shows x %1 g, y %2 g, z %3 g. %4")
-                            .arg(progress.values.value(u"x"_s), 0, 'f', 2).arg(progress.values.value(u"y"_s), 0, 'f', 2)
+                            .arg(progress.values.value(u"x"_s), 0, 'f', 2)
+                            .arg(progress.values.value(u"y"_s), 0, 'f', 2)
                             .arg(progress.values.value(u"z"_s), 0, 'f', 2)
                             .arg(progress.values.value(u"held"_s) > 0 ? tr("Good: hold it so.")
-                                 : tilt ? tr("Waiting until one axis shows the tilt and the other none.")
-                                        : tr("Waiting until one axis points straight up.")));
+                                     : tilt ? tr("Waiting until one axis shows the tilt and the other none.")
+                                            : tr("Waiting until one axis points straight up.")));
         m_held->setValue(int(100 * progress.values.value(u"held"_s)));
     } else if (progress.step == u"wait-battery"_s) {
         m_sees->setText(tr("Waiting for the battery: connect it, and see that it is charged."));
     } else if (progress.step == u"wait-start"_s && progress.values.contains(u"state"_s)) {
-        const QString state = workspace().client().device()->stateText(int(progress.values.value(u"state"_s)));
-        m_sees->setText(tr("State: %1. Waiting for normal working.").arg(tableText(state.toUtf8().constData())));
+        const QString state
+            = workspace().client().device()->stateText(int(progress.values.value(u"state"_s)));
+        m_sees->setText(
+            tr("State: %1. Waiting for normal working.").arg(tableText(state.toUtf8().constData())));
     }
 }

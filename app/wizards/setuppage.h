@@ -12,8 +12,8 @@ class QPushButton;
 class QSpinBox;
 class SimulatedHands;
 
-/// Sets a gimbal up, task by task: how its sensors sit, its motors, where they start. Each task says what to do and what the
-/// program waits for; nothing is stored before the end.
+/// Sets a gimbal up, task by task: how its sensors sit, its motors, where they start. Each task says what to
+/// do and what the program waits for; nothing is stored before the end.
 class SetupPage final : public Page
 {
     Q_OBJECT
@@ -21,7 +21,20 @@ public:
     enum class Task { Orientation, Poles, AutoDirections, TakeDirections, StartPositions, AlignYaw };
     static constexpr int kTasks = 6;
     /// What the wizard is doing: a task, or what lies between them.
-    enum class Step { Choose, MotorsOff, Orientation, Poles, AutoDirections, AskStart, Start, Take, AlignYaw, AskFinish, Finish, Done };
+    enum class Step {
+        Choose,
+        MotorsOff,
+        Orientation,
+        Poles,
+        AutoDirections,
+        AskStart,
+        Start,
+        Take,
+        AlignYaw,
+        AskFinish,
+        Finish,
+        Done
+    };
 
     explicit SetupPage(Workspace &workspace, QWidget *parent = nullptr);
 
@@ -56,11 +69,11 @@ private:
     void note(const QString &text);
 
     Step m_step = Step::Choose;
-    bool m_failed = false;             // the step can be done again
+    bool m_failed = false;  // the step can be done again
     bool m_running = false;
     bool m_yawBegun = false;
-    double m_yaw = 0;                  // degrees
-    int m_run = 0;                     // answers of an earlier run are dropped
+    double m_yaw = 0;  // degrees
+    int m_run = 0;  // answers of an earlier run are dropped
     std::array<QCheckBox *, kTasks> m_boxes{};
     Card *m_tasks;
     SimulatedHands *m_hands;

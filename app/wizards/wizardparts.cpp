@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kPictureHeight = 190;
 
-} // namespace
+}  // namespace
 
 QString faceName(int face)
 {
@@ -47,7 +47,8 @@ void setQuiet(QProgressBar &bar, const QString &accessibleName)
     bar.setAccessibleName(accessibleName);
 }
 
-QPushButton *addMethod(QBoxLayout &row, const Theme &theme, const QString &title, const QString &text, const QString &button, int face)
+QPushButton *addMethod(QBoxLayout &row, const Theme &theme, const QString &title, const QString &text,
+                       const QString &button, int face)
 {
     auto *card = new Card(title);
     auto *picture = new SensorCube(theme);
@@ -94,7 +95,8 @@ SimulatedHands::SimulatedHands(Workspace &workspace, const Places &places, QWidg
         m_place->addItem(name, pose);
     content()->addWidget(m_place);
     const auto update = [this] { setVisible(m_workspace.isSimulated()); };
-    connect(m_place, &QComboBox::activated, this, [this] { m_workspace.changeWorld(u"pose=%1"_s.arg(m_place->currentData().toInt())); });
+    connect(m_place, &QComboBox::activated, this,
+            [this] { m_workspace.changeWorld(u"pose=%1"_s.arg(m_place->currentData().toInt())); });
     connect(&workspace, &Workspace::worldChanged, this, [this](const QString &assignment) {
         if (assignment.startsWith(u"pose="_s))
             m_place->setCurrentIndex(m_place->findData(assignment.mid(5).toInt()));

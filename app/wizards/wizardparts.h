@@ -15,7 +15,8 @@ class QPushButton;
 
 /// What the calibration and setup wizards share.
 
-/// How a sensor lies, as setPosition() of SensorCube counts: 0-5 are Z, -Z, X, -X, Y, -Y up, all else is tilted.
+/// How a sensor lies, as setPosition() of SensorCube counts: 0-5 are Z, -Z, X, -X, Y, -Y up, all else is
+/// tilted.
 inline constexpr int kSensorFaces = 6;
 [[nodiscard]] QString faceName(int face);
 
@@ -25,7 +26,8 @@ void setHeadline(QLabel &label);
 void setQuiet(QProgressBar &bar, const QString &accessibleName);
 
 /// A card with the picture of a lying sensor, what the method is for and its button, added to the row.
-QPushButton *addMethod(QBoxLayout &row, const Theme &theme, const QString &title, const QString &text, const QString &button, int face);
+QPushButton *addMethod(QBoxLayout &row, const Theme &theme, const QString &title, const QString &text,
+                       const QString &button, int face);
 
 /// The six faces, with marks at those that are done.
 class FaceList final : public QListWidget

@@ -10,14 +10,14 @@ namespace {
 
 // Shares of 1 g from which on an axis is taken to point up or down.
 constexpr std::array<double, 3> kUp{0.85, 0.85, 0.75};
-constexpr std::array<std::size_t, 3> kAxisOfPair{2, 0, 1};    // faces come Z, X, Y
+constexpr std::array<std::size_t, 3> kAxisOfPair{2, 0, 1};  // faces come Z, X, Y
 
 int sideOf(const AccReading &reading, std::size_t axis, double oneG)
 {
     return std::abs(reading[axis]) <= kUp[axis] * oneG ? 0 : reading[axis] > 0 ? 1 : -1;
 }
 
-} // namespace
+}  // namespace
 
 int faceUp(const AccReading &reading, double oneG)
 {
@@ -68,6 +68,8 @@ bool isPlausible(const AccCalibration &calibration, double oneG)
     const int mostZero = wide ? 3500 : 7000;
     const int least = wide ? 7500 : 15000;
     const int most = wide ? 8900 : 17500;
-    return std::all_of(calibration.zero.begin(), calibration.zero.end(), [mostZero](int zero) { return std::abs(zero) <= mostZero; })
-        && std::all_of(calibration.scale.begin(), calibration.scale.end(), [=](int scale) { return scale >= least && scale <= most; });
+    return std::all_of(calibration.zero.begin(), calibration.zero.end(),
+                       [mostZero](int zero) { return std::abs(zero) <= mostZero; })
+        && std::all_of(calibration.scale.begin(), calibration.scale.end(),
+                       [=](int scale) { return scale >= least && scale <= most; });
 }

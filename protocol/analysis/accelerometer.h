@@ -4,19 +4,19 @@
 
 #include <array>
 
-/// Calibration of an accelerometer out of readings at rest, in counts of the sensor (STorM32 errata 9.2). What the sensor
-/// means is (reading - zero) / scale, in g.
+/// Calibration of an accelerometer out of readings at rest, in counts of the sensor (STorM32 errata 9.2).
+/// What the sensor means is (reading - zero) / scale, in g.
 
 /// Readings of the sensor's axes x, y, z.
 using AccReading = std::array<double, 3>;
 
-inline constexpr int kAccFaces = 6;      ///< Z, -Z, X, -X, Y, -Y up
+inline constexpr int kAccFaces = 6;  ///< Z, -Z, X, -X, Y, -Y up
 
 struct AccCalibration
 {
     std::array<int, 3> zero{};
     std::array<int, 3> scale{};
-    double quality = 0;                  ///< counts: what the axes show that ought to show nothing; 0 for one point
+    double quality = 0;  ///< counts: what the axes show that ought to show nothing; 0 for one point
 
     friend bool operator==(const AccCalibration &, const AccCalibration &) = default;
 };

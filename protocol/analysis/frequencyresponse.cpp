@@ -22,7 +22,7 @@ double decibel(double ratio)
     return 20.0 * std::log10(std::max(ratio, kTiny));
 }
 
-} // namespace
+}  // namespace
 
 double FrequencyResponse::gainDb(std::size_t bin) const
 {
@@ -34,8 +34,8 @@ double FrequencyResponse::phaseDeg(std::size_t bin) const
     return degrees(std::arg(gain[bin]));
 }
 
-Result<FrequencyResponse> frequencyResponse(std::span<const float> input, std::span<const float> output, double rate,
-                                            const SpectrumOptions &options)
+Result<FrequencyResponse> frequencyResponse(std::span<const float> input, std::span<const float> output,
+                                            double rate, const SpectrumOptions &options)
 {
     const std::size_t samples = std::min(input.size(), output.size());
     auto in = Segments::make(samples, rate, options);

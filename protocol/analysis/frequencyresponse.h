@@ -10,10 +10,10 @@
 /// What comes out for what goes in, frequency by frequency.
 struct FrequencyResponse
 {
-    double resolution = 0;                       ///< Hz from one bin to the next
-    int segments = 0;                            ///< averages; a coherence of one segment means nothing
-    std::vector<std::complex<double>> gain;      ///< output / input at 0, resolution, 2*resolution ...
-    std::vector<double> coherence;               ///< 0 noise ... 1 all of the output comes from the input
+    double resolution = 0;  ///< Hz from one bin to the next
+    int segments = 0;  ///< averages; a coherence of one segment means nothing
+    std::vector<std::complex<double>> gain;  ///< output / input at 0, resolution, 2*resolution ...
+    std::vector<double> coherence;  ///< 0 noise ... 1 all of the output comes from the input
 
     [[nodiscard]] double frequency(std::size_t bin) const { return double(bin) * resolution; }
     [[nodiscard]] double gainDb(std::size_t bin) const;
@@ -21,22 +21,24 @@ struct FrequencyResponse
     [[nodiscard]] double phaseDeg(std::size_t bin) const;
 };
 
-/// How far a loop is from oscillating. Empty: the loop never gets there in the frequencies that could be measured.
+/// How far a loop is from oscillating. Empty: the loop never gets there in the frequencies that could be
+/// measured.
 struct Margins
 {
-    std::optional<double> gainDb;           ///< how much more gain makes it oscillate (negative: how much less)
-    std::optional<double> gainHz;           ///< where it would oscillate
-    std::optional<double> phaseDeg;         ///< how much more lag makes it oscillate
-    std::optional<double> phaseHz;          ///< the bandwidth of the loop
-    double sensitivityDb = 0;               ///< greatest amplification of disturbances, max |1 / (1 + L)|
+    std::optional<double> gainDb;  ///< how much more gain makes it oscillate (negative: how much less)
+    std::optional<double> gainHz;  ///< where it would oscillate
+    std::optional<double> phaseDeg;  ///< how much more lag makes it oscillate
+    std::optional<double> phaseHz;  ///< the bandwidth of the loop
+    double sensitivityDb = 0;  ///< greatest amplification of disturbances, max |1 / (1 + L)|
     double sensitivityHz = 0;
-    int bins = 0;                           ///< frequencies that were good enough to count
+    int bins = 0;  ///< frequencies that were good enough to count
 };
 
-/// Response from evenly spaced samples of both sides (cross spectrum over input spectrum, Welch). Samples beyond the
-/// shorter side are left out. Errors: InvalidArgument, see spectrum().
-[[nodiscard]] Result<FrequencyResponse> frequencyResponse(std::span<const float> input, std::span<const float> output,
-                                                          double rate, const SpectrumOptions &options = {});
+/// Response from evenly spaced samples of both sides (cross spectrum over input spectrum, Welch). Samples
+/// beyond the shorter side are left out. Errors: InvalidArgument, see spectrum().
+[[nodiscard]] Result<FrequencyResponse> frequencyResponse(std::span<const float> input,
+                                                          std::span<const float> output, double rate,
+                                                          const SpectrumOptions &options = {});
 
 /// The open loop L behind a closed one T = L / (1 + L), with unit feedback.
 [[nodiscard]] FrequencyResponse openLoop(const FrequencyResponse &closed);

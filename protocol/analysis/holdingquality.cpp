@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/analysis/holdingquality.h"
 
-#include <unsupported/Eigen/FFT>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <unsupported/Eigen/FFT>
 
 namespace {
 
-constexpr double kFade = 0.02;        // share of the span, at either end
-constexpr double kPeriods = 2.0;      // of a band's lowest frequency that a span must hold
+constexpr double kFade = 0.02;  // share of the span, at either end
+constexpr double kPeriods = 2.0;  // of a band's lowest frequency that a span must hold
 
 // The transform is fast for lengths without great prime factors only.
 std::size_t handyLength(std::size_t samples)
@@ -51,9 +50,10 @@ std::vector<double> prepared(std::span<const float> error)
     return samples;
 }
 
-} // namespace
+}  // namespace
 
-std::vector<BandQuality> holdingQuality(std::span<const float> error, double rate, std::span<const Band> bands)
+std::vector<BandQuality> holdingQuality(std::span<const float> error, double rate,
+                                        std::span<const Band> bands)
 {
     std::vector<BandQuality> result;
     const std::size_t length = handyLength(error.size());

@@ -19,13 +19,13 @@ inline constexpr std::array<Band, 3> kHoldingBands{{{0.5, 5.0}, {5.0, 30.0}, {30
 /// How much is left in one band.
 struct BandQuality
 {
-    Band band;              ///< what could be measured of it
-    bool known = false;     ///< false: the rate is too low or the span too short; the figures are 0
-    double rms = 0;         ///< unit of the samples
-    double peak = 0;        ///< greatest absolute value
+    Band band;  ///< what could be measured of it
+    bool known = false;  ///< false: the rate is too low or the span too short; the figures are 0
+    double rms = 0;  ///< unit of the samples
+    double peak = 0;  ///< greatest absolute value
 };
 
-/// Splits an error into bands. The mean and a steady drift are taken off first; the outermost 2 % of the span fade out and
-/// do not count. @param rate samples per second; NaN is not allowed.
+/// Splits an error into bands. The mean and a steady drift are taken off first; the outermost 2 % of the span
+/// fade out and do not count. @param rate samples per second; NaN is not allowed.
 [[nodiscard]] std::vector<BandQuality> holdingQuality(std::span<const float> error, double rate,
                                                       std::span<const Band> bands = kHoldingBands);

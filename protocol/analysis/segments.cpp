@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/analysis/segments.h"
 
-#include <unsupported/Eigen/FFT>
-
 #include <cmath>
 #include <map>
+#include <unsupported/Eigen/FFT>
 
 using namespace Qt::StringLiterals;
 
@@ -13,7 +12,7 @@ namespace {
 
 constexpr std::size_t kKept = 8;
 
-} // namespace
+}  // namespace
 
 struct Segments::Transform
 {
@@ -29,7 +28,8 @@ struct Segments::Window
     double squares = 0;
 };
 
-// Windows and transforms of a length are the same every time, and dear to make: the last ones are kept, for each thread.
+// Windows and transforms of a length are the same every time, and dear to make: the last ones are kept, for
+// each thread.
 std::shared_ptr<const Segments::Window> Segments::windowFor(WindowShape shape, int length)
 {
     thread_local std::map<std::pair<WindowShape, int>, std::shared_ptr<const Window>> known;
@@ -87,7 +87,8 @@ Result<Segments> Segments::make(std::size_t samples, double rate, const Spectrum
         return failure(ErrorCode::InvalidArgument,
                        u"%1 samples are fewer than one segment of %2"_s.arg(samples).arg(length));
     }
-    const std::size_t hop = std::max<std::size_t>(1, std::size_t(std::lround(double(length) * (1.0 - options.overlap))));
+    const std::size_t hop
+        = std::max<std::size_t>(1, std::size_t(std::lround(double(length) * (1.0 - options.overlap))));
     const int count = int((samples - length) / hop) + 1;
     return Segments(windowFor(options.window, options.length), rate, count, hop);
 }
@@ -99,7 +100,7 @@ double Segments::noiseBandwidth() const
 
 double Segments::powerScale(std::size_t bin) const
 {
-    const bool single = bin == 0 || bin + 1 == bins();   // these have no mirror image
+    const bool single = bin == 0 || bin + 1 == bins();  // these have no mirror image
     return (single ? 1.0 : 2.0) / (m_rate * m_window->squares * m_count);
 }
 

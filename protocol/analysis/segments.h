@@ -7,8 +7,8 @@
 #include <complex>
 #include <memory>
 
-/// Cuts evenly spaced samples into overlapping, windowed segments and transforms them: what a spectrum and a frequency
-/// response have in common.
+/// Cuts evenly spaced samples into overlapping, windowed segments and transforms them: what a spectrum and a
+/// frequency response have in common.
 class Segments
 {
 public:

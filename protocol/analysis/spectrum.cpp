@@ -12,14 +12,15 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double kDynamicRange = 1e-7;   // of power: 70 dB
+constexpr double kDynamicRange = 1e-7;  // of power: 70 dB
 
 double decibel(double power)
 {
     return 10.0 * std::log10(std::max(power, 1e-30));
 }
 
-// Where the density falls below a level, walking away from the top, or a greater line begins; bins, with a fraction.
+// Where the density falls below a level, walking away from the top, or a greater line begins; bins, with a
+// fraction.
 double edge(const std::vector<double> &density, std::size_t top, int direction, double level)
 {
     auto bin = std::ptrdiff_t(top);
@@ -36,7 +37,7 @@ double edge(const std::vector<double> &density, std::size_t top, int direction, 
     return double(bin);
 }
 
-} // namespace
+}  // namespace
 
 double Spectrum::toneRms(std::size_t bin) const
 {
@@ -94,16 +95,18 @@ std::vector<SpectrumPeak> findPeaks(const Spectrum &spectrum, int most, double l
     const std::vector<double> &density = spectrum.density;
     std::vector<double> around;
     // What lies far below the strongest line is its own leakage through the window.
-    const double least = density.empty() ? 0.0 : *std::max_element(density.begin(), density.end()) * kDynamicRange;
+    const double least
+        = density.empty() ? 0.0 : *std::max_element(density.begin(), density.end()) * kDynamicRange;
     for (std::size_t bin = 2; bin + 2 < density.size(); ++bin) {
         if (spectrum.frequency(bin) < lowest || density[bin] < least)
             continue;
-        if (density[bin] < density[bin - 1] || density[bin] <= density[bin + 1] || density[bin] < density[bin - 2]
-            || density[bin] < density[bin + 2])
+        if (density[bin] < density[bin - 1] || density[bin] <= density[bin + 1]
+            || density[bin] < density[bin - 2] || density[bin] < density[bin + 2])
             continue;
         // The surroundings: half an octave on either side, at least eight bins.
         const auto low = std::min(std::size_t(double(bin) / std::numbers::sqrt2), bin > 8 ? bin - 8 : 0);
-        const auto high = std::min(density.size(), std::max(std::size_t(double(bin) * std::numbers::sqrt2), bin + 8) + 1);
+        const auto high
+            = std::min(density.size(), std::max(std::size_t(double(bin) * std::numbers::sqrt2), bin + 8) + 1);
         around.assign(density.begin() + std::ptrdiff_t(low), density.begin() + std::ptrdiff_t(high));
         const auto middle = around.begin() + std::ptrdiff_t(around.size() / 2);
         std::nth_element(around.begin(), middle, around.end());
@@ -126,7 +129,8 @@ std::vector<SpectrumPeak> findPeaks(const Spectrum &spectrum, int most, double l
         peak.height = above;
         peaks.push_back(peak);
     }
-    std::sort(peaks.begin(), peaks.end(), [](const SpectrumPeak &a, const SpectrumPeak &b) { return a.rms > b.rms; });
+    std::sort(peaks.begin(), peaks.end(),
+              [](const SpectrumPeak &a, const SpectrumPeak &b) { return a.rms > b.rms; });
     if (peaks.size() > std::size_t(std::max(0, most)))
         peaks.resize(std::size_t(std::max(0, most)));
     return peaks;

@@ -9,27 +9,27 @@
 
 /// How each segment fades in and out before it is transformed.
 enum class WindowShape {
-    Rectangular,   ///< sharpest for a tone that fits the segment exactly, leaks everywhere else
-    Hann,          ///< the one to use when in doubt
-    FlatTop,       ///< true amplitudes of single tones, wide peaks
+    Rectangular,  ///< sharpest for a tone that fits the segment exactly, leaks everywhere else
+    Hann,  ///< the one to use when in doubt
+    FlatTop,  ///< true amplitudes of single tones, wide peaks
 };
 
 /// How a spectrum is averaged.
 struct SpectrumOptions
 {
-    int length = 1024;                       ///< samples per segment, 16 to 65536; its rate / length is the resolution
-    double overlap = 0.5;                    ///< share of a segment that the next one sees again, 0 to 0.9
+    int length = 1024;  ///< samples per segment, 16 to 65536; its rate / length is the resolution
+    double overlap = 0.5;  ///< share of a segment that the next one sees again, 0 to 0.9
     WindowShape window = WindowShape::Hann;
 };
 
 /// One-sided power spectral density, averaged over segments (Welch).
 struct Spectrum
 {
-    double rate = 0;                 ///< samples per second; nothing above half of it is known
-    double resolution = 0;           ///< Hz from one bin to the next
-    double noiseBandwidth = 1;       ///< of the window, in bins
-    int segments = 0;                ///< averages
-    std::vector<double> density;     ///< unit² per Hz at 0, resolution, 2*resolution ... rate/2
+    double rate = 0;  ///< samples per second; nothing above half of it is known
+    double resolution = 0;  ///< Hz from one bin to the next
+    double noiseBandwidth = 1;  ///< of the window, in bins
+    int segments = 0;  ///< averages
+    std::vector<double> density;  ///< unit² per Hz at 0, resolution, 2*resolution ... rate/2
 
     [[nodiscard]] double frequency(std::size_t bin) const { return double(bin) * resolution; }
     /// RMS value that a tone in this bin would have, in the unit of the samples.
@@ -41,21 +41,22 @@ struct Spectrum
 /// A line that stands out of its surroundings.
 struct SpectrumPeak
 {
-    double frequency = 0;    ///< Hz, interpolated between bins
-    double rms = 0;          ///< unit of the samples
-    double width = 0;        ///< Hz between the points 3 dB below the top
-    double height = 0;       ///< dB above the surroundings
+    double frequency = 0;  ///< Hz, interpolated between bins
+    double rms = 0;  ///< unit of the samples
+    double width = 0;  ///< Hz between the points 3 dB below the top
+    double height = 0;  ///< dB above the surroundings
 };
 
 /// The weights of a window of that length.
 [[nodiscard]] std::vector<double> windowWeights(WindowShape shape, int length);
 
 /// Spectrum of evenly spaced samples; the mean of each segment is taken off. NaN is not allowed.
-/// @param rate samples per second. Errors: InvalidArgument (length, overlap or rate out of range, fewer samples than one
-/// segment).
-[[nodiscard]] Result<Spectrum> spectrum(std::span<const float> samples, double rate, const SpectrumOptions &options = {});
+/// @param rate samples per second. Errors: InvalidArgument (length, overlap or rate out of range, fewer
+/// samples than one segment).
+[[nodiscard]] Result<Spectrum> spectrum(std::span<const float> samples, double rate,
+                                        const SpectrumOptions &options = {});
 
-/// The lines of a spectrum, greatest first. @param lowest Hz below which nothing counts; @param height dB above the median
-/// of the surrounding octave
+/// The lines of a spectrum, greatest first. @param lowest Hz below which nothing counts; @param height dB
+/// above the median of the surrounding octave
 [[nodiscard]] std::vector<SpectrumPeak> findPeaks(const Spectrum &spectrum, int most = 5, double lowest = 2.0,
                                                   double height = 9.0);

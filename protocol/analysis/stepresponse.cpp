@@ -11,10 +11,11 @@ namespace {
 
 constexpr std::size_t kFewest = 20;
 constexpr double kJumpSeconds = 0.02;
-constexpr double kLeft = 0.1;            // share of the way after which a level is left
+constexpr double kLeft = 0.1;  // share of the way after which a level is left
 
 // Seconds at which a way is first covered by that share, between samples.
-std::optional<double> reached(std::span<const float> response, double rate, double from, double way, double share)
+std::optional<double> reached(std::span<const float> response, double rate, double from, double way,
+                              double share)
 {
     double before = 0.0;
     for (std::size_t i = 0; i < response.size(); ++i) {
@@ -34,12 +35,14 @@ bool rests(std::span<const float> samples, double size)
     return low != samples.end() && double(*high - *low) < size / 4;
 }
 
-} // namespace
+}  // namespace
 
-Result<StepMetrics> stepMetrics(std::span<const float> response, double rate, double from, double to, double band)
+Result<StepMetrics> stepMetrics(std::span<const float> response, double rate, double from, double to,
+                                double band)
 {
     if (response.size() < kFewest || !(rate > 0.0))
-        return failure(ErrorCode::InvalidArgument, u"%1 samples are too few for a step"_s.arg(response.size()));
+        return failure(ErrorCode::InvalidArgument,
+                       u"%1 samples are too few for a step"_s.arg(response.size()));
     const std::size_t tail = std::max<std::size_t>(2, response.size() / 10);
     double mean = 0.0;
     for (const float value : response.last(tail))
@@ -78,13 +81,13 @@ Result<StepMetrics> stepMetrics(std::span<const float> response, double rate, do
     metrics.overshoot = std::max(0.0, (furthest - 1.0) * 100.0);
     if (!outside)
         metrics.settlingSeconds = 0.0;
-    else if (lastOutside + tail < response.size())   // inside for the whole last tenth at least
+    else if (lastOutside + tail < response.size())  // inside for the whole last tenth at least
         metrics.settlingSeconds = double(lastOutside + 1) / rate;
     return metrics;
 }
 
-StepRuns cutSteps(std::span<const float> target, std::span<const float> response, double rate, double low, double high,
-                  double seconds)
+StepRuns cutSteps(std::span<const float> target, std::span<const float> response, double rate, double low,
+                  double high, double seconds)
 {
     StepRuns runs;
     const std::size_t size = std::min(target.size(), response.size());
@@ -92,7 +95,7 @@ StepRuns cutSteps(std::span<const float> target, std::span<const float> response
     const double way = high - low;
     if (size == 0 || length == 0 || !(std::abs(way) > 0.0))
         return runs;
-    bool up = std::abs(double(target[0]) - low) > std::abs(double(target[0]) - high);   // at the upper level
+    bool up = std::abs(double(target[0]) - low) > std::abs(double(target[0]) - high);  // at the upper level
     for (std::size_t i = 0; i < size; ++i) {
         const double level = up ? high : low;
         if (std::abs(double(target[i]) - level) < kLeft * std::abs(way))
@@ -132,17 +135,20 @@ std::vector<float> averageRuns(const std::vector<std::vector<float>> &runs)
     return mean;
 }
 
-Result<StepMeasurement> measureSteps(std::span<const float> target, std::span<const float> response, double rate, double seconds)
+Result<StepMeasurement> measureSteps(std::span<const float> target, std::span<const float> response,
+                                     double rate, double seconds)
 {
     if (target.empty())
         return failure(ErrorCode::InvalidArgument, u"no samples"_s);
     const auto [lowest, highest] = std::minmax_element(target.begin(), target.end());
     const double rest = double(target.front());
-    const double other = double(*highest) - rest > rest - double(*lowest) ? double(*highest) : double(*lowest);
+    const double other
+        = double(*highest) - rest > rest - double(*lowest) ? double(*highest) : double(*lowest);
     StepMeasurement measurement;
     measurement.runs = cutSteps(target, response, rate, rest, other, seconds);
     if (measurement.runs.response.empty())
-        return failure(ErrorCode::InvalidArgument, u"the target did not step: another control source may hold it"_s);
+        return failure(ErrorCode::InvalidArgument,
+                       u"the target did not step: another control source may hold it"_s);
     measurement.mean = averageRuns(measurement.runs.response);
     auto metrics = stepMetrics(measurement.mean, rate, 0.0, 1.0);
     if (!metrics)
@@ -161,7 +167,8 @@ std::vector<StepEvent> findSteps(std::span<const float> target, double rate, dou
         const double to = double(target[i + jump - 1]);
         // The first sample that has moved, not one that lies shortly before the jump.
         if (std::abs(double(target[i]) - from) < size / 4 || std::abs(to - from) < size
-            || !rests(target.subspan(i - still, still), size) || !rests(target.subspan(i + jump - 1, still), size)) {
+            || !rests(target.subspan(i - still, still), size)
+            || !rests(target.subspan(i + jump - 1, still), size)) {
             ++i;
             continue;
         }

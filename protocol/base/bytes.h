@@ -28,18 +28,26 @@ inline QByteArray toByteArray(Bytes bytes)
 class ByteReader
 {
 public:
-    explicit ByteReader(Bytes bytes) : m_bytes(bytes) { }
-    explicit ByteReader(QByteArrayView view) : m_bytes(asBytes(view)) { }
-    explicit ByteReader(const QByteArray &bytes) : ByteReader(QByteArrayView(bytes)) { }
-    explicit ByteReader(const QByteArray &&) = delete;   // its bytes would be gone before they are read
+    explicit ByteReader(Bytes bytes)
+        : m_bytes(bytes)
+    {
+    }
+    explicit ByteReader(QByteArrayView view)
+        : m_bytes(asBytes(view))
+    {
+    }
+    explicit ByteReader(const QByteArray &bytes)
+        : ByteReader(QByteArrayView(bytes))
+    {
+    }
+    explicit ByteReader(const QByteArray &&) = delete;  // its bytes would be gone before they are read
 
     [[nodiscard]] bool ok() const { return m_ok; }
     [[nodiscard]] std::size_t position() const { return m_position; }
     [[nodiscard]] std::size_t remaining() const { return m_bytes.size() - m_position; }
 
     /// Next field of type T (an integer or float), or T{} past the end.
-    template<typename T>
-    T read()
+    template <typename T> T read()
     {
         static_assert(std::is_arithmetic_v<T>);
         T value{};
@@ -72,7 +80,8 @@ public:
     void skip(std::size_t count) { take(count); }
 
 private:
-    static_assert(std::endian::native == std::endian::little, "wire fields are copied, so the host is little-endian");
+    static_assert(std::endian::native == std::endian::little,
+                  "wire fields are copied, so the host is little-endian");
     Bytes m_bytes;
     std::size_t m_position = 0;
     bool m_ok = true;
@@ -82,8 +91,7 @@ private:
 class ByteWriter
 {
 public:
-    template<typename T>
-    ByteWriter &write(T value)
+    template <typename T> ByteWriter &write(T value)
     {
         static_assert(std::is_arithmetic_v<T>);
         m_bytes.append(reinterpret_cast<const char *>(&value), sizeof(T));

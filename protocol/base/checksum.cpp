@@ -6,8 +6,8 @@
 
 namespace {
 
-constexpr std::uint16_t kArc = 0xA001;       // 0x8005 reflected
-constexpr std::uint16_t kCcitt = 0x8408;     // 0x1021 reflected
+constexpr std::uint16_t kArc = 0xA001;  // 0x8005 reflected
+constexpr std::uint16_t kCcitt = 0x8408;  // 0x1021 reflected
 constexpr int kSlices = 8;
 
 using SliceTables = std::array<std::array<std::uint16_t, 256>, kSlices>;
@@ -39,17 +39,17 @@ std::uint16_t reflectedCrc(const SliceTables &tables, Bytes bytes, std::uint16_t
     const auto at = [&](std::size_t i) { return std::to_integer<unsigned>(bytes[i]); };
     std::size_t i = 0;
     for (; i + kSlices <= bytes.size(); i += kSlices) {
-        crc = static_cast<std::uint16_t>(
-            tables[7][at(i) ^ (crc & 0xFF)] ^ tables[6][at(i + 1) ^ (crc >> 8)] ^ tables[5][at(i + 2)]
-            ^ tables[4][at(i + 3)] ^ tables[3][at(i + 4)] ^ tables[2][at(i + 5)] ^ tables[1][at(i + 6)]
-            ^ tables[0][at(i + 7)]);
+        crc = static_cast<std::uint16_t>(tables[7][at(i) ^ (crc & 0xFF)] ^ tables[6][at(i + 1) ^ (crc >> 8)]
+                                         ^ tables[5][at(i + 2)] ^ tables[4][at(i + 3)] ^ tables[3][at(i + 4)]
+                                         ^ tables[2][at(i + 5)] ^ tables[1][at(i + 6)]
+                                         ^ tables[0][at(i + 7)]);
     }
     for (; i < bytes.size(); ++i)
         crc = static_cast<std::uint16_t>((crc >> 8) ^ tables[0][(crc ^ at(i)) & 0xFF]);
     return crc;
 }
 
-} // namespace
+}  // namespace
 
 std::uint8_t sum8(Bytes bytes)
 {

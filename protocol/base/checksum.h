@@ -14,6 +14,7 @@
 /// "123456789" gives 0xBCDD.
 [[nodiscard]] std::uint16_t crc16Sbgc(Bytes bytes);
 
-/// CRC-16/MCRF4XX (polynomial 0x1021 reflected, start 0xFFFF, nothing at the end), which MAVLink calls X.25 and STorM32 uses
-/// everywhere (STorM32 errata 2). "123456789" gives 0x6F91; over data and its own two bytes, low one first, it gives 0.
+/// CRC-16/MCRF4XX (polynomial 0x1021 reflected, start 0xFFFF, nothing at the end), which MAVLink calls X.25
+/// and STorM32 uses everywhere (STorM32 errata 2). "123456789" gives 0x6F91; over data and its own two bytes,
+/// low one first, it gives 0.
 [[nodiscard]] std::uint16_t crc16Mcrf4xx(Bytes bytes, std::uint16_t crc = 0xFFFF);

@@ -7,5 +7,6 @@
 
 #include <optional>
 
-/// Bytes out of hex digits, with blanks wherever somebody likes them. Nothing: other characters, or half a byte.
+/// Bytes out of hex digits, with blanks wherever somebody likes them. Nothing: other characters, or half a
+/// byte.
 [[nodiscard]] std::optional<QByteArray> bytesFromHex(QString digits);

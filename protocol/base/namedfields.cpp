@@ -35,17 +35,19 @@ QVariant decodeField(const NamedField &field, Bytes bytes)
 }
 
 // Appends a whole number of a type when the type can hold it.
-template<typename T>
-Result<void> append(ByteWriter &writer, const NamedField &field, const QVariant &value)
+template <typename T> Result<void> append(ByteWriter &writer, const NamedField &field, const QVariant &value)
 {
     bool ok = true;
     const qlonglong number = value.isValid() ? value.toLongLong(&ok) : 0;
     if (!ok)
-        return failure(ErrorCode::InvalidArgument, u"%1: '%2' is no whole number"_s.arg(nameOf(field), value.toString()));
+        return failure(ErrorCode::InvalidArgument,
+                       u"%1: '%2' is no whole number"_s.arg(nameOf(field), value.toString()));
     constexpr qlonglong least = std::numeric_limits<T>::min();
     constexpr qlonglong most = std::numeric_limits<T>::max();
     if (number < least || number > most)
-        return failure(ErrorCode::OutOfRange, u"%1: %2 is not within %3 .. %4"_s.arg(nameOf(field)).arg(number).arg(least).arg(most));
+        return failure(
+            ErrorCode::OutOfRange,
+            u"%1: %2 is not within %3 .. %4"_s.arg(nameOf(field)).arg(number).arg(least).arg(most));
     writer.write(T(number));
     return {};
 }
@@ -55,7 +57,8 @@ Result<void> appendReal(ByteWriter &writer, const NamedField &field, const QVari
     bool ok = true;
     const float number = value.isValid() ? value.toFloat(&ok) : 0.0F;
     if (!ok)
-        return failure(ErrorCode::InvalidArgument, u"%1: '%2' is no number"_s.arg(nameOf(field), value.toString()));
+        return failure(ErrorCode::InvalidArgument,
+                       u"%1: '%2' is no number"_s.arg(nameOf(field), value.toString()));
     writer.f32(number);
     return {};
 }
@@ -70,17 +73,21 @@ Result<void> encodeField(ByteWriter &writer, const NamedField &field, const QVar
     case NamedField::U32: return append<std::uint32_t>(writer, field, value);
     case NamedField::I32: return append<std::int32_t>(writer, field, value);
     case NamedField::F32: return appendReal(writer, field, value);
-    case NamedField::Text: writer.bytes(value.toString().toLatin1().leftJustified(field.size, '\0', true)); return {};
+    case NamedField::Text:
+        writer.bytes(value.toString().toLatin1().leftJustified(field.size, '\0', true));
+        return {};
     case NamedField::Bytes: break;
     }
-    const auto bytes = value.userType() == QMetaType::QString ? bytesFromHex(value.toString()) : value.toByteArray();
+    const auto bytes
+        = value.userType() == QMetaType::QString ? bytesFromHex(value.toString()) : value.toByteArray();
     if (!bytes)
-        return failure(ErrorCode::InvalidArgument, u"%1: '%2' are no bytes in hex"_s.arg(nameOf(field), value.toString()));
+        return failure(ErrorCode::InvalidArgument,
+                       u"%1: '%2' are no bytes in hex"_s.arg(nameOf(field), value.toString()));
     writer.bytes(*bytes);
     return {};
 }
 
-} // namespace
+}  // namespace
 
 Result<QVariantMap> decodeFields(NamedFields fields, Bytes payload)
 {
@@ -96,7 +103,8 @@ Result<QVariantMap> decodeFields(NamedFields fields, Bytes payload)
 Result<QByteArray> encodeFields(NamedFields fields, const QVariantMap &values, int size)
 {
     for (auto it = values.begin(); it != values.end(); ++it) {
-        if (std::none_of(fields.begin(), fields.end(), [&it](const NamedField &field) { return nameOf(field) == it.key(); }))
+        if (std::none_of(fields.begin(), fields.end(),
+                         [&it](const NamedField &field) { return nameOf(field) == it.key(); }))
             return failure(ErrorCode::InvalidArgument, u"there is no field '%1'"_s.arg(it.key()));
     }
     ByteWriter writer;

@@ -14,14 +14,15 @@ struct NamedField
     const char *name = "";
     Type type = U8;
     int offset = 0;
-    int size = 1;          ///< in bytes; for Text the room it has, for Bytes 0: all that is left
+    int size = 1;  ///< in bytes; for Text the room it has, for Bytes 0: all that is left
 };
 using NamedFields = std::span<const NamedField>;
 
-/// The values of a payload by field name; floats as they stand, bytes as QByteArray. Bytes between fields are passed over.
-/// Errors: BadReply (too short).
+/// The values of a payload by field name; floats as they stand, bytes as QByteArray. Bytes between fields are
+/// passed over. Errors: BadReply (too short).
 [[nodiscard]] Result<QVariantMap> decodeFields(NamedFields fields, ::Bytes payload);
 
-/// A payload out of values by name; a number may be given as text. What is not named is zero, and so are bytes between the fields
-/// and up to the size. Errors: InvalidArgument (no such field, no number), OutOfRange (a number that the field cannot hold).
+/// A payload out of values by name; a number may be given as text. What is not named is zero, and so are
+/// bytes between the fields and up to the size. Errors: InvalidArgument (no such field, no number),
+/// OutOfRange (a number that the field cannot hold).
 [[nodiscard]] Result<QByteArray> encodeFields(NamedFields fields, const QVariantMap &values, int size = 0);

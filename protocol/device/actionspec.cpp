@@ -22,8 +22,7 @@ Result<QVariant> parseArgument(const ArgumentSpec &argument, const QString &text
     const QString key = QLatin1String(argument.key);
     bool ok = false;
     switch (argument.kind) {
-    case ArgumentKind::Text:
-        return QVariant(text);
+    case ArgumentKind::Text: return QVariant(text);
     case ArgumentKind::Toggle:
         if (text == u"on"_s || text == u"true"_s || text == u"1"_s)
             return QVariant(true);
@@ -40,22 +39,25 @@ Result<QVariant> parseArgument(const ArgumentSpec &argument, const QString &text
             if (ok && choice.value == value)
                 return QVariant(value);
         }
-        return failure(ErrorCode::InvalidArgument, u"%1=%2 is none of: %3"_s.arg(key, text, choiceNames(argument)));
+        return failure(ErrorCode::InvalidArgument,
+                       u"%1=%2 is none of: %3"_s.arg(key, text, choiceNames(argument)));
     }
     case ArgumentKind::Integer:
-    case ArgumentKind::Real:
-        break;
+    case ArgumentKind::Real: break;
     }
     const double value = argument.kind == ArgumentKind::Integer ? text.toInt(&ok, 0) : text.toDouble(&ok);
     if (!ok || !std::isfinite(value) || value < argument.min || value > argument.max) {
-        return failure(ErrorCode::InvalidArgument, u"%1=%2 is not a %3 from %4 to %5"_s
-                           .arg(key, text, argument.kind == ArgumentKind::Integer ? u"whole number"_s : u"number"_s)
-                           .arg(argument.min).arg(argument.max));
+        return failure(
+            ErrorCode::InvalidArgument,
+            u"%1=%2 is not a %3 from %4 to %5"_s
+                .arg(key, text, argument.kind == ArgumentKind::Integer ? u"whole number"_s : u"number"_s)
+                .arg(argument.min)
+                .arg(argument.max));
     }
     return argument.kind == ArgumentKind::Integer ? QVariant(static_cast<int>(value)) : QVariant(value);
 }
 
-} // namespace
+}  // namespace
 
 Result<QVariantMap> parseArguments(const ActionSpec &action, const QMap<QString, QString> &texts)
 {
@@ -64,17 +66,20 @@ Result<QVariantMap> parseArguments(const ActionSpec &action, const QMap<QString,
         const QString key = QLatin1String(argument.key);
         const auto given = texts.find(key);
         if (given == texts.end() && !*argument.defaultText)
-            return failure(ErrorCode::InvalidArgument, u"%1 needs %2=..."_s.arg(QLatin1String(action.key), key));
+            return failure(ErrorCode::InvalidArgument,
+                           u"%1 needs %2=..."_s.arg(QLatin1String(action.key), key));
         // A real argument with the default "nan" may be left out.
         if (given == texts.end() && qstrcmp(argument.defaultText, "nan") == 0)
             continue;
-        auto value = parseArgument(argument, given == texts.end() ? QString::fromLatin1(argument.defaultText) : *given);
+        auto value = parseArgument(argument,
+                                   given == texts.end() ? QString::fromLatin1(argument.defaultText) : *given);
         if (!value)
             return tl::unexpected(value.error());
         values.insert(key, *value);
     }
     for (auto it = texts.begin(); it != texts.end(); ++it) {
-        const auto isKnown = [&it](const ArgumentSpec &argument) { return it.key() == QLatin1String(argument.key); };
+        const auto isKnown
+            = [&it](const ArgumentSpec &argument) { return it.key() == QLatin1String(argument.key); };
         if (std::none_of(action.arguments.begin(), action.arguments.end(), isKnown)) {
             return failure(ErrorCode::InvalidArgument,
                            u"%1 has no argument '%2'"_s.arg(QLatin1String(action.key), it.key()));

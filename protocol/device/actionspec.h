@@ -13,9 +13,9 @@ enum class ActionRisk { Safe, Moves, Writes, Destroys };
 /// What an action does to the values in use, on boards that keep them apart from the stored ones.
 enum class MemoryEffect {
     None,
-    ChangesInUse,   ///< what is in use differs from what is stored afterwards
-    Stores,         ///< everything in use is stored
-    Reloads,        ///< what is stored is in use again
+    ChangesInUse,  ///< what is in use differs from what is stored afterwards
+    Stores,  ///< everything in use is stored
+    Reloads,  ///< what is stored is in use again
 };
 
 enum class ArgumentKind { Integer, Real, Choice, Text, Toggle };
@@ -30,27 +30,28 @@ struct ArgumentSpec
     double max = 255;
     const char *unit = "";
     std::span<const Choice> choices{};
-    const char *defaultText = "";   ///< "" = must be given
+    const char *defaultText = "";  ///< "" = must be given
 };
 
 /// A named command: everything a protocol can do that is neither a parameter nor telemetry.
 struct ActionSpec
 {
-    const char *key = "";           ///< "calibrate.gyro"
+    const char *key = "";  ///< "calibrate.gyro"
     const char *label = "";
     const char *help = "";
     const char *group = "";
     ActionRisk risk = ActionRisk::Safe;
     std::span<const ArgumentSpec> arguments{};
-    bool isProcedure = false;       ///< many steps, with progress and cancel
+    bool isProcedure = false;  ///< many steps, with progress and cancel
     int since = 0;
     const char *capability = "";
     MemoryEffect memory = MemoryEffect::None;
-    bool whileSteering = false;     ///< at hand on the control page
+    bool whileSteering = false;  ///< at hand on the control page
 };
 
 /// What came back: figures and texts by key, e.g. {"angle.roll": 1.25}.
 using ActionReply = QVariantMap;
 
-/// Checks texts against the specs, fills in defaults. Errors: InvalidArgument naming the argument, its type and range.
+/// Checks texts against the specs, fills in defaults. Errors: InvalidArgument naming the argument, its type
+/// and range.
 Result<QVariantMap> parseArguments(const ActionSpec &action, const QMap<QString, QString> &texts);

@@ -11,13 +11,13 @@
 /// The declaration of a telemetry quantity: one row of a family's table, its id being its position there.
 struct ChannelSpec
 {
-    const char *key = "";      ///< "imu.angle.roll": files, command line
+    const char *key = "";  ///< "imu.angle.roll": files, command line
     const char *label = "";
     const char *group = "";
     const char *unit = "";
     int decimals = 0;
     Axis axis = Axis::None;
-    double min = 0;            ///< usual range, for gauges and fixed scales
+    double min = 0;  ///< usual range, for gauges and fixed scales
     double max = 0;
 };
 

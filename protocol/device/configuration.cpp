@@ -44,8 +44,9 @@ Result<void> Configuration::setRaw(const ParameterSpec &spec, int profile, int r
     if (spec.row->state)
         return failure(ErrorCode::ReadOnly, spec.key);
     if (!spec.isInRange(raw)) {
-        return failure(ErrorCode::OutOfRange, u"%1 = %2, allowed %3 to %4"_s.arg(spec.key, spec.format(raw),
-                                                                               spec.minText(), spec.maxText()));
+        return failure(
+            ErrorCode::OutOfRange,
+            u"%1 = %2, allowed %3 to %4"_s.arg(spec.key, spec.format(raw), spec.minText(), spec.maxText()));
     }
     bool found = false;
     for (auto &[key, bytes] : m_blocks) {

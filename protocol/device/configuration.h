@@ -21,7 +21,7 @@ struct BlockKey
 struct ParameterChange
 {
     const ParameterSpec *spec = nullptr;
-    int profile = 0;   ///< the active profile for board-wide parameters
+    int profile = 0;  ///< the active profile for board-wide parameters
     int from = 0;
     int to = 0;
 };
@@ -35,7 +35,8 @@ struct DataChange
     QByteArray to;
 };
 
-/// The values of one board, kept as the raw blocks they came in, so reserved and unknown bytes survive untouched.
+/// The values of one board, kept as the raw blocks they came in, so reserved and unknown bytes survive
+/// untouched.
 class Configuration
 {
 public:

@@ -37,16 +37,17 @@ bool looksLikeMavlink(const QByteArray &bytes)
     return false;
 }
 
-} // namespace
+}  // namespace
 
 QString recognizeProtocol(const QByteArray &bytes)
 {
     if (looksLikeMavlink(bytes))
         return u"MAVLink"_s;
-    // A STorM32 board answers each byte it does not know with the letter e, and half commands with t (errata 3.1). Among what
-    // came at wrong rates a run of them is enough.
+    // A STorM32 board answers each byte it does not know with the letter e, and half commands with t
+    // (errata 3.1). Among what came at wrong rates a run of them is enough.
     constexpr int kRun = 5;
-    const auto isAnswer = [](char letter) { return letter == 'e' || letter == 't' || letter == 'o' || letter == 'c'; };
+    const auto isAnswer
+        = [](char letter) { return letter == 'e' || letter == 't' || letter == 'o' || letter == 'c'; };
     int run = 0;
     int longest = 0;
     for (const char letter : bytes) {
@@ -63,14 +64,17 @@ Result<FoundBoard> findBoard(Channel &channel, Device &device, const LinkAddress
     QList<std::optional<LineSettings>> candidates;
     if (address.kind() == LinkAddress::Kind::Serial || address.kind() == LinkAddress::Kind::Simulator) {
         for (const LineSettings &line : device.lineCandidates()) {
-            if (address.baud().value_or(line.baud) == line.baud && address.parity().value_or(line.parity) == line.parity)
+            if (address.baud().value_or(line.baud) == line.baud
+                && address.parity().value_or(line.parity) == line.parity)
                 candidates.append(line);
         }
         // A rate outside the document's list is the operator's own wish.
         if (candidates.isEmpty())
-            candidates.append(LineSettings{address.baud().value_or(115200), address.parity().value_or(Parity::None)});
+            candidates.append(
+                LineSettings{address.baud().value_or(115200), address.parity().value_or(Parity::None)});
         if (search == Search::UsualRate)
-            candidates.removeIf([usual = candidates.first()->baud](const auto &line) { return line->baud != usual; });
+            candidates.removeIf(
+                [usual = candidates.first()->baud](const auto &line) { return line->baud != usual; });
     } else {
         candidates.append(std::nullopt);
     }
@@ -88,7 +92,8 @@ Result<FoundBoard> findBoard(Channel &channel, Device &device, const LinkAddress
         if (!answered)
             return tl::unexpected(answered.error());
         if (!*answered) {
-            // Looked at now: what comes at the next rates would bury it. Whoever speaks at this rate will not at another.
+            // Looked at now: what comes at the next rates would bury it. Whoever speaks at this rate will not
+            // at another.
             if (const QString other = recognizeProtocol(channel.observation().lastBytes); !other.isEmpty())
                 return failure(ErrorCode::WrongProtocol, other);
             continue;
@@ -101,7 +106,8 @@ Result<FoundBoard> findBoard(Channel &channel, Device &device, const LinkAddress
 
     const LinkObservation seen = channel.observation();
     if (seen.bytesIn > 0)
-        return failure(ErrorCode::Garbage, u"%1 bytes: %2"_s.arg(seen.bytesIn).arg(
-                                               QString::fromLatin1(seen.lastBytes.left(16).toHex(' '))));
+        return failure(
+            ErrorCode::Garbage,
+            u"%1 bytes: %2"_s.arg(seen.bytesIn).arg(QString::fromLatin1(seen.lastBytes.left(16).toHex(' '))));
     return failure(ErrorCode::Silent, address.toString());
 }

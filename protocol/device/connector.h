@@ -14,11 +14,12 @@ struct FoundBoard
 /// How far to look on a serial line whose settings nobody has told.
 enum class Search { UsualRate, AllRates };
 
-/// Finds rate and parity on an open link and identifies the board. Says what it tries through Channel::progress.
-/// Only the given settings are tried where the address names them.
-/// Errors: Silent (nothing ever came), Garbage (bytes, but no frame), WrongProtocol (another family speaks; detail names
-/// it), or what identification met.
-Result<FoundBoard> findBoard(Channel &channel, Device &device, const LinkAddress &address, Search search = Search::AllRates);
+/// Finds rate and parity on an open link and identifies the board. Says what it tries through
+/// Channel::progress. Only the given settings are tried where the address names them. Errors: Silent (nothing
+/// ever came), Garbage (bytes, but no frame), WrongProtocol (another family speaks; detail names it), or what
+/// identification met.
+Result<FoundBoard> findBoard(Channel &channel, Device &device, const LinkAddress &address,
+                             Search search = Search::AllRates);
 
 /// The protocol that these bytes look like ("MAVLink", "STorM32", "BCFlight"), or nothing.
 [[nodiscard]] QString recognizeProtocol(const QByteArray &bytes);

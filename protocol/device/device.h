@@ -13,9 +13,9 @@
 /// How one axis is to be steered.
 struct AxisSetpoint
 {
-    int mode = 0;          ///< number of one of Device::controlModes()
-    double speed = 0;      ///< degrees per second
-    double angle = 0;      ///< degrees (or the mode's own unit, see ControlMode)
+    int mode = 0;  ///< number of one of Device::controlModes()
+    double speed = 0;  ///< degrees per second
+    double angle = 0;  ///< degrees (or the mode's own unit, see ControlMode)
 };
 
 /// Set-points of roll, pitch, yaw.
@@ -32,8 +32,8 @@ struct ControlMode
     double maxSpeed = 0;
     double minAngle = 0;
     double maxAngle = 0;
-    const char *unit = "°";       ///< of what stands in for the angle
-    double padReach = 0;           ///< where the rim of a pad points; 0: 45 and 90 degrees
+    const char *unit = "°";  ///< of what stands in for the angle
+    double padReach = 0;  ///< where the rim of a pad points; 0: 45 and 90 degrees
 };
 
 /// A variable that the board changes at once, in its volatile memory.
@@ -43,8 +43,8 @@ struct AdjustableValue
     double value = 0;
 };
 
-/// What is known of such a variable before any board is asked. Values are the board's own numbers; where a parameter stands
-/// behind it (ParameterSpec::adjustable), that tells unit and scale.
+/// What is known of such a variable before any board is asked. Values are the board's own numbers; where a
+/// parameter stands behind it (ParameterSpec::adjustable), that tells unit and scale.
 struct AdjustableSpec
 {
     int id = 0;
@@ -54,14 +54,14 @@ struct AdjustableSpec
     Axis axis = Axis::None;
     int min = 0;
     int max = 255;
-    int since = 0;         ///< firmware that introduced it
+    int since = 0;  ///< firmware that introduced it
 };
 
 /// An inner variable of the firmware that can be watched.
 struct DebugVariable
 {
     QString name;
-    QString type;          ///< "i16", "f32[3]"; "?" for a type we do not know
+    QString type;  ///< "i16", "f32[3]"; "?" for a type we do not know
     int elements = 1;
     Axis axis = Axis::None;
 
@@ -71,29 +71,30 @@ struct DebugVariable
 /// A frame in words, for the console.
 struct FrameText
 {
-    QString name;          ///< "READ_PARAMS_3"
-    QString fields;        ///< "profile 1, pid.roll.p 15"
+    QString name;  ///< "READ_PARAMS_3"
+    QString fields;  ///< "profile 1, pid.roll.p 15"
 };
 
 /// A command typed by hand.
 struct RawCommand
 {
     QString name;
-    QByteArray bytes;      ///< the complete frame
+    QByteArray bytes;  ///< the complete frame
     ActionRisk risk = ActionRisk::Destroys;
 };
 
 /// A fault the board reports: what it is called; cause and cure are worded in widgets/.
 struct BoardFault
 {
-    QString key;       ///< "no-sensor"
-    QString name;      ///< "No IMU"
+    QString key;  ///< "no-sensor"
+    QString name;  ///< "No IMU"
     QString meaning;
     QString cure;
     bool severe = true;
 };
 
-/// Something the board tells of its parts: a name, and words that stand side by side. All of it is in the tables' catalogue.
+/// Something the board tells of its parts: a name, and words that stand side by side. All of it is in the
+/// tables' catalogue.
 struct BoardFact
 {
     const char *name = "";
@@ -106,41 +107,41 @@ struct ChannelRoles
     std::array<int, 3> angle{-1, -1, -1};
     std::array<int, 3> target{-1, -1, -1};
     std::array<int, 3> gyro{-1, -1, -1};
-    std::array<int, 3> acc{-1, -1, -1};       ///< x, y, z
+    std::array<int, 3> acc{-1, -1, -1};  ///< x, y, z
     std::array<int, 3> frameAngle{-1, -1, -1};
     std::array<int, 3> motorPower{-1, -1, -1};
     int battery = -1;
     int temperature = -1;
     int current = -1;
     int motorsOn = -1;
-    int faults = -1;          ///< bit set, see Device::faults()
+    int faults = -1;  ///< bit set, see Device::faults()
     int faultDetail = -1;
     int activeProfile = -1;
     int cycleTime = -1;
     int busErrors = -1;
-    int state = -1;           ///< what the board is doing, see Device::stateText()
+    int state = -1;  ///< what the board is doing, see Device::stateText()
 };
 
 /// What the operator should decide when a board was found: a sentence, and the action that changes it.
 struct ConnectOffer
 {
     const char *text = "";
-    const char *choice = "";       ///< what the button says
+    const char *choice = "";  ///< what the button says
     const char *action = "";
 };
 
 /// Where the parameters of one notch filter are: their keys, and the bit that switches it on.
 struct NotchFilter
 {
-    QString frequency;     ///< Hz
-    QString width;         ///< Hz
-    QString depth;         ///< dB, positive takes out
+    QString frequency;  ///< Hz
+    QString width;  ///< Hz
+    QString depth;  ///< dB, positive takes out
     QString enabled;
     int bit = 0;
 };
 
-/// A family's knowledge as plain sequential code against a Channel. Constant once identified, so the screen may read the
-/// tables while the worker thread uses the rest.
+/// A family's knowledge as plain sequential code against a Channel. Constant once identified, so the screen
+/// may read the tables while the worker thread uses the rest.
 class Device
 {
 public:
@@ -188,8 +189,10 @@ public:
     virtual Result<std::vector<std::vector<double>>> readDebugVariables(Channel &channel) = 0;
 
     [[nodiscard]] virtual std::span<const ActionSpec> actions() const = 0;
-    /// Performs an action with arguments from parseArguments(). Errors: InvalidArgument, Unsupported, the board's own.
-    virtual Result<ActionReply> perform(Channel &channel, const QString &key, const QVariantMap &arguments) = 0;
+    /// Performs an action with arguments from parseArguments(). Errors: InvalidArgument, Unsupported, the
+    /// board's own.
+    virtual Result<ActionReply> perform(Channel &channel, const QString &key, const QVariantMap &arguments)
+        = 0;
     /// The action that stores the values in use; empty where there is none.
     [[nodiscard]] virtual QString storeAction() const = 0;
 
@@ -202,19 +205,24 @@ public:
     [[nodiscard]] virtual QList<int> fastChannels() const = 0;
     /// The streams that this board can be asked for; none where it has to be polled.
     [[nodiscard]] virtual QList<StreamSpec> streams() const = 0;
-    /// What a wish takes of the line, without asking the board. Errors: InvalidArgument (no such stream or rate).
+    /// What a wish takes of the line, without asking the board. Errors: InvalidArgument (no such stream or
+    /// rate).
     [[nodiscard]] virtual Result<StreamBudget> streamBudget(const TelemetryWish &wish,
                                                             std::optional<LineSettings> line) const = 0;
     /// Errors: those of streamBudget(), TooMuch (the line cannot carry the streams), the board's own.
     virtual Result<TelemetryPlan> startTelemetry(Channel &channel, const TelemetryWish &wish,
-                                                 std::optional<LineSettings> line) = 0;
+                                                 std::optional<LineSettings> line)
+        = 0;
     virtual void stopTelemetry(Channel &channel) = 0;
     /// For a recording: a decoder that learns from what was sent which streams the board was asked for.
     [[nodiscard]] virtual std::shared_ptr<TelemetryDecoder> replayDecoder() const = 0;
     /// The faults behind the value of the faults channel.
     [[nodiscard]] virtual std::vector<BoardFault> faults(unsigned bits, unsigned detail) const = 0;
     /// What its status words say of its parts. @param latest the newest value of a channel, NaN without one
-    [[nodiscard]] virtual std::vector<BoardFact> facts(const std::function<double(int)> &) const { return {}; }
+    [[nodiscard]] virtual std::vector<BoardFact> facts(const std::function<double(int)> &) const
+    {
+        return {};
+    }
     /// A state in words; empty where the board tells none.
     [[nodiscard]] virtual QString stateText(int) const { return {}; }
     /// A text that the board sends for the operator's eyes; empty for other frames.
@@ -227,7 +235,8 @@ public:
     [[nodiscard]] virtual FrameText describeSent(QByteArrayView bytes) const;
     /// True for frames that carry live data, so that a log may leave them out.
     [[nodiscard]] virtual bool isTelemetryFrame(int id) const = 0;
-    /// A name with payload bytes in hex ("EXECUTE_MENU 0B") or a complete frame in hex. Errors: InvalidArgument.
+    /// A name with payload bytes in hex ("EXECUTE_MENU 0B") or a complete frame in hex. Errors:
+    /// InvalidArgument.
     [[nodiscard]] virtual Result<RawCommand> parseCommand(const QString &text) const = 0;
     /// Names that parseCommand() understands.
     [[nodiscard]] virtual QStringList commandNames() const = 0;
@@ -243,8 +252,8 @@ public:
 /// A family of controllers as the program's table of families lists it.
 struct Family
 {
-    QString key;        ///< "simplebgc"
-    QString name;       ///< "SimpleBGC 32-bit"
+    QString key;  ///< "simplebgc"
+    QString name;  ///< "SimpleBGC 32-bit"
     std::function<std::unique_ptr<Device>()> makeDevice;
     /// The parameters that a board with this identity has, to understand a file without the board.
     std::function<std::shared_ptr<const ParameterSet>(const BoardIdentity &)> makeParameters;

@@ -16,7 +16,8 @@ namespace {
 
 constexpr auto kReconnectPause = 500ms;
 constexpr auto kStatisticsPeriod = 250ms;
-// A board that announces its restart still talks for up to a second (document CMD_RESET); we let go before it does.
+// A board that announces its restart still talks for up to a second (document CMD_RESET); we let go before it
+// does.
 constexpr auto kLetGoBeforeReset = 300ms;
 constexpr auto kRestartTime = 1500ms;
 
@@ -26,7 +27,7 @@ bool isNotHere(ErrorCode code)
     return code == ErrorCode::Silent || code == ErrorCode::Garbage || code == ErrorCode::WrongProtocol;
 }
 
-} // namespace
+}  // namespace
 
 /// One series of attempts to get a board: the first connection, or reconnecting until it succeeds.
 struct DeviceClient::Attempt
@@ -45,7 +46,8 @@ struct DeviceClient::Attempt
     bool repeat = false;
     milliseconds delay{};
 
-    Result<FoundBoard> ask(const Candidate &candidate, SessionChannel &channel, bool useKnownLine, Search search = Search::AllRates)
+    Result<FoundBoard> ask(const Candidate &candidate, SessionChannel &channel, bool useKnownLine,
+                           Search search = Search::AllRates)
     {
         LinkAddress target = address;
         if (useKnownLine && knownLine && address.kind() == LinkAddress::Kind::Serial)
@@ -58,14 +60,15 @@ struct DeviceClient::Attempt
         return found;
     }
 
-    // One family after the other. Where one is recognised by its bytes it is asked next; where nothing at all came, nobody of
-    // them is there (a recording answers nobody but its own).
+    // One family after the other. Where one is recognised by its bytes it is asked next; where nothing at all
+    // came, nobody of them is there (a recording answers nobody but its own).
     Result<FoundBoard> once(SessionChannel &channel, bool useKnownLine)
     {
         std::optional<Error> first;
-        // On a serial line each family is asked at its usual rate before any other rate is tried: a board that cannot answer
-        // the first one's question is found in two seconds instead of after all its rates.
-        const bool searches = candidates.size() > 1 && address.kind() == LinkAddress::Kind::Serial && !address.baud();
+        // On a serial line each family is asked at its usual rate before any other rate is tried: a board
+        // that cannot answer the first one's question is found in two seconds instead of after all its rates.
+        const bool searches
+            = candidates.size() > 1 && address.kind() == LinkAddress::Kind::Serial && !address.baud();
         for (const Candidate &candidate : candidates) {
             if (!searches || (useKnownLine && knownLine))
                 break;
@@ -80,9 +83,10 @@ struct DeviceClient::Attempt
             const Error error = found.error();
             if (!first || first->code == ErrorCode::Garbage)
                 first = error;
-            const auto named = std::find_if(candidates.begin(), candidates.end(), [&error](const Candidate &each) {
-                return error.code == ErrorCode::WrongProtocol && each.speaks.contains(error.detail);
-            });
+            const auto named
+                = std::find_if(candidates.begin(), candidates.end(), [&error](const Candidate &each) {
+                      return error.code == ErrorCode::WrongProtocol && each.speaks.contains(error.detail);
+                  });
             if (named != candidates.end() && &*named != &candidate)
                 return ask(*named, channel, useKnownLine);
             const bool nobody = error.code != ErrorCode::Garbage && error.code != ErrorCode::Timeout;
@@ -127,16 +131,22 @@ DeviceClient::DeviceClient(TransportFactory makeTransport, QList<Family> familie
 
     m_statisticsTimer.setInterval(kStatisticsPeriod);
     connect(&m_statisticsTimer, &QTimer::timeout, this, [this] {
-        QMetaObject::invokeMethod(m_session, [this, session = m_session] {
-            const LinkStatistics now = session->statistics();
-            QMetaObject::invokeMethod(this, [this, now] {
-                const bool rescued = now.deadManRescues > m_statistics.deadManRescues;
-                m_statistics = now;
-                emit statisticsChanged();
-                if (rescued)
-                    emit controlRescued();
-            }, Qt::QueuedConnection);
-        }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            m_session,
+            [this, session = m_session] {
+                const LinkStatistics now = session->statistics();
+                QMetaObject::invokeMethod(
+                    this,
+                    [this, now] {
+                        const bool rescued = now.deadManRescues > m_statistics.deadManRescues;
+                        m_statistics = now;
+                        emit statisticsChanged();
+                        if (rescued)
+                            emit controlRescued();
+                    },
+                    Qt::QueuedConnection);
+            },
+            Qt::QueuedConnection);
     });
 }
 
@@ -154,17 +164,20 @@ void DeviceClient::shutDown()
     cancelJobs();
     if (m_attemptControl)
         m_attemptControl->cancel();
-    m_state = State::Disconnected;   // nothing new is begun
+    m_state = State::Disconnected;  // nothing new is begun
     closeSession();
     // The worker may still wait for the I/O thread, so it goes first.
     m_workerThread.quit();
     m_workerThread.wait();
-    QMetaObject::invokeMethod(m_session, [this] {
-        m_session->removeListener(&m_frames);
-        m_session->removeListener(m_feed.get());
-        for (FrameListener *listener : m_foreign)
-            m_session->removeListener(listener);
-    }, Qt::BlockingQueuedConnection);
+    QMetaObject::invokeMethod(
+        m_session,
+        [this] {
+            m_session->removeListener(&m_frames);
+            m_session->removeListener(m_feed.get());
+            for (FrameListener *listener : m_foreign)
+                m_session->removeListener(listener);
+        },
+        Qt::BlockingQueuedConnection);
     m_ioThread.quit();
     m_ioThread.wait();
 }
@@ -174,16 +187,16 @@ void DeviceClient::addListener(FrameListener &listener)
     if (!m_ioThread.isRunning())
         return;
     m_foreign.push_back(&listener);
-    QMetaObject::invokeMethod(m_session, [this, &listener] { m_session->addListener(&listener); },
-                              Qt::BlockingQueuedConnection);
+    QMetaObject::invokeMethod(
+        m_session, [this, &listener] { m_session->addListener(&listener); }, Qt::BlockingQueuedConnection);
 }
 
 void DeviceClient::removeListener(FrameListener &listener)
 {
     if (std::erase(m_foreign, &listener) == 0 || !m_ioThread.isRunning())
         return;
-    QMetaObject::invokeMethod(m_session, [this, &listener] { m_session->removeListener(&listener); },
-                              Qt::BlockingQueuedConnection);
+    QMetaObject::invokeMethod(
+        m_session, [this, &listener] { m_session->removeListener(&listener); }, Qt::BlockingQueuedConnection);
 }
 
 void DeviceClient::connectTo(const LinkAddress &address, const QString &family)
@@ -218,8 +231,12 @@ void DeviceClient::closeSession()
     }
     if (!m_ioThread.isRunning())
         return;
-    QMetaObject::invokeMethod(m_session, [session = m_session] { session->close({ErrorCode::Cancelled, {}}); },
-                              Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        m_session,
+        [session = m_session] {
+            session->close({ErrorCode::Cancelled, {}});
+        },
+        Qt::QueuedConnection);
 }
 
 void DeviceClient::startAttempt(State state, milliseconds delay)
@@ -242,12 +259,16 @@ void DeviceClient::startAttempt(State state, milliseconds delay)
     attempt->delay = delay;
     m_attemptControl = attempt->control;
     setState(state);
-    QMetaObject::invokeMethod(m_worker, [this, attempt] {
-        const auto channel = makeChannel(attempt->control);
-        auto found = attempt->run(*channel);
-        QMetaObject::invokeMethod(this, [this, attempt, found = std::move(found)] { finishAttempt(attempt, found); },
-                                  Qt::QueuedConnection);
-    }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        m_worker,
+        [this, attempt] {
+            const auto channel = makeChannel(attempt->control);
+            auto found = attempt->run(*channel);
+            QMetaObject::invokeMethod(
+                this, [this, attempt, found = std::move(found)] { finishAttempt(attempt, found); },
+                Qt::QueuedConnection);
+        },
+        Qt::QueuedConnection);
 }
 
 void DeviceClient::finishAttempt(const std::shared_ptr<Attempt> &attempt, Result<FoundBoard> found)
@@ -263,9 +284,9 @@ void DeviceClient::finishAttempt(const std::shared_ptr<Attempt> &attempt, Result
         return;
     }
     m_device = attempt->chosen->device;
-    m_familyKey = attempt->chosen->family;   // it stays the one when the link comes back
+    m_familyKey = attempt->chosen->family;  // it stays the one when the link comes back
     if (m_address.isReplay())
-        m_device->setReadOnly();   // what happened cannot be changed
+        m_device->setReadOnly();  // what happened cannot be changed
     m_identity = m_device->identity();
     m_line = found->line;
     qCInfo(logClient) << "connected to" << m_identity.model << m_identity.firmware;
@@ -279,12 +300,16 @@ void DeviceClient::finishAttempt(const std::shared_ptr<Attempt> &attempt, Result
         [this] { QMetaObject::invokeMethod(this, &DeviceClient::onResetAnnounced, Qt::QueuedConnection); },
         [this, device = m_device](const FrameView &frame) {
             if (const QString text = device->spokenText(frame); !text.isEmpty())
-                QMetaObject::invokeMethod(this, [this, text] { emit boardSpoke(text); }, Qt::QueuedConnection);
+                QMetaObject::invokeMethod(
+                    this, [this, text] { emit boardSpoke(text); }, Qt::QueuedConnection);
         });
-    QMetaObject::invokeMethod(m_session, [this, fresh = feed.get(), old = m_feed.get()] {
-        m_session->removeListener(old);
-        m_session->addListener(fresh);
-    }, Qt::BlockingQueuedConnection);
+    QMetaObject::invokeMethod(
+        m_session,
+        [this, fresh = feed.get(), old = m_feed.get()] {
+            m_session->removeListener(old);
+            m_session->addListener(fresh);
+        },
+        Qt::BlockingQueuedConnection);
     m_feed = std::move(feed);
     {
         const std::lock_guard lock(m_urgentMutex);
@@ -315,9 +340,12 @@ void DeviceClient::onResetAnnounced()
         if (m_state != State::Connected)
             return;
         emit connectionLost({ErrorCode::LinkClosed, u"the board restarts"_s});
-        QMetaObject::invokeMethod(m_session, [session = m_session] {
-            session->close({ErrorCode::LinkClosed, u"the board restarts"_s});
-        }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            m_session,
+            [session = m_session] {
+                session->close({ErrorCode::LinkClosed, u"the board restarts"_s});
+            },
+            Qt::QueuedConnection);
         cancelJobs();
         startAttempt(State::Reconnecting, kRestartTime);
     });
@@ -342,16 +370,20 @@ void DeviceClient::motorsOff()
         request = m_motorsOff;
     }
     if (!request) {
-        QMetaObject::invokeMethod(this, [this] { emit motorsOffFinished(false); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this] { emit motorsOffFinished(false); }, Qt::QueuedConnection);
         return;
     }
-    QMetaObject::invokeMethod(m_session, [this, session = m_session, request = *request] {
-        session->sendUrgent(request, [this](const Result<Frame> &result) {
-            const bool confirmed = result.has_value();
-            QMetaObject::invokeMethod(this, [this, confirmed] { emit motorsOffFinished(confirmed); },
-                                      Qt::QueuedConnection);
-        });
-    }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        m_session,
+        [this, session = m_session, request = *request] {
+            session->sendUrgent(request, [this](const Result<Frame> &result) {
+                const bool confirmed = result.has_value();
+                QMetaObject::invokeMethod(
+                    this, [this, confirmed] { emit motorsOffFinished(confirmed); }, Qt::QueuedConnection);
+            });
+        },
+        Qt::QueuedConnection);
     const std::lock_guard lock(m_urgentMutex);
     for (const auto &moving : std::exchange(m_movingJobs, {})) {
         if (const auto control = moving.lock())
@@ -363,16 +395,20 @@ void DeviceClient::setControl(const ControlSetpoint &setpoint)
 {
     if (m_state != State::Connected)
         return;
-    QMetaObject::invokeMethod(m_session, [session = m_session, frames = m_device->controlFrames(setpoint)] {
-        session->refreshControl(frames);
-    }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        m_session,
+        [session = m_session, frames = m_device->controlFrames(setpoint)] {
+            session->refreshControl(frames);
+        },
+        Qt::QueuedConnection);
 }
 
 void DeviceClient::releaseControl()
 {
     if (m_state != State::Connected)
         return;
-    QMetaObject::invokeMethod(m_session, [session = m_session] { session->endControl(); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        m_session, [session = m_session] { session->endControl(); }, Qt::QueuedConnection);
 }
 
 void DeviceClient::setTelemetry(const TelemetryWish &wish)
@@ -395,31 +431,34 @@ void DeviceClient::requestTelemetry()
     if (const auto refused = refusal(wish)) {
         emit telemetryFailed(*refused);
         if (m_plan.decoder)
-            return;              // what was arranged before goes on
+            return;  // what was arranged before goes on
         wish.streams.clear();
     }
     // Several wishes in one round of the event loop make one request.
     m_telemetryRequested = true;
     // While streams are rearranged, missing samples are nobody's loss.
-    QMetaObject::invokeMethod(m_session, [feed = m_feed.get()] { feed->setDecoder(nullptr); },
-                              Qt::BlockingQueuedConnection);
+    QMetaObject::invokeMethod(
+        m_session, [feed = m_feed.get()] { feed->setDecoder(nullptr); }, Qt::BlockingQueuedConnection);
     submit<TelemetryPlan>([wish, line = m_line](Channel &channel, Device &device) {
         return device.startTelemetry(channel, wish, line);
     }).then(this, [this, asked = m_wish](const Result<TelemetryPlan> &plan) {
         m_telemetryRequested = false;
         if (!plan) {
             if (plan.error().code == ErrorCode::Cancelled)
-                requestTelemetry();   // somebody cancelled all jobs; telemetry is still wanted
+                requestTelemetry();  // somebody cancelled all jobs; telemetry is still wanted
             else if (plan.error().code != ErrorCode::LinkClosed)
                 emit telemetryFailed(plan.error());
             return;
         }
         m_plan = *plan;
-        QMetaObject::invokeMethod(m_session, [session = m_session, feed = m_feed.get(), plan = *plan] {
-            feed->setDecoder(plan.decoder);
-            session->setPoll(plan.poll, plan.pollInterval);
-            session->setFarewell(plan.farewell);
-        }, Qt::BlockingQueuedConnection);
+        QMetaObject::invokeMethod(
+            m_session,
+            [session = m_session, feed = m_feed.get(), plan = *plan] {
+                feed->setDecoder(plan.decoder);
+                session->setPoll(plan.poll, plan.pollInterval);
+                session->setFarewell(plan.farewell);
+            },
+            Qt::BlockingQueuedConnection);
         emit telemetryPlanChanged();
         if (m_wish != asked)
             requestTelemetry();
@@ -442,10 +481,13 @@ void DeviceClient::startReplay()
         return;
     m_plan.decoder = m_device->replayDecoder();
     m_plan.streaming = true;
-    QMetaObject::invokeMethod(m_session, [session = m_session, feed = m_feed.get(), decoder = m_plan.decoder] {
-        feed->setDecoder(decoder);
-        session->play();
-    }, Qt::BlockingQueuedConnection);
+    QMetaObject::invokeMethod(
+        m_session,
+        [session = m_session, feed = m_feed.get(), decoder = m_plan.decoder] {
+            feed->setDecoder(decoder);
+            session->play();
+        },
+        Qt::BlockingQueuedConnection);
     emit telemetryPlanChanged();
     if (m_replaySpeed)
         setReplaySpeed(*m_replaySpeed);
@@ -457,22 +499,26 @@ void DeviceClient::startReplay()
 void DeviceClient::setReplayPaused(bool paused)
 {
     m_replayPaused = paused;
-    QMetaObject::invokeMethod(m_session, [session = m_session, paused] { session->setReplayPaused(paused); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        m_session, [session = m_session, paused] { session->setReplayPaused(paused); }, Qt::QueuedConnection);
 }
 
 void DeviceClient::setReplaySpeed(double speed)
 {
     m_replaySpeed = speed;
-    QMetaObject::invokeMethod(m_session, [session = m_session, speed] { session->setReplaySpeed(speed); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        m_session, [session = m_session, speed] { session->setReplaySpeed(speed); }, Qt::QueuedConnection);
 }
 
 void DeviceClient::seekReplay(double seconds)
 {
     if (!m_address.isReplay())
         return;
-    if (m_state == State::Connected && m_plan.decoder && (!m_statistics.replay || seconds >= m_statistics.replay->position)) {
-        QMetaObject::invokeMethod(m_session, [session = m_session, seconds] { session->forwardReplay(seconds); },
-                                  Qt::QueuedConnection);
+    if (m_state == State::Connected && m_plan.decoder
+        && (!m_statistics.replay || seconds >= m_statistics.replay->position)) {
+        QMetaObject::invokeMethod(
+            m_session, [session = m_session, seconds] { session->forwardReplay(seconds); },
+            Qt::QueuedConnection);
         return;
     }
     const auto speed = m_replaySpeed;
@@ -494,7 +540,8 @@ void DeviceClient::setState(State state)
 std::unique_ptr<SessionChannel> DeviceClient::makeChannel(std::shared_ptr<JobControl> control)
 {
     return std::make_unique<SessionChannel>(*m_session, std::move(control), [this](const Progress &progress) {
-        QMetaObject::invokeMethod(this, [this, progress] { emit progressChanged(progress); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this, progress] { emit progressChanged(progress); }, Qt::QueuedConnection);
     });
 }
 

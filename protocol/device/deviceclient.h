@@ -12,8 +12,9 @@
 
 class TelemetryFeed;
 
-/// The only door between the screen's thread and the board. Owns the I/O thread (session) and the worker thread (device and
-/// procedure code, one job at a time). Never blocks; whatever talks to a board returns a future.
+/// The only door between the screen's thread and the board. Owns the I/O thread (session) and the worker
+/// thread (device and procedure code, one job at a time). Never blocks; whatever talks to a board returns a
+/// future.
 class DeviceClient final : public QObject
 {
     Q_OBJECT
@@ -47,16 +48,20 @@ public:
     /// The last frames in and out.
     [[nodiscard]] const FrameLog &frames() const { return m_frames; }
 
-    /// Opens the link, finds rate and parity, identifies the board. stateChanged() and connectionFailed() tell the rest.
+    /// Opens the link, finds rate and parity, identifies the board. stateChanged() and connectionFailed()
+    /// tell the rest.
     void connectTo(const LinkAddress &address, const QString &family = {});
     void disconnectFromBoard();
-    /// Ends link and threads; every future has its result afterwards. Whoever waits for one (`future.then(this, ...)`) must
-    /// live until then, so this comes before anything that uses the client is taken down. The destructor does it too.
+    /// Ends link and threads; every future has its result afterwards. Whoever waits for one
+    /// (`future.then(this, ...)`) must live until then, so this comes before anything that uses the client is
+    /// taken down. The destructor does it too.
     void shutDown();
 
-    /// Runs sequential code on the worker thread. The future always gets a result; NotConnected when there is no board.
-    template<typename T>
-    QFuture<Result<T>> submit(std::function<Result<T>(Channel &, Device &)> job, JobKind kind = JobKind::Quiet);
+    /// Runs sequential code on the worker thread. The future always gets a result; NotConnected when there is
+    /// no board.
+    template <typename T>
+    QFuture<Result<T>> submit(std::function<Result<T>(Channel &, Device &)> job,
+                              JobKind kind = JobKind::Quiet);
     /// Cancels the running job and those waiting.
     void cancelJobs();
 
@@ -70,8 +75,8 @@ public:
     /// Which telemetry to arrange with the board; kept over reconnections.
     void setTelemetry(const TelemetryWish &wish);
 
-    /// A recording: stands still, runs at another speed, or goes to a place (seconds since its first byte). Going back opens
-    /// it anew and plays up to there at once, so that everything before is there to look at.
+    /// A recording: stands still, runs at another speed, or goes to a place (seconds since its first byte).
+    /// Going back opens it anew and plays up to there at once, so that everything before is there to look at.
     void setReplayPaused(bool paused);
     void setReplaySpeed(double speed);
     void seekReplay(double seconds);
@@ -116,7 +121,7 @@ private:
     Session *m_session;
     QObject *m_worker;
     FrameLog m_frames;
-    std::vector<FrameListener *> m_foreign;        // listeners that others own
+    std::vector<FrameListener *> m_foreign;  // listeners that others own
     std::unique_ptr<TelemetryFeed> m_feed;
     QTimer m_statisticsTimer;
 
@@ -132,18 +137,18 @@ private:
     TelemetryWish m_wish;
     TelemetryPlan m_plan;
     bool m_telemetryRequested = false;
-    double m_replayFrom = 0;                       // go there as soon as the recording is open
-    std::optional<double> m_replaySpeed;           // chosen by the operator, kept over seeking
+    double m_replayFrom = 0;  // go there as soon as the recording is open
+    std::optional<double> m_replaySpeed;  // chosen by the operator, kept over seeking
     bool m_replayPaused = false;
     LinkStatistics m_statistics;
     int m_jobs = 0;
 
-    std::mutex m_urgentMutex;                      // motorsOff() comes from any thread
+    std::mutex m_urgentMutex;  // motorsOff() comes from any thread
     std::optional<Request> m_motorsOff;
     std::vector<std::weak_ptr<JobControl>> m_movingJobs;
 };
 
-template<typename T>
+template <typename T>
 QFuture<Result<T>> DeviceClient::submit(std::function<Result<T>(Channel &, Device &)> job, JobKind kind)
 {
     auto promise = std::make_shared<QPromise<Result<T>>>();
@@ -161,12 +166,17 @@ QFuture<Result<T>> DeviceClient::submit(std::function<Result<T>(Channel &, Devic
         m_movingJobs.push_back(control);
     }
     jobStarted();
-    QMetaObject::invokeMethod(m_worker, [this, promise, control, device = m_device, job = std::move(job)] {
-        const auto channel = makeChannel(control);
-        Result<T> result = channel->cancelled() ? Result<T>(failure(ErrorCode::Cancelled)) : job(*channel, *device);
-        QMetaObject::invokeMethod(this, [this] { jobFinished(); }, Qt::QueuedConnection);
-        promise->addResult(std::move(result));
-        promise->finish();
-    }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        m_worker,
+        [this, promise, control, device = m_device, job = std::move(job)] {
+            const auto channel = makeChannel(control);
+            Result<T> result
+                = channel->cancelled() ? Result<T>(failure(ErrorCode::Cancelled)) : job(*channel, *device);
+            QMetaObject::invokeMethod(
+                this, [this] { jobFinished(); }, Qt::QueuedConnection);
+            promise->addResult(std::move(result));
+            promise->finish();
+        },
+        Qt::QueuedConnection);
     return future;
 }

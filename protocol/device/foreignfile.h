@@ -10,15 +10,15 @@
 struct ForeignSettings
 {
     Configuration configuration;
-    QStringList unknown;     ///< entries that no parameter fits
-    QStringList missing;     ///< parameters it does not name: they have their defaults
+    QStringList unknown;  ///< entries that no parameter fits
+    QStringList missing;  ///< parameters it does not name: they have their defaults
 };
 
 /// Settings files of a family's original program, read and written as data.
 struct ForeignFile
 {
-    QString suffix;          ///< "cfg"
-    QString name;            ///< "STorM32 settings"
+    QString suffix;  ///< "cfg"
+    QString name;  ///< "STorM32 settings"
     /// Errors: BadFile with what is wrong and where.
     std::function<Result<ForeignSettings>(const QByteArray &)> read;
     /// Errors: Unsupported (the file cannot hold this configuration).
@@ -30,7 +30,7 @@ struct SensorCalibration
 {
     std::array<int, 3> zero{};
     std::array<int, 3> scale{};
-    QString method;          ///< "1 point", "6 point"
+    QString method;  ///< "1 point", "6 point"
     double temperature = 0;  ///< degrees Celsius
 
     friend bool operator==(const SensorCalibration &, const SensorCalibration &) = default;
@@ -39,7 +39,7 @@ struct SensorCalibration
 /// Files of such calibrations.
 struct CalibrationFile
 {
-    QString suffix;          ///< "cal"
+    QString suffix;  ///< "cal"
     QString name;
     std::function<Result<SensorCalibration>(const QByteArray &)> read;
     std::function<QByteArray(const SensorCalibration &)> write;

@@ -13,8 +13,10 @@ struct LiveValue
 };
 using LiveValues = std::vector<LiveValue>;
 
-/// A board answers questions for its active profile out of volatile memory, so values set live look as if they were stored.
-/// This puts the stored ones back into what was read; a value that the board shows otherwise is left alone.
+/// A board answers questions for its active profile out of volatile memory, so values set live look as if
+/// they were stored. This puts the stored ones back into what was read; a value that the board shows
+/// otherwise is left alone.
 [[nodiscard]] Configuration withoutLive(Configuration read, const LiveValues &live);
 /// The same for one block of the active profile.
-[[nodiscard]] QByteArray withoutLive(QByteArray bytes, int block, const ParameterSet &parameters, const LiveValues &live);
+[[nodiscard]] QByteArray withoutLive(QByteArray bytes, int block, const ParameterSet &parameters,
+                                     const LiveValues &live);

@@ -21,7 +21,7 @@ QString expandKey(const char *pattern, Axis axis, int index)
     return key;
 }
 
-} // namespace
+}  // namespace
 
 double ParameterSpec::toDisplay(int raw) const
 {
@@ -86,23 +86,20 @@ bool ParameterSpec::write(QByteArray &block, int raw) const
 std::vector<Choice> ParameterSpec::choices(int firmware) const
 {
     std::vector<Choice> list;
-    std::copy_if(row->choices.begin(), row->choices.end(), std::back_inserter(list), [firmware](const Choice &choice) {
-        return firmware >= choice.since && firmware <= choice.until;
-    });
+    std::copy_if(
+        row->choices.begin(), row->choices.end(), std::back_inserter(list),
+        [firmware](const Choice &choice) { return firmware >= choice.since && firmware <= choice.until; });
     return list;
 }
 
 QString ParameterSpec::format(int raw) const
 {
     switch (row->kind) {
-    case ValueKind::Toggle:
-        return raw ? u"on"_s : u"off"_s;
+    case ValueKind::Toggle: return raw ? u"on"_s : u"off"_s;
     case ValueKind::Flags:
         return u"0x"_s + QString::number(raw, 16).rightJustified(2 * wireSize(row->wire), u'0');
-    case ValueKind::Choice:
-        return QString::number(raw);
-    case ValueKind::Number:
-        break;
+    case ValueKind::Choice: return QString::number(raw);
+    case ValueKind::Number: break;
     }
     return QString::number(toDisplay(raw), 'f', row->decimals);
 }
@@ -126,7 +123,8 @@ std::optional<int> ParameterSpec::parse(const QString &text) const
     if (ok)
         return value;
     for (const Choice &choice : row->choices) {
-        if (row->kind == ValueKind::Choice && word.compare(QLatin1String(choice.name), Qt::CaseInsensitive) == 0)
+        if (row->kind == ValueKind::Choice
+            && word.compare(QLatin1String(choice.name), Qt::CaseInsensitive) == 0)
             return choice.value;
     }
     return {};
@@ -137,8 +135,8 @@ QString ParameterSpec::idleKey() const
     return *row->idle.key ? expandKey(row->idle.key, axis, index) : QString();
 }
 
-ParameterSet::ParameterSet(std::span<const ParameterRow> rows, std::span<const BlockSpec> blocks, int firmware,
-                           const Capabilities &capabilities)
+ParameterSet::ParameterSet(std::span<const ParameterRow> rows, std::span<const BlockSpec> blocks,
+                           int firmware, const Capabilities &capabilities)
     : m_blocks(blocks)
     , m_firmware(firmware)
 {
@@ -177,6 +175,7 @@ const ParameterSpec *ParameterSet::find(const QString &key) const
 
 const BlockSpec *ParameterSet::block(int id) const
 {
-    const auto it = std::find_if(m_blocks.begin(), m_blocks.end(), [id](const BlockSpec &b) { return b.id == id; });
+    const auto it
+        = std::find_if(m_blocks.begin(), m_blocks.end(), [id](const BlockSpec &b) { return b.id == id; });
     return it == m_blocks.end() ? nullptr : &*it;
 }

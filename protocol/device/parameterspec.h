@@ -24,7 +24,7 @@ enum class Scope : std::uint8_t { Profile, Board };
 enum class Risk : std::uint8_t { Normal, Red };
 /// How a raw number becomes the number the operator sees.
 enum class Conversion : std::uint8_t {
-    Linear,       ///< raw * scale + bias
+    Linear,  ///< raw * scale + bias
     Logarithmic,  ///< 5 exp(raw ln 52 / 255) - 5 (SimpleBGC from 2.73.1, errata 3.3)
 };
 
@@ -38,19 +38,21 @@ struct Choice
 {
     int value = 0;
     const char *name = "";
-    int since = 0;       ///< firmware that introduced it; 0 = always there
+    int since = 0;  ///< firmware that introduced it; 0 = always there
     int until = 99999;
 };
 
-/// When a parameter has no effect: while another one has this value. "%a" and "%n" in the key are those of its own.
+/// When a parameter has no effect: while another one has this value. "%a" and "%n" in the key are those of
+/// its own.
 struct NoEffectWhile
 {
     const char *key = "";
     int value = 0;
 };
 
-/// The declaration of a parameter: one row of a family's table. A row with several axes or indices stands for that many
-/// parameters, one after the other in the block; "%a" in the key is the axis, "%n" the index from 1.
+/// The declaration of a parameter: one row of a family's table. A row with several axes or indices stands for
+/// that many parameters, one after the other in the block; "%a" in the key is the axis, "%n" the index
+/// from 1.
 struct ParameterRow
 {
     const char *key = "";
@@ -61,18 +63,18 @@ struct ParameterRow
     std::uint16_t offset = 0;
     WireType wire = WireType::U8;
     std::uint8_t bitShift = 0;
-    std::uint8_t bitCount = 0;         ///< 0 = the whole word
+    std::uint8_t bitCount = 0;  ///< 0 = the whole word
     ValueKind kind = ValueKind::Number;
-    std::uint8_t axes = 1;             ///< 1, 2 (roll, pitch) or 3
+    std::uint8_t axes = 1;  ///< 1, 2 (roll, pitch) or 3
     std::uint8_t axisStride = 0;
-    bool pitchFirst = false;           ///< the axes lie in the order pitch, roll, yaw
-    Axis axis = Axis::None;            ///< for a single value that belongs to one axis
+    bool pitchFirst = false;  ///< the axes lie in the order pitch, roll, yaw
+    Axis axis = Axis::None;  ///< for a single value that belongs to one axis
     std::uint8_t count = 1;
     std::uint8_t countStride = 0;
     const char *unit = "";
     double scale = 1.0;
     double bias = 0.0;
-    int min = 0;                       ///< range in raw numbers
+    int min = 0;  ///< range in raw numbers
     int max = 255;
     int decimals = 0;
     std::array<int, 3> defaults{0, 0, 0};
@@ -83,12 +85,12 @@ struct ParameterRow
     int since = 0;
     int until = 99999;
     const char *capability = "";
-    int adjustable = -1;               ///< number of the live-adjustable variable (of the first axis), -1 = none
-    int adjustableScale = 1;           ///< variable = raw * this
-    int adjustableStride = 1;          ///< from the variable of one axis to that of the next
+    int adjustable = -1;  ///< number of the live-adjustable variable (of the first axis), -1 = none
+    int adjustableScale = 1;  ///< variable = raw * this
+    int adjustableStride = 1;  ///< from the variable of one axis to that of the next
     Conversion conversion = Conversion::Linear;
-    bool state = false;                ///< reported by the board, not set by the operator
-    const char *name = "";             ///< what the family's own files call it; "%A" is the axis
+    bool state = false;  ///< reported by the board, not set by the operator
+    const char *name = "";  ///< what the family's own files call it; "%A" is the axis
     NoEffectWhile idle{};
 };
 
@@ -98,7 +100,8 @@ struct BlockSpec
     std::uint8_t id = 0;
     const char *name = "";
     int size = 0;
-    const char *data = "";   ///< what is in it, where that is no parameters but one thing, edited and written as a whole
+    const char *data
+        = "";  ///< what is in it, where that is no parameters but one thing, edited and written as a whole
 };
 
 using Capabilities = QSet<QString>;
@@ -107,10 +110,10 @@ using Capabilities = QSet<QString>;
 struct ParameterSpec
 {
     const ParameterRow *row = nullptr;
-    int id = 0;          ///< position in its ParameterSet
-    QString key;         ///< "pid.roll.p": files, command line, diffs
+    int id = 0;  ///< position in its ParameterSet
+    QString key;  ///< "pid.roll.p": files, command line, diffs
     Axis axis = Axis::None;
-    int index = 0;       ///< from 1; 0 = the row has no index
+    int index = 0;  ///< from 1; 0 = the row has no index
     int offset = 0;
     int adjustable = -1;
     int defaultRaw = 0;
@@ -162,9 +165,9 @@ private:
     int m_firmware;
 };
 
-/// True when rows and reserved ranges cover each byte of a block exactly once (bit fields of one word may share it, and
-/// rows of different firmware ranges may overlap). For static_asserts beside the tables.
-template<std::size_t Size>
+/// True when rows and reserved ranges cover each byte of a block exactly once (bit fields of one word may
+/// share it, and rows of different firmware ranges may overlap). For static_asserts beside the tables.
+template <std::size_t Size>
 constexpr bool coversBlock(std::span<const ParameterRow> rows, int block,
                            std::span<const std::pair<int, int>> reserved)
 {
@@ -209,9 +212,15 @@ constexpr bool rangesFit(std::span<const ParameterRow> rows)
         long high = 255;
         switch (row.wire) {
         case WireType::U8: break;
-        case WireType::I8: low = -128; high = 127; break;
+        case WireType::I8:
+            low = -128;
+            high = 127;
+            break;
         case WireType::U16: high = 65535; break;
-        case WireType::I16: low = -32768; high = 32767; break;
+        case WireType::I16:
+            low = -32768;
+            high = 32767;
+            break;
         }
         if (row.bitCount)
             high = (1L << row.bitCount) - 1;

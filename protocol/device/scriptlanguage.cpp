@@ -6,7 +6,7 @@ using namespace Qt::StringLiterals;
 
 QString ScriptMistake::sentence(const QString &pattern) const
 {
-    switch (values.size()) {   // all at once: a value may look like a place
+    switch (values.size()) {  // all at once: a value may look like a place
     case 0: return pattern;
     case 1: return pattern.arg(values[0]);
     case 2: return pattern.arg(values[0], values[1]);
@@ -18,6 +18,8 @@ Error ScriptMistake::error() const
 {
     const QString text = sentence(QString::fromUtf8(what));
     const QString number = QString::number(script + 1);
-    return {ErrorCode::InvalidArgument, line > 0 ? u"script %1, line %2: %3"_s.arg(number, QString::number(line), text)
-                                                 : u"script %1: %2"_s.arg(number, text), 0};
+    return {ErrorCode::InvalidArgument,
+            line > 0 ? u"script %1, line %2: %3"_s.arg(number, QString::number(line), text)
+                     : u"script %1: %2"_s.arg(number, text),
+            0};
 }

@@ -7,9 +7,9 @@
 /// What is wrong with the text of a script.
 struct ScriptMistake
 {
-    int script = 0;          ///< from 0
-    int line = 0;            ///< from 1; 0 where it is the whole script
-    const char *what = "";   ///< a text of the tables, with places for the values
+    int script = 0;  ///< from 0
+    int line = 0;  ///< from 1; 0 where it is the whole script
+    const char *what = "";  ///< a text of the tables, with places for the values
     QStringList values;
 
     /// The sentence with its values. @param pattern what, maybe in another language
@@ -19,15 +19,15 @@ struct ScriptMistake
 };
 using CompiledScripts = tl::expected<QByteArray, ScriptMistake>;
 
-/// The programs that boards of a family keep in a block of data: texts for the operator, code for the board. A text is
-/// compiled, never run here.
+/// The programs that boards of a family keep in a block of data: texts for the operator, code for the board.
+/// A text is compiled, never run here.
 class ScriptLanguage
 {
 public:
     /// One statement of the code.
     struct Line
     {
-        int offset = 0;      ///< bytes from the start of its script
+        int offset = 0;  ///< bytes from the start of its script
         QString text;
     };
 
@@ -45,7 +45,8 @@ public:
     /// Bytes of code used, and how many there are.
     [[nodiscard]] virtual std::pair<int, int> used(const Configuration &configuration) const = 0;
     /// All texts as the block's bytes.
-    [[nodiscard]] virtual CompiledScripts compile(const Configuration &configuration, const QStringList &texts) const = 0;
+    [[nodiscard]] virtual CompiledScripts compile(const Configuration &configuration,
+                                                  const QStringList &texts) const = 0;
     /// Words that this board understands, and names it knows.
     [[nodiscard]] virtual QStringList words(const Configuration &configuration) const = 0;
 };

@@ -12,12 +12,16 @@ Result<StreamWish> parseStreamWish(const QString &text)
     if (text.contains(u'@'))
         wish.rate = text.section(u'@', 1).toDouble(&ok);
     if (wish.key.isEmpty() || !ok || !(wish.rate >= 0 && wish.rate <= 1e5))
-        return failure(ErrorCode::InvalidArgument, u"'%1' is no stream; it looks like realtime4@100"_s.arg(text));
+        return failure(ErrorCode::InvalidArgument,
+                       u"'%1' is no stream; it looks like realtime4@100"_s.arg(text));
     return wish;
 }
 
 Error StreamBudget::refusal() const
 {
-    return {ErrorCode::TooMuch, u"%1 bytes/s wanted, %2 of the line's %3 are there for streams"_s
-                .arg(bytesPerSecond(), 0, 'f', 0).arg(capacity * kShare, 0, 'f', 0).arg(capacity, 0, 'f', 0), 0};
+    return {ErrorCode::TooMuch,
+            u"%1 bytes/s wanted, %2 of the line's %3 are there for streams"_s.arg(bytesPerSecond(), 0, 'f', 0)
+                .arg(capacity * kShare, 0, 'f', 0)
+                .arg(capacity, 0, 'f', 0),
+            0};
 }

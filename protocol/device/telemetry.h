@@ -21,19 +21,19 @@ public:
 /// A stream that a board can be asked for.
 struct StreamSpec
 {
-    QString key;                 ///< "realtime4": command line, settings
-    QString label;               ///< "REALTIME_DATA_4": the document's name
-    double maxRate = 0;          ///< rows per second
-    bool choosesChannels = false;///< carries what is asked for; the others carry all they have
-    QList<int> channels;         ///< what it can carry
+    QString key;  ///< "realtime4": command line, settings
+    QString label;  ///< "REALTIME_DATA_4": the document's name
+    double maxRate = 0;  ///< rows per second
+    bool choosesChannels = false;  ///< carries what is asked for; the others carry all they have
+    QList<int> channels;  ///< what it can carry
 };
 
 /// One stream as the operator wants it.
 struct StreamWish
 {
     QString key;
-    double rate = 0;             ///< rows per second; 0 = as fast as the rest of the line allows
-    QList<int> channels;         ///< for a stream that chooses its channels
+    double rate = 0;  ///< rows per second; 0 = as fast as the rest of the line allows
+    QList<int> channels;  ///< for a stream that chooses its channels
 
     friend bool operator==(const StreamWish &, const StreamWish &) = default;
 };
@@ -41,9 +41,9 @@ struct StreamWish
 /// What the operator wants to see.
 struct TelemetryWish
 {
-    QList<int> channels;         ///< fast channels, for plots; status channels always come
-    double rate = 0;             ///< rows per second; 0 = as fast as the link allows
-    QList<StreamWish> streams = {};   ///< chosen by hand; empty: arranged for the channels
+    QList<int> channels;  ///< fast channels, for plots; status channels always come
+    double rate = 0;  ///< rows per second; 0 = as fast as the link allows
+    QList<StreamWish> streams = {};  ///< chosen by hand; empty: arranged for the channels
 
     friend bool operator==(const TelemetryWish &, const TelemetryWish &) = default;
 };
@@ -53,7 +53,7 @@ struct StreamUse
 {
     QString key;
     QString label;
-    double rate = 0;             ///< rows per second
+    double rate = 0;  ///< rows per second
     int frameBytes = 0;
     QList<int> channels;
 
@@ -67,7 +67,7 @@ struct StreamBudget
     static constexpr double kShare = 0.85;
 
     std::vector<StreamUse> streams;
-    double capacity = 0;         ///< bytes per second of the line; 0 = the line sets no limit
+    double capacity = 0;  ///< bytes per second of the line; 0 = the line sets no limit
 
     [[nodiscard]] double bytesPerSecond() const
     {
@@ -76,7 +76,10 @@ struct StreamBudget
             sum += use.bytesPerSecond();
         return sum;
     }
-    [[nodiscard]] bool fits() const { return capacity <= 0 || bytesPerSecond() <= capacity * kShare * 1.0001; }
+    [[nodiscard]] bool fits() const
+    {
+        return capacity <= 0 || bytesPerSecond() <= capacity * kShare * 1.0001;
+    }
     /// Why it does not fit, with the numbers.
     [[nodiscard]] Error refusal() const;
 };
@@ -88,10 +91,10 @@ struct StreamBudget
 struct TelemetryPlan
 {
     std::shared_ptr<TelemetryDecoder> decoder;
-    std::optional<Request> poll;       ///< repeat this where the board cannot stream
+    std::optional<Request> poll;  ///< repeat this where the board cannot stream
     milliseconds pollInterval{50};
-    double rate = 0;                   ///< expected rows per second of the fastest stream
+    double rate = 0;  ///< expected rows per second of the fastest stream
     bool streaming = false;
     StreamBudget budget;
-    QByteArray farewell;               ///< frames that end the streams, for leaving
+    QByteArray farewell;  ///< frames that end the streams, for leaving
 };

@@ -5,7 +5,8 @@
 #include "protocol/device/telemetry.h"
 #include "protocol/session/session.h"
 
-/// Takes frames on the I/O thread and puts them into the store. The decoder is changed on the I/O thread only.
+/// Takes frames on the I/O thread and puts them into the store. The decoder is changed on the I/O thread
+/// only.
 class TelemetryFeed final : public FrameListener
 {
 public:
@@ -14,7 +15,10 @@ public:
     /// @param onFrame hears of every frame, for what is no telemetry
     TelemetryFeed(std::shared_ptr<TelemetryStore> store, ResetDetector isReset, std::function<void()> onReset,
                   std::function<void(const FrameView &)> onFrame)
-        : m_store(std::move(store)), m_isReset(std::move(isReset)), m_onReset(std::move(onReset)), m_onFrame(std::move(onFrame))
+        : m_store(std::move(store))
+        , m_isReset(std::move(isReset))
+        , m_onReset(std::move(onReset))
+        , m_onFrame(std::move(onFrame))
     {
     }
 

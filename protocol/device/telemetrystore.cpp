@@ -10,7 +10,7 @@ namespace {
 // Share of the error that is corrected per sample.
 constexpr double kDiscipline = 0.02;
 
-} // namespace
+}  // namespace
 
 TelemetryGroup::TelemetryGroup(QList<int> channels, double period)
     : m_channels(std::move(channels))
@@ -67,7 +67,8 @@ TrackView::TrackView(std::shared_ptr<const TelemetryGroup> group, int column)
 void TrackView::refresh()
 {
     const std::size_t end = m_group->end();
-    const std::size_t known = m_chunks.empty() ? 0 : m_chunks.back()->firstRow + TelemetryGroup::kRowsPerChunk;
+    const std::size_t known
+        = m_chunks.empty() ? 0 : m_chunks.back()->firstRow + TelemetryGroup::kRowsPerChunk;
     if (end > known || (m_chunks.empty() && end > 0)) {
         const std::lock_guard lock(m_group->m_mutex);
         m_chunks.assign(m_group->m_chunks.begin(), m_group->m_chunks.end());
@@ -96,9 +97,9 @@ std::optional<TelemetryGroup::Extent> TrackView::block(std::size_t row) const
 {
     if (row % TelemetryGroup::kRowsPerBlock != 0 || row + TelemetryGroup::kRowsPerBlock > m_end)
         return {};
-    const TelemetryGroup::Extent extent =
-        chunkOf(row).blocks[static_cast<std::size_t>(m_column) * TelemetryGroup::kBlocksPerChunk
-                            + row % TelemetryGroup::kRowsPerChunk / TelemetryGroup::kRowsPerBlock];
+    const TelemetryGroup::Extent extent
+        = chunkOf(row).blocks[static_cast<std::size_t>(m_column) * TelemetryGroup::kBlocksPerChunk
+                              + row % TelemetryGroup::kRowsPerChunk / TelemetryGroup::kRowsPerBlock];
     return std::isnan(extent.low) ? std::nullopt : std::optional(extent);
 }
 
@@ -142,7 +143,8 @@ void TelemetryStore::append(TelemetryGroup &group, TimePoint at, std::span<const
         m_latest[channel].store(values[i], std::memory_order_relaxed);
     }
     m_rows.fetch_add(1, std::memory_order_relaxed);
-    m_newest.store(std::max(m_newest.load(std::memory_order_relaxed), secondsAt(at)), std::memory_order_relaxed);
+    m_newest.store(std::max(m_newest.load(std::memory_order_relaxed), secondsAt(at)),
+                   std::memory_order_relaxed);
 }
 
 void TelemetryStore::appendGap(TelemetryGroup &group, TimePoint at)
@@ -155,7 +157,7 @@ void TelemetryStore::appendGap(TelemetryGroup &group, TimePoint at)
 void TelemetryStore::countSilence(double seconds)
 {
     m_silences.fetch_add(1, std::memory_order_relaxed);
-    m_silentSeconds.store(silentSeconds() + seconds, std::memory_order_relaxed);   // one writer
+    m_silentSeconds.store(silentSeconds() + seconds, std::memory_order_relaxed);  // one writer
 }
 
 float TelemetryStore::latest(int channel) const

@@ -17,13 +17,14 @@
 #include <span>
 #include <vector>
 
-/// Rows of one telemetry frame kind: a time and one float per channel. Append-only chunks; one writer (the I/O thread),
-/// any number of readers that hold no lock while they read values.
+/// Rows of one telemetry frame kind: a time and one float per channel. Append-only chunks; one writer (the
+/// I/O thread), any number of readers that hold no lock while they read values.
 class TelemetryGroup
 {
 public:
     static constexpr std::size_t kRowsPerChunk = 1024;
-    /// Rows whose lowest and highest value are kept beside them, so that long spans are drawn without reading each row.
+    /// Rows whose lowest and highest value are kept beside them, so that long spans are drawn without reading
+    /// each row.
     static constexpr std::size_t kRowsPerBlock = 16;
     static constexpr std::size_t kBlocksPerChunk = kRowsPerChunk / kRowsPerBlock;
     struct Extent
@@ -35,9 +36,9 @@ public:
     struct Chunk
     {
         std::size_t firstRow = 0;
-        std::array<double, kRowsPerChunk> times;   // seconds since the store's origin
-        std::vector<float> values;                 // channel after channel, kRowsPerChunk each
-        std::vector<Extent> blocks;                // channel after channel, kBlocksPerChunk each; NaN where a row is lost
+        std::array<double, kRowsPerChunk> times;  // seconds since the store's origin
+        std::vector<float> values;  // channel after channel, kRowsPerChunk each
+        std::vector<Extent> blocks;  // channel after channel, kBlocksPerChunk each; NaN where a row is lost
     };
 
     TelemetryGroup(QList<int> channels, double period);
@@ -57,7 +58,7 @@ private:
     QList<int> m_channels;
     double m_period;
     std::atomic<std::size_t> m_end = 0;
-    mutable std::mutex m_mutex;                    // guards the list of chunks, not their contents
+    mutable std::mutex m_mutex;  // guards the list of chunks, not their contents
     std::deque<std::shared_ptr<Chunk>> m_chunks;
 };
 
@@ -69,12 +70,12 @@ public:
 
     /// Takes notice of new rows and of rows that retention has dropped.
     void refresh();
-    [[nodiscard]] std::size_t begin() const { return m_begin; }   ///< first row still kept
+    [[nodiscard]] std::size_t begin() const { return m_begin; }  ///< first row still kept
     [[nodiscard]] std::size_t end() const { return m_end; }
     [[nodiscard]] double time(std::size_t row) const;
     [[nodiscard]] float value(std::size_t row) const;
-    /// Lowest and highest value of the kRowsPerBlock rows that begin with this one, a multiple of it; empty while they are
-    /// not complete or where one of them is lost.
+    /// Lowest and highest value of the kRowsPerBlock rows that begin with this one, a multiple of it; empty
+    /// while they are not complete or where one of them is lost.
     [[nodiscard]] std::optional<TelemetryGroup::Extent> block(std::size_t row) const;
     /// First row at or after this time (rows are in order of time).
     [[nodiscard]] std::size_t rowAt(double time) const;
@@ -114,9 +115,12 @@ public:
     [[nodiscard]] TimePoint origin() const { return m_origin; }
     /// A time of this store in seconds since its origin.
     [[nodiscard]] double secondsAt(TimePoint time) const { return seconds(time - m_origin); }
-    /// The present of this store, in seconds since its origin: the clock's, or that of the newest sample while a recording
-    /// is played, which runs in its own time.
-    [[nodiscard]] double now() const { return m_replayed ? m_newest.load(std::memory_order_relaxed) : secondsAt(Clock::now()); }
+    /// The present of this store, in seconds since its origin: the clock's, or that of the newest sample
+    /// while a recording is played, which runs in its own time.
+    [[nodiscard]] double now() const
+    {
+        return m_replayed ? m_newest.load(std::memory_order_relaxed) : secondsAt(Clock::now());
+    }
     void setReplayed(bool replayed) { m_replayed = replayed; }
     /// What the clock on the wall showed at a time of this store.
     [[nodiscard]] QDateTime wallClockAt(double time) const
@@ -127,7 +131,8 @@ public:
     [[nodiscard]] quint64 rows() const { return m_rows.load(std::memory_order_relaxed); }
     [[nodiscard]] quint64 lost() const { return m_lost.load(std::memory_order_relaxed); }
     void countLost(quint64 rows) { m_lost.fetch_add(rows, std::memory_order_relaxed); }
-    /// Times when nothing at all came from the board, and how long they were together: it was busy, or the cable was out.
+    /// Times when nothing at all came from the board, and how long they were together: it was busy, or the
+    /// cable was out.
     [[nodiscard]] quint64 silences() const { return m_silences.load(std::memory_order_relaxed); }
     [[nodiscard]] double silentSeconds() const { return m_silentSeconds.load(std::memory_order_relaxed); }
     void countSilence(double seconds);
@@ -149,13 +154,17 @@ private:
     std::vector<std::shared_ptr<TelemetryGroup>> m_groups;
 };
 
-/// Gives samples their times: index times nominal period, disciplined slowly by arrival, so a reader that was busy for
-/// 80 ms draws no stairs.
+/// Gives samples their times: index times nominal period, disciplined slowly by arrival, so a reader that was
+/// busy for 80 ms draws no stairs.
 class SampleClock
 {
 public:
     /// @param resync seconds off that start a new time line
-    explicit SampleClock(double period, double resync = 0.25) : m_period(period), m_resync(resync) { }
+    explicit SampleClock(double period, double resync = 0.25)
+        : m_period(period)
+        , m_resync(resync)
+    {
+    }
 
     /// Time of the next sample, which arrived at that time, after so many missing ones.
     double next(double arrival, int missing = 0);

@@ -12,7 +12,10 @@ struct TraceSource
 
     void refresh();
     /// First row that is not there yet.
-    [[nodiscard]] std::size_t end() const { return minus ? std::min(track.end(), minus->end()) : track.end(); }
+    [[nodiscard]] std::size_t end() const
+    {
+        return minus ? std::min(track.end(), minus->end()) : track.end();
+    }
     [[nodiscard]] float value(std::size_t row) const
     {
         return minus ? track.value(row) - minus->value(row) : track.value(row);

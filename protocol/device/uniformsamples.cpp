@@ -11,8 +11,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr std::size_t kBridged = 10;   // samples; a longer hole ends a piece
-constexpr std::size_t kFewest = 16;    // polled samples that tell a rate
+constexpr std::size_t kBridged = 10;  // samples; a longer hole ends a piece
+constexpr std::size_t kFewest = 16;  // polled samples that tell a rate
 
 // A sample that is there, with its time.
 struct Sample
@@ -21,7 +21,8 @@ struct Sample
     float value = 0;
 };
 
-// What arrived in a span of time. A row that marks a hole is left out; how long the hole is tells the next sample's time.
+// What arrived in a span of time. A row that marks a hole is left out; how long the hole is tells the next
+// sample's time.
 std::vector<Sample> samplesWithin(const TraceSource &source, double from, double to)
 {
     const TrackView &track = source.track;
@@ -60,16 +61,18 @@ void continueStream(UniformSamples &piece, const Sample &last, const Sample &sam
 void continuePolled(UniformSamples &piece, const Sample &last, const Sample &sample, double period)
 {
     std::size_t added = 0;
-    for (double time = piece.start + period * double(piece.values.size()); time <= sample.time; time += period, ++added) {
+    for (double time = piece.start + period * double(piece.values.size()); time <= sample.time;
+         time += period, ++added) {
         const double share = (time - last.time) / (sample.time - last.time);
         piece.values.push_back(last.value + (sample.value - last.value) * float(share));
     }
     piece.filled += sample.time - last.time > 1.5 * period && added > 0 ? added - 1 : 0;
 }
 
-} // namespace
+}  // namespace
 
-Result<UniformSamples> uniformSamples(const TelemetryStore &store, int channel, int minus, double from, double to)
+Result<UniformSamples> uniformSamples(const TelemetryStore &store, int channel, int minus, double from,
+                                      double to)
 {
     std::vector<TraceSource> sources = TraceSource::find(store, channel, minus);
     const auto holds = [from, to](TraceSource &source) {
@@ -78,7 +81,8 @@ Result<UniformSamples> uniformSamples(const TelemetryStore &store, int channel, 
         return row < source.end() && source.track.time(row) <= to;
     };
     const auto source = std::find_if(sources.rbegin(), sources.rend(), holds);
-    const std::vector<Sample> samples = source == sources.rend() ? std::vector<Sample>() : samplesWithin(*source, from, to);
+    const std::vector<Sample> samples
+        = source == sources.rend() ? std::vector<Sample>() : samplesWithin(*source, from, to);
     if (samples.empty())
         return failure(ErrorCode::InvalidArgument, u"no samples in this span of time"_s);
     const bool polled = !(source->track.period() > 0.0);

@@ -6,10 +6,10 @@
 
 /// What became of one changed parameter.
 enum class WriteState {
-    Verified,    ///< written, read back, equal
-    Unknown,     ///< sent, but the link broke before it could be read back
+    Verified,  ///< written, read back, equal
+    Unknown,  ///< sent, but the link broke before it could be read back
     NotWritten,  ///< never sent, or the board refused; the old value stands
-    Mismatch,    ///< read back with another value than written
+    Mismatch,  ///< read back with another value than written
     RolledBack,  ///< was written, then taken back because the rest failed
 };
 
@@ -20,7 +20,7 @@ struct WriteLine
     int from = 0;
     int to = 0;
     WriteState state = WriteState::NotWritten;
-    int found = 0;      ///< value read back, for Mismatch
+    int found = 0;  ///< value read back, for Mismatch
 };
 
 /// The same for a block without parameters.
@@ -37,9 +37,9 @@ struct WriteReport
     std::vector<WriteLine> lines;
     std::vector<WriteData> data;
     bool namesWritten = false;
-    std::optional<Error> error;   ///< why it is not complete
-    QString snapshotPath;         ///< the backup taken before
-    Configuration onBoard;        ///< what the board holds now, as far as it is known
+    std::optional<Error> error;  ///< why it is not complete
+    QString snapshotPath;  ///< the backup taken before
+    Configuration onBoard;  ///< what the board holds now, as far as it is known
 
     [[nodiscard]] bool isComplete() const { return !error; }
     [[nodiscard]] int count(WriteState state) const

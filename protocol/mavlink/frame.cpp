@@ -20,7 +20,7 @@ std::uint16_t checksum(Bytes covered, std::uint8_t extra)
     return crc16Mcrf4xx(Bytes(&seed, 1), crc16Mcrf4xx(covered));
 }
 
-} // namespace
+}  // namespace
 
 Sighting sight(Bytes bytes)
 {
@@ -53,7 +53,13 @@ Sighting sight(Bytes bytes)
 QByteArray encode(MessageId id, QByteArrayView payload, const Address &from, int sequence)
 {
     ByteWriter writer;
-    writer.u8(0xFE).u8(int(payload.size())).u8(sequence & 0xFF).u8(from.system).u8(from.component).u8(number(id)).bytes(payload);
+    writer.u8(0xFE)
+        .u8(int(payload.size()))
+        .u8(sequence & 0xFF)
+        .u8(from.system)
+        .u8(from.component)
+        .u8(number(id))
+        .bytes(payload);
     QByteArray frame = writer.take();
     const auto crc = checksum(asBytes(frame).subspan(1), findMessage(number(id))->crcExtra);
     return frame + ByteWriter().u16(crc).take();
@@ -62,7 +68,8 @@ QByteArray encode(MessageId id, QByteArrayView payload, const Address &from, int
 Result<QVariantMap> decodeFields(const Message &message, Bytes payload)
 {
     if (payload.size() < std::size_t(message.size))
-        return failure(ErrorCode::BadReply, u"%1 of %2 bytes"_s.arg(QLatin1String(message.name)).arg(payload.size()));
+        return failure(ErrorCode::BadReply,
+                       u"%1 of %2 bytes"_s.arg(QLatin1String(message.name)).arg(payload.size()));
     return ::decodeFields(message.fields, payload);
 }
 
@@ -70,9 +77,11 @@ Result<QByteArray> encodeFields(const Message &message, const QVariantMap &value
 {
     auto payload = ::encodeFields(message.fields, values);
     if (!payload)
-        return failure(payload.error().code, u"%1: %2"_s.arg(QLatin1String(message.name), payload.error().detail));
+        return failure(payload.error().code,
+                       u"%1: %2"_s.arg(QLatin1String(message.name), payload.error().detail));
     if (payload->size() > 255)
-        return failure(ErrorCode::InvalidArgument, u"%1 bytes in %2"_s.arg(payload->size()).arg(QLatin1String(message.name)));
+        return failure(ErrorCode::InvalidArgument,
+                       u"%1 bytes in %2"_s.arg(payload->size()).arg(QLatin1String(message.name)));
     return payload;
 }
 
@@ -89,4 +98,4 @@ int decodeValue(float value, ValueCoding coding)
     return std::isnan(value) ? 0 : static_cast<int>(std::lround(std::clamp(value, 0.0F, 65535.0F)));
 }
 
-} // namespace mavlink
+}  // namespace mavlink

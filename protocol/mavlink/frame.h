@@ -32,7 +32,7 @@ enum class Look { No, Incomplete, Damaged, Complete };
 struct Sighting
 {
     Look look = Look::No;
-    std::size_t size = 0;      ///< of a complete frame
+    std::size_t size = 0;  ///< of a complete frame
     Packet packet{};
 };
 /// Looks for a frame at the first byte. Messages that are not in the table cannot be checked and count as No.
@@ -43,14 +43,15 @@ struct Sighting
 
 /// The values of a message's payload by field name. Errors: BadReply (too short).
 [[nodiscard]] Result<QVariantMap> decodeFields(const Message &message, Bytes payload);
-/// A message's payload out of values by name; what is not named is zero. Errors: those of the fields, and InvalidArgument (more
-/// than 255 bytes).
+/// A message's payload out of values by name; what is not named is zero. Errors: those of the fields, and
+/// InvalidArgument (more than 255 bytes).
 [[nodiscard]] Result<QByteArray> encodeFields(const Message &message, const QVariantMap &values);
 
-/// How a parameter's 16 bits travel in the value field (errata 6): as a float up to firmware 0.90, as they are from 0.91.
+/// How a parameter's 16 bits travel in the value field (errata 6): as a float up to firmware 0.90, as they
+/// are from 0.91.
 enum class ValueCoding { Number, Bits };
 [[nodiscard]] float encodeValue(int raw16, ValueCoding coding);
 /// Back to the 16 bits; numbers outside 0..65535 are held at the end.
 [[nodiscard]] int decodeValue(float value, ValueCoding coding);
 
-} // namespace mavlink
+}  // namespace mavlink

@@ -11,58 +11,67 @@ namespace {
 
 // Wire order: the longest fields first (errata 6).
 constexpr Field kHeartbeat[] = {
-    {"custom_mode", Field::U32, 0, 4}, {"type", Field::U8, 4}, {"autopilot", Field::U8, 5}, {"base_mode", Field::U8, 6},
-    {"system_status", Field::U8, 7}, {"mavlink_version", Field::U8, 8},
+    {"custom_mode", Field::U32, 0, 4}, {"type", Field::U8, 4},          {"autopilot", Field::U8, 5},
+    {"base_mode", Field::U8, 6},       {"system_status", Field::U8, 7}, {"mavlink_version", Field::U8, 8},
 };
 constexpr Field kParamRequestRead[] = {
-    {"param_index", Field::I16, 0, 2}, {"target_system", Field::U8, 2}, {"target_component", Field::U8, 3},
+    {"param_index", Field::I16, 0, 2},
+    {"target_system", Field::U8, 2},
+    {"target_component", Field::U8, 3},
     {"param_id", Field::Text, 4, 16},
 };
 constexpr Field kTarget[] = {{"target_system", Field::U8, 0}, {"target_component", Field::U8, 1}};
 constexpr Field kParamValue[] = {
     {"param_value", Field::F32, 0, 4}, {"param_count", Field::U16, 4, 2}, {"param_index", Field::U16, 6, 2},
-    {"param_id", Field::Text, 8, 16}, {"param_type", Field::U8, 24},
+    {"param_id", Field::Text, 8, 16},  {"param_type", Field::U8, 24},
 };
 constexpr Field kParamSet[] = {
     {"param_value", Field::F32, 0, 4}, {"target_system", Field::U8, 4}, {"target_component", Field::U8, 5},
-    {"param_id", Field::Text, 6, 16}, {"param_type", Field::U8, 22},
+    {"param_id", Field::Text, 6, 16},  {"param_type", Field::U8, 22},
 };
 constexpr Field kAttitude[] = {
-    {"time_boot_ms", Field::U32, 0, 4}, {"roll", Field::F32, 4, 4}, {"pitch", Field::F32, 8, 4}, {"yaw", Field::F32, 12, 4},
-    {"rollspeed", Field::F32, 16, 4}, {"pitchspeed", Field::F32, 20, 4}, {"yawspeed", Field::F32, 24, 4},
+    {"time_boot_ms", Field::U32, 0, 4}, {"roll", Field::F32, 4, 4},       {"pitch", Field::F32, 8, 4},
+    {"yaw", Field::F32, 12, 4},         {"rollspeed", Field::F32, 16, 4}, {"pitchspeed", Field::F32, 20, 4},
+    {"yawspeed", Field::F32, 24, 4},
 };
 constexpr Field kCommandLong[] = {
-    {"param1", Field::F32, 0, 4}, {"param2", Field::F32, 4, 4}, {"param3", Field::F32, 8, 4}, {"param4", Field::F32, 12, 4},
-    {"param5", Field::F32, 16, 4}, {"param6", Field::F32, 20, 4}, {"param7", Field::F32, 24, 4}, {"command", Field::U16, 28, 2},
-    {"target_system", Field::U8, 30}, {"target_component", Field::U8, 31}, {"confirmation", Field::U8, 32},
+    {"param1", Field::F32, 0, 4},        {"param2", Field::F32, 4, 4},    {"param3", Field::F32, 8, 4},
+    {"param4", Field::F32, 12, 4},       {"param5", Field::F32, 16, 4},   {"param6", Field::F32, 20, 4},
+    {"param7", Field::F32, 24, 4},       {"command", Field::U16, 28, 2},  {"target_system", Field::U8, 30},
+    {"target_component", Field::U8, 31}, {"confirmation", Field::U8, 32},
 };
 constexpr Field kCommandAck[] = {{"command", Field::U16, 0, 2}, {"result", Field::U8, 2}};
 constexpr Field kDigicamControl[] = {
     {"extra_value", Field::F32, 0, 4}, {"target_system", Field::U8, 4}, {"target_component", Field::U8, 5},
-    {"session", Field::U8, 6}, {"zoom_pos", Field::U8, 7}, {"zoom_step", Field::I8, 8}, {"focus_lock", Field::U8, 9},
-    {"shot", Field::U8, 10}, {"command_id", Field::U8, 11}, {"extra_param", Field::U8, 12},
+    {"session", Field::U8, 6},         {"zoom_pos", Field::U8, 7},      {"zoom_step", Field::I8, 8},
+    {"focus_lock", Field::U8, 9},      {"shot", Field::U8, 10},         {"command_id", Field::U8, 11},
+    {"extra_param", Field::U8, 12},
 };
 constexpr Field kMountConfigure[] = {
     {"target_system", Field::U8, 0}, {"target_component", Field::U8, 1}, {"mount_mode", Field::U8, 2},
-    {"stab_roll", Field::U8, 3}, {"stab_pitch", Field::U8, 4}, {"stab_yaw", Field::U8, 5},
+    {"stab_roll", Field::U8, 3},     {"stab_pitch", Field::U8, 4},       {"stab_yaw", Field::U8, 5},
 };
 constexpr Field kMountControl[] = {
-    {"input_a", Field::I32, 0, 4}, {"input_b", Field::I32, 4, 4}, {"input_c", Field::I32, 8, 4},
+    {"input_a", Field::I32, 0, 4},    {"input_b", Field::I32, 4, 4},       {"input_c", Field::I32, 8, 4},
     {"target_system", Field::U8, 12}, {"target_component", Field::U8, 13}, {"save_position", Field::U8, 14},
 };
 constexpr Field kTargetSpecific[] = {
-    {"target_system", Field::U8, 0}, {"target_component", Field::U8, 1}, {"specific_payload", Field::Bytes, 2, 0},
+    {"target_system", Field::U8, 0},
+    {"target_component", Field::U8, 1},
+    {"specific_payload", Field::Bytes, 2, 0},
 };
 constexpr Field kParamRead2[] = {
-    {"param_index", Field::U16, 0, 2}, {"target_system", Field::U8, 2}, {"target_component", Field::U8, 3},
+    {"param_index", Field::U16, 0, 2},
+    {"target_system", Field::U8, 2},
+    {"target_component", Field::U8, 3},
 };
 constexpr Field kParamSet2[] = {
-    {"param_value", Field::F32, 0, 4}, {"param_index", Field::U16, 4, 2}, {"target_system", Field::U8, 6},
+    {"param_value", Field::F32, 0, 4},  {"param_index", Field::U16, 4, 2}, {"target_system", Field::U8, 6},
     {"target_component", Field::U8, 7}, {"param_type", Field::U8, 8},
 };
 constexpr Field kParamValue2[] = {
-    {"param_value", Field::F32, 0, 4}, {"param_index", Field::U16, 4, 2}, {"param_count", Field::U16, 6, 2},
-    {"target_system", Field::U8, 8}, {"target_component", Field::U8, 9}, {"param_type", Field::U8, 10},
+    {"param_value", Field::F32, 0, 4}, {"param_index", Field::U16, 4, 2},  {"param_count", Field::U16, 6, 2},
+    {"target_system", Field::U8, 8},   {"target_component", Field::U8, 9}, {"param_type", Field::U8, 10},
 };
 constexpr Field kStatusText[] = {{"severity", Field::U8, 0}, {"text", Field::Text, 1, 50}};
 
@@ -99,7 +108,7 @@ constexpr bool fieldsFill(const Message &message)
 }
 static_assert(std::all_of(std::begin(kMessages), std::end(kMessages), fieldsFill));
 
-} // namespace
+}  // namespace
 
 std::span<const Message> messages()
 {
@@ -115,8 +124,9 @@ const Message *findMessage(int id)
 
 const Message *findMessage(const QString &name)
 {
-    const auto it = std::find_if(std::begin(kMessages), std::end(kMessages),
-                                 [&name](const Message &message) { return name == QLatin1String(message.name); });
+    const auto it = std::find_if(std::begin(kMessages), std::end(kMessages), [&name](const Message &message) {
+        return name == QLatin1String(message.name);
+    });
     return it == std::end(kMessages) ? nullptr : it;
 }
 
@@ -128,12 +138,19 @@ QString commandName(int command)
         const char *name;
     };
     static constexpr std::array<Named, 9> kNames{{
-        {180, "DO_SET_PARAMETER"}, {183, "DO_SET_SERVO"}, {203, "DO_DIGICAM_CONTROL"}, {204, "DO_MOUNT_CONFIGURE"},
-        {205, "DO_MOUNT_CONTROL"}, {220, "DO_MOUNT_CONTROL_QUAT"}, {245, "PREFLIGHT_STORAGE"}, {1234, "REQUEST_ATTITUDE"},
+        {180, "DO_SET_PARAMETER"},
+        {183, "DO_SET_SERVO"},
+        {203, "DO_DIGICAM_CONTROL"},
+        {204, "DO_MOUNT_CONFIGURE"},
+        {205, "DO_MOUNT_CONTROL"},
+        {220, "DO_MOUNT_CONTROL_QUAT"},
+        {245, "PREFLIGHT_STORAGE"},
+        {1234, "REQUEST_ATTITUDE"},
         {1235, "TARGET_SPECIFIC"},
     }};
-    const auto it = std::find_if(kNames.begin(), kNames.end(), [command](const Named &named) { return named.id == command; });
+    const auto it = std::find_if(kNames.begin(), kNames.end(),
+                                 [command](const Named &named) { return named.id == command; });
     return it == kNames.end() ? QString::number(command) : QString::fromLatin1(it->name);
 }
 
-} // namespace mavlink
+}  // namespace mavlink

@@ -4,8 +4,9 @@
 
 #include "protocol/base/namedfields.h"
 
-/// The MAVLink version 1 messages that a STorM32 board speaks, with the checksum seeds of its own dialect. Public tables of
-/// today give other seeds for some of the numbers, so none of them would do (STorM32 errata 6).
+/// The MAVLink version 1 messages that a STorM32 board speaks, with the checksum seeds of its own dialect.
+/// Public tables of today give other seeds for some of the numbers, so none of them would do (STorM32 errata
+/// 6).
 namespace mavlink {
 
 enum class MessageId : int {
@@ -40,9 +41,9 @@ struct Message
     MessageId id{};
     const char *name = "";
     std::uint8_t crcExtra = 0;
-    int size = 0;              ///< of the payload; of a variable one the least it can have
+    int size = 0;  ///< of the payload; of a variable one the least it can have
     bool variable = false;
-    NamedFields fields;            ///< in the order of the wire, one behind the other
+    NamedFields fields;  ///< in the order of the wire, one behind the other
 };
 
 [[nodiscard]] std::span<const Message> messages();
@@ -53,4 +54,4 @@ struct Message
 /// Commands of COMMAND_LONG that the board knows (document "MAVLINK_MSG_ID_COMMAND_LONG", errata 6), or "n".
 [[nodiscard]] QString commandName(int command);
 
-} // namespace mavlink
+}  // namespace mavlink

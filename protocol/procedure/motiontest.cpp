@@ -11,30 +11,32 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr auto kTick = 20ms;             // as often as set-points go out
-constexpr double kTail = 0.3;            // seconds after the end until the last samples are there
-constexpr double kStale = 0.4;           // seconds without new samples
-constexpr double kStill = 1.0;           // degrees off target before it begins
-constexpr double kQuiet = 1.0;           // seconds within kStay that show that the camera has arrived
-constexpr double kStay = 0.5;            // degrees
-constexpr double kCentering = 15.0;      // seconds it may take to arrive
-constexpr double kFade = 0.5;            // seconds in which a sweep grows and dies away
+constexpr auto kTick = 20ms;  // as often as set-points go out
+constexpr double kTail = 0.3;  // seconds after the end until the last samples are there
+constexpr double kStale = 0.4;  // seconds without new samples
+constexpr double kStill = 1.0;  // degrees off target before it begins
+constexpr double kQuiet = 1.0;  // seconds within kStay that show that the camera has arrived
+constexpr double kStay = 0.5;  // degrees
+constexpr double kCentering = 15.0;  // seconds it may take to arrive
+constexpr double kFade = 0.5;  // seconds in which a sweep grows and dies away
 
 Result<void> within(double value, double low, double high, const QString &what)
 {
     if (value >= low && value <= high)
         return {};
-    return failure(ErrorCode::OutOfRange, u"%1 is %2, allowed are %3 to %4"_s.arg(what).arg(value).arg(low).arg(high));
+    return failure(ErrorCode::OutOfRange,
+                   u"%1 is %2, allowed are %3 to %4"_s.arg(what).arg(value).arg(low).arg(high));
 }
 
-} // namespace
+}  // namespace
 
 Result<void> MotionTestPlan::check() const
 {
-    for (const Result<void> &each : {within(degrees, 0.2, kMostDegrees, u"movement"_s), within(steps, 2, 40, u"steps"_s),
-                                     within(rest, 0.3, 5, u"rest"_s), within(fromHz, 0.1, toHz, u"lowest frequency"_s),
-                                     within(toHz, fromHz, 20, u"highest frequency"_s),
-                                     within(sweepSeconds, 5, 120, u"seconds"_s), within(limit, 0.5, 20, u"limit"_s)}) {
+    for (const Result<void> &each :
+         {within(degrees, 0.2, kMostDegrees, u"movement"_s), within(steps, 2, 40, u"steps"_s),
+          within(rest, 0.3, 5, u"rest"_s), within(fromHz, 0.1, toHz, u"lowest frequency"_s),
+          within(toHz, fromHz, 20, u"highest frequency"_s), within(sweepSeconds, 5, 120, u"seconds"_s),
+          within(limit, 0.5, 20, u"limit"_s)}) {
         if (!each)
             return each;
     }
@@ -110,7 +112,7 @@ Result<void> MotionTest::start(const MotionTestPlan &plan)
     const Device &device = *m_client.device();
     const bool told = tellsTargets(device);
     const ControlMode *mode = nullptr;
-    for (const ControlMode &each : device.controlModes()) {   // the one that reaches furthest
+    for (const ControlMode &each : device.controlModes()) {  // the one that reaches furthest
         const bool fits = each.usesAngle && (each.usesSpeed || !told) && qstrcmp(each.unit, "°") == 0;
         if (fits && (!mode || each.maxAngle > mode->maxAngle))
             mode = &each;
@@ -119,8 +121,10 @@ Result<void> MotionTest::start(const MotionTestPlan &plan)
     if (!mode || needed[1] < 0)
         return failure(ErrorCode::Unsupported, u"the board cannot be steered to an angle"_s);
     if (!told && plan.kind == MotionTestPlan::Kind::Sweep) {
-        return failure(ErrorCode::Unsupported, u"the board does not tell its targets, so the line's delay would be taken for its own; "
-                                               "steps can be measured"_s);
+        return failure(
+            ErrorCode::Unsupported,
+            u"the board does not tell its targets, so the line's delay would be taken for its own; "
+            "steps can be measured"_s);
     }
     const ChannelRoles roles = device.roles();
     for (std::size_t i = 0; i < kAxisCount; ++i) {
@@ -165,7 +169,8 @@ std::optional<Error> MotionTest::danger()
         m_lastNewsAt = now;
     }
     if (seconds(now - m_lastNewsAt) > kStale)
-        return Error{ErrorCode::Unready, u"no telemetry for %1 s"_s.arg(seconds(now - m_lastNewsAt), 0, 'f', 1), 0};
+        return Error{ErrorCode::Unready,
+                     u"no telemetry for %1 s"_s.arg(seconds(now - m_lastNewsAt), 0, 'f', 1), 0};
     if (roles.motorsOn >= 0 && latest(roles.motorsOn) < 0.5)
         return Error{ErrorCode::Unready, u"the motors went off"_s, 0};
     if (m_centering)
@@ -174,7 +179,9 @@ std::optional<Error> MotionTest::danger()
     const double off = std::abs(latest(roles.angle[axis]) - m_rest);
     const double allowed = m_plan.degrees + m_plan.limit;
     if (off > allowed)
-        return Error{ErrorCode::Diverged, u"%1° from the middle, %2° are allowed"_s.arg(off, 0, 'f', 1).arg(allowed, 0, 'f', 1), 0};
+        return Error{ErrorCode::Diverged,
+                     u"%1° from the middle, %2° are allowed"_s.arg(off, 0, 'f', 1).arg(allowed, 0, 'f', 1),
+                     0};
     return {};
 }
 
@@ -186,7 +193,7 @@ void MotionTest::tick()
     }
     if (const auto found = danger()) {
         if (found->code == ErrorCode::Diverged) {
-            m_timer.stop();   // its own "motors off" is not somebody else's
+            m_timer.stop();  // its own "motors off" is not somebody else's
             m_client.motorsOff();
         }
         end(tl::unexpected(*found), true);
@@ -227,7 +234,8 @@ void MotionTest::center()
     const auto still = uniformSamples(*store, channel, -1, end - kQuiet, end);
     m_rest = m_quietAngle;
     if (still)
-        m_rest = std::accumulate(still->values.begin(), still->values.end(), 0.0) / double(still->values.size());
+        m_rest
+            = std::accumulate(still->values.begin(), still->values.end(), 0.0) / double(still->values.size());
     m_centering = false;
     m_sent.clear();
     m_startedAt = now;
@@ -253,7 +261,8 @@ UniformSamples MotionTest::sentTarget(const UniformSamples &angle) const
     UniformSamples target = angle;
     for (std::size_t i = 0; i < target.values.size(); ++i) {
         const double time = angle.start + double(i) / angle.rate;
-        const auto next = std::find_if(m_sent.begin(), m_sent.end(), [&](const auto &sent) { return store->secondsAt(sent.first) > time; });
+        const auto next = std::find_if(m_sent.begin(), m_sent.end(),
+                                       [&](const auto &sent) { return store->secondsAt(sent.first) > time; });
         target.values[i] = float(m_rest + (next == m_sent.begin() ? 0.0 : std::prev(next)->second));
     }
     return target;
@@ -268,14 +277,17 @@ Result<MotionTestResult> MotionTest::collect() const
     auto angle = uniformSamples(*store, wanted[1], -1, from, to);
     if (!angle)
         return tl::unexpected(angle.error());
-    auto target = wanted[0] < 0 ? Result<UniformSamples>(sentTarget(*angle)) : uniformSamples(*store, wanted[0], -1, from, to);
+    auto target = wanted[0] < 0 ? Result<UniformSamples>(sentTarget(*angle))
+                                : uniformSamples(*store, wanted[0], -1, from, to);
     if (!target)
         return tl::unexpected(target.error());
     if (angle->start != target->start || angle->values.size() != target->values.size())
         return failure(ErrorCode::InvalidArgument, u"target and angle do not come in the same rows"_s);
     if (double(angle->values.size()) / angle->rate < 0.9 * m_plan.duration())
-        return failure(ErrorCode::InvalidArgument, u"only %1 of %2 s arrived without a hole"_s
-                           .arg(double(angle->values.size()) / angle->rate, 0, 'f', 1).arg(m_plan.duration(), 0, 'f', 1));
+        return failure(ErrorCode::InvalidArgument,
+                       u"only %1 of %2 s arrived without a hole"_s
+                           .arg(double(angle->values.size()) / angle->rate, 0, 'f', 1)
+                           .arg(m_plan.duration(), 0, 'f', 1));
     return MotionTestResult{m_plan, std::move(*target), std::move(*angle)};
 }
 

@@ -18,18 +18,20 @@ Result<QString> backupFor(Channel &channel, Device &device, ActionRisk risk, con
         return QString();
     const auto configuration = device.readConfiguration(channel);
     if (!configuration)
-        return tl::unexpected(configuration.error());   // the board's own reason; nothing was sent yet
+        return tl::unexpected(configuration.error());  // the board's own reason; nothing was sent yet
     return history.save(withoutLive(*configuration, live), reason);
 }
 
-} // namespace
+}  // namespace
 
-Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QString &key, const QVariantMap &arguments,
-                                    const BoardHistory &history, const LiveValues &live)
+Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QString &key,
+                                    const QVariantMap &arguments, const BoardHistory &history,
+                                    const LiveValues &live)
 {
     const auto actions = device.actions();
-    const auto it = std::find_if(actions.begin(), actions.end(),
-                                 [&key](const ActionSpec &action) { return key == QLatin1String(action.key); });
+    const auto it = std::find_if(actions.begin(), actions.end(), [&key](const ActionSpec &action) {
+        return key == QLatin1String(action.key);
+    });
     if (it == actions.end())
         return failure(ErrorCode::Unsupported, key);
     ActionOutcome outcome;
@@ -47,7 +49,9 @@ Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QStr
 Result<bool> sendRaw(Channel &channel, Device &device, const RawCommand &command, const BoardHistory &history,
                      const LiveValues &live)
 {
-    if (const auto path = backupFor(channel, device, command.risk, u"before "_s + command.name, history, live); !path)
+    if (const auto path
+        = backupFor(channel, device, command.risk, u"before "_s + command.name, history, live);
+        !path)
         return tl::unexpected(path.error());
     Request request;
     request.name = command.name;

@@ -16,7 +16,11 @@ class Writer
 public:
     Writer(Channel &channel, Device &device, const Configuration &base, const Configuration &edited,
            const WriteOptions &options)
-        : m_channel(channel), m_device(device), m_base(base), m_edited(edited), m_options(options)
+        : m_channel(channel)
+        , m_device(device)
+        , m_base(base)
+        , m_edited(edited)
+        , m_options(options)
     {
     }
 
@@ -46,8 +50,8 @@ private:
     WriteReport m_report;
     std::vector<ParameterChange> m_changes;
     std::vector<DataChange> m_data;
-    std::vector<BlockKey> m_keys;                 // in the order of writing: the active profile last
-    std::map<BlockKey, QByteArray> m_board;       // fresh from the board, before anything was written
+    std::vector<BlockKey> m_keys;  // in the order of writing: the active profile last
+    std::map<BlockKey, QByteArray> m_board;  // fresh from the board, before anything was written
     std::set<BlockKey> m_written;
     bool m_namesChanged = false;
     bool m_bracketOpen = false;
@@ -69,7 +73,8 @@ Result<WriteReport> Writer::run()
     m_namesChanged = m_base.hasOtherNames(m_edited);
     m_report.onBoard = m_base;
     for (const ParameterChange &change : m_changes)
-        m_report.lines.push_back({change.spec, change.profile, change.from, change.to, WriteState::NotWritten, 0});
+        m_report.lines.push_back(
+            {change.spec, change.profile, change.from, change.to, WriteState::NotWritten, 0});
     for (const DataChange &change : m_data)
         m_report.data.push_back({change.spec, change.key, WriteState::NotWritten});
     if (m_changes.empty() && m_data.empty() && !m_namesChanged)
@@ -109,8 +114,8 @@ Result<void> Writer::backUp()
     return {};
 }
 
-// Board-wide values are shared by all profiles, so one block would do; but every block that is written carries them, and
-// must not carry the old ones back.
+// Board-wide values are shared by all profiles, so one block would do; but every block that is written
+// carries them, and must not carry the old ones back.
 void Writer::collectBlocks()
 {
     std::set<BlockKey> keys;
@@ -120,7 +125,8 @@ void Writer::collectBlocks()
         keys.insert(change.key);
     m_keys.assign(keys.begin(), keys.end());
     const int active = m_base.activeProfile();
-    std::stable_partition(m_keys.begin(), m_keys.end(), [active](BlockKey key) { return key.profile != active; });
+    std::stable_partition(m_keys.begin(), m_keys.end(),
+                          [active](BlockKey key) { return key.profile != active; });
 }
 
 Result<void> Writer::readBoard()
@@ -143,9 +149,9 @@ Result<void> Writer::checkConflicts() const
     for (const ParameterChange &change : m_changes) {
         const auto now = change.spec->read(m_board.at({change.profile, change.spec->row->block}));
         if (now && *now != change.from && *now != change.to) {
-            conflicts.append(u"%1: %2, read as %3, now %4"_s
-                                 .arg(m_base.profileName(change.profile), change.spec->key,
-                                      change.spec->format(change.from), change.spec->format(*now)));
+            conflicts.append(u"%1: %2, read as %3, now %4"_s.arg(
+                m_base.profileName(change.profile), change.spec->key, change.spec->format(change.from),
+                change.spec->format(*now)));
         }
     }
     for (const DataChange &change : m_data) {
@@ -240,8 +246,10 @@ Result<void> Writer::verify()
         for (qsizetype i = 0; i < expected.size(); ++i) {
             const bool isState = std::size_t(i) < mask.size() && mask[std::size_t(i)];
             if (!isState && (i >= bytes->size() || (*bytes)[i] != expected[i]))
-                different.append(u"%1 profile %2, byte %3"_s.arg(QLatin1String(m_base.parameters().block(key.block)->name))
-                                     .arg(key.profile + 1).arg(i));
+                different.append(
+                    u"%1 profile %2, byte %3"_s.arg(QLatin1String(m_base.parameters().block(key.block)->name))
+                        .arg(key.profile + 1)
+                        .arg(i));
         }
         for (WriteLine &line : m_report.lines) {
             if (line.spec->row->block != key.block || line.profile != key.profile)
@@ -331,7 +339,7 @@ void Writer::report(const QString &step, BlockKey key)
     m_channel.progress(progress);
 }
 
-} // namespace
+}  // namespace
 
 Result<WriteReport> writeConfiguration(Channel &channel, Device &device, const Configuration &base,
                                        const Configuration &edited, const WriteOptions &options)

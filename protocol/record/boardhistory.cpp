@@ -22,7 +22,7 @@ const QString kEditsFile = u"edits.json"_s;
 const QString kBaseFile = u"board.json"_s;
 constexpr qint64 kLargestJournal = 4 * 1024 * 1024;
 
-} // namespace
+}  // namespace
 
 BoardHistory::BoardHistory(QString root)
     : m_root(std::move(root))

@@ -21,8 +21,8 @@ public:
     /// When a snapshot was taken, from its file name (UTC).
     [[nodiscard]] static QDateTime timeOf(const QString &path);
 
-    /// Edits that never reached the board, kept through a crash beside its snapshots: any JSON the program makes of them,
-    /// and the configuration they started from. Errors: BadFile.
+    /// Edits that never reached the board, kept through a crash beside its snapshots: any JSON the program
+    /// makes of them, and the configuration they started from. Errors: BadFile.
     Result<void> saveUnsaved(const Configuration &base, const QJsonObject &edits) const;
     void dropUnsaved(const QString &serial) const;
     [[nodiscard]] std::optional<QJsonObject> unsaved(const QString &serial) const;

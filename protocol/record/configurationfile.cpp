@@ -21,14 +21,10 @@ constexpr qint64 kLargestFile = 4 * 1024 * 1024;
 QJsonValue valueOf(const ParameterSpec &spec, int raw)
 {
     switch (spec.row->kind) {
-    case ValueKind::Toggle:
-        return raw != 0;
-    case ValueKind::Choice:
-        return raw;
-    case ValueKind::Flags:
-        return spec.format(raw);
-    case ValueKind::Number:
-        break;
+    case ValueKind::Toggle: return raw != 0;
+    case ValueKind::Choice: return raw;
+    case ValueKind::Flags: return spec.format(raw);
+    case ValueKind::Number: break;
     }
     // As text and back, so that the file shows 0.18 and not 0.17999999999999999.
     return spec.format(raw).toDouble();
@@ -57,9 +53,10 @@ QJsonObject valuesOf(const Configuration &configuration, int profile, Scope scop
     return values;
 }
 
-// Puts a file's values into a configuration. A value that the blocks already hold exactly is left alone, so rounding in the
-// text never changes a byte.
-Result<void> readValues(Configuration &configuration, const QJsonObject &values, int profile, QStringList &unknown)
+// Puts a file's values into a configuration. A value that the blocks already hold exactly is left alone, so
+// rounding in the text never changes a byte.
+Result<void> readValues(Configuration &configuration, const QJsonObject &values, int profile,
+                        QStringList &unknown)
 {
     for (auto it = values.begin(); it != values.end(); ++it) {
         const ParameterSpec *spec = configuration.parameters().find(it.key());
@@ -70,8 +67,9 @@ Result<void> readValues(Configuration &configuration, const QJsonObject &values,
         }
         const auto raw = rawOf(*spec, it.value());
         if (!raw) {
-            return failure(ErrorCode::BadFile, u"the value of %1 is not understood: %2"_s
-                               .arg(it.key(), it.value().toVariant().toString()));
+            return failure(
+                ErrorCode::BadFile,
+                u"the value of %1 is not understood: %2"_s.arg(it.key(), it.value().toVariant().toString()));
         }
         const auto known = configuration.raw(*spec, profile);
         if (known && spec->format(*known) == spec->format(*raw))
@@ -82,14 +80,15 @@ Result<void> readValues(Configuration &configuration, const QJsonObject &values,
     return {};
 }
 
-// Boards of other firmware may count in other steps, or call their choices by other numbers: what is displayed is what is
-// meant. A choice that there is not there gets a number out of range.
+// Boards of other firmware may count in other steps, or call their choices by other numbers: what is
+// displayed is what is meant. A choice that there is not there gets a number out of range.
 int translated(const ParameterSpec &from, int raw, int fromFirmware, const ParameterSpec &to, int toFirmware)
 {
     if (from.row == to.row || from.row->kind != ValueKind::Choice || to.row->kind != ValueKind::Choice)
         return to.toRaw(from.toDisplay(raw));
     const auto known = from.choices(fromFirmware);
-    const auto name = std::find_if(known.begin(), known.end(), [raw](const Choice &choice) { return choice.value == raw; });
+    const auto name = std::find_if(known.begin(), known.end(),
+                                   [raw](const Choice &choice) { return choice.value == raw; });
     if (name == known.end())
         return raw;
     for (const Choice &choice : to.choices(toFirmware)) {
@@ -99,15 +98,19 @@ int translated(const ParameterSpec &from, int raw, int fromFirmware, const Param
     return to.row->max + 1;
 }
 
-} // namespace
+}  // namespace
 
-QByteArray ConfigurationFile::toJson(const Configuration &configuration, const QString &reason, const QDateTime &savedAt)
+QByteArray ConfigurationFile::toJson(const Configuration &configuration, const QString &reason,
+                                     const QDateTime &savedAt)
 {
     const BoardIdentity &identity = configuration.identity();
     QStringList capabilities(identity.capabilities.begin(), identity.capabilities.end());
     capabilities.sort();
-    QJsonObject board{{u"family"_s, identity.family}, {u"model"_s, identity.model}, {u"firmware"_s, identity.firmware},
-                      {u"firmwareNumber"_s, identity.firmwareNumber}, {u"serial"_s, identity.serial},
+    QJsonObject board{{u"family"_s, identity.family},
+                      {u"model"_s, identity.model},
+                      {u"firmware"_s, identity.firmware},
+                      {u"firmwareNumber"_s, identity.firmwareNumber},
+                      {u"serial"_s, identity.serial},
                       {u"profileCount"_s, identity.profileCount},
                       {u"capabilities"_s, QJsonArray::fromStringList(capabilities)}};
     QJsonArray profiles;
@@ -121,27 +124,36 @@ QByteArray ConfigurationFile::toJson(const Configuration &configuration, const Q
         blocks.insert(u"%1/%2"_s.arg(key.profile + 1).arg(QLatin1String(block ? block->name : "?")),
                       QString::fromLatin1(bytes.toHex()));
     }
-    const QJsonObject root{{u"format"_s, kFormat}, {u"version"_s, kVersion}, {u"reason"_s, reason},
-                           {u"savedAt"_s, savedAt.toString(Qt::ISODateWithMs)}, {u"board"_s, board},
-                           {u"activeProfile"_s, configuration.activeProfile() + 1},
-                           {u"boardValues"_s, valuesOf(configuration, configuration.activeProfile(), Scope::Board)},
-                           {u"profiles"_s, profiles}, {u"blocks"_s, blocks}};
+    const QJsonObject root{
+        {u"format"_s, kFormat},
+        {u"version"_s, kVersion},
+        {u"reason"_s, reason},
+        {u"savedAt"_s, savedAt.toString(Qt::ISODateWithMs)},
+        {u"board"_s, board},
+        {u"activeProfile"_s, configuration.activeProfile() + 1},
+        {u"boardValues"_s, valuesOf(configuration, configuration.activeProfile(), Scope::Board)},
+        {u"profiles"_s, profiles},
+        {u"blocks"_s, blocks}};
     return QJsonDocument(root).toJson();
 }
 
-Result<ConfigurationFile> ConfigurationFile::fromJson(const QByteArray &json, const MakeParameters &makeParameters)
+Result<ConfigurationFile> ConfigurationFile::fromJson(const QByteArray &json,
+                                                      const MakeParameters &makeParameters)
 {
     QJsonParseError parse;
     const QJsonDocument document = QJsonDocument::fromJson(json, &parse);
     if (!document.isObject()) {
-        return failure(ErrorCode::BadFile, u"not JSON (%1 at byte %2)"_s.arg(parse.errorString()).arg(parse.offset));
+        return failure(ErrorCode::BadFile,
+                       u"not JSON (%1 at byte %2)"_s.arg(parse.errorString()).arg(parse.offset));
     }
     const QJsonObject root = document.object();
     if (root.value(u"format"_s).toString() != kFormat)
         return failure(ErrorCode::BadFile, u"not a GimbalDesk configuration"_s);
     if (root.value(u"version"_s).toInt() != kVersion) {
-        return failure(ErrorCode::BadFile, u"version %1 of the file format, this program knows version %2"_s
-                           .arg(root.value(u"version"_s).toInt()).arg(kVersion));
+        return failure(ErrorCode::BadFile,
+                       u"version %1 of the file format, this program knows version %2"_s
+                           .arg(root.value(u"version"_s).toInt())
+                           .arg(kVersion));
     }
 
     const QJsonObject board = root.value(u"board"_s).toObject();
@@ -156,7 +168,8 @@ Result<ConfigurationFile> ConfigurationFile::fromJson(const QByteArray &json, co
         identity.capabilities.insert(capability.toString());
     const auto parameters = makeParameters(identity);
     if (!parameters)
-        return failure(ErrorCode::BadFile, u"a configuration of the unknown family '%1'"_s.arg(identity.family));
+        return failure(ErrorCode::BadFile,
+                       u"a configuration of the unknown family '%1'"_s.arg(identity.family));
 
     ConfigurationFile file;
     const QJsonArray profiles = root.value(u"profiles"_s).toArray();
@@ -178,8 +191,8 @@ Result<ConfigurationFile> ConfigurationFile::fromJson(const QByteArray &json, co
                 continue;
             const QByteArray bytes = QByteArray::fromHex(blocks.value(name).toString().toLatin1());
             if (bytes.size() < block.size) {
-                return failure(ErrorCode::BadFile, u"block %1 has %2 of %3 bytes"_s.arg(name).arg(bytes.size())
-                                   .arg(block.size));
+                return failure(ErrorCode::BadFile,
+                               u"block %1 has %2 of %3 bytes"_s.arg(name).arg(bytes.size()).arg(block.size));
             }
             file.configuration.setBlock({profile, block.id}, bytes);
         }
@@ -188,18 +201,21 @@ Result<ConfigurationFile> ConfigurationFile::fromJson(const QByteArray &json, co
     for (int profile = 0; profile < profiles.size(); ++profile) {
         const QJsonObject object = profiles[profile].toObject();
         names.append(object.value(u"name"_s).toString());
-        if (const auto read = readValues(file.configuration, object.value(u"values"_s).toObject(), profile,
-                                         file.unknownKeys); !read)
+        if (const auto read
+            = readValues(file.configuration, object.value(u"values"_s).toObject(), profile, file.unknownKeys);
+            !read)
             return tl::unexpected(read.error());
     }
     file.configuration.setProfileNames(names);
-    if (const auto read = readValues(file.configuration, root.value(u"boardValues"_s).toObject(), active,
-                                     file.unknownKeys); !read)
+    if (const auto read
+        = readValues(file.configuration, root.value(u"boardValues"_s).toObject(), active, file.unknownKeys);
+        !read)
         return tl::unexpected(read.error());
     return file;
 }
 
-Result<void> ConfigurationFile::save(const QString &path, const Configuration &configuration, const QString &reason)
+Result<void> ConfigurationFile::save(const QString &path, const Configuration &configuration,
+                                     const QString &reason)
 {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly)
@@ -214,7 +230,8 @@ Result<ConfigurationFile> ConfigurationFile::load(const QString &path, const Mak
     if (!file.open(QIODevice::ReadOnly))
         return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
     if (file.size() > kLargestFile)
-        return failure(ErrorCode::BadFile, u"%1: %2 bytes are too many for a configuration"_s.arg(path).arg(file.size()));
+        return failure(ErrorCode::BadFile,
+                       u"%1: %2 bytes are too many for a configuration"_s.arg(path).arg(file.size()));
     auto loaded = fromJson(file.readAll(), makeParameters);
     if (!loaded)
         return failure(loaded.error().code, path + u": "_s + loaded.error().detail);
@@ -233,7 +250,9 @@ Configuration applied(const Configuration &board, const Configuration &file, QSt
             const auto raw = file.raw(spec, boardWide ? file.activeProfile() : profile);
             if (!raw)
                 break;
-            const int wanted = own ? translated(spec, *raw, file.parameters().firmware(), *own, board.parameters().firmware()) : 0;
+            const int wanted = own
+                ? translated(spec, *raw, file.parameters().firmware(), *own, board.parameters().firmware())
+                : 0;
             if (!own || (board.raw(*own, profile) != wanted && !result.setRaw(*own, profile, wanted))) {
                 if (!skipped.contains(spec.key))
                     skipped.append(spec.key);
@@ -245,7 +264,8 @@ Configuration applied(const Configuration &board, const Configuration &file, QSt
     }
     for (const auto &[key, bytes] : file.blocks()) {
         const BlockSpec *spec = file.parameters().block(key.block);
-        if (!spec || !*spec->data || board.block(key) == bytes || key.profile >= board.identity().profileCount)
+        if (!spec || !*spec->data || board.block(key) == bytes
+            || key.profile >= board.identity().profileCount)
             continue;
         // What is in it refers to the firmware it was made for.
         if (file.parameters().firmware() == board.parameters().firmware() && !board.block(key).isEmpty())

@@ -12,7 +12,8 @@ using namespace Qt::StringLiterals;
 
 const Family *findFamily(const QList<Family> &families, const QString &key)
 {
-    const auto it = std::find_if(families.begin(), families.end(), [&key](const Family &family) { return family.key == key; });
+    const auto it = std::find_if(families.begin(), families.end(),
+                                 [&key](const Family &family) { return family.key == key; });
     return it == families.end() ? nullptr : &*it;
 }
 
@@ -35,17 +36,19 @@ Result<ConfigurationFile> loadConfiguration(const QString &path, const QList<Fam
         result.missingKeys = settings->missing;
         return result;
     }
-    return ConfigurationFile::load(path, [&families](const BoardIdentity &identity) -> std::shared_ptr<const ParameterSet> {
-        const Family *family = findFamily(families, identity.family);
-        return family ? family->makeParameters(identity) : nullptr;
-    });
+    return ConfigurationFile::load(
+        path, [&families](const BoardIdentity &identity) -> std::shared_ptr<const ParameterSet> {
+            const Family *family = findFamily(families, identity.family);
+            return family ? family->makeParameters(identity) : nullptr;
+        });
 }
 
 Result<void> saveConfiguration(const QString &path, const Configuration &configuration, const QString &reason,
                                const QList<Family> &families)
 {
     const Family *family = findFamily(families, configuration.identity().family);
-    if (!family || !family->settingsFile || QFileInfo(path).suffix().toLower() != family->settingsFile->suffix)
+    if (!family || !family->settingsFile
+        || QFileInfo(path).suffix().toLower() != family->settingsFile->suffix)
         return ConfigurationFile::save(path, configuration, reason);
     const auto text = family->settingsFile->write(configuration);
     if (!text)

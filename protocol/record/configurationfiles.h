@@ -10,6 +10,6 @@
 /// Errors: BadFile with what is wrong and where.
 [[nodiscard]] Result<ConfigurationFile> loadConfiguration(const QString &path, const QList<Family> &families);
 /// The ending of the path decides on the format. Errors: BadFile, Unsupported.
-[[nodiscard]] Result<void> saveConfiguration(const QString &path, const Configuration &configuration, const QString &reason,
-                                             const QList<Family> &families);
+[[nodiscard]] Result<void> saveConfiguration(const QString &path, const Configuration &configuration,
+                                             const QString &reason, const QList<Family> &families);
 [[nodiscard]] const Family *findFamily(const QList<Family> &families, const QString &key);

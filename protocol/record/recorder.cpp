@@ -15,9 +15,9 @@ constexpr auto kDrainPeriod = 200ms;
 constexpr std::size_t kSetupPieces = 2000;
 constexpr std::size_t kSaidPieces = 20000;
 constexpr quint64 kPiecesAtOnce = 5000;
-constexpr qsizetype kPieceCost = 64;   // bytes of memory beside its content
+constexpr qsizetype kPieceCost = 64;  // bytes of memory beside its content
 
-} // namespace
+}  // namespace
 
 Recorder::Recorder(double seconds, qsizetype bytes)
     : m_seconds(seconds)
@@ -38,7 +38,9 @@ void Recorder::bytesSent(QByteArrayView bytes, TimePoint at)
 void Recorder::frameReceived(const FrameView &frame, TimePoint at, bool claimed)
 {
     if (claimed && !frame.raw.empty())
-        add(RecordedPiece::Kind::Reply, QByteArrayView(reinterpret_cast<const char *>(frame.raw.data()), qsizetype(frame.raw.size())), at);
+        add(RecordedPiece::Kind::Reply,
+            QByteArrayView(reinterpret_cast<const char *>(frame.raw.data()), qsizetype(frame.raw.size())),
+            at);
 }
 
 void Recorder::add(RecordedPiece::Kind kind, QByteArrayView bytes, TimePoint at)
@@ -111,8 +113,11 @@ qsizetype Recorder::heldBytes() const
 
 QJsonObject recordingDescription(const BoardIdentity &identity, const LinkAddress &address)
 {
-    return {{u"family"_s, identity.family}, {u"model"_s, identity.model}, {u"firmware"_s, identity.firmware},
-            {u"serial"_s, identity.serial}, {u"address"_s, address.toString()},
+    return {{u"family"_s, identity.family},
+            {u"model"_s, identity.model},
+            {u"firmware"_s, identity.firmware},
+            {u"serial"_s, identity.serial},
+            {u"address"_s, address.toString()},
             {u"program"_s, u"GimbalDesk " GIMBAL_VERSION ""_s},
             {u"started"_s, QDateTime::currentDateTimeUtc().toString(Qt::ISODate)}};
 }

@@ -12,9 +12,9 @@
 #include <mutex>
 #include <thread>
 
-/// Listens to a link and always holds its last minutes, so that they can be saved after the fact. What was said while the
-/// link was set up is kept as long as the link lasts: without it nobody could understand the rest.
-/// Fed on the I/O thread, read from any.
+/// Listens to a link and always holds its last minutes, so that they can be saved after the fact. What was
+/// said while the link was set up is kept as long as the link lasts: without it nobody could understand the
+/// rest. Fed on the I/O thread, read from any.
 class Recorder final : public FrameListener
 {
 public:
@@ -29,8 +29,9 @@ public:
 
     /// Forgets everything: another board is about to be connected.
     void clear();
-    /// Pieces after this number, oldest first, and the number of the last of them; some thousands at a time, so that nobody
-    /// is kept waiting. 0 = from the oldest that is held, beginning with how the link was set up.
+    /// Pieces after this number, oldest first, and the number of the last of them; some thousands at a time,
+    /// so that nobody is kept waiting. 0 = from the oldest that is held, beginning with how the link was set
+    /// up.
     [[nodiscard]] std::pair<std::vector<RecordedPiece>, quint64> after(quint64 number) const;
     /// Number of the newest piece, 0 before the first.
     [[nodiscard]] quint64 newest() const;
@@ -44,10 +45,10 @@ private:
     double m_seconds;
     qsizetype m_limit;
     mutable std::mutex m_mutex;
-    std::deque<RecordedPiece> m_pieces;      // the last minutes
-    quint64 m_newest = 0;                    // number of the last of them
-    std::vector<RecordedPiece> m_setup;      // what was said first
-    std::deque<RecordedPiece> m_said;        // what was said between setup and the last minutes
+    std::deque<RecordedPiece> m_pieces;  // the last minutes
+    quint64 m_newest = 0;  // number of the last of them
+    std::vector<RecordedPiece> m_setup;  // what was said first
+    std::deque<RecordedPiece> m_said;  // what was said between setup and the last minutes
     qsizetype m_bytes = 0;
     std::optional<TimePoint> m_origin;
 };
@@ -59,7 +60,8 @@ private:
 class RecordingTask
 {
 public:
-    /// Writes everything the recorder holds, or only how the link was set up, and then what comes. Errors: BadFile.
+    /// Writes everything the recorder holds, or only how the link was set up, and then what comes. Errors:
+    /// BadFile.
     static Result<std::unique_ptr<RecordingTask>> start(const Recorder &recorder, const QString &path,
                                                         const QJsonObject &description, bool withPast);
     ~RecordingTask();
@@ -77,7 +79,7 @@ private:
 
     const Recorder &m_recorder;
     RecordingWriter m_writer;
-    quint64 m_start;             // received bytes up to this piece are left out
+    quint64 m_start;  // received bytes up to this piece are left out
     quint64 m_number = 0;
     std::atomic<qint64> m_bytes = 0;
     std::atomic<bool> m_failed = false;

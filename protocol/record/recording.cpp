@@ -64,7 +64,7 @@ bool readPieces(QByteArrayView content, std::vector<RecordedPiece> &pieces)
     return true;
 }
 
-} // namespace
+}  // namespace
 
 qint64 Recording::begin() const
 {
@@ -133,7 +133,7 @@ Result<Recording> Recording::fromBytes(const QByteArray &bytes)
                     recording.damage = u"the description is not JSON"_s;
             } else if (kind == PiecesChunk && !readPieces(content, recording.pieces)) {
                 recording.damage = u"a chunk holds something else than pieces"_s;
-            }   // other kinds are of a later version and left out
+            }  // other kinds are of a later version and left out
             rest = rest.sliced(kChunkHeader + length);
         }
     }
@@ -153,7 +153,8 @@ Result<RecordingWriter> RecordingWriter::create(const QString &path, const QJson
     if (writer.m_file->write(kMagic.data(), kMagic.size()) != kMagic.size())
         return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, writer.m_file->errorString()));
     writer.m_end = kMagic.size();
-    if (const auto written = writer.writeChunk(DescriptionChunk, QJsonDocument(description).toJson()); !written)
+    if (const auto written = writer.writeChunk(DescriptionChunk, QJsonDocument(description).toJson());
+        !written)
         return tl::unexpected(written.error());
     return writer;
 }
@@ -165,7 +166,11 @@ Result<void> RecordingWriter::append(const RecordedPiece &piece)
             return flushed;
     }
     const auto at = quint64(piece.at);
-    m_waiting += ByteWriter().u8(quint8(piece.kind)).u32(quint32(piece.bytes.size())).u32(quint32(at)).u32(quint32(at >> 32))
+    m_waiting += ByteWriter()
+                     .u8(quint8(piece.kind))
+                     .u32(quint32(piece.bytes.size()))
+                     .u32(quint32(at))
+                     .u32(quint32(at >> 32))
                      .take();
     m_waiting += piece.bytes;
     return m_waiting.size() >= kChunkSize ? flush() : Result<void>();
@@ -189,7 +194,7 @@ Result<void> RecordingWriter::writeChunk(quint8 kind, const QByteArray &content)
         return {};
     }
     const Error error{ErrorCode::BadFile, u"%1: %2"_s.arg(m_file->fileName(), m_file->errorString()), 0};
-    m_file->resize(m_end);   // half a chunk is of no use to anybody
+    m_file->resize(m_end);  // half a chunk is of no use to anybody
     m_file.reset();
     return tl::unexpected(error);
 }

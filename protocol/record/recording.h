@@ -14,29 +14,30 @@
 struct RecordedPiece
 {
     enum class Kind : quint8 {
-        Received = 1,   ///< bytes as they came from the port
-        Sent = 2,       ///< a write to the port: one or more whole frames
-        Reply = 3,      ///< the frame among the received bytes that answered a request
+        Received = 1,  ///< bytes as they came from the port
+        Sent = 2,  ///< a write to the port: one or more whole frames
+        Reply = 3,  ///< the frame among the received bytes that answered a request
     };
 
     Kind kind = Kind::Received;
-    qint64 at = 0;          ///< nanoseconds since the link was opened; what was sent before the recording may be earlier
+    qint64 at
+        = 0;  ///< nanoseconds since the link was opened; what was sent before the recording may be earlier
     QByteArray bytes;
 
     friend bool operator==(const RecordedPiece &, const RecordedPiece &) = default;
 };
 
-/// What passed over a link, as a file: "GIMBALREC 1\n", then chunks. A chunk is "GDCK", kind (1 byte: 1 description,
-/// 2 pieces), three zero bytes, length of the content (4 bytes), the first eight bytes of the SHA-1 of all that and of the
-/// content, and the content. The description is JSON (family, identity, address, when). Pieces stand one behind the other:
-/// kind (1 byte), length (4), time (8), bytes. Numbers are little-endian. A file that was cut off anywhere is good up to its
-/// last complete chunk.
+/// What passed over a link, as a file: "GIMBALREC 1\n", then chunks. A chunk is "GDCK", kind (1 byte: 1
+/// description, 2 pieces), three zero bytes, length of the content (4 bytes), the first eight bytes of the
+/// SHA-1 of all that and of the content, and the content. The description is JSON (family, identity, address,
+/// when). Pieces stand one behind the other: kind (1 byte), length (4), time (8), bytes. Numbers are
+/// little-endian. A file that was cut off anywhere is good up to its last complete chunk.
 struct Recording
 {
     QJsonObject description;
     std::vector<RecordedPiece> pieces;
-    QString damage;         ///< what is wrong behind the part that was read; empty: nothing
-    qint64 damageAt = 0;    ///< offset in the file
+    QString damage;  ///< what is wrong behind the part that was read; empty: nothing
+    qint64 damageAt = 0;  ///< offset in the file
 
     /// Nanoseconds of the first and the last received bytes.
     [[nodiscard]] qint64 begin() const;
@@ -56,17 +57,20 @@ public:
     /// Begins a new file. Errors: BadFile.
     static Result<RecordingWriter> create(const QString &path, const QJsonObject &description);
 
-    /// Adds pieces; they are on their way to the disk when enough have come together or flush() is called. Errors: BadFile;
-    /// after an error nothing more is written.
+    /// Adds pieces; they are on their way to the disk when enough have come together or flush() is called.
+    /// Errors: BadFile; after an error nothing more is written.
     Result<void> append(const RecordedPiece &piece);
     Result<void> flush();
     [[nodiscard]] qint64 bytesWritten() const { return m_end; }
 
 private:
-    explicit RecordingWriter(std::unique_ptr<QFile> file) : m_file(std::move(file)) { }
+    explicit RecordingWriter(std::unique_ptr<QFile> file)
+        : m_file(std::move(file))
+    {
+    }
     Result<void> writeChunk(quint8 kind, const QByteArray &content);
 
     std::unique_ptr<QFile> m_file;
     QByteArray m_waiting;
-    qint64 m_end = 0;         // of the last complete chunk
+    qint64 m_end = 0;  // of the last complete chunk
 };

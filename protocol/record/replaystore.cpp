@@ -17,7 +17,8 @@ std::shared_ptr<TelemetryStore> readTelemetry(const Recording &recording, const 
             framer->sent(asBytes(piece.bytes));
             decoder->sent(piece.bytes);
         } else if (piece.kind == RecordedPiece::Kind::Received) {
-            framer->feed(asBytes(piece.bytes), [&](const FrameView &frame) { decoder->decode(frame, at, *store); });
+            framer->feed(asBytes(piece.bytes),
+                         [&](const FrameView &frame) { decoder->decode(frame, at, *store); });
         }
     }
     return store;

@@ -12,7 +12,8 @@ constexpr auto kTick = 4ms;
 constexpr double kSlowest = 0.05;
 constexpr double kFastest = 100.0;
 
-Result<double> numberOption(const LinkAddress &address, const QString &name, double fallback, double low, double high)
+Result<double> numberOption(const LinkAddress &address, const QString &name, double fallback, double low,
+                            double high)
 {
     const QString text = address.option(name);
     if (text.isEmpty())
@@ -20,11 +21,12 @@ Result<double> numberOption(const LinkAddress &address, const QString &name, dou
     bool ok = false;
     const double value = text.toDouble(&ok);
     if (!ok || !(value >= low && value <= high))
-        return failure(ErrorCode::InvalidArgument, u"%1=%2 is not a number from %3 to %4"_s.arg(name, text).arg(low).arg(high));
+        return failure(ErrorCode::InvalidArgument,
+                       u"%1=%2 is not a number from %3 to %4"_s.arg(name, text).arg(low).arg(high));
     return value;
 }
 
-} // namespace
+}  // namespace
 
 ReplayTransport::ReplayTransport(Recording recording, double speed, double from)
     : m_recording(std::move(recording))
@@ -112,7 +114,8 @@ void ReplayTransport::runFromHere()
 
 void ReplayTransport::advance()
 {
-    const auto passed = std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - m_runningSince).count();
+    const auto passed
+        = std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - m_runningSince).count();
     m_position = m_runningFrom + qint64(double(passed) * m_speed);
     deliver();
 }
@@ -152,7 +155,8 @@ std::optional<ReplayState> ReplayTransport::replayState() const
 {
     const qint64 begin = m_recording.begin();
     const qint64 end = m_recording.end();
-    return ReplayState{double(std::clamp(m_position, begin, end) - begin) * 1e-9, double(end - begin) * 1e-9, m_speed, m_paused};
+    return ReplayState{double(std::clamp(m_position, begin, end) - begin) * 1e-9, double(end - begin) * 1e-9,
+                       m_speed, m_paused};
 }
 
 void ReplayTransport::deliver()
@@ -167,7 +171,7 @@ void ReplayTransport::deliver()
         else if (piece.kind == RecordedPiece::Kind::Sent)
             emit replayed(piece.bytes, at);
     }
-    m_timer.stop();   // the end: the link stays, so that one can look back
+    m_timer.stop();  // the end: the link stays, so that one can look back
 }
 
 Result<std::unique_ptr<Transport>> makeReplayTransport(const LinkAddress &address)

@@ -8,9 +8,9 @@
 #include <QHash>
 #include <QTimer>
 
-/// A recording as a link. Requests are answered as they were answered then (the answer nearest before the place that is
-/// played, else the first one); a request that was never made gets no answer. Received bytes run in their own time once
-/// play() was called, and keep the distances of their times whatever the speed.
+/// A recording as a link. Requests are answered as they were answered then (the answer nearest before the
+/// place that is played, else the first one); a request that was never made gets no answer. Received bytes
+/// run in their own time once play() was called, and keep the distances of their times whatever the speed.
 class ReplayTransport final : public Transport
 {
     Q_OBJECT
@@ -35,13 +35,13 @@ private:
 
     Recording m_recording;
     double m_speed;
-    qint64 m_position;                              // nanoseconds of the recording
-    std::size_t m_next = 0;                         // piece that is due next
-    QHash<QByteArray, QList<qsizetype>> m_requests; // what was sent -> pieces
+    qint64 m_position;  // nanoseconds of the recording
+    std::size_t m_next = 0;  // piece that is due next
+    QHash<QByteArray, QList<qsizetype>> m_requests;  // what was sent -> pieces
     QTimer m_timer;
-    TimePoint m_started{};                          // the time that m_begin was given; times keep their distances from it
+    TimePoint m_started{};  // the time that m_begin was given; times keep their distances from it
     qint64 m_begin = 0;
-    TimePoint m_runningSince{};                     // when m_runningFrom was played
+    TimePoint m_runningSince{};  // when m_runningFrom was played
     qint64 m_runningFrom = 0;
     bool m_played = false;
     bool m_paused = false;

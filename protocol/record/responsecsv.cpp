@@ -19,13 +19,15 @@ std::optional<float> number(QByteArrayView text)
     return ok && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-} // namespace
+}  // namespace
 
-Result<void> writeResponseCsv(QIODevice &file, std::span<const float> in, std::span<const float> out, double rate)
+Result<void> writeResponseCsv(QIODevice &file, std::span<const float> in, std::span<const float> out,
+                              double rate)
 {
     QByteArray text = "# " + QByteArray::number(rate, 'g', 10) + " samples/s\nin;out\n";
     for (std::size_t i = 0; i < std::min(in.size(), out.size()); ++i)
-        text += QByteArray::number(double(in[i]), 'g', 8) + ';' + QByteArray::number(double(out[i]), 'g', 8) + '\n';
+        text += QByteArray::number(double(in[i]), 'g', 8) + ';' + QByteArray::number(double(out[i]), 'g', 8)
+            + '\n';
     if (file.write(text) != text.size())
         return failure(ErrorCode::BadFile, file.errorString());
     return {};
@@ -63,9 +65,10 @@ Result<ResponseSamples> readResponseCsv(const QByteArray &text)
         const auto out = cut < 0 ? std::nullopt : number(row.sliced(cut + 1));
         if (!in || !out) {
             if (samples.in.empty() && line <= 3)
-                continue;   // a heading
-            return failure(ErrorCode::BadFile, u"line %1 is not two numbers: %2"_s.arg(line)
-                               .arg(QString::fromUtf8(row.first(std::min<qsizetype>(40, row.size())))));
+                continue;  // a heading
+            return failure(ErrorCode::BadFile,
+                           u"line %1 is not two numbers: %2"_s.arg(line).arg(
+                               QString::fromUtf8(row.first(std::min<qsizetype>(40, row.size())))));
         }
         if (samples.in.size() == kMost)
             return failure(ErrorCode::BadFile, u"more than %1 lines"_s.arg(kMost));

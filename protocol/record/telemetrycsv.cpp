@@ -14,7 +14,7 @@ namespace {
 struct Stream
 {
     const TelemetryGroup *group = nullptr;
-    std::vector<std::pair<qsizetype, TrackView>> columns;   // position in the list of channels
+    std::vector<std::pair<qsizetype, TrackView>> columns;  // position in the list of channels
     std::size_t row = 0;
     std::size_t end = 0;
 
@@ -42,7 +42,7 @@ std::vector<Stream> streamsOf(const TelemetryStore &store, const QList<int> &cha
     return streams;
 }
 
-} // namespace
+}  // namespace
 
 Result<qint64> writeTelemetryCsv(QIODevice &file, const TelemetryStore &store, ChannelTable table,
                                  const QList<int> &channels, double from, double to)

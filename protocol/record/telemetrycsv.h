@@ -8,8 +8,9 @@
 
 class QIODevice;
 
-/// Writes samples as CSV: a heading "time_s,key [unit],...", then a line for each row of each stream in order of time;
-/// channels that did not come in that row are left empty, lost samples too. Numbers have a decimal point.
+/// Writes samples as CSV: a heading "time_s,key [unit],...", then a line for each row of each stream in order
+/// of time; channels that did not come in that row are left empty, lost samples too. Numbers have a decimal
+/// point.
 /// @param from,to seconds since the store's origin. Returns the number of lines. Errors: BadFile.
 Result<qint64> writeTelemetryCsv(QIODevice &file, const TelemetryStore &store, ChannelTable table,
                                  const QList<int> &channels, double from, double to);

@@ -14,9 +14,10 @@ namespace {
 
 constexpr auto kPeriod = 20ms;
 
-} // namespace
+}  // namespace
 
-UdpExport::UdpExport(ChannelTable table, std::shared_ptr<const TelemetryStore> store, QList<int> channels, QObject *parent)
+UdpExport::UdpExport(ChannelTable table, std::shared_ptr<const TelemetryStore> store, QList<int> channels,
+                     QObject *parent)
     : QObject(parent)
     , m_table(table)
     , m_store(std::move(store))
@@ -34,8 +35,8 @@ Result<void> UdpExport::start(const QString &hostAndPort)
     const uint port = colon < 0 ? uint(kUsualPort) : hostAndPort.mid(colon + 1).toUInt(&ok);
     const QString numeric = host.compare(u"localhost"_s, Qt::CaseInsensitive) == 0 ? u"127.0.0.1"_s : host;
     if (!ok || port == 0 || port > 65535 || !m_host.setAddress(numeric)) {
-        return failure(ErrorCode::InvalidArgument, u"'%1' is no address; it looks like 127.0.0.1:%2"_s.arg(hostAndPort)
-                           .arg(kUsualPort));
+        return failure(ErrorCode::InvalidArgument,
+                       u"'%1' is no address; it looks like 127.0.0.1:%2"_s.arg(hostAndPort).arg(kUsualPort));
     }
     m_port = quint16(port);
     m_first = true;
@@ -54,7 +55,8 @@ void UdpExport::findSources()
     std::vector<Source> sources;
     for (const int channel : std::as_const(m_channels)) {
         for (TrackView &track : m_store->tracks(channel)) {
-            const auto same = [&](const Source &source) { return source.tracks.front().group() == track.group(); };
+            const auto same
+                = [&](const Source &source) { return source.tracks.front().group() == track.group(); };
             auto source = std::find_if(sources.begin(), sources.end(), same);
             if (source == sources.end()) {
                 sources.emplace_back();
@@ -109,7 +111,8 @@ void UdpExport::flush()
             track.refresh();
             end = std::min(end, track.end());
         }
-        for (source.next = std::max(source.next, source.tracks.front().begin()); source.next < end; ++source.next) {
+        for (source.next = std::max(source.next, source.tracks.front().begin()); source.next < end;
+             ++source.next) {
             const QByteArray message = messageFor(source, source.next);
             if (message.isEmpty())
                 continue;

@@ -20,7 +20,8 @@ public:
     static constexpr quint16 kUsualPort = 9870;
 
     /// @param channels columns of the table to send
-    UdpExport(ChannelTable table, std::shared_ptr<const TelemetryStore> store, QList<int> channels, QObject *parent = nullptr);
+    UdpExport(ChannelTable table, std::shared_ptr<const TelemetryStore> store, QList<int> channels,
+              QObject *parent = nullptr);
 
     /// Begins with what comes from now on. Errors: InvalidArgument (no such address), HostUnreachable.
     Result<void> start(const QString &hostAndPort);
@@ -38,7 +39,7 @@ signals:
 private:
     struct Source
     {
-        std::vector<TrackView> tracks;     // of one group, side by side
+        std::vector<TrackView> tracks;  // of one group, side by side
         QList<int> channels;
         std::size_t next = 0;
     };

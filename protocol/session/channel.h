@@ -13,10 +13,10 @@
 struct Progress
 {
     int done = 0;
-    int total = 0;                    ///< 0 = unknown
-    QString step;                     ///< a key of the step ("read-block"), worded in widgets/
-    QString subject;                  ///< what it works on ("PARAMS_3, profile 2")
-    QMap<QString, double> values;     ///< live figures of a procedure, by key
+    int total = 0;  ///< 0 = unknown
+    QString step;  ///< a key of the step ("read-block"), worded in widgets/
+    QString subject;  ///< what it works on ("PARAMS_3, profile 2")
+    QMap<QString, double> values;  ///< live figures of a procedure, by key
 };
 
 /// Frames nobody asked for (second confirmations, progress reports), kept from the moment the mailbox exists.
@@ -36,14 +36,15 @@ struct LinkObservation
     QByteArray lastBytes;  ///< the latest bytes, kept only while no frame was understood
 };
 
-/// What family code talks to: a synchronous view of one link. Production code runs on the worker thread, tests in one
-/// thread with virtual time.
+/// What family code talks to: a synchronous view of one link. Production code runs on the worker thread,
+/// tests in one thread with virtual time.
 class Channel
 {
 public:
     virtual ~Channel() = default;
 
-    /// Sends the request and waits for its answer. Errors: the board's refusal, Timeout, Cancelled, LinkClosed.
+    /// Sends the request and waits for its answer. Errors: the board's refusal, Timeout, Cancelled,
+    /// LinkClosed.
     virtual Result<Frame> transact(const Request &request) = 0;
     /// Sends without waiting for an answer, also from a cancelled job: "stop" must get through.
     virtual void post(const Request &request) = 0;

@@ -12,19 +12,20 @@
 struct ControlFrames
 {
     QByteArray setpoint;
-    QByteArray stop;     ///< stand still, control kept
+    QByteArray stop;  ///< stand still, control kept
     QByteArray release;  ///< give control back to whoever had it before
-    AnswerMatcher answer = {};   ///< the board answers each, and wants nothing else before it has; empty: nothing answers
+    AnswerMatcher answer
+        = {};  ///< the board answers each, and wants nothing else before it has; empty: nothing answers
 };
 
-/// Repeats a set-point at its rate, but only as long as somebody refreshes it: 250 ms without a refresh and it sends stop,
-/// then releases control (the dead-man's rule). No clock of its own.
+/// Repeats a set-point at its rate, but only as long as somebody refreshes it: 250 ms without a refresh and
+/// it sends stop, then releases control (the dead-man's rule). No clock of its own.
 class ControlStream
 {
 public:
-    static constexpr auto kPeriod = 20ms;        // document CMD_CONTROL: 50 Hz or less
+    static constexpr auto kPeriod = 20ms;  // document CMD_CONTROL: 50 Hz or less
     static constexpr auto kDeadMan = 250ms;
-    static constexpr auto kReleaseDelay = 100ms; // time for the stop to act before control is given back
+    static constexpr auto kReleaseDelay = 100ms;  // time for the stop to act before control is given back
 
     void refresh(ControlFrames frames, TimePoint now);
     /// Ends the stream on purpose: stop now, release shortly after.

@@ -10,10 +10,11 @@
 /// One intact frame as it lies in the framer's buffer. Valid during the call that hands it out.
 struct FrameView
 {
-    int id = 0;       ///< the family's own command or message number
+    int id = 0;  ///< the family's own command or message number
     Bytes payload;
     int version = 1;  ///< frame format, where a family has more than one
-    Bytes raw = {};   ///< all of the frame, from its first byte to its checksum; empty where it was not on a wire
+    Bytes raw
+        = {};  ///< all of the frame, from its first byte to its checksum; empty where it was not on a wire
 };
 
 /// A frame that is kept.
@@ -25,8 +26,17 @@ struct Frame
 
     Frame() = default;
     Frame(int frameId, QByteArray data, int frameVersion = 1)
-        : id(frameId), payload(std::move(data)), version(frameVersion) { }
-    explicit Frame(const FrameView &view) : id(view.id), payload(toByteArray(view.payload)), version(view.version) { }
+        : id(frameId)
+        , payload(std::move(data))
+        , version(frameVersion)
+    {
+    }
+    explicit Frame(const FrameView &view)
+        : id(view.id)
+        , payload(toByteArray(view.payload))
+        , version(view.version)
+    {
+    }
 
     friend bool operator==(const Frame &, const Frame &) = default;
 };
@@ -54,7 +64,8 @@ public:
     virtual void feed(Bytes bytes, const FrameSink &sink) = 0;
     /// Tells what left for the board, for wire formats whose answers are understood only by what was asked.
     virtual void sent(Bytes) { }
-    /// A gap in the stream: whatever is half received will not be completed. Frames hidden inside it are delivered.
+    /// A gap in the stream: whatever is half received will not be completed. Frames hidden inside it are
+    /// delivered.
     virtual void flush(const FrameSink &sink) = 0;
     /// So much silence is a gap (SimpleBGC errata 1.4: 100-500 ms).
     [[nodiscard]] virtual std::chrono::milliseconds gap() const { return std::chrono::milliseconds(150); }

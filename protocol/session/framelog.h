@@ -10,20 +10,23 @@
 /// One frame that passed, in either direction.
 struct LoggedFrame
 {
-    quint64 number = 0;        ///< counts up from 1
+    quint64 number = 0;  ///< counts up from 1
     TimePoint at{};
     bool fromBoard = false;
-    bool claimed = false;      ///< answered a request
-    int id = 0;                ///< of a received frame
+    bool claimed = false;  ///< answered a request
+    int id = 0;  ///< of a received frame
     int version = 1;
-    QByteArray bytes;          ///< payload of a received frame; everything of a sent one
+    QByteArray bytes;  ///< payload of a received frame; everything of a sent one
 };
 
 /// The last frames of a link, for the console. Written on the I/O thread, read from any.
 class FrameLog final : public FrameListener
 {
 public:
-    explicit FrameLog(std::size_t capacity = 4096) : m_capacity(capacity) { }
+    explicit FrameLog(std::size_t capacity = 4096)
+        : m_capacity(capacity)
+    {
+    }
 
     void frameReceived(const FrameView &frame, TimePoint at, bool claimed) override;
     void bytesSent(QByteArrayView bytes, TimePoint at) override;

@@ -8,18 +8,20 @@
 
 #include <optional>
 
-/// Decides whether a frame answers a request: nothing = no; otherwise the reply, or the board's refusal as an error.
+/// Decides whether a frame answers a request: nothing = no; otherwise the reply, or the board's refusal as an
+/// error.
 using AnswerMatcher = std::function<std::optional<Result<Frame>>(const FrameView &)>;
 
-/// Everything about one request: what goes out, what answers it, how long to wait, whether it may be repeated.
+/// Everything about one request: what goes out, what answers it, how long to wait, whether it may be
+/// repeated.
 struct Request
 {
-    QString name;                    ///< for logs and errors, e.g. "READ_PARAMS_3"
-    QByteArray bytes;                ///< the complete frame
-    AnswerMatcher answer;            ///< empty: nothing is expected, done as soon as the bytes have left
-    int kind = 0;                    ///< requests of one kind could be answered by each other's replies
-    int replyBytes = 0;              ///< expected size of the reply on the wire, for the timeout
-    milliseconds timeout = 300ms;    ///< the board's own time to answer, beside the line's
-    int retries = 0;                 ///< after a timeout or a damaged command; used for idempotent requests only
+    QString name;  ///< for logs and errors, e.g. "READ_PARAMS_3"
+    QByteArray bytes;  ///< the complete frame
+    AnswerMatcher answer;  ///< empty: nothing is expected, done as soon as the bytes have left
+    int kind = 0;  ///< requests of one kind could be answered by each other's replies
+    int replyBytes = 0;  ///< expected size of the reply on the wire, for the timeout
+    milliseconds timeout = 300ms;  ///< the board's own time to answer, beside the line's
+    int retries = 0;  ///< after a timeout or a damaged command; used for idempotent requests only
     bool idempotent = false;
 };

@@ -21,7 +21,7 @@ qint64 slotOf(TimePoint now)
     return std::chrono::duration_cast<milliseconds>(now.time_since_epoch()).count() / 100;
 }
 
-} // namespace
+}  // namespace
 
 Session::Session(TransportFactory makeTransport, QObject *parent)
     : QObject(parent)
@@ -162,15 +162,16 @@ void Session::sendUrgentAttempt(Request request, TransactionQueue::Completion co
     }
     Request once = request;
     once.timeout = kUrgentRepeat;
-    m_queue.submit(std::move(once),
-                   [this, request, completion, attemptsLeft](Result<Frame> result) {
-                       if (result || attemptsLeft <= 1 || result.error().code != ErrorCode::Timeout) {
-                           completion(std::move(result));
-                           return;
-                       }
-                       sendUrgentAttempt(request, completion, attemptsLeft - 1);
-                   },
-                   Clock::now(), TransactionQueue::Lane::Urgent);
+    m_queue.submit(
+        std::move(once),
+        [this, request, completion, attemptsLeft](Result<Frame> result) {
+            if (result || attemptsLeft <= 1 || result.error().code != ErrorCode::Timeout) {
+                completion(std::move(result));
+                return;
+            }
+            sendUrgentAttempt(request, completion, attemptsLeft - 1);
+        },
+        Clock::now(), TransactionQueue::Lane::Urgent);
     schedule();
 }
 
@@ -254,8 +255,8 @@ void Session::onFrame(const FrameView &frame)
         m_listeners[i]->frameReceived(frame, m_arrival, claimed);
 }
 
-// Where each frame is answered it takes its turn: a set-point that finds the last one unanswered is passed over, the next
-// one is newer. What ends the steering is never passed over.
+// Where each frame is answered it takes its turn: a set-point that finds the last one unanswered is passed
+// over, the next one is newer. What ends the steering is never passed over.
 void Session::sendControl(const QByteArray &frame, TimePoint now)
 {
     if (!m_control.answer()) {
@@ -269,7 +270,8 @@ void Session::sendControl(const QByteArray &frame, TimePoint now)
     request.name = QStringLiteral("control");
     request.bytes = frame;
     request.answer = m_control.answer();
-    m_queue.submit(std::move(request), [this](const Result<Frame> &) { m_controlAsked = false; }, now);
+    m_queue.submit(
+        std::move(request), [this](const Result<Frame> &) { m_controlAsked = false; }, now);
 }
 
 void Session::onTick()
@@ -283,7 +285,8 @@ void Session::onTick()
     if (m_poll && !m_pollRunning && now >= m_nextPoll && m_queue.isReady(now)) {
         m_pollRunning = true;
         m_nextPoll = std::max(m_nextPoll + m_pollInterval, now);
-        m_queue.submit(*m_poll, [this](const Result<Frame> &) { m_pollRunning = false; }, now);
+        m_queue.submit(
+            *m_poll, [this](const Result<Frame> &) { m_pollRunning = false; }, now);
     }
     schedule();
 }

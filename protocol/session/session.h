@@ -16,7 +16,8 @@ class FrameListener
 {
 public:
     virtual ~FrameListener() = default;
-    /// @param claimed the frame was the answer to a request (polled telemetry is an answer and telemetry all the same)
+    /// @param claimed the frame was the answer to a request (polled telemetry is an answer and telemetry all
+    /// the same)
     virtual void frameReceived(const FrameView &frame, TimePoint at, bool claimed) = 0;
     /// Bytes as they came from the port, before the frames in them are found.
     virtual void bytesReceived(QByteArrayView, TimePoint) { }
@@ -34,10 +35,11 @@ struct LinkStatistics
     double framesPerSecond = 0;
     std::optional<Duration> roundTrip;
     int deadManRescues = 0;
-    std::optional<ReplayState> replay;   ///< where a recorded link stands
+    std::optional<ReplayState> replay;  ///< where a recorded link stands
 };
 
-/// One open link. Owns the transport, the framer, the transaction queue and the control stream; lives on the I/O thread.
+/// One open link. Owns the transport, the framer, the transaction queue and the control stream; lives on the
+/// I/O thread.
 class Session final : public QObject
 {
     Q_OBJECT
@@ -54,7 +56,8 @@ public:
     void addListener(FrameListener *listener) { m_listeners.push_back(listener); }
     void removeListener(FrameListener *listener) { std::erase(m_listeners, listener); }
 
-    /// Repeats this request whenever the queue is idle, at most this often (telemetry that cannot be streamed).
+    /// Repeats this request whenever the queue is idle, at most this often (telemetry that cannot be
+    /// streamed).
     void setPoll(std::optional<Request> request, milliseconds interval = 50ms);
 
     /// Bytes to send when the link is closed on purpose, so that the board falls silent behind us.
@@ -63,8 +66,8 @@ public:
     void refreshControl(ControlFrames frames);
     void endControl();
 
-    /// Ahead of everything: drops the control stream, sends at once, repeats every 100 ms until answered, five times at
-    /// most. The completion tells whether the board confirmed.
+    /// Ahead of everything: drops the control stream, sends at once, repeats every 100 ms until answered,
+    /// five times at most. The completion tells whether the board confirmed.
     void sendUrgent(Request request, TransactionQueue::Completion completion);
 
     /// Lets a replayed link run; others run by themselves.
@@ -102,7 +105,7 @@ private:
     milliseconds m_pollInterval = 50ms;
     TimePoint m_nextPoll{};
     bool m_pollRunning = false;
-    bool m_controlAsked = false;     // a set-point waits for its answer
+    bool m_controlAsked = false;  // a set-point waits for its answer
     QByteArray m_farewell;
     bool m_open = false;
     TimePoint m_arrival{};

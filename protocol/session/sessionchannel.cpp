@@ -6,10 +6,9 @@
 
 namespace {
 
-/// The place where the worker waits for one answer of the I/O thread. Completed exactly once; a handle that is thrown away
-/// unused (the session died before it ran) completes it with LinkClosed.
-template<typename T>
-struct Waiter
+/// The place where the worker waits for one answer of the I/O thread. Completed exactly once; a handle that
+/// is thrown away unused (the session died before it ran) completes it with LinkClosed.
+template <typename T> struct Waiter
 {
     std::shared_ptr<JobControl> control;
     std::mutex &mutex;
@@ -17,7 +16,11 @@ struct Waiter
     std::optional<Result<T>> result;
 
     Waiter(std::shared_ptr<JobControl> c, std::mutex &m, std::condition_variable &w)
-        : control(std::move(c)), mutex(m), wake(w) { }
+        : control(std::move(c))
+        , mutex(m)
+        , wake(w)
+    {
+    }
 
     void complete(Result<T> value)
     {
@@ -28,13 +31,12 @@ struct Waiter
     }
 };
 
-template<typename T>
-std::shared_ptr<Waiter<T>> completionHandle(const std::shared_ptr<Waiter<T>> &waiter)
+template <typename T> std::shared_ptr<Waiter<T>> completionHandle(const std::shared_ptr<Waiter<T>> &waiter)
 {
     return {waiter.get(), [waiter](Waiter<T> *w) { w->complete(failure(ErrorCode::LinkClosed)); }};
 }
 
-} // namespace
+}  // namespace
 
 void JobControl::cancel()
 {
@@ -59,7 +61,8 @@ Result<Frame> SessionChannel::transact(const Request &request)
     QMetaObject::invokeMethod(
         &m_session,
         [session = &m_session, request, id, handle = completionHandle(waiter)] {
-            *id = session->submit(request, [handle](Result<Frame> result) { handle->complete(std::move(result)); });
+            *id = session->submit(request,
+                                  [handle](Result<Frame> result) { handle->complete(std::move(result)); });
         },
         Qt::QueuedConnection);
 
@@ -68,14 +71,15 @@ Result<Frame> SessionChannel::transact(const Request &request)
     if (waiter->result)
         return *waiter->result;
     lock.unlock();
-    QMetaObject::invokeMethod(&m_session, [session = &m_session, id] { session->cancel(*id); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        &m_session, [session = &m_session, id] { session->cancel(*id); }, Qt::QueuedConnection);
     return failure(ErrorCode::Cancelled);
 }
 
 void SessionChannel::post(const Request &request)
 {
-    QMetaObject::invokeMethod(&m_session, [session = &m_session, request] { session->submit(request, {}); },
-                              Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        &m_session, [session = &m_session, request] { session->submit(request, {}); }, Qt::QueuedConnection);
 }
 
 Result<void> SessionChannel::sleep(milliseconds duration)
@@ -91,14 +95,20 @@ class SessionMailbox final : public Mailbox, public FrameListener
 public:
     SessionMailbox(Session &session, std::shared_ptr<JobControl> control,
                    std::function<bool(const FrameView &)> filter)
-        : m_session(session), m_control(std::move(control)), m_filter(std::move(filter))
+        : m_session(session)
+        , m_control(std::move(control))
+        , m_filter(std::move(filter))
     {
-        m_closedConnection = QObject::connect(&session, &Session::closed, &session, [this](const Error &why) {
-            const std::lock_guard lock(m_control->m_mutex);
-            m_closed = Error{ErrorCode::LinkClosed, why.detail};
-            m_control->m_wake.notify_all();
-        }, Qt::DirectConnection);
-        QMetaObject::invokeMethod(&m_session, [this] { m_session.addListener(this); }, Qt::BlockingQueuedConnection);
+        m_closedConnection = QObject::connect(
+            &session, &Session::closed, &session,
+            [this](const Error &why) {
+                const std::lock_guard lock(m_control->m_mutex);
+                m_closed = Error{ErrorCode::LinkClosed, why.detail};
+                m_control->m_wake.notify_all();
+            },
+            Qt::DirectConnection);
+        QMetaObject::invokeMethod(
+            &m_session, [this] { m_session.addListener(this); }, Qt::BlockingQueuedConnection);
     }
 
     ~SessionMailbox() override
@@ -158,7 +168,8 @@ std::unique_ptr<Mailbox> SessionChannel::listen(std::function<bool(const FrameVi
 Result<void> SessionChannel::setLine(const LineSettings &line)
 {
     bool ok = false;
-    QMetaObject::invokeMethod(&m_session, [&] { ok = m_session.setLine(line); }, Qt::BlockingQueuedConnection);
+    QMetaObject::invokeMethod(
+        &m_session, [&] { ok = m_session.setLine(line); }, Qt::BlockingQueuedConnection);
     if (!ok)
         return failure(ErrorCode::Unsupported, QString::number(line.baud));
     return {};
@@ -167,8 +178,8 @@ Result<void> SessionChannel::setLine(const LineSettings &line)
 LinkObservation SessionChannel::observation() const
 {
     LinkObservation observation;
-    QMetaObject::invokeMethod(&m_session, [&] { observation = m_session.observation(); },
-                              Qt::BlockingQueuedConnection);
+    QMetaObject::invokeMethod(
+        &m_session, [&] { observation = m_session.observation(); }, Qt::BlockingQueuedConnection);
     return observation;
 }
 

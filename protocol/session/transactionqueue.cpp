@@ -9,14 +9,15 @@ namespace {
 // A late answer is waited for this long at most before its kind may be asked again.
 constexpr auto kLateAnswerWindow = 500ms;
 
-} // namespace
+}  // namespace
 
 TransactionQueue::TransactionQueue(Write write)
     : m_write(std::move(write))
 {
 }
 
-TransactionQueue::Id TransactionQueue::submit(Request request, Completion completion, TimePoint now, Lane lane)
+TransactionQueue::Id TransactionQueue::submit(Request request, Completion completion, TimePoint now,
+                                              Lane lane)
 {
     Pending pending;
     pending.id = ++m_lastId;
@@ -175,7 +176,8 @@ void TransactionQueue::send(Pending &pending, TimePoint now)
 TimePoint TransactionQueue::account(qint64 bytes, TimePoint now)
 {
     m_untaken += bytes;
-    m_lineFreeAt = std::max(m_lineFreeAt, now) + durationFromSeconds(m_line ? m_line->secondsFor(bytes) : 0.0);
+    m_lineFreeAt
+        = std::max(m_lineFreeAt, now) + durationFromSeconds(m_line ? m_line->secondsFor(bytes) : 0.0);
     m_pauseUntil = m_lineFreeAt + m_pause;
     return m_lineFreeAt;
 }
@@ -197,7 +199,8 @@ void TransactionQueue::leaveGhost(const Pending &pending, TimePoint now, int ans
 
 bool TransactionQueue::isHeldByGhost(int kind) const
 {
-    return std::any_of(m_ghosts.begin(), m_ghosts.end(), [kind](const Ghost &ghost) { return ghost.kind == kind; });
+    return std::any_of(m_ghosts.begin(), m_ghosts.end(),
+                       [kind](const Ghost &ghost) { return ghost.kind == kind; });
 }
 
 bool TransactionQueue::mayRepeat(const Pending &pending)

@@ -8,13 +8,14 @@
 #include <deque>
 #include <vector>
 
-/// Requests, their answers and their timeouts. Pure bookkeeping: no event loop, no clock of its own; every call is told
-/// the time, so the session drives it with the real clock and tests with a virtual one.
+/// Requests, their answers and their timeouts. Pure bookkeeping: no event loop, no clock of its own; every
+/// call is told the time, so the session drives it with the real clock and tests with a virtual one.
 ///
-/// Each request completes exactly once: reply, the board's refusal, timeout, cancelled or link closed. Normal requests go
-/// out one at a time with a pause between them; urgent ones go out at once, whatever is in flight. The answer timer starts
-/// when the last byte has left. After a timeout, requests of the same kind are held back until the late answer has come or
-/// can no longer come, so it is never taken for somebody else's.
+/// Each request completes exactly once: reply, the board's refusal, timeout, cancelled or link closed. Normal
+/// requests go out one at a time with a pause between them; urgent ones go out at once, whatever is in
+/// flight. The answer timer starts when the last byte has left. After a timeout, requests of the same kind
+/// are held back until the late answer has come or can no longer come, so it is never taken for somebody
+/// else's.
 class TransactionQueue
 {
 public:
@@ -42,7 +43,8 @@ public:
 
     /// Line settings decide how long bytes take to leave; empty for links without a line rate.
     void setLine(std::optional<LineSettings> line) { m_line = line; }
-    /// Pause after each command (document "Message format": 10-20 ms so the board's input buffer never overflows).
+    /// Pause after each command (document "Message format": 10-20 ms so the board's input buffer never
+    /// overflows).
     void setPause(milliseconds pause) { m_pause = pause; }
     [[nodiscard]] bool isIdle() const { return m_waiting.empty() && m_inFlight.empty(); }
     /// True when a normal request submitted now would go out at once.
@@ -59,12 +61,12 @@ private:
         Completion completion;
         Lane lane = Lane::Normal;
         int sends = 0;
-        int refused = 0;            // answered, but to be sent again
-        TimePoint sentAt{};     // when the line will have carried the last byte, for the round trip
-        TimePoint leftAt{};     // when the last byte has left for certain, for the timeout
+        int refused = 0;  // answered, but to be sent again
+        TimePoint sentAt{};  // when the line will have carried the last byte, for the round trip
+        TimePoint leftAt{};  // when the last byte has left for certain, for the timeout
         TimePoint deadline{};
     };
-    struct Ghost                // an answer that may still come to nobody
+    struct Ghost  // an answer that may still come to nobody
     {
         AnswerMatcher answer;
         int kind = 0;

@@ -14,123 +14,266 @@ using namespace sbgc;
 
 namespace {
 
-constexpr auto kCalibrationLimit = 20s;      // errata 7: gyro about 4 s, accelerometer a few seconds
-constexpr auto kSimpleFormWait = 8s;         // the simple form may never confirm its end
+constexpr auto kCalibrationLimit = 20s;  // errata 7: gyro about 4 s, accelerometer a few seconds
+constexpr auto kSimpleFormWait = 8s;  // the simple form may never confirm its end
 constexpr auto kSettleAfterCalibration = 1500ms;
-constexpr auto kAutoPidSilence = 15s;        // progress comes every 0.5-1 s
+constexpr auto kAutoPidSilence = 15s;  // progress comes every 0.5-1 s
 constexpr auto kAutoPidLimit = 10min;
 constexpr auto kSteerPeriod = 50ms;
 constexpr int kStillnessSamples = 25;
 
 constexpr Choice kImuChoices[] = {{0, "selected"}, {1, "main"}, {2, "frame"}};
 constexpr Choice kForms[] = {{0, "extended"}, {1, "simple"}};
-constexpr Choice kCalibrationActions[] = {
-    {1, "normal"}, {2, "reset-all"}, {3, "temperature"}, {4, "temperature-on"}, {5, "temperature-off"},
-    {6, "restore-factory"}, {7, "copy-to-sensor"}};
-constexpr Choice kSteerModes[] = {{Speed, "speed"}, {Angle, "angle"}, {SpeedAngle, "speed-angle"}, {Rc, "rc"},
+constexpr Choice kCalibrationActions[]
+    = {{1, "normal"},          {2, "reset-all"},       {3, "temperature"},   {4, "temperature-on"},
+       {5, "temperature-off"}, {6, "restore-factory"}, {7, "copy-to-sensor"}};
+constexpr Choice kSteerModes[] = {{Speed, "speed"},
+                                  {Angle, "angle"},
+                                  {SpeedAngle, "speed-angle"},
+                                  {Rc, "rc"},
                                   {AngleRelFrame, "angle-frame"}};
-constexpr Choice kSounds[] = {{1, "calibrate"}, {2, "confirm"}, {4, "error"}, {16, "click"}, {32, "complete"},
-                              {64, "intro"}, {32768, "melody"}};
-constexpr Choice kDefaultsScope[] = {{0, "profile1"}, {1, "profile2"}, {2, "profile3"}, {3, "profile4"},
-                                     {4, "profile5"}, {253, "erase-eeprom"}};
+constexpr Choice kSounds[] = {{1, "calibrate"}, {2, "confirm"}, {4, "error"},     {16, "click"},
+                              {32, "complete"}, {64, "intro"},  {32768, "melody"}};
+constexpr Choice kDefaultsScope[] = {{0, "profile1"}, {1, "profile2"}, {2, "profile3"},
+                                     {3, "profile4"}, {4, "profile5"}, {253, "erase-eeprom"}};
 
-constexpr ArgumentSpec kMenuArguments[] = {
-    {.key = "command", .label = "Command", .kind = ArgumentKind::Choice, .choices = kMenuActions}};
-constexpr ArgumentSpec kProfileArguments[] = {
-    {.key = "profile", .label = "Profile", .kind = ArgumentKind::Integer, .min = 1, .max = 5}};
-constexpr ArgumentSpec kSteerArguments[] = {
-    {.key = "mode", .label = "Mode", .kind = ArgumentKind::Choice, .choices = kSteerModes, .defaultText = "angle"},
-    {.key = "roll", .label = "Roll", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°",
-     .defaultText = "nan"},
-    {.key = "pitch", .label = "Pitch", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°",
-     .defaultText = "nan"},
-    {.key = "yaw", .label = "Yaw", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°",
-     .defaultText = "nan"},
-    {.key = "speed", .label = "Speed", .kind = ArgumentKind::Real, .min = 0, .max = 1000, .unit = "°/s",
-     .defaultText = "30"},
-    {.key = "seconds", .label = "Duration", .kind = ArgumentKind::Real, .min = 0.1, .max = 600, .unit = "s",
-     .defaultText = "3"},
-    {.key = "release", .label = "Release control at the end", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
-constexpr ArgumentSpec kBeepArguments[] = {
-    {.key = "sound", .label = "Sound", .kind = ArgumentKind::Choice, .choices = kSounds, .defaultText = "confirm"},
-    {.key = "notes", .label = "Notes of a melody (Hz, comma between)", .kind = ArgumentKind::Text,
-     .defaultText = "988,1175,1568"},
-    {.key = "length", .label = "Length of a note", .kind = ArgumentKind::Integer, .min = 8, .max = 2040, .unit = "ms",
-     .defaultText = "120"},
-    {.key = "decay", .label = "Decay", .kind = ArgumentKind::Integer, .min = 0, .max = 15, .defaultText = "3"}};
-constexpr ArgumentSpec kReadVariables[] = {
-    {.key = "ids", .label = "Numbers (comma between)", .kind = ArgumentKind::Text,
-     .defaultText = "0,1,2,3,4,5,6,7,8,9,10,11"}};
-constexpr ArgumentSpec kWriteVariable[] = {
-    {.key = "id", .label = "Number", .kind = ArgumentKind::Integer, .min = 0, .max = 255},
-    {.key = "value", .label = "Value", .kind = ArgumentKind::Integer, .min = -2147483648.0, .max = 2147483647.0}};
-constexpr ArgumentSpec kCalibrationArguments[] = {
-    {.key = "imu", .label = "Sensor", .kind = ArgumentKind::Choice, .choices = kImuChoices, .defaultText = "selected"},
-    {.key = "action", .label = "Kind", .kind = ArgumentKind::Choice, .choices = kCalibrationActions,
-     .defaultText = "normal"},
-    {.key = "form", .label = "Form of the command", .kind = ArgumentKind::Choice, .choices = kForms,
-     .defaultText = "extended"}};
-constexpr ArgumentSpec kBatteryArguments[] = {
-    {.key = "voltage", .label = "Measured voltage", .kind = ArgumentKind::Real, .min = 3, .max = 60, .unit = "V"}};
+constexpr ArgumentSpec kMenuArguments[]
+    = {{.key = "command", .label = "Command", .kind = ArgumentKind::Choice, .choices = kMenuActions}};
+constexpr ArgumentSpec kProfileArguments[]
+    = {{.key = "profile", .label = "Profile", .kind = ArgumentKind::Integer, .min = 1, .max = 5}};
+constexpr ArgumentSpec kSteerArguments[] = {{.key = "mode",
+                                             .label = "Mode",
+                                             .kind = ArgumentKind::Choice,
+                                             .choices = kSteerModes,
+                                             .defaultText = "angle"},
+                                            {.key = "roll",
+                                             .label = "Roll",
+                                             .kind = ArgumentKind::Real,
+                                             .min = -720,
+                                             .max = 720,
+                                             .unit = "°",
+                                             .defaultText = "nan"},
+                                            {.key = "pitch",
+                                             .label = "Pitch",
+                                             .kind = ArgumentKind::Real,
+                                             .min = -720,
+                                             .max = 720,
+                                             .unit = "°",
+                                             .defaultText = "nan"},
+                                            {.key = "yaw",
+                                             .label = "Yaw",
+                                             .kind = ArgumentKind::Real,
+                                             .min = -720,
+                                             .max = 720,
+                                             .unit = "°",
+                                             .defaultText = "nan"},
+                                            {.key = "speed",
+                                             .label = "Speed",
+                                             .kind = ArgumentKind::Real,
+                                             .min = 0,
+                                             .max = 1000,
+                                             .unit = "°/s",
+                                             .defaultText = "30"},
+                                            {.key = "seconds",
+                                             .label = "Duration",
+                                             .kind = ArgumentKind::Real,
+                                             .min = 0.1,
+                                             .max = 600,
+                                             .unit = "s",
+                                             .defaultText = "3"},
+                                            {.key = "release",
+                                             .label = "Release control at the end",
+                                             .kind = ArgumentKind::Toggle,
+                                             .defaultText = "on"}};
+constexpr ArgumentSpec kBeepArguments[] = {{.key = "sound",
+                                            .label = "Sound",
+                                            .kind = ArgumentKind::Choice,
+                                            .choices = kSounds,
+                                            .defaultText = "confirm"},
+                                           {.key = "notes",
+                                            .label = "Notes of a melody (Hz, comma between)",
+                                            .kind = ArgumentKind::Text,
+                                            .defaultText = "988,1175,1568"},
+                                           {.key = "length",
+                                            .label = "Length of a note",
+                                            .kind = ArgumentKind::Integer,
+                                            .min = 8,
+                                            .max = 2040,
+                                            .unit = "ms",
+                                            .defaultText = "120"},
+                                           {.key = "decay",
+                                            .label = "Decay",
+                                            .kind = ArgumentKind::Integer,
+                                            .min = 0,
+                                            .max = 15,
+                                            .defaultText = "3"}};
+constexpr ArgumentSpec kReadVariables[] = {{.key = "ids",
+                                            .label = "Numbers (comma between)",
+                                            .kind = ArgumentKind::Text,
+                                            .defaultText = "0,1,2,3,4,5,6,7,8,9,10,11"}};
+constexpr ArgumentSpec kWriteVariable[]
+    = {{.key = "id", .label = "Number", .kind = ArgumentKind::Integer, .min = 0, .max = 255},
+       {.key = "value",
+        .label = "Value",
+        .kind = ArgumentKind::Integer,
+        .min = -2147483648.0,
+        .max = 2147483647.0}};
+constexpr ArgumentSpec kCalibrationArguments[] = {{.key = "imu",
+                                                   .label = "Sensor",
+                                                   .kind = ArgumentKind::Choice,
+                                                   .choices = kImuChoices,
+                                                   .defaultText = "selected"},
+                                                  {.key = "action",
+                                                   .label = "Kind",
+                                                   .kind = ArgumentKind::Choice,
+                                                   .choices = kCalibrationActions,
+                                                   .defaultText = "normal"},
+                                                  {.key = "form",
+                                                   .label = "Form of the command",
+                                                   .kind = ArgumentKind::Choice,
+                                                   .choices = kForms,
+                                                   .defaultText = "extended"}};
+constexpr ArgumentSpec kBatteryArguments[] = {{.key = "voltage",
+                                               .label = "Measured voltage",
+                                               .kind = ArgumentKind::Real,
+                                               .min = 3,
+                                               .max = 60,
+                                               .unit = "V"}};
 constexpr ArgumentSpec kAutoTuneArguments[] = {
     {.key = "roll", .label = "Roll", .kind = ArgumentKind::Toggle, .defaultText = "on"},
     {.key = "pitch", .label = "Pitch", .kind = ArgumentKind::Toggle, .defaultText = "on"},
     {.key = "yaw", .label = "Yaw", .kind = ArgumentKind::Toggle, .defaultText = "on"},
-    {.key = "profile", .label = "Profile (0 = active)", .kind = ArgumentKind::Integer, .min = 0, .max = 5,
+    {.key = "profile",
+     .label = "Profile (0 = active)",
+     .kind = ArgumentKind::Integer,
+     .min = 0,
+     .max = 5,
      .defaultText = "0"},
-    {.key = "gain", .label = "Gain against stability", .kind = ArgumentKind::Integer, .min = 0, .max = 255,
+    {.key = "gain",
+     .label = "Gain against stability",
+     .kind = ArgumentKind::Integer,
+     .min = 0,
+     .max = 255,
      .defaultText = "128"},
     {.key = "keep", .label = "Start from current gains", .kind = ArgumentKind::Toggle, .defaultText = "off"},
     {.key = "lpf", .label = "Tune the low-pass filter", .kind = ArgumentKind::Toggle, .defaultText = "off"},
     {.key = "save", .label = "Save the result", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
-constexpr ArgumentSpec kResetArguments[] = {
-    {.key = "delay", .label = "Delay", .kind = ArgumentKind::Integer, .min = 0, .max = 10000, .unit = "ms",
-     .defaultText = "1000"}};
-constexpr ArgumentSpec kDefaultsArguments[] = {
-    {.key = "what", .label = "What", .kind = ArgumentKind::Choice, .choices = kDefaultsScope}};
+constexpr ArgumentSpec kResetArguments[] = {{.key = "delay",
+                                             .label = "Delay",
+                                             .kind = ArgumentKind::Integer,
+                                             .min = 0,
+                                             .max = 10000,
+                                             .unit = "ms",
+                                             .defaultText = "1000"}};
+constexpr ArgumentSpec kDefaultsArguments[]
+    = {{.key = "what", .label = "What", .kind = ArgumentKind::Choice, .choices = kDefaultsScope}};
 
 constexpr ActionSpec kActions[] = {
     {.key = "angles", .label = "Read angles", .help = "Camera, target and motor angles.", .group = "Read"},
-    {.key = "debug.list", .label = "List debug variables", .help = "Names and types of the board's inner variables.",
+    {.key = "debug.list",
+     .label = "List debug variables",
+     .help = "Names and types of the board's inner variables.",
      .group = "Read"},
-    {.key = "debug.read", .label = "Read debug variables", .help = "Values of the board's inner variables.",
+    {.key = "debug.read",
+     .label = "Read debug variables",
+     .help = "Values of the board's inner variables.",
      .group = "Read"},
-    {.key = "variables.read", .label = "Read adjustable variables", .help = "Live values in the board's memory.",
-     .group = "Read", .arguments = kReadVariables},
-    {.key = "beep", .label = "Make a sound", .help = "Standard sound or melody; helps to find the right board.",
-     .group = "Board", .arguments = kBeepArguments, .since = 2590},
-    {.key = "motors.on", .label = "Motors on", .help = "Starts stabilization.", .group = "Motion",
+    {.key = "variables.read",
+     .label = "Read adjustable variables",
+     .help = "Live values in the board's memory.",
+     .group = "Read",
+     .arguments = kReadVariables},
+    {.key = "beep",
+     .label = "Make a sound",
+     .help = "Standard sound or melody; helps to find the right board.",
+     .group = "Board",
+     .arguments = kBeepArguments,
+     .since = 2590},
+    {.key = "motors.on",
+     .label = "Motors on",
+     .help = "Starts stabilization.",
+     .group = "Motion",
      .risk = ActionRisk::Moves},
-    {.key = "motors.off", .label = "Motors off", .help = "Switches all motors off at once.", .group = "Motion"},
-    {.key = "menu", .label = "Menu command", .help = "Runs a command of the board's menu.", .group = "Motion",
-     .risk = ActionRisk::Moves, .arguments = kMenuArguments},
-    {.key = "steer", .label = "Steer", .help = "Moves the camera for a time, then gives control back.",
-     .group = "Motion", .risk = ActionRisk::Moves, .arguments = kSteerArguments, .isProcedure = true},
-    {.key = "profile.select", .label = "Use profile", .help = "Makes a profile the active one.", .group = "Profiles",
-     .risk = ActionRisk::Moves, .arguments = kProfileArguments},
-    {.key = "variables.write", .label = "Set adjustable variable",
-     .help = "Changes a value in volatile memory; lost at the next start unless saved.", .group = "Variables",
-     .risk = ActionRisk::Moves, .arguments = kWriteVariable},
-    {.key = "variables.save", .label = "Save variables", .help = "Stores the live values in the active profile.",
-     .group = "Variables", .risk = ActionRisk::Writes},
-    {.key = "calibrate.gyro", .label = "Calibrate gyroscope",
-     .help = "Measures the zero of the gyroscope. The camera must stand absolutely still.", .group = "Calibration",
-     .risk = ActionRisk::Writes, .arguments = kCalibrationArguments, .isProcedure = true},
-    {.key = "calibrate.acc", .label = "Calibrate accelerometer",
+    {.key = "motors.off",
+     .label = "Motors off",
+     .help = "Switches all motors off at once.",
+     .group = "Motion"},
+    {.key = "menu",
+     .label = "Menu command",
+     .help = "Runs a command of the board's menu.",
+     .group = "Motion",
+     .risk = ActionRisk::Moves,
+     .arguments = kMenuArguments},
+    {.key = "steer",
+     .label = "Steer",
+     .help = "Moves the camera for a time, then gives control back.",
+     .group = "Motion",
+     .risk = ActionRisk::Moves,
+     .arguments = kSteerArguments,
+     .isProcedure = true},
+    {.key = "profile.select",
+     .label = "Use profile",
+     .help = "Makes a profile the active one.",
+     .group = "Profiles",
+     .risk = ActionRisk::Moves,
+     .arguments = kProfileArguments},
+    {.key = "variables.write",
+     .label = "Set adjustable variable",
+     .help = "Changes a value in volatile memory; lost at the next start unless saved.",
+     .group = "Variables",
+     .risk = ActionRisk::Moves,
+     .arguments = kWriteVariable},
+    {.key = "variables.save",
+     .label = "Save variables",
+     .help = "Stores the live values in the active profile.",
+     .group = "Variables",
+     .risk = ActionRisk::Writes},
+    {.key = "calibrate.gyro",
+     .label = "Calibrate gyroscope",
+     .help = "Measures the zero of the gyroscope. The camera must stand absolutely still.",
+     .group = "Calibration",
+     .risk = ActionRisk::Writes,
+     .arguments = kCalibrationArguments,
+     .isProcedure = true},
+    {.key = "calibrate.acc",
+     .label = "Calibrate accelerometer",
      .help = "Measures the zero of the accelerometer in this position. The sensor must be level and still.",
-     .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kCalibrationArguments, .isProcedure = true},
-    {.key = "calibrate.battery", .label = "Calibrate voltage sensor",
-     .help = "Tells the board the true battery voltage.", .group = "Calibration", .risk = ActionRisk::Writes,
-     .arguments = kBatteryArguments, .capability = "battery"},
-    {.key = "calibrate.offset", .label = "Calibrate follow offset",
-     .help = "Takes the present position as the neutral point of following.", .group = "Calibration",
-     .risk = ActionRisk::Writes, .isProcedure = true},
-    {.key = "autotune", .label = "Auto-tune PID", .help = "The board searches gains by moving the camera.",
-     .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kAutoTuneArguments, .isProcedure = true},
-    {.key = "reset", .label = "Restart board", .help = "Restarts the controller; motors go off meanwhile.",
-     .group = "Board", .risk = ActionRisk::Moves, .arguments = kResetArguments},
-    {.key = "defaults", .label = "Factory defaults", .help = "Overwrites a profile, or everything, with defaults.",
-     .group = "Board", .risk = ActionRisk::Destroys, .arguments = kDefaultsArguments},
+     .group = "Calibration",
+     .risk = ActionRisk::Writes,
+     .arguments = kCalibrationArguments,
+     .isProcedure = true},
+    {.key = "calibrate.battery",
+     .label = "Calibrate voltage sensor",
+     .help = "Tells the board the true battery voltage.",
+     .group = "Calibration",
+     .risk = ActionRisk::Writes,
+     .arguments = kBatteryArguments,
+     .capability = "battery"},
+    {.key = "calibrate.offset",
+     .label = "Calibrate follow offset",
+     .help = "Takes the present position as the neutral point of following.",
+     .group = "Calibration",
+     .risk = ActionRisk::Writes,
+     .isProcedure = true},
+    {.key = "autotune",
+     .label = "Auto-tune PID",
+     .help = "The board searches gains by moving the camera.",
+     .group = "Calibration",
+     .risk = ActionRisk::Writes,
+     .arguments = kAutoTuneArguments,
+     .isProcedure = true},
+    {.key = "reset",
+     .label = "Restart board",
+     .help = "Restarts the controller; motors go off meanwhile.",
+     .group = "Board",
+     .risk = ActionRisk::Moves,
+     .arguments = kResetArguments},
+    {.key = "defaults",
+     .label = "Factory defaults",
+     .help = "Overwrites a profile, or everything, with defaults.",
+     .group = "Board",
+     .risk = ActionRisk::Destroys,
+     .arguments = kDefaultsArguments},
 };
 
 const QString kAxisNames[] = {u"roll"_s, u"pitch"_s, u"yaw"_s};
@@ -150,7 +293,7 @@ Result<QList<int>> parseNumbers(const QString &text, int min, int max)
     return numbers;
 }
 
-} // namespace
+}  // namespace
 
 const SbgcActions::Entry SbgcActions::kHandlers[] = {
     {"angles", &SbgcActions::readAngles},
@@ -219,8 +362,10 @@ Result<ActionReply> SbgcActions::readAngles(const QVariantMap &)
         reply.insert(u"target."_s + kAxisNames[axis], (*angles)[axis].target);
         reply.insert(u"speed."_s + kAxisNames[axis], (*angles)[axis].targetSpeed);
     }
-    // The motor angles come with a later command (document revision 0.6); boards without it are read all the same.
-    Request request = replyRequest(CommandId::GetAnglesExt, {}, CommandId::GetAnglesExt, 54, SbgcDevice::kVersion);
+    // The motor angles come with a later command (document revision 0.6); boards without it are read all the
+    // same.
+    Request request
+        = replyRequest(CommandId::GetAnglesExt, {}, CommandId::GetAnglesExt, 54, SbgcDevice::kVersion);
     request.retries = 1;
     if (const auto extended = m_channel.transact(request)) {
         if (const auto more = decodeAnglesExt(asBytes(extended->payload))) {
@@ -319,7 +464,8 @@ Result<ActionReply> SbgcActions::steer(const QVariantMap &arguments)
     Result<void> slept;
     while (m_channel.now() < end && slept) {
         m_channel.post(unanswered(frames.setpoint));
-        progress.done = int(100.0 * (1.0 - std::chrono::duration<double>(end - m_channel.now()).count() / seconds));
+        progress.done
+            = int(100.0 * (1.0 - std::chrono::duration<double>(end - m_channel.now()).count() / seconds));
         m_channel.progress(progress);
         slept = m_channel.sleep(kSteerPeriod);
     }
@@ -401,9 +547,9 @@ Result<ActionReply> SbgcActions::calibrateAcc(const QVariantMap &arguments)
 Result<ActionReply> SbgcActions::calibrate(CommandId id, const QVariantMap &arguments)
 {
     const bool simple = arguments.value(u"form"_s).toInt() == 1;
-    const QByteArray payload = simple ? QByteArray()
-                                      : encodeCalibration(arguments.value(u"imu"_s).toInt(),
-                                                          arguments.value(u"action"_s, 1).toInt());
+    const QByteArray payload = simple
+        ? QByteArray()
+        : encodeCalibration(arguments.value(u"imu"_s).toInt(), arguments.value(u"action"_s, 1).toInt());
     Progress progress;
     progress.step = u"calibrate"_s;
     progress.subject = commandName(number(id));
@@ -414,7 +560,8 @@ Result<ActionReply> SbgcActions::calibrate(CommandId id, const QVariantMap &argu
         return tl::unexpected(before.error());
 
     // Both confirmations are kept from before the command goes out (errata 7: at reception and at the end).
-    const auto confirmations = m_channel.listen([id](const FrameView &frame) { return isConfirmOf(frame, id); });
+    const auto confirmations
+        = m_channel.listen([id](const FrameView &frame) { return isConfirmOf(frame, id); });
     const auto accepted = m_channel.transact(confirmRequest(id, payload, SbgcDevice::kVersion));
     if (!accepted && !(simple && accepted.error().code == ErrorCode::Timeout))
         return tl::unexpected(accepted.error());
@@ -459,8 +606,8 @@ Result<SbgcActions::Stillness> SbgcActions::measureStillness()
     std::array<double, 3> squares{};
     double gravity = 0;
     for (int sample = 0; sample < kStillnessSamples; ++sample) {
-        const auto frame = m_channel.transact(
-            replyRequest(CommandId::RealtimeData3, {}, CommandId::RealtimeData3, kRealtime3Size, SbgcDevice::kVersion));
+        const auto frame = m_channel.transact(replyRequest(
+            CommandId::RealtimeData3, {}, CommandId::RealtimeData3, kRealtime3Size, SbgcDevice::kVersion));
         if (!frame)
             return tl::unexpected(frame.error());
         std::array<double, 3> acc{};
@@ -529,12 +676,18 @@ Result<ActionReply> SbgcActions::autoTune(const QVariantMap &arguments)
         profile = *active;
     }
     const auto payload = [profile, &arguments](int configFlags) {
-        return ByteWriter().u8(profile).u8(configFlags).u8(arguments.value(u"gain"_s).toInt()).zeros(16).take();
+        return ByteWriter()
+            .u8(profile)
+            .u8(configFlags)
+            .u8(arguments.value(u"gain"_s).toInt())
+            .zeros(16)
+            .take();
     };
     const auto reports = m_channel.listen([](const FrameView &frame) {
         return frame.id == number(CommandId::AutoPid) || isConfirmOf(frame, CommandId::AutoPid);
     });
-    const auto accepted = m_channel.transact(confirmRequest(CommandId::AutoPid, payload(flags), SbgcDevice::kVersion));
+    const auto accepted
+        = m_channel.transact(confirmRequest(CommandId::AutoPid, payload(flags), SbgcDevice::kVersion));
     if (!accepted)
         return tl::unexpected(accepted.error());
 
@@ -580,8 +733,9 @@ Result<ActionReply> SbgcActions::autoTune(const QVariantMap &arguments)
 
 Result<ActionReply> SbgcActions::reset(const QVariantMap &arguments)
 {
-    Request request = replyRequest(CommandId::Reset, ByteWriter().u8(1).u16(arguments.value(u"delay"_s).toInt()).take(),
-                                   CommandId::Reset, 0, SbgcDevice::kVersion);
+    Request request
+        = replyRequest(CommandId::Reset, ByteWriter().u8(1).u16(arguments.value(u"delay"_s).toInt()).take(),
+                       CommandId::Reset, 0, SbgcDevice::kVersion);
     request.idempotent = false;
     const auto notice = m_channel.transact(request);
     if (!notice)
@@ -591,8 +745,9 @@ Result<ActionReply> SbgcActions::reset(const QVariantMap &arguments)
 
 Result<ActionReply> SbgcActions::useDefaults(const QVariantMap &arguments)
 {
-    Request request = confirmRequest(CommandId::UseDefaults, ByteWriter().u8(arguments.value(u"what"_s).toInt()).take(),
-                                     SbgcDevice::kVersion);
+    Request request
+        = confirmRequest(CommandId::UseDefaults, ByteWriter().u8(arguments.value(u"what"_s).toInt()).take(),
+                         SbgcDevice::kVersion);
     request.timeout = 3000ms;
     const auto reply = m_channel.transact(request);
     if (!reply)

@@ -4,11 +4,16 @@
 
 #include "protocol/simplebgc/sbgcdevice.h"
 
-/// The actions of the family: everything of the serial API that is neither a parameter nor telemetry, as table and code.
+/// The actions of the family: everything of the serial API that is neither a parameter nor telemetry, as
+/// table and code.
 class SbgcActions
 {
 public:
-    SbgcActions(SbgcDevice &device, Channel &channel) : m_device(device), m_channel(channel) { }
+    SbgcActions(SbgcDevice &device, Channel &channel)
+        : m_device(device)
+        , m_channel(channel)
+    {
+    }
 
     /// The actions that this board has.
     [[nodiscard]] static std::vector<ActionSpec> available(const BoardIdentity &identity);
@@ -47,7 +52,12 @@ private:
     Result<ActionReply> useDefaults(const QVariantMap &arguments);
 
     Result<ActionReply> calibrate(sbgc::CommandId id, const QVariantMap &arguments);
-    struct Stillness { double gyroBias = 0; double gyroNoise = 0; double accError = 0; };
+    struct Stillness
+    {
+        double gyroBias = 0;
+        double gyroNoise = 0;
+        double accError = 0;
+    };
     Result<Stillness> measureStillness();
 
     SbgcDevice &m_device;

@@ -47,7 +47,8 @@ constexpr AdjustableSpec kAdjustables[] = {
     {35, "follow_mix_range", "Follow roll mix, range", "Follow mode", Axis::None, 0, 90},
     {36, "gyro_trust", "Gyro trust", "Inertial sensors", Axis::None, 0, 255},
     {37, "frame_heading", "Frame heading angle (0.1°)", "Inertial sensors", Axis::None, -1800, 1800},
-    {38, "gyro_heading_correction", "Gyro heading correction (0.001)", "Inertial sensors", Axis::None, -20000, 20000},
+    {38, "gyro_heading_correction", "Gyro heading correction (0.001)", "Inertial sensors", Axis::None, -20000,
+     20000},
     {39, "acc_limiter.roll", "Acceleration limit, roll", "Filters and limits", Axis::Roll, 0, 10000},
     {40, "acc_limiter.pitch", "Acceleration limit, pitch", "Filters and limits", Axis::Pitch, 0, 10000},
     {41, "acc_limiter.yaw", "Acceleration limit, yaw", "Filters and limits", Axis::Yaw, 0, 10000},
@@ -60,12 +61,18 @@ constexpr AdjustableSpec kAdjustables[] = {
     {48, "timelapse_time", "Time-lapse time (s)", "Other", Axis::None, 1, 3600, 2600},
     {49, "mavlink_control", "MAVLink control mode", "Other", Axis::None, 0, 2, 2600},
     {50, "h_corr_factor", "Heading correction factor", "Inertial sensors", Axis::None, 0, 255, 2687},
-    {51, "software_limit.roll.lower", "Software limit, roll, lower", "Filters and limits", Axis::Roll, -3600, 3600, 2688},
-    {52, "software_limit.roll.upper", "Software limit, roll, upper", "Filters and limits", Axis::Roll, -3600, 3600, 2688},
-    {53, "software_limit.pitch.lower", "Software limit, pitch, lower", "Filters and limits", Axis::Pitch, -3600, 3600, 2688},
-    {54, "software_limit.pitch.upper", "Software limit, pitch, upper", "Filters and limits", Axis::Pitch, -3600, 3600, 2688},
-    {55, "software_limit.yaw.lower", "Software limit, yaw, lower", "Filters and limits", Axis::Yaw, -3600, 3600, 2688},
-    {56, "software_limit.yaw.upper", "Software limit, yaw, upper", "Filters and limits", Axis::Yaw, -3600, 3600, 2688},
+    {51, "software_limit.roll.lower", "Software limit, roll, lower", "Filters and limits", Axis::Roll, -3600,
+     3600, 2688},
+    {52, "software_limit.roll.upper", "Software limit, roll, upper", "Filters and limits", Axis::Roll, -3600,
+     3600, 2688},
+    {53, "software_limit.pitch.lower", "Software limit, pitch, lower", "Filters and limits", Axis::Pitch,
+     -3600, 3600, 2688},
+    {54, "software_limit.pitch.upper", "Software limit, pitch, upper", "Filters and limits", Axis::Pitch,
+     -3600, 3600, 2688},
+    {55, "software_limit.yaw.lower", "Software limit, yaw, lower", "Filters and limits", Axis::Yaw, -3600,
+     3600, 2688},
+    {56, "software_limit.yaw.upper", "Software limit, yaw, upper", "Filters and limits", Axis::Yaw, -3600,
+     3600, 2688},
     {57, "follow_range.roll", "Follow range, roll", "Follow mode", Axis::Roll, 0, 255, 2689},
     {58, "follow_range.pitch", "Follow range, pitch", "Follow mode", Axis::Pitch, 0, 255, 2689},
     {59, "follow_range.yaw", "Follow range, yaw", "Follow mode", Axis::Yaw, 0, 255, 2689},
@@ -93,12 +100,17 @@ constexpr AdjustableSpec kAdjustables[] = {
     {81, "shake_pause", "Shake pause (ms)", "Shake generator", Axis::None, 500, 5600, 2730},
     {82, "shake_pause_balance", "Shake pause balance", "Shake generator", Axis::None, 0, 255, 2730},
     {83, "shake_pause_randomness", "Shake pause randomness", "Shake generator", Axis::None, 0, 100, 2730},
-    {84, "shake_resonance_gain.roll", "Shake resonance gain, roll", "Shake generator", Axis::Roll, 0, 255, 2730},
-    {85, "shake_resonance_gain.pitch", "Shake resonance gain, pitch", "Shake generator", Axis::Pitch, 0, 255, 2730},
+    {84, "shake_resonance_gain.roll", "Shake resonance gain, roll", "Shake generator", Axis::Roll, 0, 255,
+     2730},
+    {85, "shake_resonance_gain.pitch", "Shake resonance gain, pitch", "Shake generator", Axis::Pitch, 0, 255,
+     2730},
     {86, "shake_resonance_gain.yaw", "Shake resonance gain, yaw", "Shake generator", Axis::Yaw, 0, 255, 2730},
-    {87, "shake_frequency_shift.roll", "Shake frequency shift, roll", "Shake generator", Axis::Roll, -127, 127, 2730},
-    {88, "shake_frequency_shift.pitch", "Shake frequency shift, pitch", "Shake generator", Axis::Pitch, -127, 127, 2730},
-    {89, "shake_frequency_shift.yaw", "Shake frequency shift, yaw", "Shake generator", Axis::Yaw, -127, 127, 2730},
+    {87, "shake_frequency_shift.roll", "Shake frequency shift, roll", "Shake generator", Axis::Roll, -127,
+     127, 2730},
+    {88, "shake_frequency_shift.pitch", "Shake frequency shift, pitch", "Shake generator", Axis::Pitch, -127,
+     127, 2730},
+    {89, "shake_frequency_shift.yaw", "Shake frequency shift, yaw", "Shake generator", Axis::Yaw, -127, 127,
+     2730},
     {90, "shake_gain", "Shake master gain", "Shake generator", Axis::None, 0, 255, 2730},
     {91, "outer_p.roll", "Outer P, roll", "PID", Axis::Roll, 0, 255, 2737},
     {92, "outer_p.pitch", "Outer P, pitch", "PID", Axis::Pitch, 0, 255, 2737},
@@ -106,11 +118,16 @@ constexpr AdjustableSpec kAdjustables[] = {
     {94, "d_lpf.roll", "D low-pass frequency, roll", "Filters and limits", Axis::Roll, 0, 255, 2737},
     {95, "d_lpf.pitch", "D low-pass frequency, pitch", "Filters and limits", Axis::Pitch, 0, 255, 2737},
     {96, "d_lpf.yaw", "D low-pass frequency, yaw", "Filters and limits", Axis::Yaw, 0, 255, 2737},
-    {97, "imu_correction.roll", "IMU angle correction, roll (0.01°)", "Inertial sensors", Axis::Roll, -1000, 1000, 2738},
-    {98, "imu_correction.pitch", "IMU angle correction, pitch (0.01°)", "Inertial sensors", Axis::Pitch, -1000, 1000, 2738},
-    {99, "software_limit_width.roll", "Software limit width, roll", "Filters and limits", Axis::Roll, 0, 255, 2738},
-    {100, "software_limit_width.pitch", "Software limit width, pitch", "Filters and limits", Axis::Pitch, 0, 255, 2738},
-    {101, "software_limit_width.yaw", "Software limit width, yaw", "Filters and limits", Axis::Yaw, 0, 255, 2738},
+    {97, "imu_correction.roll", "IMU angle correction, roll (0.01°)", "Inertial sensors", Axis::Roll, -1000,
+     1000, 2738},
+    {98, "imu_correction.pitch", "IMU angle correction, pitch (0.01°)", "Inertial sensors", Axis::Pitch,
+     -1000, 1000, 2738},
+    {99, "software_limit_width.roll", "Software limit width, roll", "Filters and limits", Axis::Roll, 0, 255,
+     2738},
+    {100, "software_limit_width.pitch", "Software limit width, pitch", "Filters and limits", Axis::Pitch, 0,
+     255, 2738},
+    {101, "software_limit_width.yaw", "Software limit width, yaw", "Filters and limits", Axis::Yaw, 0, 255,
+     2738},
 };
 
 // The board knows them by number, and each firmware has all numbers up to some last one.
@@ -125,7 +142,7 @@ constexpr bool isOrdered()
 }
 static_assert(isOrdered());
 
-} // namespace
+}  // namespace
 
 std::span<const AdjustableSpec> adjustablesOf(int firmware)
 {
@@ -134,4 +151,4 @@ std::span<const AdjustableSpec> adjustablesOf(int firmware)
     return {std::begin(kAdjustables), end};
 }
 
-} // namespace sbgc
+}  // namespace sbgc

@@ -9,4 +9,4 @@ namespace sbgc {
 /// The live-adjustable variables that a firmware has, by number (errata 5).
 [[nodiscard]] std::span<const AdjustableSpec> adjustablesOf(int firmware);
 
-} // namespace sbgc
+}  // namespace sbgc

@@ -13,23 +13,54 @@ namespace sbgc {
 namespace {
 
 constexpr std::pair<int, const char *> kNames[] = {
-    {20, "BOARD_INFO_3"}, {21, "READ_PARAMS_3"}, {22, "WRITE_PARAMS_3"}, {23, "REALTIME_DATA_3"},
-    {24, "SELECT_IMU_3"}, {25, "REALTIME_DATA_4"}, {28, "READ_PROFILE_NAMES"}, {29, "WRITE_PROFILE_NAMES"},
-    {30, "GET_PARAMS_3"}, {31, "SET_ADJ_VARS_VAL"}, {32, "SAVE_PARAMS_3"}, {33, "READ_PARAMS_EXT"},
-    {34, "WRITE_PARAMS_EXT"}, {35, "AUTO_PID"}, {56, "AHRS_HELPER"}, {61, "GET_ANGLES_EXT"},
-    {62, "READ_PARAMS_EXT2"}, {63, "WRITE_PARAMS_EXT2"}, {64, "GET_ADJ_VARS_VAL"}, {65, "CALIB_ACC"},
-    {66, "CALIB_BAT"}, {67, "CONTROL/CONFIRM"}, {68, "REALTIME_DATA"}, {69, "EXECUTE_MENU"},
-    {70, "USE_DEFAULTS"}, {73, "GET_ANGLES"}, {77, "MOTORS_ON"}, {79, "CALIB_OFFSET"}, {82, "READ_PARAMS"},
-    {85, "DATA_STREAM_INTERVAL"}, {86, "BOARD_INFO"}, {87, "WRITE_PARAMS"}, {88, "REALTIME_DATA_CUSTOM"},
-    {89, "BEEP_SOUND"}, {103, "CALIB_GYRO"}, {109, "MOTORS_OFF"}, {114, "RESET"}, {119, "WRITE_PARAMS_SET"},
-    {253, "DEBUG_VARS_INFO_3"}, {254, "DEBUG_VARS_3"}, {255, "ERROR"},
+    {20, "BOARD_INFO_3"},
+    {21, "READ_PARAMS_3"},
+    {22, "WRITE_PARAMS_3"},
+    {23, "REALTIME_DATA_3"},
+    {24, "SELECT_IMU_3"},
+    {25, "REALTIME_DATA_4"},
+    {28, "READ_PROFILE_NAMES"},
+    {29, "WRITE_PROFILE_NAMES"},
+    {30, "GET_PARAMS_3"},
+    {31, "SET_ADJ_VARS_VAL"},
+    {32, "SAVE_PARAMS_3"},
+    {33, "READ_PARAMS_EXT"},
+    {34, "WRITE_PARAMS_EXT"},
+    {35, "AUTO_PID"},
+    {56, "AHRS_HELPER"},
+    {61, "GET_ANGLES_EXT"},
+    {62, "READ_PARAMS_EXT2"},
+    {63, "WRITE_PARAMS_EXT2"},
+    {64, "GET_ADJ_VARS_VAL"},
+    {65, "CALIB_ACC"},
+    {66, "CALIB_BAT"},
+    {67, "CONTROL/CONFIRM"},
+    {68, "REALTIME_DATA"},
+    {69, "EXECUTE_MENU"},
+    {70, "USE_DEFAULTS"},
+    {73, "GET_ANGLES"},
+    {77, "MOTORS_ON"},
+    {79, "CALIB_OFFSET"},
+    {82, "READ_PARAMS"},
+    {85, "DATA_STREAM_INTERVAL"},
+    {86, "BOARD_INFO"},
+    {87, "WRITE_PARAMS"},
+    {88, "REALTIME_DATA_CUSTOM"},
+    {89, "BEEP_SOUND"},
+    {103, "CALIB_GYRO"},
+    {109, "MOTORS_OFF"},
+    {114, "RESET"},
+    {119, "WRITE_PARAMS_SET"},
+    {253, "DEBUG_VARS_INFO_3"},
+    {254, "DEBUG_VARS_3"},
+    {255, "ERROR"},
 };
 
-constexpr int kErrorPayload = 6;        // command, code, 4 data bytes
-constexpr int kSeedErrorPayload = 5;    // code, 4 data bytes: the document's form (errata 3.18)
+constexpr int kErrorPayload = 6;  // command, code, 4 data bytes
+constexpr int kSeedErrorPayload = 5;  // code, 4 data bytes: the document's form (errata 3.18)
 
-// The board's refusal of this command, if the frame is one. The document's 5-byte form names no command; with one request
-// in flight it can only mean that one.
+// The board's refusal of this command, if the frame is one. The document's 5-byte form names no command; with
+// one request in flight it can only mean that one.
 std::optional<Error> refusalOf(const FrameView &frame, int command)
 {
     if (frame.id != number(CommandId::Error))
@@ -56,7 +87,7 @@ Request baseRequest(CommandId id, const QByteArray &payload, int version)
     return request;
 }
 
-} // namespace
+}  // namespace
 
 QString commandName(int id)
 {
@@ -96,8 +127,8 @@ Request replyRequest(CommandId id, const QByteArray &payload, CommandId reply, i
     request.replyBytes = frameSize(replyPayload, version);
     request.idempotent = true;
     request.retries = 2;
-    request.answer = [command = number(id), wanted = number(reply), accept = std::move(accept)](
-                         const FrameView &frame) -> std::optional<Result<Frame>> {
+    request.answer = [command = number(id), wanted = number(reply),
+                      accept = std::move(accept)](const FrameView &frame) -> std::optional<Result<Frame>> {
         if (frame.id == wanted && (!accept || accept(frame.payload)))
             return Frame(frame);
         if (auto refusal = refusalOf(frame, command))
@@ -137,12 +168,13 @@ bool isConfirmOf(const FrameView &frame, CommandId id)
 QString errorCodeText(int code)
 {
     constexpr std::array<const char *, 12> texts{
-        "no error", "wrong payload size", "wrong parameters", "wrong device ID", "encryption failure",
-        "battery calibration failed", "unknown command", "reserved", "not possible in this state",
-        "not supported", "operation failed", "temporarily impossible"};
+        "no error",        "wrong payload size", "wrong parameters",
+        "wrong device ID", "encryption failure", "battery calibration failed",
+        "unknown command", "reserved",           "not possible in this state",
+        "not supported",   "operation failed",   "temporarily impossible"};
     if (code >= 0 && code < int(texts.size()))
         return QLatin1String(texts[static_cast<std::size_t>(code)]);
     return u"error %1"_s.arg(code);
 }
 
-} // namespace sbgc
+}  // namespace sbgc

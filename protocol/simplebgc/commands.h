@@ -6,8 +6,8 @@
 
 namespace sbgc {
 
-/// Command numbers (document "Command ID definitions", errata 2). Incoming and outgoing share numbers: 67 is CONTROL
-/// towards the board and CONFIRM from it.
+/// Command numbers (document "Command ID definitions", errata 2). Incoming and outgoing share numbers: 67 is
+/// CONTROL towards the board and CONFIRM from it.
 enum class CommandId : std::uint8_t {
     BoardInfo3 = 20,
     ReadParams3 = 21,
@@ -61,8 +61,8 @@ constexpr int number(CommandId id)
 /// The document's name of a command without "CMD_", or "CMD_n".
 [[nodiscard]] QString commandName(int id);
 
-/// A complete frame of version 1 ('>', sum checksums) or 2 ('$', CRC16; firmware 2.68b0 and later). Errata 1.1, 1.2.
-/// The payload must not exceed 255 bytes.
+/// A complete frame of version 1 ('>', sum checksums) or 2 ('$', CRC16; firmware 2.68b0 and later).
+/// Errata 1.1, 1.2. The payload must not exceed 255 bytes.
 [[nodiscard]] QByteArray encodeFrame(int id, QByteArrayView payload, int version = 1);
 
 /// A request that is answered by a frame of that number. Refusals (ERROR for this command) become BoardError.
@@ -82,4 +82,4 @@ constexpr int number(CommandId id)
 /// What an ERROR code means, in the document's words (errata 3.18): "wrong payload size".
 [[nodiscard]] QString errorCodeText(int code);
 
-} // namespace sbgc
+}  // namespace sbgc

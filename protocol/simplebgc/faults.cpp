@@ -6,7 +6,11 @@ using namespace Qt::StringLiterals;
 
 std::vector<BoardFault> faultsOf(unsigned bits, unsigned detail)
 {
-    struct Row { const char *key, *name, *meaning, *cure; bool severe; };
+    struct Row
+    {
+        const char *key, *name, *meaning, *cure;
+        bool severe;
+    };
     // SYSTEM_ERROR bits (document REALTIME_DATA_3).
     static constexpr Row rows[] = {
         {"no-sensor", "No IMU", "The board does not see its motion sensor, so it cannot stabilize.",
@@ -19,10 +23,14 @@ std::vector<BoardFault> faultsOf(unsigned bits, unsigned detail)
          "Set poles and direction of each motor.", true},
         {"protection", "Protection is active", "The motor drivers switched off to save themselves.",
          "Let the motors cool, then lower the power.", true},
-        {"serial", "Serial error", "The board received damaged commands.", "Check the cable and its ground.", false},
-        {"low-battery", "Battery is low", "The alarm threshold is reached.", "Change the battery soon.", false},
-        {"battery-empty", "Battery is empty", "The board switched the motors off.", "Change the battery.", true},
-        {"tool-version", "Firmware and tool differ", "The board expects another version of its configuration tool.",
+        {"serial", "Serial error", "The board received damaged commands.", "Check the cable and its ground.",
+         false},
+        {"low-battery", "Battery is low", "The alarm threshold is reached.", "Change the battery soon.",
+         false},
+        {"battery-empty", "Battery is empty", "The board switched the motors off.", "Change the battery.",
+         true},
+        {"tool-version", "Firmware and tool differ",
+         "The board expects another version of its configuration tool.",
          "Check the values before writing any.", false},
         {"missed-steps", "Motor lost steps", "A motor could not hold the camera.",
          "Balance the camera, or raise the power of that motor.", true},
@@ -31,10 +39,25 @@ std::vector<BoardFault> faultsOf(unsigned bits, unsigned detail)
          "Remove the cause, then restart the board.", true},
     };
     // SYSTEM_SUB_ERROR (errata 4.5).
-    static constexpr const char *causes[] = {
-        "", "I2C errors", "driver too hot", "driver fault", "encoder and IMU disagree", "calibration failed",
-        "internal fault", "encoder scale", "too hot", "motor poles or inversion", "memory", "IMU lost", "CAN hardware",
-        "motor too hot", "motor blocked", "bad IMU", "endless restarts", "wrong start position", "overload too long"};
+    static constexpr const char *causes[] = {"",
+                                             "I2C errors",
+                                             "driver too hot",
+                                             "driver fault",
+                                             "encoder and IMU disagree",
+                                             "calibration failed",
+                                             "internal fault",
+                                             "encoder scale",
+                                             "too hot",
+                                             "motor poles or inversion",
+                                             "memory",
+                                             "IMU lost",
+                                             "CAN hardware",
+                                             "motor too hot",
+                                             "motor blocked",
+                                             "bad IMU",
+                                             "endless restarts",
+                                             "wrong start position",
+                                             "overload too long"};
     std::vector<BoardFault> faults;
     for (std::size_t bit = 0; bit < std::size(rows); ++bit) {
         if (!(bits & (1U << bit)))

@@ -15,11 +15,12 @@ constexpr std::byte kStart1{'>'};
 constexpr std::byte kStart2{'$'};
 constexpr std::size_t kHeader = 4;
 
-} // namespace
+}  // namespace
 
 void SbgcFramer::feed(Bytes bytes, const FrameSink &sink)
 {
-    // Complete what was begun before: top up the buffer until it holds no unfinished frame from the old bytes.
+    // Complete what was begun before: top up the buffer until it holds no unfinished frame from the old
+    // bytes.
     while (m_kept > 0 && !bytes.empty()) {
         const std::size_t taken = std::min(bytes.size(), m_buffer.size() - m_kept);
         const std::size_t before = m_kept;
@@ -49,8 +50,8 @@ void SbgcFramer::flush(const FrameSink &sink)
     scan(Bytes(m_buffer).first(kept), true, sink);
 }
 
-// Delivers all complete frames; returns how many bytes are dealt with. What remains is the beginning of a frame, shorter
-// than the longest one. With last set nothing remains: an incomplete frame counts as damaged.
+// Delivers all complete frames; returns how many bytes are dealt with. What remains is the beginning of a
+// frame, shorter than the longest one. With last set nothing remains: an incomplete frame counts as damaged.
 std::size_t SbgcFramer::scan(Bytes bytes, bool last, const FrameSink &sink)
 {
     std::size_t at = 0;
@@ -85,7 +86,7 @@ std::size_t SbgcFramer::scan(Bytes bytes, bool last, const FrameSink &sink)
             const Bytes payload = bytes.subspan(at + kHeader, length);
             const auto trailer = std::to_integer<unsigned>(bytes[at + kHeader + length]);
             intact = crc ? crc16Sbgc(bytes.subspan(at + 1, kHeader - 1 + length))
-                             == (trailer | std::to_integer<unsigned>(bytes[at + total - 1]) << 8)
+                    == (trailer | std::to_integer<unsigned>(bytes[at + total - 1]) << 8)
                          : sum8(payload) == trailer;
         } else if (!last) {
             return at;
@@ -97,10 +98,11 @@ std::size_t SbgcFramer::scan(Bytes bytes, bool last, const FrameSink &sink)
             continue;
         }
         ++m_statistics.frames;
-        sink({static_cast<int>(id), bytes.subspan(at + kHeader, length), crc ? 2 : 1, bytes.subspan(at, total)});
+        sink({static_cast<int>(id), bytes.subspan(at + kHeader, length), crc ? 2 : 1,
+              bytes.subspan(at, total)});
         at += total;
     }
     return at;
 }
 
-} // namespace sbgc
+}  // namespace sbgc

@@ -8,8 +8,9 @@
 
 namespace sbgc {
 
-/// Finds SimpleBGC frames of both versions (document "Message format", errata 1.1-1.4). After a bad header or body it
-/// re-scans from the byte after the start byte, because 0x3E and 0x24 occur freely inside payloads. Never allocates.
+/// Finds SimpleBGC frames of both versions (document "Message format", errata 1.1-1.4). After a bad header or
+/// body it re-scans from the byte after the start byte, because 0x3E and 0x24 occur freely inside payloads.
+/// Never allocates.
 class SbgcFramer final : public Framer
 {
 public:
@@ -28,4 +29,4 @@ private:
     std::size_t m_kept = 0;
 };
 
-} // namespace sbgc
+}  // namespace sbgc

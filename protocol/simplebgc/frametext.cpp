@@ -23,26 +23,26 @@ constexpr std::array<const char *, 3> kAxisLetters{"R", "P", "Y"};
 
 // What a command does to the gimbal when sent by hand; commands not listed count as destroying.
 constexpr std::pair<CommandId, ActionRisk> kRisks[] = {
-    {CommandId::BoardInfo, ActionRisk::Safe}, {CommandId::BoardInfo3, ActionRisk::Safe},
-    {CommandId::ReadParams, ActionRisk::Safe}, {CommandId::ReadParams3, ActionRisk::Safe},
-    {CommandId::ReadParamsExt, ActionRisk::Safe}, {CommandId::ReadParamsExt2, ActionRisk::Safe},
-    {CommandId::ReadProfileNames, ActionRisk::Safe}, {CommandId::RealtimeData, ActionRisk::Safe},
-    {CommandId::RealtimeData3, ActionRisk::Safe}, {CommandId::RealtimeData4, ActionRisk::Safe},
+    {CommandId::BoardInfo, ActionRisk::Safe},          {CommandId::BoardInfo3, ActionRisk::Safe},
+    {CommandId::ReadParams, ActionRisk::Safe},         {CommandId::ReadParams3, ActionRisk::Safe},
+    {CommandId::ReadParamsExt, ActionRisk::Safe},      {CommandId::ReadParamsExt2, ActionRisk::Safe},
+    {CommandId::ReadProfileNames, ActionRisk::Safe},   {CommandId::RealtimeData, ActionRisk::Safe},
+    {CommandId::RealtimeData3, ActionRisk::Safe},      {CommandId::RealtimeData4, ActionRisk::Safe},
     {CommandId::RealtimeDataCustom, ActionRisk::Safe}, {CommandId::GetAngles, ActionRisk::Safe},
-    {CommandId::GetAnglesExt, ActionRisk::Safe}, {CommandId::GetAdjVarsVal, ActionRisk::Safe},
-    {CommandId::GetParams3, ActionRisk::Safe}, {CommandId::DebugVarsInfo3, ActionRisk::Safe},
-    {CommandId::DebugVars3, ActionRisk::Safe}, {CommandId::AhrsHelper, ActionRisk::Moves},
-    {CommandId::MotorsOff, ActionRisk::Safe}, {CommandId::BeepSound, ActionRisk::Safe},
-    {CommandId::SelectImu3, ActionRisk::Safe}, {CommandId::DataStreamInterval, ActionRisk::Safe},
-    {CommandId::MotorsOn, ActionRisk::Moves}, {CommandId::Control, ActionRisk::Moves},
-    {CommandId::ExecuteMenu, ActionRisk::Writes}, {CommandId::Reset, ActionRisk::Moves},
-    {CommandId::SetAdjVarsVal, ActionRisk::Moves}, {CommandId::SaveParams3, ActionRisk::Writes},
-    {CommandId::WriteParams, ActionRisk::Writes}, {CommandId::WriteParams3, ActionRisk::Writes},
-    {CommandId::WriteParamsExt, ActionRisk::Writes}, {CommandId::WriteParamsExt2, ActionRisk::Writes},
-    {CommandId::WriteParamsSet, ActionRisk::Writes}, {CommandId::WriteProfileNames, ActionRisk::Writes},
-    {CommandId::CalibAcc, ActionRisk::Writes}, {CommandId::CalibGyro, ActionRisk::Writes},
-    {CommandId::CalibBat, ActionRisk::Writes}, {CommandId::CalibOffset, ActionRisk::Writes},
-    {CommandId::AutoPid, ActionRisk::Writes}, {CommandId::UseDefaults, ActionRisk::Destroys},
+    {CommandId::GetAnglesExt, ActionRisk::Safe},       {CommandId::GetAdjVarsVal, ActionRisk::Safe},
+    {CommandId::GetParams3, ActionRisk::Safe},         {CommandId::DebugVarsInfo3, ActionRisk::Safe},
+    {CommandId::DebugVars3, ActionRisk::Safe},         {CommandId::AhrsHelper, ActionRisk::Moves},
+    {CommandId::MotorsOff, ActionRisk::Safe},          {CommandId::BeepSound, ActionRisk::Safe},
+    {CommandId::SelectImu3, ActionRisk::Safe},         {CommandId::DataStreamInterval, ActionRisk::Safe},
+    {CommandId::MotorsOn, ActionRisk::Moves},          {CommandId::Control, ActionRisk::Moves},
+    {CommandId::ExecuteMenu, ActionRisk::Writes},      {CommandId::Reset, ActionRisk::Moves},
+    {CommandId::SetAdjVarsVal, ActionRisk::Moves},     {CommandId::SaveParams3, ActionRisk::Writes},
+    {CommandId::WriteParams, ActionRisk::Writes},      {CommandId::WriteParams3, ActionRisk::Writes},
+    {CommandId::WriteParamsExt, ActionRisk::Writes},   {CommandId::WriteParamsExt2, ActionRisk::Writes},
+    {CommandId::WriteParamsSet, ActionRisk::Writes},   {CommandId::WriteProfileNames, ActionRisk::Writes},
+    {CommandId::CalibAcc, ActionRisk::Writes},         {CommandId::CalibGyro, ActionRisk::Writes},
+    {CommandId::CalibBat, ActionRisk::Writes},         {CommandId::CalibOffset, ActionRisk::Writes},
+    {CommandId::AutoPid, ActionRisk::Writes},          {CommandId::UseDefaults, ActionRisk::Destroys},
 };
 
 ActionRisk riskOf(int id)
@@ -87,8 +87,10 @@ QString controlText(Bytes payload)
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const ControlAxis &wanted = (*command)[axis];
         const double unit = wanted.mode & ControlHighResSpeed ? kFineSpeedUnit : kControlSpeedUnit;
-        parts.append(u"%1: mode %2, %3°/s, %4°"_s.arg(QLatin1String(kAxisLetters[axis])).arg(wanted.mode & 0x0F)
-                         .arg(wanted.speed * unit, 0, 'f', 2).arg(wanted.angle * kDegreesPerCount, 0, 'f', 2));
+        parts.append(u"%1: mode %2, %3°/s, %4°"_s.arg(QLatin1String(kAxisLetters[axis]))
+                         .arg(wanted.mode & 0x0F)
+                         .arg(wanted.speed * unit, 0, 'f', 2)
+                         .arg(wanted.angle * kDegreesPerCount, 0, 'f', 2));
     }
     return parts.join(u"; "_s);
 }
@@ -100,7 +102,8 @@ QString anglesText(const Result<Angles> &angles, bool extended)
     QStringList parts;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const AxisAngles &a = (*angles)[axis];
-        parts.append(u"%1: camera %2°, target %3°"_s.arg(QLatin1String(kAxisLetters[axis])).arg(a.imu, 0, 'f', 2)
+        parts.append(u"%1: camera %2°, target %3°"_s.arg(QLatin1String(kAxisLetters[axis]))
+                         .arg(a.imu, 0, 'f', 2)
                          .arg(a.target, 0, 'f', 2));
         if (extended)
             parts.last() += u", motor %1°"_s.arg(a.rotor, 0, 'f', 2);
@@ -140,8 +143,7 @@ QString fromBoardText(CommandId id, Bytes payload, const ParameterSet *parameter
 {
     ByteReader reader(payload);
     switch (id) {
-    case CommandId::Confirm:
-        return payload.empty() ? QString() : commandName(reader.u8());
+    case CommandId::Confirm: return payload.empty() ? QString() : commandName(reader.u8());
     case CommandId::Error: {
         // The document's five-byte form names no command (errata 3.18).
         const QString command = payload.size() >= 6 ? commandName(reader.u8()) + u": "_s : QString();
@@ -149,8 +151,9 @@ QString fromBoardText(CommandId id, Bytes payload, const ParameterSet *parameter
     }
     case CommandId::BoardInfo: {
         const auto info = BoardInfo::decode(payload);
-        return info ? u"board %1, firmware %2"_s.arg(info->boardVersion / 10.0, 0, 'f', 1).arg(info->firmwareText())
-                    : QString();
+        return info
+            ? u"board %1, firmware %2"_s.arg(info->boardVersion / 10.0, 0, 'f', 1).arg(info->firmwareText())
+            : QString();
     }
     case CommandId::BoardInfo3: {
         const auto info = BoardInfo3::decode(payload);
@@ -161,24 +164,23 @@ QString fromBoardText(CommandId id, Bytes payload, const ParameterSet *parameter
         return names ? names->join(u", "_s) : QString();
     }
     case CommandId::RealtimeData3:
-    case CommandId::RealtimeData4:
-        return realtimeText(payload);
+    case CommandId::RealtimeData4: return realtimeText(payload);
     case CommandId::RealtimeDataCustom:
         return u"time %1 ms, %2 bytes"_s.arg(reader.u16()).arg(payload.size());
-    case CommandId::GetAngles:
-        return anglesText(decodeAngles(payload), false);
-    case CommandId::GetAnglesExt:
-        return anglesText(decodeAnglesExt(payload), true);
-    case CommandId::SetAdjVarsVal:
-        return variablesText(payload);
+    case CommandId::GetAngles: return anglesText(decodeAngles(payload), false);
+    case CommandId::GetAnglesExt: return anglesText(decodeAnglesExt(payload), true);
+    case CommandId::SetAdjVarsVal: return variablesText(payload);
     case CommandId::AutoPid: {
         const auto progress = AutoPidProgress::decode(payload);
         if (!progress)
             return {};
         QString text = u"iteration %1"_s.arg(progress->iteration);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            text += u"; %1: P %2 I %3 D %4 error %5"_s.arg(QLatin1String(kAxisLetters[axis])).arg(progress->p[axis])
-                        .arg(progress->i[axis]).arg(progress->d[axis]).arg(double(progress->trackingError[axis]), 0, 'f', 3);
+            text += u"; %1: P %2 I %3 D %4 error %5"_s.arg(QLatin1String(kAxisLetters[axis]))
+                        .arg(progress->p[axis])
+                        .arg(progress->i[axis])
+                        .arg(progress->d[axis])
+                        .arg(double(progress->trackingError[axis]), 0, 'f', 3);
         }
         return text;
     }
@@ -192,14 +194,12 @@ QString fromBoardText(CommandId id, Bytes payload, const ParameterSet *parameter
         return u"%1 variables: %2"_s.arg(vars->total).arg(names.join(u", "_s));
     }
     case CommandId::ReadParams3:
-    case CommandId::ReadParams:
-        return payload.empty() ? QString() : blockText(Params3, payload, parameters);
+    case CommandId::ReadParams: return payload.empty() ? QString() : blockText(Params3, payload, parameters);
     case CommandId::ReadParamsExt:
         return payload.empty() ? QString() : blockText(ParamsExt, payload, parameters);
     case CommandId::ReadParamsExt2:
         return payload.empty() ? QString() : blockText(ParamsExt2, payload, parameters);
-    default:
-        return {};
+    default: return {};
     }
 }
 
@@ -209,19 +209,15 @@ QString toBoardText(CommandId id, Bytes payload, const ParameterSet *parameters)
     if (payload.empty())
         return {};
     switch (id) {
-    case CommandId::Control:
-        return controlText(payload);
-    case CommandId::ExecuteMenu:
-        return menuName(reader.u8());
+    case CommandId::Control: return controlText(payload);
+    case CommandId::ExecuteMenu: return menuName(reader.u8());
     case CommandId::CalibAcc:
     case CommandId::CalibGyro: {
         const int imu = reader.u8();
         return u"sensor %1, action %2"_s.arg(imu).arg(reader.u8());
     }
-    case CommandId::CalibBat:
-        return u"%1 V"_s.arg(reader.u16() * 0.01, 0, 'f', 2);
-    case CommandId::SetAdjVarsVal:
-        return variablesText(payload);
+    case CommandId::CalibBat: return u"%1 V"_s.arg(reader.u16() * 0.01, 0, 'f', 2);
+    case CommandId::SetAdjVarsVal: return variablesText(payload);
     case CommandId::GetAdjVarsVal: {
         QStringList ids;
         for (std::size_t i = 1; i < payload.size(); ++i)
@@ -234,14 +230,13 @@ QString toBoardText(CommandId id, Bytes payload, const ParameterSet *parameters)
             return {};
         const QString every = stream->intervalMs ? u"every %1 ms"_s.arg(stream->intervalMs) : u"stop"_s;
         return u"%1, %2, configuration %3"_s.arg(commandName(stream->command), every,
-                                                QString::fromLatin1(stream->config.toHex(' ')));
+                                                 QString::fromLatin1(stream->config.toHex(' ')));
     }
     case CommandId::AutoPid: {
         const int profile = reader.u8() + 1;
         return u"profile %1, flags 0x%2"_s.arg(profile).arg(reader.u8(), 2, 16, QChar(u'0'));
     }
-    case CommandId::UseDefaults:
-        return u"profile %1"_s.arg(reader.u8() + 1);
+    case CommandId::UseDefaults: return u"profile %1"_s.arg(reader.u8() + 1);
     case CommandId::Reset: {
         const int flags = reader.u8();
         return u"notice %1, delay %2 ms"_s.arg(flags).arg(payload.size() > 2 ? reader.u16() : 0);
@@ -253,28 +248,24 @@ QString toBoardText(CommandId id, Bytes payload, const ParameterSet *parameters)
     case CommandId::ReadParams3:
     case CommandId::ReadParamsExt:
     case CommandId::ReadParamsExt2:
-    case CommandId::ReadParams:
-        return u"profile %1"_s.arg(reader.u8() + 1);
+    case CommandId::ReadParams: return u"profile %1"_s.arg(reader.u8() + 1);
     case CommandId::WriteParams3:
-    case CommandId::WriteParams:
-        return blockText(Params3, payload, parameters);
-    case CommandId::WriteParamsExt:
-        return blockText(ParamsExt, payload, parameters);
-    case CommandId::WriteParamsExt2:
-        return blockText(ParamsExt2, payload, parameters);
-    default:
-        return {};
+    case CommandId::WriteParams: return blockText(Params3, payload, parameters);
+    case CommandId::WriteParamsExt: return blockText(ParamsExt, payload, parameters);
+    case CommandId::WriteParamsExt2: return blockText(ParamsExt2, payload, parameters);
+    default: return {};
     }
 }
 
-} // namespace
+}  // namespace
 
 FrameText describeFrame(const FrameView &frame, bool fromBoard, const ParameterSet *parameters)
 {
     const auto id = static_cast<CommandId>(frame.id);
     FrameText text;
     text.name = id == CommandId::Control ? (fromBoard ? u"CONFIRM"_s : u"CONTROL"_s) : commandName(frame.id);
-    text.fields = fromBoard ? fromBoardText(id, frame.payload, parameters) : toBoardText(id, frame.payload, parameters);
+    text.fields = fromBoard ? fromBoardText(id, frame.payload, parameters)
+                            : toBoardText(id, frame.payload, parameters);
     return text;
 }
 
@@ -303,9 +294,11 @@ Result<RawCommand> parseCommand(const QString &text, int version)
         framer.feed(asBytes(*whole), sink);
         framer.flush(sink);
         if (!found || framer.statistics().frames != 1 || framer.statistics().skippedBytes != 0)
-            return failure(ErrorCode::InvalidArgument, u"these bytes are not one complete frame with valid checksums"_s);
-        return RawCommand{describeFrame({found->id, asBytes(found->payload), found->version}, false, nullptr).name,
-                          *whole, riskOf(found->id)};
+            return failure(ErrorCode::InvalidArgument,
+                           u"these bytes are not one complete frame with valid checksums"_s);
+        return RawCommand{
+            describeFrame({found->id, asBytes(found->payload), found->version}, false, nullptr).name, *whole,
+            riskOf(found->id)};
     }
     const QString name = trimmed.section(QRegularExpression(u"\\s"_s), 0, 0).toUpper();
     for (int id = 0; id < 255; ++id) {
@@ -316,10 +309,11 @@ Result<RawCommand> parseCommand(const QString &text, int version)
         if (!payload)
             return failure(ErrorCode::InvalidArgument, u"after %1 come payload bytes in hex"_s.arg(name));
         if (payload->size() > 255)
-            return failure(ErrorCode::InvalidArgument, u"%1 payload bytes, a frame holds 255"_s.arg(payload->size()));
+            return failure(ErrorCode::InvalidArgument,
+                           u"%1 payload bytes, a frame holds 255"_s.arg(payload->size()));
         return RawCommand{name, encodeFrame(id, *payload, version), riskOf(id)};
     }
     return failure(ErrorCode::InvalidArgument, u"there is no command '%1'"_s.arg(name));
 }
 
-} // namespace sbgc
+}  // namespace sbgc

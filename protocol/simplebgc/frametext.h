@@ -6,8 +6,8 @@
 
 namespace sbgc {
 
-/// A frame in words: the command's name and the fields that are known. @param parameters names the values of parameter
-/// blocks, may be null
+/// A frame in words: the command's name and the fields that are known. @param parameters names the values of
+/// parameter blocks, may be null
 [[nodiscard]] FrameText describeFrame(const FrameView &frame, bool fromBoard, const ParameterSet *parameters);
 
 /// "EXECUTE_MENU 0B" or a complete frame in hex. Errors: InvalidArgument that says what is wrong.
@@ -16,4 +16,4 @@ namespace sbgc {
 /// Commands that can be sent by name.
 [[nodiscard]] QStringList commandNames();
 
-} // namespace sbgc
+}  // namespace sbgc

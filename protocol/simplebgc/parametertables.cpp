@@ -27,4 +27,4 @@ std::span<const Choice> signalSources()
     return kSignalSources;
 }
 
-} // namespace sbgc
+}  // namespace sbgc

@@ -19,8 +19,8 @@ inline constexpr BlockSpec kBlocks[] = {
     {ParamsExt2, "PARAMS_EXT2", kParamsExt2Size},
 };
 
-/// Every field of PARAMS_3, PARAMS_EXT and PARAMS_EXT2 (document "Variables description and range", errata 3.3-3.6).
-/// Labels, groups, help texts and choice names are translated in the context "Tables".
+/// Every field of PARAMS_3, PARAMS_EXT and PARAMS_EXT2 (document "Variables description and range",
+/// errata 3.3-3.6). Labels, groups, help texts and choice names are translated in the context "Tables".
 [[nodiscard]] std::span<const ParameterRow> parameterRows();
 
 /// Menu actions (errata 4.1), for EXECUTE_MENU, buttons, RC commands and start-up actions.
@@ -34,4 +34,4 @@ inline constexpr BlockSpec kBlocks[] = {
 [[nodiscard]] std::span<const ParameterRow> paramsExtRows();
 [[nodiscard]] std::span<const ParameterRow> paramsExt2Rows();
 
-} // namespace sbgc
+}  // namespace sbgc

@@ -28,7 +28,7 @@ QByteArray cutUtf8(const QString &text, qsizetype bytes)
     return utf8.left(bytes);
 }
 
-} // namespace
+}  // namespace
 
 Result<BoardInfo> BoardInfo::decode(Bytes payload)
 {
@@ -86,7 +86,9 @@ Result<BoardInfo3> BoardInfo3::decode(Bytes payload)
 QByteArray BoardInfo3::encode() const
 {
     ByteWriter writer;
-    writer.bytes(deviceId.leftJustified(9, '\0', true)).bytes(mcuId.leftJustified(12, '\0', true)).u32(eepromSize);
+    writer.bytes(deviceId.leftJustified(9, '\0', true))
+        .bytes(mcuId.leftJustified(12, '\0', true))
+        .u32(eepromSize);
     for (const quint16 size : scriptSizes)
         writer.u16(size);
     return writer.zeros(34).take();
@@ -98,7 +100,8 @@ Result<QStringList> decodeProfileNames(Bytes payload)
     QStringList names;
     for (int i = 0; i < kProfileCount; ++i) {
         const QByteArray name = toByteArray(reader.take(kProfileNameSize));
-        names.append(QString::fromUtf8(name.constData(), qstrnlen(name.constData(), std::size_t(name.size()))));
+        names.append(
+            QString::fromUtf8(name.constData(), qstrnlen(name.constData(), std::size_t(name.size()))));
     }
     if (!reader.ok())
         return tooShort("READ_PROFILE_NAMES", payload.size());
@@ -146,7 +149,8 @@ QByteArray encodeAngles(const Angles &angles)
 {
     ByteWriter writer;
     for (const AxisAngles &axis : angles) {
-        writer.i16(angleToCount(axis.imu)).i16(angleToCount(axis.target))
+        writer.i16(angleToCount(axis.imu))
+            .i16(angleToCount(axis.target))
             .i16(toCount16(axis.targetSpeed, kControlSpeedUnit));
     }
     return writer.take();
@@ -156,8 +160,10 @@ QByteArray encodeAnglesExt(const Angles &angles)
 {
     ByteWriter writer;
     for (const AxisAngles &axis : angles) {
-        writer.i16(angleToCount(axis.imu)).i16(angleToCount(axis.target))
-            .i32(static_cast<qint32>(std::lround(axis.rotor / kDegreesPerCount))).zeros(10);
+        writer.i16(angleToCount(axis.imu))
+            .i16(angleToCount(axis.target))
+            .i32(static_cast<qint32>(std::lround(axis.rotor / kDegreesPerCount)))
+            .zeros(10);
     }
     return writer.take();
 }
@@ -189,9 +195,13 @@ int DebugVar::size() const
 {
     const int elements = std::max(count, 1);
     switch (type) {
-    case U8: case I8: return elements;
-    case U16: case I16: return 2 * elements;
-    case U32: case I32: case F32: return 4 * elements;
+    case U8:
+    case I8: return elements;
+    case U16:
+    case I16: return 2 * elements;
+    case U32:
+    case I32:
+    case F32: return 4 * elements;
     default: return 0;
     }
 }
@@ -225,7 +235,10 @@ QByteArray encodeDebugVarsInfo(int total, std::span<const DebugVar> vars)
     writer.u8(total);
     for (const DebugVar &var : vars) {
         const QByteArray name = var.name.toLatin1();
-        writer.u8(int(name.size())).bytes(name).u8(var.type | var.axis << 4 | (var.isAngle ? 0x40 : 0)).u16(var.count);
+        writer.u8(int(name.size()))
+            .bytes(name)
+            .u8(var.type | var.axis << 4 | (var.isAngle ? 0x40 : 0))
+            .u16(var.count);
     }
     return writer.take();
 }
@@ -236,7 +249,8 @@ Result<std::vector<std::vector<double>>> decodeDebugVars(std::span<const DebugVa
     std::vector<std::vector<double>> values;
     for (const DebugVar &var : vars) {
         if (var.size() == 0)
-            return failure(ErrorCode::BadReply, u"debug variable %1 has the unknown type %2"_s.arg(var.name).arg(var.type));
+            return failure(ErrorCode::BadReply,
+                           u"debug variable %1 has the unknown type %2"_s.arg(var.name).arg(var.type));
         std::vector<double> elements;
         for (int i = 0; i < std::max(var.count, 1); ++i) {
             double value = 0;
@@ -264,14 +278,18 @@ QByteArray encodeDebugVars(std::span<const DebugVar> vars, const std::vector<std
     for (std::size_t v = 0; v < vars.size(); ++v) {
         const DebugVar &var = vars[v];
         for (int i = 0; i < std::max(var.count, 1); ++i) {
-            double value = v < values.size() && std::size_t(i) < values[v].size() ? values[v][std::size_t(i)] : 0.0;
+            double value
+                = v < values.size() && std::size_t(i) < values[v].size() ? values[v][std::size_t(i)] : 0.0;
             if (var.isAngle)
                 value /= kDegreesPerCount;
             const auto whole = static_cast<qint64>(std::llround(value));
             switch (var.type) {
-            case DebugVar::U8: case DebugVar::I8: writer.u8(int(whole & 0xFF)); break;
-            case DebugVar::U16: case DebugVar::I16: writer.u16(int(whole & 0xFFFF)); break;
-            case DebugVar::U32: case DebugVar::I32: writer.u32(static_cast<quint32>(whole)); break;
+            case DebugVar::U8:
+            case DebugVar::I8: writer.u8(int(whole & 0xFF)); break;
+            case DebugVar::U16:
+            case DebugVar::I16: writer.u16(int(whole & 0xFFFF)); break;
+            case DebugVar::U32:
+            case DebugVar::I32: writer.u32(static_cast<quint32>(whole)); break;
             default: writer.f32(static_cast<float>(value)); break;
             }
         }
@@ -383,4 +401,4 @@ QByteArray encodeBeep(int mode, int noteLength, int decay, const QList<int> &not
     return writer.take();
 }
 
-} // namespace sbgc
+}  // namespace sbgc

@@ -10,20 +10,20 @@
 #include <array>
 #include <vector>
 
-/// Payloads of the serial API as plain structs, both directions (errata 3). Decoders take the part they know and ignore
-/// what later firmware adds; a payload that is too short is BadReply.
+/// Payloads of the serial API as plain structs, both directions (errata 3). Decoders take the part they know
+/// and ignore what later firmware adds; a payload that is too short is BadReply.
 namespace sbgc {
 
 /// Reply of BOARD_INFO (errata 3.1).
 struct BoardInfo
 {
-    int boardVersion = 0;       ///< x10: 30 = 3.0
-    int firmware = 0;           ///< 2590 = 2.59b0
+    int boardVersion = 0;  ///< x10: 30 = 3.0
+    int firmware = 0;  ///< 2590 = 2.59b0
     bool debugMode = false;
-    quint32 features = 0;       ///< low word BOARD_FEATURES, high word its extension (later firmware)
+    quint32 features = 0;  ///< low word BOARD_FEATURES, high word its extension (later firmware)
     bool usb = false;
     quint32 extraId = 0;
-    int baseFirmware = 0;       ///< of an experimental build, 0 = none
+    int baseFirmware = 0;  ///< of an experimental build, 0 = none
 
     static Result<BoardInfo> decode(Bytes payload);
     [[nodiscard]] QByteArray encode() const;
@@ -33,15 +33,21 @@ struct BoardInfo
 };
 
 enum BoardFeature : quint32 {
-    ThreeAxis = 1U << 0, BatteryMonitor = 1U << 1, Encoders = 1U << 2, BodeTest = 1U << 3, Scripting = 1U << 4,
-    CurrentSensor = 1U << 5, Magnetometer = 1U << 6, CanPort = 1U << 10,
+    ThreeAxis = 1U << 0,
+    BatteryMonitor = 1U << 1,
+    Encoders = 1U << 2,
+    BodeTest = 1U << 3,
+    Scripting = 1U << 4,
+    CurrentSensor = 1U << 5,
+    Magnetometer = 1U << 6,
+    CanPort = 1U << 10,
 };
 
 /// Reply of BOARD_INFO_3 (errata 3.2).
 struct BoardInfo3
 {
-    QByteArray deviceId;        ///< 9 bytes
-    QByteArray mcuId;           ///< 12 bytes
+    QByteArray deviceId;  ///< 9 bytes
+    QByteArray mcuId;  ///< 12 bytes
     quint32 eepromSize = 0;
     std::array<quint16, 5> scriptSizes{};
 
@@ -62,8 +68,8 @@ struct AxisAngles
 {
     double imu = 0;
     double target = 0;
-    double targetSpeed = 0;     ///< GET_ANGLES only
-    double rotor = 0;           ///< GET_ANGLES_EXT only; does not wrap
+    double targetSpeed = 0;  ///< GET_ANGLES only
+    double rotor = 0;  ///< GET_ANGLES_EXT only; does not wrap
     friend bool operator==(const AxisAngles &, const AxisAngles &) = default;
 };
 using Angles = std::array<AxisAngles, 3>;
@@ -88,11 +94,11 @@ struct DebugVar
 {
     enum Type : quint8 { U8 = 1, I8, U16, I16, U32, I32, F32 };
     QString name;
-    int type = U8;              ///< as sent; unknown numbers are kept and their values cannot be read
-    int axis = 0;               ///< 0 none, 1 roll, 2 pitch, 3 yaw
-    bool isAngle = false;       ///< 14-bit angle
-    int count = 1;              ///< array size, 0 counts as 1
-    [[nodiscard]] int size() const; ///< bytes of all elements, 0 for an unknown type
+    int type = U8;  ///< as sent; unknown numbers are kept and their values cannot be read
+    int axis = 0;  ///< 0 none, 1 roll, 2 pitch, 3 yaw
+    bool isAngle = false;  ///< 14-bit angle
+    int count = 1;  ///< array size, 0 counts as 1
+    [[nodiscard]] int size() const;  ///< bytes of all elements, 0 for an unknown type
     friend bool operator==(const DebugVar &, const DebugVar &) = default;
 };
 /// Declarations in one DEBUG_VARS_INFO_3 frame: the total the board names, and those that were in this frame.
@@ -122,20 +128,41 @@ struct AutoPidProgress
     friend bool operator==(const AutoPidProgress &, const AutoPidProgress &) = default;
 };
 
-enum AutoPidFlag { AutoPidRoll = 1, AutoPidPitch = 2, AutoPidYaw = 4, AutoPidReport = 8, AutoPidKeepCurrent = 16,
-                   AutoPidTuneLpf = 32 };
+enum AutoPidFlag {
+    AutoPidRoll = 1,
+    AutoPidPitch = 2,
+    AutoPidYaw = 4,
+    AutoPidReport = 8,
+    AutoPidKeepCurrent = 16,
+    AutoPidTuneLpf = 32
+};
 
 /// One axis of CONTROL (errata 3.12). Raw units, see units.h.
 struct ControlAxis
 {
-    int mode = 0;               ///< low nibble mode, high nibble flags
+    int mode = 0;  ///< low nibble mode, high nibble flags
     int speed = 0;
     int angle = 0;
     friend bool operator==(const ControlAxis &, const ControlAxis &) = default;
 };
 using ControlCommand = std::array<ControlAxis, 3>;
-enum ControlModeId { NoControl, Speed, Angle, SpeedAngle, Rc, AngleRelFrame, RcHighRes, Ignore, AngleShortest };
-enum ControlFlag { ControlMixFollow = 0x10, ControlPrecise = 0x20, ControlAutoTask = 0x40, ControlHighResSpeed = 0x80 };
+enum ControlModeId {
+    NoControl,
+    Speed,
+    Angle,
+    SpeedAngle,
+    Rc,
+    AngleRelFrame,
+    RcHighRes,
+    Ignore,
+    AngleShortest
+};
+enum ControlFlag {
+    ControlMixFollow = 0x10,
+    ControlPrecise = 0x20,
+    ControlAutoTask = 0x40,
+    ControlHighResSpeed = 0x80
+};
 /// The 13-byte form (one mode for all axes); the three modes must be equal.
 [[nodiscard]] QByteArray encodeControlShort(const ControlCommand &command);
 /// The 15-byte form (firmware 2.55b5): a mode per axis.
@@ -147,8 +174,8 @@ Result<ControlCommand> decodeControl(Bytes payload);
 struct DataStream
 {
     int command = 0;
-    int intervalMs = 0;         ///< 0 = stop, 1 = every 0.8 ms cycle
-    QByteArray config;          ///< 8 bytes
+    int intervalMs = 0;  ///< 0 = stop, 1 = every 0.8 ms cycle
+    QByteArray config;  ///< 8 bytes
     [[nodiscard]] QByteArray encode() const;
     static Result<DataStream> decode(Bytes payload);
     friend bool operator==(const DataStream &, const DataStream &) = default;
@@ -160,4 +187,4 @@ struct DataStream
 /// BEEP_SOUND (errata 3.20): 12 bytes and two per note.
 [[nodiscard]] QByteArray encodeBeep(int mode, int noteLength, int decay, const QList<int> &notes);
 
-} // namespace sbgc
+}  // namespace sbgc

@@ -16,14 +16,14 @@ constexpr double kUnstampedResync = 0.25;
 // A row that comes so much later than it should is drawn with a gap before it.
 constexpr double kGapRows = 3.0;
 constexpr double kLeastGap = 0.05;
-constexpr double kQuiet = 0.05;          // seconds
+constexpr double kQuiet = 0.05;  // seconds
 
 bool isStatus(int id)
 {
     return id == number(CommandId::RealtimeData3) || id == number(CommandId::RealtimeData4);
 }
 
-} // namespace
+}  // namespace
 
 double streamPeriod(const DataStream &stream)
 {
@@ -49,7 +49,8 @@ void SbgcDecoder::addFlow(int id, double period, quint32 customFlags)
     m_flows.push_back(std::move(flow));
 }
 
-// A channel that comes in two streams is taken from the faster one; the other would only draw a coarser trace over it.
+// A channel that comes in two streams is taken from the faster one; the other would only draw a coarser trace
+// over it.
 void SbgcDecoder::shareFields()
 {
     std::stable_sort(m_flows.begin(), m_flows.end(), [](const Flow &a, const Flow &b) {
@@ -81,15 +82,17 @@ void SbgcDecoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &s
     }
     m_heard = at;
     const auto find = [&] {
-        return std::find_if(m_flows.begin(), m_flows.end(), [&](const Flow &flow) { return flow.id == frame.id; });
+        return std::find_if(m_flows.begin(), m_flows.end(),
+                            [&](const Flow &flow) { return flow.id == frame.id; });
     };
     auto flow = find();
-    if (flow == m_flows.end() && isStatus(frame.id)) {   // an answer to polling
+    if (flow == m_flows.end() && isStatus(frame.id)) {  // an answer to polling
         addFlow(frame.id, 0.0, 0);
         shareFields();
         flow = find();
     }
-    if (flow != m_flows.end() && !flow->fields.empty() && frame.payload.size() >= std::size_t(flow->payloadSize)) {
+    if (flow != m_flows.end() && !flow->fields.empty()
+        && frame.payload.size() >= std::size_t(flow->payloadSize)) {
         // The first frame after a silence may have been one of another stream.
         const bool quiet = flow->heard && *flow->heard < m_silenceEnd;
         take(*flow, frame, at, store, quiet ? m_silence : 0.0);
@@ -113,14 +116,17 @@ void SbgcDecoder::take(Flow &flow, const FrameView &frame, TimePoint at, Telemet
             ? flow.watch.stamped(double(ByteReader(frame.payload).u16()), idle)
             : flow.watch.unstamped(arrival, idle);
         // A stream without stamps learns of a silence when its clock has long followed the arrival.
-        const int missing = found.lost + (flow.customFlags ? int(std::lround(found.silence / flow.period)) : 0);
+        const int missing
+            = found.lost + (flow.customFlags ? int(std::lround(found.silence / flow.period)) : 0);
         time = flow.clock.next(arrival, missing);
         if (found.lost > 0)
             store.countLost(quint64(found.lost));
-        if (found.silence > 0 && &flow == &m_flows.front())   // all streams were silent at once
+        if (found.silence > 0 && &flow == &m_flows.front())  // all streams were silent at once
             store.countSilence(found.silence);
         if (missing > 0 || time - flow.lastTime > std::max(kLeastGap, kGapRows * flow.period))
-            store.appendGap(*flow.group, store.origin() + durationFromSeconds(std::max(flow.lastTime, time - flow.period)));
+            store.appendGap(*flow.group,
+                            store.origin()
+                                + durationFromSeconds(std::max(flow.lastTime, time - flow.period)));
     }
     flow.lastTime = time;
     m_values.resize(flow.fields.size());
@@ -140,4 +146,4 @@ void SbgcDecoder::sent(QByteArrayView bytes)
     });
 }
 
-} // namespace sbgc
+}  // namespace sbgc

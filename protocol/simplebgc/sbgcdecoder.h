@@ -15,8 +15,8 @@ inline constexpr double kCycle = 0.0008;
 /// Seconds between the frames of a stream, as they are asked for.
 [[nodiscard]] double streamPeriod(const DataStream &stream);
 
-/// Turns real-time frames into rows. It has to be told which streams were asked for, because the frames do not say; what
-/// comes without having been announced (answers to polling) is understood where it can be.
+/// Turns real-time frames into rows. It has to be told which streams were asked for, because the frames do
+/// not say; what comes without having been announced (answers to polling) is understood where it can be.
 class SbgcDecoder final : public TelemetryDecoder
 {
 public:
@@ -28,10 +28,10 @@ private:
     struct Flow
     {
         int id = 0;
-        double period = 0;                     // 0: irregular
+        double period = 0;  // 0: irregular
         quint32 customFlags = 0;
         int payloadSize = 0;
-        std::vector<WireField> fields;         // those that no faster flow carries
+        std::vector<WireField> fields;  // those that no faster flow carries
         std::shared_ptr<TelemetryGroup> group;
         SampleClock clock{0};
         StreamWatch watch{0};
@@ -42,11 +42,11 @@ private:
     void shareFields();
     void take(Flow &flow, const FrameView &frame, TimePoint at, TelemetryStore &store, double idle);
 
-    std::vector<Flow> m_flows;   // fastest first
+    std::vector<Flow> m_flows;  // fastest first
     std::vector<float> m_values;
-    std::optional<TimePoint> m_heard;      // anything whatever
-    double m_silence = 0;                  // seconds, the last time that nothing at all came
+    std::optional<TimePoint> m_heard;  // anything whatever
+    double m_silence = 0;  // seconds, the last time that nothing at all came
     TimePoint m_silenceEnd{};
 };
 
-} // namespace sbgc
+}  // namespace sbgc

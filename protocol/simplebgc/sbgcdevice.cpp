@@ -16,8 +16,8 @@ using namespace sbgc;
 
 namespace {
 
-constexpr auto kProbeTimeout = 250ms;     // errata 1.6: 200-500 ms
-constexpr auto kWriteTimeout = 1500ms;    // EEPROM write: tens of milliseconds, generously
+constexpr auto kProbeTimeout = 250ms;  // errata 1.6: 200-500 ms
+constexpr auto kWriteTimeout = 1500ms;  // EEPROM write: tens of milliseconds, generously
 constexpr auto kProfileSwitch = 2000ms;
 constexpr int kPauseBetweenLooks = 50;
 constexpr int kActiveProfileOffset = 59;  // of REALTIME_DATA_3
@@ -56,9 +56,11 @@ constexpr FirmwareMode kControlModes[] = {
 Capabilities capabilitiesOf(const BoardInfo &info)
 {
     Capabilities capabilities;
-    constexpr std::pair<quint32, const char *> names[] = {
-        {ThreeAxis, "yaw-axis"}, {BatteryMonitor, "battery"}, {Encoders, "encoders"}, {BodeTest, "bode"},
-        {Scripting, "scripting"}, {CurrentSensor, "current"}, {Magnetometer, "magnetometer"}, {CanPort, "can"}};
+    constexpr std::pair<quint32, const char *> names[]
+        = {{ThreeAxis, "yaw-axis"},        {BatteryMonitor, "battery"},
+           {Encoders, "encoders"},         {BodeTest, "bode"},
+           {Scripting, "scripting"},       {CurrentSensor, "current"},
+           {Magnetometer, "magnetometer"}, {CanPort, "can"}};
     for (const auto &[bit, name] : names) {
         if (info.features & bit)
             capabilities.insert(QLatin1String(name));
@@ -70,10 +72,11 @@ Capabilities capabilitiesOf(const BoardInfo &info)
 
 std::shared_ptr<const ParameterSet> parametersOf(const BoardIdentity &identity)
 {
-    return std::make_shared<ParameterSet>(parameterRows(), kBlocks, identity.firmwareNumber, identity.capabilities);
+    return std::make_shared<ParameterSet>(parameterRows(), kBlocks, identity.firmwareNumber,
+                                          identity.capabilities);
 }
 
-} // namespace
+}  // namespace
 
 // Until a board is asked, what every board can do.
 SbgcDevice::SbgcDevice()
@@ -115,7 +118,8 @@ Result<bool> SbgcDevice::probe(Channel &channel)
 
 Result<BoardIdentity> SbgcDevice::identify(Channel &channel)
 {
-    const auto reply = channel.transact(replyRequest(CommandId::BoardInfo, {}, CommandId::BoardInfo, 18, kVersion));
+    const auto reply
+        = channel.transact(replyRequest(CommandId::BoardInfo, {}, CommandId::BoardInfo, 18, kVersion));
     if (!reply)
         return tl::unexpected(reply.error());
     const auto info = BoardInfo::decode(asBytes(reply->payload));
@@ -137,7 +141,8 @@ Result<BoardIdentity> SbgcDevice::identify(Channel &channel)
 
     // Boards without BOARD_INFO_3 still have to be told apart in the history, as well as they can be.
     identity.serial = u"sbgc-%1-%2"_s.arg(info->boardVersion).arg(info->extraId, 8, 16, QChar(u'0'));
-    const auto more = channel.transact(replyRequest(CommandId::BoardInfo3, {}, CommandId::BoardInfo3, 69, kVersion));
+    const auto more
+        = channel.transact(replyRequest(CommandId::BoardInfo3, {}, CommandId::BoardInfo3, 69, kVersion));
     if (!more && (more.error().code == ErrorCode::Cancelled || more.error().code == ErrorCode::LinkClosed))
         return tl::unexpected(more.error());
     if (more) {
@@ -169,7 +174,8 @@ std::vector<NotchFilter> SbgcDevice::notchFilters(Axis axis) const
     for (int n = 0; n < 3; ++n) {
         const QString notch = prefix + u"notch%1."_s.arg(n + 1);
         if (m_parameters && m_parameters->find(notch + u"frequency"_s))
-            filters.push_back({notch + u"frequency"_s, notch + u"width"_s, notch + u"gain"_s, prefix + u"enabled"_s, n});
+            filters.push_back(
+                {notch + u"frequency"_s, notch + u"width"_s, notch + u"gain"_s, prefix + u"enabled"_s, n});
     }
     return filters;
 }
@@ -193,7 +199,8 @@ Result<Configuration> SbgcDevice::readConfiguration(Channel &channel)
                 configuration.setBlock({profile, block}, std::move(*bytes));
                 continue;
             }
-            // A firmware that does not know an extended block refuses it or stays silent; the rest is still worth having.
+            // A firmware that does not know an extended block refuses it or stays silent; the rest is still
+            // worth having.
             const ErrorCode code = bytes.error().code;
             if (block == Params3 || (code != ErrorCode::Timeout && code != ErrorCode::BoardError))
                 return tl::unexpected(bytes.error());
@@ -212,17 +219,18 @@ Result<Configuration> SbgcDevice::readConfiguration(Channel &channel)
 Result<QByteArray> SbgcDevice::readBlock(Channel &channel, BlockKey key)
 {
     const BlockSpec &block = kBlocks[key.block];
-    const Request request = replyRequest(
-        kBlockCommands[std::size_t(key.block)].read, ByteWriter().u8(key.profile).take(),
-        kBlockCommands[std::size_t(key.block)].read, block.size, kVersion,
-        [profile = key.profile](Bytes payload) {
-            return !payload.empty() && std::to_integer<int>(payload[0]) == profile;
-        });
+    const Request request
+        = replyRequest(kBlockCommands[std::size_t(key.block)].read, ByteWriter().u8(key.profile).take(),
+                       kBlockCommands[std::size_t(key.block)].read, block.size, kVersion,
+                       [profile = key.profile](Bytes payload) {
+                           return !payload.empty() && std::to_integer<int>(payload[0]) == profile;
+                       });
     auto reply = channel.transact(request);
     if (!reply)
         return tl::unexpected(reply.error());
     if (reply->payload.size() < block.size)
-        return failure(ErrorCode::BadReply, u"%1 with %2 bytes"_s.arg(request.name).arg(reply->payload.size()));
+        return failure(ErrorCode::BadReply,
+                       u"%1 with %2 bytes"_s.arg(request.name).arg(reply->payload.size()));
     return reply->payload;
 }
 
@@ -243,7 +251,8 @@ Result<void> SbgcDevice::beginWrite(Channel &channel)
 {
     if (m_identity.firmwareNumber < 2704)  // WRITE_PARAMS_SET came with 2.70b4 (errata 3.3)
         return {};
-    const auto reply = channel.transact(confirmRequest(CommandId::WriteParamsSet, ByteWriter().u8(1).take(), kVersion));
+    const auto reply
+        = channel.transact(confirmRequest(CommandId::WriteParamsSet, ByteWriter().u8(1).take(), kVersion));
     return reply ? Result<void>() : tl::unexpected(reply.error());
 }
 
@@ -251,7 +260,8 @@ Result<void> SbgcDevice::endWrite(Channel &channel)
 {
     if (m_identity.firmwareNumber < 2704)
         return {};
-    const auto reply = channel.transact(confirmRequest(CommandId::WriteParamsSet, ByteWriter().u8(0).take(), kVersion));
+    const auto reply
+        = channel.transact(confirmRequest(CommandId::WriteParamsSet, ByteWriter().u8(0).take(), kVersion));
     return reply ? Result<void>() : tl::unexpected(reply.error());
 }
 
@@ -289,8 +299,9 @@ Result<int> SbgcDevice::activeProfile(Channel &channel)
 
 Result<QStringList> SbgcDevice::readProfileNames(Channel &channel)
 {
-    const auto reply = channel.transact(replyRequest(CommandId::ReadProfileNames, {}, CommandId::ReadProfileNames,
-                                                     kProfileCount * kProfileNameSize, kVersion));
+    const auto reply
+        = channel.transact(replyRequest(CommandId::ReadProfileNames, {}, CommandId::ReadProfileNames,
+                                        kProfileCount * kProfileNameSize, kVersion));
     if (!reply)
         return tl::unexpected(reply.error());
     return decodeProfileNames(asBytes(reply->payload));
@@ -317,8 +328,9 @@ Result<std::vector<AdjustableValue>> SbgcDevice::readAdjustables(Channel &channe
         writer.u8(int(part.size()));
         for (const int id : part)
             writer.u8(id);
-        const auto reply = channel.transact(replyRequest(CommandId::GetAdjVarsVal, writer.take(),
-                                                         CommandId::SetAdjVarsVal, 1 + 5 * int(part.size()), kVersion));
+        const auto reply
+            = channel.transact(replyRequest(CommandId::GetAdjVarsVal, writer.take(), CommandId::SetAdjVarsVal,
+                                            1 + 5 * int(part.size()), kVersion));
         if (!reply)
             return tl::unexpected(reply.error());
         const auto decoded = decodeAdjVars(asBytes(reply->payload));
@@ -353,8 +365,9 @@ std::span<const ActionSpec> SbgcDevice::actions() const
 
 Result<ActionReply> SbgcDevice::perform(Channel &channel, const QString &key, const QVariantMap &arguments)
 {
-    const auto it = std::find_if(m_actions.begin(), m_actions.end(),
-                                 [&key](const ActionSpec &action) { return key == QLatin1String(action.key); });
+    const auto it = std::find_if(m_actions.begin(), m_actions.end(), [&key](const ActionSpec &action) {
+        return key == QLatin1String(action.key);
+    });
     if (it == m_actions.end())
         return failure(ErrorCode::Unsupported, key);
     if (!m_identity.writable && it->risk != ActionRisk::Safe)
@@ -407,8 +420,8 @@ ControlFrames SbgcDevice::controlFrames(const ControlSetpoint &setpoint) const
     const auto frame = [this](const ControlSetpoint &wanted) {
         const ControlCommand command = encodeSetpoint(wanted);
         const bool shortForm = m_identity.firmwareNumber < 2555;
-        return encodeFrame(number(CommandId::Control), shortForm ? encodeControlShort(command) : encodeControl(command),
-                           kVersion);
+        return encodeFrame(number(CommandId::Control),
+                           shortForm ? encodeControlShort(command) : encodeControl(command), kVersion);
     };
     ControlSetpoint still = setpoint;
     for (AxisSetpoint &axis : still) {
@@ -416,7 +429,8 @@ ControlFrames SbgcDevice::controlFrames(const ControlSetpoint &setpoint) const
             axis = {Speed, 0.0, 0.0};
     }
     // Document, notes on CONTROL: mode NO_CONTROL and all data zero gives control back to RC.
-    return {frame(setpoint), frame(still), encodeFrame(number(CommandId::Control), QByteArray(13, '\0'), kVersion)};
+    return {frame(setpoint), frame(still),
+            encodeFrame(number(CommandId::Control), QByteArray(13, '\0'), kVersion)};
 }
 
 Family sbgcFamily()

@@ -84,9 +84,9 @@ private:
     std::shared_ptr<const ParameterSet> m_parameters;
     std::vector<ControlMode> m_controlModes;
     std::vector<ActionSpec> m_actions;
-    quint32 m_customFlags = 0;                 // of CUSTOM, that this firmware answers
-    std::vector<sbgc::DataStream> m_streams;   // registered with the board
-    std::vector<sbgc::DebugVar> m_debugVars;   // as the board declared them; used on the worker thread only
+    quint32 m_customFlags = 0;  // of CUSTOM, that this firmware answers
+    std::vector<sbgc::DataStream> m_streams;  // registered with the board
+    std::vector<sbgc::DebugVar> m_debugVars;  // as the board declared them; used on the worker thread only
 };
 
 /// The row of this family in the program's table of families.

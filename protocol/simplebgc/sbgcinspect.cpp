@@ -40,7 +40,8 @@ Result<std::vector<DebugVariable>> SbgcDevice::debugVariables(Channel &channel)
     for (const DebugVar &var : vars) {
         DebugVariable variable;
         variable.name = var.name;
-        variable.type = QLatin1String(types[std::size_t(var.type) < types.size() ? std::size_t(var.type) : 0]);
+        variable.type
+            = QLatin1String(types[std::size_t(var.type) < types.size() ? std::size_t(var.type) : 0]);
         variable.elements = std::max(1, var.count);
         if (variable.elements > 1)
             variable.type += u"[%1]"_s.arg(variable.elements);

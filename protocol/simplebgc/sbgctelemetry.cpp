@@ -13,9 +13,9 @@ using namespace sbgc;
 namespace {
 
 constexpr double kCycleRate = 1.0 / kCycle;
-constexpr double kStatusRate = 10;           // REALTIME_DATA_4 beside a fast stream
+constexpr double kStatusRate = 10;  // REALTIME_DATA_4 beside a fast stream
 constexpr double kStatusAloneRate = 25;
-constexpr double kUsbBytes = 1e6;            // per second, USB CDC at full speed
+constexpr double kUsbBytes = 1e6;  // per second, USB CDC at full speed
 constexpr auto kPollInterval = 20ms;
 constexpr int kFrameOverhead = 5;
 const QString kCustomKey = u"custom"_s;
@@ -26,11 +26,11 @@ struct StreamKind
     QString key;
     const char *label;
     CommandId command;
-    int payload;           // bytes; 0: depends on the channels
+    int payload;  // bytes; 0: depends on the channels
 };
 
-// What can be streamed (errata 3.10). The helper of the frame IMU answers with the same number as the main one's, so only
-// one of the two can be told apart.
+// What can be streamed (errata 3.10). The helper of the frame IMU answers with the same number as the main
+// one's, so only one of the two can be told apart.
 const std::array<StreamKind, 4> &streamKinds()
 {
     static const std::array<StreamKind, 4> kinds{{
@@ -85,15 +85,16 @@ QList<StreamWish> arranged(const TelemetryWish &wish, quint32 known)
     return {{kStatusKey, kStatusRate, {}}, {kCustomKey, wish.rate, wish.channels}};
 }
 
-} // namespace
+}  // namespace
 
 ChannelTable SbgcDevice::channels() const
 {
     return channelTable(m_identity.firmwareNumber);
 }
 
-// Which of the later fields of CUSTOM this firmware has. One that it does not know adds nothing to the answer, and nobody says
-// which firmware began with which, so the board is asked: for several at once, and one by one where some are missing.
+// Which of the later fields of CUSTOM this firmware has. One that it does not know adds nothing to the
+// answer, and nobody says which firmware began with which, so the board is asked: for several at once, and
+// one by one where some are missing.
 Result<void> SbgcDevice::findCustomFields(Channel &channel)
 {
     m_customFlags = kFirstCustomFlags;
@@ -120,7 +121,7 @@ Result<void> SbgcDevice::findCustomFields(Channel &channel)
     for (const quint32 flags : several) {
         const auto all = has(flags);
         if (!all && (all.error().code == ErrorCode::Timeout || all.error().code == ErrorCode::BoardError))
-            return {};   // a build without CUSTOM, or a recording from before this was asked
+            return {};  // a build without CUSTOM, or a recording from before this was asked
         if (!all)
             return tl::unexpected(all.error());
         if (*all) {
@@ -189,7 +190,8 @@ Result<TelemetryPlan> SbgcDevice::startPolling(Channel &channel)
 {
     const auto extended = channel.transact(
         replyRequest(CommandId::RealtimeData4, {}, CommandId::RealtimeData4, kRealtime4Size, kVersion));
-    if (!extended && extended.error().code != ErrorCode::Timeout && extended.error().code != ErrorCode::BoardError)
+    if (!extended && extended.error().code != ErrorCode::Timeout
+        && extended.error().code != ErrorCode::BoardError)
         return tl::unexpected(extended.error());
     const CommandId id = extended ? CommandId::RealtimeData4 : CommandId::RealtimeData3;
     TelemetryPlan plan;
@@ -213,11 +215,12 @@ QList<StreamSpec> SbgcDevice::streams() const
     return specs;
 }
 
-Result<StreamBudget> SbgcDevice::streamBudget(const TelemetryWish &wish, std::optional<LineSettings> line) const
+Result<StreamBudget> SbgcDevice::streamBudget(const TelemetryWish &wish,
+                                              std::optional<LineSettings> line) const
 {
     StreamBudget budget;
     if (!canStream() && wish.streams.isEmpty())
-        return budget;   // polled: each sample is asked for
+        return budget;  // polled: each sample is asked for
     budget.capacity = m_identity.usb ? kUsbBytes : line ? 1.0 / line->secondsFor(1) : 0.0;
     const QList<StreamWish> wanted = wish.streams.isEmpty() ? arranged(wish, m_customFlags) : wish.streams;
     for (const StreamWish &stream : wanted) {
@@ -225,19 +228,24 @@ Result<StreamBudget> SbgcDevice::streamBudget(const TelemetryWish &wish, std::op
         if (!kind || !canStream())
             return failure(ErrorCode::InvalidArgument, u"no stream %1"_s.arg(stream.key));
         if (!(stream.rate >= 0 && stream.rate <= kCycleRate))
-            return failure(ErrorCode::InvalidArgument, u"%1 samples/s, 0 to %2 are possible"_s.arg(stream.rate).arg(kCycleRate));
+            return failure(ErrorCode::InvalidArgument,
+                           u"%1 samples/s, 0 to %2 are possible"_s.arg(stream.rate).arg(kCycleRate));
         const quint32 flags = stream.key == kCustomKey ? customFlagsFor(stream.channels) & m_customFlags : 0;
         if (stream.key == kCustomKey && !flags)
-            return failure(ErrorCode::InvalidArgument, u"%1 without a channel that the board can send"_s.arg(stream.key));
+            return failure(ErrorCode::InvalidArgument,
+                           u"%1 without a channel that the board can send"_s.arg(stream.key));
         if (customSize(flags) > kMostPayload) {
-            return failure(ErrorCode::TooMuch, u"%1 of %2 bytes, %3 fit into a frame"_s.arg(stream.key).arg(customSize(flags))
-                                                    .arg(kMostPayload));
+            return failure(ErrorCode::TooMuch,
+                           u"%1 of %2 bytes, %3 fit into a frame"_s.arg(stream.key)
+                               .arg(customSize(flags))
+                               .arg(kMostPayload));
         }
         const auto same = [&](const StreamUse &use) { return use.key == stream.key; };
         if (std::any_of(budget.streams.begin(), budget.streams.end(), same))
             return failure(ErrorCode::InvalidArgument, u"%1 twice"_s.arg(stream.key));
         StreamUse use{stream.key, QString::fromLatin1(kind->label), 0,
-                      kFrameOverhead + (kind->payload ? kind->payload : customSize(flags)), channelsOf(*kind, flags)};
+                      kFrameOverhead + (kind->payload ? kind->payload : customSize(flags)),
+                      channelsOf(*kind, flags)};
         if (stream.rate > 0)
             use.rate = rateOf(intervalFor(stream.rate));
         budget.streams.push_back(std::move(use));
@@ -245,10 +253,12 @@ Result<StreamBudget> SbgcDevice::streamBudget(const TelemetryWish &wish, std::op
     // Those that want all they can get share what the others leave.
     const auto open = std::count_if(budget.streams.begin(), budget.streams.end(),
                                     [](const StreamUse &use) { return use.rate == 0; });
-    const double left = (budget.capacity * StreamBudget::kShare - budget.bytesPerSecond()) / double(std::max<qsizetype>(1, open));
+    const double left = (budget.capacity * StreamBudget::kShare - budget.bytesPerSecond())
+        / double(std::max<qsizetype>(1, open));
     for (StreamUse &use : budget.streams) {
         if (use.rate == 0)
-            use.rate = rateOf(intervalFor(budget.capacity > 0 ? std::max(1.0, left / use.frameBytes) : kCycleRate));
+            use.rate = rateOf(
+                intervalFor(budget.capacity > 0 ? std::max(1.0, left / use.frameBytes) : kCycleRate));
     }
     return budget;
 }
@@ -273,7 +283,8 @@ Result<TelemetryPlan> SbgcDevice::startTelemetry(Channel &channel, const Telemet
         if (!set) {
             // All streams of the board may be taken by somebody else, or this build has none.
             const ErrorCode code = set.error().code;
-            if (m_streams.empty() && wish.streams.isEmpty() && (code == ErrorCode::BoardError || code == ErrorCode::Timeout))
+            if (m_streams.empty() && wish.streams.isEmpty()
+                && (code == ErrorCode::BoardError || code == ErrorCode::Timeout))
                 return startPolling(channel);
             stopTelemetry(channel);
             return tl::unexpected(set.error());

@@ -11,17 +11,17 @@ namespace sbgc {
 
 namespace {
 
-constexpr double kStampWrap = 65536.0;       // milliseconds
-constexpr double kStampStep = 1.0;           // milliseconds
-constexpr int kLearning = 50;                // frames
+constexpr double kStampWrap = 65536.0;  // milliseconds
+constexpr double kStampStep = 1.0;  // milliseconds
+constexpr int kLearning = 50;  // frames
 constexpr double kMeanWeight = 0.06;
-constexpr double kRestart = -50.0;           // milliseconds behind: the board began to count anew
-constexpr double kSilence = 0.1;             // seconds without a byte: nobody lost anything, nothing was sent
-constexpr double kBlock = 1.0;               // seconds that frames without a clock are watched together
-constexpr int kFramesPerBlock = 8;           // at least
-constexpr double kDrift = 0.2;               // share of a slow change that is the two clocks' doing
+constexpr double kRestart = -50.0;  // milliseconds behind: the board began to count anew
+constexpr double kSilence = 0.1;  // seconds without a byte: nobody lost anything, nothing was sent
+constexpr double kBlock = 1.0;  // seconds that frames without a clock are watched together
+constexpr int kFramesPerBlock = 8;  // at least
+constexpr double kDrift = 0.2;  // share of a slow change that is the two clocks' doing
 
-} // namespace
+}  // namespace
 
 StreamWatch::Finding StreamWatch::judge(int missing, double idle) const
 {
@@ -31,8 +31,9 @@ StreamWatch::Finding StreamWatch::judge(int missing, double idle) const
     return {std::max(0, missing), 0};
 }
 
-// The board's millisecond stamp against the counted time: what it is ahead was lost on the way. A whole millisecond is
-// longer than the shortest period, so a single lost frame shows only in the mean over some frames; a longer gap at once.
+// The board's millisecond stamp against the counted time: what it is ahead was lost on the way. A whole
+// millisecond is longer than the shortest period, so a single lost frame shows only in the mean over some
+// frames; a longer gap at once.
 StreamWatch::Finding StreamWatch::stamped(double stamp, double idle)
 {
     const double period = m_period * 1000.0;
@@ -53,21 +54,21 @@ StreamWatch::Finding StreamWatch::stamped(double stamp, double idle)
     if (ahead > kStampStep + 1.5 * period) {
         missing = int(std::lround(ahead / period));
     } else if (m_seen <= kLearning) {
-        m_base += ahead / m_seen;   // the phase between stamps and frames
+        m_base += ahead / m_seen;  // the phase between stamps and frames
         return {};
     } else {
         m_mean += kMeanWeight * (ahead - m_mean);
         if (m_mean > 0.6 * period)
             missing = 1;
         else if (m_mean < -0.6 * period)
-            missing = -1;           // a frame was counted that never was
+            missing = -1;  // a frame was counted that never was
     }
     m_counted += missing * period;
     m_mean -= missing * period;
     if (missing > 1)
         m_mean = 0.0;
     const Finding finding = judge(missing, idle);
-    if (finding.silence > 0) {   // how many frames that would have been is known to about one: begin anew
+    if (finding.silence > 0) {  // how many frames that would have been is known to about one: begin anew
         m_board = m_counted = m_base = m_mean = 0.0;
         m_seen = 1;
     }
@@ -110,4 +111,4 @@ StreamWatch::Finding StreamWatch::unstamped(double arrival, double idle)
     return finding;
 }
 
-} // namespace sbgc
+}  // namespace sbgc

@@ -6,18 +6,22 @@
 
 namespace sbgc {
 
-/// Finds the frames of one stream that never arrived, and tells them from late ones and from a board that was silent.
+/// Finds the frames of one stream that never arrived, and tells them from late ones and from a board that was
+/// silent.
 class StreamWatch
 {
 public:
     struct Finding
     {
-        int lost = 0;          ///< frames that were lost before this one
-        double silence = 0;    ///< seconds in which nothing at all came, before this frame
+        int lost = 0;  ///< frames that were lost before this one
+        double silence = 0;  ///< seconds in which nothing at all came, before this frame
     };
 
     /// @param period seconds between frames
-    explicit StreamWatch(double period) : m_period(period) { }
+    explicit StreamWatch(double period)
+        : m_period(period)
+    {
+    }
 
     /// A frame with the board's own clock in milliseconds (it wraps at 65 536).
     /// @param idle seconds since anything whatever came from the board
@@ -32,18 +36,18 @@ private:
     int m_seen = 0;
     // By the board's clock.
     double m_lastStamp = 0;
-    double m_board = 0;          // unwrapped stamps, milliseconds
-    double m_counted = 0;        // frames times period, lost ones included
-    double m_base = 0;           // what the stamps are ahead by without any loss
+    double m_board = 0;  // unwrapped stamps, milliseconds
+    double m_counted = 0;  // frames times period, lost ones included
+    double m_base = 0;  // what the stamps are ahead by without any loss
     double m_mean = 0;
     // By arrival: how late the punctual ones are tells what is missing.
     double m_first = 0;
-    double m_expected = 0;       // frames times period since the first
-    double m_leastLate = 0;      // of this block
+    double m_expected = 0;  // frames times period since the first
+    double m_leastLate = 0;  // of this block
     double m_longestIdle = 0;
-    double m_idleBefore = 0;     // of the block before: a silence shows in the block after it
+    double m_idleBefore = 0;  // of the block before: a silence shows in the block after it
     double m_blockEnds = 0;
     std::optional<double> m_usual;
 };
 
-} // namespace sbgc
+}  // namespace sbgc

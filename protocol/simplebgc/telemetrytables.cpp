@@ -115,18 +115,25 @@ constexpr ChannelSpec kChannels[] = {
     {"encoder.roll", "Encoder, roll", "High resolution", "", 0, Axis::Roll, 0, 16777215},
     {"encoder.pitch", "Encoder, pitch", "High resolution", "", 0, Axis::Pitch, 0, 16777215},
     {"encoder.yaw", "Encoder, yaw", "High resolution", "", 0, Axis::Yaw, 0, 16777215},
-    {"imu.angle_float.roll", "Camera angle, floating point, roll", "High resolution", "°", 4, Axis::Roll, -180, 180},
-    {"imu.angle_float.pitch", "Camera angle, floating point, pitch", "High resolution", "°", 4, Axis::Pitch, -180, 180},
-    {"imu.angle_float.yaw", "Camera angle, floating point, yaw", "High resolution", "°", 4, Axis::Yaw, -180, 180},
+    {"imu.angle_float.roll", "Camera angle, floating point, roll", "High resolution", "°", 4, Axis::Roll,
+     -180, 180},
+    {"imu.angle_float.pitch", "Camera angle, floating point, pitch", "High resolution", "°", 4, Axis::Pitch,
+     -180, 180},
+    {"imu.angle_float.yaw", "Camera angle, floating point, yaw", "High resolution", "°", 4, Axis::Yaw, -180,
+     180},
     {"imu.angle20.roll", "Camera angle, 20 bits, roll", "High resolution", "°", 4, Axis::Roll, -180, 180},
     {"imu.angle20.pitch", "Camera angle, 20 bits, pitch", "High resolution", "°", 4, Axis::Pitch, -180, 180},
     {"imu.angle20.yaw", "Camera angle, 20 bits, yaw", "High resolution", "°", 4, Axis::Yaw, -180, 180},
     {"target.angle20.roll", "Target angle, 20 bits, roll", "High resolution", "°", 4, Axis::Roll, -180, 180},
-    {"target.angle20.pitch", "Target angle, 20 bits, pitch", "High resolution", "°", 4, Axis::Pitch, -180, 180},
+    {"target.angle20.pitch", "Target angle, 20 bits, pitch", "High resolution", "°", 4, Axis::Pitch, -180,
+     180},
     {"target.angle20.yaw", "Target angle, 20 bits, yaw", "High resolution", "°", 4, Axis::Yaw, -180, 180},
-    {"frame_camera.angle20.roll", "Frame-camera angle, 20 bits, roll", "High resolution", "°", 4, Axis::Roll, -180, 180},
-    {"frame_camera.angle20.pitch", "Frame-camera angle, 20 bits, pitch", "High resolution", "°", 4, Axis::Pitch, -180, 180},
-    {"frame_camera.angle20.yaw", "Frame-camera angle, 20 bits, yaw", "High resolution", "°", 4, Axis::Yaw, -180, 180},
+    {"frame_camera.angle20.roll", "Frame-camera angle, 20 bits, roll", "High resolution", "°", 4, Axis::Roll,
+     -180, 180},
+    {"frame_camera.angle20.pitch", "Frame-camera angle, 20 bits, pitch", "High resolution", "°", 4,
+     Axis::Pitch, -180, 180},
+    {"frame_camera.angle20.yaw", "Frame-camera angle, 20 bits, yaw", "High resolution", "°", 4, Axis::Yaw,
+     -180, 180},
     {"script.float.1", "Script variable 1", "Script variables", "", 3, Axis::None, -1, 1},
     {"script.float.2", "Script variable 2", "Script variables", "", 3, Axis::None, -1, 1},
     {"script.float.3", "Script variable 3", "Script variables", "", 3, Axis::None, -1, 1},
@@ -146,7 +153,8 @@ constexpr ChannelSpec kChannels[] = {
     {"script.int.7", "Script variable 7, whole number", "Script variables", "", 0, Axis::None, -32768, 32767},
     {"script.int.8", "Script variable 8, whole number", "Script variables", "", 0, Axis::None, -32768, 32767},
     {"script.int.9", "Script variable 9, whole number", "Script variables", "", 0, Axis::None, -32768, 32767},
-    {"script.int.10", "Script variable 10, whole number", "Script variables", "", 0, Axis::None, -32768, 32767},
+    {"script.int.10", "Script variable 10, whole number", "Script variables", "", 0, Axis::None, -32768,
+     32767},
     {"motor.output.roll", "Motor output, roll", "Power", "%", 1, Axis::Roll, -100, 100},
     {"motor.current.roll", "Motor current, roll", "Power", "A", 3, Axis::Roll, 0, 10},
     {"motor.temperature.roll", "Motor temperature, roll", "Power", "°C", 0, Axis::Roll, -20, 120},
@@ -163,8 +171,10 @@ constexpr ChannelSpec kChannels[] = {
     {"power.voltage", "Supply voltage", "Power", "V", 2, Axis::None, 0, 30},
     {"power.current", "Supply current", "Power", "A", 3, Axis::None, 0, 10},
     {"power.flags", "Flags of the power manager", "Power", "", 0, Axis::None, 0, 65535},
-    {"frame_camera.rate.roll", "Rate between frame and camera, roll", "Angles", "°/s", 2, Axis::Roll, -200, 200},
-    {"frame_camera.rate.pitch", "Rate between frame and camera, pitch", "Angles", "°/s", 2, Axis::Pitch, -200, 200},
+    {"frame_camera.rate.roll", "Rate between frame and camera, roll", "Angles", "°/s", 2, Axis::Roll, -200,
+     200},
+    {"frame_camera.rate.pitch", "Rate between frame and camera, pitch", "Angles", "°/s", 2, Axis::Pitch, -200,
+     200},
     {"frame_camera.rate.yaw", "Rate between frame and camera, yaw", "Angles", "°/s", 2, Axis::Yaw, -200, 200},
     {"comm.i2c", "I2C error counter", "Board", "", 0, Axis::None, 0, 100},
     {"comm.serial", "Serial error counter", "Board", "", 0, Axis::None, 0, 100},
@@ -176,14 +186,22 @@ constexpr ChannelSpec kChannels[] = {
     {"imu.quaternion.x", "Camera attitude, quaternion x", "Attitude quaternions", "", 4, Axis::None, -1, 1},
     {"imu.quaternion.y", "Camera attitude, quaternion y", "Attitude quaternions", "", 4, Axis::None, -1, 1},
     {"imu.quaternion.z", "Camera attitude, quaternion z", "Attitude quaternions", "", 4, Axis::None, -1, 1},
-    {"target.quaternion.w", "Target attitude, quaternion w", "Attitude quaternions", "", 4, Axis::None, -1, 1},
-    {"target.quaternion.x", "Target attitude, quaternion x", "Attitude quaternions", "", 4, Axis::None, -1, 1},
-    {"target.quaternion.y", "Target attitude, quaternion y", "Attitude quaternions", "", 4, Axis::None, -1, 1},
-    {"target.quaternion.z", "Target attitude, quaternion z", "Attitude quaternions", "", 4, Axis::None, -1, 1},
-    {"frame.quaternion.w", "Camera against frame, quaternion w", "Attitude quaternions", "", 4, Axis::None, -1, 1},
-    {"frame.quaternion.x", "Camera against frame, quaternion x", "Attitude quaternions", "", 4, Axis::None, -1, 1},
-    {"frame.quaternion.y", "Camera against frame, quaternion y", "Attitude quaternions", "", 4, Axis::None, -1, 1},
-    {"frame.quaternion.z", "Camera against frame, quaternion z", "Attitude quaternions", "", 4, Axis::None, -1, 1},
+    {"target.quaternion.w", "Target attitude, quaternion w", "Attitude quaternions", "", 4, Axis::None, -1,
+     1},
+    {"target.quaternion.x", "Target attitude, quaternion x", "Attitude quaternions", "", 4, Axis::None, -1,
+     1},
+    {"target.quaternion.y", "Target attitude, quaternion y", "Attitude quaternions", "", 4, Axis::None, -1,
+     1},
+    {"target.quaternion.z", "Target attitude, quaternion z", "Attitude quaternions", "", 4, Axis::None, -1,
+     1},
+    {"frame.quaternion.w", "Camera against frame, quaternion w", "Attitude quaternions", "", 4, Axis::None,
+     -1, 1},
+    {"frame.quaternion.x", "Camera against frame, quaternion x", "Attitude quaternions", "", 4, Axis::None,
+     -1, 1},
+    {"frame.quaternion.y", "Camera against frame, quaternion y", "Attitude quaternions", "", 4, Axis::None,
+     -1, 1},
+    {"frame.quaternion.z", "Camera against frame, quaternion z", "Attitude quaternions", "", 4, Axis::None,
+     -1, 1},
     {"adc.1", "Analogue input 1", "Board", "", 0, Axis::None, 0, 4095},
     {"adc.2", "Analogue input 2", "Board", "", 0, Axis::None, 0, 4095},
     {"adc.3", "Analogue input 3", "Board", "", 0, Axis::None, 0, 4095},
@@ -197,44 +215,77 @@ constexpr ChannelSpec kChannels[] = {
     {"follow.distance.roll", "Follow distance, roll", "Limits", "", 0, Axis::Roll, -16384, 16384},
     {"follow.distance.pitch", "Follow distance, pitch", "Limits", "", 0, Axis::Pitch, -16384, 16384},
     {"follow.distance.yaw", "Follow distance, yaw", "Limits", "", 0, Axis::Yaw, -16384, 16384},
-    {"external_limit.low.roll", "Lower target limit from outside, roll", "Limits", "", 0, Axis::Roll, -1048576, 1048576},
-    {"external_limit.low.pitch", "Lower target limit from outside, pitch", "Limits", "", 0, Axis::Pitch, -1048576, 1048576},
-    {"external_limit.low.yaw", "Lower target limit from outside, yaw", "Limits", "", 0, Axis::Yaw, -1048576, 1048576},
-    {"external_limit.high.roll", "Upper target limit from outside, roll", "Limits", "", 0, Axis::Roll, -1048576, 1048576},
-    {"external_limit.high.pitch", "Upper target limit from outside, pitch", "Limits", "", 0, Axis::Pitch, -1048576, 1048576},
-    {"external_limit.high.yaw", "Upper target limit from outside, yaw", "Limits", "", 0, Axis::Yaw, -1048576, 1048576},
+    {"external_limit.low.roll", "Lower target limit from outside, roll", "Limits", "", 0, Axis::Roll,
+     -1048576, 1048576},
+    {"external_limit.low.pitch", "Lower target limit from outside, pitch", "Limits", "", 0, Axis::Pitch,
+     -1048576, 1048576},
+    {"external_limit.low.yaw", "Lower target limit from outside, yaw", "Limits", "", 0, Axis::Yaw, -1048576,
+     1048576},
+    {"external_limit.high.roll", "Upper target limit from outside, roll", "Limits", "", 0, Axis::Roll,
+     -1048576, 1048576},
+    {"external_limit.high.pitch", "Upper target limit from outside, pitch", "Limits", "", 0, Axis::Pitch,
+     -1048576, 1048576},
+    {"external_limit.high.yaw", "Upper target limit from outside, yaw", "Limits", "", 0, Axis::Yaw, -1048576,
+     1048576},
 };
 static_assert(std::size(kChannels) == ChannelCount);
 
-constexpr double kPowerUnit = 100.0 / 255.0;      // 0-255 as percent of full power
-constexpr double kBalanceUnit = 100.0 / 512.0;    // 512 = all of the motor's power
+constexpr double kPowerUnit = 100.0 / 255.0;  // 0-255 as percent of full power
+constexpr double kBalanceUnit = 100.0 / 512.0;  // 512 = all of the motor's power
 constexpr double kRcFineUnit = 100.0 / 16384.0;
 
 // REALTIME_DATA_3 and _4, errata 3.8.
 constexpr WireField kRealtime[] = {
-    {AccX, 0, WireField::I16, kAccUnit}, {GyroRoll, 2, WireField::I16, kGyroUnit},
-    {AccY, 4, WireField::I16, kAccUnit}, {GyroPitch, 6, WireField::I16, kGyroUnit},
-    {AccZ, 8, WireField::I16, kAccUnit}, {GyroYaw, 10, WireField::I16, kGyroUnit},
-    {SerialErrors, 12, WireField::U16}, {SystemError, 14, WireField::U16}, {SubError, 16, WireField::U8},
-    {RcRoll, 20, WireField::I16}, {RcPitch, 22, WireField::I16}, {RcYaw, 24, WireField::I16},
-    {RcCmd, 26, WireField::I16}, {FcRoll, 28, WireField::I16}, {FcPitch, 30, WireField::I16},
-    {ImuRoll, 32, WireField::I16, kDegreesPerCount}, {ImuPitch, 34, WireField::I16, kDegreesPerCount},
-    {ImuYaw, 36, WireField::I16, kDegreesPerCount}, {FrameRoll, 38, WireField::I16, kDegreesPerCount},
-    {FramePitch, 40, WireField::I16, kDegreesPerCount}, {FrameYaw, 42, WireField::I16, kDegreesPerCount},
-    {TargetRoll, 44, WireField::I16, kDegreesPerCount}, {TargetPitch, 46, WireField::I16, kDegreesPerCount},
-    {TargetYaw, 48, WireField::I16, kDegreesPerCount}, {CycleTime, 50, WireField::U16},
-    {I2cErrors, 52, WireField::U16}, {Battery, 55, WireField::U16, 0.01}, {MotorsRunning, 57, WireField::U8, 1, 1},
-    {CurrentImu, 58, WireField::U8}, {CurrentProfile, 59, WireField::U8}, {PowerRoll, 60, WireField::U8, kPowerUnit},
-    {PowerPitch, 61, WireField::U8, kPowerUnit}, {PowerYaw, 62, WireField::U8, kPowerUnit},
-    {RotorRoll, 63, WireField::I16, kDegreesPerCount}, {RotorPitch, 65, WireField::I16, kDegreesPerCount},
-    {RotorYaw, 67, WireField::I16, kDegreesPerCount}, {BalanceRoll, 70, WireField::I16, kBalanceUnit},
-    {BalancePitch, 72, WireField::I16, kBalanceUnit}, {BalanceYaw, 74, WireField::I16, kBalanceUnit},
-    {Current, 76, WireField::U16, 0.001}, {MagRoll, 78, WireField::I16}, {MagPitch, 80, WireField::I16},
-    {MagYaw, 82, WireField::I16}, {ImuTemperature, 84, WireField::I8}, {FrameTemperature, 85, WireField::I8},
-    {GravityError, 86, WireField::U8, 0.1}, {HeadingError, 87, WireField::U8, 0.1},
+    {AccX, 0, WireField::I16, kAccUnit},
+    {GyroRoll, 2, WireField::I16, kGyroUnit},
+    {AccY, 4, WireField::I16, kAccUnit},
+    {GyroPitch, 6, WireField::I16, kGyroUnit},
+    {AccZ, 8, WireField::I16, kAccUnit},
+    {GyroYaw, 10, WireField::I16, kGyroUnit},
+    {SerialErrors, 12, WireField::U16},
+    {SystemError, 14, WireField::U16},
+    {SubError, 16, WireField::U8},
+    {RcRoll, 20, WireField::I16},
+    {RcPitch, 22, WireField::I16},
+    {RcYaw, 24, WireField::I16},
+    {RcCmd, 26, WireField::I16},
+    {FcRoll, 28, WireField::I16},
+    {FcPitch, 30, WireField::I16},
+    {ImuRoll, 32, WireField::I16, kDegreesPerCount},
+    {ImuPitch, 34, WireField::I16, kDegreesPerCount},
+    {ImuYaw, 36, WireField::I16, kDegreesPerCount},
+    {FrameRoll, 38, WireField::I16, kDegreesPerCount},
+    {FramePitch, 40, WireField::I16, kDegreesPerCount},
+    {FrameYaw, 42, WireField::I16, kDegreesPerCount},
+    {TargetRoll, 44, WireField::I16, kDegreesPerCount},
+    {TargetPitch, 46, WireField::I16, kDegreesPerCount},
+    {TargetYaw, 48, WireField::I16, kDegreesPerCount},
+    {CycleTime, 50, WireField::U16},
+    {I2cErrors, 52, WireField::U16},
+    {Battery, 55, WireField::U16, 0.01},
+    {MotorsRunning, 57, WireField::U8, 1, 1},
+    {CurrentImu, 58, WireField::U8},
+    {CurrentProfile, 59, WireField::U8},
+    {PowerRoll, 60, WireField::U8, kPowerUnit},
+    {PowerPitch, 61, WireField::U8, kPowerUnit},
+    {PowerYaw, 62, WireField::U8, kPowerUnit},
+    {RotorRoll, 63, WireField::I16, kDegreesPerCount},
+    {RotorPitch, 65, WireField::I16, kDegreesPerCount},
+    {RotorYaw, 67, WireField::I16, kDegreesPerCount},
+    {BalanceRoll, 70, WireField::I16, kBalanceUnit},
+    {BalancePitch, 72, WireField::I16, kBalanceUnit},
+    {BalanceYaw, 74, WireField::I16, kBalanceUnit},
+    {Current, 76, WireField::U16, 0.001},
+    {MagRoll, 78, WireField::I16},
+    {MagPitch, 80, WireField::I16},
+    {MagYaw, 82, WireField::I16},
+    {ImuTemperature, 84, WireField::I8},
+    {FrameTemperature, 85, WireField::I8},
+    {GravityError, 86, WireField::U8, 0.1},
+    {HeadingError, 87, WireField::U8, 0.1},
 };
 
-template<std::size_t N>
+template <std::size_t N>
 constexpr std::array<WireField, N> run(int channel, WireField::Type type, double unit)
 {
     std::array<WireField, N> fields{};
@@ -261,7 +312,7 @@ constexpr auto kAcc = three(AccX, kAccUnit);
 // Later ones (errata 3.9, bits 9 and up).
 constexpr double kRadian = 180.0 / std::numbers::pi;
 constexpr double kFineAngle = 360.0 / 1048576.0;
-constexpr double kQuaternionUnit = 741453.786;   // the three smaller components are below 1/sqrt(2)
+constexpr double kQuaternionUnit = 741453.786;  // the three smaller components are below 1/sqrt(2)
 
 constexpr std::array<WireField, 4> quaternion(int channel)
 {
@@ -272,13 +323,18 @@ constexpr std::array<WireField, 4> quaternion(int channel)
 }
 
 constexpr WireField kMotor4[] = {
-    {Motor4Speed, 0, WireField::I16}, {Motor4Error, 2, WireField::I16}, {Motor4Output, 4, WireField::F32},
+    {Motor4Speed, 0, WireField::I16},
+    {Motor4Error, 2, WireField::I16},
+    {Motor4Output, 4, WireField::F32},
 };
-constexpr WireField kAhrs[] = {   // errata 3.22
-    {AhrsMainSource, 0, WireField::U8},     {AhrsFrameSource, 1, WireField::U8},    {AhrsMainZ, 2, WireField::U8, 0.1},
-    {AhrsMainH, 3, WireField::U8, 0.1},     {AhrsFrameZ, 4, WireField::U8, 0.1},    {AhrsFrameH, 5, WireField::U8, 0.1},
-    {ExtImuStatus, 6, WireField::U8},       {ExtImuPackets, 7, WireField::U16},     {ExtImuFaults, 9, WireField::U16},
-    {ExtImuH, 11, WireField::U8},           {ExtImuZ, 12, WireField::U8},
+constexpr WireField kAhrs[] = {
+    // errata 3.22
+    {AhrsMainSource, 0, WireField::U8},  {AhrsFrameSource, 1, WireField::U8},
+    {AhrsMainZ, 2, WireField::U8, 0.1},  {AhrsMainH, 3, WireField::U8, 0.1},
+    {AhrsFrameZ, 4, WireField::U8, 0.1}, {AhrsFrameH, 5, WireField::U8, 0.1},
+    {ExtImuStatus, 6, WireField::U8},    {ExtImuPackets, 7, WireField::U16},
+    {ExtImuFaults, 9, WireField::U16},   {ExtImuH, 11, WireField::U8},
+    {ExtImuZ, 12, WireField::U8},
 };
 constexpr auto kEncoders = run<3>(EncoderRoll, WireField::U24, 1.0);
 constexpr auto kImuRad = run<3>(ImuRadRoll, WireField::F32, kRadian);
@@ -287,7 +343,7 @@ constexpr auto kScriptInts = run<10>(ScriptInt1, WireField::I16, 1.0);
 constexpr std::array<WireField, 16> powerState()
 {
     std::array<WireField, 16> fields{};
-    for (int a = 0; a < 3; ++a) {   // 13 bytes each, the last 6 reserved
+    for (int a = 0; a < 3; ++a) {  // 13 bytes each, the last 6 reserved
         const auto i = std::size_t(a) * 4;
         const int channel = MotorRollOutput + 4 * a;
         fields[i] = {channel, 13 * a, WireField::I16, 0.01};
@@ -306,7 +362,10 @@ constexpr auto kFrameRate = three(FrameRateRoll, kGyroUnit);
 constexpr auto kImu20 = run<3>(Imu20Roll, WireField::I32, kFineAngle);
 constexpr auto kTarget20 = run<3>(Target20Roll, WireField::I32, kFineAngle);
 constexpr WireField kCommErrors[] = {
-    {CommI2c, 0, WireField::U16}, {CommSerial, 2, WireField::U16}, {CommCan, 4, WireField::U16}, {CommCanFlags, 6, WireField::U8},
+    {CommI2c, 0, WireField::U16},
+    {CommSerial, 2, WireField::U16},
+    {CommCan, 4, WireField::U16},
+    {CommCanFlags, 6, WireField::U8},
 };
 constexpr WireField kSystemState[] = {{StateFlags, 0, WireField::U32}, {CalibrationMode, 4, WireField::U8}};
 constexpr auto kImuQuaternion = quaternion(ImuQuatW);
@@ -320,17 +379,38 @@ constexpr auto kFrameCam20 = run<3>(FrameCam20Roll, WireField::I32, kFineAngle);
 
 // In bit order. Bit 29, "main IMU state", is 11 bytes that nobody describes, so it is not asked for.
 constexpr CustomField kCustom[] = {
-    {0, 6, kImu},            {1, 6, kTarget},             {2, 6, kTargetSpeed},      {3, 6, kRotor},
-    {4, 6, kGyro},           {5, 12, kRcData},            {6, 24, kVectors},         {7, 36, kRcChannels},
-    {8, 6, kAcc},            {9, 8, kMotor4},             {10, 26, kAhrs},           {11, 9, kEncoders},
-    {12, 12, kImuRad},       {13, 40, kScriptFloats},     {14, 20, kScriptInts},     {15, 46, kPowerState},
-    {16, 6, kFrameRate},     {17, 12, kImu20},            {18, 12, kTarget20},       {19, 7, kCommErrors},
-    {20, 13, kSystemState},  {21, 8, kImuQuaternion},     {22, 8, kTargetQuaternion}, {23, 8, kFrameQuaternion},
-    {24, 8, kAdc},           {25, 12, kLimits},           {26, 6, kFollow},          {27, 24, kExternalLimits},
+    {0, 6, kImu},
+    {1, 6, kTarget},
+    {2, 6, kTargetSpeed},
+    {3, 6, kRotor},
+    {4, 6, kGyro},
+    {5, 12, kRcData},
+    {6, 24, kVectors},
+    {7, 36, kRcChannels},
+    {8, 6, kAcc},
+    {9, 8, kMotor4},
+    {10, 26, kAhrs},
+    {11, 9, kEncoders},
+    {12, 12, kImuRad},
+    {13, 40, kScriptFloats},
+    {14, 20, kScriptInts},
+    {15, 46, kPowerState},
+    {16, 6, kFrameRate},
+    {17, 12, kImu20},
+    {18, 12, kTarget20},
+    {19, 7, kCommErrors},
+    {20, 13, kSystemState},
+    {21, 8, kImuQuaternion},
+    {22, 8, kTargetQuaternion},
+    {23, 8, kFrameQuaternion},
+    {24, 8, kAdc},
+    {25, 12, kLimits},
+    {26, 6, kFollow},
+    {27, 24, kExternalLimits},
     {28, 12, kFrameCam20},
 };
 
-} // namespace
+}  // namespace
 
 ChannelTable channelTable(int firmware)
 {
@@ -389,20 +469,19 @@ std::vector<WireField> customLayout(quint32 flags)
 std::vector<WireField> flowFields(int id, quint32 customFlags)
 {
     switch (static_cast<CommandId>(id)) {
-    case CommandId::RealtimeDataCustom:
-        return customLayout(customFlags);
+    case CommandId::RealtimeDataCustom: return customLayout(customFlags);
     case CommandId::AhrsHelper:
-        return {kVectors.begin(), kVectors.end()};   // errata 3.22: Z, then H, as in CUSTOM
+        return {kVectors.begin(), kVectors.end()};  // errata 3.22: Z, then H, as in CUSTOM
     case CommandId::RealtimeData3:
     case CommandId::RealtimeData4: {
         std::vector<WireField> fields;
-        std::copy_if(std::begin(kRealtime), std::end(kRealtime), std::back_inserter(fields), [id](const WireField &field) {
-            return id == number(CommandId::RealtimeData4) || field.offset < kRealtime3Size;
-        });
+        std::copy_if(std::begin(kRealtime), std::end(kRealtime), std::back_inserter(fields),
+                     [id](const WireField &field) {
+                         return id == number(CommandId::RealtimeData4) || field.offset < kRealtime3Size;
+                     });
         return fields;
     }
-    default:
-        return {};
+    default: return {};
     }
 }
 
@@ -428,7 +507,8 @@ std::array<double, 4> unpackQuaternion(quint64 packed)
 quint64 packQuaternion(const std::array<double, 4> &quaternion)
 {
     const auto bySize = [](double a, double b) { return std::abs(a) < std::abs(b); };
-    const auto largest = std::size_t(std::max_element(quaternion.begin(), quaternion.end(), bySize) - quaternion.begin());
+    const auto largest
+        = std::size_t(std::max_element(quaternion.begin(), quaternion.end(), bySize) - quaternion.begin());
     quint64 packed = quint64(largest) << 60 | quint64(quaternion[largest] < 0) << 62;
     int shift = 0;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -468,4 +548,4 @@ float readField(const WireField &field, std::span<const std::byte> payload)
     return static_cast<float>(value * field.scale);
 }
 
-} // namespace sbgc
+}  // namespace sbgc

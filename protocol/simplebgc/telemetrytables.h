@@ -13,38 +13,176 @@ namespace sbgc {
 
 /// Telemetry channels of the family; the number is the position in channelTable().
 enum ChannelId : int {
-    ImuRoll, ImuPitch, ImuYaw,
-    TargetRoll, TargetPitch, TargetYaw,
-    GyroRoll, GyroPitch, GyroYaw,
-    AccX, AccY, AccZ,
-    RotorRoll, RotorPitch, RotorYaw,
-    FrameRoll, FramePitch, FrameYaw,
-    TargetSpeedRoll, TargetSpeedPitch, TargetSpeedYaw,
-    PowerRoll, PowerPitch, PowerYaw,
-    BalanceRoll, BalancePitch, BalanceYaw,
-    RcRoll, RcPitch, RcYaw, RcCmd, FcRoll, FcPitch,
-    Battery, Current, ImuTemperature, FrameTemperature,
-    MagRoll, MagPitch, MagYaw,
-    GravityError, HeadingError,
-    CycleTime, I2cErrors, SerialErrors, SystemError, SubError, MotorsRunning, CurrentImu, CurrentProfile,
-    Z1X, Z1Y, Z1Z, H1X, H1Y, H1Z,
-    RcData1, RcData2, RcData3, RcData4, RcData5, RcData6,
+    ImuRoll,
+    ImuPitch,
+    ImuYaw,
+    TargetRoll,
+    TargetPitch,
+    TargetYaw,
+    GyroRoll,
+    GyroPitch,
+    GyroYaw,
+    AccX,
+    AccY,
+    AccZ,
+    RotorRoll,
+    RotorPitch,
+    RotorYaw,
+    FrameRoll,
+    FramePitch,
+    FrameYaw,
+    TargetSpeedRoll,
+    TargetSpeedPitch,
+    TargetSpeedYaw,
+    PowerRoll,
+    PowerPitch,
+    PowerYaw,
+    BalanceRoll,
+    BalancePitch,
+    BalanceYaw,
+    RcRoll,
+    RcPitch,
+    RcYaw,
+    RcCmd,
+    FcRoll,
+    FcPitch,
+    Battery,
+    Current,
+    ImuTemperature,
+    FrameTemperature,
+    MagRoll,
+    MagPitch,
+    MagYaw,
+    GravityError,
+    HeadingError,
+    CycleTime,
+    I2cErrors,
+    SerialErrors,
+    SystemError,
+    SubError,
+    MotorsRunning,
+    CurrentImu,
+    CurrentProfile,
+    Z1X,
+    Z1Y,
+    Z1Z,
+    H1X,
+    H1Y,
+    H1Z,
+    RcData1,
+    RcData2,
+    RcData3,
+    RcData4,
+    RcData5,
+    RcData6,
     RcChannel1,
     RcChannel18 = RcChannel1 + 17,
     // From here on: fields of CUSTOM that came after 2.60.
-    Motor4Speed = RcChannel18 + 1, Motor4Error, Motor4Output, AhrsMainSource, AhrsFrameSource, AhrsMainZ, AhrsMainH,
-    AhrsFrameZ, AhrsFrameH, ExtImuStatus, ExtImuPackets, ExtImuFaults, ExtImuH, ExtImuZ, EncoderRoll, EncoderPitch,
-    EncoderYaw, ImuRadRoll, ImuRadPitch, ImuRadYaw, Imu20Roll, Imu20Pitch, Imu20Yaw, Target20Roll, Target20Pitch,
-    Target20Yaw, FrameCam20Roll, FrameCam20Pitch, FrameCam20Yaw, ScriptFloat1, ScriptFloat2, ScriptFloat3, ScriptFloat4,
-    ScriptFloat5, ScriptFloat6, ScriptFloat7, ScriptFloat8, ScriptFloat9, ScriptFloat10, ScriptInt1, ScriptInt2,
-    ScriptInt3, ScriptInt4, ScriptInt5, ScriptInt6, ScriptInt7, ScriptInt8, ScriptInt9, ScriptInt10, MotorRollOutput,
-    MotorRollCurrent, MotorRollTemperature, MotorRollFlags, MotorPitchOutput, MotorPitchCurrent, MotorPitchTemperature,
-    MotorPitchFlags, MotorYawOutput, MotorYawCurrent, MotorYawTemperature, MotorYawFlags, PowerState, SupplyVoltage,
-    SupplyCurrent, PowerFlags, FrameRateRoll, FrameRatePitch, FrameRateYaw, CommI2c, CommSerial, CommCan, CommCanFlags,
-    StateFlags, CalibrationMode, ImuQuatW, ImuQuatX, ImuQuatY, ImuQuatZ, TargetQuatW, TargetQuatX, TargetQuatY,
-    TargetQuatZ, FrameQuatW, FrameQuatX, FrameQuatY, FrameQuatZ, Adc1, Adc2, Adc3, Adc4, LimitRollLow, LimitRollHigh,
-    LimitPitchLow, LimitPitchHigh, LimitYawLow, LimitYawHigh, FollowRoll, FollowPitch, FollowYaw, ExtLowRoll, ExtLowPitch,
-    ExtLowYaw, ExtHighRoll, ExtHighPitch, ExtHighYaw,
+    Motor4Speed = RcChannel18 + 1,
+    Motor4Error,
+    Motor4Output,
+    AhrsMainSource,
+    AhrsFrameSource,
+    AhrsMainZ,
+    AhrsMainH,
+    AhrsFrameZ,
+    AhrsFrameH,
+    ExtImuStatus,
+    ExtImuPackets,
+    ExtImuFaults,
+    ExtImuH,
+    ExtImuZ,
+    EncoderRoll,
+    EncoderPitch,
+    EncoderYaw,
+    ImuRadRoll,
+    ImuRadPitch,
+    ImuRadYaw,
+    Imu20Roll,
+    Imu20Pitch,
+    Imu20Yaw,
+    Target20Roll,
+    Target20Pitch,
+    Target20Yaw,
+    FrameCam20Roll,
+    FrameCam20Pitch,
+    FrameCam20Yaw,
+    ScriptFloat1,
+    ScriptFloat2,
+    ScriptFloat3,
+    ScriptFloat4,
+    ScriptFloat5,
+    ScriptFloat6,
+    ScriptFloat7,
+    ScriptFloat8,
+    ScriptFloat9,
+    ScriptFloat10,
+    ScriptInt1,
+    ScriptInt2,
+    ScriptInt3,
+    ScriptInt4,
+    ScriptInt5,
+    ScriptInt6,
+    ScriptInt7,
+    ScriptInt8,
+    ScriptInt9,
+    ScriptInt10,
+    MotorRollOutput,
+    MotorRollCurrent,
+    MotorRollTemperature,
+    MotorRollFlags,
+    MotorPitchOutput,
+    MotorPitchCurrent,
+    MotorPitchTemperature,
+    MotorPitchFlags,
+    MotorYawOutput,
+    MotorYawCurrent,
+    MotorYawTemperature,
+    MotorYawFlags,
+    PowerState,
+    SupplyVoltage,
+    SupplyCurrent,
+    PowerFlags,
+    FrameRateRoll,
+    FrameRatePitch,
+    FrameRateYaw,
+    CommI2c,
+    CommSerial,
+    CommCan,
+    CommCanFlags,
+    StateFlags,
+    CalibrationMode,
+    ImuQuatW,
+    ImuQuatX,
+    ImuQuatY,
+    ImuQuatZ,
+    TargetQuatW,
+    TargetQuatX,
+    TargetQuatY,
+    TargetQuatZ,
+    FrameQuatW,
+    FrameQuatX,
+    FrameQuatY,
+    FrameQuatZ,
+    Adc1,
+    Adc2,
+    Adc3,
+    Adc4,
+    LimitRollLow,
+    LimitRollHigh,
+    LimitPitchLow,
+    LimitPitchHigh,
+    LimitYawLow,
+    LimitYawHigh,
+    FollowRoll,
+    FollowPitch,
+    FollowYaw,
+    ExtLowRoll,
+    ExtLowPitch,
+    ExtLowYaw,
+    ExtHighRoll,
+    ExtHighPitch,
+    ExtHighYaw,
     ChannelCount
 };
 
@@ -65,26 +203,21 @@ struct WireField
     int offset = 0;
     enum Type : std::uint8_t { U8, I8, U16, I16, U24, I32, U32, F32, Quaternion } type = I16;
     double scale = 1.0;
-    int mask = 0;        ///< not 0: only these bits count; which of w, x, y, z of a quaternion
+    int mask = 0;  ///< not 0: only these bits count; which of w, x, y, z of a quaternion
 };
 
 constexpr int fieldSize(WireField::Type type)
 {
     switch (type) {
     case WireField::U8:
-    case WireField::I8:
-        return 1;
+    case WireField::I8: return 1;
     case WireField::U16:
-    case WireField::I16:
-        return 2;
-    case WireField::U24:
-        return 3;
+    case WireField::I16: return 2;
+    case WireField::U24: return 3;
     case WireField::I32:
     case WireField::U32:
-    case WireField::F32:
-        return 4;
-    case WireField::Quaternion:
-        return 8;
+    case WireField::F32: return 4;
+    case WireField::Quaternion: return 8;
     }
     return 0;
 }
@@ -113,7 +246,8 @@ struct CustomField
 /// The fields of such a frame in order, offsets counted from the beginning of the payload.
 [[nodiscard]] std::vector<WireField> customLayout(quint32 flags);
 
-/// Fields of a real-time frame with that command number; flags count for CUSTOM only. Empty: no real-time frame.
+/// Fields of a real-time frame with that command number; flags count for CUSTOM only. Empty: no real-time
+/// frame.
 [[nodiscard]] std::vector<WireField> flowFields(int id, quint32 customFlags);
 
 /// A unit quaternion w, x, y, z in eight bytes (errata 3.24).
@@ -123,4 +257,4 @@ struct CustomField
 /// The physical value of a field, NaN when the payload is too short.
 [[nodiscard]] float readField(const WireField &field, std::span<const std::byte> payload);
 
-} // namespace sbgc
+}  // namespace sbgc

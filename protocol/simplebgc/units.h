@@ -8,11 +8,11 @@
 /// Raw and physical units of the serial API (errata 0).
 namespace sbgc {
 
-inline constexpr double kDegreesPerCount = 360.0 / 16384.0;      ///< 14-bit angle
-inline constexpr double kControlSpeedUnit = 0.1220740379;        ///< deg/s, CONTROL and GET_ANGLES
-inline constexpr double kFineSpeedUnit = 0.001;                  ///< deg/s, CONTROL with the high-resolution flag
-inline constexpr double kGyroUnit = 0.06103701895;               ///< deg/s
-inline constexpr double kAccUnit = 1.0 / 512.0;                  ///< g
+inline constexpr double kDegreesPerCount = 360.0 / 16384.0;  ///< 14-bit angle
+inline constexpr double kControlSpeedUnit = 0.1220740379;  ///< deg/s, CONTROL and GET_ANGLES
+inline constexpr double kFineSpeedUnit = 0.001;  ///< deg/s, CONTROL with the high-resolution flag
+inline constexpr double kGyroUnit = 0.06103701895;  ///< deg/s
+inline constexpr double kAccUnit = 1.0 / 512.0;  ///< g
 
 /// Nearest 16-bit count, held within the type's range.
 inline int toCount16(double value, double unit)
@@ -27,4 +27,4 @@ inline int angleToCount(double degrees)
     return static_cast<int>(((count + 32768) % 65536 + 65536) % 65536 - 32768);
 }
 
-} // namespace sbgc
+}  // namespace sbgc

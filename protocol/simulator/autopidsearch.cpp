@@ -7,16 +7,16 @@
 
 namespace {
 
-constexpr int kCyclesPerIteration = 750;     // 0.6 s
-constexpr int kHalfPeriod = 375;             // of the square stimulus
-constexpr double kStimulus = 1.5;            // degrees
-constexpr double kSlowPart = 0.03;           // per cycle: what is slower than some 6 Hz counts as motion, not ringing
-constexpr double kRingingFactor = 2.2;       // against the soft gains' own
-constexpr double kRingingFloor = 6.0;        // deg/s rms
+constexpr int kCyclesPerIteration = 750;  // 0.6 s
+constexpr int kHalfPeriod = 375;  // of the square stimulus
+constexpr double kStimulus = 1.5;  // degrees
+constexpr double kSlowPart = 0.03;  // per cycle: what is slower than some 6 Hz counts as motion, not ringing
+constexpr double kRingingFactor = 2.2;  // against the soft gains' own
+constexpr double kRingingFloor = 6.0;  // deg/s rms
 constexpr int kSoftP = 20;
 constexpr int kSoftD = 15;
-constexpr double kMostPForD = 2.0;           // more P than this needs more damping than there is
-constexpr int kLongest = 60;                 // iterations
+constexpr double kMostPForD = 2.0;  // more P than this needs more damping than there is
+constexpr int kLongest = 60;  // iterations
 
 int grown(int value, double factor)
 {
@@ -28,7 +28,7 @@ int shrunk(int value, double factor)
     return std::clamp(int(std::lround(value * factor)), 1, 255);
 }
 
-} // namespace
+}  // namespace
 
 AutoPidSearch::AutoPidSearch(std::array<bool, kAxisCount> axes, std::array<AxisResult, kAxisCount> start,
                              int gainVsStability)
@@ -133,8 +133,7 @@ void AutoPidSearch::decide(std::size_t axis)
         result.i = shrunk(result.i, 0.75);
         state.phase = Phase::Done;
         break;
-    case Phase::Done:
-        break;
+    case Phase::Done: break;
     }
 }
 

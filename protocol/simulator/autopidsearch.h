@@ -4,8 +4,9 @@
 
 #include "protocol/simulator/stabilizer.h"
 
-/// Searches gains on the running plant, as the firmware's automatic tuning does: shakes the target, raises D until the
-/// structure rings, steps back, raises P until it overshoots, steps back, then I. All chosen axes at once.
+/// Searches gains on the running plant, as the firmware's automatic tuning does: shakes the target, raises D
+/// until the structure rings, steps back, raises P until it overshoots, steps back, then I. All chosen axes
+/// at once.
 class AutoPidSearch
 {
 public:
@@ -14,11 +15,12 @@ public:
         int p = 0;
         int i = 0;
         int d = 0;
-        double trackingError = 0;   ///< rms, degrees
+        double trackingError = 0;  ///< rms, degrees
     };
 
     /// @param gainVsStability 0 (stable) to 255 (strong)
-    AutoPidSearch(std::array<bool, kAxisCount> axes, std::array<AxisResult, kAxisCount> start, int gainVsStability);
+    AutoPidSearch(std::array<bool, kAxisCount> axes, std::array<AxisResult, kAxisCount> start,
+                  int gainVsStability);
 
     /// Offset that this cycle adds to an axis's target, in degrees.
     [[nodiscard]] double stimulus(Axis axis) const;
@@ -36,10 +38,10 @@ private:
         Phase phase = Phase::Done;
         double squares = 0;
         double ringing = 0;
-        double slow = 0;       // slow part of the gyro signal
+        double slow = 0;  // slow part of the gyro signal
         int samples = 0;
         double best = 0;
-        double baseline = 0;   // ringing of the first, soft gains
+        double baseline = 0;  // ringing of the first, soft gains
     };
     void decide(std::size_t axis);
 

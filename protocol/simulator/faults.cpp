@@ -23,11 +23,14 @@ const std::vector<Row> &rows()
 {
     static const std::vector<Row> table{
         {"lose", 0, 1, "probability that a byte is lost", [](Faults &f, double v) { f.loseByte = v; }},
-        {"flip", 0, 1, "probability that one bit of a byte is wrong", [](Faults &f, double v) { f.flipByte = v; }},
-        {"double", 0, 1, "probability that a byte comes twice", [](Faults &f, double v) { f.doubleByte = v; }},
+        {"flip", 0, 1, "probability that one bit of a byte is wrong",
+         [](Faults &f, double v) { f.flipByte = v; }},
+        {"double", 0, 1, "probability that a byte comes twice",
+         [](Faults &f, double v) { f.doubleByte = v; }},
         {"delay", 0, 5000, "bytes to the host are held back for up to so many ms",
          [](Faults &f, double v) { f.delayMs = int(v); }},
-        {"unplug", 0, 86400, "seconds until the cable is pulled", [](Faults &f, double v) { f.unplugAfter = v; }},
+        {"unplug", 0, 86400, "seconds until the cable is pulled",
+         [](Faults &f, double v) { f.unplugAfter = v; }},
         {"replug", -1, 86400, "seconds until it is plugged in again, -1 = never",
          [](Faults &f, double v) { f.replugAfter = v; }},
         {"reset-on-write", 0, 1000, "the n-th parameter block written resets the board half-way",
@@ -42,16 +45,18 @@ const std::vector<Row> &rows()
          [](Faults &f, double v) { f.shake = v; }},
         {"swapped-axes", 0, 1, "roll and pitch motors are swapped",
          [](Faults &f, double v) { f.swappedAxes = v != 0; }},
-        {"pose", 0, 7, "0 in the gimbal; 1-6 the camera lies still with Z, -Z, X, -X, Y, -Y up; 7 tilted 45 degrees down",
+        {"pose", 0, 7,
+         "0 in the gimbal; 1-6 the camera lies still with Z, -Z, X, -X, Y, -Y up; 7 tilted 45 degrees down",
          [](Faults &f, double v) { f.pose = int(v); }},
         {"mount", 0, 23, "how the sensor sits on the camera, as STorM32 counts orientations",
          [](Faults &f, double v) { f.mount = int(v); }},
-        {"frame-mount", 0, 23, "how the second sensor sits on the frame", [](Faults &f, double v) { f.frameMount = int(v); }},
+        {"frame-mount", 0, 23, "how the second sensor sits on the frame",
+         [](Faults &f, double v) { f.frameMount = int(v); }},
     };
     return table;
 }
 
-} // namespace
+}  // namespace
 
 Result<void> Faults::set(const QString &assignment)
 {
@@ -64,8 +69,10 @@ Result<void> Faults::set(const QString &assignment)
         bool ok = false;
         const double value = assignment.section(u'=', 1).toDouble(&ok);
         if (!ok || !std::isfinite(value) || value < row.min || value > row.max) {
-            return failure(ErrorCode::InvalidArgument, u"%1 needs a number from %2 to %3, not '%4'"_s.arg(name)
-                               .arg(row.min).arg(row.max).arg(assignment.section(u'=', 1)));
+            return failure(
+                ErrorCode::InvalidArgument,
+                u"%1 needs a number from %2 to %3, not '%4'"_s.arg(name).arg(row.min).arg(row.max).arg(
+                    assignment.section(u'=', 1)));
         }
         row.apply(*this, value);
         return {};

@@ -26,9 +26,9 @@ constexpr auto kTick = 2ms;
 // After a pause of the whole machine the simulation does not try to catch up more than this.
 constexpr qint64 kMostCatchUpNs = 500'000'000;
 constexpr qsizetype kReadBuffer = 4096;
-constexpr qsizetype kPtyBacklog = 4096;   // beside what the system keeps for a reader that is late
+constexpr qsizetype kPtyBacklog = 4096;  // beside what the system keeps for a reader that is late
 
-} // namespace
+}  // namespace
 
 SimulatorHost::SimulatorHost(std::unique_ptr<SimulatedPort> port, QObject *parent)
     : QObject(parent)
@@ -90,15 +90,19 @@ Result<void> PtyHost::openTerminal()
 {
     m_master = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
     if (m_master < 0 || ::grantpt(m_master) != 0 || ::unlockpt(m_master) != 0)
-        return failure(ErrorCode::PortNotFound, u"no pseudo-terminal: %1"_s.arg(QString::fromLocal8Bit(std::strerror(errno))));
+        return failure(ErrorCode::PortNotFound,
+                       u"no pseudo-terminal: %1"_s.arg(QString::fromLocal8Bit(std::strerror(errno))));
     m_slave = QString::fromLocal8Bit(::ptsname(m_master));
     // Raw from the start: a client that only reads and writes must not see its bytes echoed.
-    struct termios2 settings{};
+    struct termios2 settings
+    {
+    };
     if (::ioctl(m_master, TCGETS2, &settings) == 0) {
         settings.c_iflag = 0;
         settings.c_oflag = 0;
         settings.c_lflag = 0;
-        settings.c_cflag = (settings.c_cflag & ~static_cast<tcflag_t>(CSIZE | CBAUD)) | CS8 | CREAD | CLOCAL | B115200;
+        settings.c_cflag
+            = (settings.c_cflag & ~static_cast<tcflag_t>(CSIZE | CBAUD)) | CS8 | CREAD | CLOCAL | B115200;
         ::ioctl(m_master, TCSETS2, &settings);
     }
     if (!QFile::link(m_slave, m_path)) {
@@ -125,14 +129,17 @@ void PtyHost::poll()
         return;
     drain();
     // The host's rate is seen through the terminal; its parity is not, Linux keeps none on pseudo-terminals.
-    struct termios2 settings{};
+    struct termios2 settings
+    {
+    };
     if (::ioctl(m_master, TCGETS2, &settings) == 0)
-        port().setHostLine(LineSettings{int(settings.c_ospeed), port().board().onlyParity().value_or(Parity::None)});
+        port().setHostLine(
+            LineSettings{int(settings.c_ospeed), port().board().onlyParity().value_or(Parity::None)});
     char buffer[kReadBuffer];
     for (;;) {
         const ssize_t count = ::read(m_master, buffer, sizeof buffer);
         if (count <= 0)
-            break;   // nothing there, or nobody has the other end open
+            break;  // nothing there, or nobody has the other end open
         hostWrote(QByteArrayView(buffer, count));
     }
 }
@@ -147,10 +154,12 @@ void PtyHost::deliver(const QByteArray &bytes)
 
 void PtyHost::drain()
 {
-    const ssize_t count = m_unsent.isEmpty() ? 0 : ::write(m_master, m_unsent.constData(), std::size_t(m_unsent.size()));
+    const ssize_t count
+        = m_unsent.isEmpty() ? 0 : ::write(m_master, m_unsent.constData(), std::size_t(m_unsent.size()));
     if (count > 0)
         m_unsent.remove(0, count);
-    // Nobody reads: on USB the board has to wait, which skips its streams; a UART does not wait, its bytes are lost.
+    // Nobody reads: on USB the board has to wait, which skips its streams; a UART does not wait, its bytes
+    // are lost.
     port().setHostReady(m_unsent.size() < kPtyBacklog);
     if (m_unsent.size() > 2 * kPtyBacklog)
         m_unsent.truncate(kPtyBacklog);
@@ -241,8 +250,9 @@ Result<SimulatorSetup> parseSimulatorSetup(const QString &family, const QMap<QSt
         bool ok = false;
         const int value = text.toInt(&ok);
         if (!ok || value < min || value > max) {
-            return failure(ErrorCode::InvalidArgument, u"%1 needs a whole number from %2 to %3, not '%4'"_s.arg(name)
-                               .arg(min).arg(max).arg(text));
+            return failure(
+                ErrorCode::InvalidArgument,
+                u"%1 needs a whole number from %2 to %3, not '%4'"_s.arg(name).arg(min).arg(max).arg(text));
         }
         return value;
     };
@@ -266,10 +276,12 @@ Result<SimulatorSetup> parseSimulatorSetup(const QString &family, const QMap<QSt
             // "2.59" is 2590; "2.70b4" is 2704; "2.73.8" is 2738 (document BOARD_INFO).
             const QString digits = QString(it.value()).replace(u'b', u'.');
             const QStringList parts = digits.split(u'.');
-            const int number = parts.value(0).toInt(&ok) * 1000 + parts.value(1).toInt() * 10 + parts.value(2).toInt();
+            const int number
+                = parts.value(0).toInt(&ok) * 1000 + parts.value(1).toInt() * 10 + parts.value(2).toInt();
             if (!ok || parts.size() < 2 || parts.value(1).size() != 2 || number < 2400 || number > 9999) {
-                return failure(ErrorCode::InvalidArgument,
-                               u"firmware needs a version like 2.59, 2.70b4 or 2.73.8, not '%1'"_s.arg(it.value()));
+                return failure(
+                    ErrorCode::InvalidArgument,
+                    u"firmware needs a version like 2.59, 2.70b4 or 2.73.8, not '%1'"_s.arg(it.value()));
             }
             setup.options.firmware = number;
         } else if (it.key() == u"board"_s && !storm) {
@@ -290,9 +302,10 @@ Result<SimulatorSetup> parseSimulatorSetup(const QString &family, const QMap<QSt
             parity = it.value() == u"even"_s ? Parity::Even : Parity::None;
         } else if (it.key() != u"fault"_s) {
             return failure(ErrorCode::InvalidArgument,
-                           u"there is no option '%1'; there are: %2"_s
-                               .arg(it.key(), storm ? u"seed, firmware, strict, rate, fault"_s
-                                                    : u"seed, firmware, board, rate, parity, fault"_s));
+                           u"there is no option '%1'; there are: %2"_s.arg(
+                               it.key(),
+                               storm ? u"seed, firmware, strict, rate, fault"_s
+                                     : u"seed, firmware, board, rate, parity, fault"_s));
         }
     }
     for (const QString &fault : faults) {
@@ -309,7 +322,8 @@ namespace {
 
 class SimulatorTransport;
 
-/// The simulator end of the in-process pipe, on the simulator's own thread, so a busy I/O thread does not slow it.
+/// The simulator end of the in-process pipe, on the simulator's own thread, so a busy I/O thread does not
+/// slow it.
 class PipeHost final : public SimulatorHost
 {
 public:
@@ -332,13 +346,15 @@ private:
 class SimulatorRig
 {
 public:
-    explicit SimulatorRig(std::unique_ptr<SimulatedPort> port) : m_host(new PipeHost(std::move(port)))
+    explicit SimulatorRig(std::unique_ptr<SimulatedPort> port)
+        : m_host(new PipeHost(std::move(port)))
     {
         m_thread.setObjectName(u"gimbal-simulator"_s);
         m_host->moveToThread(&m_thread);
         QObject::connect(&m_thread, &QThread::finished, m_host, &QObject::deleteLater);
         m_thread.start();
-        QMetaObject::invokeMethod(m_host, [this] { std::ignore = m_host->start(); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            m_host, [this] { std::ignore = m_host->start(); }, Qt::QueuedConnection);
     }
     ~SimulatorRig()
     {
@@ -358,7 +374,11 @@ private:
 class SimulatorTransport final : public Transport
 {
 public:
-    SimulatorTransport(std::shared_ptr<SimulatorRig> rig, bool hasLine) : m_rig(std::move(rig)), m_hasLine(hasLine) { }
+    SimulatorTransport(std::shared_ptr<SimulatorRig> rig, bool hasLine)
+        : m_rig(std::move(rig))
+        , m_hasLine(hasLine)
+    {
+    }
     ~SimulatorTransport() override { SimulatorTransport::close(); }
     SimulatorTransport(const SimulatorTransport &) = delete;
     SimulatorTransport &operator=(const SimulatorTransport &) = delete;
@@ -366,8 +386,8 @@ public:
     void open() override
     {
         bool in = false;
-        QMetaObject::invokeMethod(m_rig->host(), [&] { in = m_rig->host()->attach(this); },
-                                  Qt::BlockingQueuedConnection);
+        QMetaObject::invokeMethod(
+            m_rig->host(), [&] { in = m_rig->host()->attach(this); }, Qt::BlockingQueuedConnection);
         m_open = in;
         if (in)
             emit opened();
@@ -379,26 +399,28 @@ public:
     {
         if (!std::exchange(m_open, false))
             return;
-        QMetaObject::invokeMethod(m_rig->host(), [this] { m_rig->host()->attach(nullptr); },
-                                  Qt::BlockingQueuedConnection);
+        QMetaObject::invokeMethod(
+            m_rig->host(), [this] { m_rig->host()->attach(nullptr); }, Qt::BlockingQueuedConnection);
     }
 
     void write(QByteArrayView bytes) override
     {
         if (!m_open)
             return;
-        QMetaObject::invokeMethod(m_rig->host(), [host = m_rig->host(), copy = bytes.toByteArray()] {
-            host->write(copy);
-        }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            m_rig->host(), [host = m_rig->host(), copy = bytes.toByteArray()] { host->write(copy); },
+            Qt::QueuedConnection);
         const qint64 count = bytes.size();
-        QMetaObject::invokeMethod(this, [this, count] { emit bytesWritten(count); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this, count] { emit bytesWritten(count); }, Qt::QueuedConnection);
     }
 
     bool setLine(const LineSettings &line) override
     {
         m_line = line;
-        QMetaObject::invokeMethod(m_rig->host(), [host = m_rig->host(), line] { host->port().setHostLine(line); },
-                                  Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            m_rig->host(), [host = m_rig->host(), line] { host->port().setHostLine(line); },
+            Qt::QueuedConnection);
         return true;
     }
 
@@ -438,16 +460,18 @@ bool PipeHost::attach(SimulatorTransport *transport)
 void PipeHost::deliver(const QByteArray &bytes)
 {
     if (m_transport)
-        QMetaObject::invokeMethod(m_transport, [t = m_transport, bytes] { t->arrived(bytes); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            m_transport, [t = m_transport, bytes] { t->arrived(bytes); }, Qt::QueuedConnection);
 }
 
 void PipeHost::plugged(bool in)
 {
     if (!in && m_transport)
-        QMetaObject::invokeMethod(m_transport, [t = m_transport] { t->pulled(); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            m_transport, [t = m_transport] { t->pulled(); }, Qt::QueuedConnection);
 }
 
-} // namespace
+}  // namespace
 
 struct SimulatedGimbals::Rigs
 {
@@ -490,8 +514,8 @@ Result<void> SimulatedGimbals::change(const LinkAddress &address, const QString 
     }
     if (!rig)
         return failure(ErrorCode::NotConnected, address.toString());
-    QMetaObject::invokeMethod(rig->host(), [host = rig->host(), assignment] {
-        std::ignore = host->port().change(assignment);
-    }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        rig->host(), [host = rig->host(), assignment] { std::ignore = host->port().change(assignment); },
+        Qt::QueuedConnection);
     return {};
 }

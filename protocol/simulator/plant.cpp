@@ -8,9 +8,9 @@
 
 namespace {
 
-constexpr double kMotorLag = 0.004;     // seconds: winding and driver
-constexpr int kSubSteps = 4;            // of the 0.8 ms cycle, so that resonances stay accurate
-constexpr double kSway = 2.0;           // degrees rms of a calm hand
+constexpr double kMotorLag = 0.004;  // seconds: winding and driver
+constexpr int kSubSteps = 4;  // of the 0.8 ms cycle, so that resonances stay accurate
+constexpr double kSway = 2.0;  // degrees rms of a calm hand
 constexpr double kSwayHz = 0.5;
 
 double radians(double degrees)
@@ -18,7 +18,7 @@ double radians(double degrees)
     return degrees * std::numbers::pi / 180.0;
 }
 
-} // namespace
+}  // namespace
 
 void AxisPlant::step(double seconds, double torque, double frameAngle, double frameRate)
 {
@@ -55,7 +55,8 @@ void HandShake::step(double seconds)
     const double omega = 2.0 * std::numbers::pi * kSwayHz;
     const double drive = kSway * m_strength * std::pow(omega, 1.5) * 2.0 / std::sqrt(seconds);
     for (std::size_t axis = 0; axis < m_angle.size(); ++axis) {
-        m_rate[axis] += (m_noise.gauss(drive) - omega * omega * m_angle[axis] - 2.0 * omega * m_rate[axis]) * seconds;
+        m_rate[axis]
+            += (m_noise.gauss(drive) - omega * omega * m_angle[axis] - 2.0 * omega * m_rate[axis]) * seconds;
         m_angle[axis] += m_rate[axis] * seconds;
     }
 }
@@ -64,8 +65,7 @@ AxisMechanics simulatedMechanics(Axis axis)
 {
     AxisMechanics mechanics;
     switch (axis) {
-    case Axis::Roll:
-        break;
+    case Axis::Roll: break;
     case Axis::Pitch:
         mechanics.fullTorque = 4500.0;
         mechanics.resonanceHz = 70.0;

@@ -11,7 +11,10 @@
 class SimulatedNoise
 {
 public:
-    explicit SimulatedNoise(unsigned seed) : m_engine(seed) { }
+    explicit SimulatedNoise(unsigned seed)
+        : m_engine(seed)
+    {
+    }
     double gauss(double sigma) { return sigma * m_normal(m_engine); }
     double uniform() { return m_uniform(m_engine); }
     bool chance(double probability) { return probability > 0.0 && uniform() < probability; }
@@ -25,25 +28,30 @@ private:
 /// What one axis of the gimbal is made of. Accelerations in deg/s², as torque divided by inertia.
 struct AxisMechanics
 {
-    double fullTorque = 4000.0;     ///< acceleration at full power and nominal voltage
-    double viscous = 2.5;           ///< friction per deg/s between camera and frame
-    double coulomb = 35.0;          ///< dry friction between camera and frame
-    double imbalance = 60.0;        ///< gravity pulls the camera off level
-    double cogging = 12.0;          ///< ripple of the motor's magnets
-    double resonanceHz = 55.0;      ///< first mode of the structure
+    double fullTorque = 4000.0;  ///< acceleration at full power and nominal voltage
+    double viscous = 2.5;  ///< friction per deg/s between camera and frame
+    double coulomb = 35.0;  ///< dry friction between camera and frame
+    double imbalance = 60.0;  ///< gravity pulls the camera off level
+    double cogging = 12.0;  ///< ripple of the motor's magnets
+    double resonanceHz = 55.0;  ///< first mode of the structure
     double resonanceDamping = 0.03;
-    double resonanceGain = 1.0;     ///< how strongly the motor excites it
-    double stop = 150.0;            ///< mechanical end stop, degrees between frame and camera
+    double resonanceGain = 1.0;  ///< how strongly the motor excites it
+    double stop = 150.0;  ///< mechanical end stop, degrees between frame and camera
     int poles = 14;
 };
 
-/// One axis: camera with inertia behind a lagging motor, friction towards a shaking frame, a ringing structure.
+/// One axis: camera with inertia behind a lagging motor, friction towards a shaking frame, a ringing
+/// structure.
 class AxisPlant
 {
 public:
-    explicit AxisPlant(const AxisMechanics &mechanics) : m_mechanics(mechanics) { }
+    explicit AxisPlant(const AxisMechanics &mechanics)
+        : m_mechanics(mechanics)
+    {
+    }
 
-    /// @param torque -1..1 of full torque; @param frameAngle and frameRate of the frame about this axis, deg and deg/s
+    /// @param torque -1..1 of full torque; @param frameAngle and frameRate of the frame about this axis, deg
+    /// and deg/s
     void step(double seconds, double torque, double frameAngle, double frameRate);
 
     /// Attitude of the camera about this axis in degrees, with the structure's ringing.
@@ -52,7 +60,11 @@ public:
     /// Angle between frame and camera.
     [[nodiscard]] double jointAngle() const { return m_angle - m_frameAngle; }
     [[nodiscard]] bool isAtStop() const { return m_atStop; }
-    void setAngle(double degrees) { m_angle = degrees; m_rate = m_bend = m_bendRate = m_motor = 0.0; }
+    void setAngle(double degrees)
+    {
+        m_angle = degrees;
+        m_rate = m_bend = m_bendRate = m_motor = 0.0;
+    }
     [[nodiscard]] const AxisMechanics &mechanics() const { return m_mechanics; }
 
 private:
@@ -61,7 +73,7 @@ private:
     double m_rate = 0;
     double m_bend = 0;
     double m_bendRate = 0;
-    double m_motor = 0;       // torque that the lagging motor makes now
+    double m_motor = 0;  // torque that the lagging motor makes now
     double m_frameAngle = 0;
     bool m_atStop = false;
 };
@@ -70,7 +82,10 @@ private:
 class HandShake
 {
 public:
-    explicit HandShake(unsigned seed) : m_noise(seed) { }
+    explicit HandShake(unsigned seed)
+        : m_noise(seed)
+    {
+    }
 
     void step(double seconds);
     /// 1 = a calm hand, 0 = a tripod, 5 = somebody shakes the gimbal.

@@ -12,20 +12,20 @@ using namespace sbgc;
 
 namespace {
 
-constexpr double kBootTime = 1.2;             // seconds until the firmware listens again
-constexpr qsizetype kInputBuffer = 256;       // errata 7: a whole message is lost when it is full
-constexpr double kCommandTime = 0.0015;       // errata 7: 1-10 ms to an answer
+constexpr double kBootTime = 1.2;  // seconds until the firmware listens again
+constexpr qsizetype kInputBuffer = 256;  // errata 7: a whole message is lost when it is full
+constexpr double kCommandTime = 0.0015;  // errata 7: 1-10 ms to an answer
 constexpr double kNominalVoltage = 12.3;
-constexpr double kStillEnough = 8.0;          // deg/s peak to peak that still counts as standing still
+constexpr double kStillEnough = 8.0;  // deg/s peak to peak that still counts as standing still
 constexpr double kLongestCalibration = 12.0;  // seconds, then it ends without having changed anything
-constexpr double kMissedSteps = 30.0;         // degrees of error
+constexpr double kMissedSteps = 30.0;  // degrees of error
 
 Capabilities capabilitiesOf(const SimulatorOptions &)
 {
     return {u"yaw-axis"_s, u"battery"_s, u"current"_s};
 }
 
-} // namespace
+}  // namespace
 
 SbgcBoard::SbgcBoard(const SimulatorOptions &options)
     : m_options(options)
@@ -245,7 +245,8 @@ void SbgcBoard::updateFaults()
     m_stabilizer.setPose(faults.pose);
     m_stabilizer.setSwappedMotors(faults.swappedAxes);
     m_stabilizer.hand().setStrength(isCalibrating() && faults.shake <= 2.0 ? 0.0 : faults.shake);
-    const double volts = (faults.battery > 0 ? faults.battery : kNominalVoltage) - 0.04 * m_stabilizer.current();
+    const double volts
+        = (faults.battery > 0 ? faults.battery : kNominalVoltage) - 0.04 * m_stabilizer.current();
     m_stabilizer.setVoltage(volts);
     const double motorsOff = value(u"battery.motors_off"_s);
     if (motorsOff > 0 && volts < motorsOff)
@@ -254,7 +255,8 @@ void SbgcBoard::updateFaults()
         m_otherClientDone = true;
         store(u"pid.roll.p"_s, m_active, std::min(255, stored(u"pid.roll.p"_s, m_active) + 10));
     }
-    // Emergency stop is an option of the board (GENERAL_FLAGS1 bit 4): it takes a motor that fights for what it is.
+    // Emergency stop is an option of the board (GENERAL_FLAGS1 bit 4): it takes a motor that fights for what
+    // it is.
     const bool guarded = int(value(u"board.flags1"_s)) & 16;
     if (guarded && m_stabilizer.motorsOn()) {
         for (const Axis axis : kAxes) {
@@ -275,9 +277,10 @@ void SbgcBoard::updateTargets()
         double target = m_stabilizer.target(axis);
         if (mode == Speed) {
             target += m_moveSpeed[i] * Stabilizer::kCycle;
-        } else if (mode == Angle || mode == SpeedAngle || mode == AngleRelFrame || mode == Rc || mode == AngleShortest
-                   || mode == RcHighRes) {
-            const double goal = m_destination[i] + (mode == AngleRelFrame ? m_stabilizer.hand().angle(axis) : 0.0);
+        } else if (mode == Angle || mode == SpeedAngle || mode == AngleRelFrame || mode == Rc
+                   || mode == AngleShortest || mode == RcHighRes) {
+            const double goal
+                = m_destination[i] + (mode == AngleRelFrame ? m_stabilizer.hand().angle(axis) : 0.0);
             const double step = std::abs(m_moveSpeed[i]) * Stabilizer::kCycle;
             target += std::clamp(goal - target, -step, step);
             arrived &= std::abs(goal - m_stabilizer.estimate(axis)) < 1.0;
@@ -365,8 +368,9 @@ void SbgcBoard::updateAutoPid()
     if (!m_autoPid)
         return;
     for (std::size_t i = 0; i < kAxisCount; ++i)
-        m_stabilizer.setTarget(kAxes[i], m_autoPid->isSelected(kAxes[i]) ? m_autoPid->stimulus(kAxes[i])
-                                                                       : m_stabilizer.target(kAxes[i]));
+        m_stabilizer.setTarget(kAxes[i],
+                               m_autoPid->isSelected(kAxes[i]) ? m_autoPid->stimulus(kAxes[i])
+                                                               : m_stabilizer.target(kAxes[i]));
     if (!m_autoPid->observe(m_stabilizer))
         return;
     AutoPidProgress progress;
@@ -375,7 +379,8 @@ void SbgcBoard::updateAutoPid()
         const QString axis = QLatin1String(axisKey(kAxes[i]));
         const AutoPidSearch::AxisResult &result = m_autoPid->results()[i];
         if (m_autoPid->isSelected(kAxes[i])) {
-            for (const auto &[key, raw] : {std::pair(u"p"_s, result.p), {u"i"_s, result.i}, {u"d"_s, result.d}}) {
+            for (const auto &[key, raw] :
+                 {std::pair(u"p"_s, result.p), {u"i"_s, result.i}, {u"d"_s, result.d}}) {
                 const ParameterSpec *parameter = spec(u"pid.%1.%2"_s.arg(axis, key));
                 parameter->write(m_ram[parameter->row->block], raw);
             }

@@ -13,8 +13,8 @@
 
 #include <deque>
 
-/// A SimpleBGC 32-bit controller on a simulated gimbal: memory per profile, volatile variables, streams, calibrations,
-/// automatic tuning, resets. Behaviour after the document and errata 7.
+/// A SimpleBGC 32-bit controller on a simulated gimbal: memory per profile, volatile variables, streams,
+/// calibrations, automatic tuning, resets. Behaviour after the document and errata 7.
 class SbgcBoard final : public SimulatedBoard
 {
 public:
@@ -135,7 +135,7 @@ private:
     std::array<Block, sbgc::kProfileCount> m_eeprom;
     Block m_ram;
     QStringList m_names;
-    QMap<int, qint32> m_otherVars;       // adjustable variables that no parameter stands behind
+    QMap<int, qint32> m_otherVars;  // adjustable variables that no parameter stands behind
     int m_active = 0;
     int m_imu = 1;
     double m_now = 0;
@@ -147,7 +147,8 @@ private:
     std::vector<Stream> m_streams;
     StreamCount m_streamCount;
     Calibration m_calibration;
-    std::array<std::array<std::optional<double>, 2>, kAxisCount> m_accLimits;   // reading with the axis down, up
+    std::array<std::array<std::optional<double>, 2>, kAxisCount>
+        m_accLimits;  // reading with the axis down, up
     std::unique_ptr<AutoPidSearch> m_autoPid;
     int m_autoPidVersion = 1;
     bool m_autoPidReports = false;

@@ -13,11 +13,11 @@ using namespace sbgc;
 
 namespace {
 
-constexpr double kLatency = 0.0015;            // seconds from command to the first byte of its answer
-constexpr double kWriteLatency = 0.030;        // EEPROM write (errata 7: tens of ms)
+constexpr double kLatency = 0.0015;  // seconds from command to the first byte of its answer
+constexpr double kWriteLatency = 0.030;  // EEPROM write (errata 7: tens of ms)
 constexpr double kCalibrationTime = 4.0;
-constexpr double kResetNotice = 1.0;           // document CMD_RESET: 1000 ms between notice and restart
-constexpr qsizetype kStreamSpace = 512;        // fuller than this, streams are skipped
+constexpr double kResetNotice = 1.0;  // document CMD_RESET: 1000 ms between notice and restart
+constexpr qsizetype kStreamSpace = 512;  // fuller than this, streams are skipped
 constexpr int kMostStreams = 10;
 constexpr int kUnknownFirmware = 9990;
 
@@ -29,14 +29,14 @@ constexpr int kNotSupported = 9;
 
 std::vector<DebugVar> debugVariables()
 {
-    return {{u"ERR_ROLL"_s, DebugVar::I16, 1, true, 1},  {u"ERR_PITCH"_s, DebugVar::I16, 2, true, 1},
-            {u"ERR_YAW"_s, DebugVar::I16, 3, true, 1},   {u"MOTOR_OUT"_s, DebugVar::F32, 0, false, 3},
-            {u"CPU_LOAD"_s, DebugVar::U8, 0, false, 1},  {u"IMU_TEMP"_s, DebugVar::I8, 0, false, 1},
-            {u"CYCLE_US"_s, DebugVar::U16, 0, false, 1}, {u"UPTIME_MS"_s, DebugVar::U32, 0, false, 1},
+    return {{u"ERR_ROLL"_s, DebugVar::I16, 1, true, 1},      {u"ERR_PITCH"_s, DebugVar::I16, 2, true, 1},
+            {u"ERR_YAW"_s, DebugVar::I16, 3, true, 1},       {u"MOTOR_OUT"_s, DebugVar::F32, 0, false, 3},
+            {u"CPU_LOAD"_s, DebugVar::U8, 0, false, 1},      {u"IMU_TEMP"_s, DebugVar::I8, 0, false, 1},
+            {u"CYCLE_US"_s, DebugVar::U16, 0, false, 1},     {u"UPTIME_MS"_s, DebugVar::U32, 0, false, 1},
             {u"YAW_UNWRAPPED"_s, DebugVar::I32, 3, false, 1}};
 }
 
-} // namespace
+}  // namespace
 
 void SbgcBoard::send(CommandId id, const QByteArray &payload, int version, bool isStream)
 {
@@ -105,15 +105,9 @@ bool SbgcBoard::handleRead(const Frame &frame)
         return true;
     }
     case CommandId::ReadParams:
-    case CommandId::ReadParams3:
-        readParams(frame, Params3);
-        return true;
-    case CommandId::ReadParamsExt:
-        readParams(frame, ParamsExt);
-        return true;
-    case CommandId::ReadParamsExt2:
-        readParams(frame, ParamsExt2);
-        return true;
+    case CommandId::ReadParams3: readParams(frame, Params3); return true;
+    case CommandId::ReadParamsExt: readParams(frame, ParamsExt); return true;
+    case CommandId::ReadParamsExt2: readParams(frame, ParamsExt2); return true;
     case CommandId::ReadProfileNames:
         reply(frame, CommandId::ReadProfileNames, encodeProfileNames(m_names));
         return true;
@@ -142,24 +136,21 @@ bool SbgcBoard::handleRead(const Frame &frame)
         return true;
     case CommandId::DebugVarsInfo3: {
         const auto vars = debugVariables();
-        const auto from = std::min<std::size_t>(frame.payload.isEmpty() ? 0 : quint8(frame.payload[0]), vars.size());
-        reply(frame, CommandId::DebugVarsInfo3, encodeDebugVarsInfo(int(vars.size()), std::span(vars).subspan(from)));
+        const auto from
+            = std::min<std::size_t>(frame.payload.isEmpty() ? 0 : quint8(frame.payload[0]), vars.size());
+        reply(frame, CommandId::DebugVarsInfo3,
+              encodeDebugVarsInfo(int(vars.size()), std::span(vars).subspan(from)));
         return true;
     }
     case CommandId::DebugVars3:
         reply(frame, CommandId::DebugVars3, encodeDebugVars(debugVariables(), debugValues()));
         return true;
-    case CommandId::GetAdjVarsVal:
-        getAdjVars(frame);
-        return true;
+    case CommandId::GetAdjVarsVal: getAdjVars(frame); return true;
     case CommandId::GetParams3:
-        refuse(frame, kNotSupported);   // "not yet implemented", says the document
+        refuse(frame, kNotSupported);  // "not yet implemented", says the document
         return true;
-    case CommandId::AhrsHelper:
-        reply(frame, CommandId::AhrsHelper, attitudeVectors());
-        return true;
-    default:
-        return false;
+    case CommandId::AhrsHelper: reply(frame, CommandId::AhrsHelper, attitudeVectors()); return true;
+    default: return false;
     }
 }
 
@@ -167,15 +158,9 @@ bool SbgcBoard::handleWrite(const Frame &frame)
 {
     switch (static_cast<CommandId>(frame.id)) {
     case CommandId::WriteParams:
-    case CommandId::WriteParams3:
-        writeParams(frame, Params3);
-        return true;
-    case CommandId::WriteParamsExt:
-        writeParams(frame, ParamsExt);
-        return true;
-    case CommandId::WriteParamsExt2:
-        writeParams(frame, ParamsExt2);
-        return true;
+    case CommandId::WriteParams3: writeParams(frame, Params3); return true;
+    case CommandId::WriteParamsExt: writeParams(frame, ParamsExt); return true;
+    case CommandId::WriteParamsExt2: writeParams(frame, ParamsExt2); return true;
     case CommandId::WriteParamsSet:
         if (m_options.firmware < 2704)
             return false;
@@ -189,15 +174,13 @@ bool SbgcBoard::handleWrite(const Frame &frame)
         confirm(frame);
         return true;
     }
-    case CommandId::SetAdjVarsVal:
-        setAdjVars(frame);
-        return true;
+    case CommandId::SetAdjVarsVal: setAdjVars(frame); return true;
     case CommandId::SaveParams3:
         m_eeprom[std::size_t(m_active)] = m_ram;
         shareBoardValues(m_active);
-        m_replies.push_back({m_now + kWriteLatency, encodeFrame(number(CommandId::Confirm),
-                                                               QByteArray(1, static_cast<char>(frame.id)),
-                                                               frame.version)});
+        m_replies.push_back({m_now + kWriteLatency,
+                             encodeFrame(number(CommandId::Confirm),
+                                         QByteArray(1, static_cast<char>(frame.id)), frame.version)});
         return true;
     case CommandId::UseDefaults: {
         if (!hasSize(frame, 1))
@@ -216,8 +199,7 @@ bool SbgcBoard::handleWrite(const Frame &frame)
         restart(kResetNotice);
         return true;
     }
-    default:
-        return false;
+    default: return false;
     }
 }
 
@@ -235,9 +217,7 @@ bool SbgcBoard::handleAction(const Frame &frame)
         m_control = {};
         confirm(frame);
         return true;
-    case CommandId::Control:
-        control(frame);
-        return true;
+    case CommandId::Control: control(frame); return true;
     case CommandId::ExecuteMenu:
         if (hasSize(frame, 1))
             menu(quint8(frame.payload[0]), frame);
@@ -248,12 +228,8 @@ bool SbgcBoard::handleAction(const Frame &frame)
             confirm(frame);
         return true;
     case CommandId::CalibGyro:
-    case CommandId::CalibAcc:
-        startCalibration(frame);
-        return true;
-    case CommandId::CalibOffset:
-        confirm(frame);
-        return true;
+    case CommandId::CalibAcc: startCalibration(frame); return true;
+    case CommandId::CalibOffset: confirm(frame); return true;
     case CommandId::CalibBat:
         if (!hasSize(frame, 2))
             return true;
@@ -292,8 +268,7 @@ bool SbgcBoard::handleAction(const Frame &frame)
             return false;
         registerStream(frame);
         return true;
-    case CommandId::BeepSound:
-        return m_options.firmware >= 2590;
+    case CommandId::BeepSound: return m_options.firmware >= 2590;
     case CommandId::Reset: {
         double delay = 0;
         if (frame.payload.size() >= 3) {
@@ -305,8 +280,7 @@ bool SbgcBoard::handleAction(const Frame &frame)
         restart(delay + 2 * kLatency);
         return true;
     }
-    default:
-        return false;
+    default: return false;
     }
 }
 
@@ -316,7 +290,8 @@ void SbgcBoard::readParams(const Frame &frame, int block)
         return;
     const int asked = quint8(frame.payload[0]);
     const int profile = asked < kProfileCount ? asked : m_active;
-    QByteArray bytes = profile == m_active ? m_ram[std::size_t(block)] : m_eeprom[std::size_t(profile)][std::size_t(block)];
+    QByteArray bytes = profile == m_active ? m_ram[std::size_t(block)]
+                                           : m_eeprom[std::size_t(profile)][std::size_t(block)];
     bytes[0] = static_cast<char>(profile);
     if (block == Params3) {
         bytes[132] = static_cast<char>(m_imu);
@@ -346,8 +321,9 @@ void SbgcBoard::writeParams(const Frame &frame, int block)
     m_eeprom[std::size_t(profile)][std::size_t(block)] = bytes;
     shareBoardValues(profile);
     loadProfile(profile);
-    m_replies.push_back({m_now + kWriteLatency, encodeFrame(number(CommandId::Confirm),
-                                                           QByteArray(1, static_cast<char>(frame.id)), frame.version)});
+    m_replies.push_back(
+        {m_now + kWriteLatency,
+         encodeFrame(number(CommandId::Confirm), QByteArray(1, static_cast<char>(frame.id)), frame.version)});
     m_nextCommandAt = m_now + kWriteLatency;
 }
 
@@ -428,8 +404,8 @@ void SbgcBoard::registerStream(const Frame &frame)
         return;
     }
     const auto id = static_cast<CommandId>(stream->command);
-    if (id != CommandId::RealtimeData3 && id != CommandId::RealtimeData4 && id != CommandId::RealtimeDataCustom
-        && id != CommandId::AhrsHelper) {
+    if (id != CommandId::RealtimeData3 && id != CommandId::RealtimeData4
+        && id != CommandId::RealtimeDataCustom && id != CommandId::AhrsHelper) {
         refuse(frame, kWrongParameters);
         return;
     }
@@ -482,9 +458,8 @@ void SbgcBoard::control(const Frame &frame)
         m_control[i] = wanted;
         const double unit = wanted.mode & ControlHighResSpeed ? kFineSpeedUnit : kControlSpeedUnit;
         const double speed = wanted.speed * unit;
-        m_moveSpeed[i] = mode == Speed || wanted.speed != 0
-            ? speed
-            : std::max(5.0, axisValue("rc.%a.speed", kAxes[i]));
+        m_moveSpeed[i]
+            = mode == Speed || wanted.speed != 0 ? speed : std::max(5.0, axisValue("rc.%a.speed", kAxes[i]));
         m_destination[i] = mode == Rc ? wanted.angle / 500.0 * axisValue("rc.%a.max_angle", kAxes[i])
             : mode == RcHighRes       ? wanted.angle / 16384.0 * axisValue("rc.%a.max_angle", kAxes[i])
                                       : wanted.angle * kDegreesPerCount;
@@ -496,9 +471,10 @@ void SbgcBoard::control(const Frame &frame)
 void SbgcBoard::menu(int action, const Frame &frame)
 {
     static const QMap<int, int> profiles{{1, 0}, {2, 1}, {3, 2}, {14, 3}, {15, 4}};
-    const bool known = std::any_of(std::begin(kMenuActions), std::end(kMenuActions), [&](const Choice &choice) {
-        return choice.value == action && m_options.firmware >= choice.since;
-    });
+    const bool known
+        = std::any_of(std::begin(kMenuActions), std::end(kMenuActions), [&](const Choice &choice) {
+              return choice.value == action && m_options.firmware >= choice.since;
+          });
     if (!known) {
         refuse(frame, kWrongParameters);
         return;
@@ -511,7 +487,8 @@ void SbgcBoard::menu(int action, const Frame &frame)
     switch (action) {
     case 6:
     case 9: {
-        Frame calibration(number(action == 9 ? CommandId::CalibGyro : CommandId::CalibAcc), {}, frame.version);
+        Frame calibration(number(action == 9 ? CommandId::CalibGyro : CommandId::CalibAcc), {},
+                          frame.version);
         startCalibration(calibration);
         break;
     }
@@ -519,18 +496,10 @@ void SbgcBoard::menu(int action, const Frame &frame)
         reply(frame, CommandId::Reset, {});
         restart(kResetNotice);
         break;
-    case 10:
-        m_stabilizer.setMotorsOn(!m_stabilizer.motorsOn() && !m_emergency);
-        break;
-    case 11:
-        m_stabilizer.setMotorsOn(!m_emergency);
-        break;
-    case 12:
-        m_stabilizer.setMotorsOn(false);
-        break;
-    case 17:
-        m_stabilizer.setTarget(Axis::Pitch, 90.0);
-        break;
+    case 10: m_stabilizer.setMotorsOn(!m_stabilizer.motorsOn() && !m_emergency); break;
+    case 11: m_stabilizer.setMotorsOn(!m_emergency); break;
+    case 12: m_stabilizer.setMotorsOn(false); break;
+    case 17: m_stabilizer.setTarget(Axis::Pitch, 90.0); break;
     case 18:
         for (const Axis axis : kAxes)
             m_stabilizer.setTarget(axis, 0.0);
@@ -539,11 +508,8 @@ void SbgcBoard::menu(int action, const Frame &frame)
         m_stabilizer.setTarget(Axis::Roll, 0.0);
         m_stabilizer.setTarget(Axis::Pitch, 0.0);
         break;
-    case 35:
-        m_stabilizer.setTarget(Axis::Yaw, m_stabilizer.hand().angle(Axis::Yaw));
-        break;
-    default:
-        break;
+    case 35: m_stabilizer.setTarget(Axis::Yaw, m_stabilizer.hand().angle(Axis::Yaw)); break;
+    default: break;
     }
 }
 
@@ -563,7 +529,7 @@ void SbgcBoard::startCalibration(const Frame &frame)
         return;
     }
     if (extended)
-        confirm(frame);   // at reception; the second one comes at the end (document CALIB_ACC)
+        confirm(frame);  // at reception; the second one comes at the end (document CALIB_ACC)
     if (action != 1 && action != 3) {
         if (action == 2) {
             m_stabilizer.imu().gyroCorrection = {};

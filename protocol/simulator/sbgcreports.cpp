@@ -16,30 +16,32 @@ namespace {
 
 constexpr double kVectorDegrees = std::numbers::pi / 180.0;
 
-// Nobody says which firmware began with which field; here they come in two steps, so that clients meet boards with some.
+// Nobody says which firmware began with which field; here they come in two steps, so that clients meet boards
+// with some.
 quint32 laterCustomFlags(int firmware)
 {
-    constexpr quint32 kFirst = 0x001FFE00;    // bits 9-20
-    constexpr quint32 kSecond = 0x3FE00000;   // bits 21-29
+    constexpr quint32 kFirst = 0x001FFE00;  // bits 9-20
+    constexpr quint32 kSecond = 0x3FE00000;  // bits 21-29
     return firmware < 2680 ? 0 : firmware < 2730 ? kFirst : kFirst | kSecond;
 }
 
 // Roll about x, pitch about y, yaw about z, turned in the order yaw, pitch, roll.
-template<typename Degrees>
-std::array<double, 4> attitude(Degrees degrees)
+template <typename Degrees> std::array<double, 4> attitude(Degrees degrees)
 {
     const auto half = [&](Axis axis) { return degrees(axis) * kVectorDegrees / 2.0; };
     const double cr = std::cos(half(Axis::Roll)), sr = std::sin(half(Axis::Roll));
     const double cp = std::cos(half(Axis::Pitch)), sp = std::sin(half(Axis::Pitch));
     const double cy = std::cos(half(Axis::Yaw)), sy = std::sin(half(Axis::Yaw));
-    return {cr * cp * cy + sr * sp * sy, sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy, cr * cp * sy - sr * sp * cy};
+    return {cr * cp * cy + sr * sp * sy, sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy,
+            cr * cp * sy - sr * sp * cy};
 }
 
-} // namespace
+}  // namespace
 
 double SbgcBoard::volts() const
 {
-    return (m_options.faults.battery > 0 ? m_options.faults.battery : 12.3) + m_voltageOffset - 0.04 * m_stabilizer.current();
+    return (m_options.faults.battery > 0 ? m_options.faults.battery : 12.3) + m_voltageOffset
+        - 0.04 * m_stabilizer.current();
 }
 
 QByteArray SbgcBoard::realtime(bool extended) const
@@ -79,8 +81,13 @@ QByteArray SbgcBoard::realtime(bool extended) const
         writer.i16(angleToCount(s.hand().angle(axis)));
     for (const Axis axis : kAxes)
         writer.i16(angleToCount(s.target(axis)));
-    writer.u16(800).u16(s.imuPresent() ? 0 : 1000).u8(errors & 0xFF).u16(int(std::lround(volts * 100.0)))
-        .u8(s.motorsOn()).u8(m_imu).u8(m_active);
+    writer.u16(800)
+        .u16(s.imuPresent() ? 0 : 1000)
+        .u8(errors & 0xFF)
+        .u16(int(std::lround(volts * 100.0)))
+        .u8(s.motorsOn())
+        .u8(m_imu)
+        .u8(m_active);
     for (const Axis axis : kAxes)
         writer.u8(int(std::lround(s.effort(axis) * 255.0)));
     if (!extended)
@@ -122,7 +129,7 @@ QByteArray SbgcBoard::realtimeCustom(quint32 flags) const
         writer.bytes(attitudeVectors());
     if (flags & 128) {
         for (int i = 0; i < 18; ++i)
-            writer.i16(-32768);   // no receiver
+            writer.i16(-32768);  // no receiver
     }
     if (flags & 256) {
         for (const double g : s.acc())
@@ -131,7 +138,8 @@ QByteArray SbgcBoard::realtimeCustom(quint32 flags) const
     return writer.bytes(laterFields(flags & laterCustomFlags(m_options.firmware))).take();
 }
 
-// Fields of later firmware. What this gimbal does not have (a fourth motor, scripts, an external IMU, limits) reads zero.
+// Fields of later firmware. What this gimbal does not have (a fourth motor, scripts, an external IMU, limits)
+// reads zero.
 QByteArray SbgcBoard::laterFields(quint32 flags) const
 {
     const Stabilizer &s = m_stabilizer;
@@ -146,7 +154,7 @@ QByteArray SbgcBoard::laterFields(quint32 flags) const
     const auto joint = [&s](Axis axis) { return s.jointAngle(axis); };
     if (has(9))
         writer.zeros(8);
-    if (has(10))   // both references are the internal sensors; the main one is present and working
+    if (has(10))  // both references are the internal sensors; the main one is present and working
         writer.u8(0xC9).u8(0).u8(2).zeros(23);
     if (has(11)) {
         for (const Axis axis : kAxes) {
@@ -165,13 +173,19 @@ QByteArray SbgcBoard::laterFields(quint32 flags) const
     if (has(15)) {
         for (const Axis axis : kAxes) {
             writer.i16(int(std::lround(std::clamp(s.torque(axis), -1.0, 1.0) * 10000.0)));
-            writer.u16(int(std::lround(s.current() / 3.0 * 1000.0))).i8(35).u16(s.motorsOn() ? 4 : 0).zeros(6);
+            writer.u16(int(std::lround(s.current() / 3.0 * 1000.0)))
+                .i8(35)
+                .u16(s.motorsOn() ? 4 : 0)
+                .zeros(6);
         }
-        writer.i8(s.motorsOn() ? 1 : 0).u16(int(std::lround(volts() * 100.0))).u16(int(std::lround(s.current() * 1000.0))).u16(0);
+        writer.i8(s.motorsOn() ? 1 : 0)
+            .u16(int(std::lround(volts() * 100.0)))
+            .u16(int(std::lround(s.current() * 1000.0)))
+            .u16(0);
     }
     if (has(16)) {
         for (const Axis axis : kAxes)
-            writer.i16(toCount16(s.gyro(axis), kGyroUnit));   // the frame stands still but for the hand
+            writer.i16(toCount16(s.gyro(axis), kGyroUnit));  // the frame stands still but for the hand
     }
     if (has(17))
         fine(estimate);
@@ -179,8 +193,11 @@ QByteArray SbgcBoard::laterFields(quint32 flags) const
         fine(target);
     if (has(19))
         writer.u16(s.imuPresent() ? 0 : 1000).u16(int(std::min<quint64>(m_serialErrors, 65535))).u16(0).u8(0);
-    if (has(20)) {   // errata 4.4 and 4.6
-        const int calibration = m_calibration.left > 0 ? (m_calibration.command == CommandId::CalibAcc ? 4 : 5) : m_autoPid ? 8 : 0;
+    if (has(20)) {  // errata 4.4 and 4.6
+        const int calibration = m_calibration.left > 0
+            ? (m_calibration.command == CommandId::CalibAcc ? 4 : 5)
+            : m_autoPid ? 8
+                        : 0;
         writer.u32(1U << 4).u8(calibration).zeros(8);
     }
     if (has(21))
@@ -210,7 +227,9 @@ QByteArray SbgcBoard::attitudeVectors() const
     const double pitch = m_stabilizer.estimate(Axis::Pitch) * kVectorDegrees;
     const double yaw = m_stabilizer.estimate(Axis::Yaw) * kVectorDegrees;
     ByteWriter writer;
-    writer.f32(float(std::sin(roll))).f32(float(-std::sin(pitch))).f32(float(std::cos(roll) * std::cos(pitch)));
+    writer.f32(float(std::sin(roll)))
+        .f32(float(-std::sin(pitch)))
+        .f32(float(std::cos(roll) * std::cos(pitch)));
     writer.f32(float(std::sin(yaw))).f32(float(std::cos(yaw))).f32(0.0F);
     return writer.take();
 }
@@ -220,8 +239,8 @@ Angles SbgcBoard::angles() const
     Angles result;
     for (std::size_t i = 0; i < kAxisCount; ++i) {
         const bool bySpeed = (m_control[i].mode & 0x0F) == Speed;
-        result[i] = {m_stabilizer.estimate(kAxes[i]), m_stabilizer.target(kAxes[i]), bySpeed ? m_moveSpeed[i] : 0.0,
-                     m_stabilizer.jointAngle(kAxes[i])};
+        result[i] = {m_stabilizer.estimate(kAxes[i]), m_stabilizer.target(kAxes[i]),
+                     bySpeed ? m_moveSpeed[i] : 0.0, m_stabilizer.jointAngle(kAxes[i])};
     }
     return result;
 }
@@ -230,7 +249,13 @@ std::vector<std::vector<double>> SbgcBoard::debugValues() const
 {
     const Stabilizer &s = m_stabilizer;
     const auto error = [&s](Axis axis) { return s.target(axis) - s.estimate(axis); };
-    return {{error(Axis::Roll)}, {error(Axis::Pitch)}, {error(Axis::Yaw)},
-            {s.torque(Axis::Roll), s.torque(Axis::Pitch), s.torque(Axis::Yaw)}, {41}, {31}, {800}, {m_now * 1000.0},
+    return {{error(Axis::Roll)},
+            {error(Axis::Pitch)},
+            {error(Axis::Yaw)},
+            {s.torque(Axis::Roll), s.torque(Axis::Pitch), s.torque(Axis::Yaw)},
+            {41},
+            {31},
+            {800},
+            {m_now * 1000.0},
             {s.jointAngle(Axis::Yaw)}};
 }

@@ -40,9 +40,9 @@ public:
 struct SimulatorOptions
 {
     unsigned seed = 1;
-    int firmware = 2590;     ///< as the family counts it: 2590, or 79, 90 and 96 of STorM32
+    int firmware = 2590;  ///< as the family counts it: 2590, or 79, 90 and 96 of STorM32
     int boardVersion = 30;
-    bool strict = false;     ///< refuses what the real firmware lets pass, for testing clients
-    bool usb = true;         ///< native USB port: not throttled, vanishes during a restart
+    bool strict = false;  ///< refuses what the real firmware lets pass, for testing clients
+    bool usb = true;  ///< native USB port: not throttled, vanishes during a restart
     Faults faults;
 };

@@ -12,9 +12,9 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr auto kCycle = 800us;
-constexpr qsizetype kUsbChunk = 4096;       // per cycle: more than the firmware can produce
+constexpr qsizetype kUsbChunk = 4096;  // per cycle: more than the firmware can produce
 
-} // namespace
+}  // namespace
 
 SimulatedPort::SimulatedPort(std::unique_ptr<SimulatedBoard> board, const SimulatorOptions &options,
                              std::optional<LineSettings> line)
@@ -142,11 +142,13 @@ Result<void> SimulatedPort::change(const QString &assignment)
     return {};
 }
 
-Result<std::unique_ptr<SimulatedBoard>> makeSimulatedBoard(const QString &family, const SimulatorOptions &options)
+Result<std::unique_ptr<SimulatedBoard>> makeSimulatedBoard(const QString &family,
+                                                           const SimulatorOptions &options)
 {
     if (family == u"simplebgc"_s)
         return std::make_unique<SbgcBoard>(options);
     if (family == u"storm32"_s)
         return std::make_unique<StormBoard>(options);
-    return failure(ErrorCode::InvalidArgument, u"there is no simulated board of the family '%1'"_s.arg(family));
+    return failure(ErrorCode::InvalidArgument,
+                   u"there is no simulated board of the family '%1'"_s.arg(family));
 }

@@ -8,8 +8,9 @@
 
 #include <deque>
 
-/// The cable and port of a simulated board: line rate and parity, wrong-rate garbage, lost, flipped, doubled and delayed
-/// bytes, pulling and plugging. Without a line it is native USB: not throttled, and gone while the board restarts.
+/// The cable and port of a simulated board: line rate and parity, wrong-rate garbage, lost, flipped, doubled
+/// and delayed bytes, pulling and plugging. Without a line it is native USB: not throttled, and gone while
+/// the board restarts.
 class SimulatedPort
 {
 public:
@@ -60,4 +61,5 @@ private:
 };
 
 /// Makes the board of a family. Errors: InvalidArgument for a family that has no simulator.
-Result<std::unique_ptr<SimulatedBoard>> makeSimulatedBoard(const QString &family, const SimulatorOptions &options);
+Result<std::unique_ptr<SimulatedBoard>> makeSimulatedBoard(const QString &family,
+                                                           const SimulatorOptions &options);

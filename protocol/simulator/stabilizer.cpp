@@ -12,12 +12,12 @@ namespace {
 constexpr double kUnitP = 28.0;
 constexpr double kUnitI = 218.0;
 constexpr double kUnitD = 1.5;
-constexpr double kReference = 4000.0;      // deg/s² that the gains are scaled to
+constexpr double kReference = 4000.0;  // deg/s² that the gains are scaled to
 constexpr double kNominalVoltage = 12.3;
-constexpr double kGyroLag = 0.002;         // seconds: the sensor's own low-pass
-constexpr double kIntegralLimit = 0.6;     // of full torque
+constexpr double kGyroLag = 0.002;  // seconds: the sensor's own low-pass
+constexpr double kIntegralLimit = 0.6;  // of full torque
 constexpr int kTruePoles = 14;
-constexpr int kTilted = 7;                 // pose
+constexpr int kTilted = 7;  // pose
 
 double degrees(double radians)
 {
@@ -29,7 +29,7 @@ double radians(double degreeValue)
     return degreeValue * std::numbers::pi / 180.0;
 }
 
-} // namespace
+}  // namespace
 
 Biquad Biquad::lowPass(double hz, double sampleRate)
 {
@@ -51,7 +51,8 @@ Biquad Biquad::notch(double hz, double width, double depthDb, double sampleRate)
     Biquad filter;
     if (hz <= 0.0 || width <= 0.0 || hz >= 0.45 * sampleRate)
         return filter;
-    // A peaking filter with negative gain; a positive depth takes the band out (errata 3.5: positive = notch).
+    // A peaking filter with negative gain; a positive depth takes the band out (errata 3.5: positive =
+    // notch).
     const double w = 2.0 * std::numbers::pi * hz / sampleRate;
     const double a = std::pow(10.0, -std::clamp(depthDb, -40.0, 40.0) / 40.0);
     const double alpha = std::sin(w) * width / (2.0 * hz);
@@ -126,8 +127,10 @@ void Stabilizer::step()
     for (std::size_t i = 0; i < m_axes.size(); ++i) {
         AxisState &axis = m_axes[i];
         const bool driven = m_motorsOn && m_imuPresent;
-        // The motor acts through the poles it was told to have, and the wrong way round when wrongly inverted.
-        const double poleFactor = axis.gains.poles <= 0 ? 0.0 : std::min(3.0, double(kTruePoles) / axis.gains.poles);
+        // The motor acts through the poles it was told to have, and the wrong way round when wrongly
+        // inverted.
+        const double poleFactor
+            = axis.gains.poles <= 0 ? 0.0 : std::min(3.0, double(kTruePoles) / axis.gains.poles);
         const double limit = axis.gains.power * m_voltage / kNominalVoltage;
         const double command = driven ? std::clamp(axis.command * poleFactor, -limit, limit) : 0.0;
         torque[i] = axis.torque = axis.gains.inverted ? -command : command;
@@ -170,14 +173,16 @@ void Stabilizer::sense()
         axis.gyroFiltered += (axis.plant.rate() - axis.gyroFiltered) * kCycle / kGyroLag;
         axis.rawGyro = axis.gyroFiltered + m_imu.gyroBias[i] + m_noise.gauss(m_imu.gyroNoise);
         axis.gyro = axis.rawGyro - m_imu.gyroCorrection[i];
-        const double reading = m_gravity[i] * m_imu.accScaleError[i] + m_imu.accError[i] + m_noise.gauss(m_imu.accNoise);
+        const double reading
+            = m_gravity[i] * m_imu.accScaleError[i] + m_imu.accError[i] + m_noise.gauss(m_imu.accNoise);
         m_rawAcc[i] = reading;
         m_acc[i] = (reading - m_imu.accCorrection[i]) / m_imu.accScale[i];
     }
     if (!m_imuPresent)
         return;
     misjudge();
-    // Complementary estimate: the gyroscope leads, the accelerometer pulls roll and pitch back. Yaw has no reference.
+    // Complementary estimate: the gyroscope leads, the accelerometer pulls roll and pitch back. Yaw has no
+    // reference.
     const double pull = 0.6 * 120.0 / std::max(10.0, m_gyroTrust) * kCycle;
     const std::array<double, 2> level{degrees(std::asin(std::clamp(m_acc[0], -1.0, 1.0))),
                                       degrees(std::asin(std::clamp(-m_acc[1], -1.0, 1.0)))};
@@ -189,8 +194,8 @@ void Stabilizer::sense()
     }
 }
 
-// Vectors as the firmware gets them, by the axes it believes in. Plant axes are right, forward, up for the accelerometer, and
-// turns to the left about forward, down about left, to the right about up.
+// Vectors as the firmware gets them, by the axes it believes in. Plant axes are right, forward, up for the
+// accelerometer, and turns to the left about forward, down about left, to the right about up.
 void Stabilizer::misjudge()
 {
     if (m_believed == Rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}})
@@ -220,8 +225,8 @@ void Stabilizer::control(AxisState &axis)
         axis.integral = std::clamp(axis.integral + kUnitI * gains.i * scale * error * kCycle, -kIntegralLimit,
                                    kIntegralLimit);
     }
-    double output = kUnitP * gains.p * scale * error - kUnitD * gains.d * scale * axis.dFilter.process(axis.gyro)
-        + axis.integral;
+    double output = kUnitP * gains.p * scale * error
+        - kUnitD * gains.d * scale * axis.dFilter.process(axis.gyro) + axis.integral;
     for (Biquad &filter : axis.filters)
         output = filter.process(output);
     axis.command = output;

@@ -10,13 +10,16 @@ struct AxisGains
     double p = 0;
     double i = 0;
     double d = 0;
-    double gain = 1.0;            ///< multiplies all three
-    double power = 0;             ///< 0..1
-    bool inverted = false;        ///< relative to how the motor is wired
+    double gain = 1.0;  ///< multiplies all three
+    double power = 0;  ///< 0..1
+    bool inverted = false;  ///< relative to how the motor is wired
     int poles = 14;
-    double lpfHz = 0;             ///< 0 = off
+    double lpfHz = 0;  ///< 0 = off
     double dLpfHz = 0;
-    struct Notch { double hz = 0, width = 0, gainDb = 0; };
+    struct Notch
+    {
+        double hz = 0, width = 0, gainDb = 0;
+    };
     std::array<Notch, 3> notches{};
 };
 
@@ -33,20 +36,22 @@ private:
     double m_x1 = 0, m_x2 = 0, m_y1 = 0, m_y2 = 0;
 };
 
-/// The inertial sensor: noise, a bias that calibration removes, an accelerometer error that calibration removes.
+/// The inertial sensor: noise, a bias that calibration removes, an accelerometer error that calibration
+/// removes.
 struct SimulatedImu
 {
-    std::array<double, kAxisCount> gyroBias{1.7, -2.4, 0.4};         ///< deg/s; yaw has nothing that pulls it back
-    std::array<double, kAxisCount> accError{0.035, -0.028, 0.02};    ///< g
-    std::array<double, kAxisCount> gyroCorrection{};                 ///< found by calibration
-    std::array<double, kAxisCount> accScaleError{1.03, 0.975, 1.02}; ///< reading per true g
+    std::array<double, kAxisCount> gyroBias{1.7, -2.4, 0.4};  ///< deg/s; yaw has nothing that pulls it back
+    std::array<double, kAxisCount> accError{0.035, -0.028, 0.02};  ///< g
+    std::array<double, kAxisCount> gyroCorrection{};  ///< found by calibration
+    std::array<double, kAxisCount> accScaleError{1.03, 0.975, 1.02};  ///< reading per true g
     std::array<double, kAxisCount> accCorrection{};
-    std::array<double, kAxisCount> accScale{1.0, 1.0, 1.0};          ///< found by calibration in both directions
-    double gyroNoise = 0.06;                                         ///< deg/s per sample
-    double accNoise = 0.004;                                         ///< g
+    std::array<double, kAxisCount> accScale{1.0, 1.0, 1.0};  ///< found by calibration in both directions
+    double gyroNoise = 0.06;  ///< deg/s per sample
+    double accNoise = 0.004;  ///< g
 };
 
-/// The firmware's control loop on the plant: sensors, attitude estimate, PID, filters, limits. One step is 0.8 ms.
+/// The firmware's control loop on the plant: sensors, attitude estimate, PID, filters, limits. One step is
+/// 0.8 ms.
 class Stabilizer
 {
 public:
@@ -62,18 +67,16 @@ public:
     [[nodiscard]] bool imuPresent() const { return m_imuPresent; }
     /// Somebody holds the camera still, or it lies on the table: the sensors see no motion.
     void setHeld(bool held) { m_held = held; }
-    /// The camera lies still on one of its faces: 1-6 with Z, -Z, X, -X, Y, -Y up; 7 tilted 45 degrees down; 0 = in the gimbal.
+    /// The camera lies still on one of its faces: 1-6 with Z, -Z, X, -X, Y, -Y up; 7 tilted 45 degrees down;
+    /// 0 = in the gimbal.
     void setPose(int pose) { m_pose = pose; }
     [[nodiscard]] int pose() const { return m_pose; }
     /// Gravity as it is, in g, in the camera's axes right, forward and up.
     [[nodiscard]] const std::array<double, kAxisCount> &gravity() const { return m_gravity; }
     /// The accelerometer before calibration, in g.
-    [[nodiscard]] double rawAcc(std::size_t axis) const
-    {
-        return m_rawAcc[axis];
-    }
-    /// What the firmware takes for forward, left and up, in terms of what is: rows of a rotation. It differs where the
-    /// sensor sits otherwise than the firmware was told.
+    [[nodiscard]] double rawAcc(std::size_t axis) const { return m_rawAcc[axis]; }
+    /// What the firmware takes for forward, left and up, in terms of what is: rows of a rotation. It differs
+    /// where the sensor sits otherwise than the firmware was told.
     using Rotation = std::array<std::array<int, 3>, 3>;
     void setBelievedAxes(const Rotation &axes) { m_believed = axes; }
     /// Roll and pitch motors are plugged the wrong way round.
@@ -106,7 +109,10 @@ public:
 private:
     struct AxisState
     {
-        explicit AxisState(Axis axis) : plant(simulatedMechanics(axis)) { }
+        explicit AxisState(Axis axis)
+            : plant(simulatedMechanics(axis))
+        {
+        }
         AxisPlant plant;
         AxisGains gains;
         std::array<Biquad, 4> filters{};
@@ -117,7 +123,7 @@ private:
         double gyro = 0;
         double rawGyro = 0;
         double gyroFiltered = 0;
-        double command = 0;     // computed last cycle, acts now: the loop's delay
+        double command = 0;  // computed last cycle, acts now: the loop's delay
         double effort = 0;
         double torque = 0;
     };
@@ -129,7 +135,8 @@ private:
     SimulatedNoise m_noise;
     HandShake m_hand;
     SimulatedImu m_imu;
-    std::array<AxisState, kAxisCount> m_axes{AxisState(Axis::Roll), AxisState(Axis::Pitch), AxisState(Axis::Yaw)};
+    std::array<AxisState, kAxisCount> m_axes{AxisState(Axis::Roll), AxisState(Axis::Pitch),
+                                             AxisState(Axis::Yaw)};
     std::array<double, kAxisCount> m_gravity{0, 0, 1};
     std::array<double, kAxisCount> m_acc{0, 0, 1};
     std::array<double, kAxisCount> m_rawAcc{0, 0, 1};

@@ -11,10 +11,11 @@ using namespace storm32;
 namespace {
 
 constexpr double kNominalVoltage = 12.3;
-constexpr double kCountsPerDegree = 65.5;      // of the gyroscope, per second
-constexpr double kRunningFor = 60.0;           // a board that is met has been on for a while
+constexpr double kCountsPerDegree = 65.5;  // of the gyroscope, per second
+constexpr double kRunningFor = 60.0;  // a board that is met has been on for a while
 
-// The firmware counts right roll, down and left as positive (errata 3.5); the plant left roll, down and right.
+// The firmware counts right roll, down and left as positive (errata 3.5); the plant left roll, down and
+// right.
 constexpr std::array<double, kAxisCount> kSign{-1.0, 1.0, -1.0};
 
 int layoutOf(int firmware)
@@ -26,7 +27,7 @@ int layoutOf(int firmware)
 constexpr std::array<double, 6> kStart79{3.7, 7.5, 9.8, 10.9, 17.7, 18.8};
 constexpr std::array<double, 6> kStart90{3.5, 6.5, 8.5, 9.5, 15.8, 16.7};
 
-} // namespace
+}  // namespace
 
 StormBoard::StormBoard(const SimulatorOptions &options)
     : m_options(options)
@@ -42,7 +43,10 @@ StormBoard::StormBoard(const SimulatorOptions &options)
     // A board that somebody has set up: the motors are in use, their directions known.
     for (const Axis axis : kAxes) {
         const auto word = [this, axis](const char *pattern) {
-            return m_parameters.find(QString::fromLatin1(pattern).replace(u"%a"_s, QLatin1String(axisKey(axis))))->offset / 2;
+            return m_parameters
+                       .find(QString::fromLatin1(pattern).replace(u"%a"_s, QLatin1String(axisKey(axis))))
+                       ->offset
+                / 2;
         };
         set(word("motor.%a.usage"), 0);
         set(word("motor.%a.direction"), 0);
@@ -94,7 +98,7 @@ QByteArray StormBoard::factoryStream() const
             raw = 1;
         spec.write(stream, raw);
     }
-    stream[2 * 82] = 25;   // nobody knows what for; it has to survive
+    stream[2 * 82] = 25;  // nobody knows what for; it has to survive
     return stream;
 }
 
@@ -106,7 +110,8 @@ void StormBoard::applyParameters()
         gains.i = axisValue("pid.%a.i", axis) * kUnitI;
         gains.d = axisValue("pid.%a.d", axis) * kUnitD;
         gains.poles = int(axisValue("motor.%a.poles", axis));
-        gains.inverted = axisValue("motor.%a.direction", axis) == 1.0;   // the simulated motors run the normal way
+        gains.inverted
+            = axisValue("motor.%a.direction", axis) == 1.0;  // the simulated motors run the normal way
         const bool used = axisValue("motor.%a.usage", axis) != 3.0;
         gains.power = used ? std::min(1.0, axisValue("motor.%a.vmax", axis) / 255.0) : 0.0;
         constexpr std::array<double, 7> kLowPassMs{0, 1.5, 3.0, 4.5, 6.0, 7.5, 9.0};
@@ -115,7 +120,8 @@ void StormBoard::applyParameters()
         m_stabilizer.setGains(axis, gains);
     }
     // What the sensor's axes are taken for, and where they really point.
-    const auto told = std::size_t(std::clamp(int(value(u"imu.orientation"_s)), 0, int(orientations().size()) - 1));
+    const auto told
+        = std::size_t(std::clamp(int(value(u"imu.orientation"_s)), 0, int(orientations().size()) - 1));
     const auto &believed = orientations()[told].axes;
     const auto &mounted = orientations()[std::size_t(m_options.faults.mount)].axes;
     Stabilizer::Rotation axes{};
@@ -128,14 +134,16 @@ void StormBoard::applyParameters()
     m_stabilizer.setBelievedAxes(axes);
 }
 
-// Words of Cr: zeros and scales of the accelerometer, zeros of the gyroscope, in the sensor's axes forward, left, up.
+// Words of Cr: zeros and scales of the accelerometer, zeros of the gyroscope, in the sensor's axes forward,
+// left, up.
 void StormBoard::applyCalibration()
 {
     const double one = oneG();
     SimulatedImu &imu = m_stabilizer.imu();
-    constexpr std::array<std::size_t, 3> kPlantAxis{1, 0, 2};        // forward, left, up among right, forward, up
+    constexpr std::array<std::size_t, 3> kPlantAxis{1, 0, 2};  // forward, left, up among right, forward, up
     constexpr std::array<double, 3> kPlantSign{1.0, -1.0, 1.0};
-    constexpr std::array<std::size_t, 3> kTurnAxis{0, 1, 2};         // about forward: roll; about left: pitch; about up: yaw
+    constexpr std::array<std::size_t, 3> kTurnAxis{
+        0, 1, 2};  // about forward: roll; about left: pitch; about up: yaw
     const auto &mounted = orientations()[std::size_t(m_options.faults.mount)].axes;
     for (std::size_t i = 0; i < 3; ++i) {
         // Which of the sensor's axes points that way, and with which end.
@@ -145,7 +153,8 @@ void StormBoard::applyCalibration()
         const int end = mounted[i][own];
         imu.accCorrection[kPlantAxis[i]] = kPlantSign[i] * end * m_calibration[own] / one;
         imu.accScale[kPlantAxis[i]] = m_calibration[3 + own] != 0 ? m_calibration[3 + own] / one : 1.0;
-        imu.gyroCorrection[kTurnAxis[i]] = imu.gyroBias[kTurnAxis[i]] + kSign[kTurnAxis[i]] * end * m_calibration[6 + own] / kCountsPerDegree;
+        imu.gyroCorrection[kTurnAxis[i]] = imu.gyroBias[kTurnAxis[i]]
+            + kSign[kTurnAxis[i]] * end * m_calibration[6 + own] / kCountsPerDegree;
     }
 }
 
@@ -187,7 +196,7 @@ int StormBoard::state() const
         return 5;
     const double since = m_now - m_started;
     if (m_options.faults.noImu)
-        return since < 9.5 ? std::min(3, int(since / 3.2)) : 3;   // it waits for one
+        return since < 9.5 ? std::min(3, int(since / 3.2)) : 3;  // it waits for one
     const auto &ends = m_options.firmware >= 90 ? kStart90 : kStart79;
     bool automatic = false;
     for (const Axis axis : kAxes)
@@ -205,15 +214,21 @@ int StormBoard::state() const
 
 double StormBoard::volts() const
 {
-    return (m_options.faults.battery > 0 ? m_options.faults.battery : kNominalVoltage) - 0.04 * m_stabilizer.current();
+    return (m_options.faults.battery > 0 ? m_options.faults.battery : kNominalVoltage)
+        - 0.04 * m_stabilizer.current();
 }
 
 bool StormBoard::isPanning(Axis axis) const
 {
     // Modes by axis: pitch, roll, yaw follow the handle (errata 11, PANM).
     static constexpr std::array<std::array<bool, 3>, 7> kModes{{
-        {false, false, true}, {false, false, false}, {true, true, true}, {true, false, false}, {true, false, true},
-        {false, true, true}, {false, false, false},
+        {false, false, true},
+        {false, false, false},
+        {true, true, true},
+        {true, false, false},
+        {true, false, true},
+        {false, true, true},
+        {false, false, false},
     }};
     const int mode = m_panMode.value_or(int(value(u"pan.mode.default"_s)));
     if (mode < 0 || mode >= int(kModes.size()))

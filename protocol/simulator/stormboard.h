@@ -11,13 +11,14 @@
 
 #include <deque>
 
-/// A STorM32 controller on a simulated gimbal: its three command sets byte by byte after the errata, EEPROM beside RAM, the
-/// states of its start, the heartbeat that locks plain commands out. What the firmware does not check is not checked here
-/// either, unless the strict option asks for it.
+/// A STorM32 controller on a simulated gimbal: its three command sets byte by byte after the errata, EEPROM
+/// beside RAM, the states of its start, the heartbeat that locks plain commands out. What the firmware does
+/// not check is not checked here either, unless the strict option asks for it.
 class StormBoard final : public SimulatedBoard
 {
 public:
-    /// One unit of Kp, Ki and Kd in the units of the plant's controller: the factory's gains hold the simulated camera.
+    /// One unit of Kp, Ki and Kd in the units of the plant's controller: the factory's gains hold the
+    /// simulated camera.
     static constexpr double kUnitP = 8.75;
     static constexpr double kUnitI = 0.13;
     static constexpr double kUnitD = 600.0;
@@ -28,7 +29,10 @@ public:
     void receive(Bytes bytes) override;
     void cycle() override;
     QByteArray takeOutput(qsizetype most) override;
-    [[nodiscard]] bool isRunning() const override { return true; }   // its USB stays while the program restarts
+    [[nodiscard]] bool isRunning() const override
+    {
+        return true;
+    }  // its USB stays while the program restarts
     [[nodiscard]] std::optional<Parity> onlyParity() const override { return Parity::None; }
     [[nodiscard]] StreamCount streamCount() const override { return {}; }
     void setFaults(const Faults &faults) override;
@@ -70,7 +74,10 @@ private:
     [[nodiscard]] Vector frameReading() const;
     /// Pitch, roll and yaw of the frame as the board believes them, in degrees.
     [[nodiscard]] Vector frameAngles() const;
-    [[nodiscard]] double oneG() const { return m_options.firmware >= 94 ? 8192.0 : 16384.0; }   ///< counts (errata 3.9)
+    [[nodiscard]] double oneG() const
+    {
+        return m_options.firmware >= 94 ? 8192.0 : 16384.0;
+    }  ///< counts (errata 3.9)
     [[nodiscard]] int status() const;
     [[nodiscard]] int status2() const;
 
@@ -103,13 +110,13 @@ private:
     int m_words;
     ParameterSet m_parameters;
     Stabilizer m_stabilizer;
-    QByteArray m_ram;             // parameter words and scripts, as `g` delivers them
+    QByteArray m_ram;  // parameter words and scripts, as `g` delivers them
     QByteArray m_eeprom;
-    QByteArray m_name;            // 16 bytes
+    QByteArray m_name;  // 16 bytes
     std::array<int, 18> m_calibration{};
     int m_baudCode = 4;
     double m_now = 0;
-    double m_started = 0;         // when the program began
+    double m_started = 0;  // when the program began
     double m_relevelUntil = 0;
     bool m_standby = false;
     QByteArray m_input;
@@ -126,9 +133,9 @@ private:
     SimulatedNoise m_frameNoise;
     // Steering: roll, pitch, yaw in the firmware's signs; the two ways add up.
     std::array<double, kAxisCount> m_setAngle{};
-    std::array<int, kAxisCount> m_pulse{};        // us from the middle
-    std::array<double, kAxisCount> m_moved{};     // where the speed limit has got to
-    std::array<double, kAxisCount> m_pan{};       // what following has added
+    std::array<int, kAxisCount> m_pulse{};  // us from the middle
+    std::array<double, kAxisCount> m_moved{};  // where the speed limit has got to
+    std::array<double, kAxisCount> m_pan{};  // what following has added
     std::optional<int> m_panMode;
     std::array<int, storm32::kScriptCount> m_scriptCase{};
     int m_pwmOut = 0;

@@ -12,9 +12,9 @@ using namespace storm32;
 
 namespace {
 
-constexpr double kControlCycle = 0.0015;       // one command is finished in each
-constexpr double kInterByte = 0.1;             // then `t`
-constexpr double kMemoryWrite = 0.7;           // seconds; nothing else is served meanwhile
+constexpr double kControlCycle = 0.0015;  // one command is finished in each
+constexpr double kInterByte = 0.1;  // then `t`
+constexpr double kMemoryWrite = 0.7;  // seconds; nothing else is served meanwhile
 constexpr int kLeastPulse = 700;
 constexpr int kMostPulse = 2300;
 constexpr int kMiddle = 1500;
@@ -33,11 +33,11 @@ int u16At(QByteArrayView bytes, qsizetype at)
     return u8At(bytes, at) | u8At(bytes, at + 1) << 8;
 }
 
-} // namespace
+}  // namespace
 
 bool StormBoard::isLockedOut() const
 {
-    return !m_options.usb && inUse(112) != 0;   // USB keeps answering everything (errata 6)
+    return !m_options.usb && inUse(112) != 0;  // USB keeps answering everything (errata 6)
 }
 
 void StormBoard::reply(const QByteArray &bytes)
@@ -68,8 +68,10 @@ bool StormBoard::serve()
         if (seen.look == mavlink::Look::Incomplete && !late)
             return false;
         // Damaged, unfinished or not its own: nothing answers (errata 6).
-        return used(seen.look == mavlink::Look::Damaged ? std::min<qsizetype>(u8At(m_input, 1) + 8, m_input.size())
-                    : seen.look == mavlink::Look::Incomplete ? m_input.size() : 1);
+        return used(seen.look == mavlink::Look::Damaged
+                        ? std::min<qsizetype>(u8At(m_input, 1) + 8, m_input.size())
+                        : seen.look == mavlink::Look::Incomplete ? m_input.size()
+                                                                 : 1);
     }
     if (isLockedOut())
         return used(1);
@@ -122,20 +124,15 @@ QByteArray StormBoard::simple(Simple id, QByteArrayView arguments)
 {
     const QByteArray ok("o");
     switch (id) {
-    case Simple::Test:
-        return ok;
-    case Simple::Version:
-        return encodeReply(versionData());
-    case Simple::GetParameters:
-        return encodeReply(m_ram);
+    case Simple::Test: return ok;
+    case Simple::Version: return encodeReply(versionData());
+    case Simple::GetParameters: return encodeReply(m_ram);
     case Simple::PutParameters:
-        m_ram = arguments.toByteArray();   // nothing is validated
+        m_ram = arguments.toByteArray();  // nothing is validated
         applyParameters();
         return ok;
-    case Simple::LiveData:
-        return encodeReply(liveData(32));
-    case Simple::Status:
-        return encodeReply(liveData(5));
+    case Simple::LiveData: return encodeReply(liveData(32));
+    case Simple::Status: return encodeReply(liveData(5));
     case Simple::Store:
         m_eeprom = m_ram;
         m_busyUntil = m_now + kMemoryWrite;
@@ -149,7 +146,7 @@ QByteArray StormBoard::simple(Simple id, QByteArrayView arguments)
         applyParameters();
         return ok;
     case Simple::EraseEeprom:
-        m_eeprom = factoryStream();        // what the next start will write
+        m_eeprom = factoryStream();  // what the next start will write
         m_busyUntil = m_now + kMemoryWrite;
         return ok;
     case Simple::Level:
@@ -157,15 +154,14 @@ QByteArray StormBoard::simple(Simple id, QByteArrayView arguments)
         m_stabilizer.resetEstimate();
         return ok;
     case Simple::Restart:
-    case Simple::HardReset:
-        restart(Memory::Reload);
-        return ok;
+    case Simple::HardReset: restart(Memory::Reload); return ok;
     case Simple::NormalMotors:
         for (const Axis axis : kAxes) {
-            const ParameterSpec *usage = m_parameters.find(u"motor.%1.usage"_s.arg(QLatin1String(axisKey(axis))));
+            const ParameterSpec *usage
+                = m_parameters.find(u"motor.%1.usage"_s.arg(QLatin1String(axisKey(axis))));
             usage->write(m_ram, 0);
         }
-        restart(Memory::Keep);   // errata 9.3: the wizard stores only after it
+        restart(Memory::Keep);  // errata 9.3: the wizard stores only after it
         return ok;
     case Simple::TakeDirections:
         for (const Axis axis : kAxes)
@@ -191,8 +187,7 @@ QByteArray StormBoard::simple(Simple id, QByteArrayView arguments)
         m_baudCode = u8At(arguments, 0);
         m_busyUntil = m_now + kMemoryWrite;
         return ok;
-    case Simple::RcTrim:
-        return ok;   // no receiver: the sticks stand in the middle
+    case Simple::RcTrim: return ok;  // no receiver: the sticks stand in the middle
     case Simple::ReadCalibration: {
         ByteWriter writer;
         for (const int word : m_calibration)
@@ -202,7 +197,8 @@ QByteArray StormBoard::simple(Simple id, QByteArrayView arguments)
     case Simple::WriteCalibration: {
         const int selector = u16At(arguments, 0);
         if (selector == 0 || selector > 7)
-            return arguments.toByteArray() + ByteWriter().u16(crc16Mcrf4xx(asBytes(arguments))).take() + 'o';   // its slip
+            return arguments.toByteArray() + ByteWriter().u16(crc16Mcrf4xx(asBytes(arguments))).take()
+                + 'o';  // its slip
         const auto word = [&arguments](int i) { return int(std::int16_t(u16At(arguments, 2 + 2 * i))); };
         const auto take = [&](int first, int count, int from) {
             for (int i = 0; i < count; ++i)
@@ -211,7 +207,7 @@ QByteArray StormBoard::simple(Simple id, QByteArrayView arguments)
         if (selector == 1 || selector == 5 || selector == 7)
             take(0, 6, 0);
         if (selector == 2 || selector == 5 || selector == 7)
-            take(6, 3, m_options.firmware >= 96 ? 7 : 6);   // a slip of 0.96
+            take(6, 3, m_options.firmware >= 96 ? 7 : 6);  // a slip of 0.96
         if (selector == 3 || selector == 6 || selector == 7)
             take(9, 6, 9);
         if (selector == 4 || selector == 6 || selector == 7)
@@ -220,10 +216,8 @@ QByteArray StormBoard::simple(Simple id, QByteArrayView arguments)
         m_busyUntil = m_now + kMemoryWrite;
         return ok;
     }
-    case Simple::RawSensors:
-        return encodeReply(rawSensors());
-    case Simple::Count:
-        break;
+    case Simple::RawSensors: return encodeReply(rawSensors());
+    case Simple::Count: break;
     }
     return "e";
 }
@@ -253,10 +247,8 @@ std::pair<int, QByteArray> StormBoard::rc(int id, QByteArrayView payload)
     constexpr std::size_t kRoll = 0, kPitch = 1, kYaw = 2;
     const auto word = [this](int index) { return index < m_words ? inUse(index) : 0; };
     switch (known->id) {
-    case Rc::GetVersion:
-        return {1, versionData().mid(48, 6)};
-    case Rc::GetVersionStrings:
-        return {5, versionData().left(48)};
+    case Rc::GetVersion: return {1, versionData().mid(48, 6)};
+    case Rc::GetVersionStrings: return {5, versionData().left(48)};
     case Rc::GetParameter:
         return {3, ByteWriter().u16(u16At(payload, 0)).u16(word(u16At(payload, 0))).take()};
     case Rc::SetParameter:
@@ -264,18 +256,13 @@ std::pair<int, QByteArray> StormBoard::rc(int id, QByteArrayView payload)
             set(u16At(payload, 0), u16At(payload, 2));
         return ack(0);
     case Rc::GetData:
-        return {5, ByteWriter().u8(u8At(payload, 0)).u8(0).take() + (u8At(payload, 0) == 0 ? liveData(32) : QByteArray())};
-    case Rc::GetDataFields:
-        return {6, liveFields(u16At(payload, 0))};
-    case Rc::SetPitch:
-        steer(kPitch, u16At(payload, 0));
-        return ack(0);
-    case Rc::SetRoll:
-        steer(kRoll, u16At(payload, 0));
-        return ack(0);
-    case Rc::SetYaw:
-        steer(kYaw, u16At(payload, 0));
-        return ack(0);
+        return {5,
+                ByteWriter().u8(u8At(payload, 0)).u8(0).take()
+                    + (u8At(payload, 0) == 0 ? liveData(32) : QByteArray())};
+    case Rc::GetDataFields: return {6, liveFields(u16At(payload, 0))};
+    case Rc::SetPitch: steer(kPitch, u16At(payload, 0)); return ack(0);
+    case Rc::SetRoll: steer(kRoll, u16At(payload, 0)); return ack(0);
+    case Rc::SetYaw: steer(kYaw, u16At(payload, 0)); return ack(0);
     case Rc::SetPitchRollYaw:
         steer(kPitch, u16At(payload, 0));
         steer(kRoll, u16At(payload, 2));
@@ -295,8 +282,7 @@ std::pair<int, QByteArray> StormBoard::rc(int id, QByteArrayView payload)
             m_relevelUntil = m_now + 1.0;
         m_standby = u8At(payload, 0) != 0;
         return ack(0);
-    case Rc::DoCamera:
-        return ack(0);
+    case Rc::DoCamera: return ack(0);
     case Rc::SetScriptControl:
         if (u8At(payload, 0) >= kScriptCount || u8At(payload, 1) > 4)
             return ack(kAckRange);
@@ -324,14 +310,13 @@ std::pair<int, QByteArray> StormBoard::rc(int id, QByteArrayView payload)
         applyParameters();
         return ack(0);
     case Rc::ActivePanModeSetting: {
-        static constexpr std::array<const char *, 4> kSettings{"pan.mode.default", "pan.mode.setting1", "pan.mode.setting2",
-                                                               "pan.mode.setting3"};
+        static constexpr std::array<const char *, 4> kSettings{"pan.mode.default", "pan.mode.setting1",
+                                                               "pan.mode.setting2", "pan.mode.setting3"};
         if (u8At(payload, 0) < int(kSettings.size()))
             m_panMode = int(value(QString::fromLatin1(kSettings[std::size_t(u8At(payload, 0))])));
         return ack(0);
     }
-    case Rc::Ack:
-        break;
+    case Rc::Ack: break;
     }
     return ack(kAckUnknown);
 }
@@ -346,7 +331,8 @@ void StormBoard::mountControl(const std::array<double, 3> &values, unsigned flag
             continue;
         const double low = axisValue("rc.%a.min", axis);
         const double high = axisValue("rc.%a.max", axis);
-        m_setAngle[kPlace[i]] = flags >> i & 1 ? std::clamp(values[i], std::min(low, high), std::max(low, high))
-                                               : std::clamp(values[i], -720.0, 720.0);
+        m_setAngle[kPlace[i]] = flags >> i & 1
+            ? std::clamp(values[i], std::min(low, high), std::max(low, high))
+            : std::clamp(values[i], -720.0, 720.0);
     }
 }

@@ -29,7 +29,7 @@ int byIndex(const QVariantMap &values, const char *name)
     return values.value(QString::fromLatin1(name)).toInt();
 }
 
-} // namespace
+}  // namespace
 
 mavlink::ValueCoding StormBoard::coding() const
 {
@@ -47,7 +47,7 @@ int StormBoard::parameterIndex(const QString &id) const
         if (mavlinkName(m_layout, word) == id)
             return word;
     }
-    return 0;   // an unknown name is answered with the first parameter
+    return 0;  // an unknown name is answered with the first parameter
 }
 
 void StormBoard::sendMessage(mavlink::MessageId id, const QVariantMap &values)
@@ -64,26 +64,32 @@ void StormBoard::sendParameter(int index)
     const auto it = std::find_if(m_parameters.all().begin(), m_parameters.all().end(),
                                  [index](const ParameterSpec &spec) { return spec.offset == 2 * index; });
     const bool isSigned = it != m_parameters.all().end() ? it->row->wire == WireType::I16 : index < 38;
-    sendMessage(mavlink::MessageId::ParamValue, {{u"param_value"_s, mavlink::encodeValue(inUse(index), coding())},
-                                                 {u"param_count"_s, m_words}, {u"param_index"_s, index},
-                                                 {u"param_id"_s, mavlinkName(m_layout, index)},
-                                                 {u"param_type"_s, isSigned ? kInt16 : kUint16}});
+    sendMessage(mavlink::MessageId::ParamValue,
+                {{u"param_value"_s, mavlink::encodeValue(inUse(index), coding())},
+                 {u"param_count"_s, m_words},
+                 {u"param_index"_s, index},
+                 {u"param_id"_s, mavlinkName(m_layout, index)},
+                 {u"param_type"_s, isSigned ? kInt16 : kUint16}});
 }
 
 void StormBoard::sendParameter2(int index, const mavlink::Address &to)
 {
     if (index < 0 || index >= m_words)
         index = 0;
-    sendMessage(mavlink::MessageId::ParamValue2, {{u"param_value"_s, mavlink::encodeValue(inUse(index), coding())},
-                                                  {u"param_index"_s, index}, {u"param_count"_s, m_words},
-                                                  {u"target_system"_s, to.system}, {u"target_component"_s, to.component},
-                                                  {u"param_type"_s, kUint16}});
+    sendMessage(mavlink::MessageId::ParamValue2,
+                {{u"param_value"_s, mavlink::encodeValue(inUse(index), coding())},
+                 {u"param_index"_s, index},
+                 {u"param_count"_s, m_words},
+                 {u"target_system"_s, to.system},
+                 {u"target_component"_s, to.component},
+                 {u"param_type"_s, kUint16}});
 }
 
 void StormBoard::message(const mavlink::Packet &packet)
 {
     const mavlink::Message *known = mavlink::findMessage(packet.id);
-    const auto fields = known ? mavlink::decodeFields(*known, packet.payload) : failure(ErrorCode::Unsupported);
+    const auto fields
+        = known ? mavlink::decodeFields(*known, packet.payload) : failure(ErrorCode::Unsupported);
     if (!fields)
         return;
     if (known->id == mavlink::MessageId::Heartbeat) {
@@ -91,7 +97,8 @@ void StormBoard::message(const mavlink::Packet &packet)
         return;
     }
     // Other targets get nothing, broadcast included.
-    if (mavlink::Address{byIndex(*fields, "target_system"), byIndex(*fields, "target_component")} != address())
+    if (mavlink::Address{byIndex(*fields, "target_system"), byIndex(*fields, "target_component")}
+        != address())
         return;
     switch (known->id) {
     case mavlink::MessageId::ParamRequestRead: {
@@ -110,9 +117,7 @@ void StormBoard::message(const mavlink::Packet &packet)
         sendParameter(index);
         break;
     }
-    case mavlink::MessageId::ParamRead2:
-        sendParameter2(byIndex(*fields, "param_index"), packet.from);
-        break;
+    case mavlink::MessageId::ParamRead2: sendParameter2(byIndex(*fields, "param_index"), packet.from); break;
     case mavlink::MessageId::ParamSet2: {
         const int index = byIndex(*fields, "param_index");
         if (index >= 0 && index < m_words)
@@ -126,7 +131,7 @@ void StormBoard::message(const mavlink::Packet &packet)
             parameters[i] = fields->value(u"param%1"_s.arg(i + 1)).toFloat();
         const int id = byIndex(*fields, "command");
         if (id == 1234 && m_options.firmware >= 94) {
-            m_attitudeAsked = true;   // one, instead of an ack
+            m_attitudeAsked = true;  // one, instead of an ack
             break;
         }
         const int result = command(id, parameters);
@@ -141,7 +146,8 @@ void StormBoard::message(const mavlink::Packet &packet)
         const unsigned flags = unsigned(byIndex(*fields, "save_position"));
         std::array<double, 3> values{};
         for (std::size_t i = 0; i < 3; ++i)
-            values[i] = fields->value(QStringList{u"input_a"_s, u"input_b"_s, u"input_c"_s}[qsizetype(i)]).toDouble();
+            values[i] = fields->value(QStringList{u"input_a"_s, u"input_b"_s, u"input_c"_s}[qsizetype(i)])
+                            .toDouble();
         if (flags & 0x10) {
             for (std::size_t i = 0; i < 3; ++i)
                 steer(std::array<std::size_t, 3>{1, 0, 2}[i], int(values[i]));
@@ -153,8 +159,7 @@ void StormBoard::message(const mavlink::Packet &packet)
     case mavlink::MessageId::TargetSpecific:
         embedded(fields->value(u"specific_payload"_s).toByteArray(), packet.from);
         break;
-    default:
-        break;   // executed without an answer, or for somebody else
+    default: break;  // executed without an answer, or for somebody else
     }
 }
 
@@ -164,23 +169,23 @@ int StormBoard::command(int id, const std::array<float, 7> &parameters)
         return std::isfinite(parameters[i]) ? int(std::clamp(parameters[i], -1e6F, 1e6F)) : 0;
     };
     switch (id) {
-    case 180: {   // DO_SET_PARAMETER
+    case 180: {  // DO_SET_PARAMETER
         const int word = number(0);
         if (word >= 0 && word < m_words)
             set(word, number(6) == kMagicRestore ? stored(word) : number(1));
         return kResultOk;
     }
-    case 183:     // DO_SET_SERVO
+    case 183:  // DO_SET_SERVO
         std::ignore = rc(int(Rc::SetPwmOut), ByteWriter().u16(number(1)).take());
         return kResultOk;
-    case 203:     // DO_DIGICAM_CONTROL
-    case 220:     // DO_MOUNT_CONTROL_QUAT
+    case 203:  // DO_DIGICAM_CONTROL
+    case 220:  // DO_MOUNT_CONTROL_QUAT
         return kResultOk;
-    case 204:     // DO_MOUNT_CONFIGURE
+    case 204:  // DO_MOUNT_CONFIGURE
         if (number(0) == 1)
             std::ignore = rc(int(Rc::SetPitchRollYaw), QByteArray(6, '\0'));
         return kResultOk;
-    case 205: {   // DO_MOUNT_CONTROL
+    case 205: {  // DO_MOUNT_CONTROL
         const unsigned flags = unsigned(number(5));
         if (flags & 0x0100) {
             for (std::size_t i = 0; i < 3; ++i)
@@ -190,18 +195,18 @@ int StormBoard::command(int id, const std::array<float, 7> &parameters)
         }
         return kResultOk;
     }
-    case 245:     // PREFLIGHT_STORAGE
+    case 245:  // PREFLIGHT_STORAGE
         if (number(0) == 1)
             std::ignore = simple(Simple::Store, {});
         else if (number(0) == 0)
             std::ignore = simple(Simple::Retrieve, {});
         return kResultOk;
-    default:
-        return kResultUnsupported;
+    default: return kResultUnsupported;
     }
 }
 
-// Simple commands come as they are, RC commands as FA, number, payload; answers likewise, without length and checksum for RC.
+// Simple commands come as they are, RC commands as FA, number, payload; answers likewise, without length and
+// checksum for RC.
 void StormBoard::embedded(QByteArrayView content, const mavlink::Address &from)
 {
     QByteArray answer;
@@ -226,8 +231,10 @@ void StormBoard::embedded(QByteArrayView content, const mavlink::Address &from)
     } else {
         answer = "e";
     }
-    sendMessage(mavlink::MessageId::TargetSpecificAck, {{u"target_system"_s, from.system}, {u"target_component"_s, from.component},
-                                                        {u"specific_payload"_s, answer}});
+    sendMessage(mavlink::MessageId::TargetSpecificAck,
+                {{u"target_system"_s, from.system},
+                 {u"target_component"_s, from.component},
+                 {u"specific_payload"_s, answer}});
 }
 
 // What the board sends by itself.
@@ -242,15 +249,20 @@ void StormBoard::beat()
     const int state = this->state();
     if (inUse(112) != 0 && m_now >= m_nextBeat) {
         m_nextBeat = m_now + kBeatPeriod;
-        sendMessage(mavlink::MessageId::Heartbeat, {{u"custom_mode"_s, state}, {u"type"_s, 26}, {u"autopilot"_s, 0x53},
-                                                    {u"base_mode"_s, state == 6 ? 0x80 : 0}, {u"system_status"_s, state == 6 ? 4 : 1},
-                                                    {u"mavlink_version"_s, 3}});
+        sendMessage(mavlink::MessageId::Heartbeat,
+                    {{u"custom_mode"_s, state},
+                     {u"type"_s, 26},
+                     {u"autopilot"_s, 0x53},
+                     {u"base_mode"_s, state == 6 ? 0x80 : 0},
+                     {u"system_status"_s, state == 6 ? 4 : 1},
+                     {u"mavlink_version"_s, 3}});
     }
     if (asked || (inUse(112) == 2 && m_heardBeat && m_now >= m_nextAttitude)) {
         m_nextAttitude = m_now + kAttitudePeriod;
         // Pitch up is positive here, yaw and the rates are always zero.
-        sendMessage(mavlink::MessageId::Attitude, {{u"time_boot_ms"_s, uint((m_now - m_started) * 1000.0)},
-                                                   {u"roll"_s, float(-m_stabilizer.estimate(Axis::Roll) * kRadian)},
-                                                   {u"pitch"_s, float(-m_stabilizer.estimate(Axis::Pitch) * kRadian)}});
+        sendMessage(mavlink::MessageId::Attitude,
+                    {{u"time_boot_ms"_s, uint((m_now - m_started) * 1000.0)},
+                     {u"roll"_s, float(-m_stabilizer.estimate(Axis::Roll) * kRadian)},
+                     {u"pitch"_s, float(-m_stabilizer.estimate(Axis::Pitch) * kRadian)}});
     }
 }

@@ -13,17 +13,17 @@ using namespace storm32;
 namespace {
 
 constexpr double kRadian = std::numbers::pi / 180.0;
-constexpr int kCapabilities = 0xFF03;      // a v1.30 board with everything
-constexpr double kLowCell = 3;             // cells of the simulated battery
+constexpr int kCapabilities = 0xFF03;  // a v1.30 board with everything
+constexpr double kLowCell = 3;  // cells of the simulated battery
 constexpr double kTemperature = 31.0;
 constexpr double kCountsPerDegree = 65.5;
 // The frame's sensor is not quite right either, in its own axes; calibration finds it.
-constexpr std::array<double, 3> kFrameZero{0.015, -0.02, 0.03};        // g
+constexpr std::array<double, 3> kFrameZero{0.015, -0.02, 0.03};  // g
 constexpr std::array<double, 3> kFrameScale{0.99, 1.015, 1.01};
-constexpr std::array<double, 3> kFrameTurn{-0.9, 1.3, 0.5};            // deg/s
-constexpr double kFrameAccNoise = 0.004;                               // g
-constexpr double kFrameGyroNoise = 0.06;                               // deg/s
-constexpr int kFrameCalibration = 9;                                   // first word
+constexpr std::array<double, 3> kFrameTurn{-0.9, 1.3, 0.5};  // deg/s
+constexpr double kFrameAccNoise = 0.004;  // g
+constexpr double kFrameGyroNoise = 0.06;  // deg/s
+constexpr int kFrameCalibration = 9;  // first word
 
 QByteArray padded(const QByteArray &text)
 {
@@ -46,23 +46,29 @@ std::array<double, 3> inSensor(const std::array<double, 3> &body, int mount)
     return own;
 }
 
-} // namespace
+}  // namespace
 
 QByteArray StormBoard::versionData() const
 {
-    const bool unknown = m_options.faults.unknownFirmware;   // one whose layout nobody has a table for
+    const bool unknown = m_options.faults.unknownFirmware;  // one whose layout nobody has a table for
     const QByteArray version = unknown ? "v2.20" : "v0." + QByteArray::number(m_options.firmware);
-    return ByteWriter().bytes(padded(version)).bytes(m_name).bytes(padded("v1.30 F103RC"))
-        .u16(unknown ? 220 : m_options.firmware).u16(unknown ? 219 : m_layout).u16(kCapabilities).take();
+    return ByteWriter()
+        .bytes(padded(version))
+        .bytes(m_name)
+        .bytes(padded("v1.30 F103RC"))
+        .u16(unknown ? 220 : m_options.firmware)
+        .u16(unknown ? 219 : m_layout)
+        .u16(kCapabilities)
+        .take();
 }
 
 int StormBoard::status() const
 {
-    int bits = 0x0008;   // battery connected
+    int bits = 0x0008;  // battery connected
     if (m_stabilizer.imuPresent())
         bits |= 0x8000 | 0x0020;
     if (value(u"imu2.configuration"_s) > 0 && m_stabilizer.imuPresent())
-        bits |= 0x1000 | 0x0800 | 0x0040;   // on the board
+        bits |= 0x1000 | 0x0800 | 0x0040;  // on the board
     const double limit = value(u"battery.low_limit"_s);
     if (limit > 0 && volts() < kLowCell * (2.8 + 0.1 * limit))
         bits |= 0x0010;
@@ -90,8 +96,8 @@ std::array<int, 32> StormBoard::liveWords() const
 {
     const Stabilizer &s = m_stabilizer;
     const bool later = m_options.firmware >= 93;
-    const double gyroUnit = later ? 2048.0 : 1000.0;                                   // counts per rad/s
-    const double accUnit = m_options.firmware >= 94 ? 8192.0 : later ? 16384.0 : 10000.0;   // counts per g
+    const double gyroUnit = later ? 2048.0 : 1000.0;  // counts per rad/s
+    const double accUnit = m_options.firmware >= 94 ? 8192.0 : later ? 16384.0 : 10000.0;  // counts per g
     const double pitch = s.estimate(Axis::Pitch);
     const double roll = -s.estimate(Axis::Roll);
     const double yaw = -s.estimate(Axis::Yaw);
@@ -121,14 +127,16 @@ std::array<int, 32> StormBoard::liveWords() const
         const Axis axis = order[i];
         const double sign = axis == Axis::Pitch ? 1.0 : -1.0;
         words[16 + i] = rounded(angles[i] * 100.0);
-        // With a motor that does nothing exactly minus the angle (errata 3.5); else where the motor has turned the camera.
+        // With a motor that does nothing exactly minus the angle (errata 3.5); else where the motor has
+        // turned the camera.
         const bool active = s.motorsOn() && axisValue("motor.%a.usage", axis) != 3.0;
         words[19 + i] = rounded((active ? sign * s.jointAngle(axis) : -angles[i]) * 100.0);
         words[22 + i] = m_pulse[std::size_t(axis)];
         words[25 + i] = rounded(frame[i] * 100.0);
     }
     words[28] = 0;
-    words[29] = m_options.firmware >= 90 ? 300 + int(40.0 * std::sin(m_now)) : 0;   // means nothing without a link
+    words[29]
+        = m_options.firmware >= 90 ? 300 + int(40.0 * std::sin(m_now)) : 0;  // means nothing without a link
     words[30] = state() == 6 ? 15000 : 10000;
     int functions = 0;
     for (std::size_t i = 0; i < m_scriptCase.size(); ++i)
@@ -155,7 +163,18 @@ QByteArray StormBoard::liveFields(int mask) const
         int count;
     };
     static constexpr std::array<Field, 12> kFields{{
-        {0, 5}, {5, 2}, {7, 3}, {10, 3}, {13, 3}, {16, 3}, {19, 3}, {22, 3}, {25, 3}, {28, 1}, {29, 1}, {30, 1},
+        {0, 5},
+        {5, 2},
+        {7, 3},
+        {10, 3},
+        {13, 3},
+        {16, 3},
+        {19, 3},
+        {22, 3},
+        {25, 3},
+        {28, 1},
+        {29, 1},
+        {30, 1},
     }};
     const int asked = mask == 0 ? 0x0FFF : mask;
     const auto live = liveWords();
@@ -197,17 +216,20 @@ StormBoard::Vector StormBoard::frameAngles() const
         const int scale = m_calibration[kFrameCalibration + 3 + i];
         own[i] = (own[i] * oneG() - m_calibration[kFrameCalibration + i]) / (scale != 0 ? scale : oneG());
     }
-    const auto told = std::size_t(std::clamp(int(value(u"imu2.orientation"_s)), 0, int(orientations().size()) - 1));
+    const auto told
+        = std::size_t(std::clamp(int(value(u"imu2.orientation"_s)), 0, int(orientations().size()) - 1));
     Vector body{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (std::size_t i = 0; i < 3; ++i)
             body[axis] += orientations()[told].axes[axis][i] * own[i];
     }
-    const double yaw = -m_stabilizer.hand().angle(Axis::Yaw);   // nothing but the gyroscope tells it
-    return {-std::atan2(body[0], std::hypot(body[1], body[2])) / kRadian, std::atan2(body[1], body[2]) / kRadian, yaw};
+    const double yaw = -m_stabilizer.hand().angle(Axis::Yaw);  // nothing but the gyroscope tells it
+    return {-std::atan2(body[0], std::hypot(body[1], body[2])) / kRadian,
+            std::atan2(body[1], body[2]) / kRadian, yaw};
 }
 
-// Counts before calibration, in the sensors' own axes: acceleration, turning, temperature of the camera's, then of the frame's.
+// Counts before calibration, in the sensors' own axes: acceleration, turning, temperature of the camera's,
+// then of the frame's.
 QByteArray StormBoard::rawSensors()
 {
     const Stabilizer &s = m_stabilizer;
@@ -220,13 +242,16 @@ QByteArray StormBoard::rawSensors()
     };
     const int temperature = rounded((kTemperature - 36.53) * 340.0);
     put(inSensor({s.rawAcc(1), -s.rawAcc(0), s.rawAcc(2)}, m_options.faults.mount), oneG());
-    put(inSensor({-s.rawGyro(Axis::Roll), s.rawGyro(Axis::Pitch), -s.rawGyro(Axis::Yaw)}, m_options.faults.mount), kCountsPerDegree);
+    put(inSensor({-s.rawGyro(Axis::Roll), s.rawGyro(Axis::Pitch), -s.rawGyro(Axis::Yaw)},
+                 m_options.faults.mount),
+        kCountsPerDegree);
     writer.i16(temperature);
     if (!(status() & 0x1000))
         return writer.zeros(14).take();
     const HandShake &hand = s.hand();
     const bool lies = s.pose() != 0;
-    Vector turn = lies ? Vector{} : Vector{-hand.rate(Axis::Roll), hand.rate(Axis::Pitch), -hand.rate(Axis::Yaw)};
+    Vector turn
+        = lies ? Vector{} : Vector{-hand.rate(Axis::Roll), hand.rate(Axis::Pitch), -hand.rate(Axis::Yaw)};
     turn = inSensor(turn, m_options.faults.frameMount);
     Vector acc = frameReading();
     for (std::size_t i = 0; i < 3; ++i) {

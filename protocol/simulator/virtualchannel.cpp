@@ -7,13 +7,14 @@ namespace {
 constexpr auto kStep = 800us;
 constexpr qsizetype kKeptBytes = 512;
 
-} // namespace
+}  // namespace
 
 class VirtualMailbox final : public Mailbox
 {
 public:
     VirtualMailbox(VirtualChannel &channel, std::function<bool(const FrameView &)> filter)
-        : m_channel(channel), m_filter(std::move(filter))
+        : m_channel(channel)
+        , m_filter(std::move(filter))
     {
         m_channel.m_mailboxes.insert(this);
     }
@@ -102,7 +103,8 @@ Result<Frame> VirtualChannel::transact(const Request &request)
     if (const auto stop = stopped())
         return tl::unexpected(*stop);
     std::optional<Result<Frame>> result;
-    const auto id = m_queue.submit(request, [&result](Result<Frame> r) { result = std::move(r); }, now());
+    const auto id = m_queue.submit(
+        request, [&result](Result<Frame> r) { result = std::move(r); }, now());
     while (!result) {
         if (cancelled()) {
             m_queue.cancel(id);

@@ -8,8 +8,8 @@
 
 #include <set>
 
-/// A channel to a simulated board in virtual time, in one thread: device and procedure code runs in microseconds. Uses the
-/// same framer and the same transaction queue as the real session.
+/// A channel to a simulated board in virtual time, in one thread: device and procedure code runs in
+/// microseconds. Uses the same framer and the same transaction queue as the real session.
 class VirtualChannel final : public Channel
 {
 public:

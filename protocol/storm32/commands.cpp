@@ -12,7 +12,8 @@ namespace storm32 {
 
 namespace {
 
-// The stream is 124 words and 128 bytes of scripts on layout 78, 125 words from 89 and 155 from 223 on (errata 3.4, 5).
+// The stream is 124 words and 128 bytes of scripts on layout 78, 125 words from 89 and 155 from 223 on
+// (errata 3.4, 5).
 constexpr std::array<int, 3> kStreamWords{124 + 64, 125 + 64, 155 + 64};
 
 constexpr SimpleCommand kSimple[] = {
@@ -45,9 +46,11 @@ static_assert(std::size(kSimple) == std::size_t(Simple::Count));
 // Payloads of the RC set (errata 4). The board takes no notice of bytes that have no name here.
 constexpr NamedField kIndex[] = {{"index", NamedField::U16, 0, 2}};
 constexpr NamedField kIndexAndValue[] = {{"index", NamedField::U16, 0, 2}, {"value", NamedField::U16, 2, 2}};
-constexpr NamedField kVersion[] = {{"firmware", NamedField::U16, 0, 2}, {"layout", NamedField::U16, 2, 2},
+constexpr NamedField kVersion[] = {{"firmware", NamedField::U16, 0, 2},
+                                   {"layout", NamedField::U16, 2, 2},
                                    {"capabilities", NamedField::U16, 4, 2}};
-constexpr NamedField kVersionStrings[] = {{"version", NamedField::Text, 0, 16}, {"name", NamedField::Text, 16, 16},
+constexpr NamedField kVersionStrings[] = {{"version", NamedField::Text, 0, 16},
+                                          {"name", NamedField::Text, 16, 16},
                                           {"board", NamedField::Text, 32, 16}};
 constexpr NamedField kDataType[] = {{"type", NamedField::U8, 0}};
 constexpr NamedField kTypedData[] = {{"type", NamedField::U8, 0}, {"data", NamedField::Bytes, 2, 0}};
@@ -58,9 +61,13 @@ constexpr NamedField kPanMode[] = {{"mode", NamedField::U8, 0}};
 constexpr NamedField kStandby[] = {{"on", NamedField::U8, 0}};
 constexpr NamedField kCamera[] = {{"shot", NamedField::U8, 1}};
 constexpr NamedField kScript[] = {{"script", NamedField::U8, 0}, {"case", NamedField::U8, 1}};
-constexpr NamedField kAngles[] = {{"pitch", NamedField::F32, 0, 4}, {"roll", NamedField::F32, 4, 4}, {"yaw", NamedField::F32, 8, 4},
-                                  {"flags", NamedField::U8, 12}, {"type", NamedField::U8, 13}};
-constexpr NamedField kPulses[] = {{"pitch", NamedField::U16, 0, 2}, {"roll", NamedField::U16, 2, 2}, {"yaw", NamedField::U16, 4, 2}};
+constexpr NamedField kAngles[] = {{"pitch", NamedField::F32, 0, 4},
+                                  {"roll", NamedField::F32, 4, 4},
+                                  {"yaw", NamedField::F32, 8, 4},
+                                  {"flags", NamedField::U8, 12},
+                                  {"type", NamedField::U8, 13}};
+constexpr NamedField kPulses[]
+    = {{"pitch", NamedField::U16, 0, 2}, {"roll", NamedField::U16, 2, 2}, {"yaw", NamedField::U16, 4, 2}};
 constexpr NamedField kPanSetting[] = {{"setting", NamedField::U8, 0}};
 constexpr NamedField kAck[] = {{"code", NamedField::U8, 0}};
 
@@ -93,7 +100,8 @@ bool isAnswer(Rc asked, int number, Bytes payload)
 {
     switch (asked) {
     case Rc::GetVersion: return number == 1 && payload.size() == 6;
-    case Rc::GetVersionStrings: return (number == 5 || number == 2) && payload.size() == 48;   // 2 from v2.09 on
+    case Rc::GetVersionStrings:
+        return (number == 5 || number == 2) && payload.size() == 48;  // 2 from v2.09 on
     case Rc::GetParameter: return number == 3 && payload.size() == 4;
     case Rc::GetData: return number == 5 && payload.size() >= 2 && payload.size() != 48;
     case Rc::GetDataFields: return number == 6 && payload.size() >= 2;
@@ -105,7 +113,7 @@ bool isAnswer(Rc asked, int number, Bytes payload)
 // A STorM32 board serves one request at a time, so all of them are of one kind.
 constexpr int kOneKind = 1;
 
-} // namespace
+}  // namespace
 
 std::span<const SimpleCommand> simpleCommands()
 {
@@ -136,13 +144,15 @@ std::span<const RcCommand> rcCommands()
 
 const RcCommand *findRc(int id)
 {
-    const auto it = std::find_if(std::begin(kRc), std::end(kRc), [id](const RcCommand &command) { return int(command.id) == id; });
+    const auto it = std::find_if(std::begin(kRc), std::end(kRc),
+                                 [id](const RcCommand &command) { return int(command.id) == id; });
     return it == std::end(kRc) ? nullptr : it;
 }
 
 const RcCommand *findRcAnswer(int id, Bytes payload)
 {
-    const auto answers = [id, payload](const RcCommand &command) { return isAnswer(command.id, id, payload); };
+    const auto answers
+        = [id, payload](const RcCommand &command) { return isAnswer(command.id, id, payload); };
     if (answers(kAckFrame))
         return &kAckFrame;
     const auto it = std::find_if(std::begin(kRc), std::end(kRc), answers);
@@ -193,13 +203,15 @@ Request simpleRequest(Simple id, QByteArrayView arguments)
     request.name = QString::fromLatin1(command.letters);
     request.bytes = encodeSimple(id, arguments);
     request.kind = kOneKind;
-    request.replyBytes = command.replyWords[1] ? 2 * command.replyWords[1] + 3 : 1;   // of the firmware that is met most
+    request.replyBytes
+        = command.replyWords[1] ? 2 * command.replyWords[1] + 3 : 1;  // of the firmware that is met most
     const bool data = command.replyWords[1] != 0;
     request.answer = [id, data, name = request.name](const FrameView &frame) -> std::optional<Result<Frame>> {
         if (frame.id == FrameId::kSimple + int(id) || (!data && frame.id == 'o'))
             return Frame(frame);
         if (frame.id == 'e')
-            return failure(ErrorCode::Unsupported, u"'%1': the board does not know this command"_s.arg(name), 'e');
+            return failure(ErrorCode::Unsupported, u"'%1': the board does not know this command"_s.arg(name),
+                           'e');
         if (frame.id == 't')
             return failure(ErrorCode::Damaged, u"'%1': the command arrived in pieces"_s.arg(name), 't');
         if (frame.id == 'c')
@@ -228,10 +240,11 @@ Request rcRequest(Rc id, const QByteArray &payload)
         if (frame.id == 't')
             return failure(ErrorCode::Damaged, u"%1: the command arrived in pieces"_s.arg(name), 't');
         if (frame.id == 'e')
-            return failure(ErrorCode::Unsupported, u"%1: the board does not know this command"_s.arg(name), 'e');
+            return failure(ErrorCode::Unsupported, u"%1: the board does not know this command"_s.arg(name),
+                           'e');
         return {};
     };
     return request;
 }
 
-} // namespace storm32
+}  // namespace storm32

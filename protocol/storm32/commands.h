@@ -10,37 +10,75 @@
 
 namespace storm32 {
 
-/// Simple commands (document "Simple Commands", errata 3). The number is that of their answer's frame, see FrameId.
+/// Simple commands (document "Simple Commands", errata 3). The number is that of their answer's frame, see
+/// FrameId.
 enum class Simple : std::uint8_t {
-    Test, Version, GetParameters, PutParameters, LiveData, Status,
-    Store, Retrieve, Defaults, EraseEeprom, Level, Restart, HardReset, NormalMotors, TakeDirections, TakeStartPositions,
-    TakeYawStartPosition, SetName, SetBaudRate, RcTrim, ReadCalibration, WriteCalibration, RawSensors,
+    Test,
+    Version,
+    GetParameters,
+    PutParameters,
+    LiveData,
+    Status,
+    Store,
+    Retrieve,
+    Defaults,
+    EraseEeprom,
+    Level,
+    Restart,
+    HardReset,
+    NormalMotors,
+    TakeDirections,
+    TakeStartPositions,
+    TakeYawStartPosition,
+    SetName,
+    SetBaudRate,
+    RcTrim,
+    ReadCalibration,
+    WriteCalibration,
+    RawSensors,
     Count
 };
 
 /// Commands of the RC set (document "RC Commands", errata 4).
 enum class Rc : std::uint8_t {
-    GetVersion = 1, GetVersionStrings = 2, GetParameter = 3, SetParameter = 4, GetData = 5, GetDataFields = 6,
-    SetPitch = 10, SetRoll = 11, SetYaw = 12, SetPanMode = 13, SetStandby = 14, DoCamera = 15, SetScriptControl = 16,
-    SetAngle = 17, SetPitchRollYaw = 18, SetPwmOut = 19, RestoreParameter = 20, RestoreAllParameters = 21,
-    ActivePanModeSetting = 100, Ack = 150,
+    GetVersion = 1,
+    GetVersionStrings = 2,
+    GetParameter = 3,
+    SetParameter = 4,
+    GetData = 5,
+    GetDataFields = 6,
+    SetPitch = 10,
+    SetRoll = 11,
+    SetYaw = 12,
+    SetPanMode = 13,
+    SetStandby = 14,
+    DoCamera = 15,
+    SetScriptControl = 16,
+    SetAngle = 17,
+    SetPitchRollYaw = 18,
+    SetPwmOut = 19,
+    RestoreParameter = 20,
+    RestoreAllParameters = 21,
+    ActivePanModeSetting = 100,
+    Ack = 150,
 };
 
-/// Numbers of the frames that come from a board: letters and data of simple commands, answers of the RC set, MAVLink.
+/// Numbers of the frames that come from a board: letters and data of simple commands, answers of the RC set,
+/// MAVLink.
 namespace FrameId {
-inline constexpr int kLetter = 0x000;    ///< + 'o', 'e', 't' or 'c'
-inline constexpr int kSimple = 0x100;    ///< + Simple: the data, without checksum and closing letter
-inline constexpr int kRc = 0x200;        ///< + number of the answer
-inline constexpr int kMavlink = 0x300;   ///< + message; the payload of the view is the message's
-} // namespace FrameId
+inline constexpr int kLetter = 0x000;  ///< + 'o', 'e', 't' or 'c'
+inline constexpr int kSimple = 0x100;  ///< + Simple: the data, without checksum and closing letter
+inline constexpr int kRc = 0x200;  ///< + number of the answer
+inline constexpr int kMavlink = 0x300;  ///< + message; the payload of the view is the message's
+}  // namespace FrameId
 
 struct SimpleCommand
 {
     Simple id{};
     const char *letters = "";
     const char *name = "";
-    int argumentBytes = 0;             ///< that follow the letters, without their checksum; -1: the parameter stream
-    std::array<int, 3> replyWords{};   ///< words of the answer, as firmware differs; 0: the letter alone
+    int argumentBytes = 0;  ///< that follow the letters, without their checksum; -1: the parameter stream
+    std::array<int, 3> replyWords{};  ///< words of the answer, as firmware differs; 0: the letter alone
 };
 
 [[nodiscard]] std::span<const SimpleCommand> simpleCommands();
@@ -54,13 +92,13 @@ struct RcCommand
     const char *name = "";
     int payloadBytes = 0;
     NamedFields fields{};
-    NamedFields answer{};              ///< of the data that comes back; none: an ack
+    NamedFields answer{};  ///< of the data that comes back; none: an ack
 };
 
 [[nodiscard]] std::span<const RcCommand> rcCommands();
 [[nodiscard]] const RcCommand *findRc(int id);
-/// What a board's frame answers, or the ack itself; null when it is none of both. Texts come under the number of the data up to
-/// v2.08 and are told by their length (errata 4).
+/// What a board's frame answers, or the ack itself; null when it is none of both. Texts come under the number
+/// of the data up to v2.08 and are told by their length (errata 4).
 [[nodiscard]] const RcCommand *findRcAnswer(int id, Bytes payload);
 
 /// The bytes of a simple command; arguments get their checksum.
@@ -78,4 +116,4 @@ struct RcCommand
 /// A request of the RC set: answered by its data or an ack; a refusal becomes BoardError.
 [[nodiscard]] Request rcRequest(Rc id, const QByteArray &payload = {});
 
-} // namespace storm32
+}  // namespace storm32

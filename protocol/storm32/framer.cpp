@@ -25,7 +25,7 @@ bool isLetter(std::byte byte)
     return c == 'o' || c == 'e' || c == 't' || c == 'c';
 }
 
-} // namespace
+}  // namespace
 
 void StormFramer::sent(Bytes bytes)
 {
@@ -85,9 +85,12 @@ void StormFramer::scan(bool last, const FrameSink &sink)
         if (seen.frame.id < FrameId::kMavlink)
             m_asked = nullptr;
         // Out of the buffer first: whoever gets the frame may send, and then the rest is gone.
-        const QByteArray kept = std::exchange(m_buffer, m_buffer.mid(qsizetype(seen.size))).left(qsizetype(seen.size));
+        const QByteArray kept
+            = std::exchange(m_buffer, m_buffer.mid(qsizetype(seen.size))).left(qsizetype(seen.size));
         const auto moved = [&](Bytes part) {
-            return part.empty() ? Bytes() : asBytes(kept).subspan(std::size_t(part.data() - seen.frame.raw.data()), part.size());
+            return part.empty()
+                ? Bytes()
+                : asBytes(kept).subspan(std::size_t(part.data() - seen.frame.raw.data()), part.size());
         };
         sink({seen.frame.id, moved(seen.frame.payload), 1, asBytes(kept)});
     }
@@ -101,22 +104,27 @@ StormFramer::Sighting StormFramer::sight(Bytes bytes) const
             return data;
     }
     if (isLetter(bytes[0]))
-        return {Look::Complete, 1, {FrameId::kLetter + std::to_integer<int>(bytes[0]), {}, 1, bytes.first(1)}};
-    if (bytes[0] == kRcAnswer && (m_rcAsked || !m_asked)) {   // otherwise data looks like it
+        return {
+            Look::Complete, 1, {FrameId::kLetter + std::to_integer<int>(bytes[0]), {}, 1, bytes.first(1)}};
+    if (bytes[0] == kRcAnswer && (m_rcAsked || !m_asked)) {  // otherwise data looks like it
         if (bytes.size() < 2)
             return {Look::Incomplete};
         const std::size_t length = std::to_integer<std::size_t>(bytes[1]);
         if (bytes.size() < length + kRcOverhead)
             return {Look::Incomplete};
-        if (crc16Mcrf4xx(bytes.subspan(1, length + 4)) != 0)   // data and its own checksum
+        if (crc16Mcrf4xx(bytes.subspan(1, length + 4)) != 0)  // data and its own checksum
             return {Look::Damaged};
-        return {Look::Complete, length + kRcOverhead,
-                {FrameId::kRc + std::to_integer<int>(bytes[2]), bytes.subspan(3, length), 1, bytes.first(length + kRcOverhead)}};
+        return {Look::Complete,
+                length + kRcOverhead,
+                {FrameId::kRc + std::to_integer<int>(bytes[2]), bytes.subspan(3, length), 1,
+                 bytes.first(length + kRcOverhead)}};
     }
     const mavlink::Sighting message = mavlink::sight(bytes);
     if (message.look != Look::No) {
-        return {message.look, message.size,
-                {FrameId::kMavlink + message.packet.id, message.packet.payload, 1, bytes.first(message.size)}};
+        return {
+            message.look,
+            message.size,
+            {FrameId::kMavlink + message.packet.id, message.packet.payload, 1, bytes.first(message.size)}};
     }
     // Data may begin with any byte.
     return m_asked ? sightData(bytes) : Sighting{};
@@ -133,9 +141,11 @@ StormFramer::Sighting StormFramer::sightData(Bytes bytes) const
             continue;
         }
         if (bytes[data + 2] == std::byte{'o'} && crc16Mcrf4xx(bytes.first(data + 2)) == 0)
-            return {Look::Complete, data + 3, {FrameId::kSimple + int(m_asked->id), bytes.first(data), 1, bytes.first(data + 3)}};
+            return {Look::Complete,
+                    data + 3,
+                    {FrameId::kSimple + int(m_asked->id), bytes.first(data), 1, bytes.first(data + 3)}};
     }
     return result;
 }
 
-} // namespace storm32
+}  // namespace storm32

@@ -7,9 +7,10 @@
 
 namespace storm32 {
 
-/// Finds the answers of a STorM32 board: single letters, the data of simple commands, frames of the RC set, and MAVLink. The
-/// data of a simple command has no start of its own, so the framer listens to what is asked (errata 3.1: count bytes, then
-/// look at the closing letter and the checksum). An error letter instead of data is known by the silence behind it.
+/// Finds the answers of a STorM32 board: single letters, the data of simple commands, frames of the RC set,
+/// and MAVLink. The data of a simple command has no start of its own, so the framer listens to what is asked
+/// (errata 3.1: count bytes, then look at the closing letter and the checksum). An error letter instead of
+/// data is known by the silence behind it.
 class StormFramer final : public Framer
 {
 public:
@@ -34,9 +35,9 @@ private:
     void skip(std::size_t count);
 
     QByteArray m_buffer;
-    const SimpleCommand *m_asked = nullptr;   // whose data may come
-    bool m_rcAsked = false;                   // a frame of the RC set was the latest thing sent
+    const SimpleCommand *m_asked = nullptr;  // whose data may come
+    bool m_rcAsked = false;  // a frame of the RC set was the latest thing sent
     FramerStatistics m_statistics;
 };
 
-} // namespace storm32
+}  // namespace storm32

@@ -6,8 +6,8 @@
 
 namespace storm32 {
 
-/// What PARAM_VALUE calls a word of the stream, unused ones included; empty past the last. Layout 89 is taken to call them as 95
-/// does, but for the words it does not have.
+/// What PARAM_VALUE calls a word of the stream, unused ones included; empty past the last. Layout 89 is taken
+/// to call them as 95 does, but for the words it does not have.
 [[nodiscard]] QString mavlinkName(int layout, int word);
 
-} // namespace storm32
+}  // namespace storm32

@@ -10,9 +10,11 @@ namespace storm32 {
 /// The parts of what `g` delivers: the parameter words, and the scripts behind them (errata 3.4).
 enum Block : std::uint8_t { Parameters, Scripts, BlockCount };
 
-/// Layouts that there are tables for (errata 5). In a ParameterSet the layout stands where other families have the firmware.
+/// Layouts that there are tables for (errata 5). In a ParameterSet the layout stands where other families
+/// have the firmware.
 [[nodiscard]] bool isKnownLayout(int layout);
-/// Parameter words of a layout, the dummy in front of the scripts included; for one without a table what its kin has.
+/// Parameter words of a layout, the dummy in front of the scripts included; for one without a table what its
+/// kin has.
 [[nodiscard]] int wordsOf(int layout);
 [[nodiscard]] std::span<const BlockSpec> blocksOf(int layout);
 /// What `g` delivers, by blocks; only the words when there is no more, nothing when it has another length.
@@ -20,8 +22,8 @@ enum Block : std::uint8_t { Parameters, Scripts, BlockCount };
 
 /// The words of a layout without a table, as numbers.
 [[nodiscard]] std::span<const ParameterRow> rawRows(int layout);
-/// Every parameter of layouts 78, 89 and 95 (errata 5 and 11). `name` is what settings files, scripts and the original tool
-/// call it; the number of the word is offset / 2.
+/// Every parameter of layouts 78, 89 and 95 (errata 5 and 11). `name` is what settings files, scripts and the
+/// original tool call it; the number of the word is offset / 2.
 [[nodiscard]] std::span<const ParameterRow> parameterRows();
 /// That name for one parameter.
 [[nodiscard]] QString originalName(const ParameterSpec &spec);
@@ -32,12 +34,12 @@ enum Block : std::uint8_t { Parameters, Scripts, BlockCount };
 /// The 24 ways in which a sensor can be mounted (errata 10): which of its axes point forward, left and up.
 struct Orientation
 {
-    const char *name;      ///< "z90°"
-    int code;              ///< shown in brackets
-    std::array<std::array<int, 3>, 3> axes;   ///< forward, left, up as vectors of the sensor
+    const char *name;  ///< "z90°"
+    int code;  ///< shown in brackets
+    std::array<std::array<int, 3>, 3> axes;  ///< forward, left, up as vectors of the sensor
 };
 [[nodiscard]] std::span<const Orientation> orientations();
 /// The orientation whose z points up and x forward, from unit vectors of the sensor; -1 if there is none.
 [[nodiscard]] int findOrientation(const std::array<int, 3> &up, const std::array<int, 3> &forward);
 
-} // namespace storm32
+}  // namespace storm32

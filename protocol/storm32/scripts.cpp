@@ -44,8 +44,8 @@ struct Statement
     const char *word;
     std::array<Argument, 3> arguments{};
     int since = 0;
-    bool offset = false;       ///< a byte that the compiler fills in
-    bool compiles = true;      ///< the original tool shows, but does not compile it
+    bool offset = false;  ///< a byte that the compiler fills in
+    bool compiles = true;  ///< the original tool shows, but does not compile it
 };
 
 // Errata 8.
@@ -116,9 +116,10 @@ const Statement *findCode(int code)
 
 const Statement *findWord(const QString &word)
 {
-    const auto it = std::find_if(std::begin(kStatements), std::end(kStatements), [&word](const Statement &statement) {
-        return word.compare(QLatin1String(statement.word), Qt::CaseInsensitive) == 0;
-    });
+    const auto it
+        = std::find_if(std::begin(kStatements), std::end(kStatements), [&word](const Statement &statement) {
+              return word.compare(QLatin1String(statement.word), Qt::CaseInsensitive) == 0;
+          });
     return it == std::end(kStatements) ? nullptr : it;
 }
 
@@ -157,7 +158,11 @@ std::optional<QStringList> wordsOf(const QString &line)
 class Compiler
 {
 public:
-    Compiler(const ScriptContext &context, int script) : m_context(context), m_script(script) { }
+    Compiler(const ScriptContext &context, int script)
+        : m_context(context)
+        , m_script(script)
+    {
+    }
 
     CompiledScripts compile(const QString &text)
     {
@@ -200,18 +205,21 @@ private:
         if (!known->compiles)
             return wrong(QT_TRANSLATE_NOOP("Tables", "%1 is shown only; use %2"), {word, u"SETANGLE"_s});
         if (known->since > m_context.firmware)
-            return wrong(QT_TRANSLATE_NOOP("Tables", "firmware 0.%1 does not know %2"), {QString::number(m_context.firmware), word});
-        const auto wanted = std::count_if(known->arguments.begin(), known->arguments.end(),
-                                          [](const Argument &argument) { return argument.kind != Argument::None; });
+            return wrong(QT_TRANSLATE_NOOP("Tables", "firmware 0.%1 does not know %2"),
+                         {QString::number(m_context.firmware), word});
+        const auto wanted
+            = std::count_if(known->arguments.begin(), known->arguments.end(),
+                            [](const Argument &argument) { return argument.kind != Argument::None; });
         if (words->size() - 1 != wanted)
-            return wrong(QT_TRANSLATE_NOOP("Tables", "%1 takes %2 values, not %3"), {word, QString::number(wanted), QString::number(words->size() - 1)});
+            return wrong(QT_TRANSLATE_NOOP("Tables", "%1 takes %2 values, not %3"),
+                         {word, QString::number(wanted), QString::number(words->size() - 1)});
         if (isCase(known->code)) {
             if (const auto begun = beginCase(*known); !begun)
                 return begun;
         }
         m_code.append(char(known->code));
         m_last = known->code;
-        if (known->offset)   // a case learns its end later
+        if (known->offset)  // a case learns its end later
             m_code.append(char(known->code == kRepeat ? std::max(m_case, 0) : 0));
         const ScriptParameter *parameter = nullptr;
         for (qsizetype i = 0; i < wanted; ++i) {
@@ -229,7 +237,8 @@ private:
         if (known.code < kFirstCase + m_cases)
             return wrong(QT_TRANSLATE_NOOP("Tables", "%1 is there already"), {word});
         if (known.code > kFirstCase + m_cases)
-            return wrong(QT_TRANSLATE_NOOP("Tables", "%1 has to come before %2"), {QLatin1String(findCode(kFirstCase + m_cases)->word), word});
+            return wrong(QT_TRANSLATE_NOOP("Tables", "%1 has to come before %2"),
+                         {QLatin1String(findCode(kFirstCase + m_cases)->word), word});
         closeCase();
         ++m_cases;
         m_case = int(m_code.size());
@@ -250,12 +259,15 @@ private:
     Done argument(const Argument &wanted, const QString &text, const ScriptParameter *&parameter)
     {
         if (wanted.kind == Argument::Parameter) {
-            const auto it = std::find_if(m_context.parameters.begin(), m_context.parameters.end(), [&text](const ScriptParameter &each) {
-                return each.name.compare(text, Qt::CaseInsensitive) == 0;
-            });
+            const auto it = std::find_if(m_context.parameters.begin(), m_context.parameters.end(),
+                                         [&text](const ScriptParameter &each) {
+                                             return each.name.compare(text, Qt::CaseInsensitive) == 0;
+                                         });
             parameter = it == m_context.parameters.end() ? nullptr : &*it;
             bool numbered = false;
-            const int index = parameter ? parameter->index : text.startsWith(u'#') ? text.mid(1).toInt(&numbered) : -1;
+            const int index = parameter ? parameter->index
+                : text.startsWith(u'#') ? text.mid(1).toInt(&numbered)
+                                        : -1;
             if (!parameter && (!numbered || index < 0 || index > 255))
                 return wrong(QT_TRANSLATE_NOOP("Tables", "there is no parameter “%1”"), {text});
             m_code.append(char(index));
@@ -274,7 +286,8 @@ private:
             max = parameter->isSigned ? 32767 : 65535;
         }
         if (number < min || number > max)
-            return wrong(QT_TRANSLATE_NOOP("Tables", "%1 is outside %2 to %3"), {text, QString::number(min), QString::number(max)});
+            return wrong(QT_TRANSLATE_NOOP("Tables", "%1 is outside %2 to %3"),
+                         {text, QString::number(min), QString::number(max)});
         const int raw = int(std::lround(wanted.kind == Argument::Angle ? number * kAnglesPerDegree : number));
         if (wireBytes(wanted.kind) == 1)
             m_code.append(char(raw));
@@ -288,15 +301,15 @@ private:
     qsizetype m_line = 0;
     QByteArray m_code;
     int m_cases = 0;
-    int m_case = -1;       // offset of the case we are in
+    int m_case = -1;  // offset of the case we are in
     int m_last = kStop;
 };
 
-QString argumentText(const Argument &argument, ByteReader &reader, const ScriptContext &context, const ScriptParameter *&parameter)
+QString argumentText(const Argument &argument, ByteReader &reader, const ScriptContext &context,
+                     const ScriptParameter *&parameter)
 {
     switch (argument.kind) {
-    case Argument::None:
-        break;
+    case Argument::None: break;
     case Argument::Parameter: {
         const int index = reader.u8();
         const auto it = std::find_if(context.parameters.begin(), context.parameters.end(),
@@ -305,20 +318,18 @@ QString argumentText(const Argument &argument, ByteReader &reader, const ScriptC
         return u" \"%1\""_s.arg(parameter ? parameter->name : u"#%1"_s.arg(index));
     }
     case Argument::Value:
-        return u' ' + (parameter && parameter->isSigned ? QString::number(reader.i16()) : QString::number(reader.u16()));
-    case Argument::Angle:
-        return u' ' + QString::number(reader.i16() / kAnglesPerDegree);
-    case Argument::Byte:
-        return u' ' + QString::number(reader.u8());
-    case Argument::Signed:
-        return u' ' + QString::number(reader.i8());
-    case Argument::Word:
-        return u' ' + QString::number(reader.u16());
+        return u' '
+            + (parameter && parameter->isSigned ? QString::number(reader.i16())
+                                                : QString::number(reader.u16()));
+    case Argument::Angle: return u' ' + QString::number(reader.i16() / kAnglesPerDegree);
+    case Argument::Byte: return u' ' + QString::number(reader.u8());
+    case Argument::Signed: return u' ' + QString::number(reader.i8());
+    case Argument::Word: return u' ' + QString::number(reader.u16());
     }
     return {};
 }
 
-} // namespace
+}  // namespace
 
 std::vector<ScriptLine> disassemble(QByteArrayView area, int script, const ScriptContext &context)
 {
@@ -376,8 +387,11 @@ CompiledScripts compileScripts(const std::array<QString, kScriptCount> &texts, c
         if (code->isEmpty())
             continue;
         if (area.size() + code->size() > kScriptArea) {
-            return tl::unexpected(ScriptMistake{script, 0, QT_TRANSLATE_NOOP("Tables", "with it the scripts need %1 bytes; there are %2"),
-                                                {QString::number(area.size() + code->size()), QString::number(kScriptArea)}});
+            return tl::unexpected(
+                ScriptMistake{script,
+                              0,
+                              QT_TRANSLATE_NOOP("Tables", "with it the scripts need %1 bytes; there are %2"),
+                              {QString::number(area.size() + code->size()), QString::number(kScriptArea)}});
         }
         area[script] = char(area.size());
         area.append(*code);
@@ -396,4 +410,4 @@ QStringList scriptWords(int firmware)
     return words;
 }
 
-} // namespace storm32
+}  // namespace storm32

@@ -12,8 +12,8 @@
 #include <optional>
 #include <vector>
 
-/// The four scripts of a STorM32 board: bytecode on the board, text for the operator (errata 8). Text is data: it is compiled,
-/// never run here.
+/// The four scripts of a STorM32 board: bytecode on the board, text for the operator (errata 8). Text is
+/// data: it is compiled, never run here.
 namespace storm32 {
 
 inline constexpr int kScriptCount = 4;
@@ -24,7 +24,7 @@ inline constexpr int kScriptArea = 128;
 struct ScriptParameter
 {
     int index = 0;
-    QString name;          ///< without a remark in brackets
+    QString name;  ///< without a remark in brackets
     bool isSigned = false;
 };
 
@@ -32,26 +32,28 @@ struct ScriptParameter
 struct ScriptContext
 {
     std::vector<ScriptParameter> parameters;
-    int firmware = 96;     ///< 79, 90, 96
+    int firmware = 96;  ///< 79, 90, 96
 };
 
 /// One statement as it lies in the memory.
 struct ScriptLine
 {
-    int offset = 0;        ///< from the start of its script
+    int offset = 0;  ///< from the start of its script
     int size = 0;
-    QString text;          ///< what the compiler understands; "?? 2A" for a byte that is no statement
+    QString text;  ///< what the compiler understands; "?? 2A" for a byte that is no statement
 };
 
 /// Bytecode as text, statement by statement. Survives any bytes. @param script 0..3
-[[nodiscard]] std::vector<ScriptLine> disassemble(QByteArrayView area, int script, const ScriptContext &context);
+[[nodiscard]] std::vector<ScriptLine> disassemble(QByteArrayView area, int script,
+                                                  const ScriptContext &context);
 /// The text of one script, ready for the editor.
 [[nodiscard]] QString scriptText(QByteArrayView area, int script, const ScriptContext &context);
 
 /// All four texts as the area of 128 bytes. Empty lines, and lines that begin with // or ;, are passed over.
-[[nodiscard]] CompiledScripts compileScripts(const std::array<QString, kScriptCount> &texts, const ScriptContext &context);
+[[nodiscard]] CompiledScripts compileScripts(const std::array<QString, kScriptCount> &texts,
+                                             const ScriptContext &context);
 
 /// The words that this firmware understands, for completion.
 [[nodiscard]] QStringList scriptWords(int firmware);
 
-} // namespace storm32
+}  // namespace storm32

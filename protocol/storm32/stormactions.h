@@ -4,11 +4,16 @@
 
 #include "protocol/storm32/stormdevice.h"
 
-/// The actions of the family: simple and RC commands that are neither a parameter nor telemetry (document, errata 3.9 and 4).
+/// The actions of the family: simple and RC commands that are neither a parameter nor telemetry (document,
+/// errata 3.9 and 4).
 class StormActions
 {
 public:
-    StormActions(StormDevice &device, Channel &channel) : m_device(device), m_channel(channel) { }
+    StormActions(StormDevice &device, Channel &channel)
+        : m_device(device)
+        , m_channel(channel)
+    {
+    }
 
     [[nodiscard]] static std::span<const ActionSpec> all();
 

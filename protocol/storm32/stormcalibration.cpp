@@ -11,12 +11,12 @@ using namespace storm32;
 namespace {
 
 constexpr int kReadings = 256;
-constexpr int kBatch = 16;                   // readings that are looked at together while waiting
-constexpr double kStillShare = 0.012;        // of 1 g: deviation of a sensor that lies still, noise included
-constexpr auto kPlaceLimit = 120s;           // for one face
-constexpr double kLeastVector = 100;         // counts; less, and there is no sensor (errata 9.3)
+constexpr int kBatch = 16;  // readings that are looked at together while waiting
+constexpr double kStillShare = 0.012;  // of 1 g: deviation of a sensor that lies still, noise included
+constexpr auto kPlaceLimit = 120s;  // for one face
+constexpr double kLeastVector = 100;  // counts; less, and there is no sensor (errata 9.3)
 
-} // namespace
+}  // namespace
 
 bool StormProcedures::Sensor::isPresent() const
 {
@@ -25,7 +25,7 @@ bool StormProcedures::Sensor::isPresent() const
 
 double StormProcedures::oneG() const
 {
-    return m_device.m_firmware >= 94 ? 8192.0 : 16384.0;   // errata 3.9
+    return m_device.m_firmware >= 94 ? 8192.0 : 16384.0;  // errata 3.9
 }
 
 Result<StormProcedures::Sensors> StormProcedures::sensors()
@@ -41,8 +41,8 @@ Result<StormProcedures::Sensors> StormProcedures::sensors()
         for (double &axis : sensor.acc)
             axis = reader.i16();
         for (int i = 0; i < 3; ++i)
-            reader.i16();   // gyroscope
-        sensor.temperature = reader.i16() / 340.0 + 36.53;   // errata 3.9
+            reader.i16();  // gyroscope
+        sensor.temperature = reader.i16() / 340.0 + 36.53;  // errata 3.9
     }
     return sensors;
 }
@@ -111,7 +111,7 @@ Result<StormProcedures::Average> StormProcedures::face(int imu, unsigned wanted,
             return measured;
         if (measured->face == last && measured->deviation <= kStillShare * oneG())
             return measured;
-        still = 0;   // it was moved: begin again
+        still = 0;  // it was moved: begin again
     }
     return failure(ErrorCode::NotSeen, u"no further face lay still for %1 s"_s.arg(seconds(kPlaceLimit)));
 }
@@ -138,8 +138,13 @@ Result<ActionReply> StormProcedures::averaged(int imu, int readings)
     const auto result = average(imu, readings, progress);
     if (!result)
         return tl::unexpected(result.error());
-    return ActionReply{{u"x"_s, result->acc[0]}, {u"y"_s, result->acc[1]}, {u"z"_s, result->acc[2]}, {u"deviation"_s, result->deviation},
-                       {u"temperature"_s, result->temperature}, {u"one_g"_s, oneG()}, {u"face"_s, result->face}};
+    return ActionReply{{u"x"_s, result->acc[0]},
+                       {u"y"_s, result->acc[1]},
+                       {u"z"_s, result->acc[2]},
+                       {u"deviation"_s, result->deviation},
+                       {u"temperature"_s, result->temperature},
+                       {u"one_g"_s, oneG()},
+                       {u"face"_s, result->face}};
 }
 
 Result<ActionReply> StormProcedures::calibrate(int imu, bool six, bool store)
@@ -168,8 +173,13 @@ Result<ActionReply> StormProcedures::calibrate(int imu, bool six, bool store)
     if (!store)
         return reply;
     if (!isPlausible(calibration, oneG())) {
-        return failure(ErrorCode::OutOfRange, u"no sensor is like that: zeros %1 %2 %3, scales %4 %5 %6"_s.arg(calibration.zero[0])
-                           .arg(calibration.zero[1]).arg(calibration.zero[2]).arg(calibration.scale[0]).arg(calibration.scale[1]).arg(calibration.scale[2]));
+        return failure(ErrorCode::OutOfRange,
+                       u"no sensor is like that: zeros %1 %2 %3, scales %4 %5 %6"_s.arg(calibration.zero[0])
+                           .arg(calibration.zero[1])
+                           .arg(calibration.zero[2])
+                           .arg(calibration.scale[0])
+                           .arg(calibration.scale[1])
+                           .arg(calibration.scale[2]));
     }
     if (const auto written = writeCalibration(imu, calibration); !written)
         return tl::unexpected(written.error());
@@ -188,7 +198,8 @@ Result<void> StormProcedures::writeCalibration(int imu, const AccCalibration &ca
             writer.i16(value);
     }
     writer.zeros(36 - 2 * first - 12);
-    if (const auto written = m_channel.transact(m_device.simple(Simple::WriteCalibration, writer.take())); !written)
+    if (const auto written = m_channel.transact(m_device.simple(Simple::WriteCalibration, writer.take()));
+        !written)
         return tl::unexpected(written.error());
     const auto now = m_channel.transact(m_device.simple(Simple::ReadCalibration));
     if (!now)

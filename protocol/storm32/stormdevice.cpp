@@ -19,23 +19,24 @@ using namespace storm32;
 
 namespace {
 
-constexpr auto kAnswer = 300ms;          // errata 7: the original tool waits 160 ms for the first byte, more on Bluetooth
+constexpr auto kAnswer
+    = 300ms;  // errata 7: the original tool waits 160 ms for the first byte, more on Bluetooth
 constexpr auto kBeat = 1100ms;
-constexpr auto kStoring = 2s;            // up to about 1 s on hardware
+constexpr auto kStoring = 2s;  // up to about 1 s on hardware
 constexpr int kRetries = 2;
-constexpr int kRetriesOfLong = 5;        // a bad line hits many bytes more surely than few
-constexpr qsizetype kLong = 100;         // bytes
+constexpr int kRetriesOfLong = 5;  // a bad line hits many bytes more surely than few
+constexpr qsizetype kLong = 100;  // bytes
 // Who we are on MAVLink: the address of the errata's examples.
 constexpr mavlink::Address kOwn{82, 67};
-constexpr int kPlain = -1;               // of m_way
-constexpr int kUsualAddress = 71 << 8 | 67;   // errata 6
+constexpr int kPlain = -1;  // of m_way
+constexpr int kUsualAddress = 71 << 8 | 67;  // errata 6
 constexpr int kHeartbeatWord = 112;
-constexpr int kSystemWord = 110;         // and the component behind it
+constexpr int kSystemWord = 110;  // and the component behind it
 
 bool isStoring(Simple id)
 {
-    return id == Simple::Store || id == Simple::EraseEeprom || id == Simple::SetName || id == Simple::SetBaudRate
-        || id == Simple::WriteCalibration || id == Simple::NormalMotors;
+    return id == Simple::Store || id == Simple::EraseEeprom || id == Simple::SetName
+        || id == Simple::SetBaudRate || id == Simple::WriteCalibration || id == Simple::NormalMotors;
 }
 
 // What may be done twice without harm is asked again when an answer is lost.
@@ -51,10 +52,8 @@ bool isRepeatable(Simple id)
     case Simple::LiveData:
     case Simple::Status:
     case Simple::ReadCalibration:
-    case Simple::RawSensors:
-        return true;
-    default:
-        return false;
+    case Simple::RawSensors: return true;
+    default: return false;
     }
 }
 
@@ -79,19 +78,24 @@ std::shared_ptr<const ParameterSet> parametersOf(const BoardIdentity &identity)
 {
     const int layout = identity.firmwareNumber;
     if (!isKnownLayout(layout))
-        return std::make_shared<ParameterSet>(rawRows(layout), blocksOf(layout), layout, identity.capabilities);
+        return std::make_shared<ParameterSet>(rawRows(layout), blocksOf(layout), layout,
+                                              identity.capabilities);
     return std::make_shared<ParameterSet>(parameterRows(), blocksOf(layout), layout, identity.capabilities);
 }
 
-} // namespace
+}  // namespace
 
 StormDevice::StormDevice() = default;
 StormDevice::~StormDevice() = default;
 
 Family stormFamily()
 {
-    return {u"storm32"_s, u"STorM32"_s, [] { return std::make_unique<StormDevice>(); }, parametersOf,
-            {u"STorM32"_s, u"MAVLink"_s}, scriptLanguage(),
+    return {u"storm32"_s,
+            u"STorM32"_s,
+            [] { return std::make_unique<StormDevice>(); },
+            parametersOf,
+            {u"STorM32"_s, u"MAVLink"_s},
+            scriptLanguage(),
             ForeignFile{u"cfg"_s, u"STorM32 settings"_s, readSettings, writeSettings},
             CalibrationFile{u"cal"_s, u"STorM32 calibration"_s, readCalibration, writeCalibration}};
 }
@@ -110,24 +114,31 @@ QList<LineSettings> StormDevice::lineCandidates() const
     return candidates;
 }
 
-// The same request through MAVLink: simple commands as they are, RC commands without length and checksum (errata 6).
+// The same request through MAVLink: simple commands as they are, RC commands without length and checksum
+// (errata 6).
 Request StormDevice::embed(Request plain, QByteArrayView content, std::optional<Simple> id) const
 {
-    const mavlink::Message *message = mavlink::findMessage(mavlink::number(mavlink::MessageId::TargetSpecific));
-    const auto payload = mavlink::encodeFields(*message, {{u"target_system"_s, m_way >> 8 & 0xFF}, {u"target_component"_s, m_way & 0xFF},
-                                                          {u"specific_payload"_s, content.toByteArray()}});
+    const mavlink::Message *message
+        = mavlink::findMessage(mavlink::number(mavlink::MessageId::TargetSpecific));
+    const auto payload = mavlink::encodeFields(*message,
+                                               {{u"target_system"_s, m_way >> 8 & 0xFF},
+                                                {u"target_component"_s, m_way & 0xFF},
+                                                {u"specific_payload"_s, content.toByteArray()}});
     Request request = plain;
-    request.bytes = mavlink::encode(mavlink::MessageId::TargetSpecific, payload.value_or(QByteArray()), kOwn, 0);
+    request.bytes
+        = mavlink::encode(mavlink::MessageId::TargetSpecific, payload.value_or(QByteArray()), kOwn, 0);
     request.replyBytes += int(mavlink::kOverhead) + 2;
     request.answer = [answer = plain.answer, id](const FrameView &frame) -> std::optional<Result<Frame>> {
-        if (frame.id != FrameId::kMavlink + mavlink::number(mavlink::MessageId::TargetSpecificAck) || frame.payload.size() < 3)
+        if (frame.id != FrameId::kMavlink + mavlink::number(mavlink::MessageId::TargetSpecificAck)
+            || frame.payload.size() < 3)
             return {};
         const Bytes inner = frame.payload.subspan(2);
         if (inner[0] == std::byte{0xFB} && inner.size() >= 2)
             return answer({FrameId::kRc + std::to_integer<int>(inner[1]), inner.subspan(2)});
         if (inner.size() == 1)
             return answer({FrameId::kLetter + std::to_integer<int>(inner[0]), {}});
-        if (!id || inner.size() < 4 || inner.back() != std::byte{'o'} || crc16Mcrf4xx(inner.first(inner.size() - 1)) != 0)
+        if (!id || inner.size() < 4 || inner.back() != std::byte{'o'}
+            || crc16Mcrf4xx(inner.first(inner.size() - 1)) != 0)
             return {};
         return answer({FrameId::kSimple + int(*id), inner.first(inner.size() - 3)});
     };
@@ -139,7 +150,8 @@ Request StormDevice::simple(Simple id, QByteArrayView arguments) const
     Request request = simpleRequest(id, arguments);
     request.timeout = isStoring(id) ? milliseconds(kStoring) : milliseconds(kAnswer);
     request.idempotent = isRepeatable(id);
-    request.retries = std::max<qsizetype>(request.bytes.size(), request.replyBytes) > kLong ? kRetriesOfLong : kRetries;
+    request.retries
+        = std::max<qsizetype>(request.bytes.size(), request.replyBytes) > kLong ? kRetriesOfLong : kRetries;
     return isEmbedded() ? embed(request, request.bytes, id) : request;
 }
 
@@ -149,14 +161,16 @@ Request StormDevice::rc(Rc id, const QByteArray &payload) const
     request.timeout = kAnswer;
     request.idempotent = isRepeatable(id);
     request.retries = kRetries;
-    return isEmbedded() ? embed(request, ByteWriter().u8(0xFA).u8(int(id)).bytes(payload).take(), {}) : request;
+    return isEmbedded() ? embed(request, ByteWriter().u8(0xFA).u8(int(id)).bytes(payload).take(), {})
+                        : request;
 }
 
-// First plainly, then by the way that a heartbeat leaves open. Neither harms a board of another family: SimpleBGC passes over
-// bytes that begin no frame of its own.
+// First plainly, then by the way that a heartbeat leaves open. Neither harms a board of another family:
+// SimpleBGC passes over bytes that begin no frame of its own.
 Result<bool> StormDevice::probe(Channel &channel)
 {
-    // A board with other numbers than the usual ones tells them in its heartbeat, which may be heard on another thread.
+    // A board with other numbers than the usual ones tells them in its heartbeat, which may be heard on
+    // another thread.
     const auto heard = std::make_shared<std::atomic<int>>(-1);
     const auto beats = channel.listen([heard](const FrameView &frame) {
         if (frame.id != FrameId::kMavlink || frame.raw.size() < mavlink::kOverhead)
@@ -171,7 +185,8 @@ Result<bool> StormDevice::probe(Channel &channel)
         if (reply)
             return true;
         const ErrorCode code = reply.error().code;
-        if (code == ErrorCode::Timeout || code == ErrorCode::BoardError || code == ErrorCode::Damaged || code == ErrorCode::Unsupported)
+        if (code == ErrorCode::Timeout || code == ErrorCode::BoardError || code == ErrorCode::Damaged
+            || code == ErrorCode::Unsupported)
             return false;
         return tl::unexpected(reply.error());
     };
@@ -202,7 +217,7 @@ Result<BoardIdentity> StormDevice::identify(Channel &channel)
 {
     auto reply = channel.transact(simple(Simple::Version));
     if (!reply && reply.error().code == ErrorCode::Timeout && !isEmbedded()) {
-        m_way = kUsualAddress;   // on a link without a rate nobody has probed yet
+        m_way = kUsualAddress;  // on a link without a rate nobody has probed yet
         reply = channel.transact(simple(Simple::Version));
     }
     if (!reply)
@@ -220,7 +235,7 @@ Result<BoardIdentity> StormDevice::identify(Channel &channel)
     const QString type = textOf(QByteArrayView(reply->payload).sliced(32, 16));
     identity.model = u"STorM32 %1"_s.arg(type);
     identity.firmware = firmwareText(m_firmware);
-    identity.firmwareNumber = layout;     // tables follow the layout
+    identity.firmwareNumber = layout;  // tables follow the layout
     // The board has no number of its own: its name and type have to do.
     identity.serial = u"storm32-"_s + QString::fromLatin1((name + u' ' + type).toLatin1().toHex());
     identity.profileCount = 1;
@@ -230,8 +245,14 @@ Result<BoardIdentity> StormDevice::identify(Channel &channel)
     identity.extra.insert(u"firmware"_s, m_firmware);
     identity.extra.insert(u"embedded"_s, isEmbedded());
     static constexpr std::array<std::pair<int, const char *>, 8> kCapabilities{{
-        {0x0100, "battery"}, {0x0200, "on-board-imu"}, {0x0400, "i2c2"}, {0x0800, "rc2"}, {0x1000, "spektrum"}, {0x2000, "sbus"},
-        {0x4000, "ir-camera"}, {0x8000, "aux"},
+        {0x0100, "battery"},
+        {0x0200, "on-board-imu"},
+        {0x0400, "i2c2"},
+        {0x0800, "rc2"},
+        {0x1000, "spektrum"},
+        {0x2000, "sbus"},
+        {0x4000, "ir-camera"},
+        {0x8000, "aux"},
     }};
     for (const auto &[bit, key] : kCapabilities) {
         if (capabilities & bit)
@@ -247,8 +268,8 @@ Result<BoardIdentity> StormDevice::identify(Channel &channel)
         if (spec.adjustable < 0)
             continue;
         m_adjustableKeys.push_back(spec.key.toLatin1());
-        m_adjustables.push_back({spec.adjustable, m_adjustableKeys.back().constData(), spec.row->label, spec.row->group, spec.axis,
-                                 spec.row->min, spec.row->max, 0});
+        m_adjustables.push_back({spec.adjustable, m_adjustableKeys.back().constData(), spec.row->label,
+                                 spec.row->group, spec.axis, spec.row->min, spec.row->max, 0});
     }
     return identity;
 }
@@ -264,7 +285,8 @@ Result<int> StormDevice::readWord(Channel &channel, int word)
     return int(reader.u16());
 }
 
-// The firmware takes these frames whatever their checksum says (errata 4), so a value is only written when it reads back.
+// The firmware takes these frames whatever their checksum says (errata 4), so a value is only written when it
+// reads back.
 Result<void> StormDevice::writeWord(Channel &channel, int word, int raw)
 {
     const int wanted = raw & 0xFFFF;
@@ -282,17 +304,18 @@ Result<void> StormDevice::writeWord(Channel &channel, int word, int raw)
             return {};
         found = *back;
     }
-    return failure(ErrorCode::VerifyFailed, u"word %1: %2 was written, %3 read"_s.arg(word).arg(wanted).arg(found));
+    return failure(ErrorCode::VerifyFailed,
+                   u"word %1: %2 was written, %3 read"_s.arg(word).arg(wanted).arg(found));
 }
 
-// Writing the heartbeat's word locks plain commands out of a UART at once, or lets them in again (errata 6). USB answers
-// everything all the time, so it is looked at and not concluded.
+// Writing the heartbeat's word locks plain commands out of a UART at once, or lets them in again (errata 6).
+// USB answers everything all the time, so it is looked at and not concluded.
 Result<void> StormDevice::findWay(Channel &channel, int heartbeat)
 {
     const auto answers = [&] {
         Request request = simple(Simple::Test);
         request.retries = 1;
-        return channel.transact(request).map([](const Frame &) { });
+        return channel.transact(request).map([](const Frame &) {});
     };
     const int before = m_way;
     m_way = kPlain;
@@ -303,7 +326,8 @@ Result<void> StormDevice::findWay(Channel &channel, int heartbeat)
     return answers();
 }
 
-// Words and, where they can be had, scripts. Embedded, `g` does not fit into a frame: MAVLink's own list takes its place.
+// Words and, where they can be had, scripts. Embedded, `g` does not fit into a frame: MAVLink's own list
+// takes its place.
 Result<QByteArray> StormDevice::readStream(Channel &channel)
 {
     if (!isEmbedded()) {
@@ -322,7 +346,8 @@ Result<QByteArray> StormDevice::readStream(Channel &channel)
     progress.total = m_words;
     for (int word = 0; word < m_words; ++word) {
         const auto known = listed->find(word);
-        const auto raw = known != listed->end() ? Result<int>(known->second) : readWord(channel, word);   // what the list lost
+        const auto raw = known != listed->end() ? Result<int>(known->second)
+                                                : readWord(channel, word);  // what the list lost
         if (!raw)
             return tl::unexpected(raw.error());
         words += ByteWriter().u16(*raw).take();
@@ -332,7 +357,8 @@ Result<QByteArray> StormDevice::readStream(Channel &channel)
     return words;
 }
 
-// All parameters in one go, as far as they come through; the value's coding depends on the firmware (errata 6).
+// All parameters in one go, as far as they come through; the value's coding depends on the firmware (errata
+// 6).
 Result<std::map<int, int>> StormDevice::listParameters(Channel &channel)
 {
     std::map<int, int> words;
@@ -341,11 +367,14 @@ Result<std::map<int, int>> StormDevice::listParameters(Channel &channel)
     const auto values = channel.listen([](const FrameView &frame) {
         return frame.id == FrameId::kMavlink + mavlink::number(mavlink::MessageId::ParamValue);
     });
-    const mavlink::Message *list = mavlink::findMessage(mavlink::number(mavlink::MessageId::ParamRequestList));
-    const auto payload = mavlink::encodeFields(*list, {{u"target_system"_s, m_way >> 8 & 0xFF}, {u"target_component"_s, m_way & 0xFF}});
+    const mavlink::Message *list
+        = mavlink::findMessage(mavlink::number(mavlink::MessageId::ParamRequestList));
+    const auto payload = mavlink::encodeFields(
+        *list, {{u"target_system"_s, m_way >> 8 & 0xFF}, {u"target_component"_s, m_way & 0xFF}});
     Request request;
     request.name = u"PARAM_REQUEST_LIST"_s;
-    request.bytes = mavlink::encode(mavlink::MessageId::ParamRequestList, payload.value_or(QByteArray()), kOwn, 0);
+    request.bytes
+        = mavlink::encode(mavlink::MessageId::ParamRequestList, payload.value_or(QByteArray()), kOwn, 0);
     channel.post(request);
     while (int(words.size()) < m_words) {
         const auto frame = values->next(kAnswer);
@@ -404,10 +433,11 @@ Result<void> StormDevice::writeBlock(Channel &channel, BlockKey key, const QByte
     if (at + bytes.size() > stream->size())
         return failure(ErrorCode::Unsupported, u"scripts cannot be written while the heartbeat is on"_s);
     if (isEmbedded()) {
-        for (int word = 0; word < int(bytes.size()) / 2; ++word) {   // parameters: there is nothing else
+        for (int word = 0; word < int(bytes.size()) / 2; ++word) {  // parameters: there is nothing else
             if (stream->mid(2 * word, 2) == bytes.mid(2 * word, 2))
                 continue;
-            const auto done = writeWord(channel, word, ByteReader(QByteArrayView(bytes).sliced(2 * word, 2)).u16());
+            const auto done
+                = writeWord(channel, word, ByteReader(QByteArrayView(bytes).sliced(2 * word, 2)).u16());
             if (!done)
                 return done;
         }
@@ -490,7 +520,8 @@ Result<void> StormDevice::writeAdjustables(Channel &channel, const std::vector<A
             return failure(ErrorCode::InvalidArgument, u"no live value %1"_s.arg(value.id));
         // The firmware checks nothing, so it is done here.
         if (value.value < known->min || value.value > known->max)
-            return failure(ErrorCode::OutOfRange, u"%1 is outside %2 to %3"_s.arg(value.value).arg(known->min).arg(known->max));
+            return failure(ErrorCode::OutOfRange,
+                           u"%1 is outside %2 to %3"_s.arg(value.value).arg(known->min).arg(known->max));
         const auto done = writeWord(channel, value.id, int(value.value));
         if (!done)
             return done;
@@ -512,7 +543,10 @@ std::optional<ConnectOffer> StormDevice::connectOffer() const
 {
     if (!isEmbedded())
         return {};
-    return ConnectOffer{QT_TRANSLATE_NOOP("Tables", "This board sends a MAVLink heartbeat and therefore answers no plain commands on "
-                                                    "this port. It is reached through MAVLink: that is slower, and scripts cannot be read."),
-                        QT_TRANSLATE_NOOP("Tables", "Switch the heartbeat off"), "heartbeat.off"};
+    return ConnectOffer{
+        QT_TRANSLATE_NOOP(
+            "Tables",
+            "This board sends a MAVLink heartbeat and therefore answers no plain commands on "
+            "this port. It is reached through MAVLink: that is slower, and scripts cannot be read."),
+        QT_TRANSLATE_NOOP("Tables", "Switch the heartbeat off"), "heartbeat.off"};
 }

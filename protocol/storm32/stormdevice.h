@@ -8,8 +8,9 @@
 #include <atomic>
 #include <map>
 
-/// STorM32 (o323bgc) with the setup layouts 78, 89 and 95; others open read-only with raw words. A board whose heartbeat has
-/// locked plain commands out of its serial port is reached by embedding them in MAVLink (errata 6).
+/// STorM32 (o323bgc) with the setup layouts 78, 89 and 95; others open read-only with raw words. A board
+/// whose heartbeat has locked plain commands out of its serial port is reached by embedding them in MAVLink
+/// (errata 6).
 class StormDevice final : public Device
 {
 public:
@@ -87,7 +88,8 @@ private:
     /// A request as this board can be asked it: plain, or embedded.
     [[nodiscard]] Request simple(storm32::Simple id, QByteArrayView arguments = {}) const;
     [[nodiscard]] Request rc(storm32::Rc id, const QByteArray &payload = {}) const;
-    [[nodiscard]] Request embed(Request plain, QByteArrayView content, std::optional<storm32::Simple> id) const;
+    [[nodiscard]] Request embed(Request plain, QByteArrayView content,
+                                std::optional<storm32::Simple> id) const;
     Result<QByteArray> readStream(Channel &channel);
     Result<std::map<int, int>> listParameters(Channel &channel);
     Result<int> readWord(Channel &channel, int word);
@@ -98,14 +100,14 @@ private:
     BoardIdentity m_identity;
     std::shared_ptr<const ParameterSet> m_parameters;
     std::vector<AdjustableSpec> m_adjustables;
-    std::vector<QByteArray> m_adjustableKeys;   // what the specs point to
-    // How the board is reached now: plainly (-1), or embedded at this system and component. The screen asks for the motors-off
-    // request while the worker may change it.
+    std::vector<QByteArray> m_adjustableKeys;  // what the specs point to
+    // How the board is reached now: plainly (-1), or embedded at this system and component. The screen asks
+    // for the motors-off request while the worker may change it.
     std::atomic<int> m_way{-1};
-    int m_address = 71 << 8 | 67;      // where it would be reached
-    int m_firmware = 0;                // 79, 90, 96
+    int m_address = 71 << 8 | 67;  // where it would be reached
+    int m_firmware = 0;  // 79, 90, 96
     int m_words = 0;
-    std::optional<std::array<int, 5>> m_yawBefore;   // the input words of yaw while it is aligned
+    std::optional<std::array<int, 5>> m_yawBefore;  // the input words of yaw while it is aligned
 };
 
 /// The row of this family in the program's table of families.

@@ -16,7 +16,7 @@ namespace storm32 {
 
 namespace {
 
-constexpr std::array<int, 3> kLayouts{95, 89, 78};      // the newest of two that fit alike
+constexpr std::array<int, 3> kLayouts{95, 89, 78};  // the newest of two that fit alike
 constexpr qsizetype kLargestText = 256 * 1024;
 
 struct Entry
@@ -50,8 +50,10 @@ BoardIdentity identityOf(int layout)
 Result<Entries> parse(const QByteArray &text)
 {
     static const QRegularExpression kHead(u"^\\s*%\\w+\\s*=\\s*\\(\\s*$"_s);
-    static const QRegularExpression kValue(u"^\\s*'([^']*)'\\s*=>\\s*\\[\\s*(-?\\d+)\\s*,\\s*'([^']*)'\\s*,?\\s*\\]\\s*,?\\s*$"_s);
-    static const QRegularExpression kText(u"^\\s*'([^']*)'\\s*=>\\s*\\[\\s*'([^']*)'\\s*,?\\s*\\]\\s*,?\\s*$"_s);
+    static const QRegularExpression kValue(
+        u"^\\s*'([^']*)'\\s*=>\\s*\\[\\s*(-?\\d+)\\s*,\\s*'([^']*)'\\s*,?\\s*\\]\\s*,?\\s*$"_s);
+    static const QRegularExpression kText(
+        u"^\\s*'([^']*)'\\s*=>\\s*\\[\\s*'([^']*)'\\s*,?\\s*\\]\\s*,?\\s*$"_s);
     static const QRegularExpression kEnd(u"^\\s*\\)\\s*;\\s*$"_s);
     if (text.size() > kLargestText)
         return failure(ErrorCode::BadFile, u"%1 bytes are too many for settings"_s.arg(text.size()));
@@ -65,7 +67,9 @@ Result<Entries> parse(const QByteArray &text)
             continue;
         if (!open) {
             if (!kHead.match(content).hasMatch())
-                return failure(ErrorCode::BadFile, u"line %1: not the head of a settings file: %2"_s.arg(number).arg(content.left(60)));
+                return failure(
+                    ErrorCode::BadFile,
+                    u"line %1: not the head of a settings file: %2"_s.arg(number).arg(content.left(60)));
             open = true;
             continue;
         }
@@ -74,26 +78,32 @@ Result<Entries> parse(const QByteArray &text)
         if (const auto value = kValue.match(content); value.hasMatch()) {
             const int raw = value.captured(2).toInt();
             if (raw < -32768 || raw > 65535)
-                return failure(ErrorCode::BadFile, u"line %1: %2 does not fit into a word"_s.arg(number).arg(value.captured(2)));
+                return failure(ErrorCode::BadFile,
+                               u"line %1: %2 does not fit into a word"_s.arg(number).arg(value.captured(2)));
             entries.values.insert(value.captured(1).trimmed(), {raw, value.captured(3).trimmed(), number});
             continue;
         }
         const auto named = kText.match(content);
         if (!named.hasMatch())
-            return failure(ErrorCode::BadFile, u"line %1 is not understood: %2"_s.arg(number).arg(content.left(60)));
+            return failure(ErrorCode::BadFile,
+                           u"line %1 is not understood: %2"_s.arg(number).arg(content.left(60)));
         if (named.captured(1) != u"Scripts"_s) {
-            entries.values.insert(named.captured(1).trimmed(), {-1, named.captured(2), number});   // a text, of no parameter
+            entries.values.insert(named.captured(1).trimmed(),
+                                  {-1, named.captured(2), number});  // a text, of no parameter
             continue;
         }
         const auto bytes = bytesFromHex(named.captured(2));
         if (!bytes || bytes->size() > kScriptArea)
-            return failure(ErrorCode::BadFile, u"line %1: the scripts are not %2 bytes in hex"_s.arg(number).arg(kScriptArea));
+            return failure(ErrorCode::BadFile,
+                           u"line %1: the scripts are not %2 bytes in hex"_s.arg(number).arg(kScriptArea));
         entries.scripts = bytes->leftJustified(kScriptArea, char(0xFF));
     }
-    return failure(ErrorCode::BadFile, open ? u"the end ');' is missing: the file is cut off"_s : u"the file is empty"_s);
+    return failure(ErrorCode::BadFile,
+                   open ? u"the end ');' is missing: the file is cut off"_s : u"the file is empty"_s);
 }
 
-// The number that a choice's text stands for in this layout; the file's own number where the text says nothing.
+// The number that a choice's text stands for in this layout; the file's own number where the text says
+// nothing.
 int believed(const ParameterSpec &spec, const Entry &entry, int layout)
 {
     if (spec.row->kind != ValueKind::Choice)
@@ -105,7 +115,8 @@ int believed(const ParameterSpec &spec, const Entry &entry, int layout)
     return entry.raw;
 }
 
-// How well a layout fits: names it knows, less those that are missing or whose number it does not know. Nothing: no name.
+// How well a layout fits: names it knows, less those that are missing or whose number it does not know.
+// Nothing: no name.
 std::optional<int> fit(const Entries &entries, const ParameterSet &set)
 {
     int points = 0;
@@ -124,7 +135,8 @@ std::optional<int> fit(const Entries &entries, const ParameterSet &set)
             continue;
         const auto choices = spec.choices(set.firmware());
         const bool same = std::any_of(choices.begin(), choices.end(), [&](const Choice &choice) {
-            return choice.value == it->raw && it->shown.compare(QString::fromUtf8(choice.name), Qt::CaseInsensitive) == 0;
+            return choice.value == it->raw
+                && it->shown.compare(QString::fromUtf8(choice.name), Qt::CaseInsensitive) == 0;
         });
         if (!same)
             --points;
@@ -132,7 +144,7 @@ std::optional<int> fit(const Entries &entries, const ParameterSet &set)
     return any ? std::optional(points) : std::nullopt;
 }
 
-} // namespace
+}  // namespace
 
 Result<ForeignSettings> readSettings(const QByteArray &text)
 {
@@ -162,7 +174,9 @@ Result<ForeignSettings> readSettings(const QByteArray &text)
             settings.missing.append(name);
         const int raw = it == entries->values.end() ? spec.defaultRaw : believed(spec, *it, layout);
         if (!spec.isInRange(raw))
-            return failure(ErrorCode::BadFile, u"line %1: %2 = %3, allowed %4 to %5"_s.arg(it->line).arg(name, spec.format(raw), spec.minText(), spec.maxText()));
+            return failure(ErrorCode::BadFile,
+                           u"line %1: %2 = %3, allowed %4 to %5"_s.arg(it->line).arg(
+                               name, spec.format(raw), spec.minText(), spec.maxText()));
         spec.write(words, raw);
         left.remove(name);
     }
@@ -189,7 +203,10 @@ Result<QByteArray> writeSettings(const Configuration &configuration)
         }
         if (spec.row->kind != ValueKind::Choice && *spec.row->unit)
             shown += u' ' + QString::fromUtf8(spec.row->unit);
-        text += u"  '%1' => [ %2 , '%3' ],\n"_s.arg(originalName(spec)).arg(*raw & 0xFFFF).arg(shown).toLatin1();
+        text += u"  '%1' => [ %2 , '%3' ],\n"_s.arg(originalName(spec))
+                    .arg(*raw & 0xFFFF)
+                    .arg(shown)
+                    .toLatin1();
     }
     if (const QByteArray scripts = configuration.block({0, Scripts}); !scripts.isEmpty())
         text += "  'Scripts' => [ '" + scripts.toHex().toUpper() + "' ],\n";
@@ -203,7 +220,7 @@ Result<SensorCalibration> readCalibration(const QByteArray &text)
     QMap<QString, QString> lines;
     for (const QString &line : QString::fromLatin1(text).split(u'\n')) {
         const qsizetype colon = line.indexOf(u':');
-        if (colon > 0 && !lines.contains(line.left(colon).trimmed()))   // of several records, the first
+        if (colon > 0 && !lines.contains(line.left(colon).trimmed()))  // of several records, the first
             lines.insert(line.left(colon).trimmed(), line.mid(colon + 1).trimmed());
     }
     SensorCalibration calibration;
@@ -213,7 +230,8 @@ Result<SensorCalibration> readCalibration(const QByteArray &text)
         if (!lines.contains(key))
             return failure(ErrorCode::BadFile, u"the line %1 is missing"_s.arg(key));
         if (!ok || value < -32768 || value > 32767)
-            return failure(ErrorCode::BadFile, u"%1 is not a number of the sensor: %2"_s.arg(key, lines.value(key)));
+            return failure(ErrorCode::BadFile,
+                           u"%1 is not a number of the sensor: %2"_s.arg(key, lines.value(key)));
         return value;
     };
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -237,12 +255,14 @@ Result<SensorCalibration> readCalibration(const QByteArray &text)
 QByteArray writeCalibration(const SensorCalibration &calibration)
 {
     QString text = u"IMUNAME: Imu\nIMUTYPE: MPU6050\nIMUSETTINGS: 0\nRECORD#1: 1\n"_s;
-    for (const auto &[values, name] : {std::pair{&calibration.zero, u"ZERO"_s}, {&calibration.scale, u"SCALE"_s}}) {
+    for (const auto &[values, name] :
+         {std::pair{&calibration.zero, u"ZERO"_s}, {&calibration.scale, u"SCALE"_s}}) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             text += u"A%1%2: %3\n"_s.arg(QChar(u"XYZ"[axis])).arg(name).arg((*values)[axis]);
     }
-    text += u"CALIBRATIONMETHOD: %1\nTEMPERATURE: %2\nRAW:\n"_s.arg(calibration.method).arg(calibration.temperature, 0, 'f', 2);
+    text += u"CALIBRATIONMETHOD: %1\nTEMPERATURE: %2\nRAW:\n"_s.arg(calibration.method)
+                .arg(calibration.temperature, 0, 'f', 2);
     return text.toLatin1();
 }
 
-} // namespace storm32
+}  // namespace storm32

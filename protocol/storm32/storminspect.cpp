@@ -33,18 +33,14 @@ ActionRisk riskOf(Simple id)
     case Simple::LiveData:
     case Simple::Status:
     case Simple::ReadCalibration:
-    case Simple::RawSensors:
-        return ActionRisk::Safe;
+    case Simple::RawSensors: return ActionRisk::Safe;
     case Simple::Level:
     case Simple::Restart:
-    case Simple::HardReset:
-        return ActionRisk::Moves;
+    case Simple::HardReset: return ActionRisk::Moves;
     case Simple::EraseEeprom:
     case Simple::Defaults:
-    case Simple::Retrieve:
-        return ActionRisk::Destroys;
-    default:
-        return ActionRisk::Writes;
+    case Simple::Retrieve: return ActionRisk::Destroys;
+    default: return ActionRisk::Writes;
     }
 }
 
@@ -56,14 +52,11 @@ ActionRisk riskOf(Rc id)
     case Rc::GetParameter:
     case Rc::GetData:
     case Rc::GetDataFields:
-    case Rc::DoCamera:
-        return ActionRisk::Safe;
+    case Rc::DoCamera: return ActionRisk::Safe;
     case Rc::SetParameter:
     case Rc::RestoreParameter:
-    case Rc::RestoreAllParameters:
-        return ActionRisk::Writes;
-    default:
-        return ActionRisk::Moves;
+    case Rc::RestoreAllParameters: return ActionRisk::Writes;
+    default: return ActionRisk::Moves;
     }
 }
 
@@ -90,7 +83,8 @@ QString fieldsText(NamedFields fields, const QVariantMap &values)
         const bool command = qstrcmp(field.name, "command") == 0;
         parts.append(QString::fromLatin1(field.name) + u'='
                      + (field.type == NamedField::Bytes ? hexOf(value.toByteArray())
-                        : command ? mavlink::commandName(value.toInt()) : value.toString()));
+                            : command                   ? mavlink::commandName(value.toInt())
+                                                        : value.toString()));
     }
     return parts.join(u' ');
 }
@@ -99,7 +93,9 @@ QString liveFields(Bytes data)
 {
     const auto row = liveRow(data, LiveScales(96));
     return u"state %1, pitch %2°, roll %3°, yaw %4°, %5 V"_s.arg(int(row[State]))
-        .arg(double(row[AnglePitch]), 0, 'f', 2).arg(double(row[AngleRoll]), 0, 'f', 2).arg(double(row[AngleYaw]), 0, 'f', 2)
+        .arg(double(row[AnglePitch]), 0, 'f', 2)
+        .arg(double(row[AngleRoll]), 0, 'f', 2)
+        .arg(double(row[AngleYaw]), 0, 'f', 2)
         .arg(double(row[Voltage]), 0, 'f', 2);
 }
 
@@ -118,7 +114,8 @@ FrameText rcText(const RcCommand *known, int id, Bytes payload, bool answer, con
     if (known->id == Rc::GetData && answer && payload.size() == 66)
         return {name, liveFields(payload.subspan(2))};
     if (values->contains(u"index"_s) && values->contains(u"value"_s))
-        return {name, wordText(parameters, values->value(u"index"_s).toInt(), values->value(u"value"_s).toInt())};
+        return {name,
+                wordText(parameters, values->value(u"index"_s).toInt(), values->value(u"value"_s).toInt())};
     return {name, fieldsText(fields, *values)};
 }
 
@@ -140,14 +137,16 @@ QString simpleFields(Simple id, Bytes data)
     return u"%1 bytes"_s.arg(data.size());
 }
 
-// A command or an answer of the other sets inside of MAVLink: FA or FB, number and payload, or what a simple command is (errata 6).
+// A command or an answer of the other sets inside of MAVLink: FA or FB, number and payload, or what a simple
+// command is (errata 6).
 QString embeddedText(Bytes inner, const ParameterSet *parameters)
 {
     if (inner.size() >= 2 && (inner[0] == std::byte{0xFA} || inner[0] == std::byte{0xFB})) {
         const bool answer = inner[0] == std::byte{0xFB};
         const int id = std::to_integer<int>(inner[1]);
         const Bytes payload = inner.subspan(2);
-        const FrameText text = rcText(answer ? findRcAnswer(id, payload) : findRc(id), id, payload, answer, parameters);
+        const FrameText text
+            = rcText(answer ? findRcAnswer(id, payload) : findRc(id), id, payload, answer, parameters);
         return text.name + u' ' + text.fields;
     }
     return hexOf(toByteArray(inner));
@@ -169,7 +168,8 @@ QString afterName(const RcCommand &command)
     QStringList names;
     for (const NamedField &field : command.fields)
         names.append(QString::fromLatin1(field.name) + u"=…"_s);
-    const QString bytes = u"after %1 come %2 bytes in hex"_s.arg(QLatin1String(command.name)).arg(command.payloadBytes);
+    const QString bytes
+        = u"after %1 come %2 bytes in hex"_s.arg(QLatin1String(command.name)).arg(command.payloadBytes);
     return names.isEmpty() ? bytes : u"%1, or %2"_s.arg(bytes, names.join(u' '));
 }
 
@@ -185,17 +185,20 @@ Result<QByteArray> payloadByNames(const RcCommand &command, const QString &argum
     }
     const auto payload = encodeFields(command.fields, values, command.payloadBytes);
     if (!payload)
-        return failure(payload.error().code, u"%1: %2; %3"_s.arg(QLatin1String(command.name), payload.error().detail, afterName(command)));
+        return failure(
+            payload.error().code,
+            u"%1: %2; %3"_s.arg(QLatin1String(command.name), payload.error().detail, afterName(command)));
     return payload;
 }
 
-} // namespace
+}  // namespace
 
 FrameText StormDevice::describeFrame(const FrameView &frame, bool fromBoard) const
 {
     if (frame.id >= FrameId::kMavlink) {
         const mavlink::Message *message = mavlink::findMessage(frame.id - FrameId::kMavlink);
-        return message ? FrameText{QString::fromLatin1(message->name), mavlinkFields(*message, frame.payload, m_parameters.get())}
+        return message ? FrameText{QString::fromLatin1(message->name),
+                                   mavlinkFields(*message, frame.payload, m_parameters.get())}
                        : FrameText{u"MAVLink %1"_s.arg(frame.id - FrameId::kMavlink), {}};
     }
     if (frame.id >= FrameId::kRc) {
@@ -229,15 +232,16 @@ FrameText StormDevice::describeSent(QByteArrayView bytes) const
         return describeFrame({FrameId::kMavlink + seen.packet.id, seen.packet.payload}, false);
     if (const SimpleCommand *command = findSimple(asBytes(bytes))) {
         return {QString::fromLatin1(command->letters),
-                QString::fromLatin1(command->name) + (bytes.size() > 8 ? u", %1 bytes"_s.arg(bytes.size()) : QString())};
+                QString::fromLatin1(command->name)
+                    + (bytes.size() > 8 ? u", %1 bytes"_s.arg(bytes.size()) : QString())};
     }
     return {u"?"_s, hexOf(bytes)};
 }
 
 bool StormDevice::isTelemetryFrame(int id) const
 {
-    return id == FrameId::kSimple + int(Simple::LiveData) || id == FrameId::kRc + int(Rc::GetData) || id == kMavlinkBeat
-        || id == FrameId::kMavlink + mavlink::number(mavlink::MessageId::Attitude);
+    return id == FrameId::kSimple + int(Simple::LiveData) || id == FrameId::kRc + int(Rc::GetData)
+        || id == kMavlinkBeat || id == FrameId::kMavlink + mavlink::number(mavlink::MessageId::Attitude);
 }
 
 // "d", "xs", "GETPARAMETER 2F00", "SETANGLE pitch=10 yaw=-5" or the whole of a frame in hex.
@@ -248,12 +252,13 @@ Result<RawCommand> StormDevice::parseCommand(const QString &text) const
         return failure(ErrorCode::InvalidArgument, u"nothing to send"_s);
     const QString name = trimmed.section(QRegularExpression(u"\\s"_s), 0, 0);
     for (const SimpleCommand &command : simpleCommands()) {
-        if (name != QLatin1String(command.letters))   // letters are case sensitive
+        if (name != QLatin1String(command.letters))  // letters are case sensitive
             continue;
         const auto arguments = bytesFromHex(trimmed.mid(name.size()));
         const int wanted = command.argumentBytes < 0 ? 2 * m_words + kScriptArea : command.argumentBytes;
         if (!arguments || arguments->size() != wanted)
-            return failure(ErrorCode::InvalidArgument, u"after %1 come %2 bytes in hex"_s.arg(name).arg(wanted));
+            return failure(ErrorCode::InvalidArgument,
+                           u"after %1 come %2 bytes in hex"_s.arg(name).arg(wanted));
         return RawCommand{name, simple(command.id, *arguments).bytes, riskOf(command.id)};
     }
     for (const RcCommand &command : rcCommands()) {
@@ -278,11 +283,14 @@ Result<RawCommand> StormDevice::parseCommand(const QString &text) const
     if (bytes[0] == std::byte{0xFA} && whole->size() >= 5 && std::uint8_t((*whole)[1]) + 5 == whole->size()
         && crc16Mcrf4xx(bytes.subspan(1)) == 0) {
         const RcCommand *known = findRc(std::uint8_t((*whole)[2]));
-        return RawCommand{describeSent(*whole).name, *whole, known ? riskOf(known->id) : ActionRisk::Destroys};
+        return RawCommand{describeSent(*whole).name, *whole,
+                          known ? riskOf(known->id) : ActionRisk::Destroys};
     }
-    if (const auto seen = mavlink::sight(bytes); seen.look == mavlink::Look::Complete && seen.size == bytes.size())
+    if (const auto seen = mavlink::sight(bytes);
+        seen.look == mavlink::Look::Complete && seen.size == bytes.size())
         return RawCommand{describeSent(*whole).name, *whole, ActionRisk::Destroys};
-    return failure(ErrorCode::InvalidArgument, u"these bytes are not one complete frame with valid checksums"_s);
+    return failure(ErrorCode::InvalidArgument,
+                   u"these bytes are not one complete frame with valid checksums"_s);
 }
 
 QStringList StormDevice::commandNames() const

@@ -46,12 +46,13 @@ public:
         int bytes = 0;
         for (int script = 0; script < kScriptCount; ++script) {
             const auto lines = disassemble(areaOf(configuration), script, contextOf(configuration));
-            bytes += lines.empty() ? 0 : lines.back().offset + lines.back().size + 1;   // and its end
+            bytes += lines.empty() ? 0 : lines.back().offset + lines.back().size + 1;  // and its end
         }
         return {bytes, kScriptArea - kScriptCount};
     }
 
-    [[nodiscard]] CompiledScripts compile(const Configuration &configuration, const QStringList &texts) const override
+    [[nodiscard]] CompiledScripts compile(const Configuration &configuration,
+                                          const QStringList &texts) const override
     {
         std::array<QString, kScriptCount> all;
         std::copy_n(texts.begin(), std::min<qsizetype>(texts.size(), kScriptCount), all.begin());
@@ -71,11 +72,11 @@ private:
     static QByteArray areaOf(const Configuration &configuration) { return configuration.block({0, Scripts}); }
 };
 
-} // namespace
+}  // namespace
 
 std::shared_ptr<const ScriptLanguage> scriptLanguage()
 {
     return std::make_shared<Language>();
 }
 
-} // namespace storm32
+}  // namespace storm32

@@ -9,4 +9,4 @@ namespace storm32 {
 /// The four scripts (errata 8) as pages and the command line see them.
 [[nodiscard]] std::shared_ptr<const ScriptLanguage> scriptLanguage();
 
-} // namespace storm32
+}  // namespace storm32

@@ -5,12 +5,16 @@
 #include "protocol/analysis/accelerometer.h"
 #include "protocol/storm32/stormdevice.h"
 
-/// The family's jobs of many steps: calibration of the accelerometers (errata 9.2), the tasks of the gimbal's configuration
-/// (errata 9.3), and what is in use compared with what is stored.
+/// The family's jobs of many steps: calibration of the accelerometers (errata 9.2), the tasks of the gimbal's
+/// configuration (errata 9.3), and what is in use compared with what is stored.
 class StormProcedures
 {
 public:
-    StormProcedures(StormDevice &device, Channel &channel) : m_device(device), m_channel(channel) { }
+    StormProcedures(StormDevice &device, Channel &channel)
+        : m_device(device)
+        , m_channel(channel)
+    {
+    }
 
     [[nodiscard]] static std::span<const ActionSpec> all();
     /// Errors of all: NotSeen (what it waited for did not come), BoardError, those of the link.
@@ -19,14 +23,14 @@ public:
 private:
     struct Sensor
     {
-        AccReading acc{};            ///< counts
-        double temperature = 0;      ///< degrees Celsius
+        AccReading acc{};  ///< counts
+        double temperature = 0;  ///< degrees Celsius
         [[nodiscard]] bool isPresent() const;
     };
     struct Average
     {
         AccReading acc{};
-        double deviation = 0;        ///< counts: mean of the three axes' mean absolute deviations
+        double deviation = 0;  ///< counts: mean of the three axes' mean absolute deviations
         double temperature = 0;
         int face = -1;
     };
@@ -38,7 +42,7 @@ private:
     };
 
     static constexpr std::array<const char *, 3> kSensorAxes{"x", "y", "z"};
-    using Sensors = std::array<Sensor, 2>;   ///< camera, frame; one that is not there shows nothing
+    using Sensors = std::array<Sensor, 2>;  ///< camera, frame; one that is not there shows nothing
     using Directions = std::array<std::array<int, 3>, 2>;
 
     // stormcalibration.cpp
@@ -50,7 +54,8 @@ private:
     Result<Average> face(int imu, unsigned wanted, Progress &progress);
     Result<void> writeCalibration(int imu, const AccCalibration &calibration);
     [[nodiscard]] double oneG() const;
-    [[nodiscard]] static ActionReply replyOf(const AccCalibration &calibration, double oneG, double temperature);
+    [[nodiscard]] static ActionReply replyOf(const AccCalibration &calibration, double oneG,
+                                             double temperature);
 
     Result<ActionReply> averaged(int imu, int readings);
     Result<ActionReply> calibrate(int imu, bool six, bool store);
@@ -60,8 +65,10 @@ private:
     Result<void> writeWords(const std::array<int, 3> &words, int raw);
     Result<void> disableMotors();
     Result<ActionReply> findOrientation();
-    /// Which axes of the first sensors point up, or forward when up is given, as soon as all are clear for a second.
-    Result<Directions> holdAxes(std::size_t count, const Directions *up, milliseconds limit, Progress &progress);
+    /// Which axes of the first sensors point up, or forward when up is given, as soon as all are clear for a
+    /// second.
+    Result<Directions> holdAxes(std::size_t count, const Directions *up, milliseconds limit,
+                                Progress &progress);
     Result<ActionReply> restartAndWait();
     Result<ActionReply> takeMotors(bool directions, bool positions);
     Result<void> setDirections(int direction);

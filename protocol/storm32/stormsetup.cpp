@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tasks of the gimbal's configuration (errata 9.3).
-#include "protocol/storm32/stormprocedures.h"
-
 #include "protocol/storm32/parametertables.h"
+#include "protocol/storm32/stormprocedures.h"
 #include "protocol/storm32/telemetrytables.h"
 
 #include <algorithm>
@@ -19,7 +18,7 @@ constexpr double kLookFactor = 0.1;
 constexpr double kUpShare = 0.85;
 constexpr double kTiltShare = 0.35;
 constexpr double kTiltOther = 0.3;
-constexpr int kHeldLooks = 20;               // looks in a row, one second
+constexpr int kHeldLooks = 20;  // looks in a row, one second
 constexpr auto kLevelLimit = 30s;
 constexpr auto kTiltLimit = 80s;
 constexpr auto kBatteryLimit = 60s;
@@ -39,7 +38,7 @@ constexpr std::array<int, 3> kUsageWords{78, 79, 80};
 constexpr std::array<int, 3> kPoleWords{20, 26, 32};
 constexpr std::array<int, 3> kDirectionWords{21, 27, 33};
 constexpr std::array<int, 3> kStartWords{23, 29, 35};
-constexpr std::array<int, 5> kYawWords{58, 59, 108, 61, 62};    // input, mode, offset, least, most
+constexpr std::array<int, 5> kYawWords{58, 59, 108, 61, 62};  // input, mode, offset, least, most
 constexpr std::array<int, 5> kYawAligning{0, 0, 0, -450, 450};
 
 constexpr int kImuPresent = 0x8000;
@@ -50,7 +49,8 @@ constexpr int kLevelFailed = 0x0004;
 
 using Direction = std::array<int, 3>;
 
-// Which end of which of the sensor's axes points up, or, with the camera tilted down, forward; nothing while it is not clear.
+// Which end of which of the sensor's axes points up, or, with the camera tilted down, forward; nothing while
+// it is not clear.
 Direction directionOf(const AccReading &reading, const Direction *up)
 {
     const double length = std::hypot(reading[0], reading[1], reading[2]);
@@ -61,7 +61,8 @@ Direction directionOf(const AccReading &reading, const Direction *up)
         if (up && (*up)[axis] != 0)
             continue;
         if (std::abs(share) > (up ? kTiltShare : kUpShare)) {
-            // Level, the axis that points up shows gravity; tilted down, the one that points forward shows it negative.
+            // Level, the axis that points up shows gravity; tilted down, the one that points forward shows it
+            // negative.
             found[axis] = (share > 0) == (up == nullptr) ? 1 : -1;
             ++passed;
         } else if (up && std::abs(share) >= kTiltOther) {
@@ -71,7 +72,7 @@ Direction directionOf(const AccReading &reading, const Direction *up)
     return passed == 1 ? found : Direction{};
 }
 
-} // namespace
+}  // namespace
 
 Result<StormProcedures::Status> StormProcedures::status()
 {
@@ -101,7 +102,8 @@ Result<void> StormProcedures::disableMotors()
     return writeWords(kUsageWords, kUsageDisabled);
 }
 
-Result<StormProcedures::Directions> StormProcedures::holdAxes(std::size_t count, const Directions *up, milliseconds limit, Progress &progress)
+Result<StormProcedures::Directions> StormProcedures::holdAxes(std::size_t count, const Directions *up,
+                                                              milliseconds limit, Progress &progress)
 {
     const TimePoint until = m_channel.now() + limit;
     std::array<AccReading, 2> smooth{};
@@ -116,7 +118,8 @@ Result<StormProcedures::Directions> StormProcedures::holdAxes(std::size_t count,
         bool good = true;
         for (std::size_t imu = 0; imu < count; ++imu) {
             if (!(*now)[imu].isPresent())
-                return failure(ErrorCode::NotSeen, u"the sensor Imu%1 was lost"_s.arg(imu == 1 ? u"2"_s : QString()));
+                return failure(ErrorCode::NotSeen,
+                               u"the sensor Imu%1 was lost"_s.arg(imu == 1 ? u"2"_s : QString()));
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 double &kept = smooth[imu][axis];
                 kept = begun ? kept + kLookFactor * ((*now)[imu].acc[axis] - kept) : (*now)[imu].acc[axis];
@@ -136,8 +139,9 @@ Result<StormProcedures::Directions> StormProcedures::holdAxes(std::size_t count,
         if (const auto slept = m_channel.sleep(kLookPeriod); !slept)
             return tl::unexpected(slept.error());
     }
-    return failure(ErrorCode::NotSeen, up ? u"the camera was not tilted 45° down, without roll, for one second"_s
-                                          : u"no axis of the sensor pointed up for one second"_s);
+    return failure(ErrorCode::NotSeen,
+                   up ? u"the camera was not tilted 45° down, without roll, for one second"_s
+                      : u"no axis of the sensor pointed up for one second"_s);
 }
 
 Result<ActionReply> StormProcedures::findOrientation()
@@ -148,7 +152,8 @@ Result<ActionReply> StormProcedures::findOrientation()
     if (!(before->status & kImuPresent))
         return failure(ErrorCode::NotSeen, u"there is no sensor"_s);
     if (before->busErrors > 0)
-        return failure(ErrorCode::NotSeen, u"%1 errors on the sensor's bus: check its cable"_s.arg(before->busErrors));
+        return failure(ErrorCode::NotSeen,
+                       u"%1 errors on the sensor's bus: check its cable"_s.arg(before->busErrors));
     struct Place
     {
         const char *name;
@@ -173,7 +178,8 @@ Result<ActionReply> StormProcedures::findOrientation()
         const int number = storm32::findOrientation((*up)[imu], (*forward)[imu]);
         if (number < 0)
             return failure(ErrorCode::NotSeen, u"these directions do not belong to a sensor"_s);
-        reply.insert(QLatin1String(kPlaces[imu].name), QString::fromUtf8(orientations()[std::size_t(number)].name));
+        reply.insert(QLatin1String(kPlaces[imu].name),
+                     QString::fromUtf8(orientations()[std::size_t(number)].name));
         if (const auto done = m_device.writeWord(m_channel, kPlaces[imu].word, number); !done)
             return tl::unexpected(done.error());
     }
@@ -193,7 +199,9 @@ Result<ActionReply> StormProcedures::restartAndWait()
         if ((now->status & kBatteryConnected) && !(now->status & kBatteryLow))
             break;
         if (m_channel.now() >= batteryUntil)
-            return failure(ErrorCode::NotSeen, now->status & kBatteryConnected ? u"the battery is low"_s : u"no battery was connected"_s);
+            return failure(ErrorCode::NotSeen,
+                           now->status & kBatteryConnected ? u"the battery is low"_s
+                                                           : u"no battery was connected"_s);
         m_channel.progress(progress);
         if (const auto slept = m_channel.sleep(kStatusPeriod); !slept)
             return tl::unexpected(slept.error());
@@ -218,8 +226,8 @@ Result<ActionReply> StormProcedures::restartAndWait()
     bool restored = false;
     while (m_channel.now() < until) {
         const auto now = status();
-        const bool tolerable = now || now.error().code == ErrorCode::Timeout || now.error().code == ErrorCode::Damaged
-            || now.error().code == ErrorCode::BoardError;
+        const bool tolerable = now || now.error().code == ErrorCode::Timeout
+            || now.error().code == ErrorCode::Damaged || now.error().code == ErrorCode::BoardError;
         if (!tolerable || (!now && ++bad > kMostBadAnswers))
             return tl::unexpected(now.error());
         if (now) {
@@ -234,7 +242,8 @@ Result<ActionReply> StormProcedures::restartAndWait()
                 if (!after)
                     return tl::unexpected(after.error());
                 if (*after != wanted && !m_device.isEmbedded()) {
-                    if (const auto put = m_channel.transact(m_device.simple(Simple::PutParameters, wanted)); !put)
+                    if (const auto put = m_channel.transact(m_device.simple(Simple::PutParameters, wanted));
+                        !put)
                         return tl::unexpected(put.error());
                 }
             }
@@ -255,7 +264,8 @@ Result<ActionReply> StormProcedures::restartAndWait()
 
 Result<ActionReply> StormProcedures::takeMotors(bool directions, bool positions)
 {
-    for (const auto &[id, wanted] : {std::pair{Simple::TakeDirections, directions}, {Simple::TakeStartPositions, positions}}) {
+    for (const auto &[id, wanted] :
+         {std::pair{Simple::TakeDirections, directions}, {Simple::TakeStartPositions, positions}}) {
         if (!wanted)
             continue;
         if (const auto done = m_channel.transact(m_device.simple(id)); !done)
@@ -267,9 +277,12 @@ Result<ActionReply> StormProcedures::takeMotors(bool directions, bool positions)
         const auto direction = m_device.readWord(m_channel, kDirectionWords[axis]);
         if (!direction)
             return tl::unexpected(direction.error());
-        reply.insert(u"direction.%1"_s.arg(QLatin1String(kNames[axis])), *direction == 0 ? u"normal"_s : *direction == 1 ? u"reversed"_s : u"auto"_s);
+        reply.insert(u"direction.%1"_s.arg(QLatin1String(kNames[axis])),
+                     *direction == 0       ? u"normal"_s
+                         : *direction == 1 ? u"reversed"_s
+                                           : u"auto"_s);
         if (axis == 2)
-            break;   // where yaw begins is aligned by hand
+            break;  // where yaw begins is aligned by hand
         const auto position = m_device.readWord(m_channel, kStartWords[axis]);
         if (!position)
             return tl::unexpected(position.error());
@@ -287,7 +300,8 @@ Result<ActionReply> StormProcedures::setPoles(const std::array<int, 3> &poles)
 {
     for (std::size_t axis = 0; axis < poles.size(); ++axis) {
         if (poles[axis] % 2 != 0)
-            return failure(ErrorCode::InvalidArgument, u"magnets come in pairs: %1 is odd"_s.arg(poles[axis]));
+            return failure(ErrorCode::InvalidArgument,
+                           u"magnets come in pairs: %1 is odd"_s.arg(poles[axis]));
     }
     for (std::size_t axis = 0; axis < poles.size(); ++axis) {
         if (const auto done = m_device.writeWord(m_channel, kPoleWords[axis], poles[axis]); !done)

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the board tells all the time, and what steers it.
 #include "protocol/storm32/stormdevice.h"
-
 #include "protocol/storm32/telemetrytables.h"
 
 #include <algorithm>
@@ -13,9 +12,9 @@ using namespace storm32;
 
 namespace {
 
-constexpr auto kPollInterval = 5ms;      // as often as the line allows, one after the other
+constexpr auto kPollInterval = 5ms;  // as often as the line allows, one after the other
 constexpr double kMostAngle = 720.0;
-constexpr int kPulseMode = 3;            // microseconds from the middle
+constexpr int kPulseMode = 3;  // microseconds from the middle
 constexpr double kMostPulse = 800.0;
 constexpr double kMiddlePulse = 1500.0;
 
@@ -25,7 +24,7 @@ constexpr ControlMode kControlModes[] = {
     {kPulseMode, "pulse", "Stick positions", false, true, 0, -kMostPulse, kMostPulse, "µs", 500},
 };
 
-} // namespace
+}  // namespace
 
 ChannelTable StormDevice::channels() const
 {
@@ -40,11 +39,13 @@ ChannelRoles StormDevice::roles() const
 Result<StreamBudget> StormDevice::streamBudget(const TelemetryWish &wish, std::optional<LineSettings>) const
 {
     if (!wish.streams.isEmpty())
-        return failure(ErrorCode::InvalidArgument, u"this board has no streams; it is asked for each sample"_s);
+        return failure(ErrorCode::InvalidArgument,
+                       u"this board has no streams; it is asked for each sample"_s);
     return StreamBudget();
 }
 
-Result<TelemetryPlan> StormDevice::startTelemetry(Channel &, const TelemetryWish &wish, std::optional<LineSettings> line)
+Result<TelemetryPlan> StormDevice::startTelemetry(Channel &, const TelemetryWish &wish,
+                                                  std::optional<LineSettings> line)
 {
     if (const auto budget = streamBudget(wish, line); !budget)
         return tl::unexpected(budget.error());
@@ -53,7 +54,8 @@ Result<TelemetryPlan> StormDevice::startTelemetry(Channel &, const TelemetryWish
     plan.poll->retries = 0;
     plan.pollInterval = kPollInterval;
     // Each sample takes its question, the board's time to answer and its 67 bytes.
-    const double wire = line ? line->secondsFor(plan.poll->replyBytes + qsizetype(plan.poll->bytes.size())) : 0.0;
+    const double wire
+        = line ? line->secondsFor(plan.poll->replyBytes + qsizetype(plan.poll->bytes.size())) : 0.0;
     plan.rate = 1.0 / (std::max(0.01, wire) + 0.003);
     plan.decoder = std::make_shared<StormDecoder>(m_firmware);
     return plan;
@@ -88,7 +90,8 @@ QString StormDevice::spokenText(const FrameView &frame) const
 {
     if (frame.id != FrameId::kMavlink + mavlink::number(mavlink::MessageId::StatusText))
         return {};
-    const auto fields = mavlink::decodeFields(*mavlink::findMessage(mavlink::number(mavlink::MessageId::StatusText)), frame.payload);
+    const auto fields = mavlink::decodeFields(
+        *mavlink::findMessage(mavlink::number(mavlink::MessageId::StatusText)), frame.payload);
     return fields ? fields->value(u"text"_s).toString().trimmed() : QString();
 }
 
@@ -107,11 +110,13 @@ std::span<const ControlMode> StormDevice::controlModes() const
     return kControlModes;
 }
 
-// Angles, or stick positions, of all axes go together. Ours are as the board shows them: down, right and left are positive.
+// Angles, or stick positions, of all axes go together. Ours are as the board shows them: down, right and left
+// are positive.
 ControlFrames StormDevice::controlFrames(const ControlSetpoint &setpoint) const
 {
-    constexpr std::array<std::size_t, 3> kPlace{1, 0, 2};   // pitch, roll, yaw
-    const bool pulses = std::any_of(setpoint.begin(), setpoint.end(), [](const AxisSetpoint &axis) { return axis.mode == kPulseMode; });
+    constexpr std::array<std::size_t, 3> kPlace{1, 0, 2};  // pitch, roll, yaw
+    const bool pulses = std::any_of(setpoint.begin(), setpoint.end(),
+                                    [](const AxisSetpoint &axis) { return axis.mode == kPulseMode; });
     std::array<double, 3> angles{};
     int flags = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -126,11 +131,12 @@ ControlFrames StormDevice::controlFrames(const ControlSetpoint &setpoint) const
         else
             writer.f32(float(std::clamp(angle, -kMostAngle, kMostAngle)));
     }
-    const Request request = pulses ? rc(Rc::SetPitchRollYaw, writer.take()) : rc(Rc::SetAngle, writer.u8(flags).u8(0).take());
+    const Request request
+        = pulses ? rc(Rc::SetPitchRollYaw, writer.take()) : rc(Rc::SetAngle, writer.u8(flags).u8(0).take());
     ControlFrames frames;
     frames.setpoint = request.bytes;
-    frames.stop = request.bytes;           // an angle is held by itself
-    frames.release = request.bytes;        // bringing it back would be a movement that nobody asked for
-    frames.answer = request.answer;        // errata 7: one command at a time
+    frames.stop = request.bytes;  // an angle is held by itself
+    frames.release = request.bytes;  // bringing it back would be a movement that nobody asked for
+    frames.answer = request.answer;  // errata 7: one command at a time
     return frames;
 }

@@ -57,9 +57,9 @@ constexpr int kMotorBits = 0x0038;
 constexpr double kDegree = 180.0 / std::numbers::pi;
 // A gap this long, and nothing is known of the time between.
 constexpr double kGap = 0.5;
-constexpr double kDrift = 2e-4;        // how fast the board's clock may run off ours
+constexpr double kDrift = 2e-4;  // how fast the board's clock may run off ours
 
-} // namespace
+}  // namespace
 
 ChannelTable channelTable()
 {
@@ -85,7 +85,9 @@ ChannelRoles channelRoles()
 
 LiveScales::LiveScales(int firmware)
     : gyro(firmware >= 93 ? kDegree / 2048.0 : kDegree / 1000.0)
-    , acc(firmware >= 94 ? 1.0 / 8192.0 : firmware >= 93 ? 1.0 / 16384.0 : 1.0 / 10000.0)
+    , acc(firmware >= 94       ? 1.0 / 8192.0
+              : firmware >= 93 ? 1.0 / 16384.0
+                               : 1.0 / 10000.0)
     , clock(firmware >= 90)
 {
 }
@@ -100,8 +102,12 @@ std::array<float, ChannelCount> liveRow(Bytes data, const LiveScales &scales)
         word = reader.u16();
     if (!reader.ok())
         return row;
-    const auto put = [&](int channel, int word, double scale) { row[std::size_t(channel)] = float(std::int16_t(words[std::size_t(word)]) * scale); };
-    const auto raw = [&](int channel, int word, double scale = 1.0) { row[std::size_t(channel)] = float(words[std::size_t(word)] * scale); };
+    const auto put = [&](int channel, int word, double scale) {
+        row[std::size_t(channel)] = float(std::int16_t(words[std::size_t(word)]) * scale);
+    };
+    const auto raw = [&](int channel, int word, double scale = 1.0) {
+        row[std::size_t(channel)] = float(words[std::size_t(word)] * scale);
+    };
     raw(State, 0);
     raw(Status, 1);
     raw(Status2, 2);
@@ -121,7 +127,7 @@ std::array<float, ChannelCount> liveRow(Bytes data, const LiveScales &scales)
     }
     put(MagYaw, 28, 0.01);
     if (words[1] & kLinkPresent)
-        put(LinkYaw, 29, 0.01);       // without a link it means nothing
+        put(LinkYaw, 29, 0.01);  // without a link it means nothing
     put(AccConfidence, 30, 1e-4);
     raw(Functions, 31);
     row[MotorsActive] = words[2] & kMotorBits ? 1.0F : 0.0F;
@@ -130,17 +136,21 @@ std::array<float, ChannelCount> liveRow(Bytes data, const LiveScales &scales)
 
 QString stateName(int state, int firmware)
 {
-    static constexpr std::array<const char *, 7> kNames{
-        QT_TRANSLATE_NOOP("Tables", "start motors"), QT_TRANSLATE_NOOP("Tables", "settle"), QT_TRANSLATE_NOOP("Tables", "calibrate"),
-        QT_TRANSLATE_NOOP("Tables", "level"), QT_TRANSLATE_NOOP("Tables", "find motor directions"),
-        QT_TRANSLATE_NOOP("Tables", "relevel"), QT_TRANSLATE_NOOP("Tables", "normal")};
+    static constexpr std::array<const char *, 7> kNames{QT_TRANSLATE_NOOP("Tables", "start motors"),
+                                                        QT_TRANSLATE_NOOP("Tables", "settle"),
+                                                        QT_TRANSLATE_NOOP("Tables", "calibrate"),
+                                                        QT_TRANSLATE_NOOP("Tables", "level"),
+                                                        QT_TRANSLATE_NOOP("Tables", "find motor directions"),
+                                                        QT_TRANSLATE_NOOP("Tables", "relevel"),
+                                                        QT_TRANSLATE_NOOP("Tables", "normal")};
     if (state >= 0 && state < int(kNames.size()))
         return QString::fromLatin1(kNames[std::size_t(state)]);
     if (state == 99 || (state == 7 && firmware <= 95))
         return QString::fromLatin1(QT_TRANSLATE_NOOP("Tables", "standby"));
     if (state == 7 && firmware >= 208)
         return QString::fromLatin1(QT_TRANSLATE_NOOP("Tables", "fast level"));
-    return state == 100 ? QString::fromLatin1(QT_TRANSLATE_NOOP("Tables", "service mode")) : u"unknown (%1)"_s.arg(state);
+    return state == 100 ? QString::fromLatin1(QT_TRANSLATE_NOOP("Tables", "service mode"))
+                        : u"unknown (%1)"_s.arg(state);
 }
 
 std::vector<BoardFact> factsOf(unsigned status, unsigned status2, unsigned functions)
@@ -166,11 +176,14 @@ std::vector<BoardFact> factsOf(unsigned status, unsigned status2, unsigned funct
         {QT_TRANSLATE_NOOP("Tables", "Frame sensor"), part(0x1000, 0x0040)},
     };
     if (status & 0x1000)
-        facts.back().words.push_back(status & 0x0800 ? QT_TRANSLATE_NOOP("Tables", "on the board") : QT_TRANSLATE_NOOP("Tables", "external"));
+        facts.back().words.push_back(status & 0x0800 ? QT_TRANSLATE_NOOP("Tables", "on the board")
+                                                     : QT_TRANSLATE_NOOP("Tables", "external"));
     if (status & 0x2000)
         facts.push_back({QT_TRANSLATE_NOOP("Tables", "Magnetometer"), part(0x2000, 0x0080)});
     if (status & 0x0100) {
-        const char *link = !(status & 0x0002) ? error : status & 0x0001 ? ok : QT_TRANSLATE_NOOP("Tables", "unused");
+        const char *link = !(status & 0x0002) ? error
+            : status & 0x0001                 ? ok
+                                              : QT_TRANSLATE_NOOP("Tables", "unused");
         facts.push_back({QT_TRANSLATE_NOOP("Tables", "STorM32-Link"), {link}});
     }
     facts.push_back({QT_TRANSLATE_NOOP("Tables", "Motors running"), axes(0x0008, 0x0010, 0x0020)});
@@ -181,9 +194,10 @@ std::vector<BoardFact> factsOf(unsigned status, unsigned status2, unsigned funct
         facts.push_back({QT_TRANSLATE_NOOP("Tables", "IR camera"), {QT_TRANSLATE_NOOP("Tables", "active")}});
     // Two bits for each function input, from the top.
     static constexpr std::array<const char *, 8> kInputs{
-        QT_TRANSLATE_NOOP("Tables", "Input of pan mode"), QT_TRANSLATE_NOOP("Tables", "Input of standby"), QT_TRANSLATE_NOOP("Tables", "Input of IR camera"),
-        QT_TRANSLATE_NOOP("Tables", "Input of re-center"), QT_TRANSLATE_NOOP("Tables", "Input of script 1"), QT_TRANSLATE_NOOP("Tables", "Input of script 2"),
-        QT_TRANSLATE_NOOP("Tables", "Input of script 3"), QT_TRANSLATE_NOOP("Tables", "Input of script 4")};
+        QT_TRANSLATE_NOOP("Tables", "Input of pan mode"),  QT_TRANSLATE_NOOP("Tables", "Input of standby"),
+        QT_TRANSLATE_NOOP("Tables", "Input of IR camera"), QT_TRANSLATE_NOOP("Tables", "Input of re-center"),
+        QT_TRANSLATE_NOOP("Tables", "Input of script 1"),  QT_TRANSLATE_NOOP("Tables", "Input of script 2"),
+        QT_TRANSLATE_NOOP("Tables", "Input of script 3"),  QT_TRANSLATE_NOOP("Tables", "Input of script 4")};
     static constexpr std::array<const char *, 4> kLevels{"0", "+500", "-500", "+250"};
     for (std::size_t input = 0; input < kInputs.size(); ++input) {
         if (const unsigned level = functions >> (14 - 2 * input) & 3U)
@@ -201,21 +215,27 @@ std::vector<BoardFault> faultsOf(unsigned bits, unsigned)
     };
     std::vector<BoardFault> faults;
     const auto add = [&faults](const Row &row) {
-        faults.push_back({QLatin1String(row.key), QLatin1String(row.name), QLatin1String(row.meaning), QLatin1String(row.cure), row.severe});
+        faults.push_back({QLatin1String(row.key), QLatin1String(row.name), QLatin1String(row.meaning),
+                          QLatin1String(row.cure), row.severe});
     };
     if (!(bits & 0x8000))
         add({"no-sensor", "No IMU", "The board does not see its motion sensor, so it cannot stabilize.",
              "Check the sensor cable and its connectors, then restart the board.", true});
     else if (!(bits & 0x0020))
-        add({"imu-error", "IMU error", "The motion sensor answers, but not well.", "Check the sensor cable and keep it away from motors.", true});
+        add({"imu-error", "IMU error", "The motion sensor answers, but not well.",
+             "Check the sensor cable and keep it away from motors.", true});
     if ((bits & 0x1000) && !(bits & 0x0040))
-        add({"imu2-error", "Second IMU error", "The sensor at the frame answers, but not well.", "Check its cable, or switch it off in the setup.", false});
+        add({"imu2-error", "Second IMU error", "The sensor at the frame answers, but not well.",
+             "Check its cable, or switch it off in the setup.", false});
     if (!(bits & 0x0008))
-        add({"no-battery", "No battery", "The motors have no supply; settings can be changed all the same.", "Connect the battery.", false});
+        add({"no-battery", "No battery", "The motors have no supply; settings can be changed all the same.",
+             "Connect the battery.", false});
     else if (bits & 0x0010)
-        add({"low-battery", "Battery is low", "The alarm threshold is reached.", "Change the battery soon.", false});
+        add({"low-battery", "Battery is low", "The alarm threshold is reached.", "Change the battery soon.",
+             false});
     if (bits & 0x0004)
-        add({"level-failed", "Leveling failed", "The board did not find its level at the start.", "Hold the camera still and restart the board.", true});
+        add({"level-failed", "Leveling failed", "The board did not find its level at the start.",
+             "Hold the camera still and restart the board.", true});
     return faults;
 }
 
@@ -223,7 +243,8 @@ double StormDecoder::timeOf(int stamp, double arrival)
 {
     if (!m_scales.clock)
         return arrival;
-    const bool again = m_lastStamp < 0 || arrival - m_lastArrival > 60.0;   // more than a turn of the counter may be missing
+    const bool again = m_lastStamp < 0
+        || arrival - m_lastArrival > 60.0;  // more than a turn of the counter may be missing
     const double step = again ? 0.0 : double((stamp - m_lastStamp) & 0xFFFF) / 1000.0;
     m_boardTime += step;
     m_lastStamp = stamp;
@@ -238,7 +259,8 @@ void StormDecoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &
     Bytes data = frame.payload;
     if (frame.id == FrameId::kRc + int(Rc::GetData) && data.size() == 66)
         data = data.subspan(2);
-    else if (frame.id == FrameId::kMavlink + mavlink::number(mavlink::MessageId::TargetSpecificAck) && data.size() == 2 + 67)
+    else if (frame.id == FrameId::kMavlink + mavlink::number(mavlink::MessageId::TargetSpecificAck)
+             && data.size() == 2 + 67)
         data = data.subspan(2, 64);
     else if (frame.id != FrameId::kSimple + int(Simple::LiveData))
         return;
@@ -260,4 +282,4 @@ void StormDecoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &
     m_lastArrival = arrival;
 }
 
-} // namespace storm32
+}  // namespace storm32

@@ -6,18 +6,41 @@
 
 namespace storm32 {
 
-/// Telemetry channels: the 32 words of `d` (errata 3.5) and what is packed into them; the number is the position in
-/// channelTable().
+/// Telemetry channels: the 32 words of `d` (errata 3.5) and what is packed into them; the number is the
+/// position in channelTable().
 enum ChannelId : int {
-    AngleRoll, AnglePitch, AngleYaw,
-    Angle2Roll, Angle2Pitch, Angle2Yaw,
-    GyroX, GyroY, GyroZ,
-    AccX, AccY, AccZ,
-    UpX, UpY, UpZ,
-    OutputRoll, OutputPitch, OutputYaw,
-    InputRoll, InputPitch, InputYaw,
-    MagYaw, LinkYaw, AccConfidence,
-    Voltage, State, Status, Status2, BusErrors, CycleTime, MotorsActive, Functions,
+    AngleRoll,
+    AnglePitch,
+    AngleYaw,
+    Angle2Roll,
+    Angle2Pitch,
+    Angle2Yaw,
+    GyroX,
+    GyroY,
+    GyroZ,
+    AccX,
+    AccY,
+    AccZ,
+    UpX,
+    UpY,
+    UpZ,
+    OutputRoll,
+    OutputPitch,
+    OutputYaw,
+    InputRoll,
+    InputPitch,
+    InputYaw,
+    MagYaw,
+    LinkYaw,
+    AccConfidence,
+    Voltage,
+    State,
+    Status,
+    Status2,
+    BusErrors,
+    CycleTime,
+    MotorsActive,
+    Functions,
     ChannelCount
 };
 
@@ -27,9 +50,9 @@ enum ChannelId : int {
 /// What the counts of `d` mean: gyro and accelerometer changed their scales (errata 3.5).
 struct LiveScales
 {
-    double gyro = 0;      ///< deg/s per count
-    double acc = 0;       ///< g per count
-    bool clock = true;    ///< the time stamp is of use
+    double gyro = 0;  ///< deg/s per count
+    double acc = 0;  ///< g per count
+    bool clock = true;  ///< the time stamp is of use
 
     explicit LiveScales(int firmware);
 };
@@ -47,7 +70,10 @@ struct LiveScales
 class StormDecoder final : public TelemetryDecoder
 {
 public:
-    explicit StormDecoder(int firmware) : m_scales(firmware) { }
+    explicit StormDecoder(int firmware)
+        : m_scales(firmware)
+    {
+    }
     void decode(const FrameView &frame, TimePoint at, TelemetryStore &store) override;
 
 private:
@@ -56,10 +82,10 @@ private:
     LiveScales m_scales;
     std::shared_ptr<TelemetryGroup> m_group;
     int m_lastStamp = -1;
-    double m_boardTime = 0;       // seconds, unwrapped
-    double m_offset = 0;          // arrival minus board time, of the least late answer
+    double m_boardTime = 0;  // seconds, unwrapped
+    double m_offset = 0;  // arrival minus board time, of the least late answer
     double m_lastTime = 0;
     double m_lastArrival = 0;
 };
 
-} // namespace storm32
+}  // namespace storm32

@@ -27,7 +27,8 @@ Result<void> checkLineOptions(const QMap<QString, QString> &options)
         bool ok = false;
         const int value = baud->toInt(&ok);
         if (!ok || value < 300 || value > 4'000'000)
-            return failure(ErrorCode::InvalidArgument, u"baud=%1 is not a rate between 300 and 4000000"_s.arg(*baud));
+            return failure(ErrorCode::InvalidArgument,
+                           u"baud=%1 is not a rate between 300 and 4000000"_s.arg(*baud));
     }
     if (const auto parity = options.find(u"parity"_s); parity != options.end()) {
         if (*parity != u"none"_s && *parity != u"even"_s)
@@ -36,7 +37,7 @@ Result<void> checkLineOptions(const QMap<QString, QString> &options)
     return {};
 }
 
-} // namespace
+}  // namespace
 
 Result<LinkAddress> LinkAddress::parse(const QString &text)
 {
@@ -54,7 +55,8 @@ Result<LinkAddress> LinkAddress::parse(const QString &text)
         address.m_kind = place.startsWith(u't') ? Kind::Tcp : Kind::Udp;
         const QUrl url(place, QUrl::StrictMode);
         if (!url.isValid() || url.host().isEmpty() || url.port() <= 0 || !url.path().isEmpty())
-            return failure(ErrorCode::InvalidArgument, u"'%1' is not %2://host:port"_s.arg(place, place.left(3)));
+            return failure(ErrorCode::InvalidArgument,
+                           u"'%1' is not %2://host:port"_s.arg(place, place.left(3)));
         address.m_target = url.host();
         address.m_port = static_cast<quint16>(url.port());
         return address;
@@ -118,22 +120,16 @@ QString LinkAddress::toString() const
 {
     QString text;
     switch (m_kind) {
-    case Kind::None:
-        return {};
-    case Kind::Serial:
-        text = u"serial:"_s + m_target;
-        break;
-    case Kind::Simulator:
-        text = u"sim:"_s + m_target;
-        break;
-    case Kind::Replay:
-        text = u"replay:"_s + m_target;
-        break;
+    case Kind::None: return {};
+    case Kind::Serial: text = u"serial:"_s + m_target; break;
+    case Kind::Simulator: text = u"sim:"_s + m_target; break;
+    case Kind::Replay: text = u"replay:"_s + m_target; break;
     case Kind::Tcp:
     case Kind::Udp:
         // An IPv6 host needs its brackets back.
-        text = u"%1://%2:%3"_s.arg(m_kind == Kind::Tcp ? u"tcp"_s : u"udp"_s,
-                                   m_target.contains(u':') ? u"[%1]"_s.arg(m_target) : m_target)
+        text = u"%1://%2:%3"_s
+                   .arg(m_kind == Kind::Tcp ? u"tcp"_s : u"udp"_s,
+                        m_target.contains(u':') ? u"[%1]"_s.arg(m_target) : m_target)
                    .arg(m_port);
         break;
     }

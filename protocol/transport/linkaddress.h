@@ -29,8 +29,8 @@ struct LineSettings
 };
 
 /// Where a board is. One spelling everywhere:
-/// `serial:/dev/ttyUSB0?baud=115200&parity=none`, `tcp://host:port`, `udp://host:port`, `sim:simplebgc?seed=1`,
-/// `replay:FILE?speed=4`.
+/// `serial:/dev/ttyUSB0?baud=115200&parity=none`, `tcp://host:port`, `udp://host:port`,
+/// `sim:simplebgc?seed=1`, `replay:FILE?speed=4`.
 class LinkAddress
 {
 public:
@@ -40,7 +40,8 @@ public:
     /// Errors: InvalidArgument with what is wrong.
     static Result<LinkAddress> parse(const QString &text);
     static LinkAddress replay(const QString &path);
-    static LinkAddress serial(const QString &port, std::optional<int> baud = {}, std::optional<Parity> parity = {});
+    static LinkAddress serial(const QString &port, std::optional<int> baud = {},
+                              std::optional<Parity> parity = {});
 
     [[nodiscard]] Kind kind() const { return m_kind; }
     /// Device path, host name, simulated family or recording.

@@ -14,7 +14,8 @@ QString PortInfo::label() const
     if (!description.isEmpty())
         text += u" – "_s + description;
     if (vendorId)
-        text += u" – "_s + u"%1:%2"_s.arg(vendorId, 4, 16, QChar(u'0')).arg(productId, 4, 16, QChar(u'0')).toUpper();
+        text += u" – "_s
+            + u"%1:%2"_s.arg(vendorId, 4, 16, QChar(u'0')).arg(productId, 4, 16, QChar(u'0')).toUpper();
     return text;
 }
 
@@ -26,7 +27,8 @@ QList<PortInfo> listSerialPorts()
                       info.hasVendorIdentifier() ? info.vendorIdentifier() : quint16(0),
                       info.hasProductIdentifier() ? info.productIdentifier() : quint16(0)});
     }
-    std::stable_sort(ports.begin(), ports.end(),
-                     [](const PortInfo &a, const PortInfo &b) { return (a.vendorId != 0) > (b.vendorId != 0); });
+    std::stable_sort(ports.begin(), ports.end(), [](const PortInfo &a, const PortInfo &b) {
+        return (a.vendorId != 0) > (b.vendorId != 0);
+    });
     return ports;
 }

@@ -8,8 +8,8 @@
 /// A serial port the operator can choose. Listing ports opens none of them.
 struct PortInfo
 {
-    QString path;          ///< /dev/ttyUSB0, COM3
-    QString description;   ///< what the adapter calls itself
+    QString path;  ///< /dev/ttyUSB0, COM3
+    QString description;  ///< what the adapter calls itself
     quint16 vendorId = 0;  ///< 0 = not a USB port
     quint16 productId = 0;
 

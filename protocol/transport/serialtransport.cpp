@@ -15,20 +15,18 @@ constexpr qsizetype kReadBuffer = 65536;
 ErrorCode codeOf(QSerialPort::SerialPortError error, const QString &text)
 {
     switch (error) {
-    case QSerialPort::DeviceNotFoundError:
-        return ErrorCode::PortNotFound;
+    case QSerialPort::DeviceNotFoundError: return ErrorCode::PortNotFound;
     case QSerialPort::PermissionError:
         // Qt reports a port that another program holds (EBUSY, or a lock file) as a permission error too.
         return text.contains(QLatin1String("busy"), Qt::CaseInsensitive)
                 || text.contains(QLatin1String("lock"), Qt::CaseInsensitive)
             ? ErrorCode::PortBusy
             : ErrorCode::NoPermission;
-    default:
-        return ErrorCode::LinkClosed;
+    default: return ErrorCode::LinkClosed;
     }
 }
 
-} // namespace
+}  // namespace
 
 SerialTransport::SerialTransport(const QString &port, const LineSettings &line, QObject *parent)
     : Transport(parent)
@@ -114,8 +112,9 @@ bool SerialTransport::isHungUp() const
 
 void SerialTransport::onError(QSerialPort::SerialPortError error)
 {
-    // Rate refusals and the like are answered by setLine(); only a port that went away ends the link. QSerialPort also
-    // reports a read error when there was simply nothing left to read, so the system is asked.
+    // Rate refusals and the like are answered by setLine(); only a port that went away ends the link.
+    // QSerialPort also reports a read error when there was simply nothing left to read, so the system is
+    // asked.
     const bool isGone = error == QSerialPort::ResourceError || error == QSerialPort::DeviceNotFoundError
         || ((error == QSerialPort::ReadError || error == QSerialPort::WriteError) && isHungUp());
     if (!m_open || !isGone)

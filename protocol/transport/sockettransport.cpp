@@ -16,7 +16,7 @@ QAbstractSocket *makeSocket(LinkAddress::Kind kind, QObject *parent)
     return new QTcpSocket(parent);
 }
 
-} // namespace
+}  // namespace
 
 SocketTransport::SocketTransport(LinkAddress::Kind kind, const QString &host, quint16 port, QObject *parent)
     : Transport(parent)
@@ -67,7 +67,8 @@ void SocketTransport::onReadyRead()
 
 void SocketTransport::onError(QAbstractSocket::SocketError error)
 {
-    const bool never = error == QAbstractSocket::HostNotFoundError || error == QAbstractSocket::ConnectionRefusedError
-        || error == QAbstractSocket::NetworkError || error == QAbstractSocket::SocketTimeoutError;
+    const bool never = error == QAbstractSocket::HostNotFoundError
+        || error == QAbstractSocket::ConnectionRefusedError || error == QAbstractSocket::NetworkError
+        || error == QAbstractSocket::SocketTimeoutError;
     emit closed({never ? ErrorCode::HostUnreachable : ErrorCode::LinkClosed, m_socket->errorString()});
 }

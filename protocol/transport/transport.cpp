@@ -24,8 +24,7 @@ Result<std::unique_ptr<Transport>> makeSystemTransport(const LinkAddress &addres
         return std::make_unique<SocketTransport>(address.kind(), address.target(), address.port());
     case LinkAddress::Kind::None:
     case LinkAddress::Kind::Simulator:
-    case LinkAddress::Kind::Replay:
-        break;
+    case LinkAddress::Kind::Replay: break;
     }
     return failure(ErrorCode::InvalidArgument, address.toString());
 }

@@ -14,9 +14,9 @@
 /// Where a recorded link stands.
 struct ReplayState
 {
-    double position = 0;     ///< seconds since the recording's first byte
-    double length = 0;       ///< seconds
-    double speed = 1;        ///< times real time
+    double position = 0;  ///< seconds since the recording's first byte
+    double length = 0;  ///< seconds
+    double speed = 1;  ///< times real time
     bool paused = false;
 
     [[nodiscard]] bool hasEnded() const { return position >= length; }
@@ -39,10 +39,11 @@ public:
     virtual bool setLine(const LineSettings &line);
     /// Settings that decide how long bytes take; empty for links without a line rate.
     [[nodiscard]] virtual std::optional<LineSettings> line() const { return {}; }
-    /// A recorded link waits with its live data until somebody can take them; others have nothing to wait for.
+    /// A recorded link waits with its live data until somebody can take them; others have nothing to wait
+    /// for.
     virtual void play() { }
-    /// The rest is for recorded links as well. A place before the present one cannot be gone to: what was received was
-    /// received. What lies between is delivered at once.
+    /// The rest is for recorded links as well. A place before the present one cannot be gone to: what was
+    /// received was received. What lies between is delivered at once.
     virtual void setPaused(bool) { }
     virtual void setSpeed(double) { }
     virtual void forwardTo(double /*seconds*/) { }

@@ -67,7 +67,7 @@ std::size_t readPlainly(const QByteArray &text)
     return in.size();
 }
 
-} // namespace
+}  // namespace
 
 /// P10: bytes a sample takes with its index, and what ten more minutes add.
 void benchStore(Report &report)
@@ -86,8 +86,8 @@ void benchStore(Report &report)
                   u"24 channels, 10 min, %1 MB"_s.arg(heapMb() - before, 0, 'f', 0));
     const double full = residentMb();
     fill(store, *group, next, 600);
-    report.atMost(u"P10"_s, u"memory that ten more minutes add"_s, std::max(0.0, residentMb() - full), 10, u"MB"_s,
-                  u"resident %1 MB"_s.arg(residentMb(), 0, 'f', 0));
+    report.atMost(u"P10"_s, u"memory that ten more minutes add"_s, std::max(0.0, residentMb() - full), 10,
+                  u"MB"_s, u"resident %1 MB"_s.arg(residentMb(), 0, 'f', 0));
 }
 
 /// P11: reading a log against a plain QTextStream reader.
@@ -98,7 +98,8 @@ void benchImport(Report &report)
     QByteArray text = "# 1250 samples/s\nin;out\n";
     constexpr int kLines = 1'000'000;
     for (int i = 0; i < kLines; ++i)
-        text += QByteArray::number(double(normal(random)), 'g', 8) + ';' + QByteArray::number(double(normal(random)), 'g', 8) + '\n';
+        text += QByteArray::number(double(normal(random)), 'g', 8) + ';'
+            + QByteArray::number(double(normal(random)), 'g', 8) + '\n';
     std::vector<double> ours;
     std::vector<double> plain;
     for (int run = 0; run < 5; ++run) {
@@ -112,7 +113,8 @@ void benchImport(Report &report)
         if (!read || read->in.size() != lines)
             qFatal("the two readers do not agree");
     }
-    report.atMost(u"P11"_s, u"log import / plain QTextStream reader, 1 M lines"_s, median(ours) / median(plain), 0.2, {},
+    report.atMost(u"P11"_s, u"log import / plain QTextStream reader, 1 M lines"_s,
+                  median(ours) / median(plain), 0.2, {},
                   u"%1 and %2 ms"_s.arg(median(ours), 0, 'f', 0).arg(median(plain), 0, 'f', 0));
 }
 
@@ -133,14 +135,14 @@ void benchSpectra(Report &report)
         }
         ms.push_back(threadMs() - before);
     }
-    report.atMost(u"P13"_s, u"spectra of 6 x 4096 at 30/s"_s, median(ms) * 30 / 1000 * 100, 1, u"% of a core"_s,
-                  u"%1 ms each time"_s.arg(median(ms), 0, 'f', 3));
+    report.atMost(u"P13"_s, u"spectra of 6 x 4096 at 30/s"_s, median(ms) * 30 / 1000 * 100, 1,
+                  u"% of a core"_s, u"%1 ms each time"_s.arg(median(ms), 0, 'f', 3));
 }
 
 /// P14: reading the whole configuration against the time its bytes take and the pause the document asks for.
 void benchReading(Report &report)
 {
-    constexpr double kPause = 0.010;   // document, "Message format": 10-20 ms after each command
+    constexpr double kPause = 0.010;  // document, "Message format": 10-20 ms after each command
     SimulatorOptions options;
     options.usb = false;
     const LineSettings line{115200, Parity::None};
@@ -161,6 +163,9 @@ void benchReading(Report &report)
         qFatal("not everything was read");
     constexpr qint64 kRequest = 6;
     const double wire = line.secondsFor(bytes + frames * kRequest);
-    report.atMost(u"P14"_s, u"configuration read at 115200 / wire time and pauses"_s, took / (wire + frames * kPause), 1.15, {},
-                  u"%1 ms, wire alone %2 ms, %3 commands"_s.arg(took * 1000, 0, 'f', 0).arg(wire * 1000, 0, 'f', 0).arg(frames));
+    report.atMost(u"P14"_s, u"configuration read at 115200 / wire time and pauses"_s,
+                  took / (wire + frames * kPause), 1.15, {},
+                  u"%1 ms, wire alone %2 ms, %3 commands"_s.arg(took * 1000, 0, 'f', 0)
+                      .arg(wire * 1000, 0, 'f', 0)
+                      .arg(frames));
 }

@@ -16,7 +16,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kStatus = 25;   // REALTIME_DATA_4
+constexpr int kStatus = 25;  // REALTIME_DATA_4
 
 /// Hears frames after they are in the store: how long that took since their bytes were read.
 class Watch final : public FrameListener
@@ -58,14 +58,16 @@ QMap<QString, double> threadTimes()
             continue;
         const QByteArray text = stat.readAll();
         const qsizetype close = text.lastIndexOf(')');
-        const QString name = QString::fromUtf8(text.mid(text.indexOf('(') + 1, close - text.indexOf('(') - 1));
+        const QString name
+            = QString::fromUtf8(text.mid(text.indexOf('(') + 1, close - text.indexOf('(') - 1));
         const QList<QByteArray> fields = text.mid(close + 2).split(' ');
-        times[name] += (fields.value(11).toDouble() + fields.value(12).toDouble()) * 1000.0 / double(::sysconf(_SC_CLK_TCK));
+        times[name] += (fields.value(11).toDouble() + fields.value(12).toDouble()) * 1000.0
+            / double(::sysconf(_SC_CLK_TCK));
     }
     return times;
 }
 
-} // namespace
+}  // namespace
 
 void benchEndToEnd(Report &report, int seconds)
 {
@@ -114,20 +116,25 @@ void benchEndToEnd(Report &report, int seconds)
     const quint64 heard = watch.frames();
     rig.client().removeListener(watch);
     const TelemetryStore &store = *rig.client().telemetry();
-    const QString what = u"%1 s, %2 series, REALTIME_DATA_4 at 1250/s through a pseudo-terminal"_s.arg(seconds).arg(channels.size());
-    report.atMost(u"E2E"_s, u"frames lost, "_s + what, double(sent) - double(heard), 0, {}, u"%1 sent, %2 received, %3 thought lost"_s
-                      .arg(sent).arg(heard).arg(store.lost()));
+    const QString what
+        = u"%1 s, %2 series, REALTIME_DATA_4 at 1250/s through a pseudo-terminal"_s.arg(seconds).arg(
+            channels.size());
+    report.atMost(u"E2E"_s, u"frames lost, "_s + what, double(sent) - double(heard), 0, {},
+                  u"%1 sent, %2 received, %3 thought lost"_s.arg(sent).arg(heard).arg(store.lost()));
     report.atLeast(u"E2E"_s, u"frames/s of the screen"_s, frames, 58, u"/s"_s, u"10 s window"_s);
-    report.atMost(u"E2E"_s, u"latency from byte to store, p99"_s, quantile(watch.latencies(), 0.99), 5, u"ms"_s,
-                  u"median %1 ms"_s.arg(median(watch.latencies()), 0, 'f', 3));
+    report.atMost(u"E2E"_s, u"latency from byte to store, p99"_s, quantile(watch.latencies(), 0.99), 5,
+                  u"ms"_s, u"median %1 ms"_s.arg(median(watch.latencies()), 0, 'f', 3));
     QFile statm(u"/proc/self/statm"_s);
     if (statm.open(QIODevice::ReadOnly)) {
         report.tell(u"end to end: resident memory"_s,
-                    u"%1 MB"_s.arg(statm.readAll().split(' ').value(1).toDouble() * double(::sysconf(_SC_PAGESIZE)) / 1e6, 0, 'f', 0));
+                    u"%1 MB"_s.arg(statm.readAll().split(' ').value(1).toDouble()
+                                       * double(::sysconf(_SC_PAGESIZE)) / 1e6,
+                                   0, 'f', 0));
     }
     for (auto thread = after.begin(); thread != after.end(); ++thread) {
         const double share = (thread.value() - before.value(thread.key())) / elapsed * 100.0;
         if (share >= 0.1)
-            report.tell(u"end to end: share of a core, thread %1"_s.arg(thread.key()), u"%1 %"_s.arg(share, 0, 'f', 1));
+            report.tell(u"end to end: share of a core, thread %1"_s.arg(thread.key()),
+                        u"%1 %"_s.arg(share, 0, 'f', 1));
     }
 }

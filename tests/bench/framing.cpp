@@ -30,9 +30,7 @@ private:
     void step(unsigned byte)
     {
         switch (m_state) {
-        case 0:
-            m_state = byte == '$' ? 1 : 0;
-            return;
+        case 0: m_state = byte == '$' ? 1 : 0; return;
         case 1:
         case 2:
         case 3:
@@ -51,9 +49,7 @@ private:
             m_low = byte;
             m_state = 6;
             return;
-        default:
-            frames += (m_low | byte << 8) == m_crc;
-            m_state = 0;
+        default: frames += (m_low | byte << 8) == m_crc; m_state = 0;
         }
     }
     void crc(unsigned byte, bool first)
@@ -75,9 +71,10 @@ private:
     unsigned m_crc = 0;
 };
 
-} // namespace
+}  // namespace
 
-/// P8 and P9: framing against a byte state machine with bitwise CRC; intact frames recovered among damaged ones.
+/// P8 and P9: framing against a byte state machine with bitwise CRC; intact frames recovered among damaged
+/// ones.
 void benchFraming(Report &report)
 {
     std::mt19937 random(1);
@@ -99,7 +96,8 @@ void benchFraming(Report &report)
         const FrameSink sink = [&frames](const FrameView &) { ++frames; };
         timer.start();
         for (qsizetype at = 0; at < stream.size(); at += kChunk)
-            framer.feed(asBytes(QByteArrayView(stream).sliced(at, std::min(kChunk, stream.size() - at))), sink);
+            framer.feed(asBytes(QByteArrayView(stream).sliced(at, std::min(kChunk, stream.size() - at))),
+                        sink);
         ours.push_back(double(timer.nsecsElapsed()));
         ByteMachine machine;
         timer.restart();
@@ -108,7 +106,8 @@ void benchFraming(Report &report)
         if (machine.frames != frames)
             qFatal("the two framers do not agree");
     }
-    report.atLeast(u"P8"_s, u"framing / byte state machine with bitwise CRC"_s, median(plain) / median(ours), 12, u"times"_s,
+    report.atLeast(u"P8"_s, u"framing / byte state machine with bitwise CRC"_s, median(plain) / median(ours),
+                   12, u"times"_s,
                    u"%1 and %2 GB/s"_s.arg(double(stream.size()) / median(ours), 0, 'f', 2)
                        .arg(double(stream.size()) / median(plain), 0, 'f', 2));
     for (const double damage : {0.01, 0.10}) {
@@ -130,15 +129,18 @@ void benchFraming(Report &report)
             // A frame that was sent, or one that only looks like it?
             const QByteArray raw = toByteArray(frame.raw);
             const qsizetype at = damaged.indexOf(raw, next);
-            const bool sent = raw.size() == kFrame && at >= 0 && at % kFrame == 0 && whole[std::size_t(at / kFrame)];
+            const bool sent
+                = raw.size() == kFrame && at >= 0 && at % kFrame == 0 && whole[std::size_t(at / kFrame)];
             next = sent ? at + kFrame : next;
             (sent ? found : wrong) += 1;
         });
-        report.atLeast(u"P9"_s, u"intact frames recovered at %1 % damage"_s.arg(damage * 100), 100.0 * double(found) / double(intact),
-                       100, u"%"_s, u"%1 intact frames"_s.arg(intact));
+        report.atLeast(u"P9"_s, u"intact frames recovered at %1 % damage"_s.arg(damage * 100),
+                       100.0 * double(found) / double(intact), 100, u"%"_s,
+                       u"%1 intact frames"_s.arg(intact));
         // A 16-bit CRC lets one in 65536 pass by chance.
         const double chance = double(whole.size() - intact) / 65536.0;
-        report.atMost(u"P9"_s, u"damaged frames accepted at %1 %"_s.arg(damage * 100), double(wrong), std::ceil(chance + 3 * std::sqrt(chance)),
-                      u""_s, u"chance alone lets %1 pass"_s.arg(chance, 0, 'f', 2));
+        report.atMost(u"P9"_s, u"damaged frames accepted at %1 %"_s.arg(damage * 100), double(wrong),
+                      std::ceil(chance + 3 * std::sqrt(chance)), u""_s,
+                      u"chance alone lets %1 pass"_s.arg(chance, 0, 'f', 2));
     }
 }

@@ -126,7 +126,9 @@ void benchLoss(Report &report, const QString &path)
     std::ignore = QTest::qWaitFor([&] { return stopped.isFinished(); }, 5000);
     process(300ms);
     const SimProcess::Streams sent = simulator.streams();
-    report.atMost(u"P6"_s, u"frames lost at %1 kB/s, screen blocked 500 of 1000 ms, 10 s"_s.arg(rate * kFrameBytes / 1000.0, 0, 'f', 0),
+    report.atMost(u"P6"_s,
+                  u"frames lost at %1 kB/s, screen blocked 500 of 1000 ms, 10 s"_s.arg(
+                      rate * kFrameBytes / 1000.0, 0, 'f', 0),
                   double(sent.all - counter.frames), 0, {},
                   u"port on the screen's thread: %1 % lost of %2"_s.arg(plain, 0, 'f', 0).arg(sent.all));
     client->removeListener(counter);
@@ -148,7 +150,8 @@ void benchLatency(Report &report, const QString &path)
         const TimePoint start = Clock::now();
         int sent = 0;
         int answered = 0;
-        port.answered = [&] { plain.push_back(seconds(Clock::now() - (start + kDue * ++answered)) * 1000.0); };
+        port.answered
+            = [&] { plain.push_back(seconds(Clock::now() - (start + kDue * ++answered)) * 1000.0); };
         QTimer due;
         due.setTimerType(Qt::PreciseTimer);
         QObject::connect(&due, &QTimer::timeout, &due, [&] {
@@ -162,28 +165,33 @@ void benchLatency(Report &report, const QString &path)
     auto client = connectClient(simulator.address());
     process(500ms);
     screen.start(33);
-    auto job = client->submit<std::vector<double>>([=](Channel &channel, Device &) -> Result<std::vector<double>> {
-        std::vector<double> ms;
-        const TimePoint start = Clock::now();
-        for (int i = 1; i <= kRequests; ++i) {
-            const TimePoint due = start + kDue * i;
-            if (const auto wait = std::chrono::ceil<milliseconds>(due - Clock::now()); wait > 0ms)
-                std::ignore = channel.sleep(wait);
-            const auto reply = channel.transact(replyRequest(CommandId::BoardInfo, {}, CommandId::BoardInfo, 18, 1));
-            if (!reply)
-                return tl::unexpected(reply.error());
-            ms.push_back(seconds(Clock::now() - due) * 1000.0);
-        }
-        return ms;
-    });
+    auto job
+        = client->submit<std::vector<double>>([=](Channel &channel, Device &) -> Result<std::vector<double>> {
+              std::vector<double> ms;
+              const TimePoint start = Clock::now();
+              for (int i = 1; i <= kRequests; ++i) {
+                  const TimePoint due = start + kDue * i;
+                  if (const auto wait = std::chrono::ceil<milliseconds>(due - Clock::now()); wait > 0ms)
+                      std::ignore = channel.sleep(wait);
+                  const auto reply
+                      = channel.transact(replyRequest(CommandId::BoardInfo, {}, CommandId::BoardInfo, 18, 1));
+                  if (!reply)
+                      return tl::unexpected(reply.error());
+                  ms.push_back(seconds(Clock::now() - due) * 1000.0);
+              }
+              return ms;
+          });
     std::ignore = QTest::qWaitFor([&] { return job.isFinished(); }, 20000);
     screen.stop();
     if (!job.result())
         qFatal("requests failed");
     const std::vector<double> ours = *job.result();
-    report.atMost(u"P7"_s, u"request p99, screen busy 28 of 33 ms: own / screen's thread"_s, quantile(ours, 0.99) / quantile(plain, 0.99),
-                  0.5, {}, u"%1 and %2 ms; medians %3 and %4 ms"_s.arg(quantile(ours, 0.99), 0, 'f', 1)
-                      .arg(quantile(plain, 0.99), 0, 'f', 1).arg(median(ours), 0, 'f', 1).arg(median(plain), 0, 'f', 1));
+    report.atMost(u"P7"_s, u"request p99, screen busy 28 of 33 ms: own / screen's thread"_s,
+                  quantile(ours, 0.99) / quantile(plain, 0.99), 0.5, {},
+                  u"%1 and %2 ms; medians %3 and %4 ms"_s.arg(quantile(ours, 0.99), 0, 'f', 1)
+                      .arg(quantile(plain, 0.99), 0, 'f', 1)
+                      .arg(median(ours), 0, 'f', 1)
+                      .arg(median(plain), 0, 'f', 1));
 }
 
 void benchMotorsOff(Report &report, const QString &path)
@@ -210,20 +218,23 @@ void benchMotorsOff(Report &report, const QString &path)
             client->motorsOff();
             while (counter.motorsOff == 0 && Clock::now() - pressed < 1s)
                 std::this_thread::sleep_for(50us);
-            ms.push_back(counter.motorsOff == 0 ? 1000.0
-                                                : seconds(TimePoint(Clock::duration(counter.motorsOff.load())) - pressed) * 1000.0);
+            ms.push_back(counter.motorsOff == 0
+                             ? 1000.0
+                             : seconds(TimePoint(Clock::duration(counter.motorsOff.load())) - pressed)
+                                 * 1000.0);
         }
     });
-    busy(6100ms);   // this is the screen's thread
+    busy(6100ms);  // this is the screen's thread
     button.join();
     client->cancelJobs();
     std::ignore = QTest::qWaitFor([&] { return job.isFinished(); }, 5000);
-    report.atMost(u"P15"_s, u"motors off until its bytes are written, job runs, screen blocked, p99"_s, quantile(ms, 0.99), 20, u"ms"_s,
+    report.atMost(u"P15"_s, u"motors off until its bytes are written, job runs, screen blocked, p99"_s,
+                  quantile(ms, 0.99), 20, u"ms"_s,
                   u"median %1 ms of %2"_s.arg(median(ms), 0, 'f', 2).arg(ms.size()));
     client->removeListener(counter);
 }
 
-} // namespace
+}  // namespace
 
 /// P6, P7, P15: what a busy screen costs the link, against a port on the screen's thread.
 void benchLink(Report &report)

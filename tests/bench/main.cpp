@@ -16,7 +16,9 @@ int main(int argc, char **argv)
     QApplication application(argc, argv);
     QCommandLineParser parser;
     const QCommandLineOption seconds(u"seconds"_s, u"length of the end-to-end run"_s, u"n"_s, u"60"_s);
-    const QCommandLineOption only(u"only"_s, u"framing, plots, paced, link, store, import, spectra, reading, start, end-to-end"_s, u"case"_s);
+    const QCommandLineOption only(
+        u"only"_s, u"framing, plots, paced, link, store, import, spectra, reading, start, end-to-end"_s,
+        u"case"_s);
     const QCommandLineOption rows(u"rows"_s, u"print the rows as plain data"_s);
     parser.addOptions({seconds, only, rows});
     parser.addHelpOption();

@@ -19,7 +19,7 @@ protected:
     }
 };
 
-} // namespace
+}  // namespace
 
 int main(int argc, char **argv)
 {

@@ -39,7 +39,9 @@ const std::array<ChannelSpec, kMostSeries> &table()
 /// A store that is filled as a board would.
 struct Feed
 {
-    explicit Feed(int series, double seconds) : store(std::make_shared<TelemetryStore>(series)), count(series)
+    explicit Feed(int series, double seconds)
+        : store(std::make_shared<TelemetryStore>(series))
+        , count(series)
     {
         QList<int> channels;
         for (int i = 0; i < series; ++i)
@@ -52,7 +54,8 @@ struct Feed
         std::array<float, kMostSeries> row{};
         for (int i = 0; i < rows; ++i, ++next) {
             for (int s = 0; s < count; ++s)
-                row[std::size_t(s)] = float(s + std::sin(double(next) * 0.003 * (s + 1)) + 0.1 * std::sin(double(next)));
+                row[std::size_t(s)]
+                    = float(s + std::sin(double(next) * 0.003 * (s + 1)) + 0.1 * std::sin(double(next)));
             store->append(*group, store->origin() + durationFromSeconds(double(next) / kRate),
                           std::span(row).first(std::size_t(count)));
         }
@@ -74,7 +77,9 @@ void expose()
 /// Our plot on its feed.
 struct Ours
 {
-    Ours(int series, double window) : feed(series, window), view(theme)
+    Ours(int series, double window)
+        : feed(series, window)
+        , view(theme)
     {
         QList<int> channels;
         for (int i = 0; i < series; ++i)
@@ -159,7 +164,7 @@ protected:
     void paintEvent(QPaintEvent *) override { QPainter(this).fillRect(rect(), Qt::white); }
 };
 
-} // namespace
+}  // namespace
 
 /// P1-P3: cost of a frame against QLineSeries, against a longer window, against more series.
 void benchPlots(Report &report)
@@ -181,11 +186,13 @@ void benchPlots(Report &report)
             theirs.push_back(other);
         }
         cost[std::size_t(at)] = median(mine);
-        report.atMost(u"P1"_s, u"our plot / QLineSeries.replace, 12 series, %1 s"_s.arg(window), median(mine) / median(theirs), 0.05, {},
+        report.atMost(u"P1"_s, u"our plot / QLineSeries.replace, 12 series, %1 s"_s.arg(window),
+                      median(mine) / median(theirs), 0.05, {},
                       u"%1 and %2 ms a frame"_s.arg(median(mine), 0, 'f', 2).arg(median(theirs), 0, 'f', 1));
         ++at;
     }
-    report.atMost(u"P2"_s, u"our plot, 600 s / 10 s"_s, cost[1] / cost[0], 1.5, {}, u"%1 ms at 10 s"_s.arg(cost[0], 0, 'f', 2));
+    report.atMost(u"P2"_s, u"our plot, 600 s / 10 s"_s, cost[1] / cost[0], 1.5, {},
+                  u"%1 ms at 10 s"_s.arg(cost[0], 0, 'f', 2));
     std::array<double, 2> bySeries{};
     at = 0;
     for (const int series : {6, 24}) {
@@ -193,7 +200,8 @@ void benchPlots(Report &report)
         expose();
         bySeries[std::size_t(at++)] = costOf(ours);
     }
-    report.atMost(u"P3"_s, u"our plot, 24 / 6 series"_s, bySeries[1] / bySeries[0], 2, {}, u"%1 ms with 6"_s.arg(bySeries[0], 0, 'f', 2));
+    report.atMost(u"P3"_s, u"our plot, 24 / 6 series"_s, bySeries[1] / bySeries[0], 2, {},
+                  u"%1 ms with 6"_s.arg(bySeries[0], 0, 'f', 2));
 }
 
 /// P4: frames a second and share of a core, 12 series, beside a window that only fills itself.
@@ -219,7 +227,7 @@ void benchPacedPlots(Report &report)
     struct Case
     {
         double window;
-        bool every;        // each picture, also where the window moves by less than a pixel from one to the next
+        bool every;  // each picture, also where the window moves by less than a pixel from one to the next
     };
     for (const auto &[window, every] : {Case{1, false}, Case{10, false}, Case{600, true}, Case{600, false}}) {
         Ours ours(12, window);
@@ -255,11 +263,13 @@ void benchPacedPlots(Report &report)
         const double perSecond = paints.count * 1000.0 / kMs;
         // Left to itself, a window of ten minutes is painted ten times a second: it moves by two pixels.
         const int useful = ours.view.usefulRate();
-        const QString what = u"12 series, %1 s%2%3"_s.arg(window).arg(every ? u", each picture painted"_s : QString(), at);
-        report.atLeast(u"P4"_s, u"frames/s, "_s + what, perSecond, every || useful >= 60 ? 58.0 : useful * 58.0 / 60.0, u"/s"_s,
+        const QString what
+            = u"12 series, %1 s%2%3"_s.arg(window).arg(every ? u", each picture painted"_s : QString(), at);
+        report.atLeast(u"P4"_s, u"frames/s, "_s + what, perSecond,
+                       every || useful >= 60 ? 58.0 : useful * 58.0 / 60.0, u"/s"_s,
                        u"%1/s are of use"_s.arg(useful));
         const QString filling = u"filling alone takes %1 %"_s.arg(floor, 0, 'f', 1);
-        if (scale > 1)   // the goal is for 1280x720 pixels
+        if (scale > 1)  // the goal is for 1280x720 pixels
             report.tell(u"share of a core, "_s + what, u"%1 %"_s.arg(share, 0, 'f', 1), filling);
         else
             report.atMost(u"P4"_s, u"share of a core, "_s + what, share, 10, u"%"_s, filling);

@@ -27,7 +27,7 @@ QString number(double value, const QString &unit)
     return (QString::number(value, 'g', 3) + u' ' + unit).trimmed();
 }
 
-} // namespace
+}  // namespace
 
 void Report::add(Row row)
 {
@@ -40,15 +40,21 @@ void Report::atMost(const QString &goal, const QString &what, double value, doub
 {
     const bool bad = !(value <= limit * kTolerance);
     add({goal, what, number(value, unit), u"≤ "_s + number(limit, unit), baseline,
-         bad ? kMissed : value <= limit ? u"reached"_s : u"just missed"_s, bad});
+         bad                  ? kMissed
+             : value <= limit ? u"reached"_s
+                              : u"just missed"_s,
+         bad});
 }
 
-void Report::atLeast(const QString &goal, const QString &what, double value, double limit, const QString &unit,
-                     const QString &baseline)
+void Report::atLeast(const QString &goal, const QString &what, double value, double limit,
+                     const QString &unit, const QString &baseline)
 {
     const bool bad = !(value >= limit / kTolerance);
     add({goal, what, number(value, unit), u"≥ "_s + number(limit, unit), baseline,
-         bad ? kMissed : value >= limit ? u"reached"_s : u"just missed"_s, bad});
+         bad                  ? kMissed
+             : value >= limit ? u"reached"_s
+                              : u"just missed"_s,
+         bad});
 }
 
 void Report::tell(const QString &what, const QString &value, const QString &baseline)
@@ -72,10 +78,12 @@ void Report::print(QTextStream &out) const
         limit = std::max(limit, row.limit.size());
     }
     out << "\nGoal  " << u"What"_s.leftJustified(what) << "  " << u"Value"_s.leftJustified(value) << "  "
-        << u"Limit"_s.leftJustified(limit) << "  " << u"Verdict"_s.leftJustified(11) << "  Baseline in the same run\n";
+        << u"Limit"_s.leftJustified(limit) << "  " << u"Verdict"_s.leftJustified(11)
+        << "  Baseline in the same run\n";
     for (const Row &row : m_rows) {
-        out << row.goal.leftJustified(4) << "  " << row.what.leftJustified(what) << "  " << row.value.leftJustified(value) << "  "
-            << row.limit.leftJustified(limit) << "  " << row.verdict.leftJustified(11) << "  " << row.baseline << '\n';
+        out << row.goal.leftJustified(4) << "  " << row.what.leftJustified(what) << "  "
+            << row.value.leftJustified(value) << "  " << row.limit.leftJustified(limit) << "  "
+            << row.verdict.leftJustified(11) << "  " << row.baseline << '\n';
     }
     out.flush();
 }
@@ -83,7 +91,8 @@ void Report::print(QTextStream &out) const
 void Report::printRows(QTextStream &out) const
 {
     for (const Row &row : m_rows)
-        out << QStringList{row.goal, row.what, row.value, row.limit, row.baseline, row.verdict}.join(u'\t') << '\n';
+        out << QStringList{row.goal, row.what, row.value, row.limit, row.baseline, row.verdict}.join(u'\t')
+            << '\n';
     out.flush();
 }
 

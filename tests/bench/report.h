@@ -13,9 +13,10 @@
 class Report
 {
 public:
-    /// A value that must not be greater than its limit, or not smaller. Past the limit by 15 % is a failure; machines are
-    /// noisy. @param baseline what it was measured against, in words
-    void atMost(const QString &goal, const QString &what, double value, double limit, const QString &unit, const QString &baseline);
+    /// A value that must not be greater than its limit, or not smaller. Past the limit by 15 % is a failure;
+    /// machines are noisy. @param baseline what it was measured against, in words
+    void atMost(const QString &goal, const QString &what, double value, double limit, const QString &unit,
+                const QString &baseline);
     void atLeast(const QString &goal, const QString &what, double value, double limit, const QString &unit,
                  const QString &baseline);
     /// A figure without a limit.

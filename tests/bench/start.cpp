@@ -23,7 +23,8 @@ double startOf(const QString &program)
     timer.start();
     process.start(program, QStringList());
     QByteArray output;
-    while (!output.contains("first paint") && process.state() != QProcess::NotRunning && process.waitForReadyRead(10000))
+    while (!output.contains("first paint") && process.state() != QProcess::NotRunning
+           && process.waitForReadyRead(10000))
         output += process.readAll();
     const double ms = double(timer.nsecsElapsed()) / 1e6;
     process.kill();
@@ -31,7 +32,7 @@ double startOf(const QString &program)
     return ms;
 }
 
-} // namespace
+}  // namespace
 
 /// P12: start to first paint of the main window against a minimal Qt window, interleaved.
 void benchStart(Report &report)

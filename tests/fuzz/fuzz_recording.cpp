@@ -3,8 +3,8 @@
 #include "app/composition/composition.h"
 #include "protocol/record/replaystore.h"
 
-// A recording from anywhere: read, then decoded as a recording of each family. With an intact checksum in front of it any
-// content gets further, so each input is also tried as the pieces of a sound file.
+// A recording from anywhere: read, then decoded as a recording of each family. With an intact checksum in
+// front of it any content gets further, so each input is also tried as the pieces of a sound file.
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char *data, std::size_t size)
 {
     const QByteArray bytes(reinterpret_cast<const char *>(data), qsizetype(size));
@@ -15,7 +15,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char *data, std::size_t siz
     qint64 at = 0;
     for (const QByteArray &part : bytes.split('\n')) {
         if (!part.isEmpty())
-            pieces.pieces.push_back({RecordedPiece::Kind(1 + quint8(part[0]) % 3), at += 800'000, part.mid(1)});
+            pieces.pieces.push_back(
+                {RecordedPiece::Kind(1 + quint8(part[0]) % 3), at += 800'000, part.mid(1)});
     }
     (void)readTelemetry(pieces, *device);
     return 0;

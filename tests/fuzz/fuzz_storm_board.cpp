@@ -9,8 +9,8 @@
 
 using namespace storm32;
 
-// Commands of all three sets with any payload, and bytes that are none, against the simulated board; its answers through our
-// framer.
+// Commands of all three sets with any payload, and bytes that are none, against the simulated board; its
+// answers through our framer.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
     if (size < 1)

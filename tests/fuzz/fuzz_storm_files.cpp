@@ -4,8 +4,8 @@
 #include "protocol/storm32/stormfiles.h"
 #include "protocol/storm32/stormlanguage.h"
 
-// Files of the original program, and texts of scripts. What was read can be written and read again; what compiles can be
-// shown, and what is shown compiles to the same.
+// Files of the original program, and texts of scripts. What was read can be written and read again; what
+// compiles can be shown, and what is shown compiles to the same.
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char *data, std::size_t size)
 {
     const QByteArray bytes(reinterpret_cast<const char *>(data), qsizetype(size));
@@ -21,7 +21,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char *data, std::size_t siz
             __builtin_trap();
     }
     static const Configuration board = [] {
-        const auto set = std::make_shared<ParameterSet>(storm32::parameterRows(), storm32::blocksOf(95), 95, Capabilities());
+        const auto set = std::make_shared<ParameterSet>(storm32::parameterRows(), storm32::blocksOf(95), 95,
+                                                        Capabilities());
         Configuration made(BoardIdentity{}, set);
         made.setBlock({0, storm32::Scripts}, QByteArray(storm32::kScriptArea, char(0xFF)));
         return made;
@@ -35,7 +36,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char *data, std::size_t siz
             __builtin_trap();
     }
     Configuration any = board;
-    any.setBlock({0, storm32::Scripts}, bytes.left(storm32::kScriptArea).leftJustified(storm32::kScriptArea, '\0'));
+    any.setBlock({0, storm32::Scripts},
+                 bytes.left(storm32::kScriptArea).leftJustified(storm32::kScriptArea, '\0'));
     for (int script = 0; script < language->count(); ++script)
         std::ignore = language->text(any, script);
     return 0;

@@ -30,7 +30,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     std::size_t round = 0;
     for (std::size_t at = 0; at < bytes.size(); at += chunk, ++round) {
         if (round % 5 == 0) {
-            const auto id = static_cast<storm32::Simple>((question + round) % unsigned(storm32::Simple::Count));
+            const auto id
+                = static_cast<storm32::Simple>((question + round) % unsigned(storm32::Simple::Count));
             framer.sent(asBytes(storm32::encodeSimple(id)));
         } else if (round % 7 == 3) {
             framer.sent(asBytes(storm32::encodeRc(int(question), {})));

@@ -54,17 +54,19 @@ QString clippedText(const QWidget *widget)
     if (const auto *box = qobject_cast<const QComboBox *>(widget)) {
         if (box->isEditable() || box->toolTip().contains(box->currentText()))
             return {};
-        return box->fontMetrics().horizontalAdvance(box->currentText()) > box->width() - 30 && !box->currentText().isEmpty()
-            && box->sizeAdjustPolicy() != QComboBox::AdjustToMinimumContentsLengthWithIcon
-            ? box->currentText() : QString();
+        return box->fontMetrics().horizontalAdvance(box->currentText()) > box->width() - 30
+                && !box->currentText().isEmpty()
+                && box->sizeAdjustPolicy() != QComboBox::AdjustToMinimumContentsLengthWithIcon
+            ? box->currentText()
+            : QString();
     }
     return {};
 }
 
-} // namespace
+}  // namespace
 
-/// What every page has to be whatever is on it: readable in every language at the smallest size, reachable by the keyboard
-/// alone, named for those who do not see it.
+/// What every page has to be whatever is on it: readable in every language at the smallest size, reachable by
+/// the keyboard alone, named for those who do not see it.
 class TestLooks : public QObject
 {
     Q_OBJECT
@@ -100,14 +102,17 @@ void TestLooks::nothingIsClipped()
     WindowRig rig;
     rig.window().resize(rig.window().minimumSize());
     const auto check = [&rig](const QString &where) {
-        QTest::qWait(60);   // layouts settle
-        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);   // of a text that has changed just now, too
+        QTest::qWait(60);  // layouts settle
+        QCoreApplication::sendPostedEvents(
+            nullptr, QEvent::LayoutRequest);  // of a text that has changed just now, too
         for (const QWidget *widget : rig.window().findChildren<QWidget *>()) {
             if (!widget->isVisible() || widget->visibleRegion().isEmpty())
                 continue;
             const QString text = clippedText(widget);
-            QVERIFY2(text.isEmpty(), qPrintable(u"%1: \"%2\" has %3 px in %4"_s.arg(where, text).arg(widget->width())
-                                                    .arg(pathOf(widget))));
+            QVERIFY2(text.isEmpty(),
+                     qPrintable(u"%1: \"%2\" has %3 px in %4"_s.arg(where, text)
+                                    .arg(widget->width())
+                                    .arg(pathOf(widget))));
         }
     };
     check(u"start"_s);
@@ -117,10 +122,12 @@ void TestLooks::nothingIsClipped()
     for (const PageEntry &entry : pageTable()) {
         rig.window().showPage(QLatin1String(entry.key));
         check(QLatin1String(entry.key));
-        QVERIFY2(rig.window().width() == rig.window().minimumWidth(), entry.key);   // no page forces the window wider
+        QVERIFY2(rig.window().width() == rig.window().minimumWidth(),
+                 entry.key);  // no page forces the window wider
         const QWidget *page = rig.window().page(QLatin1String(entry.key));
         QVERIFY2(page->minimumSizeHint().width() <= page->width(),
-                 qPrintable(u"%1 needs %2 px of %3"_s.arg(QLatin1String(entry.key)).arg(page->minimumSizeHint().width())
+                 qPrintable(u"%1 needs %2 px of %3"_s.arg(QLatin1String(entry.key))
+                                .arg(page->minimumSizeHint().width())
                                 .arg(page->width())));
     }
     for (const auto kind : {CalibrationPage::Kind::Gyroscope, CalibrationPage::Kind::Level,
@@ -173,7 +180,8 @@ void TestLooks::keyboardReachesEverything_data()
     addPages();
 }
 
-// Tab goes through everything that takes the focus and comes back to where it began: no trap, nothing left out.
+// Tab goes through everything that takes the focus and comes back to where it began: no trap, nothing left
+// out.
 void TestLooks::keyboardReachesEverything()
 {
     QFETCH(QString, page);
@@ -197,8 +205,9 @@ void TestLooks::keyboardReachesEverything()
     }
     QCOMPARE(QApplication::focusWidget(), first);
     for (QWidget *widget : rig.window().findChildren<QWidget *>()) {
-        if (!(widget->focusPolicy() & Qt::TabFocus) || !widget->isVisible() || !widget->isEnabled() || widget->focusProxy()
-            || widget->objectName().startsWith(u"qt_"_s) || qobject_cast<QScrollArea *>(widget))
+        if (!(widget->focusPolicy() & Qt::TabFocus) || !widget->isVisible() || !widget->isEnabled()
+            || widget->focusProxy() || widget->objectName().startsWith(u"qt_"_s)
+            || qobject_cast<QScrollArea *>(widget))
             continue;
         // The line inside an editable box or a number box is reached with its box.
         bool inside = false;
@@ -221,15 +230,15 @@ void TestLooks::focusIsSeen()
         for (QWidget *widget : rig.window().page(QLatin1String(entry.key))->findChildren<QWidget *>()) {
             const QString kind = QString::fromLatin1(widget->metaObject()->className());
             if (!(widget->focusPolicy() & Qt::TabFocus) || !widget->isVisible() || !widget->isEnabled()
-                || widget->visibleRegion().isEmpty() || kinds.contains(kind) || qobject_cast<QScrollArea *>(widget)
-                || widget->objectName().startsWith(u"qt_"_s))
+                || widget->visibleRegion().isEmpty() || kinds.contains(kind)
+                || qobject_cast<QScrollArea *>(widget) || widget->objectName().startsWith(u"qt_"_s))
                 continue;
             kinds.insert(kind);
             rig.window().navigation()->setFocus();
             const QImage without = widget->grab().toImage();
             widget->setFocus(Qt::TabFocusReason);
             if (QApplication::focusWidget() != widget)
-                continue;   // a box hands it on to its line
+                continue;  // a box hands it on to its line
             QVERIFY2(widget->grab().toImage() != without, qPrintable(kind + u" in "_s + pathOf(widget)));
         }
     }
@@ -251,9 +260,10 @@ void TestLooks::accessibilityTreeHasNames()
                 continue;
             const QAccessible::State state = item->state();
             const auto role = item->role();
-            const bool isControl = role == QAccessible::Button || role == QAccessible::CheckBox || role == QAccessible::ComboBox
-                || role == QAccessible::EditableText || role == QAccessible::SpinBox || role == QAccessible::Slider
-                || role == QAccessible::List || role == QAccessible::Table || role == QAccessible::Tree;
+            const bool isControl = role == QAccessible::Button || role == QAccessible::CheckBox
+                || role == QAccessible::ComboBox || role == QAccessible::EditableText
+                || role == QAccessible::SpinBox || role == QAccessible::Slider || role == QAccessible::List
+                || role == QAccessible::Table || role == QAccessible::Tree;
             if (isControl && !state.invisible && state.focusable) {
                 ++seen;
                 const auto *widget = qobject_cast<QWidget *>(item->object());
@@ -261,10 +271,15 @@ void TestLooks::accessibilityTreeHasNames()
                 // The line of a box takes its name from the box.
                 const QAccessibleInterface *parent = item->parent();
                 const QString name = item->text(QAccessible::Name)
-                    + (parent && (parent->role() == QAccessible::ComboBox || parent->role() == QAccessible::SpinBox)
-                           ? parent->text(QAccessible::Name) : QString());
-                QVERIFY2(inner || !name.isEmpty(), qPrintable(u"%1, role %2, in %3"_s.arg(QLatin1String(entry.key)).arg(int(role))
-                                                         .arg(widget ? pathOf(widget) : QString())));
+                    + (parent
+                               && (parent->role() == QAccessible::ComboBox
+                                   || parent->role() == QAccessible::SpinBox)
+                           ? parent->text(QAccessible::Name)
+                           : QString());
+                QVERIFY2(inner || !name.isEmpty(),
+                         qPrintable(u"%1, role %2, in %3"_s.arg(QLatin1String(entry.key))
+                                        .arg(int(role))
+                                        .arg(widget ? pathOf(widget) : QString())));
             }
             // Rows of tables are many; their names are their texts.
             if (role == QAccessible::Table || role == QAccessible::Tree || role == QAccessible::List)

@@ -18,8 +18,8 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
-#include <QLineEdit>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QScrollArea>
@@ -49,7 +49,7 @@ QSet<QRgb> colorsOf(const QImage &image)
     return colors;
 }
 
-} // namespace
+}  // namespace
 
 /// The operator's job in the real window on simulated boards.
 class TestMainWindow : public QObject
@@ -92,17 +92,13 @@ private:
     bool open(const QString &address = u"sim:simplebgc"_s) { return m_rig->open(address); }
     ConfigurationModel &model() { return m_rig->model(); }
     DeviceClient &client() { return m_rig->client(); }
-    template<typename P>
-    P *page()
-    {
-        return m_rig->page<P>();
-    }
+    template <typename P> P *page() { return m_rig->page<P>(); }
     int raw(const QString &key, int profile = 0) { return m_rig->raw(key, profile); }
     QString filePath(const QString &name) { return m_rig->filePath(name); }
     QDoubleSpinBox *numberBox(const QString &key)
     {
         auto *parameters = page<ParametersPage>();
-        QTest::qWait(20);   // the page gets its size, and the form its columns
+        QTest::qWait(20);  // the page gets its size, and the form its columns
         parameters->showParameter(key);
         return parameters->form()->findChild<QDoubleSpinBox *>(key);
     }
@@ -222,7 +218,7 @@ void TestMainWindow::untickedChangesStayUnsaved()
     QTRY_VERIFY(m_window->reviewDialog());
     QAbstractItemModel *changes = m_window->reviewDialog()->table()->model();
     QCOMPARE(changes->rowCount(), 2);
-    QVERIFY(changes->setData(changes->index(0, 0), Qt::Unchecked, Qt::CheckStateRole));   // the risky one
+    QVERIFY(changes->setData(changes->index(0, 0), Qt::Unchecked, Qt::CheckStateRole));  // the risky one
     QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
     m_window->reviewDialog()->accept();
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 15000);
@@ -252,7 +248,7 @@ void TestMainWindow::clickThenTypeReplacesTheNumber()
     QDoubleSpinBox *box = numberBox(u"pid.roll.p"_s);
     auto *line = box->findChild<QLineEdit *>();
     QVERIFY(line);
-    QTRY_COMPARE(line->selectedText(), line->text());   // pointed at by the program
+    QTRY_COMPARE(line->selectedText(), line->text());  // pointed at by the program
     numberBox(u"pid.roll.d"_s)->setFocus();
     QTest::mouseClick(line, Qt::LeftButton, {}, QPoint(line->width() - 4, line->height() - 1));
     QTRY_COMPARE(line->selectedText(), line->text());
@@ -287,7 +283,8 @@ void TestMainWindow::profileSwitch()
     QTRY_COMPARE_WITH_TIMEOUT(model().board().activeProfile(), 1, 10000);
     QCOMPARE(numberBox(u"pid.roll.p"_s)->value(), 45.0);
     // The board really changed: its telemetry says so.
-    QTRY_COMPARE_WITH_TIMEOUT(m_window->workspace().latest(m_window->workspace().roles().activeProfile), 1.0, 5000);
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->workspace().latest(m_window->workspace().roles().activeProfile), 1.0,
+                              5000);
 }
 
 void TestMainWindow::motorsOffByMouse()
@@ -326,7 +323,7 @@ void TestMainWindow::searchAndFilters()
     parameters->search()->setText(u"no such thing"_s);
     QCOMPARE(parameters->form()->count(), 0);
     parameters->search()->clear();
-    chips[0]->setChecked(true);   // changed
+    chips[0]->setChecked(true);  // changed
     QCOMPARE(parameters->form()->count(), 0);
     const ParameterSpec *spec = model().edited().parameters().find(u"battery.alarm"_s);
     QVERIFY(m_window->workspace().edits().edit(spec->id, 0, 1100));
@@ -334,7 +331,7 @@ void TestMainWindow::searchAndFilters()
     chips[0]->setChecked(true);
     QCOMPARE(parameters->form()->count(), 1);
     chips[0]->setChecked(false);
-    chips[2]->setChecked(true);   // risk class
+    chips[2]->setChecked(true);  // risk class
     QVERIFY(parameters->form()->count() > 20);
 }
 
@@ -382,7 +379,8 @@ void TestMainWindow::nothingIsCutAtTheSmallestSize()
             const int right = editor->mapTo(m_window, QPoint(editor->width(), 0)).x();
             const QWidget *view = parameters->form()->parentWidget()->parentWidget();
             const int edge = view->mapTo(m_window, QPoint(view->width(), 0)).x();
-            QVERIFY2(right <= edge, qPrintable(u"%1: %2 > %3"_s.arg(groups->item(i)->text()).arg(right).arg(edge)));
+            QVERIFY2(right <= edge,
+                     qPrintable(u"%1: %2 > %3"_s.arg(groups->item(i)->text()).arg(right).arg(edge)));
         }
     }
 }
@@ -392,15 +390,17 @@ void TestMainWindow::monitorDrawsTraces()
     QVERIFY(open());
     auto *monitor = page<MonitorPage>();
     QTRY_VERIFY_WITH_TIMEOUT(client().telemetryPlan().rate == 1250.0, 5000);
-    QCOMPARE(monitor->plots().size(), 2);   // degrees, and degrees per second
+    QCOMPARE(monitor->plots().size(), 2);  // degrees, and degrees per second
     // The colours of all three axes are in the picture once samples have come.
-    QTRY_VERIFY_WITH_TIMEOUT([&] {
-        const QSet<QRgb> colors = colorsOf(monitor->plots().last()->grab().toImage());
-        int found = 0;
-        for (const Axis axis : kAxes)
-            found += colors.contains(m_rig->theme().axisColor(axis).rgb());
-        return found == 3;
-    }(), 8000);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        [&] {
+            const QSet<QRgb> colors = colorsOf(monitor->plots().last()->grab().toImage());
+            int found = 0;
+            for (const Axis axis : kAxes)
+                found += colors.contains(m_rig->theme().axisColor(axis).rgb());
+            return found == 3;
+        }(),
+        8000);
     // Ticking another unit makes another plot; the stream is arranged anew.
     QList<int> ticked = monitor->channels().ticked();
     ticked.append(findChannel(client().device()->channels(), u"acc.x"_s));
@@ -429,13 +429,15 @@ void TestMainWindow::dashboardShowsFaults()
 {
     QVERIFY(open(u"sim:simplebgc?fault=no-imu=1,battery=9"_s));
     auto *dashboard = page<DashboardPage>();
-    QTRY_VERIFY_WITH_TIMEOUT([&] {
-        QString text;
-        for (const QLabel *label : dashboard->findChildren<QLabel *>())
-            text += label->text();
-        return text.contains(u"No IMU"_s) && text.contains(u"Check the sensor cable"_s)
-            && text.contains(u"Battery is empty"_s);
-    }(), 8000);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        [&] {
+            QString text;
+            for (const QLabel *label : dashboard->findChildren<QLabel *>())
+                text += label->text();
+            return text.contains(u"No IMU"_s) && text.contains(u"Check the sensor cable"_s)
+                && text.contains(u"Battery is empty"_s);
+        }(),
+        8000);
 }
 
 void TestMainWindow::readOnlyBoardCannotBeEdited()
@@ -445,7 +447,7 @@ void TestMainWindow::readOnlyBoardCannotBeEdited()
     QVERIFY(m_window->messageBar()->text().contains(u"reading only"_s));
     QDoubleSpinBox *box = numberBox(u"pid.roll.p"_s);
     QVERIFY(!box->isEnabled());
-    QCOMPARE(raw(u"pid.roll.p"_s), 35);   // shown all the same
+    QCOMPARE(raw(u"pid.roll.p"_s), 35);  // shown all the same
 }
 
 void TestMainWindow::unplugKeepsEdits()
@@ -470,8 +472,8 @@ void TestMainWindow::interruptedWriteIsFinishedAfterReconnecting()
     SimProcess simulator({u"--pty"_s, path, u"--fault"_s, u"reset-on-write=2"_s});
     QVERIFY(open(u"serial:"_s + path));
     for (int profile = 0; profile < 4; ++profile)
-        QVERIFY(m_window->workspace().edits().edit(model().edited().parameters().find(u"pid.roll.p"_s)->id, profile,
-                                                   80 + profile));
+        QVERIFY(m_window->workspace().edits().edit(model().edited().parameters().find(u"pid.roll.p"_s)->id,
+                                                   profile, 80 + profile));
     QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
     m_window->workspace().write(model().edited());
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 20000);
@@ -498,11 +500,12 @@ void TestMainWindow::conflictIsTold()
     QVERIFY(open(simulator.address()));
     QCOMPARE(raw(u"pid.roll.p"_s), 35);
     numberBox(u"pid.roll.p"_s)->setValue(60);
-    QTest::qWait(5200);   // the simulator's own clock: somebody else changes the value
+    QTest::qWait(5200);  // the simulator's own clock: somebody else changes the value
     QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
     m_window->workspace().write(model().edited());
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 15000);
-    QVERIFY2(m_window->messageBar()->text().contains(u"Somebody else"_s), qPrintable(m_window->messageBar()->text()));
+    QVERIFY2(m_window->messageBar()->text().contains(u"Somebody else"_s),
+             qPrintable(m_window->messageBar()->text()));
     // It is read anew: the board's 45 shows against our 60.
     QTRY_COMPARE_WITH_TIMEOUT(raw(u"pid.roll.p"_s), 45, 10000);
     QCOMPARE(model().changeCount(), 1);
@@ -520,8 +523,8 @@ void TestMainWindow::everyControlHasAName()
 void TestMainWindow::checkNames(QWidget *root)
 {
     for (QWidget *widget : root->findChildren<QWidget *>()) {
-        if (widget->focusPolicy() == Qt::NoFocus || !widget->isVisible() || qobject_cast<QScrollArea *>(widget)
-            || widget->objectName().startsWith(u"qt_"_s))
+        if (widget->focusPolicy() == Qt::NoFocus || !widget->isVisible()
+            || qobject_cast<QScrollArea *>(widget) || widget->objectName().startsWith(u"qt_"_s))
             continue;
         QString name = widget->accessibleName();
         if (auto *button = qobject_cast<QAbstractButton *>(widget))
@@ -530,9 +533,10 @@ void TestMainWindow::checkNames(QWidget *root)
             name += label->text().isEmpty() ? u"(text)"_s : label->text();
         if (auto *line = qobject_cast<QLineEdit *>(widget))
             name += line->parentWidget()->accessibleName();
-        QVERIFY2(!name.isEmpty(), qPrintable(QString::fromLatin1(widget->metaObject()->className()) + u" in "_s
-                                             + QString::fromLatin1(widget->parentWidget()->metaObject()->className())
-                                             + u' ' + widget->objectName()));
+        QVERIFY2(!name.isEmpty(),
+                 qPrintable(QString::fromLatin1(widget->metaObject()->className()) + u" in "_s
+                            + QString::fromLatin1(widget->parentWidget()->metaObject()->className()) + u' '
+                            + widget->objectName()));
     }
 }
 
@@ -549,10 +553,11 @@ void TestMainWindow::contrastIsEnough()
     Theme theme;
     theme.setMode(Theme::Mode(mode));
     for (const ColorRole ground : {ColorRole::Background, ColorRole::Surface, ColorRole::SurfaceRaised}) {
-        for (const ColorRole text : {ColorRole::Text, ColorRole::Muted, ColorRole::Changed, ColorRole::Warning,
-                                     ColorRole::Danger, ColorRole::Ok}) {
+        for (const ColorRole text : {ColorRole::Text, ColorRole::Muted, ColorRole::Changed,
+                                     ColorRole::Warning, ColorRole::Danger, ColorRole::Ok}) {
             const double ratio = textContrast(theme, text, ground);
-            QVERIFY2(ratio >= 4.5, qPrintable(u"role %1 on %2: %3"_s.arg(int(text)).arg(int(ground)).arg(ratio)));
+            QVERIFY2(ratio >= 4.5,
+                     qPrintable(u"role %1 on %2: %3"_s.arg(int(text)).arg(int(ground)).arg(ratio)));
         }
     }
     QVERIFY(textContrast(theme, ColorRole::AccentText, ColorRole::Accent) >= 4.5);
@@ -567,13 +572,17 @@ void TestMainWindow::tourMakesEveryPicture_data()
 {
     QTest::addColumn<bool>("everything");
     QTest::addColumn<QStringList>("names");
-    const QStringList pages{u"start"_s,  u"dashboard"_s, u"parameters"_s, u"monitor"_s, u"review"_s,  u"written"_s, u"profiles"_s,
-                            u"backups"_s, u"calibration"_s, u"calibration-six"_s, u"tuning"_s, u"variables"_s, u"control"_s,
-                            u"actions"_s, u"console"_s, u"settings"_s, u"help"_s, u"palette"_s};
+    const QStringList pages{
+        u"start"_s,    u"dashboard"_s, u"parameters"_s,  u"monitor"_s,         u"review"_s, u"written"_s,
+        u"profiles"_s, u"backups"_s,   u"calibration"_s, u"calibration-six"_s, u"tuning"_s, u"variables"_s,
+        u"control"_s,  u"actions"_s,   u"console"_s,     u"settings"_s,        u"help"_s,   u"palette"_s};
     QTest::newRow("pages") << false << pages;
-    QTest::newRow("everything") << true << (pages + QStringList{
-        u"debug"_s, u"calibration-waiting"_s, u"calibration-measuring"_s, u"calibration-result"_s, u"autotune-ready"_s,
-        u"autotune-running"_s, u"autotune"_s, u"offer"_s, u"quit"_s});
+    QTest::newRow("everything") << true
+                                << (pages
+                                    + QStringList{u"debug"_s, u"calibration-waiting"_s,
+                                                  u"calibration-measuring"_s, u"calibration-result"_s,
+                                                  u"autotune-ready"_s, u"autotune-running"_s, u"autotune"_s,
+                                                  u"offer"_s, u"quit"_s});
 }
 
 void TestMainWindow::tourMakesEveryPicture()
@@ -581,7 +590,8 @@ void TestMainWindow::tourMakesEveryPicture()
     QFETCH(bool, everything);
     QFETCH(QStringList, names);
     const QString folder = filePath(u"tour"_s);
-    Tour tour(*m_window, folder, u"-light"_s, everything ? Tour::Extent::Everything : Tour::Extent::Pages, u"simplebgc"_s);
+    Tour tour(*m_window, folder, u"-light"_s, everything ? Tour::Extent::Everything : Tour::Extent::Pages,
+              u"simplebgc"_s);
     QSignalSpy finished(&tour, &Tour::finished);
     tour.start();
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 240000);
@@ -592,7 +602,7 @@ void TestMainWindow::tourMakesEveryPicture()
         QVERIFY2(pictures.contains(path), qPrintable(name));
         const QImage image(path);
         QVERIFY(!image.isNull());
-        QVERIFY2(colorsOf(image).size() > 8, qPrintable(name));   // not blank
+        QVERIFY2(colorsOf(image).size() > 8, qPrintable(name));  // not blank
     }
 }
 

@@ -67,7 +67,7 @@ void TestMonitor::spectrumFindsTheResonance()
     auto *page = m_rig->page<SpectrumPage>();
     QVERIFY(page);
     QTRY_COMPARE_WITH_TIMEOUT(page->chart()->curveCount(), 3, 10000);
-    QCOMPARE(page->chart()->highestFrequency(), 625.0);   // half the rate, not a hertz more
+    QCOMPARE(page->chart()->highestFrequency(), 625.0);  // half the rate, not a hertz more
     // Gains that make the structure ring show where it rings.
     auto set = m_rig->client().submit<bool>([](Channel &channel, Device &device) -> Result<bool> {
         std::vector<AdjustableValue> values;
@@ -86,7 +86,8 @@ void TestMonitor::spectrumFindsTheResonance()
     const auto rollPeakAt = [page, resonance] {
         for (int row = 0; row < page->peaks()->rowCount(); ++row) {
             const double hz = page->peaks()->item(row, 1)->text().section(u' ', 0, 0).toDouble();
-            if (page->peaks()->item(row, 0)->text() == axisLabel(Axis::Roll) && std::abs(hz / resonance - 1.0) < 0.2)
+            if (page->peaks()->item(row, 0)->text() == axisLabel(Axis::Roll)
+                && std::abs(hz / resonance - 1.0) < 0.2)
                 return true;
         }
         return false;
@@ -115,7 +116,9 @@ void TestMonitor::peakBecomesANotch()
     QVERIFY(page->notchButton()->isEnabled());
     const QString axis = page->peaks()->item(0, 0)->text();
     const double hz = page->peaks()->item(0, 1)->text().section(u' ', 0, 0).toDouble();
-    const QString key = axis == axisLabel(Axis::Roll) ? u"roll"_s : axis == axisLabel(Axis::Pitch) ? u"pitch"_s : u"yaw"_s;
+    const QString key = axis == axisLabel(Axis::Roll) ? u"roll"_s
+        : axis == axisLabel(Axis::Pitch)              ? u"pitch"_s
+                                                      : u"yaw"_s;
     const auto edited = [&](const QString &name) {
         const ParameterSpec &spec = m_rig->spec(u"filter."_s + key + u'.' + name);
         return spec.toDisplay(std::as_const(m_rig->model()).edited().raw(spec, 0).value());
@@ -131,7 +134,7 @@ void TestMonitor::peakBecomesANotch()
     QTRY_VERIFY(page->notchQuestion());
     QTest::keyClick(page->notchQuestion(), Qt::Key_Return);
     QTRY_VERIFY(m_rig->model().changeCount() > 0);
-    QVERIFY(std::abs(edited(u"notch1.frequency"_s) - hz) <= 1.1);   // the board counts in steps of two
+    QVERIFY(std::abs(edited(u"notch1.frequency"_s) - hz) <= 1.1);  // the board counts in steps of two
     QVERIFY(edited(u"notch1.width"_s) >= hz / 4 - 1);
     QCOMPARE(edited(u"notch1.gain"_s), 20.0);
     QCOMPARE(int(edited(u"enabled"_s)) & 1, 1);
@@ -166,7 +169,8 @@ void TestMonitor::notchTakesTheResonanceAway()
     const auto strength = [&] {
         for (row = 0; row < page->peaks()->rowCount(); ++row) {
             const double hz = page->peaks()->item(row, 1)->text().section(u' ', 0, 0).toDouble();
-            if (page->peaks()->item(row, 0)->text() == axisLabel(Axis::Roll) && std::abs(hz / resonance - 1.0) < 0.2)
+            if (page->peaks()->item(row, 0)->text() == axisLabel(Axis::Roll)
+                && std::abs(hz / resonance - 1.0) < 0.2)
                 return page->peaks()->item(row, 2)->text().section(u' ', 0, 0).toDouble();
         }
         return 0.0;
@@ -216,7 +220,8 @@ void TestMonitor::recordingsFromTheScreen()
     m_rig->client().disconnectFromBoard();
     for (const QString &file : {now, past}) {
         m_rig->window().openFile(file);
-        QVERIFY(QTest::qWaitFor([this] { return m_rig->client().isConnected() && !m_rig->model().isEmpty(); }, 15000));
+        QVERIFY(QTest::qWaitFor([this] { return m_rig->client().isConnected() && !m_rig->model().isEmpty(); },
+                                15000));
         QCOMPARE(m_rig->raw(u"pid.roll.p"_s), 35);
         QVERIFY(!m_rig->client().identity().writable);
         m_rig->window().showPage(u"monitor"_s);

@@ -21,8 +21,8 @@
 
 using namespace Qt::StringLiterals;
 
-/// What moves the gimbal or measures it: calibration, auto-tune, steering; to the end, cancelled, with a board that
-/// misbehaves.
+/// What moves the gimbal or measures it: calibration, auto-tune, steering; to the end, cancelled, with a
+/// board that misbehaves.
 class TestMotion : public QObject
 {
     Q_OBJECT
@@ -58,8 +58,11 @@ private:
     double target(Axis axis) { return workspace().latest(workspace().roles().target[std::size_t(axis)]); }
     bool alive()
     {
-        return QTest::qWaitFor([this] { return workspace().motorsRunning() == std::optional(true)
-                                    && !std::isnan(target(Axis::Yaw)); }, 8000);
+        return QTest::qWaitFor(
+            [this] {
+                return workspace().motorsRunning() == std::optional(true) && !std::isnan(target(Axis::Yaw));
+            },
+            8000);
     }
     CalibrationPage *calibration(CalibrationPage::Kind kind)
     {
@@ -71,7 +74,8 @@ private:
     bool place(CalibrationPage *page, int pose)
     {
         workspace().changeWorld(u"pose=%1"_s.arg(pose));
-        if (!QTest::qWaitFor([page] { return page->isSatisfied() && page->continueButton()->isEnabled(); }, 10000))
+        if (!QTest::qWaitFor([page] { return page->isSatisfied() && page->continueButton()->isEnabled(); },
+                             10000))
             return false;
         QTest::mouseClick(page->continueButton(), Qt::LeftButton);
         return page->step() == CalibrationPage::Step::Measure;
@@ -79,8 +83,12 @@ private:
     AutoTunePage *autoTune()
     {
         auto *page = m_rig->page<AutoTunePage>();
-        if (!QTest::qWaitFor([&] { return page->startButton()->isEnabled() && workspace().live().value(
-                                       m_rig->spec(u"pid.roll.p"_s).id).has_value(); }, 5000))
+        if (!QTest::qWaitFor(
+                [&] {
+                    return page->startButton()->isEnabled()
+                        && workspace().live().value(m_rig->spec(u"pid.roll.p"_s).id).has_value();
+                },
+                5000))
             return nullptr;
         page->form()->setText(u"pitch"_s, u"off"_s);
         page->form()->setText(u"yaw"_s, u"off"_s);
@@ -113,7 +121,8 @@ void TestMotion::gyroscopeToTheEnd()
     QVERIFY(std::abs(before.match(result).captured(1).toDouble() - 2.4) < 0.2);
     QVERIFY(now.match(result).captured(1).toDouble() < 0.1);
     // It has kept the way back.
-    QVERIFY(!workspace().history().snapshots(std::as_const(m_rig->model()).board().identity().serial).isEmpty());
+    QVERIFY(
+        !workspace().history().snapshots(std::as_const(m_rig->model()).board().identity().serial).isEmpty());
     QTest::mouseClick(page->continueButton(), Qt::LeftButton);
     QCOMPARE(page->step(), CalibrationPage::Step::Choose);
 }
@@ -153,7 +162,7 @@ void TestMotion::calibrationShaken()
     CalibrationPage *page = calibration(CalibrationPage::Kind::Gyroscope);
     QVERIFY(place(page, 1));
     workspace().changeWorld(u"shake=8"_s);
-    workspace().changeWorld(u"pose=0"_s);   // somebody takes it in his hands
+    workspace().changeWorld(u"pose=0"_s);  // somebody takes it in his hands
     QTRY_COMPARE_WITH_TIMEOUT(page->step(), CalibrationPage::Step::Result, 40000);
     // The board gave up; the wizard does not call that good.
     QStringList texts;
@@ -219,7 +228,8 @@ void TestMotion::autoTuneAcceptedAndSaved()
     const auto &history = workspace().history();
     const QStringList snapshots = history.snapshots(std::as_const(m_rig->model()).board().identity().serial);
     QVERIFY(!snapshots.isEmpty());
-    QCOMPARE(workspace().loadFile(snapshots.first())->configuration.raw(m_rig->spec(u"pid.roll.p"_s), 0), before);
+    QCOMPARE(workspace().loadFile(snapshots.first())->configuration.raw(m_rig->spec(u"pid.roll.p"_s), 0),
+             before);
 }
 
 void TestMotion::autoTuneReverted()
@@ -398,7 +408,8 @@ void TestMotion::blockedScreenStopsTheBoard()
     QTest::mousePress(page->pad(), Qt::LeftButton, {}, middle + QPoint(page->pad()->width() / 3, 0));
     const double before = target(Axis::Yaw);
     QTRY_VERIFY_WITH_TIMEOUT(std::abs(target(Axis::Yaw) - before) > 2.0, 5000);
-    // The screen's thread hangs. The I/O thread goes on: it stops the board and lets go; telemetry goes on arriving.
+    // The screen's thread hangs. The I/O thread goes on: it stops the board and lets go; telemetry goes on
+    // arriving.
     const double atBlock = target(Axis::Yaw);
     QThread::msleep(500);
     const double half = target(Axis::Yaw);

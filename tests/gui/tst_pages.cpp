@@ -17,11 +17,11 @@
 #include "app/pages/variablespage.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
-#include "widgets/forms/reviewdialog.h"
 #include "widgets/forms/argumentform.h"
 #include "widgets/forms/filtertable.h"
 #include "widgets/forms/liveslider.h"
 #include "widgets/forms/parameterform.h"
+#include "widgets/forms/reviewdialog.h"
 #include "widgets/forms/valueeditor.h"
 #include "widgets/plot/plotstack.h"
 #include "widgets/plot/plotview.h"
@@ -92,11 +92,13 @@ private:
     int inUse(int variable)
     {
         std::optional<double> value;
-        m_rig->client().submit<std::vector<AdjustableValue>>([variable](Channel &channel, Device &device) {
-            return device.readAdjustables(channel, {variable});
-        }).then(this, [&value](const Result<std::vector<AdjustableValue>> &read) {
-            value = read ? read->front().value : std::nan("");
-        });
+        m_rig->client()
+            .submit<std::vector<AdjustableValue>>([variable](Channel &channel, Device &device) {
+                return device.readAdjustables(channel, {variable});
+            })
+            .then(this, [&value](const Result<std::vector<AdjustableValue>> &read) {
+                value = read ? read->front().value : std::nan("");
+            });
         if (!QTest::qWaitFor([&value] { return value.has_value(); }, 5000) || std::isnan(*value))
             return -1;
         return int(*value);
@@ -130,7 +132,8 @@ void TestPages::profileRenamedCopiedAndWritten()
 {
     QVERIFY(m_rig->open());
     auto *page = m_rig->page<ProfilesPage>();
-    const QAbstractItemModelTester tester(page->table()->model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    const QAbstractItemModelTester tester(page->table()->model(),
+                                          QAbstractItemModelTester::FailureReportingMode::Fatal);
     m_rig->edit(u"pid.roll.p"_s, 0, 61);
     // Typed into the table, as the operator does.
     page->table()->setFocus();
@@ -168,7 +171,8 @@ void TestPages::profileNameTooLongIsRefused()
     auto *page = m_rig->page<ProfilesPage>();
     QVERIFY(!page->table()->model()->setData(page->table()->model()->index(0, ProfileModel::NameColumn),
                                              QString(25, QChar(0xE4))));
-    QVERIFY2(window().messageBar()->text().contains(u"50 bytes"_s), qPrintable(window().messageBar()->text()));
+    QVERIFY2(window().messageBar()->text().contains(u"50 bytes"_s),
+             qPrintable(window().messageBar()->text()));
     QVERIFY(page->table()->model()->setData(page->table()->model()->index(0, ProfileModel::NameColumn),
                                             QString(24, QChar(0xE4))));
 }
@@ -217,7 +221,8 @@ void TestPages::damagedFileIsExplained()
     file.write("{\"format\": \"gimbaldesk-conf");
     file.close();
     m_rig->page<ProfilesPage>()->loadInto(path, 0);
-    QVERIFY2(window().messageBar()->text().contains(u"cannot be used"_s), qPrintable(window().messageBar()->text()));
+    QVERIFY2(window().messageBar()->text().contains(u"cannot be used"_s),
+             qPrintable(window().messageBar()->text()));
     QVERIFY(window().messageBar()->text().contains(u"byte"_s));
     QCOMPARE(m_rig->model().changeCount(), 0);
 }
@@ -247,7 +252,8 @@ void TestPages::liveSliderIsHeardAtOnceAndForgotten()
     QCOMPARE(m_rig->raw(u"pid.roll.p"_s), before);
     QCOMPARE(inUse(0), before);
     QTRY_VERIFY(!page->hasChanges());
-    QTRY_COMPARE(page->control(u"pid.roll.p"_s)->slider()->value(), before);   // made anew for the board that came back
+    QTRY_COMPARE(page->control(u"pid.roll.p"_s)->slider()->value(),
+                 before);  // made anew for the board that came back
 }
 
 void TestPages::savedValuesStay()
@@ -262,7 +268,8 @@ void TestPages::savedValuesStay()
     QTRY_VERIFY(!page->hasChanges());
     QVERIFY(!page->saveButton()->isEnabled());
     // The way back was kept.
-    QVERIFY(!workspace().history().snapshots(std::as_const(m_rig->model()).board().identity().serial).isEmpty());
+    QVERIFY(
+        !workspace().history().snapshots(std::as_const(m_rig->model()).board().identity().serial).isEmpty());
     QSignalSpy read(&workspace(), &Workspace::boardRead);
     workspace().perform(u"reset"_s, {{u"delay"_s, 500}});
     QTRY_COMPARE_WITH_TIMEOUT(read.count(), 1, 20000);
@@ -358,7 +365,8 @@ void TestPages::adjustableVariables()
     AdjustableModel &model = page->model();
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
     QTRY_VERIFY_WITH_TIMEOUT(model.rowCount() == 48, 5000);
-    const auto shown = [&](int id) { return model.index(id, AdjustableModel::ValueColumn).data().toString(); };
+    const auto shown
+        = [&](int id) { return model.index(id, AdjustableModel::ValueColumn).data().toString(); };
     QTRY_COMPARE_WITH_TIMEOUT(shown(0), u"35"_s, 5000);
     QVERIFY(model.index(0, AdjustableModel::MeaningColumn).data().toString().contains(u"35"_s));
     QVERIFY(model.setData(model.index(36, AdjustableModel::ValueColumn), 150));
@@ -390,7 +398,8 @@ void TestPages::debugVariablesOfOddTypes()
     for (const char *type : {"u8", "i8", "u16", "i16", "u32", "i32", "f32"})
         QVERIFY2(types.contains(QLatin1String(type)), type);
     const int uptime = int(names.indexOf(u"UPTIME_MS"_s));
-    const auto value = [&] { return model.index(uptime, DebugModel::ValueColumn).data().toString().toDouble(); };
+    const auto value
+        = [&] { return model.index(uptime, DebugModel::ValueColumn).data().toString().toDouble(); };
     QTRY_VERIFY(value() > 0);
     const double before = value();
     QTRY_VERIFY(value() > before);
@@ -405,10 +414,12 @@ void TestPages::debugVariablesOfOddTypes()
                                             QItemSelectionModel::Select | QItemSelectionModel::Rows);
     QTRY_COMPARE(page->plots()->plots().first()->curves().size(), 2);
     QCOMPARE(page->plots()->plots().first()->rightAxes(), 1);
-    QTRY_VERIFY(page->plots()->plots().first()->scale(0).high() >= 1.0 || page->plots()->plots().first()->scale(1).high() > 10.0);
+    QTRY_VERIFY(page->plots()->plots().first()->scale(0).high() >= 1.0
+                || page->plots()->plots().first()->scale(1).high() > 10.0);
     QVERIFY(model.index(uptime, DebugModel::LowColumn).data().toDouble() < value());
     model.clearBounds();
-    QVERIFY(model.index(uptime, DebugModel::LowColumn).data() == model.index(uptime, DebugModel::ValueColumn).data());
+    QVERIFY(model.index(uptime, DebugModel::LowColumn).data()
+            == model.index(uptime, DebugModel::ValueColumn).data());
 }
 
 void TestPages::actionsAreSearchableAndReply()
@@ -426,7 +437,8 @@ void TestPages::actionsAreSearchableAndReply()
     QVERIFY(page->showAction(u"angles"_s));
     QTest::mouseClick(page->runButton(), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(page->reply()->toPlainText().contains(u"imu.roll"_s)
-                                 || page->reply()->toPlainText().contains(u"roll"_s), 5000);
+                                 || page->reply()->toPlainText().contains(u"roll"_s),
+                             5000);
     // A wrong argument is named, and nothing is sent.
     QVERIFY(page->showAction(u"beep"_s));
     page->form()->setText(u"sound"_s, u"32768"_s);
@@ -455,11 +467,11 @@ void TestPages::actionThatDestroysTakesASnapshot()
     auto *page = m_rig->page<ActionsPage>();
     QVERIFY(page->showAction(u"defaults"_s));
     QCOMPARE(page->runButton()->objectName(), u"danger"_s);
-    page->form()->setText(u"what"_s, u"1"_s);   // profile 2
+    page->form()->setText(u"what"_s, u"1"_s);  // profile 2
     QSignalSpy read(&workspace(), &Workspace::boardRead);
     QTest::mouseClick(page->runButton(), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(read.count() >= 1 && m_rig->client().isConnected()
-                                 && m_rig->raw(u"pid.roll.p"_s, 1) != 99, 25000);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        read.count() >= 1 && m_rig->client().isConnected() && m_rig->raw(u"pid.roll.p"_s, 1) != 99, 25000);
     QCOMPARE(workspace().history().snapshots(serial).size(), before + 1);
 }
 
@@ -477,16 +489,19 @@ void TestPages::consoleShowsAndSends()
     };
     QTRY_VERIFY(names().contains(u"READ_PARAMS_3"_s));
     QVERIFY(names().contains(u"BOARD_INFO"_s));
-    QVERIFY(model.index(0, FrameLogModel::TimeColumn).data().toString().toDouble() >= 0);   // counted from the first frame
+    QVERIFY(model.index(0, FrameLogModel::TimeColumn).data().toString().toDouble()
+            >= 0);  // counted from the first frame
     // Live data is left out unless asked for.
     QVERIFY(!names().contains(u"REALTIME_DATA_4"_s));
     model.clear();
     page->input()->setText(u"read_params_3 01"_s);
     QTest::keyClick(page->input(), Qt::Key_Return);
     QTRY_VERIFY(names().count(u"READ_PARAMS_3"_s) >= 2);
-    const auto fields = [&model](int row) { return model.index(row, FrameLogModel::FieldsColumn).data().toString(); };
+    const auto fields
+        = [&model](int row) { return model.index(row, FrameLogModel::FieldsColumn).data().toString(); };
     const int answer = int(names().lastIndexOf(u"READ_PARAMS_3"_s));
-    QVERIFY2(fields(answer).contains(u"profile 2"_s) && fields(answer).contains(u"pid.roll.p"_s), qPrintable(fields(answer)));
+    QVERIFY2(fields(answer).contains(u"profile 2"_s) && fields(answer).contains(u"pid.roll.p"_s),
+             qPrintable(fields(answer)));
     // A whole frame in hex, and one with a wrong checksum.
     page->input()->setText(u"3E 56 00 56 00"_s);
     page->send();
@@ -530,7 +545,7 @@ void TestPages::backupComparedAndRestored()
     const int before = m_rig->raw(u"pid.roll.p"_s);
     m_rig->edit(u"pid.roll.p"_s, 0, before + 30);
     QVERIFY(write());
-    QTRY_COMPARE(page->table()->rowCount(), 2);   // the automatic one
+    QTRY_COMPARE(page->table()->rowCount(), 2);  // the automatic one
     page->table()->selectRow(1);
     QVERIFY(page->restoreButton()->isEnabled());
     QTest::mouseClick(page->restoreButton(), Qt::LeftButton);
@@ -595,7 +610,7 @@ void TestPages::crashLosesNoEdit()
     workspace().edits().undoStack().undo();
     const QString serial = std::as_const(m_rig->model()).board().identity().serial;
     QTRY_VERIFY(workspace().history().unsaved(serial).has_value());
-    QTest::qWait(400);   // the journal follows the last step
+    QTest::qWait(400);  // the journal follows the last step
     m_rig->crash();
     m_rig->restart();
     QVERIFY(m_rig->open());
@@ -722,7 +737,8 @@ void TestPages::paletteFindsEverything()
             return QString();
         QTest::keyClicks(window().commandPalette()->input(), words);
         const QString first = window().commandPalette()->list()->count()
-            ? window().commandPalette()->list()->item(0)->text() : QString();
+            ? window().commandPalette()->list()->item(0)->text()
+            : QString();
         QTest::keyClick(window().commandPalette()->input(), Qt::Key_Return);
         return first;
     };
@@ -735,7 +751,8 @@ void TestPages::paletteFindsEverything()
     QVERIFY(choose(u"acc.z"_s).contains(u"acc.z"_s));
     auto *monitor = static_cast<MonitorPage *>(window().page(u"monitor"_s));
     QTRY_VERIFY(monitor->isVisible());
-    QVERIFY(monitor->channels().ticked().contains(findChannel(m_rig->client().device()->channels(), u"acc.z"_s)));
+    QVERIFY(
+        monitor->channels().ticked().contains(findChannel(m_rig->client().device()->channels(), u"acc.z"_s)));
     QTRY_VERIFY(!window().commandPalette());
     QVERIFY(choose(u"restart board"_s).contains(u"reset"_s));
     QTRY_VERIFY(window().page(u"actions"_s)->isVisible());
@@ -768,12 +785,12 @@ void TestPages::escTappedDoesNot()
 void TestPages::settingsAreKept()
 {
     m_rig->page<SettingsPage>();
-    QVERIFY(window().page(u"settings"_s)->isVisible());   // needs no board
+    QVERIFY(window().page(u"settings"_s)->isVisible());  // needs no board
     m_rig->settings().setTheme(Settings::ThemeChoice::Dark);
     QVERIFY(m_rig->theme().isDark());
     m_rig->settings().setRetentionMinutes(3);
     m_rig->settings().setFahrenheit(true);
-    m_rig->settings().setEscapeHoldMs(10);   // too short to be meant
+    m_rig->settings().setEscapeHoldMs(10);  // too short to be meant
     QCOMPARE(m_rig->settings().escapeHoldMs(), 300);
     window().resize(1111, 700);
     window().close();
@@ -793,7 +810,7 @@ void TestPages::helpForEveryPage()
         const QString key = QLatin1String(entry.key);
         QVERIFY2(key == u"help"_s || HelpPage::allTopics().contains(key), entry.key);
         if (key == u"help"_s || !window().showPage(key))
-            continue;   // not offered with this board
+            continue;  // not offered with this board
         ++seen;
         QTest::keyClick(&window(), Qt::Key_F1);
         auto *help = static_cast<HelpPage *>(window().page(u"help"_s));
@@ -815,8 +832,8 @@ void TestPages::helpIsSearchable()
     QCOMPARE(help->topic(), u"calibration"_s);
 }
 
-// Pages fill themselves from the tables and capabilities of whatever family answers (STorM32 has one profile, other groups, no
-// targets, no streams, no calibration commands).
+// Pages fill themselves from the tables and capabilities of whatever family answers (STorM32 has one profile,
+// other groups, no targets, no streams, no calibration commands).
 void TestPages::anotherFamilyFillsThePages()
 {
     m_rig->window().openLink(u"sim:storm32?firmware=0.90"_s);
@@ -824,7 +841,7 @@ void TestPages::anotherFamilyFillsThePages()
     QCOMPARE(m_rig->client().identity().family, u"storm32"_s);
     for (const PageEntry &entry : pageTable()) {
         if (!m_rig->window().showPage(QLatin1String(entry.key)))
-            continue;   // it has no use for that one
+            continue;  // it has no use for that one
         QTRY_VERIFY2(m_rig->window().page(QLatin1String(entry.key))->isVisible(), entry.key);
         QVERIFY2(!m_rig->window().page(QLatin1String(entry.key))->grab().isNull(), entry.key);
     }

@@ -53,21 +53,22 @@ private slots:
 void TestStorm::onlyFittingPagesAreOffered()
 {
     const Navigation &pages = *m_rig->window().navigation();
-    QVERIFY(pages.isOffered(u"calibration"_s) && !pages.isOffered(u"sensor"_s));   // before any board
+    QVERIFY(pages.isOffered(u"calibration"_s) && !pages.isOffered(u"sensor"_s));  // before any board
     QVERIFY(openStorm());
-    for (const char *there : {"dashboard", "parameters", "setup", "sensor", "scripts", "tuning", "control", "backups"})
+    for (const char *there :
+         {"dashboard", "parameters", "setup", "sensor", "scripts", "tuning", "control", "backups"})
         QVERIFY2(pages.isOffered(QLatin1String(there)), there);
     for (const char *absent : {"calibration", "autotune", "profiles", "debug"}) {
         QVERIFY2(!pages.isOffered(QLatin1String(absent)), absent);
         QVERIFY(!m_rig->window().showPage(QLatin1String(absent)));
     }
-    QCOMPARE(pages.pageOfNumber(4), u"setup"_s);    // numbers count what is listed
+    QCOMPARE(pages.pageOfNumber(4), u"setup"_s);  // numbers count what is listed
     m_rig->window().showPage(u"scripts"_s);
     QVERIFY(m_rig->open());
     QTRY_VERIFY(pages.isOffered(u"calibration"_s) && !pages.isOffered(u"scripts"_s));
     QCOMPARE(pages.pageOfNumber(7), u"tuning"_s);
     QCOMPARE(pages.pageOfNumber(99), QString());
-    QCOMPARE(pages.currentPage(), u"dashboard"_s);   // the page that was shown is gone
+    QCOMPARE(pages.currentPage(), u"dashboard"_s);  // the page that was shown is gone
 }
 
 void TestStorm::slidersSetThreeGains()
@@ -75,7 +76,9 @@ void TestStorm::slidersSetThreeGains()
     QVERIFY(openStorm());
     auto *page = m_rig->page<TuningPage>();
     QVERIFY(page->gains());
-    const auto value = [&](const char *key) { return page->live().value(m_rig->spec(QLatin1String(key)).id).value_or(-1); };
+    const auto value = [&](const char *key) {
+        return page->live().value(m_rig->spec(QLatin1String(key)).id).value_or(-1);
+    };
     QTRY_COMPARE(value("pid.roll.p"), 400);
     QVERIFY(page->gains()->shapeText(Axis::Roll).contains(u"7.1 Hz"_s));
     page->gains()->dampingSlider(Axis::Roll)->setValue(50);
@@ -105,7 +108,7 @@ void TestStorm::unstoredValuesStayInSight()
     page->live().setValue(m_rig->spec(u"pid.yaw.p"_s).id, 421);
     QTRY_VERIFY(bar->isVisible());
     m_rig->window().showPage(u"dashboard"_s);
-    QVERIFY(bar->isVisible());              // on every page
+    QVERIFY(bar->isVisible());  // on every page
     bar->storeButton()->click();
     QTRY_VERIFY_WITH_TIMEOUT(!bar->isVisible(), 10000);
     QTRY_COMPARE(m_rig->raw(u"pid.yaw.p"_s), 421);
@@ -154,8 +157,9 @@ void TestStorm::valuesWithoutEffectAreGrey()
     ValueEditor *editor = form->editor(m_rig->spec(u"pan.mode.setting1"_s).id);
     QVERIFY(editor);
     QVERIFY(editor->control()->property("idle").toBool());
-    QVERIFY2(editor->control()->toolTip().contains(u"No effect while"_s), qPrintable(editor->control()->toolTip()));
-    QVERIFY(editor->control()->isEnabled());      // it can be prepared all the same
+    QVERIFY2(editor->control()->toolTip().contains(u"No effect while"_s),
+             qPrintable(editor->control()->toolTip()));
+    QVERIFY(editor->control()->isEnabled());  // it can be prepared all the same
     m_rig->edit(u"pan.mode.input"_s, 0, 1);
     QVERIFY(!editor->control()->property("idle").toBool());
     QVERIFY(!editor->control()->toolTip().contains(u"No effect while"_s));
@@ -171,7 +175,7 @@ void TestStorm::scriptIsTypedTakenOverAndWritten()
     QCOMPARE(page->scriptList()->count(), 4);
     page->editor()->setFocus();
     QTest::keyClicks(page->editor(), u"WAIT 5"_s);
-    QTest::keyClick(page->editor(), Qt::Key_Escape);   // completion
+    QTest::keyClick(page->editor(), Qt::Key_Escape);  // completion
     QTest::keyClick(page->editor(), Qt::Key_Return);
     QTest::keyClicks(page->editor(), u"FLY"_s);
     QTRY_VERIFY2(page->message().contains(u"line 2"_s), qPrintable(page->message()));
@@ -179,12 +183,12 @@ void TestStorm::scriptIsTypedTakenOverAndWritten()
     QVERIFY(page->hasChanges() && m_rig->window().navigation()->isMarked(u"scripts"_s));
     page->editor()->setText(u"; a while\nWAIT 5\nDORECENTER\n"_s);
     QTRY_VERIFY(page->takeButton()->isEnabled());
-    QCOMPARE(page->listing()->count(), 3);              // and the STOP that was put behind
+    QCOMPARE(page->listing()->count(), 3);  // and the STOP that was put behind
     QVERIFY(page->listing()->item(0)->text().contains(u"WAIT 5"_s));
     QCOMPARE(m_rig->model().changeCount(), 0);
     page->takeButton()->click();
     QCOMPARE(m_rig->model().changeCount(), 1);
-    QVERIFY(page->editor()->text().contains(u"a while"_s));   // as it was typed
+    QVERIFY(page->editor()->text().contains(u"a while"_s));  // as it was typed
     // An edit like any other: undone, done again, written, read back.
     workspace().edits().undoStack().undo();
     QCOMPARE(m_rig->model().changeCount(), 0);
@@ -197,7 +201,10 @@ void TestStorm::scriptIsTypedTakenOverAndWritten()
     QSignalSpy read(&workspace(), &Workspace::boardRead);
     workspace().readBoard();
     QTRY_COMPARE(read.count(), 1);
-    QVERIFY(workspace().family()->scripts->text(std::as_const(m_rig->model()).board(), 0).contains(u"DORECENTER"_s));
+    QVERIFY(workspace()
+                .family()
+                ->scripts->text(std::as_const(m_rig->model()).board(), 0)
+                .contains(u"DORECENTER"_s));
     // Tab leaves the editor.
     page->editor()->setFocus();
     QTest::keyClick(page->editor(), Qt::Key_Tab);
@@ -231,11 +238,14 @@ void TestStorm::spectrumOfPolledSamples()
     QTRY_COMPARE_WITH_TIMEOUT(page->chart()->curveCount(), 3, 15000);
     QTRY_VERIFY(page->bands()->item(0, 1) && page->bands()->item(0, 1)->text().contains(u'°'));
     const auto labels = page->findChildren<QLabel *>();
-    QVERIFY(std::any_of(labels.begin(), labels.end(), [](QLabel *label) { return label->text().contains(u"shows up lower"_s); }));
+    QVERIFY(std::any_of(labels.begin(), labels.end(),
+                        [](QLabel *label) { return label->text().contains(u"shows up lower"_s); }));
     // The highest band ends where the samples do.
-    const auto end = [page] { return page->bands()->item(2, 0)->text().section(u'–', 1).section(u' ', 0, 0).toDouble(); };
+    const auto end = [page] {
+        return page->bands()->item(2, 0)->text().section(u'–', 1).section(u' ', 0, 0).toDouble();
+    };
     QTRY_VERIFY2(end() > 30 && end() < 60, qPrintable(page->bands()->item(2, 0)->text()));
-    QVERIFY(!page->notchButton()->isVisible());              // such a board has no filter to put there
+    QVERIFY(!page->notchButton()->isVisible());  // such a board has no filter to put there
 }
 
 void TestStorm::consoleLeavesPollingOut()
@@ -252,7 +262,7 @@ void TestStorm::consoleLeavesPollingOut()
     model.clear();
     page->input()->setText(u"getparameter index=0"_s);
     page->send();
-    QTRY_COMPARE(count(u"GETPARAMETER"_s), 2);               // the question and its answer
+    QTRY_COMPARE(count(u"GETPARAMETER"_s), 2);  // the question and its answer
     QVERIFY(QTest::qWaitFor([&] { return m_rig->client().telemetry()->rows() > 200; }, 10000));
     QCOMPARE(count(u"d"_s), 0);
     for (QCheckBox *box : page->findChildren<QCheckBox *>()) {
@@ -269,10 +279,11 @@ void TestStorm::snapshotsShowWhatDiffers()
     page->takeButton()->click();
     const auto says = [page](const QString &words) {
         const auto labels = page->findChildren<QLabel *>();
-        return std::any_of(labels.begin(), labels.end(), [&words](QLabel *label) { return label->text().startsWith(words); });
+        return std::any_of(labels.begin(), labels.end(),
+                           [&words](QLabel *label) { return label->text().startsWith(words); });
     };
     QTRY_VERIFY(says(u"All values are the same."_s));
-    QVERIFY(!page->restoreButton()->isEnabled());            // this board's one profile has no name that could differ
+    QVERIFY(!page->restoreButton()->isEnabled());  // this board's one profile has no name that could differ
     m_rig->edit(u"pid.roll.p"_s, 0, 555);
     workspace().perform(u"directions.take"_s, {});
     m_rig->page<ParametersPage>();
@@ -304,14 +315,14 @@ void TestStorm::heartbeatIsEscapedByOneClick()
     m_rig->window().openLink(u"sim:storm32?rate=115200"_s);
     QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 15000);
     QTRY_VERIFY(m_rig->window().offerBar()->text().contains(u"MAVLink"_s));
-    QVERIFY(ready());                                        // live data comes all the same
+    QVERIFY(ready());  // live data comes all the same
     QTRY_COMPARE(m_rig->raw(u"pid.roll.p"_s), 433);
     auto *page = m_rig->page<ScriptsPage>();
     QVERIFY(!page->editor()->isEnabled() && !page->message().isEmpty());
     m_rig->window().offerBar()->buttons().first()->click();
     QTRY_COMPARE_WITH_TIMEOUT(m_rig->raw(u"mavlink.heartbeat"_s), 0, 10000);
     QTRY_VERIFY_WITH_TIMEOUT(page->editor()->isEnabled(), 5000);
-    QVERIFY(workspace().isUnstored());                       // it would be back after a restart, and that is said
+    QVERIFY(workspace().isUnstored());  // it would be back after a restart, and that is said
     QVERIFY(ready());
 }
 

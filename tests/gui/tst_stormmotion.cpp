@@ -24,7 +24,8 @@
 
 using namespace Qt::StringLiterals;
 
-/// What moves a STorM32's camera or measures it: calibration, set-up, steering, steps; and a whole day over a terminal.
+/// What moves a STorM32's camera or measures it: calibration, set-up, steering, steps; and a whole day over a
+/// terminal.
 class TestStormMotion : public StormWindowTest
 {
     Q_OBJECT
@@ -55,10 +56,12 @@ void TestStormMotion::sensorIsCalibratedAndStored()
     const std::array poses{1, 4, 2, 6, 3, 5};
     for (std::size_t i = 0; i < poses.size(); ++i) {
         workspace().changeWorld(u"pose=%1"_s.arg(poses[i]));
-        QTRY_VERIFY2_WITH_TIMEOUT(page->doneCount() == int(i) + 1 || page->step() == SensorPage::Step::Result, qPrintable(page->sees()), 20000);
+        QTRY_VERIFY2_WITH_TIMEOUT(page->doneCount() == int(i) + 1 || page->step() == SensorPage::Step::Result,
+                                  qPrintable(page->sees()), 20000);
     }
     QTRY_COMPARE(page->step(), SensorPage::Step::Result);
-    QVERIFY(std::abs(page->calibration().scale[2] - 8356) < 60);    // 1.02 of 8192, the simulated sensor's own error
+    QVERIFY(std::abs(page->calibration().scale[2] - 8356)
+            < 60);  // 1.02 of 8192, the simulated sensor's own error
     // Nothing was changed so far.
     std::optional<int> scale;
     const auto stored = [&] {
@@ -83,7 +86,8 @@ void TestStormMotion::calibrationComesFromAFile()
     const QString path = m_rig->filePath(u"imu.cal"_s);
     QFile file(path);
     QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("IMUNAME: Imu\nAXZERO: 1\nAYZERO: 2\nAZZERO: 3\nAXSCALE: 8190\nAYSCALE: 8191\nAZSCALE: 8200\nCALIBRATIONMETHOD: 1 point\n");
+    file.write("IMUNAME: Imu\nAXZERO: 1\nAYZERO: 2\nAZZERO: 3\nAXSCALE: 8190\nAYSCALE: 8191\nAZSCALE: "
+               "8200\nCALIBRATIONMETHOD: 1 point\n");
     file.close();
     QVERIFY(page->loadFile(path));
     QCOMPARE(page->step(), SensorPage::Step::Result);
@@ -105,7 +109,8 @@ void TestStormMotion::gimbalIsSetUp()
     std::unique_ptr<SimProcess> board;
     if (terminal) {
         const QString path = m_rig->filePath(u"storm"_s);
-        board = std::make_unique<SimProcess>(QStringList{u"--pty"_s, path, u"--rate"_s, u"115200"_s}, u"storm32"_s);
+        board = std::make_unique<SimProcess>(QStringList{u"--pty"_s, path, u"--rate"_s, u"115200"_s},
+                                             u"storm32"_s);
         QVERIFY(m_rig->open(u"serial:"_s + path));
         QVERIFY(ready());
     } else {
@@ -123,7 +128,8 @@ void TestStormMotion::gimbalIsSetUp()
     changeWorld("pose=1");
     QTRY_VERIFY(page->continueButton()->isEnabled());
     QTest::keyClick(page->continueButton(), Qt::Key_Space);
-    QTRY_VERIFY2_WITH_TIMEOUT(page->step() == Step::Orientation && page->what().contains(u"45°"_s), qPrintable(page->what()), 15000);
+    QTRY_VERIFY2_WITH_TIMEOUT(page->step() == Step::Orientation && page->what().contains(u"45°"_s),
+                              qPrintable(page->what()), 15000);
     QVERIFY(workspace().isUnstored());
     changeWorld("pose=7");
     QTRY_COMPARE_WITH_TIMEOUT(page->step(), Step::Poles, 15000);
@@ -135,7 +141,7 @@ void TestStormMotion::gimbalIsSetUp()
     QCOMPARE(inUse(32), 16);
     QCOMPARE(inUse(21), 2);
     page->poles(Axis::Yaw)->setValue(14);
-    QVERIFY(!workspace().motorsRunning().value_or(true));     // nothing moves before it is asked
+    QVERIFY(!workspace().motorsRunning().value_or(true));  // nothing moves before it is asked
     page->continueButton()->click();
     QTRY_VERIFY_WITH_TIMEOUT(page->step() == Step::AlignYaw && page->continueButton()->isEnabled(), 40000);
     QCOMPARE(inUse(21), 0);
@@ -155,14 +161,15 @@ void TestStormMotion::gimbalIsSetUp()
     QTRY_COMPARE(m_rig->raw(u"imu.orientation"_s), 5);
     QCOMPARE(m_rig->raw(u"motor.yaw.poles"_s), 16);
     workspace().perform(u"reset"_s, {});
-    QTRY_COMPARE_WITH_TIMEOUT(inUse(39), 5, 8000);           // kept over a restart
+    QTRY_COMPARE_WITH_TIMEOUT(inUse(39), 5, 8000);  // kept over a restart
 }
 
 void TestStormMotion::setupCanBeCancelled()
 {
     QVERIFY(openStorm());
     auto *page = m_rig->page<SetupPage>();
-    for (const auto task : {SetupPage::Task::Orientation, SetupPage::Task::Poles, SetupPage::Task::AutoDirections})
+    for (const auto task :
+         {SetupPage::Task::Orientation, SetupPage::Task::Poles, SetupPage::Task::AutoDirections})
         page->box(task)->setChecked(false);
     workspace().changeWorld(u"battery=7"_s);
     page->continueButton()->click();
@@ -171,7 +178,7 @@ void TestStormMotion::setupCanBeCancelled()
     QTRY_VERIFY2(page->sees().contains(u"battery"_s), qPrintable(page->sees()));
     page->cancelButton()->click();
     QCOMPARE(page->step(), SetupPage::Step::Choose);
-    QVERIFY(workspace().isUnstored());                        // the motors are disabled, and it says so
+    QVERIFY(workspace().isUnstored());  // the motors are disabled, and it says so
     QTRY_COMPARE(inUse(79), 3);
     m_rig->window().unstoredBar()->backButton()->click();
     QTRY_COMPARE_WITH_TIMEOUT(inUse(79), 0, 8000);
@@ -192,11 +199,13 @@ void TestStormMotion::steeringByAngleAndByPulse()
     page->setArmed(true);
     QVERIFY(page->isArmed());
     const auto spins = page->findChildren<QDoubleSpinBox *>();
-    const auto pitch = std::find_if(spins.begin(), spins.end(), [](QDoubleSpinBox *box) { return box->accessibleName().contains(u"Pitch"_s); });
+    const auto pitch = std::find_if(spins.begin(), spins.end(), [](QDoubleSpinBox *box) {
+        return box->accessibleName().contains(u"Pitch"_s);
+    });
     QVERIFY(pitch != spins.end());
     (*pitch)->setValue(12);
     QTRY_VERIFY_WITH_TIMEOUT(std::abs(workspace().latest(roles.angle[1]) - 12) < 1.0, 8000);
-    (*pitch)->setValue(90);   // within the limits of the sticks: 25 degrees
+    (*pitch)->setValue(90);  // within the limits of the sticks: 25 degrees
     QTRY_VERIFY_WITH_TIMEOUT(std::abs(workspace().latest(roles.angle[1]) - 25) < 1.0, 8000);
     const LinkStatistics before = m_rig->client().statistics();
     (*pitch)->setValue(0);
@@ -211,12 +220,13 @@ void TestStormMotion::steeringByAngleAndByPulse()
     page->setArmed(false);
 }
 
-// The board does not tell where it wants the camera: it is brought to its middle, and what was sent stands for the target.
+// The board does not tell where it wants the camera: it is brought to its middle, and what was sent stands
+// for the target.
 void TestStormMotion::stepsAreMeasuredWithoutToldTargets()
 {
     QVERIFY(openStorm());
     workspace().changeWorld(u"shake=0"_s);
-    m_rig->edit(u"rc.yaw.speed_limit"_s, 0, 0);   // else a step is a ramp
+    m_rig->edit(u"rc.yaw.speed_limit"_s, 0, 0);  // else a step is a ramp
     QVERIFY(writeAll());
     const int yaw = workspace().roles().angle[2];
     workspace().perform(u"angle"_s, {{u"yaw"_s, 20}});
@@ -224,12 +234,13 @@ void TestStormMotion::stepsAreMeasuredWithoutToldTargets()
     auto *page = m_rig->page<ResponsePage>();
     const auto *ways = qobject_cast<QStandardItemModel *>(page->wayChoice()->model());
     QVERIFY(ways->item(0)->isEnabled() && !ways->item(1)->isEnabled() && !ways->item(2)->isEnabled());
-    page->axisChoice()->setCurrentIndex(2);       // nothing pulls at yaw
+    page->axisChoice()->setCurrentIndex(2);  // nothing pulls at yaw
     const auto measure = [&]() -> ResponseRecord {
         const auto before = page->records().size();
         QTest::mouseClick(page->armButton(), Qt::LeftButton);
         QTest::mouseClick(page->startButton(), Qt::LeftButton);
-        if (!page->isRunning() || !QTest::qWaitFor([&] { return page->records().size() == before + 1; }, 30000))
+        if (!page->isRunning()
+            || !QTest::qWaitFor([&] { return page->records().size() == before + 1; }, 30000))
             return {};
         return page->records().back();
     };
@@ -241,19 +252,23 @@ void TestStormMotion::stepsAreMeasuredWithoutToldTargets()
     gains.i = m_rig->spec(u"pid.yaw.i"_s).toDisplay(m_rig->raw(u"pid.yaw.i"_s)) * StormBoard::kUnitI;
     gains.d = m_rig->spec(u"pid.yaw.d"_s).toDisplay(m_rig->raw(u"pid.yaw.d"_s)) * StormBoard::kUnitD;
     gains.dLpfHz = 1000.0 / (2.0 * std::numbers::pi * 1.5);
-    const auto wanted = stepMetrics(LoopMath{simulatedMechanics(Axis::Yaw), gains}.step(1250, 0.95), 1250, 0, 1);
+    const auto wanted
+        = stepMetrics(LoopMath{simulatedMechanics(Axis::Yaw), gains}.step(1250, 0.95), 1250, 0, 1);
     QVERIFY(wanted && wanted->riseSeconds);
-    qInfo("rise %.1f ms, mathematics %.1f ms; overshoot %.1f %%, mathematics %.1f %%", *usual.steps.metrics.riseSeconds * 1000,
-          *wanted->riseSeconds * 1000, usual.steps.metrics.overshoot, wanted->overshoot);
-    QVERIFY(std::abs(*usual.steps.metrics.riseSeconds - *wanted->riseSeconds) < 0.3 * *wanted->riseSeconds + 0.01);
+    qInfo("rise %.1f ms, mathematics %.1f ms; overshoot %.1f %%, mathematics %.1f %%",
+          *usual.steps.metrics.riseSeconds * 1000, *wanted->riseSeconds * 1000, usual.steps.metrics.overshoot,
+          wanted->overshoot);
+    QVERIFY(std::abs(*usual.steps.metrics.riseSeconds - *wanted->riseSeconds)
+            < 0.3 * *wanted->riseSeconds + 0.01);
     QVERIFY(std::abs(usual.steps.metrics.overshoot - wanted->overshoot) < 12.0);
     // Less damping shows.
     m_rig->edit(u"pid.yaw.d"_s, 0, m_rig->raw(u"pid.yaw.d"_s) / 3);
     QVERIFY(writeAll());
     m_rig->page<ResponsePage>();
     const ResponseRecord lively = measure();
-    QVERIFY2(lively.steps.metrics.overshoot > usual.steps.metrics.overshoot + 10,
-             qPrintable(u"%1 after %2"_s.arg(lively.steps.metrics.overshoot).arg(usual.steps.metrics.overshoot)));
+    QVERIFY2(
+        lively.steps.metrics.overshoot > usual.steps.metrics.overshoot + 10,
+        qPrintable(u"%1 after %2"_s.arg(lively.steps.metrics.overshoot).arg(usual.steps.metrics.overshoot)));
 }
 
 void TestStormMotion::stepsAreRefusedWhereNothingHolds()
@@ -290,7 +305,7 @@ void TestStormMotion::functionsAreAtHandWhileSteering()
     QVERIFY(pan && pan->isVisible());
     auto *choice = page->findChild<QComboBox *>(u"mode"_s);
     QVERIFY(choice);
-    choice->setCurrentIndex(3);      // pan pan pan
+    choice->setCurrentIndex(3);  // pan pan pan
     pan->click();
     const int status2 = findChannel(m_rig->client().device()->channels(), u"status2"_s);
     QTRY_COMPARE_WITH_TIMEOUT(int(workspace().latest(status2)) & 0xE000, 0xE000, 5000);
@@ -319,8 +334,8 @@ void TestStormMotion::wholeDayOverAPseudoTerminal_data()
         QTest::newRow(firmware) << QString::fromLatin1(firmware);
 }
 
-// Read, edit, review, write, restart, read again, compare, calibrate, tune, store, steer and record, over a terminal with the real
-// serial port, without saying which family it is.
+// Read, edit, review, write, restart, read again, compare, calibrate, tune, store, steer and record, over a
+// terminal with the real serial port, without saying which family it is.
 void TestStormMotion::wholeDayOverAPseudoTerminal()
 {
     QFETCH(QString, firmware);
@@ -336,7 +351,7 @@ void TestStormMotion::wholeDayOverAPseudoTerminal()
     m_rig->edit(u"pid.roll.p"_s, 0, 430);
     m_rig->edit(u"rc.pitch.max"_s, 0, 300);
     QCOMPARE(m_rig->model().changeCount(), 2);
-    QVERIFY(writeAll());                                  // by the review of these changes, read back and stored
+    QVERIFY(writeAll());  // by the review of these changes, read back and stored
     QVERIFY(!workspace().isUnstored());
     workspace().perform(u"restart"_s, {});
     QSignalSpy read(&workspace(), &Workspace::boardRead);
@@ -344,7 +359,7 @@ void TestStormMotion::wholeDayOverAPseudoTerminal()
     QTRY_VERIFY_WITH_TIMEOUT(read.count() >= 1, 15000);
     QCOMPARE(m_rig->raw(u"pid.roll.p"_s), 430);
     QCOMPARE(m_rig->raw(u"rc.pitch.max"_s), 300);
-    QVERIFY(workspace().applyFile(before));               // the way back: what differs becomes an edit
+    QVERIFY(workspace().applyFile(before));  // the way back: what differs becomes an edit
     QCOMPARE(m_rig->model().changeCount(), 2);
     workspace().edits().discardAll();
 
@@ -367,7 +382,7 @@ void TestStormMotion::wholeDayOverAPseudoTerminal()
     QTRY_COMPARE_WITH_TIMEOUT(m_rig->raw(u"pid.pitch.d"_s), 600, 10000);
     QTRY_VERIFY(!workspace().isUnstored());
     workspace().perform(u"reset"_s, {});
-    QTRY_COMPARE_WITH_TIMEOUT(inUse(2), 600, 15000);      // it was stored
+    QTRY_COMPARE_WITH_TIMEOUT(inUse(2), 600, 15000);  // it was stored
 
     auto *response = m_rig->page<ResponsePage>();
     QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning().value_or(false), 40000);

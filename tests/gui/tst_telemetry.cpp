@@ -58,7 +58,10 @@ private slots:
     void recordingIsPausedAndGoneThrough();
 
 private:
-    int channel(const char *key) { return findChannel(m_rig->client().device()->channels(), QString::fromLatin1(key)); }
+    int channel(const char *key)
+    {
+        return findChannel(m_rig->client().device()->channels(), QString::fromLatin1(key));
+    }
     PlotView *plot(int index) { return m_rig->page<MonitorPage>()->plots()[index]; }
     void drop(PlotView *view, const QList<int> &channels);
     QPoint at(PlotView *view, double share, double height);
@@ -107,7 +110,8 @@ void TestTelemetry::plotsTakeAnyChannels()
     drop(plot(1), {power});
     QTRY_COMPARE(plot(1)->rightAxes(), 1);
     QVERIFY(page->channels().ticked().contains(power));
-    QCOMPARE(plot(0)->chart()->plotArea().width(), plot(1)->chart()->plotArea().width());   // they still line up
+    QCOMPARE(plot(0)->chart()->plotArea().width(),
+             plot(1)->chart()->plotArea().width());  // they still line up
     // The same channel in two plots, and rubbish is refused.
     drop(plot(0), {power, 9999, -1});
     QTRY_COMPARE(plot(0)->curves().size(), 4);
@@ -138,7 +142,8 @@ void TestTelemetry::ownScalesForEachChannel()
     QTRY_COMPARE(plot(1)->rightAxes(), 0);
     plot(1)->setOwnScales(true);
     QCOMPARE(plot(1)->rightAxes(), 2);
-    QTRY_VERIFY(plot(1)->scale(0).low() != plot(1)->scale(1).low() || plot(1)->scale(0).high() != plot(1)->scale(1).high());
+    QTRY_VERIFY(plot(1)->scale(0).low() != plot(1)->scale(1).low()
+                || plot(1)->scale(0).high() != plot(1)->scale(1).high());
 }
 
 void TestTelemetry::figuresAreThoseOfTheVisibleSpan()
@@ -150,9 +155,11 @@ void TestTelemetry::figuresAreThoseOfTheVisibleSpan()
     page->stack()->setSeconds(2);
     page->pauseButton()->setChecked(true);
     panel->setFiguresVisible(true);
-    const SpanStatistics wanted = spanStatistics(*m_rig->client().telemetry(), channel("gyro.roll"), -1, plot(1)->startTime(),
-                                                 plot(1)->endTime());
-    const auto number = [panel](int column) { return panel->figures()->item(0, column)->text().section(u' ', 0, 0).toDouble(); };
+    const SpanStatistics wanted = spanStatistics(*m_rig->client().telemetry(), channel("gyro.roll"), -1,
+                                                 plot(1)->startTime(), plot(1)->endTime());
+    const auto number = [panel](int column) {
+        return panel->figures()->item(0, column)->text().section(u' ', 0, 0).toDouble();
+    };
     QVERIFY(std::abs(number(1) - wanted.mean) < 0.01);
     QVERIFY(std::abs(number(2) - wanted.rms) < 0.01);
     QVERIFY(number(3) > 0.0);
@@ -174,7 +181,7 @@ void TestTelemetry::differencesBoxesAndKeys()
     QTRY_VERIFY(view->cursorTime());
     QVERIFY2(view->cursorTexts().first().contains(u"Δ"_s), qPrintable(view->cursorTexts().first()));
     QVERIFY(std::abs((*view->cursorTime() - *view->referenceTime()) - 0.05 * page->window()) < 0.05);
-    QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, at(view, 0.9, 0.3));   // on it: gone
+    QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, at(view, 0.9, 0.3));  // on it: gone
     QVERIFY(!view->referenceTime());
     QTest::keyClick(view, Qt::Key_R);
     QVERIFY(view->referenceTime());
@@ -194,7 +201,8 @@ void TestTelemetry::differencesBoxesAndKeys()
     QVERIFY(!view->scale(0).isFixed());
     // A box drawn by accident changes nothing.
     QTest::mousePress(view->viewport(), Qt::LeftButton, Qt::ShiftModifier, at(view, 0.5, 0.5));
-    QTest::mouseRelease(view->viewport(), Qt::LeftButton, Qt::ShiftModifier, at(view, 0.5, 0.5) + QPoint(2, 2));
+    QTest::mouseRelease(view->viewport(), Qt::LeftButton, Qt::ShiftModifier,
+                        at(view, 0.5, 0.5) + QPoint(2, 2));
     QVERIFY(!view->scale(0).isFixed());
 }
 
@@ -205,7 +213,8 @@ void TestTelemetry::eventsAreMarked()
     waitForSamples();
     const PlotMarks &marks = m_rig->workspace().marks();
     const auto marked = [&marks](const QString &text) {
-        return std::any_of(marks.all().begin(), marks.all().end(), [&](const PlotMark &mark) { return mark.text.contains(text); });
+        return std::any_of(marks.all().begin(), marks.all().end(),
+                           [&](const PlotMark &mark) { return mark.text.contains(text); });
     };
     QTRY_VERIFY_WITH_TIMEOUT(!m_rig->workspace().live().parameters().isEmpty()
                                  && m_rig->workspace().live().value(m_rig->spec(u"pid.roll.p"_s).id),
@@ -254,7 +263,8 @@ void TestTelemetry::layoutsAreKeptByName()
     emit page->layoutMenu()->aboutToShow();
     const auto named = [page](const QString &name) {
         const QList<QAction *> actions = page->layoutMenu()->actions();
-        return std::any_of(actions.begin(), actions.end(), [&](QAction *action) { return action->text() == name; });
+        return std::any_of(actions.begin(), actions.end(),
+                           [&](QAction *action) { return action->text() == name; });
     };
     QVERIFY(named(u"Power / battery"_s));
     // The last arrangement and the kept one are there after a restart.
@@ -266,7 +276,8 @@ void TestTelemetry::layoutsAreKeptByName()
     m_rig->settings().setPlotLayout(u"Power / battery"_s, {});
     QVERIFY(m_rig->settings().plotLayouts().isEmpty());
     // A layout of another kind of board, or a damaged one, is told and harmless.
-    m_rig->settings().setPlotLayout(u"foreign"_s, R"({"plots":[{"channels":["no.such"]},{"channels":7},5],"seconds":"x"})");
+    m_rig->settings().setPlotLayout(u"foreign"_s,
+                                    R"({"plots":[{"channels":["no.such"]},{"channels":7},5],"seconds":"x"})");
     QSignalSpy told(&m_rig->workspace(), &Workspace::notice);
     page->useLayout(u"foreign"_s);
     QCOMPARE(told.count(), 1);
@@ -302,7 +313,7 @@ void TestTelemetry::streamsByHand()
     auto *dialog = page->findChild<StreamsDialog *>();
     QVERIFY(dialog);
     dialog->byHand()->setChecked(true);
-    QVERIFY(!dialog->applyButton()->isEnabled());   // nothing is chosen
+    QVERIFY(!dialog->applyButton()->isEnabled());  // nothing is chosen
     dialog->check(u"realtime4"_s)->setChecked(true);
     dialog->rate(u"realtime4"_s)->setValue(200);
     dialog->check(u"custom"_s)->setChecked(true);
@@ -312,10 +323,12 @@ void TestTelemetry::streamsByHand()
     QTest::mouseClick(dialog->applyButton(), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().telemetryPlan().rate, 500.0, 5000);
     QCOMPARE(m_rig->client().telemetryPlan().budget.streams.size(), std::size_t(2));
-    QTRY_VERIFY_WITH_TIMEOUT(plot(1)->rateText().contains(u"500"_s) && !plot(1)->rateText().contains(u"1250"_s), 15000);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        plot(1)->rateText().contains(u"500"_s) && !plot(1)->rateText().contains(u"1250"_s), 15000);
     // What is ticked later joins the stream.
     page->channels().setTicked(page->channels().ticked() << channel("acc.x"));
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().telemetryPlan().budget.streams[1].channels.contains(channel("acc.x")), 5000);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        m_rig->client().telemetryPlan().budget.streams[1].channels.contains(channel("acc.x")), 5000);
     m_rig->workspace().setStreams({});
     QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().telemetryPlan().rate, 1250.0, 5000);
 }
@@ -333,7 +346,7 @@ void TestTelemetry::streamsThatDoNotFitAreNotOffered()
     dialog->rate(u"realtime4"_s)->setValue(200);
     QVERIFY(!dialog->applyButton()->isEnabled());
     QVERIFY2(dialog->verdict()->text().contains(u"11520"_s), qPrintable(dialog->verdict()->text()));
-    dialog->rate(u"realtime4"_s)->setValue(0);   // as fast as possible always fits
+    dialog->rate(u"realtime4"_s)->setValue(0);  // as fast as possible always fits
     QVERIFY(dialog->applyButton()->isEnabled());
     dialog->reject();
     // The same by code: told with numbers, and what ran goes on.
@@ -373,7 +386,7 @@ void TestTelemetry::heldSpanIsMeasuredOnTheSpectrum()
         if (action->isCheckable() && !action->text().startsWith(u"Waterfall"_s))
             action->trigger();
     }
-    QCOMPARE(page->chart()->yScale().low, 0.0);          // RMS of each line
+    QCOMPARE(page->chart()->yScale().low, 0.0);  // RMS of each line
     QVERIFY(!page->chart()->xScale().logarithmic);
     QVERIFY(page->chart()->xScale().high <= 625.0);
 }
@@ -393,7 +406,8 @@ void TestTelemetry::waterfallShowsWhatRings()
     WaterfallView view(m_rig->theme());
     std::vector<float> samples(2048);
     for (std::size_t i = 0; i < samples.size(); ++i)
-        samples[i] = float(std::sin(2.0 * std::numbers::pi * 80.0 * double(i) / 1250.0)) + 0.001F * float(i % 7);
+        samples[i]
+            = float(std::sin(2.0 * std::numbers::pi * 80.0 * double(i) / 1250.0)) + 0.001F * float(i % 7);
     const auto tone = spectrum(samples, 1250, {1024, 0.5, WindowShape::Hann});
     QVERIFY(tone);
     for (int i = 0; i < WaterfallView::kColumns + 20; ++i)
@@ -412,7 +426,7 @@ void TestTelemetry::stepTestFindsWhatThePlantDoes()
     QVERIFY(m_rig->open());
     auto *page = m_rig->page<ResponsePage>();
     waitForMotors();
-    page->axisChoice()->setCurrentIndex(2);   // yaw has nothing that pulls it
+    page->axisChoice()->setCurrentIndex(2);  // yaw has nothing that pulls it
     QVERIFY(!page->startButton()->isEnabled());
     QTest::mouseClick(page->armButton(), Qt::LeftButton);
     QVERIFY(page->startButton()->isEnabled());
@@ -427,10 +441,12 @@ void TestTelemetry::stepTestFindsWhatThePlantDoes()
     gains.i = raw("pid.yaw.i");
     gains.d = raw("pid.yaw.d");
     gains.dLpfHz = 200;
-    const auto wanted = stepMetrics(LoopMath{simulatedMechanics(Axis::Yaw), gains}.step(1250, 0.95), 1250, 0, 1);
+    const auto wanted
+        = stepMetrics(LoopMath{simulatedMechanics(Axis::Yaw), gains}.step(1250, 0.95), 1250, 0, 1);
     QVERIFY(wanted && wanted->riseSeconds && record.steps.metrics.riseSeconds);
-    qInfo("rise %.1f ms, mathematics %.1f ms; overshoot %.1f %%, mathematics %.1f %%", *record.steps.metrics.riseSeconds * 1000,
-          *wanted->riseSeconds * 1000, record.steps.metrics.overshoot, wanted->overshoot);
+    qInfo("rise %.1f ms, mathematics %.1f ms; overshoot %.1f %%, mathematics %.1f %%",
+          *record.steps.metrics.riseSeconds * 1000, *wanted->riseSeconds * 1000,
+          record.steps.metrics.overshoot, wanted->overshoot);
     // The hand trembles and the joint has friction: a fifth of the time, ten points of overshoot.
     QVERIFY(std::abs(*record.steps.metrics.riseSeconds / *wanted->riseSeconds - 1.0) < 0.2);
     QVERIFY(std::abs(record.steps.metrics.overshoot - wanted->overshoot) < 10.0);
@@ -464,11 +480,13 @@ void TestTelemetry::ownMotionIsMeasured()
     QVERIFY(page->records().empty());
     // The operator sways the camera, as a hand controller would.
     const auto modes = m_rig->client().device()->controlModes();
-    const auto mode = std::find_if(modes.begin(), modes.end(), [](const ControlMode &each) { return each.usesAngle && each.usesSpeed; });
+    const auto mode = std::find_if(modes.begin(), modes.end(),
+                                   [](const ControlMode &each) { return each.usesAngle && each.usesSpeed; });
     QTimer hand;
     QElapsedTimer clock;
     connect(&hand, &QTimer::timeout, this, [&] {
-        // From 1 to 7 Hz in three seconds, over and over: whatever six seconds are measured, all of it is in them.
+        // From 1 to 7 Hz in three seconds, over and over: whatever six seconds are measured, all of it is in
+        // them.
         const double t = std::fmod(double(clock.elapsed()) / 1000.0, 3.0);
         ControlSetpoint setpoint{};
         for (AxisSetpoint &axis : setpoint)
@@ -490,7 +508,8 @@ void TestTelemetry::ownMotionIsMeasured()
     gains.i = m_rig->raw(u"pid.yaw.i"_s);
     gains.d = m_rig->raw(u"pid.yaw.d"_s);
     gains.dLpfHz = 200;
-    const Margins wanted = ::margins(LoopMath{simulatedMechanics(Axis::Yaw), gains}.openLoop(20), 0.7, 0.3, 20);
+    const Margins wanted
+        = ::margins(LoopMath{simulatedMechanics(Axis::Yaw), gains}.openLoop(20), 0.7, 0.3, 20);
     QVERIFY2(std::abs(*margins.phaseDeg - *wanted.phaseDeg) < 12.0,
              qPrintable(u"%1, mathematics %2"_s.arg(*margins.phaseDeg).arg(*wanted.phaseDeg)));
 }
@@ -578,13 +597,15 @@ void TestTelemetry::responsesAreExchangedAsText()
     }
     QSignalSpy told(&m_rig->workspace(), &Workspace::notice);
     QVERIFY(page->importCsv(path));
-    QCOMPARE(told.count(), 1);   // its rate was assumed
+    QCOMPARE(told.count(), 1);  // its rate was assumed
     QCOMPARE(page->records().size(), std::size_t(1));
     const ResponseRecord &record = page->records().front();
     QCOMPARE(record.name, u"lag"_s);
     const auto bin = std::size_t(std::lround(10.0 / record.closed.resolution));
     const double hz = record.closed.frequency(bin);
-    QVERIFY(std::abs(record.closed.gainDb(bin) + 10.0 * std::log10(1.0 + std::pow(2 * std::numbers::pi * hz * 0.05, 2))) < 0.7);
+    QVERIFY(std::abs(record.closed.gainDb(bin)
+                     + 10.0 * std::log10(1.0 + std::pow(2 * std::numbers::pi * hz * 0.05, 2)))
+            < 0.7);
     QVERIFY(!page->gainChart()->curves().isEmpty());
     // Out and in again: the same.
     const QString copy = m_rig->filePath(u"copy.csv"_s);
@@ -633,7 +654,9 @@ void TestTelemetry::recordingIsPausedAndGoneThrough()
     QVERIFY(m_rig->client().telemetry()->lost() == 0);
     // Back: opened anew, with everything before that place, and still paused.
     m_rig->client().seekReplay(position + 1.0);
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && state().paused && std::abs(state().position - position - 1.0) < 0.3, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && state().paused
+                                 && std::abs(state().position - position - 1.0) < 0.3,
+                             10000);
     QTRY_VERIFY(m_rig->client().telemetry()->rows() > 1000);
     QVERIFY(m_rig->client().telemetry()->rows() < rows + 3500);
     // Faster, to the end, which is told.
@@ -644,7 +667,8 @@ void TestTelemetry::recordingIsPausedAndGoneThrough()
     QVERIFY(m_rig->client().isConnected());
     // The slider goes there as well, by keyboard too.
     bar->place()->setValue(10);
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && !state().hasEnded() && state().position >= 0.9, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && !state().hasEnded() && state().position >= 0.9,
+                             10000);
 }
 
 QTEST_MAIN(TestTelemetry)

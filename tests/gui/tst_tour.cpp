@@ -27,9 +27,28 @@ void TestTour::otherFamilyHasEveryPicture()
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 200000);
     QCOMPARE(finished.first().at(1).toString(), QString());
     const QStringList pictures = finished.first().at(0).toStringList();
-    for (const char *name : {"dashboard", "parameters", "tuning", "control", "calibration", "calibration-six", "calibration-result", "setup",
-                             "setup-orientation", "setup-yaw", "setup-done", "scripts", "scripts-wrong", "share", "unstored", "spectrum", "response", "response-armed",
-                             "review", "backups", "console", "variables"}) {
+    for (const char *name : {"dashboard",
+                             "parameters",
+                             "tuning",
+                             "control",
+                             "calibration",
+                             "calibration-six",
+                             "calibration-result",
+                             "setup",
+                             "setup-orientation",
+                             "setup-yaw",
+                             "setup-done",
+                             "scripts",
+                             "scripts-wrong",
+                             "share",
+                             "unstored",
+                             "spectrum",
+                             "response",
+                             "response-armed",
+                             "review",
+                             "backups",
+                             "console",
+                             "variables"}) {
         const QString path = folder + u"/storm32-"_s + QLatin1String(name) + u"-light.png"_s;
         QVERIFY2(pictures.contains(path) && !QImage(path).isNull(), name);
     }

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/simprocess.h"
 
+#include <QDateTime>
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QNetworkDatagram>
 #include <QTemporaryDir>
+#include <QUdpSocket>
 
 #include <cmath>
-#include <QNetworkDatagram>
-#include <QUdpSocket>
-#include <QDateTime>
 
 using namespace Qt::StringLiterals;
 
@@ -25,7 +25,7 @@ struct Run
     [[nodiscard]] QJsonDocument json() const { return QJsonDocument::fromJson(out.toUtf8()); }
 };
 
-} // namespace
+}  // namespace
 
 /// gimbalctl as a person or a script would use it, against a running simulator.
 class TestCtl : public QObject
@@ -144,7 +144,7 @@ void TestCtl::dumpDiffApply()
     QVERIFY(ctl({u"diff"_s, a, u"board"_s}).out.contains(u"no difference"_s));
     QCOMPARE(ctl({u"set"_s, u"pid.pitch.d=77"_s, u"--profile"_s, u"3"_s}).exitCode, 0);
     QCOMPARE(ctl({u"dump"_s, b}).exitCode, 0);
-    const Run diff = ctl({u"diff"_s, a, b}, false);   // two files need no board
+    const Run diff = ctl({u"diff"_s, a, b}, false);  // two files need no board
     QCOMPARE(diff.exitCode, 0);
     QVERIFY(diff.out.contains(u"pid.pitch.d"_s) && diff.out.contains(u"25 -> 77"_s));
     const Run dry = ctl({u"apply"_s, a, u"--dry-run"_s});
@@ -184,27 +184,28 @@ void TestCtl::streamsByHand()
     const Run list = ctl({u"streams"_s});
     QCOMPARE(list.exitCode, 0);
     QVERIFY2(list.out.contains(u"REALTIME_DATA_4"_s) && list.out.contains(u"129"_s), qPrintable(list.out));
-    const Run run = ctl({u"monitor"_s, u"--channels"_s, u"battery,z1.z"_s, u"--stream"_s, u"realtime4@200"_s, u"--stream"_s,
-                         u"helper@100"_s, u"--seconds"_s, u"1"_s});
+    const Run run = ctl({u"monitor"_s, u"--channels"_s, u"battery,z1.z"_s, u"--stream"_s, u"realtime4@200"_s,
+                         u"--stream"_s, u"helper@100"_s, u"--seconds"_s, u"1"_s});
     QCOMPARE(run.exitCode, 0);
     const auto lines = run.out.count(u'\n');
     QVERIFY2(lines > 180 && lines < 220, qPrintable(QString::number(lines)));
-    QVERIFY2(run.err.contains(u"28700 of 1000000 bytes/s"_s), qPrintable(run.err));   // 200 x 129 + 100 x 29
+    QVERIFY2(run.err.contains(u"28700 of 1000000 bytes/s"_s), qPrintable(run.err));  // 200 x 129 + 100 x 29
 }
 
 void TestCtl::publishesForOthers()
 {
     QUdpSocket listener;
     QVERIFY(listener.bind(QHostAddress::LocalHost, 0));
-    const Run run = ctl({u"publish"_s, u"localhost:%1"_s.arg(listener.localPort()), u"--channels"_s, u"gyro.roll,gyro.yaw"_s,
-                         u"--seconds"_s, u"1"_s});
+    const Run run = ctl({u"publish"_s, u"localhost:%1"_s.arg(listener.localPort()), u"--channels"_s,
+                         u"gyro.roll,gyro.yaw"_s, u"--seconds"_s, u"1"_s});
     QCOMPARE(run.exitCode, 0);
     QTRY_VERIFY(listener.hasPendingDatagrams());
     int count = 0;
     double last = 0;
     while (listener.hasPendingDatagrams()) {
         const QJsonObject message = QJsonDocument::fromJson(listener.receiveDatagram().data()).object();
-        QVERIFY(message.value(u"gyro"_s)[u"roll"_s].isDouble() && message.value(u"gyro"_s)[u"yaw"_s].isDouble());
+        QVERIFY(message.value(u"gyro"_s)[u"roll"_s].isDouble()
+                && message.value(u"gyro"_s)[u"yaw"_s].isDouble());
         QVERIFY(message.value(u"timestamp"_s).toDouble() >= last);
         last = message.value(u"timestamp"_s).toDouble();
         ++count;
@@ -218,7 +219,8 @@ void TestCtl::measuresByMoving()
 {
     const QString file = m_dir->filePath(u"sweep.csv"_s);
     const Run steps = ctl({u"measure"_s, u"steps"_s, u"yaw"_s, u"steps=2"_s, u"rest=0.8"_s});
-    QVERIFY2(steps.exitCode == 0 && steps.out.contains(u"2 steps: rise"_s), qPrintable(steps.out + steps.err));
+    QVERIFY2(steps.exitCode == 0 && steps.out.contains(u"2 steps: rise"_s),
+             qPrintable(steps.out + steps.err));
     const Run sweep = ctl({u"measure"_s, u"sweep"_s, u"yaw"_s, u"seconds=8"_s, u"to=8"_s, u"--csv"_s, file});
     QVERIFY2(sweep.exitCode == 0 && sweep.out.contains(u"phase margin"_s), qPrintable(sweep.out + sweep.err));
     const Run again = ctl({u"analyze"_s, u"response"_s, file}, false);
@@ -237,7 +239,9 @@ void TestCtl::recordExportAnalyzeReplay()
     QCOMPARE(record.exitCode, 0);
     QVERIFY(record.err.contains(u" 0 lost"_s));
     const QString csv = m_dir->filePath(u"flight.csv"_s);
-    QCOMPARE(ctl({u"export"_s, file, u"--csv"_s, csv, u"--channels"_s, u"gyro.roll,gyro.yaw"_s}, false).exitCode, 0);
+    QCOMPARE(
+        ctl({u"export"_s, file, u"--csv"_s, csv, u"--channels"_s, u"gyro.roll,gyro.yaw"_s}, false).exitCode,
+        0);
     QFile saved(csv);
     QVERIFY(saved.open(QIODevice::ReadOnly));
     QCOMPARE(saved.readLine(), QByteArray("time_s,gyro.roll [°/s],gyro.yaw [°/s]\n"));
@@ -246,7 +250,8 @@ void TestCtl::recordExportAnalyzeReplay()
     QCOMPARE(screen.exitCode, 0);
     QVERIFY(screen.out.startsWith(u"time_s,"_s));
     // What is measured agrees with the file's own numbers.
-    const Run spectrum = ctl({u"--json"_s, u"analyze"_s, u"spectrum"_s, file, u"--channels"_s, u"gyro.roll"_s}, false);
+    const Run spectrum
+        = ctl({u"--json"_s, u"analyze"_s, u"spectrum"_s, file, u"--channels"_s, u"gyro.roll"_s}, false);
     QCOMPARE(spectrum.exitCode, 0);
     const QJsonObject roll = spectrum.json().object().value(u"gyro.roll"_s).toObject();
     QVERIFY(roll.value(u"density"_s).toArray().size() > 500);
@@ -271,7 +276,8 @@ void TestCtl::recordingKilledInTheMiddleOpens()
 {
     const QString file = m_dir->filePath(u"killed.rec"_s);
     QProcess process;
-    process.start(QStringLiteral(GIMBAL_BIN_DIR "/gimbalctl"), {u"--link"_s, m_simulator->address(), u"record"_s, file});
+    process.start(QStringLiteral(GIMBAL_BIN_DIR "/gimbalctl"),
+                  {u"--link"_s, m_simulator->address(), u"record"_s, file});
     QVERIFY(QTest::qWaitFor([&file] { return QFileInfo(file).size() > 100'000; }, 30000));
     process.kill();
     QVERIFY(QTest::qWaitFor([&process] { return process.state() == QProcess::NotRunning; }, 10000));
@@ -332,7 +338,8 @@ void TestCtl::steer()
 void TestCtl::motors()
 {
     const auto running = [this] {
-        const Run run = ctl({u"--json"_s, u"monitor"_s, u"--channels"_s, u"motors.on"_s, u"--seconds"_s, u"0.3"_s});
+        const Run run
+            = ctl({u"--json"_s, u"monitor"_s, u"--channels"_s, u"motors.on"_s, u"--seconds"_s, u"0.3"_s});
         return run.json().object().value(u"rows"_s).toArray().last().toArray().at(1).toDouble();
     };
     QCOMPARE(running(), 1.0);
@@ -354,7 +361,8 @@ void TestCtl::destructiveTakesASnapshot()
 void TestCtl::everyCommandSpeaksJson_data()
 {
     QTest::addColumn<QStringList>("arguments");
-    const auto row = [](const QStringList &arguments) { QTest::newRow(qPrintable(arguments.join(u' '))) << arguments; };
+    const auto row
+        = [](const QStringList &arguments) { QTest::newRow(qPrintable(arguments.join(u' '))) << arguments; };
     row({u"ports"_s});
     row({u"info"_s});
     row({u"list"_s});
@@ -383,7 +391,8 @@ void TestCtl::everyCommandSpeaksJson()
 void TestCtl::wrongArguments_data()
 {
     QTest::addColumn<QStringList>("arguments");
-    const auto row = [](const QStringList &arguments) { QTest::newRow(qPrintable(arguments.join(u' '))) << arguments; };
+    const auto row
+        = [](const QStringList &arguments) { QTest::newRow(qPrintable(arguments.join(u' '))) << arguments; };
     row({});
     row({u"nonsense"_s});
     row({u"get"_s});
@@ -451,12 +460,14 @@ void TestCtl::stormOverAPseudoTerminal_data()
         QTest::newRow(firmware) << QString::fromLatin1(firmware);
 }
 
-// The other family, found without being named: read, change, store, restart, read again, steer, record, replay.
+// The other family, found without being named: read, change, store, restart, read again, steer, record,
+// replay.
 void TestCtl::stormOverAPseudoTerminal()
 {
     QFETCH(QString, firmware);
     const QString path = m_dir->filePath(u"storm"_s);
-    const SimProcess storm({u"--pty"_s, path, u"--rate"_s, u"115200"_s, u"--firmware"_s, firmware}, u"storm32"_s);
+    const SimProcess storm({u"--pty"_s, path, u"--rate"_s, u"115200"_s, u"--firmware"_s, firmware},
+                           u"storm32"_s);
     QCOMPARE(storm.address(), path);
     const QStringList link{u"--link"_s, u"serial:"_s + path};
     const auto ask = [&](const QStringList &arguments) { return ctl(link + arguments, false); };
@@ -469,19 +480,22 @@ void TestCtl::stormOverAPseudoTerminal()
     const Run set = ask({u"set"_s, u"pid.roll.p=5.00"_s, u"rc.yaw.min=-40"_s});
     QVERIFY2(set.exitCode == 0 && set.out.contains(u"verified"_s), qPrintable(set.out + set.err));
     QCOMPARE(ask({u"do"_s, u"restart"_s}).exitCode, 0);
-    QCOMPARE(ask({u"get"_s, u"pid.roll.p"_s, u"rc.yaw.min"_s}).out, u"pid.roll.p=5.00\nrc.yaw.min=-40.0\n"_s);   // it was stored
+    QCOMPARE(ask({u"get"_s, u"pid.roll.p"_s, u"rc.yaw.min"_s}).out,
+             u"pid.roll.p=5.00\nrc.yaw.min=-40.0\n"_s);  // it was stored
     const Run diff = ask({u"diff"_s, dump, u"board"_s});
     QVERIFY(diff.out.contains(u"pid.roll.p"_s) && diff.out.contains(u"rc.yaw.min"_s));
     QCOMPARE(ask({u"apply"_s, dump}).exitCode, 0);
     QCOMPARE(ask({u"get"_s, u"pid.roll.p"_s}).out, u"4.00\n"_s);
-    QCOMPARE(ask({u"set"_s, u"pid.roll.p=90"_s}).exitCode, 2);   // the firmware would take it
+    QCOMPARE(ask({u"set"_s, u"pid.roll.p=90"_s}).exitCode, 2);  // the firmware would take it
     QCOMPARE(ask({u"do"_s, u"angle"_s, u"pitch=20"_s}).exitCode, 0);
     const QString file = m_dir->filePath(u"storm.gimbalrec"_s);
     const Run record = ask({u"record"_s, file, u"--seconds"_s, u"2"_s});
     QVERIFY2(record.exitCode == 0, qPrintable(record.err));
     const Run replayed = ctl({u"--link"_s, u"replay:"_s + file, u"get"_s, u"pid.roll.p"_s}, false);
     QCOMPARE(replayed.out, u"4.00\n"_s);
-    const QStringList rows = ctl({u"export"_s, file, u"--csv"_s, u"-"_s, u"--channels"_s, u"imu.angle.pitch,battery"_s}, false).out.split(u'\n');
+    const QStringList rows
+        = ctl({u"export"_s, file, u"--csv"_s, u"-"_s, u"--channels"_s, u"imu.angle.pitch,battery"_s}, false)
+              .out.split(u'\n');
     QVERIFY2(rows.size() > 60, qPrintable(QString::number(rows.size())));
     QVERIFY(rows.first().contains(u"imu.angle.pitch"_s));
 }
@@ -493,7 +507,7 @@ void TestCtl::stormThatIsLockedOut()
     const SimProcess storm({u"--pty"_s, path, u"--rate"_s, u"115200"_s}, u"storm32"_s);
     const QStringList link{u"--link"_s, u"serial:"_s + path};
     const auto ask = [&](const QStringList &arguments) { return ctl(link + arguments, false); };
-    std::ignore = ask({u"set"_s, u"mavlink.heartbeat=1"_s});   // from then on it answers in MAVLink only
+    std::ignore = ask({u"set"_s, u"mavlink.heartbeat=1"_s});  // from then on it answers in MAVLink only
     const Run info = ask({u"info"_s});
     QVERIFY2(info.exitCode == 0 && info.out.contains(u"STorM32"_s), qPrintable(info.err));
     QCOMPARE(ask({u"get"_s, u"pid.roll.p"_s}).out, u"4.00\n"_s);
@@ -502,7 +516,8 @@ void TestCtl::stormThatIsLockedOut()
     QCOMPARE(plain.out, u"0\n"_s);
 }
 
-// Calibrating, comparing what is in use with what is stored, scripts and settings files, from the command line.
+// Calibrating, comparing what is in use with what is stored, scripts and settings files, from the command
+// line.
 void TestCtl::stormIsSetUp()
 {
     const QString path = m_dir->filePath(u"storm"_s);
@@ -510,7 +525,8 @@ void TestCtl::stormIsSetUp()
     const QStringList link{u"--link"_s, u"serial:"_s + path, u"--family"_s, u"storm32"_s};
     const auto ask = [&](const QStringList &arguments) { return ctl(link + arguments, false); };
     const Run calibrated = ask({u"calibrate"_s, u"level"_s});
-    QVERIFY2(calibrated.exitCode == 0 && calibrated.out.contains(u"stored"_s), qPrintable(calibrated.err + calibrated.out));
+    QVERIFY2(calibrated.exitCode == 0 && calibrated.out.contains(u"stored"_s),
+             qPrintable(calibrated.err + calibrated.out));
     QVERIFY(!ask({u"do"_s, u"calibration.read"_s}).out.contains(u"imu.acc.zero.z      0\n"_s));
     QVERIFY(ask({u"do"_s, u"stored.compare"_s}).out.contains(u"false"_s));
     QCOMPARE(ask({u"set"_s, u"pid.roll.p=4.44"_s, u"--no-save"_s}).exitCode, 0);
@@ -520,7 +536,8 @@ void TestCtl::stormIsSetUp()
 
     const auto save = [this](const QString &name, const QByteArray &text) {
         QFile file(m_dir->filePath(name));
-        return file.open(QIODevice::WriteOnly) && file.write(text) == text.size() ? file.fileName() : QString();
+        return file.open(QIODevice::WriteOnly) && file.write(text) == text.size() ? file.fileName()
+                                                                                  : QString();
     };
     const QString script = save(u"look.scr"_s, "WAIT 5\nDORECENTER\n");
     QVERIFY(ask({u"script"_s, u"2"_s, script, u"--dry-run"_s}).out.contains(u"5 of 124 bytes"_s));
@@ -544,18 +561,22 @@ void TestCtl::stormIsSetUp()
 void TestCtl::stormIsSteeredAndTuned()
 {
     const QString path = m_dir->filePath(u"storm"_s);
-    const SimProcess storm({u"--pty"_s, path, u"--rate"_s, u"115200"_s, u"--fault"_s, u"shake=0"_s}, u"storm32"_s);
+    const SimProcess storm({u"--pty"_s, path, u"--rate"_s, u"115200"_s, u"--fault"_s, u"shake=0"_s},
+                           u"storm32"_s);
     const QStringList link{u"--link"_s, u"serial:"_s + path};
     const auto ask = [&](const QStringList &arguments) { return ctl(link + arguments, false); };
-    const auto does = [&](const QStringList &arguments) { return ask(QStringList{u"do"_s} + arguments).exitCode == 0; };
+    const auto does
+        = [&](const QStringList &arguments) { return ask(QStringList{u"do"_s} + arguments).exitCode == 0; };
     // The last row of what comes now.
     const auto shows = [&](const QString &channel) {
-        const QStringList rows = ask({u"monitor"_s, u"--channels"_s, channel, u"--seconds"_s, u"1.5"_s}).out.trimmed().split(u'\n');
+        const QStringList rows = ask({u"monitor"_s, u"--channels"_s, channel, u"--seconds"_s, u"1.5"_s})
+                                     .out.trimmed()
+                                     .split(u'\n');
         return rows.last().section(u',', 1, 1).toDouble();
     };
     QVERIFY(does({u"angle"_s, u"pitch=15"_s}));
     QVERIFY(std::abs(shows(u"imu.angle.pitch"_s) - 15) < 1.0);
-    QVERIFY(does({u"angle"_s, u"pitch=90"_s}));           // the sticks reach 25 degrees
+    QVERIFY(does({u"angle"_s, u"pitch=90"_s}));  // the sticks reach 25 degrees
     QVERIFY(std::abs(shows(u"imu.angle.pitch"_s) - 25) < 1.0);
     QVERIFY(does({u"recenter"_s}));
     QVERIFY(std::abs(shows(u"imu.angle.pitch"_s)) < 1.0);
@@ -563,7 +584,7 @@ void TestCtl::stormIsSteeredAndTuned()
     QCOMPARE(shows(u"input.pitch"_s), 200.0);
     QVERIFY(does({u"recenter"_s}));
     QCOMPARE(shows(u"input.pitch"_s), 0.0);
-    QVERIFY(does({u"pan.mode"_s, u"mode=3"_s}));          // pan pan pan
+    QVERIFY(does({u"pan.mode"_s, u"mode=3"_s}));  // pan pan pan
     QCOMPARE(int(shows(u"status2"_s)) & 0xE000, 0xE000);
     QVERIFY(does({u"pan.mode"_s, u"mode=0"_s}));
     QCOMPARE(ask({u"motors"_s, u"off"_s}).exitCode, 0);
@@ -574,7 +595,8 @@ void TestCtl::stormIsSteeredAndTuned()
 
     const auto overshoot = [&] {
         const Run measured = ask({u"--json"_s, u"measure"_s, u"steps"_s, u"yaw"_s});
-        return measured.exitCode == 0 ? measured.json().object().value(u"overshootPercent"_s).toDouble(-1) : -1.0;
+        return measured.exitCode == 0 ? measured.json().object().value(u"overshootPercent"_s).toDouble(-1)
+                                      : -1.0;
     };
     QTRY_VERIFY_WITH_TIMEOUT(shows(u"state"_s) == 6.0, 30000);
     const double before = overshoot();

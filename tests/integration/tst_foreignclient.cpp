@@ -6,12 +6,11 @@
 #include <QFileInfo>
 #include <QTemporaryDir>
 
+#include <cmath>
 #include <fcntl.h>
 #include <poll.h>
 #include <termios.h>
 #include <unistd.h>
-
-#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -37,13 +36,20 @@ public:
     Foreigner &operator=(const Foreigner &) = delete;
     [[nodiscard]] bool isOpen() const { return m_fd >= 0; }
 
-    void send(const QByteArray &bytes) { [[maybe_unused]] const auto n = ::write(m_fd, bytes.constData(), size_t(bytes.size())); }
+    void send(const QByteArray &bytes)
+    {
+        [[maybe_unused]] const auto n = ::write(m_fd, bytes.constData(), size_t(bytes.size()));
+    }
 
     /// Version 1 frame: '>' id size sum, body, sum of the body (document "Message format").
     void command(int id, const QByteArray &body = {})
     {
         QByteArray frame;
-        frame.append('>').append(char(id)).append(char(body.size())).append(char((id + body.size()) & 0xFF)).append(body);
+        frame.append('>')
+            .append(char(id))
+            .append(char(body.size()))
+            .append(char((id + body.size()) & 0xFF))
+            .append(body);
         unsigned sum = 0;
         for (const char byte : body)
             sum += quint8(byte);
@@ -119,7 +125,7 @@ bool isChecked(const QByteArray &data)
     return data.size() > 2 && withChecksum(data.chopped(2)) == data;
 }
 
-} // namespace
+}  // namespace
 
 class TestForeignClient : public QObject
 {
@@ -209,7 +215,8 @@ void TestForeignClient::speaksStorm()
     QFETCH(int, words);
     QTemporaryDir dir;
     const QString path = dir.filePath(u"gimbal"_s);
-    SimProcess simulator({u"--pty"_s, path, u"--firmware"_s, firmware, u"--rate"_s, u"115200"_s}, u"storm32"_s);
+    SimProcess simulator({u"--pty"_s, path, u"--firmware"_s, firmware, u"--rate"_s, u"115200"_s},
+                         u"storm32"_s);
     QVERIFY(!simulator.address().isEmpty());
     Foreigner client(path);
     QVERIFY(client.isOpen());
@@ -227,7 +234,7 @@ void TestForeignClient::speaksStorm()
     const QByteArray stream = ask("g", 2 * words + 128 + 3);
     QCOMPARE(stream.size(), 2 * words + 128 + 3);
     QVERIFY(stream.endsWith('o') && isChecked(stream.chopped(1)));
-    QCOMPARE(word(stream, 2 * 82), 25);                       // nobody's word, kept as read
+    QCOMPARE(word(stream, 2 * 82), 25);  // nobody's word, kept as read
     const QByteArray live = ask("d", 67);
     QVERIFY(live.size() == 67 && live.endsWith('o') && isChecked(live.left(66)));
     QCOMPARE(word(live, 12), 1500);
@@ -238,7 +245,8 @@ void TestForeignClient::speaksStorm()
     QByteArray changed = stream.left(2 * words + 128);
     changed[0] = char(0x9A);
     QCOMPARE(ask("p" + withChecksum(changed), 1), "o");
-    QCOMPARE(ask(hex("fa0203000000001234").left(7), 9).left(7), hex("fb0403") + hex("0000") + hex("9a01"));   // any checksum will do
+    QCOMPARE(ask(hex("fa0203000000001234").left(7), 9).left(7),
+             hex("fb0403") + hex("0000") + hex("9a01"));  // any checksum will do
     QByteArray damaged = withChecksum(changed);
     damaged[4] = char(damaged[4] ^ 1);
     QCOMPARE(ask("p" + damaged, 1), "c");
@@ -261,10 +269,11 @@ void TestForeignClient::speaksStorm()
     QVERIFY2(beats.contains(hex("fe09")), beats.toHex().constData());
     while (beats.startsWith(char(0xFE)) && beats.size() > 8)
         beats.remove(0, 8 + quint8(beats[1]));
-    QVERIFY2(beats.isEmpty(), beats.toHex().constData());   // and no answer between them
-    client.send(hex("fe03005243ea4743746893"));               // embedded t
+    QVERIFY2(beats.isEmpty(), beats.toHex().constData());  // and no answer between them
+    client.send(hex("fe03005243ea4743746893"));  // embedded t
     QVERIFY(client.receive(2000).contains(hex("4743eb52436f")));
-    // Embedded RC command 4: FA 04, parameter 112, value 0; its checksum ends with the message's own byte, 152.
+    // Embedded RC command 4: FA 04, parameter 112, value 0; its checksum ends with the message's own byte,
+    // 152.
     const QByteArray inner = hex("08005243ea4743") + hex("fa0470000000");
     const QByteArray checked = withChecksum(inner + char(152));
     client.send(QByteArray(1, char(0xFE)) + inner + checked.right(2));
@@ -279,7 +288,8 @@ void TestForeignClient::fullRateOnNativeUsb()
     SimProcess simulator({u"--pty"_s, path});
     Foreigner client(path);
     // REALTIME_DATA_CUSTOM with gyro, each cycle: 2 + 6 bytes and 5 around them.
-    client.command(85, QByteArray::fromHex("580100") + QByteArray::fromHex("10000000") + QByteArray(14, '\0'));
+    client.command(85,
+                   QByteArray::fromHex("580100") + QByteArray::fromHex("10000000") + QByteArray(14, '\0'));
     client.receive(300);
     QElapsedTimer timer;
     timer.start();
@@ -323,13 +333,18 @@ void TestForeignClient::badArguments_data()
     const QStringList family{u"--family"_s, u"simplebgc"_s};
     QTest::newRow("nothing") << QStringList() << u"--family"_s;
     QTest::newRow("no place") << family << u"--pty"_s;
-    QTest::newRow("two places") << family + QStringList{u"--pty"_s, u"/tmp/x"_s, u"--tcp"_s, u"1"_s} << u"one of"_s;
+    QTest::newRow("two places") << family + QStringList{u"--pty"_s, u"/tmp/x"_s, u"--tcp"_s, u"1"_s}
+                                << u"one of"_s;
     QTest::newRow("family") << QStringList{u"--family"_s, u"toaster"_s, u"--tcp"_s, u"0"_s} << u"toaster"_s;
     QTest::newRow("port") << family + QStringList{u"--tcp"_s, u"99999"_s} << u"65535"_s;
-    QTest::newRow("firmware") << family + QStringList{u"--tcp"_s, u"0"_s, u"--firmware"_s, u"new"_s} << u"2.59"_s;
-    QTest::newRow("fault name") << family + QStringList{u"--tcp"_s, u"0"_s, u"--fault"_s, u"magic=1"_s} << u"unplug"_s;
-    QTest::newRow("fault value") << family + QStringList{u"--tcp"_s, u"0"_s, u"--fault"_s, u"lose=2"_s} << u"0 to 1"_s;
-    QTest::newRow("parity alone") << family + QStringList{u"--tcp"_s, u"0"_s, u"--parity"_s, u"even"_s} << u"--rate"_s;
+    QTest::newRow("firmware") << family + QStringList{u"--tcp"_s, u"0"_s, u"--firmware"_s, u"new"_s}
+                              << u"2.59"_s;
+    QTest::newRow("fault name") << family + QStringList{u"--tcp"_s, u"0"_s, u"--fault"_s, u"magic=1"_s}
+                                << u"unplug"_s;
+    QTest::newRow("fault value") << family + QStringList{u"--tcp"_s, u"0"_s, u"--fault"_s, u"lose=2"_s}
+                                 << u"0 to 1"_s;
+    QTest::newRow("parity alone") << family + QStringList{u"--tcp"_s, u"0"_s, u"--parity"_s, u"even"_s}
+                                  << u"--rate"_s;
     QTest::newRow("option") << family + QStringList{u"--tcp"_s, u"0"_s, u"--colour"_s} << u"colour"_s;
     QTest::newRow("word") << family + QStringList{u"--tcp"_s, u"0"_s, u"please"_s} << u"please"_s;
 }

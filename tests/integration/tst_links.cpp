@@ -25,8 +25,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 /// Waits for a future without blocking the event loop.
-template<typename T>
-Result<T> wait(QFuture<Result<T>> future, int ms = 20000)
+template <typename T> Result<T> wait(QFuture<Result<T>> future, int ms = 20000)
 {
     if (!QTest::qWaitFor([&future] { return future.isFinished(); }, ms))
         return failure(ErrorCode::Timeout, u"the test waited too long"_s);
@@ -47,17 +46,17 @@ bool connectTo(DeviceClient &client, const QString &address, int ms = 15000)
 
 Result<Configuration> read(DeviceClient &client)
 {
-    return wait(client.submit<Configuration>([](Channel &channel, Device &device) {
-        return device.readConfiguration(channel);
-    }));
+    return wait(client.submit<Configuration>(
+        [](Channel &channel, Device &device) { return device.readConfiguration(channel); }));
 }
 
-/// Looks at raw bytes from the client's side of a TCP link, at the time they come, on a thread of its own. Everything is
-/// passed on to a simulator, or swallowed.
+/// Looks at raw bytes from the client's side of a TCP link, at the time they come, on a thread of its own.
+/// Everything is passed on to a simulator, or swallowed.
 class WireTap
 {
 public:
-    explicit WireTap(quint16 simulatorPort) : m_simulatorPort(simulatorPort)
+    explicit WireTap(quint16 simulatorPort)
+        : m_simulatorPort(simulatorPort)
     {
         m_thread = std::thread([this] { run(); });
         std::ignore = QTest::qWaitFor([this] { return m_port.load() != 0; }, 5000);
@@ -141,9 +140,10 @@ quint16 portOf(const SimProcess &simulator)
 constexpr int kControl = 67;
 constexpr int kMotorsOff = 109;
 
-} // namespace
+}  // namespace
 
-/// The real session, worker and client over real links: QSerialPort on a pseudo-terminal, TCP, and each fault.
+/// The real session, worker and client over real links: QSerialPort on a pseudo-terminal, TCP, and each
+/// fault.
 class TestLinks : public QObject
 {
     Q_OBJECT
@@ -300,7 +300,8 @@ void TestLinks::faults()
     const ChannelRoles roles = client->device()->roles();
     QTRY_VERIFY_WITH_TIMEOUT(client->telemetry()->latest(roles.faults) > 0, 5000);
     QStringList keys;
-    for (const BoardFault &found : client->device()->faults(unsigned(client->telemetry()->latest(roles.faults)), 0))
+    for (const BoardFault &found :
+         client->device()->faults(unsigned(client->telemetry()->latest(roles.faults)), 0))
         keys.append(found.key);
     QVERIFY(keys.contains(faultKey));
 }
@@ -345,7 +346,7 @@ void TestLinks::resetDuringAWriteEndsWithATrueReport()
     }));
     QVERIFY(report);
     QVERIFY(!report->isComplete());
-    QCOMPARE(report->count(WriteState::Verified), 0);   // nothing was read back
+    QCOMPARE(report->count(WriteState::Verified), 0);  // nothing was read back
     QVERIFY(report->count(WriteState::Unknown) >= 1);
     QVERIFY(report->count(WriteState::NotWritten) >= 1);
     QVERIFY(QFile::exists(report->snapshotPath));
@@ -401,7 +402,7 @@ void TestLinks::motorsOffIsFastWhileEverythingIsBusy()
             latencies.push_back(seen ? seconds(*seen - pressed) * 1000.0 : 1000.0);
         }
     });
-    std::this_thread::sleep_for(2s);   // this is the screen thread
+    std::this_thread::sleep_for(2s);  // this is the screen thread
     button.join();
     std::sort(latencies.begin(), latencies.end());
     qInfo() << "motors off on the wire after" << latencies[latencies.size() / 2] << "ms (median),"
@@ -409,7 +410,7 @@ void TestLinks::motorsOffIsFastWhileEverythingIsBusy()
     // The goal is 20 ms; the machine that tests may be busy, so the median has to hold it.
     QVERIFY(latencies[latencies.size() / 2] < 20.0);
     QVERIFY(latencies.back() < 1000.0);
-    QCOMPARE(wait(job).value_or(0), 12);   // reading was not disturbed
+    QCOMPARE(wait(job).value_or(0), 12);  // reading was not disturbed
 }
 
 void TestLinks::motorsOffIsRepeatedUntilConfirmed()
@@ -440,39 +441,41 @@ void TestLinks::deadManStopsWhenTheScreenIsBlocked()
     auto client = makeClient();
     QVERIFY(connectTo(*client, tap.address()));
     ControlSetpoint setpoint{};
-    setpoint[2] = {1, 30.0, 0.0};   // yaw, speed mode
+    setpoint[2] = {1, 30.0, 0.0};  // yaw, speed mode
     for (int i = 0; i < 10; ++i) {
         client->setControl(setpoint);
         QTest::qWait(50);
     }
     QVERIFY(tap.count(kControl) > 15);
     QSignalSpy rescued(client.get(), &DeviceClient::controlRescued);
-    std::this_thread::sleep_for(800ms);   // the screen thread is blocked: nobody refreshes
+    std::this_thread::sleep_for(800ms);  // the screen thread is blocked: nobody refreshes
     const int after = tap.count(kControl);
     std::this_thread::sleep_for(300ms);
     QCOMPARE(tap.count(kControl), after);
     QTRY_VERIFY_WITH_TIMEOUT(rescued.count() == 1, 3000);
     // The board stands: its yaw target does not move any more.
     const auto angles = [&] {
-        return wait(client->submit<ActionReply>([](Channel &channel, Device &device) {
-            return device.perform(channel, u"angles"_s, {});
-        }));
+        return wait(client->submit<ActionReply>(
+            [](Channel &channel, Device &device) { return device.perform(channel, u"angles"_s, {}); }));
     };
     const auto first = angles();
     QVERIFY(first);
     QVERIFY(first->value(u"target.yaw"_s).toDouble() > 5.0);
     QTest::qWait(500);
-    QVERIFY(std::abs(angles()->value(u"target.yaw"_s).toDouble() - first->value(u"target.yaw"_s).toDouble()) < 0.1);
+    QVERIFY(std::abs(angles()->value(u"target.yaw"_s).toDouble() - first->value(u"target.yaw"_s).toDouble())
+            < 0.1);
 }
 
 void TestLinks::motorsOffCancelsAMovingJob()
 {
     auto client = makeClient();
     QVERIFY(connectTo(*client, u"sim:simplebgc?seed=21"_s));
-    auto job = client->submit<ActionReply>([](Channel &channel, Device &device) {
-        QVariantMap arguments{{u"roll"_s, true}, {u"gain"_s, 128}, {u"save"_s, true}};
-        return device.perform(channel, u"autotune"_s, arguments);
-    }, DeviceClient::JobKind::Moving);
+    auto job = client->submit<ActionReply>(
+        [](Channel &channel, Device &device) {
+            QVariantMap arguments{{u"roll"_s, true}, {u"gain"_s, 128}, {u"save"_s, true}};
+            return device.perform(channel, u"autotune"_s, arguments);
+        },
+        DeviceClient::JobKind::Moving);
     QTest::qWait(1500);
     client->motorsOff();
     const auto result = wait(job, 3000);
@@ -498,7 +501,7 @@ void TestLinks::cancelledJobsEndAtOnce()
     QCOMPARE(wait(running).error().code, ErrorCode::Cancelled);
     QCOMPARE(wait(waiting).error().code, ErrorCode::Cancelled);
     QVERIFY(timer.elapsed() < 2000);
-    QVERIFY(read(*client));   // the link lives on
+    QVERIFY(read(*client));  // the link lives on
 }
 
 void TestLinks::telemetryGoesOnWhileTheScreenIsBlocked()
@@ -533,9 +536,8 @@ void TestLinks::foreignProtocolIsNamed()
     QVERIFY(server.listen(QHostAddress::LocalHost, 0));
     connect(&server, &QTcpServer::newConnection, this, [&server] {
         QTcpSocket *socket = server.nextPendingConnection();
-        connect(socket, &QTcpSocket::readyRead, socket, [socket] {
-            socket->write(QByteArray(socket->readAll().size(), 'e'));
-        });
+        connect(socket, &QTcpSocket::readyRead, socket,
+                [socket] { socket->write(QByteArray(socket->readAll().size(), 'e')); });
     });
     auto client = makeClient();
     QSignalSpy failed(client.get(), &DeviceClient::connectionFailed);
@@ -558,7 +560,7 @@ void TestLinks::portInUseIsToldAsBusy()
     second->connectTo(*LinkAddress::parse(path), u"simplebgc"_s);
     QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, 10000);
     QCOMPARE(int(failed.first().first().value<Error>().code), int(ErrorCode::PortBusy));
-    QVERIFY(read(*first));   // the one who has it is not disturbed
+    QVERIFY(read(*first));  // the one who has it is not disturbed
 }
 
 void TestLinks::udpCarriesDatagrams()
@@ -593,14 +595,15 @@ void TestLinks::theWorldChangesOnStandardInput()
     client->setTelemetry({QList<int>(roles.acc.begin(), roles.acc.end()), 0});
     const auto acc = [&](int axis) { return client->telemetry()->latest(roles.acc[std::size_t(axis)]); };
     QTRY_VERIFY_WITH_TIMEOUT(acc(2) > 0.9F, 5000);
-    simulator.process().write("pose=4\nnonsense\n");   // X down; the second line is refused and does no harm
+    simulator.process().write("pose=4\nnonsense\n");  // X down; the second line is refused and does no harm
     QTRY_VERIFY_WITH_TIMEOUT(acc(0) < -0.9F, 5000);
     QByteArray said;
-    const auto complains = [&] { return (said += simulator.process().readAllStandardError()).contains("nonsense"); };
+    const auto complains
+        = [&] { return (said += simulator.process().readAllStandardError()).contains("nonsense"); };
     QTRY_VERIFY_WITH_TIMEOUT(complains(), 2000);
     simulator.process().closeWriteChannel();
     QTest::qWait(200);
-    QCOMPARE(simulator.process().state(), QProcess::Running);   // the end of its input is not the end of it
+    QCOMPARE(simulator.process().state(), QProcess::Running);  // the end of its input is not the end of it
 }
 
 QTEST_GUILESS_MAIN(TestLinks)

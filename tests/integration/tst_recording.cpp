@@ -32,7 +32,7 @@ std::vector<RecordedPiece> somePieces(int count)
     return pieces;
 }
 
-} // namespace
+}  // namespace
 
 class TestRecording : public QObject
 {
@@ -66,7 +66,7 @@ void TestRecording::whatIsWrittenIsRead()
     const QJsonObject description{{u"family"_s, u"simplebgc"_s}, {u"note"_s, u"grün"_s}};
     auto writer = RecordingWriter::create(path(u"a"_s), description);
     QVERIFY(writer);
-    const auto pieces = somePieces(5000);   // more than one chunk
+    const auto pieces = somePieces(5000);  // more than one chunk
     for (const RecordedPiece &piece : pieces)
         QVERIFY(writer->append(piece));
     QVERIFY(writer->flush());
@@ -89,7 +89,7 @@ void TestRecording::cutAnywhereItOpensUpToTheCut()
     std::vector<qsizetype> ends;
     for (const RecordedPiece &piece : pieces) {
         QVERIFY(writer->append(piece));
-        QVERIFY(writer->flush());   // a chunk each
+        QVERIFY(writer->flush());  // a chunk each
         ends.push_back(writer->bytesWritten());
     }
     const QByteArray whole = fileBytes(path(u"b"_s));
@@ -100,7 +100,8 @@ void TestRecording::cutAnywhereItOpensUpToTheCut()
             continue;
         }
         QVERIFY(read);
-        const auto complete = std::size_t(std::count_if(ends.begin(), ends.end(), [length](qsizetype end) { return end <= length; }));
+        const auto complete = std::size_t(
+            std::count_if(ends.begin(), ends.end(), [length](qsizetype end) { return end <= length; }));
         QCOMPARE(read->pieces.size(), complete);
         QVERIFY(std::equal(read->pieces.begin(), read->pieces.end(), pieces.begin()));
         const bool clean = length == first || (complete > 0 && ends[complete - 1] == length);
@@ -133,7 +134,9 @@ void TestRecording::foreignFilesAreRefused_data()
     QTest::newRow("text") << QByteArray("time_s,imu.angle.roll\n0,1\n");
     QTest::newRow("mark only") << QByteArray("GIMBALREC 1\n");
     QTest::newRow("later version") << QByteArray("GIMBALREC 2\nGDCK");
-    QTest::newRow("endless chunk") << QByteArray("GIMBALREC 1\nGDCK\1\0\0\0\xff\xff\xff\xff" "12345678", 32);
+    QTest::newRow("endless chunk") << QByteArray("GIMBALREC 1\nGDCK\1\0\0\0\xff\xff\xff\xff"
+                                                 "12345678",
+                                                 32);
 }
 
 void TestRecording::foreignFilesAreRefused()
@@ -164,11 +167,11 @@ void TestRecording::recorderHoldsTheLastMinutes()
     const TimePoint start = Clock::now();
     recorder.bytesSent("hello", start);
     for (int i = 0; i < 3000; ++i)
-        recorder.bytesReceived(QByteArray::number(i), start + i * 10ms);   // half a minute
+        recorder.bytesReceived(QByteArray::number(i), start + i * 10ms);  // half a minute
     QVERIFY(std::abs(recorder.heldSeconds() - 10.0) < 0.1);
     const auto [pieces, number] = recorder.after(0);
     QCOMPARE(number, quint64(3001));
-    QCOMPARE(pieces.front().kind, Kind::Sent);   // how the link was set up is never forgotten
+    QCOMPARE(pieces.front().kind, Kind::Sent);  // how the link was set up is never forgotten
     QCOMPARE(pieces.front().bytes, QByteArray("hello"));
     QCOMPARE(pieces[1].bytes, QByteArray("1999"));
     QCOMPARE(pieces.back().bytes, QByteArray("2999"));
@@ -213,7 +216,7 @@ void TestRecording::recordingBeginsWithThePastOrWithout()
     auto task = RecordingTask::start(recorder, path(u"e"_s), {{u"family"_s, u"x"_s}}, false);
     QVERIFY(task);
     const auto before = (*task)->bytesWritten();
-    QTRY_VERIFY((*task)->bytesWritten() > before);   // what was said is written
+    QTRY_VERIFY((*task)->bytesWritten() > before);  // what was said is written
     for (int i = 0; i < 1000; ++i)
         recorder.bytesReceived(QByteArray::number(i), start + 2ms + i * 1us);
     QVERIFY((*task)->finish());
@@ -248,7 +251,7 @@ void TestRecording::badReplayAddresses()
 void TestRecording::responseTextsAreRead_data()
 {
     QTest::addColumn<QByteArray>("text");
-    QTest::addColumn<int>("rows");        // -1: refused
+    QTest::addColumn<int>("rows");  // -1: refused
     QTest::addColumn<double>("rate");
     QTest::newRow("ours") << QByteArray("# 500 samples/s\nin;out\n1;2\n3;4\n") << 2 << 500.0;
     QTest::newRow("bare") << QByteArray("1;2\r\n3;4") << 2 << 1250.0;
@@ -352,7 +355,7 @@ void TestRecording::replayIsTheSameBoard()
     for (const auto &[key, bytes] : original.blocks())
         QCOMPARE(again.result()->blocks().at(key), bytes);
     QTRY_VERIFY_WITH_TIMEOUT(client.telemetry()->rows() >= rows, 10000);
-    QVERIFY(client.isConnected());   // the end of the recording is no lost link
+    QVERIFY(client.isConnected());  // the end of the recording is no lost link
     // Nothing can be written to the past.
     auto written = client.submit<QVariantMap>([](Channel &channel, Device &d) -> Result<QVariantMap> {
         const auto reply = d.perform(channel, u"motors.on"_s, {});

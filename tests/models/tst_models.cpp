@@ -32,7 +32,7 @@ int idOf(const ConfigurationModel &model, const QString &key)
     return model.edited().parameters().find(key)->id;
 }
 
-} // namespace
+}  // namespace
 
 class TestModels : public QObject
 {
@@ -76,7 +76,8 @@ void TestModels::parameterModel()
     QVERIFY(!(model.flags(model.index(idOf(configuration, u"state.profile"_s), ParameterModel::ValueColumn))
               & Qt::ItemIsEditable));
     configuration.setShownProfile(1);
-    QCOMPARE(model.index(idOf(configuration, u"pid.roll.p"_s), ParameterModel::ValueColumn).data().toString(), u"45"_s);
+    QCOMPARE(model.index(idOf(configuration, u"pid.roll.p"_s), ParameterModel::ValueColumn).data().toString(),
+             u"45"_s);
     configuration.reset(readBoard(2704));
     QVERIFY(model.rowCount() > 300);
 }
@@ -110,7 +111,7 @@ void TestModels::dirtyIsAComparison()
     QVERIFY(configuration.setValue(*spec, 0, 41));
     QVERIFY(configuration.setValue(*spec, 0, 35));
     QCOMPARE(configuration.changeCount(), 0);
-    QCOMPARE(count.count(), 2);   // only when it changes
+    QCOMPARE(count.count(), 2);  // only when it changes
 }
 
 void TestModels::boardWideEditsShowInEveryProfile()
@@ -238,7 +239,7 @@ void TestModels::changeModel()
     ChangeModel model(board, edited);
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     QCOMPARE(model.rowCount(), 3);
-    QVERIFY(model.index(0, 0).data(ChangeModel::RedRole).toBool());   // red class first
+    QVERIFY(model.index(0, 0).data(ChangeModel::RedRole).toBool());  // red class first
     QCOMPARE(model.index(0, ChangeModel::BoardColumn).data().toString(), u"150"_s);
     QCOMPARE(model.index(0, ChangeModel::EditedColumn).data().toString(), u"222"_s);
     QCOMPARE(model.index(0, ChangeModel::ProfileColumn).data().toString(), u"Studio"_s);
@@ -302,8 +303,8 @@ void TestModels::everyErrorHasWords()
 
 void TestModels::everyProgressHasWords()
 {
-    for (const char *step : {"probe", "read-block", "write-block", "verify-block", "roll-back", "calibrate", "autotune",
-                             "steer"}) {
+    for (const char *step : {"probe", "read-block", "write-block", "verify-block", "roll-back", "calibrate",
+                             "autotune", "steer"}) {
         Progress progress;
         progress.step = QLatin1String(step);
         progress.subject = u"PARAMS_3"_s;

@@ -30,7 +30,9 @@ constexpr std::array<ChannelSpec, kSeries> kChannels{{
 struct Rig
 {
     explicit Rig(double window, int series = kSeries)
-        : store(std::make_shared<TelemetryStore>(kSeries)), group(store->defineGroup({0, 1, 2, 3, 4, 5}, 1.0 / kRate)), view(theme)
+        : store(std::make_shared<TelemetryStore>(kSeries))
+        , group(store->defineGroup({0, 1, 2, 3, 4, 5}, 1.0 / kRate))
+        , view(theme)
     {
         QList<int> channels;
         for (int i = 0; i < series; ++i)
@@ -56,9 +58,14 @@ struct Rig
     // Each second holds the whole range of values, so that no scale changes on the way.
     [[nodiscard]] float value(int series) const
     {
-        return steady ? *steady : float(series + std::sin(double(next) * 0.02 * (series + 1)) + 0.2 * std::sin(double(next)));
+        return steady
+            ? *steady
+            : float(series + std::sin(double(next) * 0.02 * (series + 1)) + 0.2 * std::sin(double(next)));
     }
-    [[nodiscard]] QImage picture() { return view.viewport()->grab().toImage().convertToFormat(QImage::Format_RGB32); }
+    [[nodiscard]] QImage picture()
+    {
+        return view.viewport()->grab().toImage().convertToFormat(QImage::Format_RGB32);
+    }
     // The plot area in the picture.
     [[nodiscard]] QRect pixels() const
     {
@@ -86,8 +93,7 @@ protected:
 };
 
 // The usual number of allocations of one frame.
-template<typename Frame>
-long allocationsOf(Frame frame)
+template <typename Frame> long allocationsOf(Frame frame)
 {
     std::array<long, 41> counts{};
     for (int i = 0; i < 20; ++i)
@@ -101,7 +107,7 @@ long allocationsOf(Frame frame)
     return counts[counts.size() / 2];
 }
 
-} // namespace
+}  // namespace
 
 /// One frame of a live plot: what it costs and what it shows.
 class TestPlotFrame : public QObject
@@ -164,14 +170,17 @@ void TestPlotFrame::liveFrameAllocatesNothing()
     const long whole = allocationsOf([&] {
         const long feeding = AllocationCount::now();
         rig.feed(21);
-        AllocationCount::counter() = feeding;   // the store grows, which is not the plot's
+        AllocationCount::counter() = feeding;  // the store grows, which is not the plot's
         const long before = AllocationCount::now();
         rig.view.advance();
         advancing = AllocationCount::now() - before;
         rig.view.viewport()->repaint();
     });
-    QVERIFY2(whole <= floor, qPrintable(u"%1 allocations in a frame, %2 of them before painting; Qt alone takes %3"_s.arg(whole)
-                                            .arg(advancing).arg(floor)));
+    QVERIFY2(
+        whole <= floor,
+        qPrintable(u"%1 allocations in a frame, %2 of them before painting; Qt alone takes %3"_s.arg(whole)
+                       .arg(advancing)
+                       .arg(floor)));
 }
 
 void TestPlotFrame::scrolledPictureIsTheOneDrawnAtOnce_data()
@@ -201,7 +210,7 @@ void TestPlotFrame::scrolledPictureIsTheOneDrawnAtOnce()
     rig.view.resize(900, 400);
     rig.view.advance();
     QCOMPARE(scrolled, rig.picture().copy(rig.pixels()));
-    QVERIFY(!scrolled.allGray());   // there is something in it
+    QVERIFY(!scrolled.allGray());  // there is something in it
 }
 
 void TestPlotFrame::tracesPassOverTheGrid()
@@ -224,7 +233,7 @@ void TestPlotFrame::tracesPassOverTheGrid()
     }
     QVERIFY(row > 0);
     for (int x = pixels.left(); x <= pixels.right(); ++x)
-        QCOMPARE(picture.pixel(x, row), trace);   // unbroken where the grid's lines stand
+        QCOMPARE(picture.pixel(x, row), trace);  // unbroken where the grid's lines stand
     int lines = 0;
     int between = 0;
     for (int x = pixels.left(); x <= pixels.right(); ++x) {
@@ -233,7 +242,7 @@ void TestPlotFrame::tracesPassOverTheGrid()
         between += pixel == surface;
     }
     QCOMPARE(lines + between, pixels.width());
-    QCOMPARE(lines, ratio < 2 ? 5 : 10);   // of two pixels each at 200 %, half of the outer ones is outside
+    QCOMPARE(lines, ratio < 2 ? 5 : 10);  // of two pixels each at 200 %, half of the outer ones is outside
 }
 
 void TestPlotFrame::themeReachesTheWholePicture()
@@ -253,7 +262,8 @@ void TestPlotFrame::themeReachesTheWholePicture()
     }
 }
 
-// A plot that is not to be seen, or in a minimised window, takes no notice of its data; shown again it is up to date.
+// A plot that is not to be seen, or in a minimised window, takes no notice of its data; shown again it is up
+// to date.
 void TestPlotFrame::hiddenPlotsDoNothing()
 {
     const Theme theme;
@@ -270,14 +280,17 @@ void TestPlotFrame::hiddenPlotsDoNothing()
     const auto hidden = make();
     const auto minimised = make();
     QVERIFY(QTest::qWaitForWindowExposed(seen.get()));
-    const auto end = [](const std::unique_ptr<PlotStack> &stack) { return stack->panels()[0]->view()->endTime(); };
+    const auto end
+        = [](const std::unique_ptr<PlotStack> &stack) { return stack->panels()[0]->view()->endTime(); };
     // The clock of the one that is seen tells that time enough has gone by for the others.
     const auto live = [&](double seconds) {
         const double until = end(seen) + seconds;
-        return QTest::qWaitFor([&] {
-            rig.feed(50);
-            return end(seen) > until;
-        }, 10000);
+        return QTest::qWaitFor(
+            [&] {
+                rig.feed(50);
+                return end(seen) > until;
+            },
+            10000);
     };
     QVERIFY(live(1.0));
     QTRY_VERIFY(end(hidden) > 0 && end(minimised) > 0);

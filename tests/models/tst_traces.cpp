@@ -42,7 +42,7 @@ std::shared_ptr<TelemetryStore> someStore(int rows, unsigned seed, bool lossy)
     return store;
 }
 
-} // namespace
+}  // namespace
 
 /// What the plot draws, against a plain reading of every sample.
 class TestTraces : public QObject
@@ -85,7 +85,7 @@ void TestTraces::meterSaysWhatEachSampleSays()
     const auto store = someStore(12000, 3, true);
     const SpanStatistics wanted = spanStatistics(*store, 0, minus, from, to);
     SpanMeter meter(store, 0, minus);
-    for (int i = 0; i < 2; ++i) {   // the second time from what is kept
+    for (int i = 0; i < 2; ++i) {  // the second time from what is kept
         const SpanMeter::Figures figures = meter.measure(from, to);
         QCOMPARE(figures.samples, wanted.samples);
         if (wanted.samples == 0)
@@ -119,9 +119,10 @@ void TestTraces::statisticsAroundTheMean()
 {
     auto store = std::make_shared<TelemetryStore>(1);
     auto group = store->defineGroup({0}, 1.0 / kRate);
-    const std::array<float, 4> values{9, 10, 10, 7};   // mean 9; it strays further down than up
+    const std::array<float, 4> values{9, 10, 10, 7};  // mean 9; it strays further down than up
     for (std::size_t i = 0; i < values.size(); ++i)
-        store->append(*group, store->origin() + durationFromSeconds(double(i) / kRate), std::span(&values[i], 1));
+        store->append(*group, store->origin() + durationFromSeconds(double(i) / kRate),
+                      std::span(&values[i], 1));
     const SpanStatistics all = spanStatistics(*store, 0, -1, -1.0, 1.0);
     QCOMPARE(all.samples, values.size());
     QCOMPARE(all.mean, 9.0);
@@ -130,7 +131,8 @@ void TestTraces::statisticsAroundTheMean()
     QCOMPARE(strays.mean, 0.0);
     QCOMPARE(strays.peak, 2.0);
     QVERIFY(std::abs(strays.rms - std::sqrt(1.5)) < 1e-9);
-    QVERIFY(std::isnan(spanStatistics(*store, 0, -1, 5.0, 6.0).aroundMean().rms));   // nothing is not stillness
+    QVERIFY(
+        std::isnan(spanStatistics(*store, 0, -1, 5.0, 6.0).aroundMean().rms));  // nothing is not stillness
 }
 
 void TestTraces::scaleFollowsWithHysteresis()
@@ -139,12 +141,12 @@ void TestTraces::scaleFollowsWithHysteresis()
     QVERIFY(scale.fit(-37, 12));
     QVERIFY(scale.low() <= -37 && scale.high() >= 12);
     const double step = (scale.high() - scale.low()) / scale.steps();
-    QVERIFY(std::abs(std::remainder(scale.low(), step)) < 1e-9);   // labels are round numbers
-    QVERIFY(!scale.fit(-35, 10));      // fits: nothing moves
-    QVERIFY(!scale.fit(-1, 1));        // much smaller, but only just now
-    QVERIFY(scale.fit(-80, 10));       // greater: at once
+    QVERIFY(std::abs(std::remainder(scale.low(), step)) < 1e-9);  // labels are round numbers
+    QVERIFY(!scale.fit(-35, 10));  // fits: nothing moves
+    QVERIFY(!scale.fit(-1, 1));  // much smaller, but only just now
+    QVERIFY(scale.fit(-80, 10));  // greater: at once
     QVERIFY(scale.low() <= -80);
-    QVERIFY(ValueScale().fit(5, 5) || ValueScale().low() <= 5);   // a single value is no crash
+    QVERIFY(ValueScale().fit(5, 5) || ValueScale().low() <= 5);  // a single value is no crash
 }
 
 void TestTraces::scaleStandsStillWhereItWasPut()
@@ -156,7 +158,7 @@ void TestTraces::scaleStandsStillWhereItWasPut()
     QVERIFY(!scale.fit(-100, 100));
     scale.release();
     QVERIFY(scale.fit(-100, 100));
-    scale.fix(3, 3);   // no height at all
+    scale.fix(3, 3);  // no height at all
     QVERIFY(scale.high() > scale.low());
 }
 
@@ -174,14 +176,15 @@ void TestTraces::marksAreInOrderAndFound()
     QCOMPARE(marks.next(1.0, false), std::optional<double>());
     for (int i = 0; i < 5000; ++i)
         marks.add({double(i), PlotMark::Kind::Note, {}});
-    QCOMPARE(marks.all().size(), std::size_t(2000));   // the oldest went
+    QCOMPARE(marks.all().size(), std::size_t(2000));  // the oldest went
     marks.clear();
     QVERIFY(marks.between(0, 1e9).empty());
 }
 
 void TestTraces::layoutsSurviveTheirFile()
 {
-    const std::array<ChannelSpec, 3> table{{{"a", "A", "", "V", 0}, {"b", "B", "", "A", 0}, {"c", "C", "", "V", 0}}};
+    const std::array<ChannelSpec, 3> table{
+        {{"a", "A", "", "V", 0}, {"b", "B", "", "A", 0}, {"c", "C", "", "V", 0}}};
     const PlotLayout layout{{{{0, 1}, true, false}, {{2}, false, true}}, 30};
     const PlotLayout read = PlotLayout::fromJson(layout.toJson(table), table);
     QVERIFY(read.plots == layout.plots);
@@ -189,7 +192,8 @@ void TestTraces::layoutsSurviveTheirFile()
     // On a board without the third channel.
     const PlotLayout fewer = PlotLayout::fromJson(layout.toJson(table), std::span(table).first(2));
     QCOMPARE(fewer.plots.size(), 1);
-    for (const char *bad : {"", "{", "[]", R"({"plots":3})", R"({"plots":[3,{"channels":"a"}],"seconds":-7})"})
+    for (const char *bad :
+         {"", "{", "[]", R"({"plots":3})", R"({"plots":[3,{"channels":"a"}],"seconds":-7})"})
         QVERIFY(PlotLayout::fromJson(bad, table).plots.isEmpty());
     const PlotLayout byUnit = PlotLayout::byUnit(table, {0, 1, 2});
     QCOMPARE(byUnit.plots.size(), 2);
@@ -231,7 +235,7 @@ void TestTraces::columnsHoldEverySample()
         const TraceColumns::Span &samples = wanted[std::size_t(column)];
         const TraceColumns::Span span = drawn.span(column);
         if (samples.isEmpty())
-            continue;   // a line between samples may pass through
+            continue;  // a line between samples may pass through
         QVERIFY(!span.isEmpty());
         QVERIFY(span.low <= samples.low && span.high >= samples.high);
         // Beyond its samples a column reaches only to where the line crosses its edges.
@@ -259,7 +263,8 @@ void TestTraces::columnsGrowAsTheyWouldAtOnce()
     std::mt19937 generator(5);
     std::normal_distribution<float> normal(0.0F, 1.0F);
     for (int i = 0; i < 30000; ++i) {
-        store->append(*group, store->origin() + durationFromSeconds(i / kRate), std::array<float, 1>{normal(generator)});
+        store->append(*group, store->origin() + durationFromSeconds(i / kRate),
+                      std::array<float, 1>{normal(generator)});
         if (i % 37 == 0)
             live.update(liveSources);
     }
@@ -310,7 +315,8 @@ void TestTraces::blocksFollowRetention()
     store->setRetention(2.0);
     auto group = store->defineGroup({0}, 1.0 / kRate);
     for (int i = 0; i < 20000; ++i)
-        store->append(*group, store->origin() + durationFromSeconds(i / kRate), std::array<float, 1>{float(i)});
+        store->append(*group, store->origin() + durationFromSeconds(i / kRate),
+                      std::array<float, 1>{float(i)});
     TrackView track = store->tracks(0).front();
     track.refresh();
     QVERIFY(track.begin() > 10000);

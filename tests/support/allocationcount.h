@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-/// Counts what this thread takes from the heap, in our code and in the libraries. Included by one file of a program: it stands
-/// before the C library's allocator, or hooks into the sanitizer's.
+/// Counts what this thread takes from the heap, in our code and in the libraries. Included by one file of a
+/// program: it stands before the C library's allocator, or hooks into the sanitizer's.
 class AllocationCount
 {
 public:
@@ -20,7 +20,8 @@ public:
 #if defined(__SANITIZE_ADDRESS__)
 
 // Of the sanitizer's allocator interface, whose header GCC does not bring.
-extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*allocated)(const volatile void *, std::size_t),
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*allocated)(const volatile void *,
+                                                                           std::size_t),
                                                          void (*freed)(const volatile void *));
 
 inline const int allocationHook = __sanitizer_install_malloc_and_free_hooks(

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-/// The simulated axis in the mathematics of control: linear, without dry friction and cogging, from the constants that the
-/// simulator documents. An independent way to know what a measurement of it should find.
+/// The simulated axis in the mathematics of control: linear, without dry friction and cogging, from the
+/// constants that the simulator documents. An independent way to know what a measurement of it should find.
 struct LoopMath
 {
     AxisMechanics mechanics;
@@ -22,16 +22,19 @@ struct LoopMath
     {
         constexpr double kMotorLag = 0.004;
         constexpr double kGyroLag = 0.002;
-        constexpr double kDelay = 1.5 * Stabilizer::kCycle;   // the command acts one cycle later and is held for one
-        // First-order lags as the simulator steps them: a cycle for the sensor, a quarter of it for the motor.
+        constexpr double kDelay
+            = 1.5 * Stabilizer::kCycle;  // the command acts one cycle later and is held for one
+        // First-order lags as the simulator steps them: a cycle for the sensor, a quarter of it for the
+        // motor.
         const auto lag = [s](double seconds, double step) {
             const double share = step / seconds;
             return share / (1.0 - (1.0 - share) * std::exp(-s * step));
         };
         const double omega = 2.0 * std::numbers::pi * mechanics.resonanceHz;
-        const Complex bend = mechanics.resonanceGain * s / (s * s + 2.0 * mechanics.resonanceDamping * omega * s + omega * omega);
-        return std::exp(-s * kDelay) * mechanics.fullTorque * lag(kMotorLag, Stabilizer::kCycle / 4) * (1.0 / (s + mechanics.viscous) + bend)
-            * lag(kGyroLag, Stabilizer::kCycle);
+        const Complex bend = mechanics.resonanceGain * s
+            / (s * s + 2.0 * mechanics.resonanceDamping * omega * s + omega * omega);
+        return std::exp(-s * kDelay) * mechanics.fullTorque * lag(kMotorLag, Stabilizer::kCycle / 4)
+            * (1.0 / (s + mechanics.viscous) + bend) * lag(kGyroLag, Stabilizer::kCycle);
     }
 
     /// Angle for target.
@@ -65,7 +68,7 @@ struct LoopMath
     [[nodiscard]] std::vector<float> step(double rateHz, double seconds) const
     {
         std::vector<float> angle(std::size_t(rateHz * seconds));
-        constexpr double kStep = 0.02;   // Hz
+        constexpr double kStep = 0.02;  // Hz
         constexpr double kHighest = 200.0;
         std::vector<double> parts;
         for (double hz = kStep / 2; hz < kHighest; hz += kStep)

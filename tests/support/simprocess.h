@@ -16,7 +16,8 @@ public:
         m_process.setProgram(QStringLiteral(GIMBAL_BIN_DIR "/gimbalsim"));
         m_process.setArguments(QStringList{QStringLiteral("--family"), family} + arguments);
         m_process.start();
-        std::ignore = QTest::qWaitFor([this] { return m_process.canReadLine() || m_process.state() == QProcess::NotRunning; }, 10000);
+        std::ignore = QTest::qWaitFor(
+            [this] { return m_process.canReadLine() || m_process.state() == QProcess::NotRunning; }, 10000);
         const QByteArray line = m_process.readLine().trimmed();
         if (line.startsWith("ready "))
             m_address = QString::fromLocal8Bit(line.mid(6));

@@ -20,7 +20,9 @@ inline SimulatorOptions stormOptions(int firmware, bool usb = true)
 struct StormRig
 {
     explicit StormRig(const SimulatorOptions &o = stormOptions(96), std::optional<LineSettings> line = {})
-        : options(o), port(std::make_unique<StormBoard>(o), o, line), channel(port, device.makeFramer())
+        : options(o)
+        , port(std::make_unique<StormBoard>(o), o, line)
+        , channel(port, device.makeFramer())
     {
     }
     StormBoard &board() { return static_cast<StormBoard &>(port.board()); }

@@ -11,7 +11,10 @@
 class StormWindowTest : public QObject
 {
 protected:
-    bool openStorm(const QString &options = {}) { return m_rig->open(QStringLiteral("sim:storm32") + options) && ready(); }
+    bool openStorm(const QString &options = {})
+    {
+        return m_rig->open(QStringLiteral("sim:storm32") + options) && ready();
+    }
     bool ready()
     {
         return QTest::qWaitFor([this] { return m_rig->workspace().motorsRunning().has_value(); }, 10000);
@@ -21,9 +24,12 @@ protected:
     int inUse(int word)
     {
         std::optional<int> value;
-        m_rig->client().submit<std::vector<AdjustableValue>>([word](Channel &channel, Device &device) {
-            return device.readAdjustables(channel, {word});
-        }).then(this, [&value](const Result<std::vector<AdjustableValue>> &read) { value = read ? int(read->front().value) : -1; });
+        m_rig->client()
+            .submit<std::vector<AdjustableValue>>(
+                [word](Channel &channel, Device &device) { return device.readAdjustables(channel, {word}); })
+            .then(this, [&value](const Result<std::vector<AdjustableValue>> &read) {
+                value = read ? int(read->front().value) : -1;
+            });
         return QTest::qWaitFor([&value] { return value.has_value(); }, 5000) ? *value : -1;
     }
     bool writeAll()
@@ -33,7 +39,8 @@ protected:
         if (!QTest::qWaitFor([this] { return m_rig->window().reviewDialog() != nullptr; }, 3000))
             return false;
         m_rig->window().reviewDialog()->accept();
-        return QTest::qWaitFor([&finished] { return finished.count() == 1; }, 20000) && workspace().lastReport()->isComplete();
+        return QTest::qWaitFor([&finished] { return finished.count() == 1; }, 20000)
+            && workspace().lastReport()->isComplete();
     }
 
     std::unique_ptr<WindowRig> m_rig;

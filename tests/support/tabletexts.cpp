@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Prints every text of the tables as a line that lupdate understands: tables hold plain literals, translated in the context
-// "Tables" where they are shown.
+// Prints every text of the tables as a line that lupdate understands: tables hold plain literals, translated
+// in the context "Tables" where they are shown.
 #include "protocol/simplebgc/actions.h"
 #include "protocol/simplebgc/adjustables.h"
 #include "protocol/simplebgc/parametertables.h"
@@ -69,7 +69,7 @@ private:
     QMap<QString, int> m_texts;
 };
 
-} // namespace
+}  // namespace
 
 int main()
 {

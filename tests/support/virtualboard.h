@@ -6,11 +6,13 @@
 #include "protocol/simulator/sbgcboard.h"
 #include "protocol/simulator/virtualchannel.h"
 
-/// A simulated SimpleBGC board, its cable and a virtual channel to it: family code in one thread, in microseconds.
+/// A simulated SimpleBGC board, its cable and a virtual channel to it: family code in one thread, in
+/// microseconds.
 struct VirtualBoard
 {
     explicit VirtualBoard(const SimulatorOptions &options = {}, std::optional<LineSettings> line = {})
-        : port(std::make_unique<SbgcBoard>(options), options, line), channel(port, device.makeFramer())
+        : port(std::make_unique<SbgcBoard>(options), options, line)
+        , channel(port, device.makeFramer())
     {
     }
 

@@ -53,12 +53,12 @@ public:
     [[nodiscard]] QString filePath(const QString &name) const { return m_dir.filePath(name); }
 
     /// Shows the page of that class.
-    template<typename P>
-    P *page()
+    template <typename P> P *page()
     {
         for (const PageEntry &entry : pageTable()) {
             const QString key = QString::fromLatin1(entry.key);
-            if (QString::fromLatin1(P::staticMetaObject.className()).toLower() != key + QStringLiteral("page"))
+            if (QString::fromLatin1(P::staticMetaObject.className()).toLower()
+                != key + QStringLiteral("page"))
                 continue;
             m_window->showPage(key);
             return qobject_cast<P *>(m_window->page(key));
@@ -71,7 +71,10 @@ public:
     {
         return std::as_const(model()).board().raw(spec(key), profile).value();
     }
-    void edit(const QString &key, int profile, int value) { workspace().edits().edit(spec(key).id, profile, value); }
+    void edit(const QString &key, int profile, int value)
+    {
+        workspace().edits().edit(spec(key).id, profile, value);
+    }
 
 private:
     QTemporaryDir m_dir;

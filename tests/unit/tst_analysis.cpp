@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/analysis/accelerometer.h"
-#include "protocol/analysis/pidshape.h"
 #include "protocol/analysis/filterresponse.h"
 #include "protocol/analysis/frequencyresponse.h"
 #include "protocol/analysis/holdingquality.h"
+#include "protocol/analysis/pidshape.h"
 #include "protocol/analysis/stepresponse.h"
 #include "protocol/device/uniformsamples.h"
 #include "protocol/procedure/motiontest.h"
 #include "protocol/simulator/stabilizer.h"
-
 #include "tests/support/loopmath.h"
 
 #include <QTest>
@@ -55,11 +54,12 @@ bool near(double value, double wanted, double tolerance)
 double secondOrder(double t, double omega, double zeta)
 {
     const double damped = omega * std::sqrt(1.0 - zeta * zeta);
-    return 1.0 - std::exp(-zeta * omega * t) * (std::cos(damped * t) + zeta * omega / damped * std::sin(damped * t));
+    return 1.0
+        - std::exp(-zeta * omega * t) * (std::cos(damped * t) + zeta * omega / damped * std::sin(damped * t));
 }
 
-FrequencyResponse responseOf(const std::function<std::complex<double>(std::complex<double>)> &loop, double resolution,
-                             double highest)
+FrequencyResponse responseOf(const std::function<std::complex<double>(std::complex<double>)> &loop,
+                             double resolution, double highest)
 {
     FrequencyResponse response;
     response.resolution = resolution;
@@ -71,7 +71,7 @@ FrequencyResponse responseOf(const std::function<std::complex<double>(std::compl
     return response;
 }
 
-} // namespace
+}  // namespace
 
 class TestAnalysis : public QObject
 {
@@ -135,7 +135,8 @@ void TestAnalysis::toneHasItsFrequencyAndAmplitude()
     QVERIFY(!peaks.empty());
     QVERIFY(near(peaks[0].frequency, hz, result->resolution * 0.15));
     QVERIFY(near(peaks[0].rms, 3.0 / std::numbers::sqrt2, 0.03));
-    QVERIFY(near(result->bandRms(0.0, kRate / 2), 3.0 / std::numbers::sqrt2, 0.03));   // the mean does not count
+    QVERIFY(
+        near(result->bandRms(0.0, kRate / 2), 3.0 / std::numbers::sqrt2, 0.03));  // the mean does not count
     if (window == int(WindowShape::FlatTop)) {
         const auto bin = std::size_t(std::lround(hz / result->resolution));
         QVERIFY(near(result->toneRms(bin), 3.0 / std::numbers::sqrt2, 0.02));
@@ -215,7 +216,8 @@ void TestAnalysis::badOptionsAreRefused()
 void TestAnalysis::bandsSplitAnError()
 {
     const auto error = sampled(20.0, [](double t) {
-        return 1.0 * std::sin(kTurn * 2.0 * t) + 0.5 * std::sin(kTurn * 11.0 * t) + 0.25 * std::sin(kTurn * 90.0 * t);
+        return 1.0 * std::sin(kTurn * 2.0 * t) + 0.5 * std::sin(kTurn * 11.0 * t)
+            + 0.25 * std::sin(kTurn * 90.0 * t);
     });
     const auto bands = holdingQuality(error, kRate);
     QCOMPARE(bands.size(), std::size_t(3));
@@ -230,13 +232,13 @@ void TestAnalysis::bandsSplitAnError()
 void TestAnalysis::bandsBeyondTheRateAreUnknown()
 {
     const auto error = whiteNoise(400, 1.0, 4);
-    const auto slow = holdingQuality(error, 50.0);   // 8 s at 50 per second
+    const auto slow = holdingQuality(error, 50.0);  // 8 s at 50 per second
     QVERIFY(slow[0].known);
     QVERIFY(slow[1].known);
     QCOMPARE(slow[1].band.to, 25.0);
     QVERIFY(!slow[2].known);
     QCOMPARE(slow[2].rms, 0.0);
-    const auto brief = holdingQuality(error, kRate);   // a third of a second
+    const auto brief = holdingQuality(error, kRate);  // a third of a second
     QVERIFY(!brief[0].known);
     QVERIFY(brief[2].known);
     for (const BandQuality &band : holdingQuality({}, kRate))
@@ -268,7 +270,8 @@ void TestAnalysis::secondOrderStep()
     const auto response = sampled(1.5, [&](double t) { return 2.0 + way * secondOrder(t, omega, zeta); });
     const auto metrics = stepMetrics(response, kRate, 2.0, 2.0 + way);
     QVERIFY(metrics);
-    // Overshoot and time of the peak: Ogata, Modern Control Engineering, transient response of second-order systems.
+    // Overshoot and time of the peak: Ogata, Modern Control Engineering, transient response of second-order
+    // systems.
     const double root = std::sqrt(1.0 - zeta * zeta);
     QVERIFY(near(metrics->overshoot, 100.0 * std::exp(-std::numbers::pi * zeta / root), 0.5));
     QVERIFY(near(metrics->peakSeconds, std::numbers::pi / (omega * root), 0.002));
@@ -314,9 +317,11 @@ void TestAnalysis::runsAreAveraged()
 
 void TestAnalysis::jumpsOfATargetAreFound()
 {
-    auto target = sampled(6.0, [](double t) { return t < 1.0 ? 0.0 : t < 3.0 ? 4.0 : t < 5.0 ? -1.0 : -1.0 + (t - 5.0) * 9.0; });
+    auto target = sampled(6.0, [](double t) {
+        return t < 1.0 ? 0.0 : t < 3.0 ? 4.0 : t < 5.0 ? -1.0 : -1.0 + (t - 5.0) * 9.0;
+    });
     const auto steps = findSteps(target, kRate, 1.0, 0.4);
-    QCOMPARE(steps.size(), std::size_t(2));   // the ramp at the end is no step
+    QCOMPARE(steps.size(), std::size_t(2));  // the ramp at the end is no step
     QVERIFY(near(double(steps[0].index) / kRate, 1.0, 0.0009));
     QCOMPARE(steps[0].from, 0.0);
     QCOMPARE(steps[0].to, 4.0);
@@ -365,7 +370,8 @@ void TestAnalysis::coherenceTellsForeignNoise()
 void TestAnalysis::marginsOfAKnownLoop()
 {
     // L = 6 / (s (s + 1) (s + 2)) oscillates exactly; 3 of it has 6.02 dB of gain margin at sqrt(2) rad/s.
-    const auto loop = responseOf([](std::complex<double> s) { return 3.0 / (s * (s + 1.0) * (s + 2.0)); }, 0.0005, 2.0);
+    const auto loop
+        = responseOf([](std::complex<double> s) { return 3.0 / (s * (s + 1.0) * (s + 2.0)); }, 0.0005, 2.0);
     const Margins m = margins(loop);
     QVERIFY(m.gainDb && near(*m.gainDb, 6.0206, 0.02));
     QVERIFY(near(*m.gainHz, std::numbers::sqrt2 / kTurn, 0.001));
@@ -376,7 +382,8 @@ void TestAnalysis::marginsOfAKnownLoop()
         peak = std::max(peak, 1.0 / std::abs(1.0 + loop.gain[i]));
     QVERIFY(near(m.sensitivityDb, 20.0 * std::log10(peak), 1e-6));
     // Ten times the gain: the margin is negative, it oscillates.
-    const auto wild = responseOf([](std::complex<double> s) { return 30.0 / (s * (s + 1.0) * (s + 2.0)); }, 0.0005, 2.0);
+    const auto wild
+        = responseOf([](std::complex<double> s) { return 30.0 / (s * (s + 1.0) * (s + 2.0)); }, 0.0005, 2.0);
     QVERIFY(*margins(wild).gainDb < -13.9);
     QVERIFY(*margins(wild).phaseDeg < 0.0);
     // An integrator alone never reaches -180 degrees.
@@ -387,20 +394,22 @@ void TestAnalysis::marginsOfAKnownLoop()
 
 void TestAnalysis::openLoopUndoesTheFeedback()
 {
-    const auto loop = responseOf([](std::complex<double> s) { return 3.0 / (s * (s + 1.0) * (s + 2.0)); }, 0.01, 2.0);
+    const auto loop
+        = responseOf([](std::complex<double> s) { return 3.0 / (s * (s + 1.0) * (s + 2.0)); }, 0.01, 2.0);
     FrequencyResponse closed = loop;
     for (auto &gain : closed.gain)
         gain = gain / (1.0 + gain);
     const FrequencyResponse again = openLoop(closed);
     for (std::size_t i = 1; i < loop.gain.size(); ++i)
         QVERIFY(std::abs(again.gain[i] - loop.gain[i]) < 1e-9 * (1.0 + std::abs(loop.gain[i])));
-    closed.gain[3] = 1.0;   // feedback without end: no division by nothing
+    closed.gain[3] = 1.0;  // feedback without end: no division by nothing
     QVERIFY(std::isfinite(std::abs(openLoop(closed).gain[3])));
 }
 
 void TestAnalysis::holesAreNotJudged()
 {
-    auto loop = responseOf([](std::complex<double> s) { return 3.0 / (s * (s + 1.0) * (s + 2.0)); }, 0.001, 2.0);
+    auto loop
+        = responseOf([](std::complex<double> s) { return 3.0 / (s * (s + 1.0) * (s + 2.0)); }, 0.001, 2.0);
     for (std::size_t i = 0; i < loop.coherence.size(); ++i) {
         if (std::abs(loop.frequency(i) - std::numbers::sqrt2 / kTurn) < 0.05)
             loop.coherence[i] = 0.1;
@@ -415,7 +424,8 @@ void TestAnalysis::notchCostsPhase()
 {
     const NotchShape notch{80.0, 20.0, 12.0};
     QVERIFY(near(20.0 * std::log10(std::abs(notchResponse(notch, 80.0))), -12.0, 0.01));
-    QVERIFY(near(20.0 * std::log10(std::abs(notchResponse(notch, 70.6))), -6.0, 0.4));   // half of it at the edges
+    QVERIFY(
+        near(20.0 * std::log10(std::abs(notchResponse(notch, 70.6))), -6.0, 0.4));  // half of it at the edges
     QVERIFY(lagDeg(notchResponse(notch, 40.0)) > 5.0);
     QVERIFY(lagDeg(notchResponse(notch, 160.0)) < -5.0);
     QCOMPARE(notchResponse({0.0, 20.0, 12.0}, 50.0), std::complex<double>(1.0));
@@ -469,16 +479,19 @@ void TestAnalysis::resonanceOfThePlantIsFoundAndNotchedAway()
     const Spectrum ringing = gyroSpectrum(gains);
     const auto peaks = findPeaks(ringing, 5, 25.0);
     QVERIFY(!peaks.empty());
-    QVERIFY2(near(peaks[0].frequency, resonance, resonance * 0.15), qPrintable(u"%1 Hz"_s.arg(peaks[0].frequency)));
+    QVERIFY2(near(peaks[0].frequency, resonance, resonance * 0.15),
+             qPrintable(u"%1 Hz"_s.arg(peaks[0].frequency)));
     // What the spectrum shows is put into a notch, as the operator would.
     gains.notches[0] = {peaks[0].frequency, std::max(20.0, peaks[0].width), 20.0};
     const Spectrum calm = gyroSpectrum(gains);
-    QVERIFY(calm.bandRms(resonance * 0.8, resonance * 1.2) < ringing.bandRms(resonance * 0.8, resonance * 1.2) / 2);
+    QVERIFY(calm.bandRms(resonance * 0.8, resonance * 1.2)
+            < ringing.bandRms(resonance * 0.8, resonance * 1.2) / 2);
 }
 
 void TestAnalysis::simulatedLoopHasTheMarginsOfItsMathematics()
 {
-    // A sampled loop of an integrator with delay: y[n+1] = y[n] + k (r[n-d] - y[n-d]). L(z) = k z^-d / (z - 1).
+    // A sampled loop of an integrator with delay: y[n+1] = y[n] + k (r[n-d] - y[n-d]). L(z) = k z^-d / (z -
+    // 1).
     constexpr double k = 0.02;
     constexpr int delay = 20;
     const auto reference = whiteNoise(400000, 1.0, 10);
@@ -517,7 +530,8 @@ void TestAnalysis::stepsAreCutAtTheTarget()
     for (const float level : {1.0F, 3.0F, 1.0F, 3.0F}) {
         for (int i = 0; i < 100; ++i) {
             target.push_back(level);
-            response.push_back(i < 10 && target.size() > 100 ? 4.0F - level : level);   // follows ten samples later
+            response.push_back(i < 10 && target.size() > 100 ? 4.0F - level
+                                                             : level);  // follows ten samples later
         }
     }
     const StepRuns runs = cutSteps(target, response, 100, 1.0, 3.0, 0.8);
@@ -549,8 +563,7 @@ struct LoopRecord
 };
 
 // The simulated yaw axis on a tripod, its target moved by a function of time.
-template<typename Function>
-LoopRecord runLoop(const AxisGains &gains, double duration, Function &&offset)
+template <typename Function> LoopRecord runLoop(const AxisGains &gains, double duration, Function &&offset)
 {
     Stabilizer stabilizer(5);
     stabilizer.hand().setStrength(0.0);
@@ -592,7 +605,7 @@ void addLoops()
     QTest::newRow("lively") << 60.0 << 20.0 << 25.0;
 }
 
-} // namespace
+}  // namespace
 
 void TestAnalysis::plantStepsAsItsMathematicsSays_data()
 {
@@ -610,11 +623,13 @@ void TestAnalysis::plantStepsAsItsMathematicsSays()
     const StepRuns runs = cutSteps(record.target, record.angle, kRate, 0.0, plan.degrees, 0.95);
     QCOMPARE(runs.response.size(), std::size_t(12));
     const auto measured = stepMetrics(averageRuns(runs.response), kRate, 0.0, 1.0);
-    const auto wanted = stepMetrics(LoopMath{simulatedMechanics(Axis::Yaw), gains}.step(kRate, 0.95), kRate, 0.0, 1.0);
+    const auto wanted
+        = stepMetrics(LoopMath{simulatedMechanics(Axis::Yaw), gains}.step(kRate, 0.95), kRate, 0.0, 1.0);
     QVERIFY(measured && wanted && measured->riseSeconds && wanted->riseSeconds);
-    qInfo("rise %.1f ms, mathematics %.1f ms; overshoot %.1f %%, mathematics %.1f %%", *measured->riseSeconds * 1000,
-          *wanted->riseSeconds * 1000, measured->overshoot, wanted->overshoot);
-    // Dry friction and cogging are not in the mathematics: an eighth of the time, five and a half points of overshoot.
+    qInfo("rise %.1f ms, mathematics %.1f ms; overshoot %.1f %%, mathematics %.1f %%",
+          *measured->riseSeconds * 1000, *wanted->riseSeconds * 1000, measured->overshoot, wanted->overshoot);
+    // Dry friction and cogging are not in the mathematics: an eighth of the time, five and a half points of
+    // overshoot.
     QVERIFY(near(*measured->riseSeconds, *wanted->riseSeconds, 0.125 * *wanted->riseSeconds));
     QVERIFY(near(measured->overshoot, wanted->overshoot, 5.5));
 }
@@ -634,20 +649,25 @@ void TestAnalysis::plantHasTheMarginsOfItsMathematics()
     plan.toHz = 20;
     plan.sweepSeconds = 40;
     // Set-points go out every 20 ms, so the target moves in stairs.
-    const LoopRecord record = runLoop(gains, plan.duration(), [&](double t) { return plan.offsetAt(std::floor(t / 0.02) * 0.02); });
+    const LoopRecord record = runLoop(gains, plan.duration(),
+                                      [&](double t) { return plan.offsetAt(std::floor(t / 0.02) * 0.02); });
     const auto closed = frequencyResponse(record.target, record.angle, kRate, {4096, 0.5, WindowShape::Hann});
     QVERIFY(closed);
     const Margins measured = margins(openLoop(*closed), 0.8, 0.7, 20.0);
-    const Margins wanted = margins(LoopMath{simulatedMechanics(Axis::Yaw), gains}.openLoop(20.0), 0.8, 0.7, 20.0);
-    qInfo("phase margin %.1f at %.2f Hz, mathematics %.1f at %.2f Hz; sensitivity %.2f dB, mathematics %.2f dB; gain margin "
-          "%.1f dB, mathematics %.1f dB", measured.phaseDeg.value_or(NAN), measured.phaseHz.value_or(NAN),
-          wanted.phaseDeg.value_or(NAN), wanted.phaseHz.value_or(NAN), measured.sensitivityDb, wanted.sensitivityDb,
+    const Margins wanted
+        = margins(LoopMath{simulatedMechanics(Axis::Yaw), gains}.openLoop(20.0), 0.8, 0.7, 20.0);
+    qInfo("phase margin %.1f at %.2f Hz, mathematics %.1f at %.2f Hz; sensitivity %.2f dB, mathematics %.2f "
+          "dB; gain margin "
+          "%.1f dB, mathematics %.1f dB",
+          measured.phaseDeg.value_or(NAN), measured.phaseHz.value_or(NAN), wanted.phaseDeg.value_or(NAN),
+          wanted.phaseHz.value_or(NAN), measured.sensitivityDb, wanted.sensitivityDb,
           measured.gainDb.value_or(NAN), wanted.gainDb.value_or(NAN));
     QVERIFY(measured.phaseDeg && wanted.phaseDeg);
     QVERIFY(near(*measured.phaseDeg, *wanted.phaseDeg, 3.0));
     QVERIFY(near(*measured.phaseHz, *wanted.phaseHz, 0.05 * *wanted.phaseHz));
     QVERIFY(near(measured.sensitivityDb, wanted.sensitivityDb, 0.5));
-    // Where the gain margin is read the loop passes a hundredth of the motion, and dry friction takes its part of that.
+    // Where the gain margin is read the loop passes a hundredth of the motion, and dry friction takes its
+    // part of that.
     QVERIFY(measured.gainDb && wanted.gainDb);
     QVERIFY(near(*measured.gainDb, *wanted.gainDb, 2.5));
 }
@@ -675,7 +695,7 @@ void TestAnalysis::samplesComeOutOfTheStore()
     QVERIFY(!uniformSamples(store, 7, -1, 0.0, 1.0));
     auto polled = store.defineGroup({1}, 0.0);
     store.append(*polled, store.origin() + durationFromSeconds(30.0), std::array<float, 1>{1.0F});
-    QVERIFY(!uniformSamples(store, 1, -1, 29.0, 31.0));   // one sample has no rate
+    QVERIFY(!uniformSamples(store, 1, -1, 29.0, 31.0));  // one sample has no rate
 }
 
 // A board that is asked for each row answers about evenly: the tone in it keeps its frequency and height.
@@ -688,16 +708,16 @@ void TestAnalysis::polledSamplesArePutOnAGrid()
     for (int i = 0; i < 3000; ++i) {
         const double time = 0.012 * i + jitter(random);
         if (i % 100 == 50)
-            continue;                                        // an answer that was lost
+            continue;  // an answer that was lost
         if (i >= 2000 && i < 2030)
-            continue;                                        // a hole of 0.36 s
+            continue;  // a hole of 0.36 s
         const std::array<float, 2> row{float(2.0 * std::sin(2 * std::numbers::pi * 5.0 * time)), float(time)};
         store.append(*group, store.origin() + durationFromSeconds(time), row);
     }
     const auto samples = uniformSamples(store, 0, -1, -1e9, 1e9);
     QVERIFY(samples && samples->polled);
     QVERIFY(near(samples->rate, 1 / 0.012, 1.5));
-    QVERIFY(samples->end() < 24.1);                          // up to the hole: that is the longest piece
+    QVERIFY(samples->end() < 24.1);  // up to the hole: that is the longest piece
     QVERIFY(samples->filled >= 20 && samples->filled < 30);
     const auto tone = spectrum(samples->values, samples->rate, {1024, 0.5, WindowShape::Hann});
     QVERIFY(tone);
@@ -710,7 +730,7 @@ void TestAnalysis::polledSamplesArePutOnAGrid()
     QVERIFY(ramp);
     for (std::size_t i = 0; i < ramp->values.size(); ++i)
         QVERIFY(near(double(ramp->values[i]), ramp->start + double(i) / ramp->rate, 1e-3));
-    QVERIFY(!uniformSamples(store, 0, -1, 0.0, 0.1));        // too few to tell a rate
+    QVERIFY(!uniformSamples(store, 0, -1, 0.0, 0.1));  // too few to tell a rate
 }
 
 void TestAnalysis::holesInTheStoreAreBridgedOrSplit()
@@ -732,7 +752,7 @@ void TestAnalysis::holesInTheStoreAreBridgedOrSplit()
         QVERIFY(near(double(first->values[i]), double(i), 1e-3));
     const auto longest = uniformSamples(store, 0, -1, 0.0, 10.0);
     QVERIFY(longest);
-    QCOMPARE(longest->values.front(), 1100.0F);   // the piece behind the long hole
+    QCOMPARE(longest->values.front(), 1100.0F);  // the piece behind the long hole
     QCOMPARE(longest->values.size(), std::size_t(1900));
 }
 
@@ -774,13 +794,14 @@ void TestAnalysis::accelerometerIsCalibrated()
     QCOMPARE(found.scale, (std::array{8100, 8300, 8250}));
     QCOMPARE(found.quality, 0.0);
     QVERIFY(isPlausible(found, kOne));
-    readings[2][1] += 1200;      // it did not lie square
+    readings[2][1] += 1200;  // it did not lie square
     QVERIFY(std::abs(sixPointCalibration(readings).quality - 1200 / std::sqrt(12.0)) < 1.0);
     QCOMPARE(faceUp({5800, 0, 5800}, kOne), -1);
     const AccCalibration one = onePointCalibration({100, -50, 8292}, kOne);
     QCOMPARE(one.zero, (std::array{100, -50, 100}));
     QCOMPARE(one.scale, (std::array{8192, 8192, 8192}));
-    for (const AccCalibration &bad : {AccCalibration{{3600, 0, 0}, {8192, 8192, 8192}}, AccCalibration{{0, 0, 0}, {7400, 8192, 8192}}})
+    for (const AccCalibration &bad :
+         {AccCalibration{{3600, 0, 0}, {8192, 8192, 8192}}, AccCalibration{{0, 0, 0}, {7400, 8192, 8192}}})
         QVERIFY(!isPlausible(bad, kOne));
     QVERIFY(isPlausible({{6900, 0, 0}, {17400, 16384, 15100}}, 16384));
 }

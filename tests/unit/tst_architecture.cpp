@@ -30,7 +30,8 @@ const QMap<QString, QStringList> &allowed()
         {u"protocol/procedure"_s, family + QStringList{u"protocol/record"_s}},
         {u"protocol/simulator"_s,
          family + QStringList{u"protocol/simplebgc"_s, u"protocol/storm32"_s, u"protocol/mavlink"_s}},
-        // Progress reports reach the screen through the channel's header; everything else stays behind the client.
+        // Progress reports reach the screen through the channel's header; everything else stays behind the
+        // client.
         {u"widgets/models"_s, shown + QStringList{u"protocol/session/channel.h"_s}},
         {u"widgets/theme"_s, {u"protocol/base"_s}},
         {u"widgets/forms"_s, shown + QStringList{u"widgets/models"_s, u"widgets/theme"_s}},
@@ -79,7 +80,7 @@ QString folderOf(const QString &path)
     return path.section(u'/', 0, 1);
 }
 
-} // namespace
+}  // namespace
 
 class TestArchitecture : public QObject
 {
@@ -100,7 +101,8 @@ void TestArchitecture::floorsAreKept()
     QVERIFY(all.size() > 60);
     for (const Source &source : all) {
         const QString folder = folderOf(source.path);
-        QVERIFY2(allowed().contains(folder), qPrintable(source.path + u" lies in a folder without a floor"_s));
+        QVERIFY2(allowed().contains(folder),
+                 qPrintable(source.path + u" lies in a folder without a floor"_s));
         for (const QString &include : includesOf(source)) {
             if (!include.contains(u'/') || include.startsWith(u"sys/"_s) || include.startsWith(u"asm/"_s)
                 || include.startsWith(u"tl/"_s))
@@ -112,7 +114,8 @@ void TestArchitecture::floorsAreKept()
             if (include.startsWith(u"Qsci/"_s) && folder == u"widgets/views"_s)
                 continue;
             const QString target = folderOf(include);
-            const bool ok = target == folder || allowed()[folder].contains(target) || allowed()[folder].contains(include);
+            const bool ok = target == folder || allowed()[folder].contains(target)
+                || allowed()[folder].contains(include);
             QVERIFY2(ok, qPrintable(u"%1 includes %2"_s.arg(source.path, include)));
         }
     }
@@ -120,7 +123,8 @@ void TestArchitecture::floorsAreKept()
 
 void TestArchitecture::protocolNeedsNoScreen()
 {
-    static const QRegularExpression screen(u"^Q(Widget|Application|GuiApplication|Chart|Settings|Painter|Color|Icon|Dialog)$"_s);
+    static const QRegularExpression screen(
+        u"^Q(Widget|Application|GuiApplication|Chart|Settings|Painter|Color|Icon|Dialog)$"_s);
     for (const Source &source : sources({u"protocol"_s, u"widgets/models"_s})) {
         for (const QString &include : includesOf(source))
             QVERIFY2(!screen.match(include).hasMatch(), qPrintable(source.path + u" includes "_s + include));
@@ -150,7 +154,8 @@ void TestArchitecture::filesAreOfReadableLength()
 void TestArchitecture::everyFileNamesItsLicence()
 {
     for (const Source &source : sources({u"protocol"_s, u"widgets"_s, u"app"_s, u"tests"_s}))
-        QVERIFY2(source.text.contains(u"SPDX-License-Identifier: GPL-3.0-or-later"_s), qPrintable(source.path));
+        QVERIFY2(source.text.contains(u"SPDX-License-Identifier: GPL-3.0-or-later"_s),
+                 qPrintable(source.path));
 }
 
 void TestArchitecture::nothingBlocksOutsideTheWorker()

@@ -24,7 +24,7 @@ QList<Frame> framesOf(const QByteArray &bytes, qsizetype chunk, FramerStatistics
     return frames;
 }
 
-} // namespace
+}  // namespace
 
 class TestFramer : public QObject
 {
@@ -118,7 +118,8 @@ void TestFramer::rampFrames()
     QCOMPARE(int(quint8(v1.back())), sum);
     QCOMPARE(int(quint8(v2[v2.size() - 2])) | int(quint8(v2.back())) << 8, crc);
     for (const qsizetype chunk : {1, 7, 64, 1000}) {
-        QCOMPARE(framesOf(v1 + v2, chunk), (QList<Frame>{Frame(id, ramp(size), 1), Frame(id, ramp(size), 2)}));
+        QCOMPARE(framesOf(v1 + v2, chunk),
+                 (QList<Frame>{Frame(id, ramp(size), 1), Frame(id, ramp(size), 2)}));
     }
 }
 
@@ -201,7 +202,8 @@ void TestFramer::randomNoiseNeverCrashesAndAcceptsByChanceOnly()
         noise.append(static_cast<char>(random()));
     FramerStatistics statistics;
     framesOf(noise, 333, &statistics);
-    // Chance: start byte, header sum and one-byte trailer agree about once in 256^3 for version 1, times two kinds.
+    // Chance: start byte, header sum and one-byte trailer agree about once in 256^3 for version 1, times two
+    // kinds.
     QVERIFY2(statistics.frames < 12, qPrintable(QString::number(statistics.frames)));
 }
 

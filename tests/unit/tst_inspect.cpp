@@ -23,9 +23,10 @@ FrameText text(CommandId id, const QByteArray &payload, bool fromBoard)
     return describeFrame({number(id), asBytes(payload), 1}, fromBoard, nullptr);
 }
 
-} // namespace
+}  // namespace
 
-/// Looking inside a board: frames in words, commands typed by hand, variables, values in use against stored ones.
+/// Looking inside a board: frames in words, commands typed by hand, variables, values in use against stored
+/// ones.
 class TestInspect : public QObject
 {
     Q_OBJECT
@@ -52,18 +53,21 @@ void TestInspect::framesInWords_data()
     QTest::addColumn<bool>("fromBoard");
     QTest::addColumn<QString>("name");
     QTest::addColumn<QString>("part");
-    const auto row = [](const char *title, CommandId id, const char *payload, bool fromBoard, const char *name, const char *part) {
-        QTest::newRow(title) << number(id) << QByteArray::fromHex(payload) << fromBoard << QString::fromLatin1(name)
-                             << QString::fromUtf8(part);
+    const auto row = [](const char *title, CommandId id, const char *payload, bool fromBoard,
+                        const char *name, const char *part) {
+        QTest::newRow(title) << number(id) << QByteArray::fromHex(payload) << fromBoard
+                             << QString::fromLatin1(name) << QString::fromUtf8(part);
     };
     // 67 is CONTROL to the board and CONFIRM from it (errata 2).
     row("confirm", CommandId::Confirm, "4D", true, "CONFIRM", "MOTORS_ON");
-    row("control", CommandId::Control, "020202 0A00 5B04 0000 0000 0000 0000", false, "CONTROL", "R: mode 2, 1.22°/s, 24.50°");
+    row("control", CommandId::Control, "020202 0A00 5B04 0000 0000 0000 0000", false, "CONTROL",
+        "R: mode 2, 1.22°/s, 24.50°");
     row("error", CommandId::Error, "450200000000", true, "ERROR", "EXECUTE_MENU: wrong parameters");
     row("menu", CommandId::ExecuteMenu, "0B", false, "EXECUTE_MENU", "Motors on");
-    row("variables", CommandId::SetAdjVarsVal, "01 13 64000000", false, "SET_ADJ_VARS_VAL", "rc_speed.roll = 100");
-    row("stream", CommandId::DataStreamInterval, "19 2800 0000000000000000 00000000000000000000", false, "DATA_STREAM_INTERVAL",
-        "REALTIME_DATA_4, every 40 ms");
+    row("variables", CommandId::SetAdjVarsVal, "01 13 64000000", false, "SET_ADJ_VARS_VAL",
+        "rc_speed.roll = 100");
+    row("stream", CommandId::DataStreamInterval, "19 2800 0000000000000000 00000000000000000000", false,
+        "DATA_STREAM_INTERVAL", "REALTIME_DATA_4, every 40 ms");
     row("battery", CommandId::CalibBat, "CE04", false, "CALIB_BAT", "12.30 V");
     row("defaults", CommandId::UseDefaults, "01", false, "USE_DEFAULTS", "profile 2");
 }
@@ -99,7 +103,8 @@ void TestInspect::parameterBlocksNameTheirValues()
     QVERIFY(board.identify());
     const auto bytes = board.device.readBlock(board.channel, {1, Params3});
     QVERIFY(bytes);
-    const FrameText words = board.device.describeFrame({number(CommandId::ReadParams3), asBytes(*bytes), 1}, true);
+    const FrameText words
+        = board.device.describeFrame({number(CommandId::ReadParams3), asBytes(*bytes), 1}, true);
     QVERIFY2(words.fields.startsWith(u"profile 2, "_s), qPrintable(words.fields));
     QVERIFY(words.fields.contains(u"pid.roll.p "_s));
     QVERIFY(!words.fields.contains(u"state."_s));
@@ -108,17 +113,20 @@ void TestInspect::parameterBlocksNameTheirValues()
 void TestInspect::commandsByNameAndHex_data()
 {
     QTest::addColumn<QString>("typed");
-    QTest::addColumn<QByteArray>("bytes");       // empty = refused
+    QTest::addColumn<QByteArray>("bytes");  // empty = refused
     QTest::addColumn<QString>("nameOrReason");
     QTest::addColumn<int>("risk");
     const auto good = [](const char *typed, const char *bytes, const char *name, ActionRisk risk) {
-        QTest::newRow(typed) << QString::fromLatin1(typed) << QByteArray::fromHex(bytes) << QString::fromLatin1(name) << int(risk);
+        QTest::newRow(typed) << QString::fromLatin1(typed) << QByteArray::fromHex(bytes)
+                             << QString::fromLatin1(name) << int(risk);
     };
     const auto bad = [](const char *typed, const char *reason) {
-        QTest::newRow(typed) << QString::fromLatin1(typed) << QByteArray() << QString::fromLatin1(reason) << 0;
+        QTest::newRow(typed) << QString::fromLatin1(typed) << QByteArray() << QString::fromLatin1(reason)
+                             << 0;
     };
     good("board_info", "3E56005600", "BOARD_INFO", ActionRisk::Safe);
-    good("READ_PARAMS_3 FF", "3E150116FFFF", "READ_PARAMS_3", ActionRisk::Safe);       // errata, example "active profile"
+    good("READ_PARAMS_3 FF", "3E150116FFFF", "READ_PARAMS_3",
+         ActionRisk::Safe);  // errata, example "active profile"
     good("  execute_menu 0b ", "3E4501460B0B", "EXECUTE_MENU", ActionRisk::Writes);
     good("3E 56 00 56 00", "3E56005600", "BOARD_INFO", ActionRisk::Safe);
     good("MOTORS_OFF", "3E6D006D00", "MOTORS_OFF", ActionRisk::Safe);
@@ -171,9 +179,11 @@ void TestInspect::variablesGrowWithTheFirmware()
         if (spec.adjustable < 0)
             continue;
         const AdjustableSpec &variable = board.device.adjustables()[std::size_t(spec.adjustable)];
-        QVERIFY2(variable.axis == Axis::None || spec.axis == Axis::None || variable.axis == spec.axis, qPrintable(spec.key));
+        QVERIFY2(variable.axis == Axis::None || spec.axis == Axis::None || variable.axis == spec.axis,
+                 qPrintable(spec.key));
         QVERIFY2(spec.defaultRaw * spec.row->adjustableScale >= variable.min
-                     && spec.defaultRaw * spec.row->adjustableScale <= variable.max, qPrintable(spec.key));
+                     && spec.defaultRaw * spec.row->adjustableScale <= variable.max,
+                 qPrintable(spec.key));
         ++linked;
     }
     QVERIFY(linked > 30);
@@ -204,7 +214,8 @@ void TestInspect::sixPositionsFindZeroAndScale()
     double worst = 0;
     for (int pose = 1; pose <= 6; ++pose) {
         QVERIFY(bench.port.change(u"pose=%1"_s.arg(pose)));
-        const auto done = bench.device.perform(bench.channel, u"calibrate.acc"_s, {{u"imu"_s, 0}, {u"action"_s, 1}});
+        const auto done
+            = bench.device.perform(bench.channel, u"calibrate.acc"_s, {{u"imu"_s, 0}, {u"action"_s, 1}});
         QVERIFY2(done, qPrintable(done ? QString() : done.error().detail));
         if (pose == 6)
             worst = done->value(u"acc.error.after"_s).toDouble();
@@ -229,7 +240,8 @@ void TestInspect::aShakenSensorIsNotCalibrated()
     QVERIFY(bench.identify());
     SbgcBoard &simulated = bench.board();
     const auto before = simulated.stabilizer().imu().gyroCorrection;
-    const auto done = bench.device.perform(bench.channel, u"calibrate.gyro"_s, {{u"imu"_s, 0}, {u"action"_s, 1}});
+    const auto done
+        = bench.device.perform(bench.channel, u"calibrate.gyro"_s, {{u"imu"_s, 0}, {u"action"_s, 1}});
     if (done)
         QVERIFY(done->value(u"gyro.bias.after"_s).toDouble() > 0.5);
     QCOMPARE(simulated.stabilizer().imu().gyroCorrection, before);
@@ -250,8 +262,9 @@ void TestInspect::liveValuesAreTakenOutOfReads()
     QCOMPARE(*withoutLive(*read, {{p.key, before, before + 20}}).raw(p, 0), before);
     // Somebody else's value is left alone.
     QCOMPARE(*withoutLive(*read, {{p.key, before, before + 21}}).raw(p, 0), before + 20);
-    QCOMPARE(withoutLive(read->block({0, Params3}), Params3, read->parameters(), {{p.key, before, before + 20}}),
-             stored->block({0, Params3}));
+    QCOMPARE(
+        withoutLive(read->block({0, Params3}), Params3, read->parameters(), {{p.key, before, before + 20}}),
+        stored->block({0, Params3}));
 }
 
 void TestInspect::logKeepsTheNewest()
@@ -275,7 +288,8 @@ void TestInspect::logKeepsTheNewest()
 
 void TestInspect::csvMergesStreams()
 {
-    static constexpr ChannelSpec table[] = {{"a", "A", "", "°", 2, Axis::None, 0, 0}, {"b", "B", "", "", 2, Axis::None, 0, 0}};
+    static constexpr ChannelSpec table[]
+        = {{"a", "A", "", "°", 2, Axis::None, 0, 0}, {"b", "B", "", "", 2, Axis::None, 0, 0}};
     TelemetryStore store(2);
     const auto fast = store.defineGroup({0}, 0.1);
     const auto slow = store.defineGroup({1}, 0.2);
@@ -290,7 +304,8 @@ void TestInspect::csvMergesStreams()
     const auto lines = writeTelemetryCsv(buffer, store, table, {0, 1}, 0.05, 10);
     QVERIFY(lines);
     QCOMPARE(*lines, 4);
-    QCOMPARE(buffer.data(), QByteArray("time_s,a [°],b\n0.100000,1,\n0.150000,,7.5\n0.200000,,\n0.300000,3,\n"));
+    QCOMPARE(buffer.data(),
+             QByteArray("time_s,a [°],b\n0.100000,1,\n0.150000,,7.5\n0.200000,,\n0.300000,3,\n"));
 }
 
 QTEST_GUILESS_MAIN(TestInspect)

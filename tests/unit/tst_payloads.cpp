@@ -45,7 +45,8 @@ private slots:
 void TestPayloads::boardInfoRecordedFromARealBoard()
 {
     // Errata section 8, last row: board 3.1, firmware 2.43b9, features = battery, USB.
-    const auto info = BoardInfo::decode(asBytes(hex("1F 87 09 00 02 00 01 00 00 00 00 00 00 00 00 00 00 00")));
+    const auto info
+        = BoardInfo::decode(asBytes(hex("1F 87 09 00 02 00 01 00 00 00 00 00 00 00 00 00 00 00")));
     QVERIFY(info);
     QCOMPARE(info->boardVersion, 31);
     QCOMPARE(info->firmware, 2439);
@@ -123,9 +124,9 @@ void TestPayloads::anglesExtHaveAStrideOf18()
 {
     QByteArray bytes(54, '\0');
     bytes[36] = 0x00;
-    bytes[37] = 0x04;   // yaw: IMU angle 0x0400 = 22.5°
+    bytes[37] = 0x04;  // yaw: IMU angle 0x0400 = 22.5°
     bytes[40] = 0x00;
-    bytes[42] = 0x01;   // rotor 0x00010000 = 1440°: does not wrap
+    bytes[42] = 0x01;  // rotor 0x00010000 = 1440°: does not wrap
     const auto decoded = decodeAnglesExt(asBytes(bytes));
     QVERIFY(decoded);
     QCOMPARE((*decoded)[2].imu, 22.5);
@@ -253,7 +254,7 @@ void TestPayloads::realtimeRamp()
 void TestPayloads::customFieldsComeInBitOrder()
 {
     const quint32 flags = customFlagsFor({ImuRoll, GyroPitch, AccZ, RotorYaw});
-    QCOMPARE(flags, quint32(0x119));   // bits 0, 3, 4, 8: errata section 8
+    QCOMPARE(flags, quint32(0x119));  // bits 0, 3, 4, 8: errata section 8
     QCOMPARE(customSize(flags), 2 + 4 * 6);
     const auto layout = customLayout(flags);
     QCOMPARE(layout.size(), std::size_t(12));
@@ -276,14 +277,29 @@ void TestPayloads::laterCustomFields_data()
     // Bytes after errata 3.9, 3.22 and 3.24, by hand; sizes are the column "Bytes".
     QTest::newRow("motor 4") << 9 << QByteArray("0100feff0000c03f") << int(Motor4Error) << -2.0;
     QTest::newRow("motor 4, output") << 9 << QByteArray("0100feff0000c03f") << int(Motor4Output) << 1.5;
-    QTest::newRow("AHRS") << 10 << QByteArray("c90003040506020a0b0c0d0e0f") + QByteArray(26, '0') << int(AhrsMainZ) << 0.3;
-    QTest::newRow("external IMU") << 10 << QByteArray("c90003040506020a0b0c0d0e0f") + QByteArray(26, '0') << int(ExtImuPackets) << double(0x0b0a);
-    QTest::newRow("encoder") << 11 << QByteArray("000000" "030201" "ffffff") << int(EncoderPitch) << double(0x010203);
-    QTest::newRow("encoder, yaw") << 11 << QByteArray("000000" "030201" "ffffff") << int(EncoderYaw) << 16777215.0;
-    QTest::newRow("angle in radians") << 12 << QByteArray("0000803f" "00000000" "000080bf") << int(ImuRadYaw) << -57.29577951;
+    QTest::newRow("AHRS") << 10 << QByteArray("c90003040506020a0b0c0d0e0f") + QByteArray(26, '0')
+                          << int(AhrsMainZ) << 0.3;
+    QTest::newRow("external IMU") << 10 << QByteArray("c90003040506020a0b0c0d0e0f") + QByteArray(26, '0')
+                                  << int(ExtImuPackets) << double(0x0b0a);
+    QTest::newRow("encoder") << 11
+                             << QByteArray("000000"
+                                           "030201"
+                                           "ffffff")
+                             << int(EncoderPitch) << double(0x010203);
+    QTest::newRow("encoder, yaw") << 11
+                                  << QByteArray("000000"
+                                                "030201"
+                                                "ffffff")
+                                  << int(EncoderYaw) << 16777215.0;
+    QTest::newRow("angle in radians") << 12
+                                      << QByteArray("0000803f"
+                                                    "00000000"
+                                                    "000080bf")
+                                      << int(ImuRadYaw) << -57.29577951;
     QTest::newRow("script, float") << 13 << QByteArray(72, '0') + "0000803f" << int(ScriptFloat10) << 1.0;
     QTest::newRow("script, int") << 14 << QByteArray("ffff") + QByteArray(36, '0') << int(ScriptInt1) << -1.0;
-    const QByteArray power = QByteArray(26, '0') + "f0d8d204280500" + QByteArray(12, '0') + QByteArray(26, '0') + "01ce043a020700";
+    const QByteArray power = QByteArray(26, '0') + "f0d8d204280500" + QByteArray(12, '0')
+        + QByteArray(26, '0') + "01ce043a020700";
     QTest::newRow("power, motor output") << 15 << power << int(MotorPitchOutput) << -100.0;
     QTest::newRow("power, motor current") << 15 << power << int(MotorPitchCurrent) << 1.234;
     QTest::newRow("power, motor temperature") << 15 << power << int(MotorPitchTemperature) << 40.0;
@@ -291,20 +307,45 @@ void TestPayloads::laterCustomFields_data()
     QTest::newRow("power, voltage") << 15 << power << int(SupplyVoltage) << 12.3;
     QTest::newRow("power, current") << 15 << power << int(SupplyCurrent) << 0.57;
     QTest::newRow("power, flags") << 15 << power << int(PowerFlags) << 7.0;
-    QTest::newRow("frame rate") << 16 << QByteArray("0040" "0000" "0000") << int(FrameRateRoll) << 16384 * 0.06103701895;
-    QTest::newRow("20 bits") << 17 << QByteArray("00000400" "00000000" "0100ffff") << int(Imu20Roll) << 90.0;
-    QTest::newRow("20 bits, target") << 18 << QByteArray("00000000" "0000fcff" "00000000") << int(Target20Pitch) << -90.0;
+    QTest::newRow("frame rate") << 16
+                                << QByteArray("0040"
+                                              "0000"
+                                              "0000")
+                                << int(FrameRateRoll) << 16384 * 0.06103701895;
+    QTest::newRow("20 bits") << 17
+                             << QByteArray("00000400"
+                                           "00000000"
+                                           "0100ffff")
+                             << int(Imu20Roll) << 90.0;
+    QTest::newRow("20 bits, target") << 18
+                                     << QByteArray("00000000"
+                                                   "0000fcff"
+                                                   "00000000")
+                                     << int(Target20Pitch) << -90.0;
     QTest::newRow("errors") << 19 << QByteArray("0100020003000f") << int(CommCanFlags) << 15.0;
-    QTest::newRow("state") << 20 << QByteArray("10002000" "05") + QByteArray(16, '0') << int(StateFlags) << double(0x200010);
-    QTest::newRow("calibration") << 20 << QByteArray("10002000" "05") + QByteArray(16, '0') << int(CalibrationMode) << 5.0;
+    QTest::newRow("state") << 20
+                           << QByteArray("10002000"
+                                         "05")
+            + QByteArray(16, '0')
+                           << int(StateFlags) << double(0x200010);
+    QTest::newRow("calibration") << 20
+                                 << QByteArray("10002000"
+                                               "05")
+            + QByteArray(16, '0') << int(CalibrationMode)
+                                 << 5.0;
     QTest::newRow("quaternion, largest") << 21 << QByteArray("0000000000000000") << int(ImuQuatW) << 1.0;
     QTest::newRow("quaternion, its sign") << 22 << QByteArray("0000000000000060") << int(TargetQuatY) << -1.0;
     QTest::newRow("quaternion, another") << 23 << QByteArray("0000000000000010") << int(FrameQuatX) << 1.0;
     QTest::newRow("analogue") << 24 << QByteArray("0000000000000110") << int(Adc4) << 4097.0;
     QTest::newRow("limits") << 25 << QByteArray("0100020003000400050006ff") << int(LimitYawHigh) << -250.0;
     QTest::newRow("follow") << 26 << QByteArray("0100020003ff") << int(FollowYaw) << -253.0;
-    QTest::newRow("outside limits") << 27 << QByteArray(24, '0') + "0000000000000000ffffffff" << int(ExtHighYaw) << -1.0;
-    QTest::newRow("frame-camera") << 28 << QByteArray("00000000" "00000000" "00000800") << int(FrameCam20Yaw) << 180.0;
+    QTest::newRow("outside limits") << 27 << QByteArray(24, '0') + "0000000000000000ffffffff"
+                                    << int(ExtHighYaw) << -1.0;
+    QTest::newRow("frame-camera") << 28
+                                  << QByteArray("00000000"
+                                                "00000000"
+                                                "00000800")
+                                  << int(FrameCam20Yaw) << 180.0;
 }
 
 void TestPayloads::laterCustomFields()
@@ -319,7 +360,8 @@ void TestPayloads::laterCustomFields()
     QCOMPARE(payload.size(), customSize(flags));
     for (const WireField &field : customLayout(flags)) {
         if (field.channel == channel)
-            QVERIFY2(std::abs(double(readField(field, asBytes(payload))) - value) < 1e-5 * std::max(1.0, std::abs(value)),
+            QVERIFY2(std::abs(double(readField(field, asBytes(payload))) - value)
+                         < 1e-5 * std::max(1.0, std::abs(value)),
                      qPrintable(QString::number(double(readField(field, asBytes(payload))))));
         QVERIFY(std::isnan(readField(field, asBytes(payload.left(field.offset)))));
     }

@@ -31,7 +31,8 @@ AxisGains gains(double p, double i, double d, double power = 150.0 / 255)
 class Bench
 {
 public:
-    explicit Bench(unsigned seed = 3) : stabilizer(seed)
+    explicit Bench(unsigned seed = 3)
+        : stabilizer(seed)
     {
         // A calibrated sensor, as on a board in use.
         stabilizer.imu().gyroCorrection = stabilizer.imu().gyroBias;
@@ -69,7 +70,7 @@ public:
     Stabilizer stabilizer;
 };
 
-} // namespace
+}  // namespace
 
 class TestPlant : public QObject
 {
@@ -125,7 +126,8 @@ void TestPlant::badGainsOscillate()
     bad.setAll(gains(p, 15, d));
     const Run calm = good.run(Axis::Pitch, 4.0);
     const Run shaking = bad.run(Axis::Pitch, 4.0);
-    QVERIFY2(shaking.gyroRms > 10 * calm.gyroRms, qPrintable(QStringLiteral("%1 %2").arg(shaking.gyroRms).arg(calm.gyroRms)));
+    QVERIFY2(shaking.gyroRms > 10 * calm.gyroRms,
+             qPrintable(QStringLiteral("%1 %2").arg(shaking.gyroRms).arg(calm.gyroRms)));
 }
 
 void TestPlant::withoutPowerTheCameraIsLimp()

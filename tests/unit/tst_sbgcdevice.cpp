@@ -34,7 +34,11 @@ QVariantMap argumentsFor(const SbgcDevice &device, const char *key, const QMap<Q
 class ForgetfulChannel final : public Channel
 {
 public:
-    ForgetfulChannel(Channel &channel, QString forgotten) : m_channel(channel), m_forgotten(std::move(forgotten)) { }
+    ForgetfulChannel(Channel &channel, QString forgotten)
+        : m_channel(channel)
+        , m_forgotten(std::move(forgotten))
+    {
+    }
     Result<Frame> transact(const Request &request) override
     {
         if (request.name != m_forgotten)
@@ -61,7 +65,7 @@ private:
     QString m_forgotten;
 };
 
-} // namespace
+}  // namespace
 
 /// The family's sequential code against the simulated board in virtual time.
 class TestSbgcDevice : public QObject
@@ -319,11 +323,13 @@ void TestSbgcDevice::gyroCalibrationRemovesTheBias()
     QFETCH(QString, form);
     VirtualBoard bench;
     QVERIFY(bench.identify());
-    const auto before = bench.board().stabilizer().imu().gyroBias[1] - bench.board().stabilizer().imu().gyroCorrection[1];
+    const auto before
+        = bench.board().stabilizer().imu().gyroBias[1] - bench.board().stabilizer().imu().gyroCorrection[1];
     QVERIFY(std::abs(before) > 1.0);
     const TimePoint start = bench.channel.now();
-    const auto reply = bench.device.perform(bench.channel, u"calibrate.gyro"_s,
-                                            argumentsFor(bench.device, "calibrate.gyro", {{u"form"_s, form}}));
+    const auto reply
+        = bench.device.perform(bench.channel, u"calibrate.gyro"_s,
+                               argumentsFor(bench.device, "calibrate.gyro", {{u"form"_s, form}}));
     QVERIFY(reply);
     QVERIFY(bench.channel.now() - start > 4s);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -345,7 +351,8 @@ void TestSbgcDevice::accCalibrationLevelsTheHorizon()
     std::ignore = bench.channel.sleep(20s);
     const double tiltedBefore = std::abs(bench.board().stabilizer().trueAngle(Axis::Roll));
     QVERIFY2(tiltedBefore > 1.0, qPrintable(QString::number(tiltedBefore)));
-    QVERIFY(bench.device.perform(bench.channel, u"calibrate.acc"_s, argumentsFor(bench.device, "calibrate.acc")));
+    QVERIFY(
+        bench.device.perform(bench.channel, u"calibrate.acc"_s, argumentsFor(bench.device, "calibrate.acc")));
     std::ignore = bench.channel.sleep(20s);
     const double after = std::abs(bench.board().stabilizer().trueAngle(Axis::Roll));
     QVERIFY2(after < tiltedBefore / 2, qPrintable(QString::number(after)));
@@ -369,7 +376,8 @@ void TestSbgcDevice::secondCalibrationIsRefusedMeanwhile()
     QVERIFY(bench.identify());
     QVERIFY(bench.channel.transact(confirmRequest(CommandId::CalibGyro, encodeCalibration(1, 1), 1)));
     std::ignore = bench.channel.sleep(1s);
-    const auto second = bench.channel.transact(confirmRequest(CommandId::CalibAcc, encodeCalibration(1, 1), 1));
+    const auto second
+        = bench.channel.transact(confirmRequest(CommandId::CalibAcc, encodeCalibration(1, 1), 1));
     QCOMPARE(second.error().code, ErrorCode::BoardError);
     QCOMPARE(second.error().boardCode, 8);
 }
@@ -395,7 +403,7 @@ void TestSbgcDevice::autoTuneFindsAndSavesGains()
     const int p = reply->value(u"p.roll"_s).toInt();
     QVERIFY2(p > 15, qPrintable(QString::number(p)));
     QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), p);
-    QCOMPARE(bench.board().stored(u"pid.yaw.p"_s, 0), 40);   // not chosen, not touched
+    QCOMPARE(bench.board().stored(u"pid.yaw.p"_s, 0), 40);  // not chosen, not touched
     // Progress came with each iteration, with gains and tracking error.
     int reports = 0;
     for (const Progress &progress : bench.channel.progressReports())
@@ -411,7 +419,8 @@ void TestSbgcDevice::autoTuneStopsWhenCancelled()
     VirtualBoard bench;
     QVERIFY(bench.identify());
     bench.channel.cancelAfter(3s);
-    const auto reply = bench.device.perform(bench.channel, u"autotune"_s, argumentsFor(bench.device, "autotune"));
+    const auto reply
+        = bench.device.perform(bench.channel, u"autotune"_s, argumentsFor(bench.device, "autotune"));
     QCOMPARE(reply.error().code, ErrorCode::Cancelled);
     // "Stop" is sent although the job is over.
     int frames = 0;
@@ -432,7 +441,8 @@ void TestSbgcDevice::steersToAnAngle()
     bench.board().stabilizer().imu().gyroCorrection = bench.board().stabilizer().imu().gyroBias;
     const auto reply = bench.device.perform(
         bench.channel, u"steer"_s,
-        argumentsFor(bench.device, "steer", {{u"yaw"_s, u"25"_s}, {u"speed"_s, u"40"_s}, {u"seconds"_s, u"3"_s}}));
+        argumentsFor(bench.device, "steer",
+                     {{u"yaw"_s, u"25"_s}, {u"speed"_s, u"40"_s}, {u"seconds"_s, u"3"_s}}));
     QVERIFY(reply);
     QVERIFY(std::abs(reply->value(u"imu.yaw"_s).toDouble() - 25.0) < 1.5);
     QVERIFY(std::abs(reply->value(u"imu.pitch"_s).toDouble()) < 1.5);
@@ -443,15 +453,17 @@ void TestSbgcDevice::speedModeStopsAtTheEnd()
 {
     VirtualBoard bench;
     QVERIFY(bench.identify());
-    QVERIFY(bench.device.perform(bench.channel, u"steer"_s,
-                                 argumentsFor(bench.device, "steer", {{u"mode"_s, u"speed"_s}, {u"pitch"_s, u"15"_s},
-                                                                      {u"seconds"_s, u"2"_s}})));
+    QVERIFY(bench.device.perform(
+        bench.channel, u"steer"_s,
+        argumentsFor(bench.device, "steer",
+                     {{u"mode"_s, u"speed"_s}, {u"pitch"_s, u"15"_s}, {u"seconds"_s, u"2"_s}})));
     const double reached = bench.board().stabilizer().target(Axis::Pitch);
     QVERIFY2(reached > 24 && reached < 36, qPrintable(QString::number(reached)));
     std::ignore = bench.channel.sleep(2s);
     QCOMPARE(bench.board().stabilizer().target(Axis::Pitch), reached);
-    QCOMPARE(bench.device.perform(bench.channel, u"steer"_s, argumentsFor(bench.device, "steer")).error().code,
-             ErrorCode::InvalidArgument);
+    QCOMPARE(
+        bench.device.perform(bench.channel, u"steer"_s, argumentsFor(bench.device, "steer")).error().code,
+        ErrorCode::InvalidArgument);
 }
 
 void TestSbgcDevice::everyControlModeIsEncoded()
@@ -471,7 +483,7 @@ void TestSbgcDevice::everyControlModeIsEncoded()
         QCOMPARE((*command)[1].mode & 0x0F, mode.id);
         QCOMPARE((*command)[0], ControlAxis());
         if (mode.usesSpeed)
-            QCOMPARE((*command)[1].speed, 246);   // 30 °/s, errata section 8
+            QCOMPARE((*command)[1].speed, 246);  // 30 °/s, errata section 8
         const auto stop = decodeControl(asBytes(frames.stop).subspan(4, 15));
         QCOMPARE((*stop)[1].speed, 0);
         QCOMPARE(frames.release, encodeFrame(67, QByteArray(13, '\0')));
@@ -498,11 +510,11 @@ void TestSbgcDevice::resetIsAnnounced()
     QVERIFY(bench.device.perform(bench.channel, u"reset"_s, argumentsFor(bench.device, "reset")));
     QVERIFY(notice != TimePoint());
     const auto gone = bench.channel.sleep(3s);
-    QCOMPARE(gone.error().code, ErrorCode::LinkClosed);   // native USB vanishes
+    QCOMPARE(gone.error().code, ErrorCode::LinkClosed);  // native USB vanishes
     QVERIFY(bench.channel.now() - notice > 950ms && bench.channel.now() - notice < 1100ms);
     bench.port.advance(2s);
     QVERIFY(bench.port.isPlugged());
-    QCOMPARE(bench.board().inUse(u"pid.roll.p"_s), 35);   // volatile values are gone
+    QCOMPARE(bench.board().inUse(u"pid.roll.p"_s), 35);  // volatile values are gone
 }
 
 void TestSbgcDevice::defaultsOverwriteAProfile()
@@ -520,7 +532,8 @@ void TestSbgcDevice::motorsOffStopsEvenATuningBoard()
 {
     VirtualBoard bench;
     QVERIFY(bench.identify());
-    QVERIFY(bench.channel.transact(confirmRequest(CommandId::AutoPid, hex("00 0F 80") + QByteArray(16, '\0'), 1)));
+    QVERIFY(bench.channel.transact(
+        confirmRequest(CommandId::AutoPid, hex("00 0F 80") + QByteArray(16, '\0'), 1)));
     std::ignore = bench.channel.sleep(1s);
     QVERIFY(bench.channel.transact(bench.device.motorsOffRequest()));
     QVERIFY(!bench.board().stabilizer().motorsOn());
@@ -551,10 +564,10 @@ void TestSbgcDevice::faultsAreNamed()
     o.faults.battery = 9.5;
     VirtualBoard bench(o);
     QVERIFY(bench.identify());
-    QVERIFY(bench.device.readConfiguration(bench.channel));   // a missing sensor never stops reading
+    QVERIFY(bench.device.readConfiguration(bench.channel));  // a missing sensor never stops reading
     std::ignore = bench.channel.sleep(1s);
-    const auto frame = bench.channel.transact(
-        replyRequest(CommandId::RealtimeData3, {}, CommandId::RealtimeData3, 63, 1));
+    const auto frame
+        = bench.channel.transact(replyRequest(CommandId::RealtimeData3, {}, CommandId::RealtimeData3, 63, 1));
     const unsigned bits = ByteReader(QByteArrayView(frame->payload).sliced(14)).u16();
     QStringList keys;
     for (const BoardFault &fault : bench.device.faults(bits, 0)) {
@@ -578,7 +591,8 @@ void TestSbgcDevice::streamsAtFullRateWithoutLoss()
     QVERIFY(plan);
     QVERIFY(plan->streaming);
     QCOMPARE(plan->rate, 1250.0);
-    bench.channel.setTap([&](const FrameView &frame, TimePoint at) { plan->decoder->decode(frame, at, store); });
+    bench.channel.setTap(
+        [&](const FrameView &frame, TimePoint at) { plan->decoder->decode(frame, at, store); });
     std::ignore = bench.channel.sleep(4s);
     // A long read in between costs nothing.
     QVERIFY(bench.device.readConfiguration(bench.channel));
@@ -644,7 +658,8 @@ void TestSbgcDevice::streamFitsASlowLine()
     // 25 bytes a frame: 443/s would fill the line (performance notes, section 1); some is left for requests.
     QVERIFY2(plan->rate > 280 && plan->rate < 400, qPrintable(QString::number(plan->rate)));
     TelemetryStore store(int(bench.device.channels().size()));
-    bench.channel.setTap([&](const FrameView &frame, TimePoint at) { plan->decoder->decode(frame, at, store); });
+    bench.channel.setTap(
+        [&](const FrameView &frame, TimePoint at) { plan->decoder->decode(frame, at, store); });
     std::ignore = bench.channel.sleep(3s);
     QCOMPARE(store.lost(), quint64(0));
     QVERIFY(store.tracks(roles.gyro[0])[0].end() > std::size_t(2.5 * plan->rate));
@@ -679,8 +694,12 @@ void TestSbgcDevice::streamsChosenByHandAllRun()
     VirtualBoard bench;
     QVERIFY(bench.identify());
     const ChannelRoles roles = bench.device.roles();
-    const TelemetryWish wish{{}, 0, {{u"custom"_s, 500, {roles.gyro[0]}}, {u"realtime4"_s, 200, {}}, {u"realtime3"_s, 50, {}},
-                                     {u"helper"_s, 100, {}}}};
+    const TelemetryWish wish{{},
+                             0,
+                             {{u"custom"_s, 500, {roles.gyro[0]}},
+                              {u"realtime4"_s, 200, {}},
+                              {u"realtime3"_s, 50, {}},
+                              {u"helper"_s, 100, {}}}};
     const auto plan = bench.device.startTelemetry(bench.channel, wish, {});
     QVERIFY(plan);
     QCOMPARE(plan->budget.streams.size(), std::size_t(4));
@@ -755,10 +774,12 @@ void TestSbgcDevice::eachFlagOfCustomDelivers()
     for (const sbgc::CustomField &field : sbgc::customFields()) {
         const int channel = field.fields.front().channel;
         const QByteArray key = bench.device.channels()[std::size_t(channel)].key;
-        const auto plan = bench.device.startTelemetry(bench.channel, {{}, 0, {{u"custom"_s, 250, {channel}}}}, {});
+        const auto plan
+            = bench.device.startTelemetry(bench.channel, {{}, 0, {{u"custom"_s, 250, {channel}}}}, {});
         QVERIFY2(plan, key);
         TelemetryStore store(int(bench.device.channels().size()));
-        bench.channel.setTap([&](const FrameView &frame, TimePoint at) { plan->decoder->decode(frame, at, store); });
+        bench.channel.setTap(
+            [&](const FrameView &frame, TimePoint at) { plan->decoder->decode(frame, at, store); });
         std::ignore = bench.channel.sleep(200ms);
         for (const sbgc::WireField &wire : field.fields) {
             QVERIFY2(store.tracks(wire.channel).size() == 1 && store.tracks(wire.channel)[0].end() > 40, key);
@@ -772,7 +793,8 @@ void TestSbgcDevice::eachFlagOfCustomDelivers()
     const auto plan = bench.device.startTelemetry(bench.channel, {same, 0, {}}, {});
     QVERIFY(plan);
     TelemetryStore store(int(bench.device.channels().size()));
-    bench.channel.setTap([&](const FrameView &frame, TimePoint at) { plan->decoder->decode(frame, at, store); });
+    bench.channel.setTap(
+        [&](const FrameView &frame, TimePoint at) { plan->decoder->decode(frame, at, store); });
     bench.board().stabilizer().setTarget(Axis::Pitch, 20);
     std::ignore = bench.channel.sleep(2s);
     const auto latest = [&](int channel) { return double(store.latest(channel)); };
@@ -796,7 +818,8 @@ void TestSbgcDevice::streamsThatDoNotFitAreRefused_data()
     QTest::newRow("too fast for the line") << u"realtime4"_s << 100.0 << 115200 << int(ErrorCode::TooMuch);
     QTest::newRow("just fits") << u"realtime4"_s << 75.0 << 115200 << -1;
     QTest::newRow("fits a faster line") << u"realtime4"_s << 500.0 << 921600 << -1;
-    QTest::newRow("faster than the board") << u"realtime4"_s << 2000.0 << 921600 << int(ErrorCode::InvalidArgument);
+    QTest::newRow("faster than the board")
+        << u"realtime4"_s << 2000.0 << 921600 << int(ErrorCode::InvalidArgument);
     QTest::newRow("no such stream") << u"realtime5"_s << 10.0 << 115200 << int(ErrorCode::InvalidArgument);
     QTest::newRow("custom of nothing") << u"custom"_s << 10.0 << 115200 << int(ErrorCode::InvalidArgument);
 }
@@ -817,7 +840,8 @@ void TestSbgcDevice::streamsThatDoNotFitAreRefused()
     QCOMPARE(plan ? -1 : int(plan.error().code), code);
     // The numbers are in it: 100 frames of 129 bytes against 85 % of 11520.
     if (code == int(ErrorCode::TooMuch))
-        QVERIFY2(plan.error().detail.contains(u"12903"_s) || plan.error().detail.contains(u"12900"_s), qPrintable(plan.error().detail));
+        QVERIFY2(plan.error().detail.contains(u"12903"_s) || plan.error().detail.contains(u"12900"_s),
+                 qPrintable(plan.error().detail));
 }
 
 void TestSbgcDevice::wireRatesAreThoseOfTheTable_data()
@@ -832,7 +856,8 @@ void TestSbgcDevice::wireRatesAreThoseOfTheTable_data()
     QTest::newRow("4 at 115200 8E1") << u"realtime4"_s << QStringList() << 115200 << true << 81.0;
     QTest::newRow("3 at 256000") << u"realtime3"_s << QStringList() << 256000 << false << 376.0;
     QTest::newRow("gyro at 115200") << u"custom"_s << QStringList{u"gyro.roll"_s} << 115200 << false << 886.0;
-    QTest::newRow("gyro and acc at 115200") << u"custom"_s << QStringList{u"gyro.roll"_s, u"acc.x"_s} << 115200 << false << 606.0;
+    QTest::newRow("gyro and acc at 115200")
+        << u"custom"_s << QStringList{u"gyro.roll"_s, u"acc.x"_s} << 115200 << false << 606.0;
 }
 
 void TestSbgcDevice::wireRatesAreThoseOfTheTable()
@@ -901,7 +926,7 @@ void TestSbgcDevice::silenceIsNoLoss()
     const auto plan = bench.device.startTelemetry(bench.channel, {{}, 0, {{stream, 1250, {gyro}}}}, {});
     QVERIFY(plan);
     TelemetryStore store(int(bench.device.channels().size()));
-    bool deaf = false;   // the board calibrates and says nothing
+    bool deaf = false;  // the board calibrates and says nothing
     bench.channel.setTap([&](const FrameView &frame, TimePoint at) {
         if (!deaf)
             plan->decoder->decode(frame, at, store);
@@ -913,7 +938,8 @@ void TestSbgcDevice::silenceIsNoLoss()
     std::ignore = bench.channel.sleep(3s);
     QCOMPARE(store.lost(), quint64(0));
     QCOMPARE(store.silences(), quint64(1));
-    QVERIFY2(std::abs(store.silentSeconds() - 2.0) < 0.05, qPrintable(QString::number(store.silentSeconds())));
+    QVERIFY2(std::abs(store.silentSeconds() - 2.0) < 0.05,
+             qPrintable(QString::number(store.silentSeconds())));
     // It is drawn as a gap, and the samples behind it have their right times.
     const auto tracks = store.tracks(gyro);
     QCOMPARE(tracks.size(), std::size_t(1));
@@ -922,7 +948,8 @@ void TestSbgcDevice::silenceIsNoLoss()
         holes += std::isnan(tracks[0].value(row));
     QCOMPARE(holes, 1);
     const double newest = tracks[0].time(tracks[0].end() - 1);
-    QVERIFY2(std::abs(newest - store.secondsAt(bench.channel.now())) < 0.02, qPrintable(QString::number(newest)));
+    QVERIFY2(std::abs(newest - store.secondsAt(bench.channel.now())) < 0.02,
+             qPrintable(QString::number(newest)));
 }
 
 void TestSbgcDevice::survivesADisturbedCable()

@@ -67,7 +67,8 @@ struct ByteClient
         QVariantMap all = values;
         all.insert(u"target_system"_s, target);
         all.insert(u"target_component"_s, 67);
-        return ask(mavlink::encode(id, *mavlink::encodeFields(*mavlink::findMessage(mavlink::number(id)), all), {82, 67}, 0));
+        return ask(mavlink::encode(
+            id, *mavlink::encodeFields(*mavlink::findMessage(mavlink::number(id)), all), {82, 67}, 0));
     }
     SimulatedPort port;
 };
@@ -77,10 +78,11 @@ QVariantMap fieldsOf(const QByteArray &frame)
     const auto seen = mavlink::sight(asBytes(frame));
     if (seen.look != mavlink::Look::Complete)
         return {};
-    return mavlink::decodeFields(*mavlink::findMessage(seen.packet.id), seen.packet.payload).value_or(QVariantMap());
+    return mavlink::decodeFields(*mavlink::findMessage(seen.packet.id), seen.packet.payload)
+        .value_or(QVariantMap());
 }
 
-} // namespace
+}  // namespace
 
 /// The simulated STorM32 board against the errata, on all three firmwares.
 class TestStormBoard : public QObject
@@ -124,22 +126,25 @@ void addFirmwares()
         QTest::newRow(QByteArray::number(firmware)) << firmware;
 }
 
-} // namespace
+}  // namespace
 
-void TestStormBoard::lettersAndTimeouts_data() { addFirmwares(); }
+void TestStormBoard::lettersAndTimeouts_data()
+{
+    addFirmwares();
+}
 
 void TestStormBoard::lettersAndTimeouts()
 {
     QFETCH(int, firmware);
     ByteClient client(firmware);
-    QVERIFY(client.wait(3s).isEmpty());                 // silent until asked
+    QVERIFY(client.wait(3s).isEmpty());  // silent until asked
     QCOMPARE(client.ask("t"), "o");
-    QCOMPARE(client.ask("T"), "e");                     // letters are case sensitive
-    QCOMPARE(client.ask(hex("f900000000")), "eeeee");   // five bytes, five answers; F9 came with v2.09
+    QCOMPARE(client.ask("T"), "e");  // letters are case sensitive
+    QCOMPARE(client.ask(hex("f900000000")), "eeeee");  // five bytes, five answers; F9 came with v2.09
     QCOMPARE(client.ask("xZ"), "e");
     QCOMPARE(client.ask("Cz"), "e");
-    QCOMPARE(client.ask("x"), "t");                     // half a command
-    QCOMPARE(client.ask(hex("fa0203")), "t");           // a half frame: the letter, no ack 150
+    QCOMPARE(client.ask("x"), "t");  // half a command
+    QCOMPARE(client.ask(hex("fa0203")), "t");  // a half frame: the letter, no ack 150
     // 80 ms between bytes are all right, 120 are not.
     QVERIFY(client.ask(hex("fa00"), 80ms).isEmpty());
     QVERIFY(client.ask(hex("01"), 80ms).isEmpty());
@@ -149,7 +154,10 @@ void TestStormBoard::lettersAndTimeouts()
     QCOMPARE(client.ask("01"), "ee");
 }
 
-void TestStormBoard::versionIsWhatItIs_data() { addFirmwares(); }
+void TestStormBoard::versionIsWhatItIs_data()
+{
+    addFirmwares();
+}
 
 void TestStormBoard::versionIsWhatItIs()
 {
@@ -173,7 +181,10 @@ void TestStormBoard::versionIsWhatItIs()
     QCOMPARE(strings.mid(19, 16), "Top gimbal      ");
 }
 
-void TestStormBoard::parameterStream_data() { addFirmwares(); }
+void TestStormBoard::parameterStream_data()
+{
+    addFirmwares();
+}
 
 void TestStormBoard::parameterStream()
 {
@@ -183,8 +194,8 @@ void TestStormBoard::parameterStream()
     const QByteArray reply = client.ask("g");
     QCOMPARE(reply.size(), 2 * words + 128 + 3);
     QCOMPARE(u16(reply, 0), 400);
-    QCOMPARE(u16(reply, 2 * 82), 25);             // unassigned, and to be kept
-    QCOMPARE(u16(reply, 2 * words - 2), 0);       // the dummy
+    QCOMPARE(u16(reply, 2 * 82), 25);  // unassigned, and to be kept
+    QCOMPARE(u16(reply, 2 * words - 2), 0);  // the dummy
     QCOMPARE(reply.mid(2 * words, 128), QByteArray(128, char(0xFF)));
     // What is written is stored as it is, out of range or not; a wrong checksum changes nothing.
     QByteArray stream = reply.left(2 * words + 128);
@@ -210,7 +221,7 @@ void TestStormBoard::memoryIsTwofold()
     QCOMPARE(client.board().inUse(0), 400);
     client.board().set(0, 600);
     QVERIFY(client.ask("xs", 100ms).isEmpty());
-    QVERIFY(client.ask("t", 300ms).isEmpty());    // writing the memory, nothing else is served
+    QVERIFY(client.ask("t", 300ms).isEmpty());  // writing the memory, nothing else is served
     QCOMPARE(client.wait(600ms), "oo");
     QCOMPARE(client.board().stored(0), 600);
     client.board().set(0, 700);
@@ -218,7 +229,7 @@ void TestStormBoard::memoryIsTwofold()
     QCOMPARE(client.board().inUse(0), 600);
     client.board().set(0, 700);
     QCOMPARE(client.ask("xx"), "o");
-    QCOMPARE(client.board().inUse(0), 600);       // a restart loads what is stored
+    QCOMPARE(client.board().inUse(0), 600);  // a restart loads what is stored
     QCOMPARE(client.ask("xd"), "o");
     QCOMPARE(client.board().inUse(0), 400);
     QCOMPARE(client.board().stored(0), 600);
@@ -226,7 +237,10 @@ void TestStormBoard::memoryIsTwofold()
     QCOMPARE(client.board().stored(0), 400);
 }
 
-void TestStormBoard::liveData_data() { addFirmwares(); }
+void TestStormBoard::liveData_data()
+{
+    addFirmwares();
+}
 
 void TestStormBoard::liveData()
 {
@@ -237,14 +251,14 @@ void TestStormBoard::liveData()
     const QByteArray reply = client.ask("d");
     QCOMPARE(reply.size(), 67);
     QCOMPARE(crc16Mcrf4xx(asBytes(reply.left(66))), 0);
-    QCOMPARE(u16(reply, 0), 6);                                  // normal
-    QCOMPARE(u16(reply, 2) & 0x8028, 0x8028);                    // IMU there and well, battery connected
-    QVERIFY(std::abs(u16(reply, 8) - 12300) < 200);              // mV
+    QCOMPARE(u16(reply, 0), 6);  // normal
+    QCOMPARE(u16(reply, 2) & 0x8028, 0x8028);  // IMU there and well, battery connected
+    QVERIFY(std::abs(u16(reply, 8) - 12300) < 200);  // mV
     QCOMPARE(u16(reply, 12), 1500);
     const double oneG = firmware == 96 ? 8192.0 : 10000.0;
-    QVERIFY(std::abs(s16(reply, 24) / oneG - 1.0) < 0.1);        // z up at rest
+    QVERIFY(std::abs(s16(reply, 24) / oneG - 1.0) < 0.1);  // z up at rest
     QVERIFY(std::abs(s16(reply, 30) - 10000) < 30);
-    QVERIFY(firmware == 79 ? u16(reply, 10) < 66 : true);        // its useless time
+    QVERIFY(firmware == 79 ? u16(reply, 10) < 66 : true);  // its useless time
     QCOMPARE(client.ask("s").left(10).size(), 10);
     QCOMPARE(client.ask("s").size(), 13);
     // Pitch down is positive, and the up direction then points back in the camera (errata 3.5).
@@ -265,7 +279,8 @@ void TestStormBoard::rcAnswers_data()
     QTest::newRow("parameter beyond the last") << encodeRc(3, hex("e803")) << hex("fb0403e8030000");
     QTest::newRow("set beyond the last") << encodeRc(4, hex("e8030100")) << hex("fb019600622e");
     QTest::newRow("unknown command") << encodeRc(77, hex("0102")) << hex("fb019603f91c");
-    QTest::newRow("wrong length") << hex("fa0211e8030000") << hex("fb019698a336");   // the document's own example
+    QTest::newRow("wrong length") << hex("fa0211e8030000")
+                                  << hex("fb019698a336");  // the document's own example
     QTest::newRow("pitch") << encodeRc(10, hex("e803")) << hex("fb019600622e");
     QTest::newRow("pitch, ignored value") << encodeRc(10, hex("0100")) << hex("fb019600622e");
     QTest::newRow("get data") << encodeRc(5, hex("00")) << hex("fb42050000");
@@ -299,20 +314,21 @@ void TestStormBoard::rcChecksumIsNotChecked()
         QCOMPARE(client.ask(hex("fa0001") + hex(crc)).left(3).toHex(), "fb0601");
     }
     ByteClient strict(96, true, true);
-    QCOMPARE(strict.ask(hex("fa00013334")).left(4).toHex(), "fb019697");   // 151
+    QCOMPARE(strict.ask(hex("fa00013334")).left(4).toHex(), "fb019697");  // 151
     QCOMPARE(strict.ask(hex("fa000131e1")).left(3).toHex(), "fb0601");
 }
 
 void TestStormBoard::dataFieldsComeInOrder()
 {
     ByteClient client;
-    const QByteArray reply = client.askRc(Rc::GetDataFields, hex("a200"));   // times, angles, inputs
+    const QByteArray reply = client.askRc(Rc::GetDataFields, hex("a200"));  // times, angles, inputs
     QCOMPARE(reply.left(3).toHex(), "fb1406");
     QCOMPARE(u16(reply, 3), 0x00A2);
-    QCOMPARE(u16(reply, 7), 1500);                  // cycle time
+    QCOMPARE(u16(reply, 7), 1500);  // cycle time
     QCOMPARE(reply.size(), 5 + 2 + 2 * (2 + 3 + 3 + 1));
     QVERIFY(client.askRc(Rc::SetScriptControl, hex("0101")).contains(hex("9600")));
-    QCOMPARE(u16(client.askRc(Rc::GetDataFields, hex("8000")), 11), 0x0010);   // the packed word is the last: script 2 at 5:4
+    QCOMPARE(u16(client.askRc(Rc::GetDataFields, hex("8000")), 11),
+             0x0010);  // the packed word is the last: script 2 at 5:4
 }
 
 void TestStormBoard::steeringMovesTheCamera()
@@ -335,10 +351,14 @@ void TestStormBoard::steeringMovesTheCamera()
     std::ignore = client.wait(4s);
     QVERIFY(std::abs(s16(client.ask("d"), 32) - 4000) < 150);
     QVERIFY(std::abs(s16(client.ask("d"), 36) + 2000) < 250);
-    QVERIFY(client.board().stabilizer().trueAngle(Axis::Yaw) > 17);   // right, which the firmware counts as negative
+    QVERIFY(client.board().stabilizer().trueAngle(Axis::Yaw)
+            > 17);  // right, which the firmware counts as negative
 }
 
-void TestStormBoard::panAndStandby_data() { addFirmwares(); }
+void TestStormBoard::panAndStandby_data()
+{
+    addFirmwares();
+}
 
 void TestStormBoard::panAndStandby()
 {
@@ -348,17 +368,17 @@ void TestStormBoard::panAndStandby()
         client.askRc(Rc::SetPanMode, QByteArray(1, char(mode)));
         return u16(client.ask("d"), 4) & 0xE000;
     };
-    QCOMPARE(pan(1), 0x8000);    // yaw
+    QCOMPARE(pan(1), 0x8000);  // yaw
     QCOMPARE(pan(2), 0x0000);
     QCOMPARE(pan(3), 0xE000);
-    QCOMPARE(pan(4), 0x2000);    // pitch
+    QCOMPARE(pan(4), 0x2000);  // pitch
     QCOMPARE(pan(5), 0xA000);
-    QCOMPARE(pan(6), firmware == 96 ? 0xC000 : 0xA000);   // from 0.92 on
-    QCOMPARE(pan(0), 0x8000);    // back to the parameter
+    QCOMPARE(pan(6), firmware == 96 ? 0xC000 : 0xA000);  // from 0.92 on
+    QCOMPARE(pan(0), 0x8000);  // back to the parameter
     QVERIFY(client.board().stabilizer().motorsOn());
     client.askRc(Rc::SetStandby, hex("01"));
     QCOMPARE(u16(client.ask("s"), 0), firmware == 96 ? 99 : 7);
-    QCOMPARE(u16(client.ask("s"), 4) & 0x1000, 0);        // not in the bits
+    QCOMPARE(u16(client.ask("s"), 4) & 0x1000, 0);  // not in the bits
     QVERIFY(!client.board().stabilizer().motorsOn());
     client.askRc(Rc::SetStandby, hex("00"));
     QCOMPARE(u16(client.ask("s"), 0), 5);
@@ -366,14 +386,17 @@ void TestStormBoard::panAndStandby()
     QCOMPARE(u16(client.ask("s"), 0), 6);
 }
 
-void TestStormBoard::statesAfterARestart_data() { addFirmwares(); }
+void TestStormBoard::statesAfterARestart_data()
+{
+    addFirmwares();
+}
 
 void TestStormBoard::statesAfterARestart()
 {
     QFETCH(int, firmware);
     ByteClient client(firmware);
     for (const int word : {21, 27, 33})
-        client.board().set(word, 2);       // directions are searched for
+        client.board().set(word, 2);  // directions are searched for
     QCOMPARE(client.ask("xs", 1s), "o");
     QCOMPARE(client.ask("xx", 20ms), "o");
     const double start = client.board().now();
@@ -388,9 +411,11 @@ void TestStormBoard::statesAfterARestart()
         last = state;
     }
     QCOMPARE(last, 6);
-    const std::array<double, 6> wanted = firmware == 79 ? std::array{3.7, 7.5, 9.8, 10.9, 17.7, 18.8} : std::array{3.5, 6.5, 8.5, 9.5, 15.8, 16.7};
+    const std::array<double, 6> wanted = firmware == 79 ? std::array{3.7, 7.5, 9.8, 10.9, 17.7, 18.8}
+                                                        : std::array{3.5, 6.5, 8.5, 9.5, 15.8, 16.7};
     for (std::size_t i = 0; i < wanted.size(); ++i)
-        QVERIFY2(std::abs(ended[i] - wanted[i]) < 0.1, qPrintable(u"state %1 ended after %2 s"_s.arg(i).arg(ended[i])));
+        QVERIFY2(std::abs(ended[i] - wanted[i]) < 0.1,
+                 qPrintable(u"state %1 ended after %2 s"_s.arg(i).arg(ended[i])));
     QCOMPARE(client.ask("xm"), "o");
     QCOMPARE(client.board().inUse(21), 0);
 }
@@ -437,9 +462,9 @@ void TestStormBoard::factoryDefaultsDoNotRunMotors()
     ByteClient client;
     QVERIFY(u16(client.ask("d"), 4) & 0x0038);
     QCOMPARE(client.ask("xd"), "o");
-    QVERIFY(!(u16(client.ask("d"), 4) & 0x0038));       // usage "disabled"
+    QVERIFY(!(u16(client.ask("d"), 4) & 0x0038));  // usage "disabled"
     const QByteArray live = client.ask("d");
-    QVERIFY(std::abs(s16(live, 38) + s16(live, 32)) <= 1);   // the output is exactly minus the angle
+    QVERIFY(std::abs(s16(live, 38) + s16(live, 32)) <= 1);  // the output is exactly minus the angle
     QCOMPARE(client.ask("xW"), "o");
     std::ignore = client.wait(20s);
     QVERIFY(u16(client.ask("d"), 4) & 0x0038);
@@ -468,7 +493,8 @@ void TestStormBoard::heartbeatLocksOutAndIsEscaped()
         heard.remove(0, 17);
     QCOMPARE(heard.left(2).toHex(), "fe03");
     QCOMPARE(heard.mid(3, 6).toHex(), "4743eb52436f");
-    heard = client.askMavlink(mavlink::MessageId::TargetSpecific, {{u"specific_payload"_s, hex("fa0470000000")}});
+    heard = client.askMavlink(mavlink::MessageId::TargetSpecific,
+                              {{u"specific_payload"_s, hex("fa0470000000")}});
     QVERIFY(heard.contains(hex("5243fb9600")));
     QCOMPARE(client.ask("t"), "o");
     QVERIFY(client.wait(3s).isEmpty());
@@ -478,7 +504,10 @@ void TestStormBoard::heartbeatLocksOutAndIsEscaped()
     QVERIFY(usb.ask("t", 50ms).contains('o'));
 }
 
-void TestStormBoard::mavlinkParameters_data() { addFirmwares(); }
+void TestStormBoard::mavlinkParameters_data()
+{
+    addFirmwares();
+}
 
 void TestStormBoard::mavlinkParameters()
 {
@@ -487,7 +516,8 @@ void TestStormBoard::mavlinkParameters()
     ByteClient client(firmware);
     const int words = firmware == 79 ? 124 : 125;
     const auto read = [&client](int index, const QString &name = {}) {
-        return fieldsOf(client.askMavlink(MessageId::ParamRequestRead, {{u"param_index"_s, index}, {u"param_id"_s, name}}));
+        return fieldsOf(client.askMavlink(MessageId::ParamRequestRead,
+                                          {{u"param_index"_s, index}, {u"param_id"_s, name}}));
     };
     QVariantMap answer = read(47);
     QCOMPARE(answer.value(u"param_id"_s).toString(), u"RC_PITCH_MIN"_s);
@@ -500,7 +530,7 @@ void TestStormBoard::mavlinkParameters()
     else
         QCOMPARE(ByteWriter().f32(value).take().toHex(), "06ff0000");
     QCOMPARE(read(-1, u"PID_ROLL_P"_s).value(u"param_index"_s).toInt(), 6);
-    QCOMPARE(read(-1, u"NONSENSE"_s).value(u"param_index"_s).toInt(), 0);    // check the name in the answer
+    QCOMPARE(read(-1, u"NONSENSE"_s).value(u"param_index"_s).toInt(), 0);  // check the name in the answer
     QCOMPARE(read(words).value(u"param_index"_s).toInt(), 0);
     // The list has all of them, in order.
     QByteArray list = client.askMavlink(MessageId::ParamRequestList, {});
@@ -510,15 +540,20 @@ void TestStormBoard::mavlinkParameters()
         QCOMPARE(fieldsOf(list.mid(i * 33, 33)).value(u"param_index"_s).toInt(), i);
     // Setting answers with the value in force and changes RAM only.
     const auto coding = firmware < 91 ? mavlink::ValueCoding::Number : mavlink::ValueCoding::Bits;
-    answer = fieldsOf(client.askMavlink(MessageId::ParamSet, {{u"param_id"_s, u"PID_PITCH_P"_s},
-                                                              {u"param_value"_s, mavlink::encodeValue(321, coding)}}));
+    answer = fieldsOf(client.askMavlink(
+        MessageId::ParamSet,
+        {{u"param_id"_s, u"PID_PITCH_P"_s}, {u"param_value"_s, mavlink::encodeValue(321, coding)}}));
     QCOMPARE(mavlink::decodeValue(answer.value(u"param_value"_s).toFloat(), coding), 321);
     QCOMPARE(client.board().inUse(0), 321);
     QCOMPARE(client.board().stored(0), 400);
-    answer = fieldsOf(client.askMavlink(MessageId::ParamSet2, {{u"param_index"_s, 1}, {u"param_value"_s, mavlink::encodeValue(77, coding)}}));
-    QCOMPARE(answer.value(u"target_system"_s).toInt(), 82);   // the asker's
+    answer = fieldsOf(client.askMavlink(
+        MessageId::ParamSet2, {{u"param_index"_s, 1}, {u"param_value"_s, mavlink::encodeValue(77, coding)}}));
+    QCOMPARE(answer.value(u"target_system"_s).toInt(), 82);  // the asker's
     QCOMPARE(client.board().inUse(1), 77);
-    QCOMPARE(fieldsOf(client.askMavlink(MessageId::ParamRead2, {{u"param_index"_s, 1}})).value(u"param_index"_s).toInt(), 1);
+    QCOMPARE(fieldsOf(client.askMavlink(MessageId::ParamRead2, {{u"param_index"_s, 1}}))
+                 .value(u"param_index"_s)
+                 .toInt(),
+             1);
     // Others get nothing, broadcast neither; damage gets nothing.
     QVERIFY(client.askMavlink(MessageId::ParamRequestRead, {{u"param_index"_s, 1}}, 1).isEmpty());
     QVERIFY(client.askMavlink(MessageId::ParamRequestRead, {{u"param_index"_s, 1}}, 0).isEmpty());
@@ -556,10 +591,13 @@ void TestStormBoard::mavlinkCommands()
     std::ignore = client.wait(4s);
     const QVariantMap attitude = command(1234);
     QVERIFY(attitude.contains(u"rollspeed"_s));
-    QVERIFY2(std::abs(attitude.value(u"pitch"_s).toDouble() + 0.5236) < 0.03, qPrintable(attitude.value(u"pitch"_s).toString()));
+    QVERIFY2(std::abs(attitude.value(u"pitch"_s).toDouble() + 0.5236) < 0.03,
+             qPrintable(attitude.value(u"pitch"_s).toString()));
     QVERIFY(client.wait(2s).isEmpty());
     ByteClient old(90);
-    QCOMPARE(fieldsOf(old.askMavlink(MessageId::CommandLong, {{u"command"_s, 1234}})).value(u"result"_s).toInt(), 3);
+    QCOMPARE(
+        fieldsOf(old.askMavlink(MessageId::CommandLong, {{u"command"_s, 1234}})).value(u"result"_s).toInt(),
+        3);
     // Mount messages are executed without an answer.
     QVERIFY(client.askMavlink(MessageId::MountControl, {{u"input_a"_s, -1000}}).isEmpty());
     std::ignore = client.wait(4s);
@@ -580,11 +618,14 @@ void TestStormBoard::embeddingHasItsLimit()
 {
     for (const int firmware : {79, 96}) {
         ByteClient client(firmware);
-        const QByteArray heard = client.askMavlink(mavlink::MessageId::TargetSpecific, {{u"specific_payload"_s, QByteArray("g")}});
+        const QByteArray heard = client.askMavlink(mavlink::MessageId::TargetSpecific,
+                                                   {{u"specific_payload"_s, QByteArray("g")}});
         QCOMPARE(int(std::uint8_t(heard[1])), firmware == 79 ? 125 : 127);
-        const QByteArray version = client.askMavlink(mavlink::MessageId::TargetSpecific, {{u"specific_payload"_s, QByteArray("v")}});
+        const QByteArray version = client.askMavlink(mavlink::MessageId::TargetSpecific,
+                                                     {{u"specific_payload"_s, QByteArray("v")}});
         QCOMPARE(int(std::uint8_t(version[1])), 2 + 57);
-        const QByteArray wrong = client.askMavlink(mavlink::MessageId::TargetSpecific, {{u"specific_payload"_s, QByteArray("?")}});
+        const QByteArray wrong = client.askMavlink(mavlink::MessageId::TargetSpecific,
+                                                   {{u"specific_payload"_s, QByteArray("?")}});
         QCOMPARE(fieldsOf(wrong).value(u"specific_payload"_s).toByteArray(), "e");
     }
 }

@@ -23,7 +23,7 @@ LinkAddress serialAddress()
     return LinkAddress::parse(u"serial:/dev/ttyTest"_s).value();
 }
 
-} // namespace
+}  // namespace
 
 /// STorM32 as plain sequential code, against the simulated board, in virtual time.
 class TestStormDevice : public QObject
@@ -97,7 +97,8 @@ void TestStormDevice::unknownLayoutIsReadOnlyWithRawWords()
     QCOMPARE(configuration->raw(*rig.device.parameters()->find(u"word.83"_s), 0), 25);
 }
 
-// Neither family's question harms the other, and both are told apart (document "Serial Communication", errata 3.1).
+// Neither family's question harms the other, and both are told apart (document "Serial Communication",
+// errata 3.1).
 void TestStormDevice::familiesAreToldApart()
 {
     {
@@ -106,7 +107,7 @@ void TestStormDevice::familiesAreToldApart()
         QVERIFY(found);
         QCOMPARE(found->line->baud, 115200);
     }
-    {   // our questions to a SimpleBGC board
+    {  // our questions to a SimpleBGC board
         SimulatorOptions o;
         o.usb = false;
         SimulatedPort port(std::make_unique<SbgcBoard>(o), o, kLine);
@@ -121,7 +122,7 @@ void TestStormDevice::familiesAreToldApart()
         VirtualChannel again(port, right.makeFramer());
         QVERIFY(findBoard(again, right, serialAddress()));
     }
-    {   // theirs to a STorM32 board
+    {  // theirs to a STorM32 board
         StormRig rig(stormOptions(96, false), kLine);
         SbgcDevice wrong;
         VirtualChannel channel(rig.port, wrong.makeFramer());
@@ -131,7 +132,7 @@ void TestStormDevice::familiesAreToldApart()
         QCOMPARE(found.error().detail, u"STorM32"_s);
         QCOMPARE(rig.board().inUse(0), 400);
     }
-    {   // the wrong rate
+    {  // the wrong rate
         StormRig rig(stormOptions(90, false), LineSettings{38400, Parity::None});
         const auto found = findBoard(rig.channel, rig.device, serialAddress());
         QVERIFY(found);
@@ -158,14 +159,14 @@ void TestStormDevice::configurationIsReadAndWritten()
     Configuration edited = *base;
     QVERIFY(edited.setRaw(*set.find(u"pid.yaw.d"_s), 0, 777));
     QVERIFY(edited.setRaw(*set.find(u"rc.roll.min"_s), 0, -300));
-    QVERIFY(!edited.setRaw(*set.find(u"pid.yaw.d"_s), 0, 9000));   // the firmware would not mind; we do
+    QVERIFY(!edited.setRaw(*set.find(u"pid.yaw.d"_s), 0, 9000));  // the firmware would not mind; we do
     QVERIFY(rig.device.beginWrite(rig.channel));
     QVERIFY(rig.device.writeBlock(rig.channel, {0, Parameters}, edited.block({0, Parameters})));
     QCOMPARE(rig.board().inUse(14), 777);
     QCOMPARE(rig.board().stored(14), 500);
     QVERIFY(rig.device.endWrite(rig.channel));
     QCOMPARE(rig.board().stored(14), 777);
-    QCOMPARE(rig.board().stored(82), 25);               // untouched
+    QCOMPARE(rig.board().stored(82), 25);  // untouched
     QCOMPARE(*rig.device.readBlock(rig.channel, {0, Parameters}), edited.block({0, Parameters}));
     // Scripts are a block of their own.
     const auto area = compileScripts({u"DORECENTER\nSTOP"_s, {}, {}, {}}, scriptContext(set, firmware));
@@ -242,7 +243,8 @@ void TestStormDevice::lockedOutBoardIsListed_data()
     boardIsIdentified_data();
 }
 
-// Both codings of values (errata 6), negative numbers among them; what the list loses is asked for one by one.
+// Both codings of values (errata 6), negative numbers among them; what the list loses is asked for one by
+// one.
 void TestStormDevice::lockedOutBoardIsListed()
 {
     QFETCH(int, firmware);
@@ -262,7 +264,7 @@ void TestStormDevice::lockedOutBoardIsListed()
     QByteArray words = direct.block({0, Parameters});
     words[2 * 112] = 1;
     QCOMPARE(listed->block({0, Parameters}), words);
-    QVERIFY(rig.channel.bytesOut() < 800);     // and not a question for each of 125 words
+    QVERIFY(rig.channel.bytesOut() < 800);  // and not a question for each of 125 words
 }
 
 void TestStormDevice::wayFollowsTheHeartbeat()
@@ -273,7 +275,7 @@ void TestStormDevice::wayFollowsTheHeartbeat()
     QVERIFY(configuration);
     const QByteArray plainOff = rig.device.motorsOffRequest().bytes;
     QByteArray words = configuration->block({0, Parameters});
-    words[2 * 110] = 12;                       // other numbers as well
+    words[2 * 110] = 12;  // other numbers as well
     words[2 * 111] = 34;
     words[2 * 112] = 1;
     QVERIFY(rig.device.writeBlock(rig.channel, {0, Parameters}, words));
@@ -288,7 +290,7 @@ void TestStormDevice::wayFollowsTheHeartbeat()
     QVERIFY(rig.device.perform(rig.channel, u"heartbeat.off"_s, {}));
     QVERIFY(!rig.device.isEmbedded());
     QCOMPARE(rig.device.motorsOffRequest().bytes, plainOff);
-    QCOMPARE(rig.device.readConfiguration(rig.channel)->blocks().size(), 2U);   // scripts too
+    QCOMPARE(rig.device.readConfiguration(rig.channel)->blocks().size(), 2U);  // scripts too
     // USB answers everything all the time: nothing has to change.
     StormRig usb;
     QVERIFY(usb.device.identify(usb.channel));
@@ -299,9 +301,11 @@ void TestStormDevice::wayFollowsTheHeartbeat()
 void TestStormDevice::textsAreHandedOn()
 {
     const mavlink::Message *message = mavlink::findMessage(mavlink::number(mavlink::MessageId::StatusText));
-    const QByteArray payload = mavlink::encodeFields(*message, {{u"severity"_s, 4}, {u"text"_s, u"Battery is weak"_s}}).value();
+    const QByteArray payload
+        = mavlink::encodeFields(*message, {{u"severity"_s, 4}, {u"text"_s, u"Battery is weak"_s}}).value();
     const StormDevice device;
-    const FrameView frame{FrameId::kMavlink + mavlink::number(mavlink::MessageId::StatusText), asBytes(payload), {}};
+    const FrameView frame{
+        FrameId::kMavlink + mavlink::number(mavlink::MessageId::StatusText), asBytes(payload), {}};
     QCOMPARE(device.spokenText(frame), u"Battery is weak"_s);
     QVERIFY(device.spokenText({FrameId::kMavlink, asBytes(payload), {}}).isEmpty());
 }
@@ -319,10 +323,13 @@ void TestStormDevice::statusIsDecoded()
         }
         return lines.join(u'\n');
     };
-    QCOMPARE(text(0x8028, 0x8038, 0), u"Camera sensor: OK\nFrame sensor: none\nMotors running: Roll Pitch Yaw\nFollowing axes: Yaw"_s);
-    const QString all = text(0x8000 | 0x1000 | 0x0800 | 0x0040 | 0x2000 | 0x0100 | 0x0002, 0x0100 | 0x0800, 0x4000 | 0x0080);
-    for (const char *line : {"Camera sensor: error", "Frame sensor: OK on the board", "Magnetometer: error", "STorM32-Link: unused",
-                             "Motors running: none", "Re-centering: Pitch", "IR camera: active", "Input of pan mode: +500", "Input of script 1: -500"})
+    QCOMPARE(text(0x8028, 0x8038, 0),
+             u"Camera sensor: OK\nFrame sensor: none\nMotors running: Roll Pitch Yaw\nFollowing axes: Yaw"_s);
+    const QString all = text(0x8000 | 0x1000 | 0x0800 | 0x0040 | 0x2000 | 0x0100 | 0x0002, 0x0100 | 0x0800,
+                             0x4000 | 0x0080);
+    for (const char *line : {"Camera sensor: error", "Frame sensor: OK on the board", "Magnetometer: error",
+                             "STorM32-Link: unused", "Motors running: none", "Re-centering: Pitch",
+                             "IR camera: active", "Input of pan mode: +500", "Input of script 1: -500"})
         QVERIFY2(all.contains(QLatin1String(line)), qPrintable(all));
     QVERIFY(text(0, 0, 0).startsWith(u"Camera sensor: none"_s));
     // And from a running board.
@@ -350,7 +357,8 @@ void TestStormDevice::telemetryIsPolled()
         QVERIFY(plan && plan->poll && !plan->streaming);
         QVERIFY2(plan->rate > 40 && plan->rate < 120, qPrintable(QString::number(plan->rate)));
         TelemetryStore store(int(rig.device.channels().size()));
-        rig.channel.setTap([&](const FrameView &frame, TimePoint at) { plan->decoder->decode(frame, at, store); });
+        rig.channel.setTap(
+            [&](const FrameView &frame, TimePoint at) { plan->decoder->decode(frame, at, store); });
         for (int i = 0; i < 100; ++i)
             QVERIFY(rig.channel.transact(*plan->poll));
         QCOMPARE(store.rows(), quint64(100));
@@ -358,7 +366,7 @@ void TestStormDevice::telemetryIsPolled()
         QVERIFY(std::abs(store.latest(AccZ) - 1.0F) < 0.15F);
         QVERIFY(std::abs(store.latest(Voltage) - 12.3F) < 0.2F);
         QCOMPARE(store.latest(MotorsActive), 1.0F);
-        QVERIFY(std::isnan(store.latest(LinkYaw)));     // without a link the word means nothing
+        QVERIFY(std::isnan(store.latest(LinkYaw)));  // without a link the word means nothing
         // Times go forward, evenly where the board has a clock of use.
         const auto tracks = store.tracks(GyroX);
         QCOMPARE(tracks.size(), std::size_t(1));
@@ -402,26 +410,37 @@ void TestStormDevice::everyActionIsAnswered()
         StormRig rig(stormOptions(firmware));
         QVERIFY(rig.device.identify(rig.channel));
         const QMap<QString, QMap<QString, QString>> arguments{
-            {u"pan.mode"_s, {{u"mode"_s, u"pan pan pan"_s}}}, {u"pan.setting"_s, {{u"setting"_s, u"2"_s}}},
-            {u"script"_s, {{u"script"_s, u"4"_s}}}, {u"name"_s, {{u"name"_s, u"Top"_s}}}, {u"restore"_s, {{u"word"_s, u"0"_s}}},
+            {u"pan.mode"_s, {{u"mode"_s, u"pan pan pan"_s}}},
+            {u"pan.setting"_s, {{u"setting"_s, u"2"_s}}},
+            {u"script"_s, {{u"script"_s, u"4"_s}}},
+            {u"name"_s, {{u"name"_s, u"Top"_s}}},
+            {u"restore"_s, {{u"word"_s, u"0"_s}}},
         };
         for (const ActionSpec &action : rig.device.actions()) {
             if (action.isProcedure || QLatin1String(action.group) == "Gimbal configuration"_L1
                 || QLatin1String(action.key) == "calibration.write"_L1)
-                continue;   // these need somebody who does his part: tst_stormsetup
+                continue;  // these need somebody who does his part: tst_stormsetup
             const auto parsed = parseArguments(action, arguments.value(QString::fromLatin1(action.key)));
             QVERIFY2(parsed, action.key);
             const auto reply = rig.device.perform(rig.channel, QString::fromLatin1(action.key), *parsed);
-            QVERIFY2(reply, qPrintable(u"%1: %2"_s.arg(QLatin1String(action.key), reply ? QString() : reply.error().detail)));
+            QVERIFY2(reply,
+                     qPrintable(u"%1: %2"_s.arg(QLatin1String(action.key),
+                                                reply ? QString() : reply.error().detail)));
         }
         QCOMPARE(rig.device.perform(rig.channel, u"nonsense"_s, {}).error().code, ErrorCode::Unsupported);
     }
     StormRig rig;
     QVERIFY(rig.device.identify(rig.channel));
     QCOMPARE(rig.device.perform(rig.channel, u"status"_s, {})->value(u"state"_s).toString(), u"normal"_s);
-    QCOMPARE(rig.device.perform(rig.channel, u"calibration.read"_s, {})->value(u"imu.acc.scale.z"_s).toInt(), 8192);
-    QVERIFY(std::abs(rig.device.perform(rig.channel, u"sensors.raw"_s, {})->value(u"imu.temperature"_s).toDouble() - 31) < 0.1);
-    QCOMPARE(rig.device.perform(rig.channel, u"name"_s, {{u"name"_s, u"a name that is far too long"_s}}).error().code,
+    QCOMPARE(rig.device.perform(rig.channel, u"calibration.read"_s, {})->value(u"imu.acc.scale.z"_s).toInt(),
+             8192);
+    QVERIFY(
+        std::abs(rig.device.perform(rig.channel, u"sensors.raw"_s, {})->value(u"imu.temperature"_s).toDouble()
+                 - 31)
+        < 0.1);
+    QCOMPARE(rig.device.perform(rig.channel, u"name"_s, {{u"name"_s, u"a name that is far too long"_s}})
+                 .error()
+                 .code,
              ErrorCode::InvalidArgument);
     QVERIFY(rig.device.perform(rig.channel, u"name"_s, {{u"name"_s, u"Top"_s}}));
     QCOMPARE(rig.device.identify(rig.channel)->extra[u"name"_s].toString(), u"Top"_s);
@@ -468,7 +487,7 @@ void TestStormDevice::steeringAndMotors()
     QVERIFY(rig.channel.sleep(1500ms));
     QVERIFY(rig.board().stabilizer().motorsOn());
     ControlSetpoint setpoint{};
-    setpoint[1] = {2, 0, 20};      // pitch, without limits
+    setpoint[1] = {2, 0, 20};  // pitch, without limits
     Request request;
     request.bytes = rig.device.controlFrames(setpoint).setpoint;
     rig.channel.post(request);
@@ -491,8 +510,10 @@ void TestStormDevice::framesAreWorded()
     const FrameText set = device.describeSent(encodeRc(4, QByteArray::fromHex("2f0006ff")));
     QCOMPARE(set.name, u"SETPARAMETER"_s);
     QCOMPARE(set.fields, u"rc.pitch.min = -25.0"_s);
-    const auto sent = [&device](const char *bytes) { return device.describeSent(QByteArray::fromHex(bytes)); };
-    QCOMPARE(sent("fa0e11000048c1000040400000b4420500fdfd").fields, u"pitch=-12.5 roll=3 yaw=90 flags=5 type=0"_s);
+    const auto sent
+        = [&device](const char *bytes) { return device.describeSent(QByteArray::fromHex(bytes)); };
+    QCOMPARE(sent("fa0e11000048c1000040400000b4420500fdfd").fields,
+             u"pitch=-12.5 roll=3 yaw=90 flags=5 type=0"_s);
     QCOMPARE(sent("fa060f0003000000000565").fields, u"shot=3"_s);
     // What is embedded in MAVLink is told like what is not.
     QCOMPARE(sent("fe03005243ea4743746893").name, u"COMMAND_TARGET_SPECIFIC"_s);
@@ -503,18 +524,21 @@ void TestStormDevice::framesAreWorded()
     QVERIFY(device.describeFrame({FrameId::kRc + 150, asBytes(ack)}, true).fields.contains(u"range"_s));
     QCOMPARE(device.describeFrame({'t', {}}, true).fields, u"arrived in pieces"_s);
     const QByteArray version = QByteArray::fromHex("60005f0003ff");
-    QCOMPARE(device.describeFrame({FrameId::kRc + 1, asBytes(version)}, true).fields, u"firmware=96 layout=95 capabilities=65283"_s);
-    const QByteArray texts(48, 'a');   // under the number of the data, by their length
+    QCOMPARE(device.describeFrame({FrameId::kRc + 1, asBytes(version)}, true).fields,
+             u"firmware=96 layout=95 capabilities=65283"_s);
+    const QByteArray texts(48, 'a');  // under the number of the data, by their length
     QCOMPARE(device.describeFrame({FrameId::kRc + 5, asBytes(texts)}, true).name, u"GETVERSIONSTR"_s);
     QCOMPARE(device.describeFrame({FrameId::kRc + 77, asBytes(version)}, true).name, u"RC 77"_s);
     QCOMPARE(device.parseCommand(u"xs"_s)->bytes, "xs");
     QCOMPARE(device.parseCommand(u"xc"_s)->risk, ActionRisk::Destroys);
     QCOMPARE(device.parseCommand(u"getparameter 2F00"_s)->bytes, QByteArray::fromHex("fa02032f00c875"));
-    QCOMPARE(device.parseCommand(u"setangle pitch=-12.5  roll=3 yaw=90 flags=5"_s)->bytes, QByteArray::fromHex("fa0e11000048c1000040400000b4420500fdfd"));
+    QCOMPARE(device.parseCommand(u"setangle pitch=-12.5  roll=3 yaw=90 flags=5"_s)->bytes,
+             QByteArray::fromHex("fa0e11000048c1000040400000b4420500fdfd"));
     QCOMPARE(device.parseCommand(u"SETANGLE Pitch=5"_s)->risk, ActionRisk::Moves);
     QCOMPARE(device.parseCommand(u"fa000131e1"_s)->name, u"GETVERSION"_s);
-    for (const char *wrong : {"", "XS", "getparameter 2F", "fa000131e2", "nonsense", "p 00", "setangle tilt=5", "setangle pitch=", "setangle pitch=5 7",
-                              "setstandby on=256", "getversion on=1"})
+    for (const char *wrong :
+         {"", "XS", "getparameter 2F", "fa000131e2", "nonsense", "p 00", "setangle tilt=5",
+          "setangle pitch=", "setangle pitch=5 7", "setstandby on=256", "getversion on=1"})
         QVERIFY2(!device.parseCommand(QString::fromLatin1(wrong)), wrong);
     QVERIFY(device.commandNames().contains(u"ACTIVEPANMODESETTING"_s));
 }

@@ -13,7 +13,9 @@ namespace {
 
 const ScriptContext &context()
 {
-    static const ScriptContext made{{{0, u"Pitch P"_s, false}, {22, u"Pitch Offset"_s, true}, {66, u"Pan Mode Default Setting"_s, false}}, 96};
+    static const ScriptContext made{
+        {{0, u"Pitch P"_s, false}, {22, u"Pitch Offset"_s, true}, {66, u"Pan Mode Default Setting"_s, false}},
+        96};
     return made;
 }
 
@@ -22,7 +24,7 @@ QByteArray code(const char *hex)
     return QByteArray::fromHex(hex);
 }
 
-} // namespace
+}  // namespace
 
 /// Scripts of a STorM32 board: text, bytecode and back, against errata 8.
 class TestStormScripts : public QObject
@@ -53,11 +55,28 @@ void TestStormScripts::textBecomesCode_data()
     QTest::newRow("angle") << u"SETANGLEPITCH -12.34\nSTOP"_s << code("0d2efb00ff");
     QTest::newRow("angles") << u"SETANGLE 1 2 -3\nRESTART"_s << code("106400c800d4fe01ff");
     QTest::newRow("pwm") << u"SETPWM 2300\nSTOP"_s << code("18fc0800ff");
-    QTest::newRow("panorama") << u"SETPANOWAITS 1 2 3\nSETPANORANGE 720\nDOPANO -2 5\nSTOP"_s << code("19010203" "1ad002" "1bfe05" "00ff");
-    QTest::newRow("angle and wait") << u"SETANGLEYAW_W 10 5\nREMOTEDISABLE\nSTOP"_s << code("1ee80305" "20" "00ff");
+    QTest::newRow("panorama") << u"SETPANOWAITS 1 2 3\nSETPANORANGE 720\nDOPANO -2 5\nSTOP"_s
+                              << code("19010203"
+                                      "1ad002"
+                                      "1bfe05"
+                                      "00ff");
+    QTest::newRow("angle and wait") << u"SETANGLEYAW_W 10 5\nREMOTEDISABLE\nSTOP"_s
+                                    << code("1ee80305"
+                                            "20"
+                                            "00ff");
     // Two cases: each knows where the next one, or the end, is; REPEAT knows its own.
-    QTest::newRow("cases") << u"CASE#DEFAULT\n DORECENTER\nCASE#1\n WAIT 5\n REPEAT"_s << code("0304" "17" "00" "040a" "0905" "0204" "ff");
-    QTest::newRow("repeat without a case") << u"WAIT 1\nREPEAT"_s << code("0901" "0200" "ff");
+    QTest::newRow("cases") << u"CASE#DEFAULT\n DORECENTER\nCASE#1\n WAIT 5\n REPEAT"_s
+                           << code("0304"
+                                   "17"
+                                   "00"
+                                   "040a"
+                                   "0905"
+                                   "0204"
+                                   "ff");
+    QTest::newRow("repeat without a case") << u"WAIT 1\nREPEAT"_s
+                                           << code("0901"
+                                                   "0200"
+                                                   "ff");
 }
 
 void TestStormScripts::textBecomesCode()
@@ -100,7 +119,9 @@ void TestStormScripts::mistakesAreNamed()
     const auto area = compileScripts({QString(), text, QString(), QString()}, context());
     QVERIFY(!area);
     QCOMPARE(area.error().script, 1);
-    QVERIFY2(area.error().error().detail.startsWith(u"script 2, line"_s) && area.error().error().detail.contains(word), qPrintable(area.error().error().detail));
+    QVERIFY2(area.error().error().detail.startsWith(u"script 2, line"_s)
+                 && area.error().error().detail.contains(word),
+             qPrintable(area.error().error().detail));
 }
 
 void TestStormScripts::whatIsCompiledReadsTheSame()
@@ -114,10 +135,27 @@ void TestStormScripts::whatIsCompiledReadsTheSame()
         QVERIFY(words.contains(u"SETPWM"_s));
         QCOMPARE(words.contains(u"DOPANO"_s), firmware >= 91);
         QCOMPARE(words.contains(u"REMOTEENABLE"_s), firmware >= 95);
-        for (const char *line : {"CASE#DEFAULT", "  RESTOREALL", "  WAIT 7", "  SET \"Pitch P\" 65535", "  SET \"Pitch Offset\" -300",
-                                 "  SETMINMAX \"Pan Mode Default Setting\" 0 3", "  RESTORE \"Pitch P\"", "  SETANGLEROLL -0.5",
-                                 "  SETANGLEYAW 325", "  SETANGLE 1.25 -2 3", "  SETSTANDBY 1", "  DOCAMERA 4", "  SETPWM 1500", "  STOP",
-                                 "CASE#1", "  DORECENTER", "  REPEAT", "CASE#2", "  RESTART", "CASE#3", "  STOP"})
+        for (const char *line : {"CASE#DEFAULT",
+                                 "  RESTOREALL",
+                                 "  WAIT 7",
+                                 "  SET \"Pitch P\" 65535",
+                                 "  SET \"Pitch Offset\" -300",
+                                 "  SETMINMAX \"Pan Mode Default Setting\" 0 3",
+                                 "  RESTORE \"Pitch P\"",
+                                 "  SETANGLEROLL -0.5",
+                                 "  SETANGLEYAW 325",
+                                 "  SETANGLE 1.25 -2 3",
+                                 "  SETSTANDBY 1",
+                                 "  DOCAMERA 4",
+                                 "  SETPWM 1500",
+                                 "  STOP",
+                                 "CASE#1",
+                                 "  DORECENTER",
+                                 "  REPEAT",
+                                 "CASE#2",
+                                 "  RESTART",
+                                 "CASE#3",
+                                 "  STOP"})
             text += QString::fromLatin1(line) + u'\n';
         const auto area = compileScripts({QString(), QString(), text, QString()}, old);
         QVERIFY2(area, qPrintable(area ? QString() : area.error().error().detail));
@@ -131,20 +169,23 @@ void TestStormScripts::whatIsCompiledReadsTheSame()
 
 void TestStormScripts::fourScriptsShareTheArea()
 {
-    const QString ten = u"WAIT 1\nWAIT 2\nWAIT 3\nWAIT 4\nSTOP"_s;   // 10 bytes with its end
+    const QString ten = u"WAIT 1\nWAIT 2\nWAIT 3\nWAIT 4\nSTOP"_s;  // 10 bytes with its end
     const auto area = compileScripts({ten, {}, ten, ten}, context());
     QVERIFY(area);
     QCOMPARE(area->left(4).toHex(), "04ff0e18");
     QCOMPARE(disassemble(*area, 3, context()).size(), std::size_t(5));
     QCOMPARE(disassemble(*area, 3, context())[2].offset, 4);
-    const QString sixty = u"SETANGLE 1 2 3\n"_s.repeated(8) + u"WAIT 1\nSTOP"_s;   // 60
+    const QString sixty = u"SETANGLE 1 2 3\n"_s.repeated(8) + u"WAIT 1\nSTOP"_s;  // 60
     QVERIFY(compileScripts({sixty, sixty, {}, {}}, context()));
     const auto tooLong = compileScripts({sixty, sixty, ten, {}}, context());
     QVERIFY(!tooLong);
     QCOMPARE(tooLong.error().script, 2);
     QCOMPARE(tooLong.error().line, 0);
     QVERIFY(tooLong.error().error().detail.contains(u"128"_s));
-    QVERIFY(compileScripts({(sixty + u'\n').repeated(40), {}, {}, {}}, context()).error().error().detail.contains(u"too long"_s));
+    QVERIFY(compileScripts({(sixty + u'\n').repeated(40), {}, {}, {}}, context())
+                .error()
+                .error()
+                .detail.contains(u"too long"_s));
     // A word that looks like a place for a value is shown as it is.
     QVERIFY(compileScripts({u"%2"_s, {}, {}, {}}, context()).error().error().detail.contains(u"'%2'"_s));
 }

@@ -26,9 +26,10 @@ Configuration readBoard(StormRig &rig)
     return rig.device.readConfiguration(rig.channel).value();
 }
 
-} // namespace
+}  // namespace
 
-/// Setting up a STorM32 gimbal: calibration, configuration tasks, scripts and files, against the simulated board.
+/// Setting up a STorM32 gimbal: calibration, configuration tasks, scripts and files, against the simulated
+/// board.
 class TestStormSetup : public QObject
 {
     Q_OBJECT
@@ -70,11 +71,13 @@ void TestStormSetup::sensorIsAveraged()
     StormRig rig;
     QVERIFY(rig.device.identify(rig.channel));
     rig.change(u"pose=1"_s);
-    const auto reply = rig.device.perform(rig.channel, u"sensors.average"_s, {{u"imu"_s, 1}, {u"readings"_s, 64}});
+    const auto reply
+        = rig.device.perform(rig.channel, u"sensors.average"_s, {{u"imu"_s, 1}, {u"readings"_s, 64}});
     QVERIFY(reply);
     QCOMPARE(reply->value(u"one_g"_s).toDouble(), 8192.0);
     QCOMPARE(reply->value(u"face"_s).toInt(), 0);
-    QVERIFY(std::abs(reply->value(u"z"_s).toDouble() - 8192 * (1.02 + 0.02)) < 20);   // the simulated sensor's own error
+    QVERIFY(std::abs(reply->value(u"z"_s).toDouble() - 8192 * (1.02 + 0.02))
+            < 20);  // the simulated sensor's own error
     QVERIFY(reply->value(u"deviation"_s).toDouble() > 5 && reply->value(u"deviation"_s).toDouble() < 60);
     QVERIFY(std::abs(reply->value(u"temperature"_s).toDouble() - 31.0) < 0.1);
 }
@@ -97,13 +100,15 @@ void TestStormSetup::onePositionFindsTheZeros()
     rig.change(u"mount=%1"_s.arg(mount));
     rig.board().set(39, mount);
     rig.change(u"pose=1"_s);
-    const auto reply = rig.device.perform(rig.channel, u"calibrate.level"_s, {{u"imu"_s, 1}, {u"store"_s, true}});
+    const auto reply
+        = rig.device.perform(rig.channel, u"calibrate.level"_s, {{u"imu"_s, 1}, {u"store"_s, true}});
     QVERIFY(reply);
     QVERIFY(reply->value(u"stored"_s).toBool() && reply->value(u"plausible"_s).toBool());
     QVERIFY(rig.channel.sleep(2s));
     // What the board itself takes for level now.
     const auto &acc = rig.board().stabilizer().acc();
-    QVERIFY2(std::abs(acc[0]) < 0.02 && std::abs(acc[1]) < 0.02, qPrintable(u"%1 %2"_s.arg(acc[0]).arg(acc[1])));
+    QVERIFY2(std::abs(acc[0]) < 0.02 && std::abs(acc[1]) < 0.02,
+             qPrintable(u"%1 %2"_s.arg(acc[0]).arg(acc[1])));
 }
 
 void TestStormSetup::sixPositionsFindZerosAndScales_data()
@@ -120,7 +125,8 @@ void TestStormSetup::sixPositionsFindZerosAndScales()
     StormRig rig(stormOptions(firmware));
     QVERIFY(rig.device.identify(rig.channel));
     rig.layOn({3, 1, 6, 2, 5, 4});
-    const auto reply = rig.device.perform(rig.channel, u"calibrate.six"_s, {{u"imu"_s, 1}, {u"store"_s, true}});
+    const auto reply
+        = rig.device.perform(rig.channel, u"calibrate.six"_s, {{u"imu"_s, 1}, {u"store"_s, true}});
     QVERIFY2(reply, reply ? "" : qPrintable(reply.error().detail));
     const double one = firmware >= 94 ? 8192 : 16384;
     // The simulated sensor: forward is its y with an error of -0.028 g and 0.975 per g, and so on.
@@ -141,7 +147,8 @@ void TestStormSetup::movingSensorIsNotMeasured()
     rig.change(u"pose=1"_s);
     int turns = 0;
     rig.channel.setOperator([&](const Progress &) { rig.change(u"pose=%1"_s.arg(++turns % 2 ? 3 : 1)); });
-    const auto reply = rig.device.perform(rig.channel, u"calibrate.level"_s, {{u"imu"_s, 1}, {u"store"_s, true}});
+    const auto reply
+        = rig.device.perform(rig.channel, u"calibrate.level"_s, {{u"imu"_s, 1}, {u"store"_s, true}});
     QVERIFY(!reply);
     QCOMPARE(reply.error().code, ErrorCode::NotSeen);
 }
@@ -150,7 +157,8 @@ void TestStormSetup::missingSensorIsSaid()
 {
     StormRig rig;
     QVERIFY(rig.device.identify(rig.channel));
-    const auto second = rig.device.perform(rig.channel, u"calibrate.level"_s, {{u"imu"_s, 2}, {u"store"_s, true}});
+    const auto second
+        = rig.device.perform(rig.channel, u"calibrate.level"_s, {{u"imu"_s, 2}, {u"store"_s, true}});
     QVERIFY(!second);
     QCOMPARE(second.error().code, ErrorCode::NotSeen);
     QVERIFY(second.error().detail.contains(u"Imu2"_s));
@@ -164,10 +172,11 @@ void TestStormSetup::badCalibrationIsNotStored()
 {
     StormRig rig;
     QVERIFY(rig.device.identify(rig.channel));
-    rig.board().stabilizer().imu().accScaleError = {1.3, 1.3, 1.3};   // a sensor that is broken
+    rig.board().stabilizer().imu().accScaleError = {1.3, 1.3, 1.3};  // a sensor that is broken
     rig.layOn({1, 2, 3, 4, 5, 6});
     const auto before = rig.device.perform(rig.channel, u"calibration.read"_s, {});
-    const auto reply = rig.device.perform(rig.channel, u"calibrate.six"_s, {{u"imu"_s, 1}, {u"store"_s, true}});
+    const auto reply
+        = rig.device.perform(rig.channel, u"calibrate.six"_s, {{u"imu"_s, 1}, {u"store"_s, true}});
     QVERIFY(!reply);
     QCOMPARE(reply.error().code, ErrorCode::OutOfRange);
     QCOMPARE(rig.device.perform(rig.channel, u"calibration.read"_s, {}), before);
@@ -235,10 +244,11 @@ void TestStormSetup::bothOrientationsAreFound()
     });
     const auto reply = rig.device.perform(rig.channel, u"setup.orientation"_s, {});
     QVERIFY2(reply, reply ? "" : qPrintable(reply.error().detail));
-    QVERIFY(tiltedAfter > 0.9);   // level for a second, both
+    QVERIFY(tiltedAfter > 0.9);  // level for a second, both
     QCOMPARE(rig.board().inUse(39), mount);
     QCOMPARE(rig.board().inUse(95), frameMount);
-    QCOMPARE(reply->value(u"imu2"_s).toString(), QString::fromUtf8(orientations()[std::size_t(frameMount)].name));
+    QCOMPARE(reply->value(u"imu2"_s).toString(),
+             QString::fromUtf8(orientations()[std::size_t(frameMount)].name));
     // With it the board sees how the frame lies: 45 degrees down, but for what its sensor's own error makes.
     const auto data = rig.channel.transact(simpleRequest(Simple::LiveData));
     QVERIFY(data);
@@ -256,7 +266,8 @@ void TestStormSetup::frameSensorIsCalibrated()
     rig.board().set(95, 5);
     rig.layOn({2, 1, 6, 3, 4, 5});
     const auto before = rig.device.perform(rig.channel, u"calibration.read"_s, {}).value();
-    const auto reply = rig.device.perform(rig.channel, u"calibrate.six"_s, {{u"imu"_s, 2}, {u"store"_s, true}});
+    const auto reply
+        = rig.device.perform(rig.channel, u"calibrate.six"_s, {{u"imu"_s, 2}, {u"store"_s, true}});
     QVERIFY2(reply, reply ? "" : qPrintable(reply.error().detail));
     // The simulated sensor: x shows 0.99 per g and 0.015 g too much.
     QVERIFY(std::abs(reply->value(u"scale.x"_s).toDouble() / 8192 - 0.99) < 0.003);
@@ -282,7 +293,7 @@ void TestStormSetup::wrongOrientationMisleadsTheBoard()
     StormRig rig;
     QVERIFY(rig.device.identify(rig.channel));
     rig.change(u"pose=7"_s);
-    rig.board().set(39, 1);   // a quarter turn about the vertical: pitch is taken for roll
+    rig.board().set(39, 1);  // a quarter turn about the vertical: pitch is taken for roll
     QVERIFY(rig.channel.sleep(4s));
     QVERIFY(std::abs(rig.board().stabilizer().estimate(Axis::Pitch)) < 5.0);
     QVERIFY(std::abs(rig.board().stabilizer().estimate(Axis::Roll)) > 30.0);
@@ -292,7 +303,7 @@ void TestStormSetup::orientationIsNotGuessed()
 {
     StormRig rig;
     QVERIFY(rig.device.identify(rig.channel));
-    rig.change(u"pose=1"_s);      // level, and never tilted
+    rig.change(u"pose=1"_s);  // level, and never tilted
     const int before = rig.board().inUse(39);
     const auto reply = rig.device.perform(rig.channel, u"setup.orientation"_s, {});
     QVERIFY(!reply);
@@ -308,8 +319,12 @@ void TestStormSetup::motorsAreSetUp()
     QVERIFY(rig.device.perform(rig.channel, u"setup.motors_off"_s, {}));
     QVERIFY(rig.device.perform(rig.channel, u"setup.directions"_s, {{u"direction"_s, 2}}));
     QCOMPARE(rig.board().inUse(21), 2);
-    QVERIFY(!rig.device.perform(rig.channel, u"setup.poles"_s, {{u"pitch"_s, 15}, {u"roll"_s, 14}, {u"yaw"_s, 14}}));
-    QVERIFY(rig.device.perform(rig.channel, u"setup.poles"_s, {{u"pitch"_s, 16}, {u"roll"_s, 14}, {u"yaw"_s, 14}}));   // set up before the start, and still so after it
+    QVERIFY(!rig.device.perform(rig.channel, u"setup.poles"_s,
+                                {{u"pitch"_s, 15}, {u"roll"_s, 14}, {u"yaw"_s, 14}}));
+    QVERIFY(rig.device.perform(rig.channel, u"setup.poles"_s,
+                               {{u"pitch"_s, 16},
+                                {u"roll"_s, 14},
+                                {u"yaw"_s, 14}}));  // set up before the start, and still so after it
     const auto started = rig.device.perform(rig.channel, u"setup.start"_s, {});
     QVERIFY2(started, started ? "" : qPrintable(started.error().detail));
     QCOMPARE(started->value(u"state"_s).toString(), u"normal"_s);
@@ -317,7 +332,8 @@ void TestStormSetup::motorsAreSetUp()
     QCOMPARE(rig.board().inUse(20), 16);
     rig.board().set(20, 14);
     rig.board().set(23, 0);
-    const auto taken = rig.device.perform(rig.channel, u"setup.take_motors"_s, {{u"directions"_s, true}, {u"positions"_s, true}});
+    const auto taken = rig.device.perform(rig.channel, u"setup.take_motors"_s,
+                                          {{u"directions"_s, true}, {u"positions"_s, true}});
     QVERIFY(taken);
     QCOMPARE(taken->value(u"direction.roll"_s).toString(), u"normal"_s);
     QCOMPARE(rig.board().inUse(21), 0);
@@ -353,11 +369,11 @@ void TestStormSetup::yawIsAligned()
     rig.change(u"shake=0"_s);
     QVERIFY(rig.device.identify(rig.channel));
     rig.board().set(61, 65536 - 300);
-    rig.board().set(66, 1);   // hold all axes
+    rig.board().set(66, 1);  // hold all axes
     QVERIFY(!rig.device.perform(rig.channel, u"setup.yaw_move"_s, {{u"angle"_s, 5.0}}));
     QVERIFY(rig.device.perform(rig.channel, u"setup.yaw_begin"_s, {}));
     QCOMPARE(rig.board().inUse(61), 65536 - 450);
-    QVERIFY(rig.device.perform(rig.channel, u"setup.yaw_begin"_s, {}));   // twice is not twice remembered
+    QVERIFY(rig.device.perform(rig.channel, u"setup.yaw_begin"_s, {}));  // twice is not twice remembered
     QVERIFY(rig.device.perform(rig.channel, u"setup.yaw_move"_s, {{u"angle"_s, 10.0}}));
     QVERIFY(rig.channel.sleep(3s));
     const int before = rig.board().inUse(35);
@@ -381,11 +397,12 @@ void TestStormSetup::storedIsComparedWithUse()
     QVERIFY(reply);
     QCOMPARE(reply->value(u"unstored"_s).toBool(), true);
     QCOMPARE(reply->value(u"pid.pitch.p"_s).toString(), u"4.44 in use, 4.00 stored"_s);
-    QCOMPARE(rig.board().inUse(0), 444);      // nothing was changed by asking
+    QCOMPARE(rig.board().inUse(0), 444);  // nothing was changed by asking
     QCOMPARE(rig.board().stored(0), 400);
 }
 
-// A line that damages every tenth frame: what was in use is in use again, or the operator is told what it was.
+// A line that damages every tenth frame: what was in use is in use again, or the operator is told what it
+// was.
 void TestStormSetup::comparingLosesNothing()
 {
     int compared = 0;
@@ -402,11 +419,13 @@ void TestStormSetup::comparingLosesNothing()
         if (reply)
             QCOMPARE(rig.board().inUse(0), 444);
         else if (rig.board().inUse(0) != 444)
-            QVERIFY2(reply.error().code == ErrorCode::NotRestored && reply.error().detail.contains(u"pid.pitch.p=4.44"_s),
+            QVERIFY2(reply.error().code == ErrorCode::NotRestored
+                         && reply.error().detail.contains(u"pid.pitch.p=4.44"_s),
                      qPrintable(reply.error().detail));
     }
     QVERIFY2(compared >= 20, qPrintable(QString::number(compared)));
-    // The line dies after the values in use were read, after the stored ones were loaded, after these were read.
+    // The line dies after the values in use were read, after the stored ones were loaded, after these were
+    // read.
     for (int after = 1; after <= 3; ++after) {
         StormRig rig;
         QVERIFY(rig.device.identify(rig.channel));
@@ -452,7 +471,8 @@ void TestStormSetup::scriptsAreWrittenLikeValues()
     QVERIFY(rig.device.identify(rig.channel));
     const Configuration base = readBoard(rig);
     const auto language = stormFamily().scripts;
-    const auto code = language->compile(base, {u"WAIT 5\nDORECENTER"_s, u""_s, u""_s, u"SET \"Pitch P\" 500"_s});
+    const auto code
+        = language->compile(base, {u"WAIT 5\nDORECENTER"_s, u""_s, u""_s, u"SET \"Pitch P\" 500"_s});
     QVERIFY(code);
     Configuration edited = base;
     edited.setBlock({0, Scripts}, *code);
@@ -472,7 +492,8 @@ void TestStormSetup::scriptsAreWrittenLikeValues()
     QCOMPARE(readBoard(rig).block({0, Scripts}), *code);
     const auto wrong = language->compile(base, {u"WAIT 5"_s, u"FLY"_s});
     QVERIFY(!wrong);
-    QVERIFY2(wrong.error().error().detail.contains(u"script 2, line 1"_s), qPrintable(wrong.error().error().detail));
+    QVERIFY2(wrong.error().error().detail.contains(u"script 2, line 1"_s),
+             qPrintable(wrong.error().error().detail));
 }
 
 void TestStormSetup::scriptsChangedByOthersAreAConflict()
@@ -533,7 +554,8 @@ void TestStormSetup::settingsFileComesBack()
     QVERIFY(text);
     QVERIFY(text->startsWith("%SettingsHash = (\n"));
     QVERIFY(text->endsWith(");\n"));
-    QVERIFY2(text->contains("'Pitch Offset' => [ 65286 , '-2.50 \xB0' ],"), text->constData());   // raw is unsigned
+    QVERIFY2(text->contains("'Pitch Offset' => [ 65286 , '-2.50 \xB0' ],"),
+             text->constData());  // raw is unsigned
     QVERIFY(text->contains("'Pan Mode Setting #1' => [ 3 , 'pan hold hold' ],"));
     const auto read = readSettings(*text);
     QVERIFY2(read, read ? "" : qPrintable(read.error().detail));
@@ -551,7 +573,7 @@ void TestStormSetup::settingsOfAnotherLayoutAreUnderstood()
     StormRig old(stormOptions(79));
     QVERIFY(old.device.identify(old.channel));
     Configuration before = readBoard(old);
-    QVERIFY(before.setRaw(*before.parameters().find(u"rc.yaw.mode"_s), 0, 2));     // relative turn around
+    QVERIFY(before.setRaw(*before.parameters().find(u"rc.yaw.mode"_s), 0, 2));  // relative turn around
     QVERIFY(before.setRaw(*before.parameters().find(u"standby.input"_s), 0, 29));  // Aux-0 switch
     const auto file = readSettings(writeSettings(before).value());
     QVERIFY(file);
@@ -570,12 +592,18 @@ void TestStormSetup::badSettingsAreRefused_data()
     QTest::addColumn<QString>("says");
     QTest::newRow("nothing") << QByteArray() << u"empty"_s;
     QTest::newRow("something else") << QByteArray("{\"a\": 1}\n") << u"line 1"_s;
-    QTest::newRow("cut off") << QByteArray("%SettingsHash = (\n'Pitch P' => [ 400 , '4.00' ],\n") << u"cut off"_s;
+    QTest::newRow("cut off") << QByteArray("%SettingsHash = (\n'Pitch P' => [ 400 , '4.00' ],\n")
+                             << u"cut off"_s;
     QTest::newRow("a program") << QByteArray("%SettingsHash = (\nsystem('rm -rf /');\n);\n") << u"line 2"_s;
-    QTest::newRow("too large") << QByteArray("%SettingsHash = (\n'Pitch P' => [ 400000 , '4000' ],\n);\n") << u"line 2"_s;
-    QTest::newRow("out of range") << QByteArray("%SettingsHash = (\n'Pitch P' => [ 4000 , '40' ],\n);\n") << u"Pitch P"_s;
-    QTest::newRow("nobody's") << QByteArray("%SettingsHash = (\n'Colour' => [ 4 , 'red' ],\n);\n") << u"no entry"_s;
-    QTest::newRow("scripts") << QByteArray("%SettingsHash = (\n'Pitch P' => [ 400 , '4' ],\n'Scripts' => [ 'XY' ],\n);\n") << u"line 3"_s;
+    QTest::newRow("too large") << QByteArray("%SettingsHash = (\n'Pitch P' => [ 400000 , '4000' ],\n);\n")
+                               << u"line 2"_s;
+    QTest::newRow("out of range") << QByteArray("%SettingsHash = (\n'Pitch P' => [ 4000 , '40' ],\n);\n")
+                                  << u"Pitch P"_s;
+    QTest::newRow("nobody's") << QByteArray("%SettingsHash = (\n'Colour' => [ 4 , 'red' ],\n);\n")
+                              << u"no entry"_s;
+    QTest::newRow("scripts") << QByteArray(
+        "%SettingsHash = (\n'Pitch P' => [ 400 , '4' ],\n'Scripts' => [ 'XY' ],\n);\n")
+                             << u"line 3"_s;
 }
 
 void TestStormSetup::badSettingsAreRefused()
@@ -592,11 +620,13 @@ void TestStormSetup::calibrationFileComesBack()
 {
     const SensorCalibration calibration{{-12, 130, 7}, {8192, 8100, 8301}, u"6 point"_s, 31.5};
     const QByteArray text = writeCalibration(calibration);
-    QVERIFY(text.contains("AYZERO: 130\n") && text.contains("AZSCALE: 8301\n") && text.contains("CALIBRATIONMETHOD: 6 point\n"));
+    QVERIFY(text.contains("AYZERO: 130\n") && text.contains("AZSCALE: 8301\n")
+            && text.contains("CALIBRATIONMETHOD: 6 point\n"));
     const auto read = readCalibration(text);
     QVERIFY(read);
     QCOMPARE(*read, calibration);
-    for (const auto &[bad, says] : {std::pair{"AXZERO: 1\n", "AXSCALE"}, {"AXZERO: many\nAXSCALE: 1\n", "AXZERO"},
+    for (const auto &[bad, says] : {std::pair{"AXZERO: 1\n", "AXSCALE"},
+                                    {"AXZERO: many\nAXSCALE: 1\n", "AXZERO"},
                                     {"AXZERO: 1\nAXSCALE: 0\n", "AXSCALE"}}) {
         const auto wrong = readCalibration(bad);
         QVERIFY(!wrong);

@@ -44,7 +44,7 @@ ParameterSet setOf(int layout)
     return ParameterSet(parameterRows(), blocksOf(layout), layout, {});
 }
 
-} // namespace
+}  // namespace
 
 /// The tables of STorM32 against the facts.
 class TestStormTables : public QObject
@@ -91,9 +91,13 @@ void TestStormTables::layoutIsAsGiven()
         QCOMPARE(spec->row->kind == ValueKind::Choice, choice);
         if (!choice) {
             QCOMPARE(spec->row->decimals, fact[u"decimals"_s].toInt());
-            QVERIFY2(std::abs(spec->toDisplay(1000) - 1000 * std::pow(10.0, -spec->row->decimals)) < 1e-9, where);
+            QVERIFY2(std::abs(spec->toDisplay(1000) - 1000 * std::pow(10.0, -spec->row->decimals)) < 1e-9,
+                     where);
             const QString unit = fact[u"unit"_s].toString();
-            QCOMPARE(QString::fromUtf8(spec->row->unit), unit == u"us"_s ? u"µs"_s : unit == u"us/s"_s ? u"µs/s"_s : unit);
+            QCOMPARE(QString::fromUtf8(spec->row->unit),
+                     unit == u"us"_s         ? u"µs"_s
+                         : unit == u"us/s"_s ? u"µs/s"_s
+                                             : unit);
             continue;
         }
         QJsonArray names = fact[u"choices"_s].toArray();
@@ -102,7 +106,8 @@ void TestStormTables::layoutIsAsGiven()
             names = facts[u"enums"_s][reference].toArray();
         const std::vector<Choice> choices = spec->choices(layout);
         for (int value = spec->row->min; value <= spec->row->max; ++value) {
-            const auto it = std::find_if(choices.begin(), choices.end(), [value](const Choice &each) { return each.value == value; });
+            const auto it = std::find_if(choices.begin(), choices.end(),
+                                         [value](const Choice &each) { return each.value == value; });
             QVERIFY2(it != choices.end(), where);
             if (!names.isEmpty())
                 QCOMPARE(QString::fromUtf8(it->name), names[value].toString());
@@ -122,7 +127,8 @@ void TestStormTables::layoutBetweenDiffersAsTold()
     for (int word = 0; word < 125; ++word) {
         const ParameterSpec *a = findWord(set89, word);
         const ParameterSpec *b = findWord(set95, word);
-        if (!a || !b || originalName(*a) != originalName(*b) || a->row->max != b->row->max || a->row->kind != b->row->kind) {
+        if (!a || !b || originalName(*a) != originalName(*b) || a->row->max != b->row->max
+            || a->row->kind != b->row->kind) {
             if (a || b)
                 different.insert(word);
         }
@@ -130,7 +136,7 @@ void TestStormTables::layoutBetweenDiffersAsTold()
     QCOMPARE(different, (QSet<int>{102, 103, 104, 97, 5, 11, 38, 83, 66, 67, 68, 69, 77}));
     QCOMPARE(originalName(*findWord(set89, 102)), u"Pitch Pan Limiter"_s);
     QCOMPARE(findWord(set89, 5)->row->max, 100);
-    QCOMPARE(findWord(set89, 67)->row->max, 5);   // "off"
+    QCOMPARE(findWord(set89, 67)->row->max, 5);  // "off"
     QVERIFY(!findWord(set89, 38) && !findWord(set89, 83));
     QCOMPARE(wordsOf(89), 125);
 }
@@ -161,11 +167,14 @@ void TestStormTables::keysAreUniqueAndNamesKnown()
             QVERIFY2(!keys.contains(spec.key) && !words.contains(spec.offset), qPrintable(spec.key));
             keys.insert(spec.key);
             words.insert(spec.offset);
-            QVERIFY2(*spec.row->help && *spec.row->label && *spec.row->group && !originalName(spec).contains(u'%'), qPrintable(spec.key));
+            QVERIFY2(*spec.row->help && *spec.row->label && *spec.row->group
+                         && !originalName(spec).contains(u'%'),
+                     qPrintable(spec.key));
         }
         const ScriptContext context = scriptContext(set, layout);
         QCOMPARE(context.parameters.size(), set.all().size());
-        const auto area = compileScripts({u"SET \"Pitch Pan\" 3\nSET \"Rc Yaw Min\" -450\nSTOP"_s, {}, {}, {}}, context);
+        const auto area
+            = compileScripts({u"SET \"Pitch Pan\" 3\nSET \"Rc Yaw Min\" -450\nSTOP"_s, {}, {}, {}}, context);
         QVERIFY2(area, qPrintable(area ? QString() : area.error().error().detail));
         QCOMPARE(area->mid(4, 9).toHex(), "0a0403000a3d3efe00");
     }
@@ -178,7 +187,7 @@ void TestStormTables::axesLieWhereTheyShould()
     QCOMPARE(set.find(u"pid.roll.p"_s)->offset, 12);
     QCOMPARE(set.find(u"pid.yaw.d"_s)->offset, 28);
     QCOMPARE(set.find(u"motor.roll.usage"_s)->offset, 158);
-    QCOMPARE(set.find(u"pid.roll.i"_s)->adjustable, 7);      // live: the number of the word
+    QCOMPARE(set.find(u"pid.roll.i"_s)->adjustable, 7);  // live: the number of the word
     QCOMPARE(set.find(u"motor.yaw.vmax"_s)->adjustable, 15);
     QCOMPARE(set.find(u"filter.gyro_lpf"_s)->adjustable, 100);
     QCOMPARE(set.find(u"script4.input"_s)->offset, 246);
@@ -186,13 +195,15 @@ void TestStormTables::axesLieWhereTheyShould()
     QCOMPARE(set.find(u"rc.yaw.mode"_s)->axis, Axis::Yaw);
 }
 
-// Forward, left and up of each one make a right-handed frame, and the pair that tells them apart is unique (errata 10).
+// Forward, left and up of each one make a right-handed frame, and the pair that tells them apart is unique
+// (errata 10).
 void TestStormTables::orientationsAreRightHanded()
 {
     QCOMPARE(orientations().size(), std::size_t(24));
     for (std::size_t i = 0; i < 24; ++i) {
         const auto &[forward, left, up] = orientations()[i].axes;
-        const std::array<int, 3> cross{forward[1] * left[2] - forward[2] * left[1], forward[2] * left[0] - forward[0] * left[2],
+        const std::array<int, 3> cross{forward[1] * left[2] - forward[2] * left[1],
+                                       forward[2] * left[0] - forward[0] * left[2],
                                        forward[0] * left[1] - forward[1] * left[0]};
         QVERIFY2(cross == up, orientations()[i].name);
         QCOMPARE(findOrientation(up, forward), int(i));

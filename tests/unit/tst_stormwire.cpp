@@ -28,14 +28,16 @@ struct Heard
 QList<Heard> hear(StormFramer &framer, const QByteArray &bytes, int piece = 1)
 {
     QList<Heard> heard;
-    const auto sink = [&heard](const FrameView &frame) { heard.append({frame.id, toByteArray(frame.payload)}); };
+    const auto sink = [&heard](const FrameView &frame) {
+        heard.append({frame.id, toByteArray(frame.payload)});
+    };
     for (qsizetype i = 0; i < bytes.size(); i += piece)
         framer.feed(asBytes(bytes.mid(i, piece)), sink);
     framer.flush(sink);
     return heard;
 }
 
-} // namespace
+}  // namespace
 
 /// Bytes of STorM32's three command sets, against what the errata work out.
 class TestStormWire : public QObject
@@ -60,25 +62,31 @@ private slots:
 
 void TestStormWire::checksums()
 {
-    QCOMPARE(crc16Mcrf4xx(asBytes("123456789")), 0x6F91);          // errata 2
+    QCOMPARE(crc16Mcrf4xx(asBytes("123456789")), 0x6F91);  // errata 2
     QCOMPARE(crc16Mcrf4xx(asBytes(hex("0001"))), 0xE131);
     QCOMPARE(crc16Mcrf4xx(asBytes(hex("02032f00"))), 0x75C8);
-    QCOMPARE(crc16Mcrf4xx(asBytes(hex("0001" "31e1"))), 0);        // over data and its own bytes
+    QCOMPARE(crc16Mcrf4xx(asBytes(hex("0001"
+                                      "31e1"))),
+             0);  // over data and its own bytes
     const QByteArray bytes("a longer text, to get past eight bytes at once");
-    QCOMPARE(crc16Mcrf4xx(asBytes(bytes.mid(7)), crc16Mcrf4xx(asBytes(bytes.left(7)))), crc16Mcrf4xx(asBytes(bytes)));
+    QCOMPARE(crc16Mcrf4xx(asBytes(bytes.mid(7)), crc16Mcrf4xx(asBytes(bytes.left(7)))),
+             crc16Mcrf4xx(asBytes(bytes)));
 }
 
 void TestStormWire::simpleCommandsAreKnown()
 {
     QCOMPARE(encodeSimple(Simple::Test), "t");
-    QCOMPARE(encodeSimple(Simple::SetBaudRate, hex("0400")), hex("7875" "0400" "d897"));   // errata 3.9
+    QCOMPARE(encodeSimple(Simple::SetBaudRate, hex("0400")),
+             hex("7875"
+                 "0400"
+                 "d897"));  // errata 3.9
     for (const SimpleCommand &command : simpleCommands()) {
         QCOMPARE(findSimple(asBytes(QByteArrayView(command.letters))), &command);
         QCOMPARE(int(simpleCommand(command.id).id), int(command.id));
     }
     QCOMPARE(findSimple(asBytes("xs"))->id, Simple::Store);
     QVERIFY(!findSimple(asBytes("xZ")) && !findSimple(asBytes("T")));
-    QCOMPARE(simpleRequest(Simple::GetParameters).replyBytes, 381);   // errata 3.4
+    QCOMPARE(simpleRequest(Simple::GetParameters).replyBytes, 381);  // errata 3.4
     QCOMPARE(simpleRequest(Simple::LiveData).replyBytes, 67);
     QCOMPARE(simpleRequest(Simple::Version).replyBytes, 57);
     QCOMPARE(simpleRequest(Simple::ReadCalibration).replyBytes, 39);
@@ -150,13 +158,15 @@ void TestStormWire::answersAreFound()
 // Letters, start bytes and whole frames are data like any other.
 void TestStormWire::dataMayHoldAnything()
 {
-    for (const QByteArray &filler : {QByteArray("o"), QByteArray("etco"), hex("fb019600622e"), hex("fe0300"), hex("fa000131e1")}) {
+    for (const QByteArray &filler :
+         {QByteArray("o"), QByteArray("etco"), hex("fb019600622e"), hex("fe0300"), hex("fa000131e1")}) {
         const QByteArray data = filler.repeated(70).left(64);
         StormFramer framer;
         framer.sent(asBytes("d"));
         // A whole frame of the other set at the very beginning cannot be told from one; elsewhere it can.
         const QByteArray safe = hex("0600") + data.left(62);
-        QCOMPARE(hear(framer, encodeReply(safe), 5), (QList<Heard>{{FrameId::kSimple + int(Simple::LiveData), safe}}));
+        QCOMPARE(hear(framer, encodeReply(safe), 5),
+                 (QList<Heard>{{FrameId::kSimple + int(Simple::LiveData), safe}}));
     }
 }
 
@@ -168,12 +178,13 @@ void TestStormWire::errorLettersInsteadOfData()
         QList<int> ids;
         const auto sink = [&ids](const FrameView &frame) { ids.append(frame.id); };
         framer.feed(asBytes(QByteArray(1, letter)), sink);
-        QVERIFY(ids.isEmpty() && framer.isWaiting());   // it may be the first byte of the data
+        QVERIFY(ids.isEmpty() && framer.isWaiting());  // it may be the first byte of the data
         framer.flush(sink);
         QCOMPARE(ids, QList<int>{letter});
         QVERIFY(!framer.isWaiting());
     }
-    // Without a question for data a letter is one at once, and several are several (errata 3.1: five bytes, five letters).
+    // Without a question for data a letter is one at once, and several are several (errata 3.1: five bytes,
+    // five letters).
     StormFramer framer;
     framer.sent(asBytes("t"));
     QList<int> ids;
@@ -189,7 +200,7 @@ void TestStormWire::staleBytesBelongToNobody()
     QList<Heard> heard = hear(framer, encodeReply(QByteArray(64, 'y')).left(40), 7);
     QVERIFY(heard.isEmpty());
     // Half an answer lies there when the next question goes out.
-    framer.feed(asBytes("abc"), [](const FrameView &) { });
+    framer.feed(asBytes("abc"), [](const FrameView &) {});
     framer.sent(asBytes("s"));
     heard = hear(framer, encodeReply(data), 4);
     QCOMPARE(heard, (QList<Heard>{{FrameId::kSimple + int(Simple::Status), data}}));
@@ -207,7 +218,7 @@ void TestStormWire::staleBytesBelongToNobody()
     // Without end it does not fill the memory.
     framer.sent(asBytes("g"));
     for (int i = 0; i < 100; ++i)
-        framer.feed(asBytes(QByteArray(1000, '~')), [](const FrameView &) { });
+        framer.feed(asBytes(QByteArray(1000, '~')), [](const FrameView &) {});
     QVERIFY(framer.statistics().skippedBytes > 98000);
 }
 
@@ -218,18 +229,19 @@ void TestStormWire::requestsTakeTheirAnswersOnly()
     const QByteArray six(6, '\0');
     const Request status = simpleRequest(Simple::Status);
     QVERIFY(status.answer({FrameId::kSimple + int(Simple::Status), asBytes(ten)})->has_value());
-    QVERIFY(!status.answer({'o', {}}));             // data was due
+    QVERIFY(!status.answer({'o', {}}));  // data was due
     QVERIFY(!status.answer({FrameId::kSimple + int(Simple::LiveData), asBytes(ten)}));
     QCOMPARE(status.answer({'e', {}})->error().code, ErrorCode::Unsupported);
     QCOMPARE(status.answer({'c', {}})->error().boardCode, int('c'));
     const Request store = simpleRequest(Simple::Store);
     QVERIFY(store.answer({'o', {}})->has_value());
     const Request version = rcRequest(Rc::GetVersion);
-    QVERIFY(version.answer({FrameId::kRc + 1, asBytes(six)})->has_value());   // errata 4: 01, not 00
+    QVERIFY(version.answer({FrameId::kRc + 1, asBytes(six)})->has_value());  // errata 4: 01, not 00
     QVERIFY(!version.answer({FrameId::kRc + 3, asBytes(four)}));
     const QByteArray texts(48, 'a');
-    for (const int number : {5, 2})   // by firmware
-        QVERIFY(rcRequest(Rc::GetVersionStrings).answer({FrameId::kRc + number, asBytes(texts)})->has_value());
+    for (const int number : {5, 2})  // by firmware
+        QVERIFY(
+            rcRequest(Rc::GetVersionStrings).answer({FrameId::kRc + number, asBytes(texts)})->has_value());
     QVERIFY(!rcRequest(Rc::GetData, QByteArray(1, '\0')).answer({FrameId::kRc + 5, asBytes(texts)}));
     QCOMPARE(version.answer({'t', {}})->error().boardCode, int('t'));
 }
@@ -237,9 +249,10 @@ void TestStormWire::requestsTakeTheirAnswersOnly()
 void TestStormWire::mavlinkTableIsWhole()
 {
     // Errata 6: number, checksum seed, length.
-    const QList<std::array<int, 3>> wanted{{0, 50, 9}, {20, 214, 20}, {21, 159, 2}, {22, 220, 25}, {23, 168, 23}, {30, 39, 28},
-                                           {76, 152, 33}, {77, 143, 3}, {155, 22, 13}, {156, 19, 6}, {157, 21, 15}, {234, 152, 2},
-                                           {235, 102, 2}, {236, 195, 4}, {237, 49, 9}, {238, 78, 11}, {253, 83, 51}};
+    const QList<std::array<int, 3>> wanted{
+        {0, 50, 9},    {20, 214, 20}, {21, 159, 2},  {22, 220, 25}, {23, 168, 23}, {30, 39, 28},
+        {76, 152, 33}, {77, 143, 3},  {155, 22, 13}, {156, 19, 6},  {157, 21, 15}, {234, 152, 2},
+        {235, 102, 2}, {236, 195, 4}, {237, 49, 9},  {238, 78, 11}, {253, 83, 51}};
     QCOMPARE(qsizetype(mavlink::messages().size()), wanted.size());
     for (const auto &[id, seed, size] : wanted) {
         const mavlink::Message *message = mavlink::findMessage(id);
@@ -267,21 +280,24 @@ void TestStormWire::mavlinkFieldsSurvive()
         QVERIFY(!mavlink::decodeFields(message, asBytes(payload.left(message.size - 1))));
     }
     const mavlink::Message *set = mavlink::findMessage(23);
-    QCOMPARE(mavlink::encodeFields(*set, {{u"param_id"_s, u"PID_PITCH_P"_s}})->mid(6, 12), QByteArray("PID_PITCH_P\0", 12));
+    QCOMPARE(mavlink::encodeFields(*set, {{u"param_id"_s, u"PID_PITCH_P"_s}})->mid(6, 12),
+             QByteArray("PID_PITCH_P\0", 12));
     QVERIFY(!mavlink::encodeFields(*set, {{u"nonsense"_s, 1}}));
-    QVERIFY(!mavlink::encodeFields(*mavlink::findMessage(234), {{u"specific_payload"_s, QByteArray(300, 'x')}}));
+    QVERIFY(
+        !mavlink::encodeFields(*mavlink::findMessage(234), {{u"specific_payload"_s, QByteArray(300, 'x')}}));
 }
 
 void TestStormWire::parameterValuesByFirmware()
 {
     using mavlink::ValueCoding;
-    QCOMPARE(mavlink::encodeValue(-250, ValueCoding::Number), 65286.0F);   // errata 6
+    QCOMPARE(mavlink::encodeValue(-250, ValueCoding::Number), 65286.0F);  // errata 6
     QCOMPARE(mavlink::decodeValue(65286.0F, ValueCoding::Number), 0xFF06);
     QCOMPARE(mavlink::decodeValue(-3.0F, ValueCoding::Number), 0);
     QCOMPARE(ByteWriter().f32(mavlink::encodeValue(-250, ValueCoding::Bits)).take().toHex(), "06ff0000");
     for (const int raw : {0, 1, 400, 32767, 32768, 65535}) {
         QCOMPARE(mavlink::decodeValue(mavlink::encodeValue(raw, ValueCoding::Bits), ValueCoding::Bits), raw);
-        QCOMPARE(mavlink::decodeValue(mavlink::encodeValue(raw, ValueCoding::Number), ValueCoding::Number), raw);
+        QCOMPARE(mavlink::decodeValue(mavlink::encodeValue(raw, ValueCoding::Number), ValueCoding::Number),
+                 raw);
     }
     QCOMPARE(mavlink::decodeValue(std::nanf(""), ValueCoding::Number), 0);
 }

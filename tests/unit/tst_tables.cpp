@@ -126,7 +126,8 @@ void TestTables::offsetsOfTheErrata()
 
 void TestTables::rampReadsAsTheErrataSays()
 {
-    // Errata section 8: POLES[YAW] = 18; RC_MIN_ANGLE[PITCH] = 7966; BAT_THRESHOLD_ALARM = 23643; CUR_PROFILE_ID = 133.
+    // Errata section 8: POLES[YAW] = 18; RC_MIN_ANGLE[PITCH] = 7966; BAT_THRESHOLD_ALARM = 23643;
+    // CUR_PROFILE_ID = 133.
     const QByteArray bytes = ramp(134);
     const ParameterSet set(parameterRows(), kBlocks, 2590, {});
     QCOMPARE(*set.find(u"motor.yaw.poles"_s)->read(bytes), 18);
@@ -151,7 +152,8 @@ void TestTables::writesTouchOnlyTheirBits()
             }
             if (spec.row->bitCount) {
                 const int mask = ((1 << spec.row->bitCount) - 1) << spec.row->bitShift;
-                QCOMPARE(quint8(block[spec.offset]) & ~mask & 0xFF, quint8(before[spec.offset]) & ~mask & 0xFF);
+                QCOMPARE(quint8(block[spec.offset]) & ~mask & 0xFF,
+                         quint8(before[spec.offset]) & ~mask & 0xFF);
             }
         }
     }
@@ -162,7 +164,8 @@ void TestTables::conversionsThereAndBack()
     for (const int firmware : {2590, 2738}) {
         const ParameterSet set(parameterRows(), kBlocks, firmware, {u"encoders"_s});
         for (const ParameterSpec &spec : set.all()) {
-            for (int raw = spec.row->min; raw <= spec.row->max; raw += std::max(1, (spec.row->max - spec.row->min) / 500))
+            for (int raw = spec.row->min; raw <= spec.row->max;
+                 raw += std::max(1, (spec.row->max - spec.row->min) / 500))
                 QCOMPARE(spec.toRaw(spec.toDisplay(raw)), raw);
         }
     }
@@ -218,11 +221,24 @@ void TestTables::capabilitiesDecideWhatThereIs()
 void TestTables::adjustableVariablesMatchTheErrata()
 {
     const ParameterSet set(parameterRows(), kBlocks, 2704, {});
-    const std::pair<const char *, int> expected[] = {
-        {"pid.roll.p", 0}, {"pid.yaw.i", 5}, {"pid.pitch.d", 7}, {"motor.yaw.power", 11}, {"motion.acc_limit_all", 12},
-        {"follow.yaw.speed", 15}, {"follow.roll.lpf", 16}, {"rc.pitch.speed", 20}, {"rc.yaw.lpf", 24},
-        {"rc.roll.trim", 25}, {"rc.deadband", 28}, {"rc.expo", 29}, {"follow.deadband", 32}, {"imu.gyro_trust", 36},
-        {"motion.yaw.acc_limit", 41}, {"pid.roll.gain", 42}, {"filter.yaw.lpf", 47}, {"motion.timelapse_time", 48}};
+    const std::pair<const char *, int> expected[] = {{"pid.roll.p", 0},
+                                                     {"pid.yaw.i", 5},
+                                                     {"pid.pitch.d", 7},
+                                                     {"motor.yaw.power", 11},
+                                                     {"motion.acc_limit_all", 12},
+                                                     {"follow.yaw.speed", 15},
+                                                     {"follow.roll.lpf", 16},
+                                                     {"rc.pitch.speed", 20},
+                                                     {"rc.yaw.lpf", 24},
+                                                     {"rc.roll.trim", 25},
+                                                     {"rc.deadband", 28},
+                                                     {"rc.expo", 29},
+                                                     {"follow.deadband", 32},
+                                                     {"imu.gyro_trust", 36},
+                                                     {"motion.yaw.acc_limit", 41},
+                                                     {"pid.roll.gain", 42},
+                                                     {"filter.yaw.lpf", 47},
+                                                     {"motion.timelapse_time", 48}};
     for (const auto &[key, id] : expected)
         QCOMPARE(set.find(QLatin1String(key))->adjustable, id);
 }
@@ -265,9 +281,10 @@ void TestTables::addressesThereAndBack()
 
 void TestTables::badAddressesAreExplained()
 {
-    for (const QString &text : {u""_s, u"nonsense"_s, u"tcp://host"_s, u"tcp://:99"_s, u"tcp://a:70000"_s, u"sim:"_s,
-                                u"serial:"_s, u"serial:/dev/x?baud=fast"_s, u"serial:/dev/x?parity=odd"_s,
-                                u"tcp://host:1/path"_s, u"sim:simplebgc?seed="_s}) {
+    for (const QString &text :
+         {u""_s, u"nonsense"_s, u"tcp://host"_s, u"tcp://:99"_s, u"tcp://a:70000"_s, u"sim:"_s, u"serial:"_s,
+          u"serial:/dev/x?baud=fast"_s, u"serial:/dev/x?parity=odd"_s, u"tcp://host:1/path"_s,
+          u"sim:simplebgc?seed="_s}) {
         const auto address = LinkAddress::parse(text);
         QVERIFY2(!address, qPrintable(text));
         QCOMPARE(address.error().code, ErrorCode::InvalidArgument);
@@ -277,7 +294,8 @@ void TestTables::badAddressesAreExplained()
 
 void TestTables::portsAreNamedWithTheirNumbers()
 {
-    QCOMPARE((PortInfo{u"/dev/ttyUSB0"_s, u"CP2102"_s, 0x10C4, 0xEA60}.label()), u"/dev/ttyUSB0 – CP2102 – 10C4:EA60"_s);
+    QCOMPARE((PortInfo{u"/dev/ttyUSB0"_s, u"CP2102"_s, 0x10C4, 0xEA60}.label()),
+             u"/dev/ttyUSB0 – CP2102 – 10C4:EA60"_s);
     QCOMPARE((PortInfo{u"/dev/ttyS0"_s, {}, 0, 0}.label()), u"/dev/ttyS0"_s);
 }
 

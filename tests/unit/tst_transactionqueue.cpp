@@ -34,13 +34,21 @@ Request request(const QString &name, int replyId, bool idempotent = true, int re
 /// A queue, virtual time and a record of what was written and completed.
 struct Bench
 {
-    Bench() : queue([this](QByteArrayView bytes) { written.append(QString::fromLatin1(bytes)); }) { queue.setPause(10ms); }
-
-    TransactionQueue::Id submit(const Request &r, TransactionQueue::Lane lane = TransactionQueue::Lane::Normal)
+    Bench()
+        : queue([this](QByteArrayView bytes) { written.append(QString::fromLatin1(bytes)); })
     {
-        return queue.submit(r, [this, name = r.name](const Result<Frame> &result) {
-            completed.append(name + (result ? u":ok"_s : u":%1"_s.arg(int(result.error().code))));
-        }, now, lane);
+        queue.setPause(10ms);
+    }
+
+    TransactionQueue::Id submit(const Request &r,
+                                TransactionQueue::Lane lane = TransactionQueue::Lane::Normal)
+    {
+        return queue.submit(
+            r,
+            [this, name = r.name](const Result<Frame> &result) {
+                completed.append(name + (result ? u":ok"_s : u":%1"_s.arg(int(result.error().code))));
+            },
+            now, lane);
     }
     void pass(milliseconds time)
     {
@@ -51,10 +59,7 @@ struct Bench
             queue.advance(now);
         }
     }
-    bool arrive(int id)
-    {
-        return queue.frameArrived({id, {}, 1}, now);
-    }
+    bool arrive(int id) { return queue.frameArrived({id, {}, 1}, now); }
 
     TimePoint now = TimePoint() + 1h;
     QStringList written;
@@ -67,7 +72,7 @@ QString failed(const char *name, ErrorCode code)
     return u"%1:%2"_s.arg(QLatin1String(name)).arg(int(code));
 }
 
-} // namespace
+}  // namespace
 
 class TestTransactionQueue : public QObject
 {
@@ -192,8 +197,8 @@ void TestTransactionQueue::lateAnswerIsNotTakenForTheNextRequest()
     bench.pass(110ms);
     bench.submit(request(u"b"_s, 1, false));
     bench.pass(20ms);
-    QCOMPARE(bench.written, QStringList{u"a"_s});   // held back
-    QVERIFY(bench.arrive(1));                       // the late answer of a goes to nobody
+    QCOMPARE(bench.written, QStringList{u"a"_s});  // held back
+    QVERIFY(bench.arrive(1));  // the late answer of a goes to nobody
     QCOMPARE(bench.completed, QStringList{failed("a", ErrorCode::Timeout)});
     bench.pass(10ms);
     QCOMPARE(bench.written, (QStringList{u"a"_s, u"b"_s}));
@@ -215,12 +220,12 @@ void TestTransactionQueue::answerToARetriedRequestLeavesOneToCome()
 {
     Bench bench;
     bench.submit(request(u"a"_s, 1));
-    bench.pass(150ms);                              // sent twice by now
+    bench.pass(150ms);  // sent twice by now
     bench.arrive(1);
     QCOMPARE(bench.completed, QStringList{u"a:ok"_s});
     bench.submit(request(u"b"_s, 1));
     bench.pass(20ms);
-    QCOMPARE(bench.written.size(), 2);              // the second answer of a may still come
+    QCOMPARE(bench.written.size(), 2);  // the second answer of a may still come
     bench.arrive(1);
     bench.pass(20ms);
     QCOMPARE(bench.written.size(), 3);
@@ -249,7 +254,8 @@ void TestTransactionQueue::cancelInFlightAndWaiting()
     bench.queue.cancel(b);
     bench.queue.cancel(a);
     bench.pass(15ms);
-    QCOMPARE(bench.completed, (QStringList{failed("b", ErrorCode::Cancelled), failed("a", ErrorCode::Cancelled)}));
+    QCOMPARE(bench.completed,
+             (QStringList{failed("b", ErrorCode::Cancelled), failed("a", ErrorCode::Cancelled)}));
     QCOMPARE(bench.written, (QStringList{u"a"_s, u"c"_s}));
     bench.queue.cancel(12345);
 }
@@ -260,7 +266,8 @@ void TestTransactionQueue::closingTheLinkEndsEverything()
     bench.submit(request(u"a"_s, 1));
     bench.submit(request(u"b"_s, 2));
     bench.queue.cancelAll({ErrorCode::LinkClosed, {}, 0});
-    QCOMPARE(bench.completed, (QStringList{failed("a", ErrorCode::LinkClosed), failed("b", ErrorCode::LinkClosed)}));
+    QCOMPARE(bench.completed,
+             (QStringList{failed("a", ErrorCode::LinkClosed), failed("b", ErrorCode::LinkClosed)}));
     QVERIFY(bench.queue.isIdle());
 }
 

@@ -60,7 +60,7 @@ QMap<QString, int> placeholders(const QString &text)
     return found;
 }
 
-} // namespace
+}  // namespace
 
 /// The catalogues hold every text, whole.
 class TestTranslations : public QObject

@@ -18,7 +18,8 @@ namespace {
 struct Bench
 {
     explicit Bench(const SimulatorOptions &options = {}, std::optional<LineSettings> line = {})
-        : virtualBoard(options, line), history(dir.path())
+        : virtualBoard(options, line)
+        , history(dir.path())
     {
         if (!virtualBoard.identify())
             qFatal("not identified");
@@ -45,7 +46,7 @@ struct Bench
     Configuration edited;
 };
 
-} // namespace
+}  // namespace
 
 class TestWrite : public QObject
 {
@@ -178,8 +179,11 @@ void TestWrite::refusesWithoutBackup()
     QCOMPARE(report.error().code, ErrorCode::NoBackup);
     QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), 35);
     WriteOptions none;
-    QCOMPARE(writeConfiguration(bench.virtualBoard.channel, bench.virtualBoard.device, bench.base, bench.edited, none)
-                 .error().code, ErrorCode::NoBackup);
+    QCOMPARE(writeConfiguration(bench.virtualBoard.channel, bench.virtualBoard.device, bench.base,
+                                bench.edited, none)
+                 .error()
+                 .code,
+             ErrorCode::NoBackup);
 }
 
 void TestWrite::nothingToWriteTouchesNothing()
@@ -196,7 +200,7 @@ void TestWrite::conflictIsFound()
 {
     Bench bench;
     bench.edit(u"pid.roll.p"_s, 0, 44);
-    bench.board().store(u"pid.roll.p"_s, 0, 60);   // somebody else
+    bench.board().store(u"pid.roll.p"_s, 0, 60);  // somebody else
     const auto report = bench.write();
     QCOMPARE(report.error().code, ErrorCode::Conflict);
     QVERIFY(report.error().detail.contains(u"pid.roll.p"_s));
@@ -236,8 +240,8 @@ void TestWrite::resetInTheMiddleIsReportedTruly()
     options.faults.resetOnWrite = atWrite;
     const LineSettings line{115200, Parity::None};
     Bench bench(options, usb ? std::nullopt : std::optional(line));
-    bench.edit(u"pid.roll.p"_s, 1, 11);              // first half of PARAMS_3 of profile 2
-    bench.edit(u"follow.yaw.lpf"_s, 1, 9);           // second half of the same block
+    bench.edit(u"pid.roll.p"_s, 1, 11);  // first half of PARAMS_3 of profile 2
+    bench.edit(u"follow.yaw.lpf"_s, 1, 9);  // second half of the same block
     bench.edit(u"pid.roll.p"_s, 2, 12);
     bench.edit(u"pid.roll.p"_s, 0, 13);
     const auto report = bench.write();
@@ -332,7 +336,8 @@ void TestWrite::fileValuesEditedByHandCount()
     for (const ParameterChange &change : changes)
         keys.append(u"%1=%2"_s.arg(change.spec->key).arg(change.to));
     keys.sort();
-    QVERIFY2(keys.contains(u"pid.roll.i=22"_s) && keys.contains(u"motor.roll.poles=22"_s), qPrintable(keys.join(u' ')));
+    QVERIFY2(keys.contains(u"pid.roll.i=22"_s) && keys.contains(u"motor.roll.poles=22"_s),
+             qPrintable(keys.join(u' ')));
 }
 
 void TestWrite::badFilesAreExplained_data()
@@ -341,16 +346,19 @@ void TestWrite::badFilesAreExplained_data()
     QTest::addColumn<QByteArray>("replace");
     QTest::addColumn<QString>("says");
     QTest::newRow("not JSON") << QByteArray("{") << QByteArray("<") << u"JSON"_s;
-    QTest::newRow("other format") << QByteArray("gimbaldesk-configuration") << QByteArray("x") << u"not a GimbalDesk"_s;
-    QTest::newRow("other version") << QByteArray("\"version\": 1") << QByteArray("\"version\": 9") << u"version 9"_s;
+    QTest::newRow("other format") << QByteArray("gimbaldesk-configuration") << QByteArray("x")
+                                  << u"not a GimbalDesk"_s;
+    QTest::newRow("other version") << QByteArray("\"version\": 1") << QByteArray("\"version\": 9")
+                                   << u"version 9"_s;
     QTest::newRow("other family") << QByteArray("simplebgc") << QByteArray("nonsense") << u"nonsense"_s;
     QTest::newRow("out of range") << QByteArray("\"pid.roll.p\": 35") << QByteArray("\"pid.roll.p\": 999")
                                   << u"0 to 255"_s;
     QTest::newRow("no number") << QByteArray("\"pid.roll.p\": 35") << QByteArray("\"pid.roll.p\": \"high\"")
                                << u"pid.roll.p"_s;
-    QTest::newRow("profile 77") << QByteArray("\"activeProfile\": 1") << QByteArray("\"activeProfile\": 77") << u"77"_s;
-    QTest::newRow("many profiles") << QByteArray("\"profileCount\": 5") << QByteArray("\"profileCount\": 500000")
-                                   << u"profiles"_s;
+    QTest::newRow("profile 77") << QByteArray("\"activeProfile\": 1") << QByteArray("\"activeProfile\": 77")
+                                << u"77"_s;
+    QTest::newRow("many profiles") << QByteArray("\"profileCount\": 5")
+                                   << QByteArray("\"profileCount\": 500000") << u"profiles"_s;
 }
 
 void TestWrite::badFilesAreExplained()
@@ -402,11 +410,14 @@ void TestWrite::destructiveActionsBackUpFirst()
     Bench bench;
     const QVariantMap arguments{{u"what"_s, 1}};
     BoardHistory broken(u"/proc/nowhere"_s);
-    QCOMPARE(performSafely(bench.virtualBoard.channel, bench.virtualBoard.device, u"defaults"_s, arguments, broken)
-                 .error().code, ErrorCode::NoBackup);
+    QCOMPARE(
+        performSafely(bench.virtualBoard.channel, bench.virtualBoard.device, u"defaults"_s, arguments, broken)
+            .error()
+            .code,
+        ErrorCode::NoBackup);
     QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 1), 45);
-    const auto done = performSafely(bench.virtualBoard.channel, bench.virtualBoard.device, u"defaults"_s, arguments,
-                                    bench.history);
+    const auto done = performSafely(bench.virtualBoard.channel, bench.virtualBoard.device, u"defaults"_s,
+                                    arguments, bench.history);
     QVERIFY(done);
     QVERIFY(QFile::exists(done->snapshotPath));
     QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 1), 35);

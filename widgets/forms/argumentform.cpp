@@ -61,13 +61,14 @@ QWidget *ArgumentForm::makeField(const ArgumentSpec &argument)
         return line;
     }
     case ArgumentKind::Integer:
-    case ArgumentKind::Real:
-        break;
+    case ArgumentKind::Real: break;
     }
     // An argument that may be left out ("nan") is a text field with a hint, the rest are number boxes.
     if (standard == u"nan"_s) {
         auto *line = new QLineEdit;
-        line->setPlaceholderText(tr("leave alone (%1 to %2 %3)").arg(argument.min).arg(argument.max)
+        line->setPlaceholderText(tr("leave alone (%1 to %2 %3)")
+                                     .arg(argument.min)
+                                     .arg(argument.max)
                                      .arg(QString::fromUtf8(argument.unit)));
         return line;
     }

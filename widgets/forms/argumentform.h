@@ -12,7 +12,8 @@ class ArgumentForm final : public QWidget
     Q_OBJECT
 public:
     /// @param hidden arguments that the caller fills in himself
-    explicit ArgumentForm(const ActionSpec &action, const QStringList &hidden = {}, QWidget *parent = nullptr);
+    explicit ArgumentForm(const ActionSpec &action, const QStringList &hidden = {},
+                          QWidget *parent = nullptr);
 
     /// What was entered, checked. Errors: InvalidArgument naming the argument.
     [[nodiscard]] Result<QVariantMap> arguments() const;

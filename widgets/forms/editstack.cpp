@@ -27,7 +27,11 @@ class ValueEdit final : public Edit
 {
 public:
     ValueEdit(ConfigurationModel &configuration, const ParameterSpec &spec, int profile, int from, int to)
-        : m_configuration(configuration), m_key(spec.key), m_profile(profile), m_old(from), m_new(to)
+        : m_configuration(configuration)
+        , m_key(spec.key)
+        , m_profile(profile)
+        , m_old(from)
+        , m_new(to)
     {
         setText(parameterLabel(spec));
         m_age.start();
@@ -73,7 +77,10 @@ class RenameEdit final : public Edit
 {
 public:
     RenameEdit(ConfigurationModel &configuration, int profile, const QString &from, const QString &to)
-        : m_configuration(configuration), m_profile(profile), m_old(from), m_new(to)
+        : m_configuration(configuration)
+        , m_profile(profile)
+        , m_old(from)
+        , m_new(to)
     {
         setText(EditStack::tr("Profile name"));
     }
@@ -94,8 +101,12 @@ private:
 class DataEdit final : public Edit
 {
 public:
-    DataEdit(ConfigurationModel &configuration, BlockKey key, const QString &name, const QByteArray &from, const QByteArray &to)
-        : m_configuration(configuration), m_key(key), m_old(from), m_new(to)
+    DataEdit(ConfigurationModel &configuration, BlockKey key, const QString &name, const QByteArray &from,
+             const QByteArray &to)
+        : m_configuration(configuration)
+        , m_key(key)
+        , m_old(from)
+        , m_new(to)
     {
         setText(name);
     }
@@ -103,7 +114,9 @@ public:
     void redo() override { std::ignore = m_configuration.setData(m_key, m_new); }
     [[nodiscard]] QJsonObject toJson() const override
     {
-        return {{u"profile"_s, m_key.profile}, {u"block"_s, m_key.block}, {u"fromData"_s, QString::fromLatin1(m_old.toHex())},
+        return {{u"profile"_s, m_key.profile},
+                {u"block"_s, m_key.block},
+                {u"fromData"_s, QString::fromLatin1(m_old.toHex())},
                 {u"toData"_s, QString::fromLatin1(m_new.toHex())}};
     }
 
@@ -114,7 +127,7 @@ private:
     QByteArray m_new;
 };
 
-} // namespace
+}  // namespace
 
 EditStack::EditStack(ConfigurationModel &configuration, QObject *parent)
     : QObject(parent)
@@ -169,7 +182,8 @@ void EditStack::apply(const Configuration &wanted, const QString &text)
     m_stack.endMacro();
 }
 
-// Unlike edit(): values that a board or a file holds are taken as they are, even outside the documented range.
+// Unlike edit(): values that a board or a file holds are taken as they are, even outside the documented
+// range.
 void EditStack::push(const ParameterChange &change)
 {
     m_stack.push(new ValueEdit(m_configuration, *change.spec, change.profile, change.from, change.to));
@@ -247,7 +261,9 @@ void EditStack::restoreEdit(const QJsonObject &edit)
         const BlockKey key{profile, edit.value(u"block"_s).toInt(-1)};
         const QByteArray now = m_configuration.edited().block(key);
         const BlockSpec *block = m_configuration.edited().parameters().block(key.block);
-        const auto bytes = [&edit](const QString &name) { return QByteArray::fromHex(edit.value(name).toString().toLatin1()); };
+        const auto bytes = [&edit](const QString &name) {
+            return QByteArray::fromHex(edit.value(name).toString().toLatin1());
+        };
         const QByteArray from = bytes(u"fromData"_s);
         const QByteArray to = bytes(u"toData"_s);
         if (block && *block->data && to.size() == now.size() && from.size() == now.size())

@@ -14,7 +14,8 @@ class EditStack final : public QObject
 public:
     explicit EditStack(ConfigurationModel &configuration, QObject *parent = nullptr);
 
-    /// Changes a value; steps on the same value within one second become one edit. Out of range: refused, false.
+    /// Changes a value; steps on the same value within one second become one edit. Out of range: refused,
+    /// false.
     bool edit(int parameter, int profile, int raw);
     void rename(int profile, const QString &name);
     /// Changes a block without parameters as a whole.

@@ -13,7 +13,11 @@ namespace {
 class WordFilter final : public QSortFilterProxyModel
 {
 public:
-    WordFilter(int role, QObject *parent) : QSortFilterProxyModel(parent), m_role(role) { }
+    WordFilter(int role, QObject *parent)
+        : QSortFilterProxyModel(parent)
+        , m_role(role)
+    {
+    }
 
     void setWords(const QStringList &words)
     {
@@ -27,7 +31,8 @@ protected:
         if (m_words.isEmpty())
             return true;
         const QString text = sourceModel()->index(row, 0, parent).data(m_role).toString();
-        return std::all_of(m_words.begin(), m_words.end(), [&text](const QString &word) { return text.contains(word); });
+        return std::all_of(m_words.begin(), m_words.end(),
+                           [&text](const QString &word) { return text.contains(word); });
     }
 
 private:
@@ -35,7 +40,7 @@ private:
     QStringList m_words;
 };
 
-} // namespace
+}  // namespace
 
 FilterTable::FilterTable(QAbstractItemModel &model, int searchRole, QWidget *parent)
     : QTableView(parent)

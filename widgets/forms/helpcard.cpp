@@ -46,7 +46,8 @@ void HelpCard::refresh()
 {
     if (m_parameter < 0 || m_configuration.isEmpty()) {
         m_title->setText(tr("What a value does"));
-        m_help->setText(tr("Choose a field: its effect, range, default and what the board holds stand here."));
+        m_help->setText(
+            tr("Choose a field: its effect, range, default and what the board holds stand here."));
         m_facts->clear();
         return;
     }
@@ -55,7 +56,8 @@ void HelpCard::refresh()
     m_help->setText(tableText(spec.row->help));
     QStringList lines;
     const auto line = [&lines](const QString &name, const QString &value) {
-        lines.append(u"<tr><td style='padding-right:12px'>%1</td><td>%2</td></tr>"_s.arg(name, value.toHtmlEscaped()));
+        lines.append(
+            u"<tr><td style='padding-right:12px'>%1</td><td>%2</td></tr>"_s.arg(name, value.toHtmlEscaped()));
     };
     const QString unit = *spec.row->unit ? u' ' + QString::fromUtf8(spec.row->unit) : QString();
     if (const auto board = m_configuration.boardValue(spec, m_configuration.shownProfile()))
@@ -67,7 +69,8 @@ void HelpCard::refresh()
     line(tr("Belongs to"), spec.row->scope == Scope::Board ? tr("the whole board") : tr("this profile"));
     line(tr("Key"), spec.key);
     QString facts = u"<table>%1</table>"_s.arg(lines.join(QString()));
-    if (const QString idle = idleReason(m_configuration, spec, m_configuration.shownProfile()); !idle.isEmpty())
+    if (const QString idle = idleReason(m_configuration, spec, m_configuration.shownProfile());
+        !idle.isEmpty())
         facts += u"<p>"_s + idle.toHtmlEscaped() + u"</p>"_s;
     if (spec.row->risk == Risk::Red)
         facts += u"<p>"_s + tr("⚠ Risk: a wrong value can make a motor run away or overheat.") + u"</p>"_s;

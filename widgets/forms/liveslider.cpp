@@ -12,9 +12,9 @@
 
 namespace {
 
-constexpr int kSteps = 50;   // from end to end with the keys, when not by single counts
+constexpr int kSteps = 50;  // from end to end with the keys, when not by single counts
 
-} // namespace
+}  // namespace
 
 LiveSlider::LiveSlider(const ParameterSpec &spec, std::pair<int, int> range, int firmware, QWidget *parent)
     : QWidget(parent)

@@ -9,8 +9,8 @@
 class QSlider;
 class ValueEditor;
 
-/// One live value: a slider and a number box that are one control. Drag, type, arrow keys; Shift with the wheel or an arrow
-/// moves by single counts.
+/// One live value: a slider and a number box that are one control. Drag, type, arrow keys; Shift with the
+/// wheel or an arrow moves by single counts.
 class LiveSlider final : public QWidget
 {
     Q_OBJECT

@@ -24,7 +24,7 @@ QLabel *makeLabel(const QString &text, const char *objectName)
     return label;
 }
 
-} // namespace
+}  // namespace
 
 ParameterForm::ParameterForm(ConfigurationModel &configuration, EditStack &edits, QWidget *parent)
     : QWidget(parent)
@@ -109,7 +109,8 @@ void ParameterForm::addGroup(QVBoxLayout *layout, const char *group, const QList
         layout->addSpacing(Metric::kGroupGap - Metric::kGap);
     layout->addWidget(heading);
 
-    // Rows that exist for several axes become a matrix; values of one row stand next to each other in the list.
+    // Rows that exist for several axes become a matrix; values of one row stand next to each other in the
+    // list.
     QList<QList<int>> matrix;
     QList<int> single;
     const ParameterSet &set = *m_set;
@@ -153,7 +154,8 @@ QWidget *ParameterForm::makeMatrix(const QList<QList<int>> &rows)
     int line = 1;
     for (const QList<int> &row : rows) {
         const ParameterSpec &first = set.at(row.first());
-        auto *name = makeLabel(parameterLabel(first, false), first.row->risk == Risk::Red ? "warning" : "label");
+        auto *name
+            = makeLabel(parameterLabel(first, false), first.row->risk == Risk::Red ? "warning" : "label");
         if (first.row->risk == Risk::Red)
             name->setText(u"⚠ "_s + name->text());
         name->setToolTip(tableText(first.row->help));

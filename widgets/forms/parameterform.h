@@ -10,7 +10,8 @@
 class QVBoxLayout;
 class ValueEditor;
 
-/// A form made from parameter declarations: per-axis values as a matrix, the rest in columns. Follows the model.
+/// A form made from parameter declarations: per-axis values as a matrix, the rest in columns. Follows the
+/// model.
 class ParameterForm final : public QWidget
 {
     Q_OBJECT
@@ -40,7 +41,7 @@ private:
 
     ConfigurationModel &m_configuration;
     EditStack &m_edits;
-    std::shared_ptr<const ParameterSet> m_set;   // what the editors refer to
+    std::shared_ptr<const ParameterSet> m_set;  // what the editors refer to
     QList<int> m_parameters;
     QHash<int, ValueEditor *> m_editors;
     QWidget *m_body = nullptr;

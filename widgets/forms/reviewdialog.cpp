@@ -22,8 +22,9 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
 {
     setWindowTitle(tr("Review and write"));
     resize(760, 460);
-    auto *intro = new QLabel(tr("These values go to the board. They are read back and compared, and a copy of the whole "
-                                "board is kept before the first write."));
+    auto *intro = new QLabel(
+        tr("These values go to the board. They are read back and compared, and a copy of the whole "
+           "board is kept before the first write."));
     intro->setWordWrap(true);
     m_table->setModel(&m_changes);
     m_table->setAccessibleName(tr("Changes to write"));
@@ -37,7 +38,8 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     m_table->horizontalHeader()->setSectionResizeMode(ChangeModel::NameColumn, QHeaderView::Stretch);
     m_risk->setObjectName(u"warning"_s);
     m_risk->setWordWrap(true);
-    m_risk->setText(tr("⚠ Values of the risk class are among them: hold the camera, or take it off, while motors start."));
+    m_risk->setText(tr(
+        "⚠ Values of the risk class are among them: hold the camera, or take it off, while motors start."));
 
     auto *back = new QPushButton(tr("Back"));
     auto *buttons = new QHBoxLayout;
@@ -67,7 +69,8 @@ void ReviewDialog::updateButton()
     const int count = m_changes.tickedCount();
     const int profiles = m_changes.tickedProfiles();
     const QString values = tr("%n value(s)", nullptr, count);
-    m_write->setText(profiles > 1 ? tr("Write %1 to %2 profiles").arg(values).arg(profiles) : tr("Write %1").arg(values));
+    m_write->setText(profiles > 1 ? tr("Write %1 to %2 profiles").arg(values).arg(profiles)
+                                  : tr("Write %1").arg(values));
     m_write->setEnabled(count > 0);
     const bool red = m_changes.hasTickedRed();
     m_risk->setVisible(red);

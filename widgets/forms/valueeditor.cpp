@@ -29,7 +29,11 @@ namespace {
 class NumberBox final : public QDoubleSpinBox
 {
 public:
-    explicit NumberBox(const ParameterSpec &spec) : m_spec(spec) { setKeyboardTracking(false); }
+    explicit NumberBox(const ParameterSpec &spec)
+        : m_spec(spec)
+    {
+        setKeyboardTracking(false);
+    }
 
     void stepBy(int steps) override
     {
@@ -38,12 +42,13 @@ public:
     }
 
 protected:
-    // A click chooses the whole number, as Tab does, and so does the program's pointing at it: what is typed next replaces it instead of being refused as too large.
+    // A click chooses the whole number, as Tab does, and so does the program's pointing at it: what is typed
+    // next replaces it instead of being refused as too large.
     void focusInEvent(QFocusEvent *event) override
     {
         QDoubleSpinBox::focusInEvent(event);
         if (event->reason() == Qt::MouseFocusReason || event->reason() == Qt::OtherFocusReason)
-            QTimer::singleShot(0, this, &QAbstractSpinBox::selectAll);   // after the press has set the cursor
+            QTimer::singleShot(0, this, &QAbstractSpinBox::selectAll);  // after the press has set the cursor
     }
 
 private:
@@ -64,7 +69,7 @@ void markChanged(QWidget *widget, bool changed)
         line->setFont(font);
 }
 
-} // namespace
+}  // namespace
 
 ValueEditor::ValueEditor(const ParameterSpec &spec, int firmware, QWidget *parent)
     : QWidget(parent)
@@ -183,9 +188,9 @@ void ValueEditor::show(std::optional<int> value, std::optional<int> onBoard)
         m_reset->setAccessibleName(tr("Go back to the board's value %1").arg(board));
     }
     const QString idle = m_idle.isEmpty() ? QString() : u'\n' + m_idle;
-    m_control->setToolTip(u"%1\n%2%3%4"_s.arg(tableText(m_spec.row->help), parameterRangeText(m_spec),
-                                           changed ? tr("\nOn the board: %1").arg(parameterValueText(m_spec, m_boardRaw))
-                                                   : QString(), idle));
+    m_control->setToolTip(u"%1\n%2%3%4"_s.arg(
+        tableText(m_spec.row->help), parameterRangeText(m_spec),
+        changed ? tr("\nOn the board: %1").arg(parameterValueText(m_spec, m_boardRaw)) : QString(), idle));
 }
 
 void ValueEditor::setIdle(const QString &reason)

@@ -14,8 +14,8 @@ class QMenu;
 class QPushButton;
 class QToolButton;
 
-/// The control for one parameter: number box, choice, tick or flags, made from its declaration. Shows what the board holds
-/// when that differs, with a button that goes back to it.
+/// The control for one parameter: number box, choice, tick or flags, made from its declaration. Shows what
+/// the board holds when that differs, with a button that goes back to it.
 class ValueEditor final : public QWidget
 {
     Q_OBJECT

@@ -37,30 +37,31 @@ void AdjustableModel::refresh()
     QList<int> ids;
     for (const AdjustableSpec &spec : m_specs)
         ids.append(spec.id);
-    m_client.submit<std::vector<AdjustableValue>>([ids](Channel &channel, Device &device) {
-        return device.readAdjustables(channel, ids);
-    }).then(this, [this, asked = m_specs.data()](const Result<std::vector<AdjustableValue>> &read) {
-        m_asking = false;
-        if (asked != m_specs.data())
-            return;
-        if (!read) {
-            emit failed(read.error());
-            return;
-        }
-        int first = -1;
-        int last = -1;
-        for (const AdjustableValue &variable : *read) {
-            for (std::size_t row = 0; row < m_specs.size(); ++row) {
-                if (m_specs[row].id != variable.id || m_values[row] == int(variable.value))
-                    continue;
-                m_values[row] = int(variable.value);
-                first = first < 0 ? int(row) : std::min(first, int(row));
-                last = std::max(last, int(row));
+    m_client
+        .submit<std::vector<AdjustableValue>>(
+            [ids](Channel &channel, Device &device) { return device.readAdjustables(channel, ids); })
+        .then(this, [this, asked = m_specs.data()](const Result<std::vector<AdjustableValue>> &read) {
+            m_asking = false;
+            if (asked != m_specs.data())
+                return;
+            if (!read) {
+                emit failed(read.error());
+                return;
             }
-        }
-        if (first >= 0)
-            emit dataChanged(index(first, ValueColumn), index(last, MeaningColumn));
-    });
+            int first = -1;
+            int last = -1;
+            for (const AdjustableValue &variable : *read) {
+                for (std::size_t row = 0; row < m_specs.size(); ++row) {
+                    if (m_specs[row].id != variable.id || m_values[row] == int(variable.value))
+                        continue;
+                    m_values[row] = int(variable.value);
+                    first = first < 0 ? int(row) : std::min(first, int(row));
+                    last = std::max(last, int(row));
+                }
+            }
+            if (first >= 0)
+                emit dataChanged(index(first, ValueColumn), index(last, MeaningColumn));
+        });
 }
 
 int AdjustableModel::rowCount(const QModelIndex &parent) const
@@ -92,7 +93,9 @@ QVariant AdjustableModel::data(const QModelIndex &index, int role) const
     if (role == IdRole)
         return spec.id;
     if (role == SearchRole)
-        return u"%1 %2 %3 %4"_s.arg(spec.id).arg(tableText(spec.label), QLatin1String(spec.key), tableText(spec.group)).toLower();
+        return u"%1 %2 %3 %4"_s.arg(spec.id)
+            .arg(tableText(spec.label), QLatin1String(spec.key), tableText(spec.group))
+            .toLower();
     if (role == Qt::TextAlignmentRole && (index.column() == ValueColumn || index.column() == NumberColumn))
         return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::EditRole && index.column() == ValueColumn)
@@ -121,26 +124,30 @@ bool AdjustableModel::setData(const QModelIndex &index, const QVariant &value, i
     bool ok = false;
     const int wanted = value.toInt(&ok);
     if (!ok || wanted < spec.min || wanted > spec.max) {
-        emit failed({ErrorCode::OutOfRange, tr("%1: %2 to %3").arg(tableText(spec.label)).arg(spec.min).arg(spec.max), 0});
+        emit failed({ErrorCode::OutOfRange,
+                     tr("%1: %2 to %3").arg(tableText(spec.label)).arg(spec.min).arg(spec.max), 0});
         return false;
     }
-    m_client.submit<bool>([id = spec.id, wanted](Channel &channel, Device &device) -> Result<bool> {
-        const auto done = device.writeAdjustables(channel, {{id, double(wanted)}});
-        return done ? Result<bool>(true) : tl::unexpected(done.error());
-    }).then(this, [this, id = spec.id, wanted](const Result<bool> &done) {
-        if (!done)
-            emit failed(done.error());
-        else
-            emit written(id, wanted);
-        refresh();   // what the board made of it
-    });
+    m_client
+        .submit<bool>([id = spec.id, wanted](Channel &channel, Device &device) -> Result<bool> {
+            const auto done = device.writeAdjustables(channel, {{id, double(wanted)}});
+            return done ? Result<bool>(true) : tl::unexpected(done.error());
+        })
+        .then(this, [this, id = spec.id, wanted](const Result<bool> &done) {
+            if (!done)
+                emit failed(done.error());
+            else
+                emit written(id, wanted);
+            refresh();  // what the board made of it
+        });
     return true;
 }
 
 Qt::ItemFlags AdjustableModel::flags(const QModelIndex &index) const
 {
     Qt::ItemFlags flags = QAbstractTableModel::flags(index);
-    if (index.isValid() && index.column() == ValueColumn && m_client.isConnected() && m_client.identity().writable)
+    if (index.isValid() && index.column() == ValueColumn && m_client.isConnected()
+        && m_client.identity().writable)
         flags |= Qt::ItemIsEditable;
     return flags;
 }

@@ -11,7 +11,16 @@ class AdjustableModel final : public QAbstractTableModel
 {
     Q_OBJECT
 public:
-    enum Column { NumberColumn, NameColumn, GroupColumn, ValueColumn, MeaningColumn, RangeColumn, KeyColumn, ColumnCount };
+    enum Column {
+        NumberColumn,
+        NameColumn,
+        GroupColumn,
+        ValueColumn,
+        MeaningColumn,
+        RangeColumn,
+        KeyColumn,
+        ColumnCount
+    };
     enum Role { IdRole = Qt::UserRole, SearchRole };
 
     explicit AdjustableModel(DeviceClient &client, QObject *parent = nullptr);
@@ -39,7 +48,8 @@ private:
     DeviceClient &m_client;
     std::span<const AdjustableSpec> m_specs;
     std::shared_ptr<const ParameterSet> m_parameters;
-    std::vector<const ParameterSpec *> m_behind;     // the parameter behind each variable, null where there is none
+    std::vector<const ParameterSpec *>
+        m_behind;  // the parameter behind each variable, null where there is none
     std::vector<std::optional<int>> m_values;
     bool m_asking = false;
 };

@@ -61,9 +61,9 @@ QVariant ChangeModel::data(const QModelIndex &index, int role) const
         return text;
     };
     if (row.data.spec && index.column() != ProfileColumn) {
-        return index.column() == NameColumn   ? tableText(row.data.spec->data)
-               : index.column() == BoardColumn ? tr("as on the board")
-                                               : tr("changed");
+        return index.column() == NameColumn ? tableText(row.data.spec->data)
+            : index.column() == BoardColumn ? tr("as on the board")
+                                            : tr("changed");
     }
     switch (index.column()) {
     case NameColumn:
@@ -75,12 +75,9 @@ QVariant ChangeModel::data(const QModelIndex &index, int role) const
         if (spec && spec->row->scope == Scope::Board)
             return tr("All profiles");
         return profileLabel(m_board, row.change.profile);
-    case BoardColumn:
-        return spec ? value(row.change.from) : m_board.profileNames().value(row.change.profile);
-    case EditedColumn:
-        return spec ? value(row.change.to) : m_edited.profileNames().value(row.change.profile);
-    default:
-        return {};
+    case BoardColumn: return spec ? value(row.change.from) : m_board.profileNames().value(row.change.profile);
+    case EditedColumn: return spec ? value(row.change.to) : m_edited.profileNames().value(row.change.profile);
+    default: return {};
     }
 }
 

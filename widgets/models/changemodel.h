@@ -35,11 +35,11 @@ signals:
 private:
     struct Row
     {
-        ParameterChange change;   // spec is null for a profile's name, and for data
-        DataChange data = {};       // spec is null for everything else
+        ParameterChange change;  // spec is null for a profile's name, and for data
+        DataChange data = {};  // spec is null for everything else
         bool ticked = true;
     };
-    Configuration m_board;    // copies: a reconnection must not pull the values from under a review
+    Configuration m_board;  // copies: a reconnection must not pull the values from under a review
     Configuration m_edited;
     std::vector<Row> m_rows;
 };

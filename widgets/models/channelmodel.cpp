@@ -16,12 +16,13 @@ namespace {
 // Internal id of a group's own row; a channel's row carries the number of its group plus one.
 constexpr quintptr kGroupRow = 0;
 
-} // namespace
+}  // namespace
 
 QString measuredText(double value, int decimals)
 {
     const QString text = QString::number(value, 'f', decimals);
-    const bool zero = std::none_of(text.begin(), text.end(), [](QChar digit) { return digit >= u'1' && digit <= u'9'; });
+    const bool zero
+        = std::none_of(text.begin(), text.end(), [](QChar digit) { return digit >= u'1' && digit <= u'9'; });
     return zero && text.startsWith(u'-') ? text.mid(1) : text;
 }
 
@@ -39,8 +40,9 @@ void ChannelModel::reset(ChannelTable table, std::shared_ptr<const TelemetryStor
     m_store = std::move(store);
     m_groups.clear();
     for (std::size_t i = 0; i < table.size(); ++i) {
-        const auto it = std::find_if(m_groups.begin(), m_groups.end(),
-                                     [&](const Group &group) { return qstrcmp(group.name, table[i].group) == 0; });
+        const auto it = std::find_if(m_groups.begin(), m_groups.end(), [&](const Group &group) {
+            return qstrcmp(group.name, table[i].group) == 0;
+        });
         Group &group = it == m_groups.end() ? m_groups.emplace_back(Group{table[i].group, {}}) : *it;
         group.channels.append(int(i));
     }
@@ -135,16 +137,13 @@ QVariant ChannelModel::data(const QModelIndex &index, int role) const
     if (role != Qt::DisplayRole)
         return {};
     switch (index.column()) {
-    case NameColumn:
-        return tableText(spec.label);
+    case NameColumn: return tableText(spec.label);
     case ValueColumn: {
         const float value = m_store ? m_store->latest(channel) : std::numeric_limits<float>::quiet_NaN();
         return std::isnan(value) ? u"–"_s : measuredText(double(value), spec.decimals);
     }
-    case UnitColumn:
-        return QString::fromUtf8(spec.unit);
-    default:
-        return {};
+    case UnitColumn: return QString::fromUtf8(spec.unit);
+    default: return {};
     }
 }
 

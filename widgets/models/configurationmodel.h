@@ -6,8 +6,8 @@
 
 #include <QObject>
 
-/// What the board holds and what the operator wants: two configurations of one board, and the signals between. Dirty is a
-/// comparison, never a flag.
+/// What the board holds and what the operator wants: two configurations of one board, and the signals
+/// between. Dirty is a comparison, never a flag.
 class ConfigurationModel final : public QObject
 {
     Q_OBJECT

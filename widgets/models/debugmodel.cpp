@@ -18,12 +18,12 @@ QString valueText(double value)
 
 struct DebugRead
 {
-    std::vector<DebugVariable> variables;   // empty when they were known
+    std::vector<DebugVariable> variables;  // empty when they were known
     std::vector<std::vector<double>> values;
     TimePoint at{};
 };
 
-} // namespace
+}  // namespace
 
 DebugModel::DebugModel(DeviceClient &client, QObject *parent)
     : QAbstractTableModel(parent)
@@ -45,33 +45,35 @@ void DebugModel::refresh()
     if (m_asking || !m_client.isConnected())
         return;
     m_asking = true;
-    m_client.submit<DebugRead>([list = !m_listed](Channel &channel, Device &device) -> Result<DebugRead> {
-        DebugRead read;
-        if (list) {
-            const auto variables = device.debugVariables(channel);
-            if (!variables)
-                return tl::unexpected(variables.error());
-            read.variables = *variables;
-        }
-        const auto values = device.readDebugVariables(channel);
-        if (!values)
-            return tl::unexpected(values.error());
-        read.values = *values;
-        read.at = channel.now();
-        return read;
-    }).then(this, [this, generation = m_generation](const Result<DebugRead> &read) {
-        if (generation != m_generation)
-            return;
-        m_asking = false;
-        if (!read) {
-            emit failed(read.error());
-            return;
-        }
-        if (!m_listed)
-            setVariables(read->variables);
-        setValues(read->values, read->at);
-        emit refreshed();
-    });
+    m_client
+        .submit<DebugRead>([list = !m_listed](Channel &channel, Device &device) -> Result<DebugRead> {
+            DebugRead read;
+            if (list) {
+                const auto variables = device.debugVariables(channel);
+                if (!variables)
+                    return tl::unexpected(variables.error());
+                read.variables = *variables;
+            }
+            const auto values = device.readDebugVariables(channel);
+            if (!values)
+                return tl::unexpected(values.error());
+            read.values = *values;
+            read.at = channel.now();
+            return read;
+        })
+        .then(this, [this, generation = m_generation](const Result<DebugRead> &read) {
+            if (generation != m_generation)
+                return;
+            m_asking = false;
+            if (!read) {
+                emit failed(read.error());
+                return;
+            }
+            if (!m_listed)
+                setVariables(read->variables);
+            setValues(read->values, read->at);
+            emit refreshed();
+        });
 }
 
 void DebugModel::setVariables(const std::vector<DebugVariable> &variables)

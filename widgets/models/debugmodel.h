@@ -40,7 +40,7 @@ private:
         QString name;
         QString type;
         Axis axis = Axis::None;
-        bool known = true;        // a type we can read
+        bool known = true;  // a type we can read
         double value = 0;
         double low = 0;
         double high = 0;
@@ -50,7 +50,7 @@ private:
 
     DeviceClient &m_client;
     std::vector<Row> m_rows;
-    std::vector<QByteArray> m_names;          // what the table's keys point to
+    std::vector<QByteArray> m_names;  // what the table's keys point to
     std::vector<ChannelSpec> m_table;
     std::shared_ptr<TelemetryStore> m_store;
     std::shared_ptr<TelemetryGroup> m_group;

@@ -14,7 +14,7 @@ class Words
     Q_DECLARE_TR_FUNCTIONS(ErrorText)
 };
 
-} // namespace
+}  // namespace
 
 QString ErrorText::oneLine() const
 {
@@ -34,9 +34,7 @@ ErrorText describe(const Error &error)
     ErrorText text;
     text.detail = error.detail;
     switch (error.code) {
-    case ErrorCode::Cancelled:
-        text.what = Words::tr("Cancelled.");
-        break;
+    case ErrorCode::Cancelled: text.what = Words::tr("Cancelled."); break;
     case ErrorCode::Timeout:
         text.what = Words::tr("The board did not answer in time.");
         text.meaning = Words::tr("It may be busy, restarting, or the cable may be disturbed.");
@@ -60,7 +58,8 @@ ErrorText describe(const Error &error)
     case ErrorCode::PortBusy:
         text.what = Words::tr("Another program holds this port.");
         text.meaning = Words::tr("Only one program can talk to a board at a time.");
-        text.cure = Words::tr("Close the other program (ModemManager is a usual suspect), then connect again.");
+        text.cure
+            = Words::tr("Close the other program (ModemManager is a usual suspect), then connect again.");
         break;
     case ErrorCode::HostUnreachable:
         text.what = Words::tr("Nothing answers at this network address.");
@@ -69,11 +68,13 @@ ErrorText describe(const Error &error)
     case ErrorCode::Silent:
         text.what = Words::tr("The port is open, but no board answers.");
         text.meaning = Words::tr("All rates and parities were tried.");
-        text.cure = Words::tr("Check that the board has power, that RX and TX are crossed, and that this is the right port.");
+        text.cure = Words::tr(
+            "Check that the board has power, that RX and TX are crossed, and that this is the right port.");
         break;
     case ErrorCode::Garbage:
         text.what = Words::tr("Bytes arrive, but they make no sense.");
-        text.meaning = Words::tr("The rate is unknown, the cable is disturbed, or it is another kind of device.");
+        text.meaning
+            = Words::tr("The rate is unknown, the cable is disturbed, or it is another kind of device.");
         text.cure = Words::tr("Check cable and ground, and that this is the gimbal's port.");
         break;
     case ErrorCode::WrongProtocol:
@@ -83,12 +84,15 @@ ErrorText describe(const Error &error)
         break;
     case ErrorCode::ReadOnly:
         text.what = Words::tr("This board is open for reading only.");
-        text.meaning = Words::tr("It is a recording, or its firmware or this value must not be written by this version of the program.");
-        text.cure = Words::tr("Connect the board itself, update the program, or change the value with the board maker's tool.");
+        text.meaning = Words::tr("It is a recording, or its firmware or this value must not be written by "
+                                 "this version of the program.");
+        text.cure = Words::tr(
+            "Connect the board itself, update the program, or change the value with the board maker's tool.");
         break;
     case ErrorCode::Damaged:
         text.what = Words::tr("The command reached the board damaged.");
-        text.meaning = Words::tr("The board threw it away, also when it was repeated; nothing was changed by it.");
+        text.meaning
+            = Words::tr("The board threw it away, also when it was repeated; nothing was changed by it.");
         text.cure = Words::tr("The line is disturbed: check cable, ground and rate, then try again.");
         break;
     case ErrorCode::BoardError:
@@ -99,16 +103,12 @@ ErrorText describe(const Error &error)
         text.what = Words::tr("The board's answer is not what its document promises.");
         text.cure = Words::tr("Try again; if it stays so, the firmware is not supported.");
         break;
-    case ErrorCode::InvalidArgument:
-        text.what = Words::tr("That does not make sense.");
-        break;
+    case ErrorCode::InvalidArgument: text.what = Words::tr("That does not make sense."); break;
     case ErrorCode::OutOfRange:
         text.what = Words::tr("The value is outside its range.");
         text.meaning = Words::tr("Nothing was changed.");
         break;
-    case ErrorCode::Unsupported:
-        text.what = Words::tr("This board cannot do that.");
-        break;
+    case ErrorCode::Unsupported: text.what = Words::tr("This board cannot do that."); break;
     case ErrorCode::Conflict:
         text.what = Words::tr("Somebody else changed the board since it was read.");
         text.meaning = Words::tr("Nothing was written.");
@@ -119,9 +119,7 @@ ErrorText describe(const Error &error)
         text.meaning = Words::tr("The old values were put back as far as the board let us.");
         text.cure = Words::tr("Look at the report; try again, or restore the snapshot.");
         break;
-    case ErrorCode::BadFile:
-        text.what = Words::tr("The file cannot be used.");
-        break;
+    case ErrorCode::BadFile: text.what = Words::tr("The file cannot be used."); break;
     case ErrorCode::NotConnected:
         text.what = Words::tr("No board is connected.");
         text.cure = Words::tr("Connect one, or try the simulated gimbal.");
@@ -154,7 +152,8 @@ ErrorText describe(const Error &error)
     case ErrorCode::Diverged:
         text.what = Words::tr("The axis did not follow; the motors were switched off.");
         text.meaning = Words::tr("It moved further than the test allows.");
-        text.cure = Words::tr("Lower the gains or make the movement smaller, then switch the motors on again.");
+        text.cure
+            = Words::tr("Lower the gains or make the movement smaller, then switch the motors on again.");
         break;
     case ErrorCode::Busy:
         text.what = Words::tr("Another job is still running.");

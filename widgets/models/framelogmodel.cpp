@@ -19,11 +19,13 @@ void FrameLogModel::refresh()
     if (!m_origin)
         m_origin = fresh.front().at;
     if (!m_showsStreams) {
-        // Live data is what comes from the board again and again, asked for by the program or by nobody; errors and notices are not.
+        // Live data is what comes from the board again and again, asked for by the program or by nobody;
+        // errors and notices are not.
         std::erase_if(fresh, [this, poll = m_client.pollBytes()](const LoggedFrame &frame) {
             if (!frame.fromBoard)
                 return !poll.isEmpty() && frame.bytes == poll;
-            return (!frame.claimed || !poll.isEmpty()) && m_client.device() && m_client.device()->isTelemetryFrame(frame.id);
+            return (!frame.claimed || !poll.isEmpty()) && m_client.device()
+                && m_client.device()->isTelemetryFrame(frame.id);
         });
     }
     if (fresh.empty())
@@ -78,8 +80,9 @@ QString FrameLogModel::text() const
     QString all;
     for (const Row &row : m_rows) {
         const FrameText &words = textOf(row);
-        all += u"%1 %2 %3 %4  [%5]\n"_s.arg(timeText(row).rightJustified(12), row.frame.fromBoard ? u"<"_s : u">"_s,
-                                            words.name, words.fields, QString::fromLatin1(row.frame.bytes.toHex(' ')));
+        all += u"%1 %2 %3 %4  [%5]\n"_s.arg(timeText(row).rightJustified(12),
+                                            row.frame.fromBoard ? u"<"_s : u">"_s, words.name, words.fields,
+                                            QString::fromLatin1(row.frame.bytes.toHex(' ')));
     }
     return all;
 }

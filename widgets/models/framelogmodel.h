@@ -43,6 +43,6 @@ private:
     DeviceClient &m_client;
     std::deque<Row> m_rows;
     quint64 m_seen = 0;
-    std::optional<TimePoint> m_origin;   // of the first frame that was seen
+    std::optional<TimePoint> m_origin;  // of the first frame that was seen
     bool m_showsStreams = false;
 };

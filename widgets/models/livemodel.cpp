@@ -15,7 +15,7 @@ LiveModel::LiveModel(DeviceClient &client, ConfigurationModel &configuration, QO
     connect(&configuration, &ConfigurationModel::storedChanged, this, [this] {
         recount();
         for (const int parameter : std::as_const(m_parameters))
-            emit valueChanged(parameter);   // against what is stored now
+            emit valueChanged(parameter);  // against what is stored now
     });
     reset();
 }
@@ -33,7 +33,8 @@ void LiveModel::reset()
     m_parameters.clear();
     const Configuration &board = std::as_const(m_configuration).board();
     const QString key = m_configuration.isEmpty() ? QString()
-        : board.identity().serial + u'/' + board.identity().firmware + u'/' + QString::number(board.activeProfile());
+                                                  : board.identity().serial + u'/' + board.identity().firmware
+            + u'/' + QString::number(board.activeProfile());
     // The same board read anew keeps the two sets; ids mean the same for the same firmware.
     if (key != std::exchange(m_boardKey, key)) {
         m_values.clear();
@@ -64,7 +65,8 @@ std::optional<int> LiveModel::stored(int parameter) const
 {
     if (!m_set)
         return {};
-    return m_configuration.boardValue(spec(parameter), std::as_const(m_configuration).board().activeProfile());
+    return m_configuration.boardValue(spec(parameter),
+                                      std::as_const(m_configuration).board().activeProfile());
 }
 
 bool LiveModel::isChanged(int parameter) const
@@ -80,37 +82,39 @@ void LiveModel::read()
     QList<int> ids;
     for (const int parameter : std::as_const(m_parameters))
         ids.append(spec(parameter).adjustable);
-    m_client.submit<std::vector<AdjustableValue>>([ids](Channel &channel, Device &device) {
-        return device.readAdjustables(channel, ids);
-    }).then(this, [this, generation = m_generation](const Result<std::vector<AdjustableValue>> &read) {
-        if (generation != m_generation)
-            return;
-        if (!read) {
-            emit failed(read.error());
-            return;
-        }
-        QHash<int, double> byId;
-        for (const AdjustableValue &variable : *read)
-            byId.insert(variable.id, variable.value);
-        for (const int parameter : std::as_const(m_parameters)) {
-            const auto it = byId.find(spec(parameter).adjustable);
-            if (it == byId.end() || m_wanted.contains(parameter))
-                continue;
-            const int raw = int(*it) / spec(parameter).row->adjustableScale;
-            if (value(parameter) == raw)
-                continue;
-            m_values.insert(parameter, raw);
-            emit valueChanged(parameter);
-        }
-        recount();
-    });
+    m_client
+        .submit<std::vector<AdjustableValue>>(
+            [ids](Channel &channel, Device &device) { return device.readAdjustables(channel, ids); })
+        .then(this, [this, generation = m_generation](const Result<std::vector<AdjustableValue>> &read) {
+            if (generation != m_generation)
+                return;
+            if (!read) {
+                emit failed(read.error());
+                return;
+            }
+            QHash<int, double> byId;
+            for (const AdjustableValue &variable : *read)
+                byId.insert(variable.id, variable.value);
+            for (const int parameter : std::as_const(m_parameters)) {
+                const auto it = byId.find(spec(parameter).adjustable);
+                if (it == byId.end() || m_wanted.contains(parameter))
+                    continue;
+                const int raw = int(*it) / spec(parameter).row->adjustableScale;
+                if (value(parameter) == raw)
+                    continue;
+                m_values.insert(parameter, raw);
+                emit valueChanged(parameter);
+            }
+            recount();
+        });
 }
 
 std::pair<int, int> LiveModel::range(int parameter) const
 {
     const ParameterSpec &parameterSpec = spec(parameter);
     std::pair<int, int> range{parameterSpec.row->min, parameterSpec.row->max};
-    const auto variables = m_client.device() ? m_client.device()->adjustables() : std::span<const AdjustableSpec>();
+    const auto variables
+        = m_client.device() ? m_client.device()->adjustables() : std::span<const AdjustableSpec>();
     for (const AdjustableSpec &variable : variables) {
         if (variable.id != parameterSpec.adjustable)
             continue;
@@ -148,7 +152,8 @@ LiveValues LiveModel::unsaved() const
     LiveValues values;
     for (const int parameter : m_parameters) {
         if (isChanged(parameter))
-            values.push_back({spec(parameter).key, stored(parameter).value_or(*value(parameter)), *value(parameter)});
+            values.push_back(
+                {spec(parameter).key, stored(parameter).value_or(*value(parameter)), *value(parameter)});
     }
     return values;
 }
@@ -172,28 +177,31 @@ void LiveModel::flush()
     for (auto it = m_wanted.begin(); it != m_wanted.end(); ++it) {
         if (!m_sent.contains(it.key()))
             m_sent.append(it.key());
-        values.push_back({spec(it.key()).adjustable, double(it.value() * spec(it.key()).row->adjustableScale)});
+        values.push_back(
+            {spec(it.key()).adjustable, double(it.value() * spec(it.key()).row->adjustableScale)});
     }
     m_wanted.clear();
-    m_client.submit<bool>([values](Channel &channel, Device &device) -> Result<bool> {
-        const auto done = device.writeAdjustables(channel, values);
-        return done ? Result<bool>(true) : tl::unexpected(done.error());
-    }).then(this, [this, generation = m_generation](const Result<bool> &done) {
-        if (generation != m_generation)
-            return;
-        m_writing = false;
-        if (!done) {
-            // What is in use is not known any more: ask.
-            m_wanted.clear();
-            m_sent.clear();
-            emit failed(done.error());
-            read();
-            return;
-        }
-        flush();
-        if (isSettled())
-            emit settled(std::exchange(m_sent, {}));
-    });
+    m_client
+        .submit<bool>([values](Channel &channel, Device &device) -> Result<bool> {
+            const auto done = device.writeAdjustables(channel, values);
+            return done ? Result<bool>(true) : tl::unexpected(done.error());
+        })
+        .then(this, [this, generation = m_generation](const Result<bool> &done) {
+            if (generation != m_generation)
+                return;
+            m_writing = false;
+            if (!done) {
+                // What is in use is not known any more: ask.
+                m_wanted.clear();
+                m_sent.clear();
+                emit failed(done.error());
+                read();
+                return;
+            }
+            flush();
+            if (isSettled())
+                emit settled(std::exchange(m_sent, {}));
+        });
 }
 
 void LiveModel::revert()

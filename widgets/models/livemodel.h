@@ -8,8 +8,9 @@
 
 #include <QHash>
 
-/// Parameters that the board changes at once, in its volatile memory: what is in use now, what is stored, and two sets to
-/// compare. Values are raw parameter values; writes go out one after the other, the newest value of each wins.
+/// Parameters that the board changes at once, in its volatile memory: what is in use now, what is stored, and
+/// two sets to compare. Values are raw parameter values; writes go out one after the other, the newest value
+/// of each wins.
 class LiveModel final : public QObject
 {
     Q_OBJECT
@@ -62,7 +63,7 @@ signals:
     void settled(const QList<int> &parameters);
 
 private:
-    using Values = QHash<int, int>;   // parameter id -> raw
+    using Values = QHash<int, int>;  // parameter id -> raw
     void reset();
     void put(int parameter, int raw);
     void flush();
@@ -74,13 +75,13 @@ private:
     std::shared_ptr<const ParameterSet> m_set;
     QList<int> m_parameters;
     Values m_values;
-    Values m_wanted;          // waiting to be written
-    QList<int> m_sent;        // since everything was settled last
-    Values m_other;           // of the slot not in use
+    Values m_wanted;  // waiting to be written
+    QList<int> m_sent;  // since everything was settled last
+    Values m_other;  // of the slot not in use
     Slot m_slot = Slot::A;
     bool m_otherKnown = false;
     bool m_writing = false;
     int m_changeCount = 0;
-    QString m_boardKey;       // which board, firmware and profile the values belong to
-    int m_generation = 0;     // answers to questions of an earlier board or profile are dropped
+    QString m_boardKey;  // which board, firmware and profile the values belong to
+    int m_generation = 0;  // answers to questions of an earlier board or profile are dropped
 };

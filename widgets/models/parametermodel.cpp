@@ -42,7 +42,8 @@ QString parameterValueText(const ParameterSpec &spec, int raw)
 {
     switch (spec.row->kind) {
     case ValueKind::Toggle:
-        return raw ? QCoreApplication::translate("Tables", "On") : QCoreApplication::translate("Tables", "Off");
+        return raw ? QCoreApplication::translate("Tables", "On")
+                   : QCoreApplication::translate("Tables", "Off");
     case ValueKind::Choice:
         for (const Choice &choice : spec.row->choices) {
             if (choice.value == raw)
@@ -57,8 +58,7 @@ QString parameterValueText(const ParameterSpec &spec, int raw)
         }
         return names.isEmpty() ? QCoreApplication::translate("Tables", "None") : names.join(u", "_s);
     }
-    case ValueKind::Number:
-        break;
+    case ValueKind::Number: break;
     }
     return spec.format(raw);
 }

@@ -11,8 +11,25 @@ class ParameterModel final : public QAbstractTableModel
 {
     Q_OBJECT
 public:
-    enum Column { NameColumn, ValueColumn, UnitColumn, BoardColumn, DefaultColumn, RangeColumn, KeyColumn, ColumnCount };
-    enum Role { IdRole = Qt::UserRole, ChangedRole, RedRole, DiffersFromDefaultRole, LevelRole, SearchRole, GroupRole };
+    enum Column {
+        NameColumn,
+        ValueColumn,
+        UnitColumn,
+        BoardColumn,
+        DefaultColumn,
+        RangeColumn,
+        KeyColumn,
+        ColumnCount
+    };
+    enum Role {
+        IdRole = Qt::UserRole,
+        ChangedRole,
+        RedRole,
+        DiffersFromDefaultRole,
+        LevelRole,
+        SearchRole,
+        GroupRole
+    };
 
     explicit ParameterModel(ConfigurationModel &configuration, QObject *parent = nullptr);
 
@@ -45,5 +62,6 @@ private:
 [[nodiscard]] QString parameterRangeText(const ParameterSpec &spec);
 /// Lower-case text in which a search looks: label, key, group, help.
 /// Why the parameter has no effect now, as a sentence; empty: it has one.
-[[nodiscard]] QString idleReason(const ConfigurationModel &configuration, const ParameterSpec &spec, int profile);
+[[nodiscard]] QString idleReason(const ConfigurationModel &configuration, const ParameterSpec &spec,
+                                 int profile);
 [[nodiscard]] QString parameterSearchText(const ParameterSpec &spec);

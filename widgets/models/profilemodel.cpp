@@ -30,7 +30,8 @@ ProfileModel::ProfileModel(ConfigurationModel &configuration, QObject *parent)
 
 void ProfileModel::refresh()
 {
-    m_changes.assign(std::size_t(m_configuration.isEmpty() ? 0 : m_configuration.edited().identity().profileCount), 0);
+    m_changes.assign(
+        std::size_t(m_configuration.isEmpty() ? 0 : m_configuration.edited().identity().profileCount), 0);
     m_differences.assign(m_changes.size(), 0);
     if (m_configuration.isEmpty())
         return;

@@ -24,7 +24,7 @@ constexpr double kWordGap = 8;
 constexpr double kRight = 36;
 constexpr double kBottom = 28;
 
-} // namespace
+}  // namespace
 
 CurveChart::CurveChart(const Theme &theme, const QString &name, QWidget *parent)
     : QChartView(parent)
@@ -33,7 +33,7 @@ CurveChart::CurveChart(const Theme &theme, const QString &name, QWidget *parent)
     chart()->setAnimationOptions(QChart::NoAnimation);
     chart()->setBackgroundVisible(false);
     chart()->setMargins({0, 0, 0, 0});
-    chart()->layout()->setContentsMargins(0, 0, 0, 0);   // labels in the margins would be hidden
+    chart()->layout()->setContentsMargins(0, 0, 0, 0);  // labels in the margins would be hidden
     chart()->legend()->setAlignment(Qt::AlignTop);
     chart()->legend()->detachFromChart();
     chart()->legend()->setBackgroundVisible(false);
@@ -54,7 +54,8 @@ QAbstractAxis *CurveChart::makeAxis(const ChartScale &scale, Qt::Alignment side,
             chart()->removeAxis(old);
             delete old;
         }
-        old = scale.logarithmic ? static_cast<QAbstractAxis *>(new QLogValueAxis(this)) : new QValueAxis(this);
+        old = scale.logarithmic ? static_cast<QAbstractAxis *>(new QLogValueAxis(this))
+                                : new QValueAxis(this);
         old->setLinePenColor(Qt::transparent);
         chart()->addAxis(old, side);
     }
@@ -127,7 +128,7 @@ void CurveChart::setLabels(const QList<ChartLabel> &labels)
 
 void CurveChart::resizeEvent(QResizeEvent *event)
 {
-    layOut();   // first: the chart lays its labels out when it gets its size, and hides those that lie outside
+    layOut();  // first: the chart lays its labels out when it gets its size, and hides those that lie outside
     QChartView::resizeEvent(event);
 }
 
@@ -135,7 +136,8 @@ void CurveChart::resizeEvent(QResizeEvent *event)
 void CurveChart::layOut()
 {
     const double top = chart()->legend()->isVisible() ? kLegend : kTop;
-    chart()->setPlotArea({kLeft, top, std::max(10.0, width() - kLeft - kRight), std::max(10.0, height() - top - kBottom)});
+    chart()->setPlotArea(
+        {kLeft, top, std::max(10.0, width() - kLeft - kRight), std::max(10.0, height() - top - kBottom)});
     // Attached to the chart, the legend would keep what room it found when it was hidden.
     chart()->legend()->setGeometry(kLeft, 4, std::max(10.0, width() - kLeft - kRight), kLegend - 8);
     chart()->legend()->update();
@@ -160,7 +162,8 @@ void CurveChart::applyTheme()
     }
     for (qsizetype i = 0; i < m_series.size(); ++i) {
         const ChartCurve &curve = m_curves[i];
-        QColor color = curve.axis == Axis::None ? m_theme.seriesColor(curve.color) : m_theme.axisColor(curve.axis);
+        QColor color
+            = curve.axis == Axis::None ? m_theme.seriesColor(curve.color) : m_theme.axisColor(curve.axis);
         color.setAlphaF(float(curve.strength));
         m_series[i]->setPen(QPen(color, curve.width, curve.style));
     }
@@ -169,7 +172,7 @@ void CurveChart::applyTheme()
     layOut();
     const auto markers = chart()->legend()->markers();
     for (QLegendMarker *marker : markers) {
-        marker->setPen(QPen(Qt::transparent));   // no pen at all would bring the style's own back
+        marker->setPen(QPen(Qt::transparent));  // no pen at all would bring the style's own back
         marker->setVisible(!marker->series()->name().isEmpty());
     }
     viewport()->update();
@@ -196,7 +199,8 @@ void CurveChart::drawForeground(QPainter *painter, const QRectF &rect)
         box.moveCenter({at.x(), at.y() - metrics.height()});
         box.moveLeft(std::clamp(box.left(), area.left(), area.right() - box.width()));
         box.moveTop(std::max(box.top(), area.top()));
-        // Beside a word that is there already it would lie over that one's line or peak; the table has them all.
+        // Beside a word that is there already it would lie over that one's line or peak; the table has them
+        // all.
         const auto beside = [&](const QRectF &other) {
             return box.left() < other.right() + kWordGap && other.left() < box.right() + kWordGap;
         };

@@ -12,13 +12,13 @@ class QLineSeries;
 /// A curve of a measurement, a few hundred points.
 struct ChartCurve
 {
-    QString name;                          ///< empty: not in the legend
+    QString name;  ///< empty: not in the legend
     QList<QPointF> points;
-    Axis axis = Axis::None;                ///< gives the colour
-    int color = 0;                         ///< of the series colours, for a curve without axis
+    Axis axis = Axis::None;  ///< gives the colour
+    int color = 0;  ///< of the series colours, for a curve without axis
     Qt::PenStyle style = Qt::SolidLine;
     double width = 1;
-    double strength = 1;                   ///< 0 unseen ... 1; faint curves are what was before
+    double strength = 1;  ///< 0 unseen ... 1; faint curves are what was before
 };
 
 /// The scale of a chart's axis.
@@ -29,7 +29,7 @@ struct ChartScale
     double high = 1;
     bool logarithmic = false;
     QString labelFormat = QStringLiteral("%g");
-    int steps = 0;                         ///< parts between labels; 0 = round ones are found
+    int steps = 0;  ///< parts between labels; 0 = round ones are found
 };
 
 /// A word at a point.

@@ -17,7 +17,8 @@ public:
     IterationChart(const Theme &theme, const QString &title, QWidget *parent = nullptr);
 
     void clear();
-    /// Adds a point to a curve; an unknown name makes a new curve. Steps that were there already are replaced.
+    /// Adds a point to a curve; an unknown name makes a new curve. Steps that were there already are
+    /// replaced.
     void addPoint(const QString &name, Axis axis, int step, double value, Qt::PenStyle style = Qt::SolidLine);
     [[nodiscard]] int pointCount(const QString &name) const;
 

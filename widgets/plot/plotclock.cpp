@@ -10,12 +10,12 @@
 
 namespace {
 
-constexpr qint64 kSlowFrameMs = 12;     // a frame over this, a few times in a row, halves the rate
+constexpr qint64 kSlowFrameMs = 12;  // a frame over this, a few times in a row, halves the rate
 constexpr int kSlowFramesInARow = 5;
-constexpr qint64 kQuickFrameMs = 5;     // when it is quick again for a while, the rate comes back
+constexpr qint64 kQuickFrameMs = 5;  // when it is quick again for a while, the rate comes back
 constexpr int kQuickFramesInARow = 120;
 
-} // namespace
+}  // namespace
 
 PlotClock::PlotClock(QObject *parent)
     : QObject(parent)

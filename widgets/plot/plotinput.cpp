@@ -16,10 +16,10 @@
 
 namespace {
 
-constexpr double kClick = 4;              // pixels: less is no drag
-constexpr double kLeastBox = 6;           // pixels
+constexpr double kClick = 4;  // pixels: less is no drag
+constexpr double kLeastBox = 6;  // pixels
 
-} // namespace
+}  // namespace
 
 void PlotView::wheelEvent(QWheelEvent *event)
 {
@@ -34,7 +34,7 @@ void PlotView::wheelEvent(QWheelEvent *event)
 
 void PlotView::mousePressEvent(QMouseEvent *event)
 {
-    QChartView::mousePressEvent(event);   // the legend's toggles
+    QChartView::mousePressEvent(event);  // the legend's toggles
     if (event->button() != Qt::LeftButton || !chart()->plotArea().contains(event->position()))
         return;
     m_drag = event->modifiers() & Qt::ShiftModifier ? Drag::Box : Drag::Undecided;

@@ -17,9 +17,11 @@ QByteArray PlotLayout::toJson(ChannelTable table) const
         QJsonArray channels;
         for (const int channel : plot.channels)
             channels.append(QLatin1String(table[std::size_t(channel)].key));
-        list.append(QJsonObject{{u"channels"_s, channels}, {u"ownScales"_s, plot.ownScales}, {u"figures"_s, plot.figures}});
+        list.append(QJsonObject{
+            {u"channels"_s, channels}, {u"ownScales"_s, plot.ownScales}, {u"figures"_s, plot.figures}});
     }
-    return QJsonDocument(QJsonObject{{u"plots"_s, list}, {u"seconds"_s, seconds}}).toJson(QJsonDocument::Compact);
+    return QJsonDocument(QJsonObject{{u"plots"_s, list}, {u"seconds"_s, seconds}})
+        .toJson(QJsonDocument::Compact);
 }
 
 PlotLayout PlotLayout::fromJson(const QByteArray &json, ChannelTable table)
@@ -49,7 +51,8 @@ PlotLayout PlotLayout::byUnit(ChannelTable table, const QList<int> &channels)
     PlotLayout layout;
     for (const int channel : channels) {
         const auto same = [&](const Plot &plot) {
-            return qstrcmp(table[std::size_t(plot.channels.first())].unit, table[std::size_t(channel)].unit) == 0;
+            return qstrcmp(table[std::size_t(plot.channels.first())].unit, table[std::size_t(channel)].unit)
+                == 0;
         };
         const auto plot = std::find_if(layout.plots.begin(), layout.plots.end(), same);
         if (plot == layout.plots.end())

@@ -18,11 +18,11 @@ struct PlotLayout
         friend bool operator==(const Plot &, const Plot &) = default;
     };
     QList<Plot> plots;
-    double seconds = 0;       ///< shown; 0 = as it is
+    double seconds = 0;  ///< shown; 0 = as it is
 
     [[nodiscard]] QByteArray toJson(ChannelTable table) const;
-    /// What this board has of a kept layout: unknown channels are left out, and plots without any. Anything unreadable is
-    /// an empty layout.
+    /// What this board has of a kept layout: unknown channels are left out, and plots without any. Anything
+    /// unreadable is an empty layout.
     [[nodiscard]] static PlotLayout fromJson(const QByteArray &json, ChannelTable table);
     /// One plot for each unit: values of different kinds do not share a picture unless somebody wants it.
     [[nodiscard]] static PlotLayout byUnit(ChannelTable table, const QList<int> &channels);

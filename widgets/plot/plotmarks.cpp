@@ -7,14 +7,14 @@
 
 namespace {
 
-constexpr std::size_t kMost = 2000;   // older ones go
+constexpr std::size_t kMost = 2000;  // older ones go
 
 bool earlier(const PlotMark &mark, double time)
 {
     return mark.time < time;
 }
 
-} // namespace
+}  // namespace
 
 void PlotMarks::add(PlotMark mark)
 {
@@ -53,7 +53,8 @@ std::optional<double> PlotMarks::next(double time, bool forward) const
 {
     const auto place = std::lower_bound(m_marks.begin(), m_marks.end(), time, earlier);
     if (forward) {
-        const auto after = std::find_if(place, m_marks.end(), [time](const PlotMark &mark) { return mark.time > time + 1e-6; });
+        const auto after = std::find_if(place, m_marks.end(),
+                                        [time](const PlotMark &mark) { return mark.time > time + 1e-6; });
         return after == m_marks.end() ? std::nullopt : std::optional(after->time);
     }
     const auto before = std::find_if(std::make_reverse_iterator(place), m_marks.rend(),

@@ -12,7 +12,7 @@
 struct PlotMark
 {
     enum class Kind { Note, Change, Fault };
-    double time = 0;       ///< seconds since the store's origin
+    double time = 0;  ///< seconds since the store's origin
     Kind kind = Kind::Note;
     QString text;
 };

@@ -22,7 +22,7 @@ ColorRole roleOf(PlotMark::Kind kind)
     return ColorRole::Muted;
 }
 
-} // namespace
+}  // namespace
 
 PlotOverlay::PlotOverlay(QPainter &painter, const QRectF &area, const Theme &theme)
     : m_painter(painter)
@@ -37,7 +37,8 @@ void PlotOverlay::vertical(double x, const QPen &pen)
     m_painter.drawLine(QPointF(x, m_area.top()), QPointF(x, m_area.bottom()));
 }
 
-// Marks may be in each live frame, so they are made of plain rectangles: pens, brushes and polygons allocate memory.
+// Marks may be in each live frame, so they are made of plain rectangles: pens, brushes and polygons allocate
+// memory.
 void PlotOverlay::mark(double x, PlotMark::Kind kind)
 {
     const QColor color = m_theme.color(roleOf(kind));
@@ -46,7 +47,8 @@ void PlotOverlay::mark(double x, PlotMark::Kind kind)
     // A flag on top, so that it is told from the cursor by shape as well.
     const double pixel = 1.0 / m_painter.device()->devicePixelRatioF();
     for (double y = 0; y < kFlag; y += pixel)
-        m_painter.fillRect(QRectF(x, m_area.top() + y, kFlag - std::abs(2 * y + pixel - kFlag), pixel), color);
+        m_painter.fillRect(QRectF(x, m_area.top() + y, kFlag - std::abs(2 * y + pixel - kFlag), pixel),
+                           color);
 }
 
 void PlotOverlay::reference(double x)
@@ -75,17 +77,21 @@ void PlotOverlay::box(double x, const QList<Line> &lines)
     double width = 0;
     for (const Line &line : lines)
         width = std::max(width, metrics.horizontalAdvance(line.text));
-    const auto shown = std::min(lines.size(), qsizetype(std::max(0.0, std::floor((m_area.height() - 3 * kPadding) / height))));
+    const auto shown = std::min(
+        lines.size(), qsizetype(std::max(0.0, std::floor((m_area.height() - 3 * kPadding) / height))));
     if (shown == 0)
         return;
-    QRectF box(x + 8, m_area.top() + kPadding, width + kSquare + 5 * kPadding, double(shown) * height + 2 * kPadding);
+    QRectF box(x + 8, m_area.top() + kPadding, width + kSquare + 5 * kPadding,
+               double(shown) * height + 2 * kPadding);
     if (box.right() > m_area.right())
         box.moveRight(x - 8);
     panel(box);
     for (qsizetype i = 0; i < shown; ++i) {
         const double top = box.top() + kPadding + double(i) * height;
         if (lines[i].color.isValid())
-            m_painter.fillRect(QRectF(box.left() + kPadding + 2, top + (height - kSquare) / 2, kSquare, kSquare), lines[i].color);
+            m_painter.fillRect(
+                QRectF(box.left() + kPadding + 2, top + (height - kSquare) / 2, kSquare, kSquare),
+                lines[i].color);
         m_painter.setPen(m_theme.color(ColorRole::Text));
         m_painter.drawText(QRectF(box.left() + kSquare + 3 * kPadding, top, width + kPadding, height),
                            Qt::AlignLeft | Qt::AlignVCenter, lines[i].text);

@@ -14,7 +14,7 @@ public:
     struct Line
     {
         QString text;
-        QColor color;      ///< of the little square; invalid = none
+        QColor color;  ///< of the little square; invalid = none
     };
 
     PlotOverlay(QPainter &painter, const QRectF &area, const Theme &theme);

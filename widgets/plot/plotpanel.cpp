@@ -17,10 +17,10 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kMostRows = 6;     // of figures; more scroll
+constexpr int kMostRows = 6;  // of figures; more scroll
 enum Column { Name, Mean, Rms, PeakToPeak, Rate, ColumnCount };
 
-} // namespace
+}  // namespace
 
 PlotPanel::PlotPanel(const Theme &theme, QWidget *parent)
     : QWidget(parent)
@@ -47,7 +47,8 @@ PlotPanel::PlotPanel(const Theme &theme, QWidget *parent)
             [this](const QPoint &at) { m_menu->popup(m_view->mapToGlobal(at)); });
     connect(m_menu, &QMenu::aboutToShow, this, &PlotPanel::fillMenu);
 
-    m_figures->setHorizontalHeaderLabels({tr("Channel"), tr("Mean"), tr("RMS"), tr("Peak to peak"), tr("Samples/s")});
+    m_figures->setHorizontalHeaderLabels(
+        {tr("Channel"), tr("Mean"), tr("RMS"), tr("Peak to peak"), tr("Samples/s")});
     m_figures->setAccessibleName(tr("Figures of the visible span"));
     m_figures->verticalHeader()->hide();
     m_figures->setShowGrid(false);
@@ -61,7 +62,8 @@ PlotPanel::PlotPanel(const Theme &theme, QWidget *parent)
     m_figures->hide();
 }
 
-void PlotPanel::setChannels(ChannelTable table, const QList<int> &channels, std::shared_ptr<const TelemetryStore> store)
+void PlotPanel::setChannels(ChannelTable table, const QList<int> &channels,
+                            std::shared_ptr<const TelemetryStore> store)
 {
     m_table = table;
     m_channels = channels;
@@ -72,7 +74,8 @@ void PlotPanel::setChannels(ChannelTable table, const QList<int> &channels, std:
         m_meters.emplace_back(store, channels[i], -1);
         for (int column = 0; column < ColumnCount; ++column) {
             auto *item = new QTableWidgetItem;
-            item->setTextAlignment(column == Name ? Qt::AlignLeft | Qt::AlignVCenter : Qt::AlignRight | Qt::AlignVCenter);
+            item->setTextAlignment(column == Name ? Qt::AlignLeft | Qt::AlignVCenter
+                                                  : Qt::AlignRight | Qt::AlignVCenter);
             m_figures->setItem(int(i), column, item);
         }
         m_figures->item(int(i), Name)->setText(m_view->curveName(i));
@@ -108,14 +111,17 @@ void PlotPanel::refreshFigures()
         const SpanMeter::Figures figures = m_meters[i].measure(m_view->startTime(), m_view->endTime());
         const ChannelSpec &spec = m_table[std::size_t(m_channels[qsizetype(i)])];
         const auto text = [&](double value) {
-            return figures.samples == 0 ? u"–"_s
-                                        : u"%1 %2"_s.arg(measuredText(value, spec.decimals + 1), QString::fromUtf8(spec.unit)).trimmed();
+            return figures.samples == 0
+                ? u"–"_s
+                : u"%1 %2"_s.arg(measuredText(value, spec.decimals + 1), QString::fromUtf8(spec.unit))
+                      .trimmed();
         };
         const int row = int(i);
         m_figures->item(row, Mean)->setText(text(figures.mean));
         m_figures->item(row, Rms)->setText(text(figures.rms));
         m_figures->item(row, PeakToPeak)->setText(text(figures.high - figures.low));
-        m_figures->item(row, Rate)->setText(figures.rate > 0 ? QString::number(figures.rate, 'f', 0) : u"–"_s);
+        m_figures->item(row, Rate)->setText(figures.rate > 0 ? QString::number(figures.rate, 'f', 0)
+                                                             : u"–"_s);
         m_figures->item(row, Name)->setData(Qt::DecorationRole, m_view->curveColor(qsizetype(i)));
     }
 }
@@ -138,12 +144,14 @@ void PlotPanel::fillMenu()
         emit changed();
     });
     m_menu->addAction(tr("Fit the scales (A)"), m_view, &PlotView::autoScale);
-    m_menu->addAction(m_view->referenceTime() ? tr("Remove the reference line (R)") : tr("Reference line at the cursor (R)"), this,
-                      [this] {
-        const double middle = (m_view->startTime() + m_view->endTime()) / 2;
-        emit m_view->referenceMoved(m_view->referenceTime() ? std::nullopt
-                                                            : std::optional(m_view->cursorTime().value_or(middle)));
-    });
+    m_menu->addAction(m_view->referenceTime() ? tr("Remove the reference line (R)")
+                                              : tr("Reference line at the cursor (R)"),
+                      this, [this] {
+                          const double middle = (m_view->startTime() + m_view->endTime()) / 2;
+                          emit m_view->referenceMoved(
+                              m_view->referenceTime() ? std::nullopt
+                                                      : std::optional(m_view->cursorTime().value_or(middle)));
+                      });
     m_menu->addSeparator();
     for (qsizetype i = 0; i < m_channels.size(); ++i) {
         m_menu->addAction(tr("Take “%1” out").arg(m_view->curveName(i)), this,

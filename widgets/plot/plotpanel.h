@@ -19,7 +19,8 @@ public:
     [[nodiscard]] PlotView *view() const { return m_view; }
     [[nodiscard]] QMenu *menu() const { return m_menu; }
     [[nodiscard]] QTableWidget *figures() const { return m_figures; }
-    void setChannels(ChannelTable table, const QList<int> &channels, std::shared_ptr<const TelemetryStore> store);
+    void setChannels(ChannelTable table, const QList<int> &channels,
+                     std::shared_ptr<const TelemetryStore> store);
     [[nodiscard]] const QList<int> &channels() const { return m_channels; }
     /// Mean, RMS, peak to peak and rate of each trace over the visible span.
     void setFiguresVisible(bool visible);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr auto kFiguresPeriod = 200ms;
 
-} // namespace
+}  // namespace
 
 PlotStack::PlotStack(const Theme &theme, QWidget *parent)
     : QSplitter(Qt::Vertical, parent)
@@ -26,7 +26,7 @@ PlotStack::PlotStack(const Theme &theme, QWidget *parent)
 
 void PlotStack::setSource(ChannelTable table, std::shared_ptr<const TelemetryStore> store)
 {
-    if (store != m_store) {   // another time line: its lines would stand at times that mean nothing
+    if (store != m_store) {  // another time line: its lines would stand at times that mean nothing
         for (PlotPanel *panel : m_panels) {
             panel->view()->setCursorTime({});
             panel->view()->setReferenceTime({});
@@ -131,24 +131,30 @@ PlotPanel *PlotStack::makePanel()
             each->view()->setReferenceTime(time);
     });
     // What changes the panels is done once the event that asked for it is over.
-    connect(view, &PlotView::channelsDropped, this, [this, place](const QList<int> &dropped) {
-        addChannels(place(), dropped);
-    }, Qt::QueuedConnection);
-    connect(panel, &PlotPanel::removeChannelRequested, this, [this, place](int channel) {
-        if (place() < 0)
-            return;
-        m_layout[place()].channels.removeAll(channel);
-        m_layout.removeIf([](const PlotLayout::Plot &each) { return each.channels.isEmpty(); });
-        rebuild();
-        emit edited();
-    }, Qt::QueuedConnection);
-    connect(panel, &PlotPanel::removeRequested, this, [this, place] {
-        if (place() < 0)
-            return;
-        m_layout.removeAt(place());
-        rebuild();
-        emit edited();
-    }, Qt::QueuedConnection);
+    connect(
+        view, &PlotView::channelsDropped, this,
+        [this, place](const QList<int> &dropped) { addChannels(place(), dropped); }, Qt::QueuedConnection);
+    connect(
+        panel, &PlotPanel::removeChannelRequested, this,
+        [this, place](int channel) {
+            if (place() < 0)
+                return;
+            m_layout[place()].channels.removeAll(channel);
+            m_layout.removeIf([](const PlotLayout::Plot &each) { return each.channels.isEmpty(); });
+            rebuild();
+            emit edited();
+        },
+        Qt::QueuedConnection);
+    connect(
+        panel, &PlotPanel::removeRequested, this,
+        [this, place] {
+            if (place() < 0)
+                return;
+            m_layout.removeAt(place());
+            rebuild();
+            emit edited();
+        },
+        Qt::QueuedConnection);
     connect(panel, &PlotPanel::changed, this, &PlotStack::takeSettings);
     return panel;
 }
@@ -176,7 +182,7 @@ void PlotStack::rebuild()
     for (qsizetype i = 0; i < m_layout.size(); ++i) {
         PlotPanel *panel = m_panels[i];
         panel->setAccessibleName(tr("Plot %1").arg(i + 1));
-        panel->setChannels(m_table, m_layout[i].channels, m_store);   // first: the old table may be gone
+        panel->setChannels(m_table, m_layout[i].channels, m_store);  // first: the old table may be gone
         panel->view()->setOwnScales(m_layout[i].ownScales);
         panel->setFiguresVisible(m_layout[i].figures);
         right = std::max(right, panel->view()->rightAxes());

@@ -13,7 +13,7 @@ class PlotStack final : public QSplitter
 {
     Q_OBJECT
 public:
-    static constexpr double kShortest = 0.1;    // seconds shown
+    static constexpr double kShortest = 0.1;  // seconds shown
     static constexpr double kLongest = 3600;
 
     PlotStack(const Theme &theme, QWidget *parent = nullptr);

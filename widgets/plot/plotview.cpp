@@ -24,25 +24,25 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int kMostFrames = 60;
-constexpr int kTimeSteps = 5;             // parts between the labels of the time axis
+constexpr int kTimeSteps = 5;  // parts between the labels of the time axis
 // Room for labels and legend around the plot area.
 constexpr double kLeft = 76;
 constexpr double kTop = 34;
 constexpr double kRight = 20;
 constexpr double kRightAxis = 64;
 constexpr double kBottom = 30;
-constexpr std::size_t kMostAxes = 6;      // more would leave no room for the picture
+constexpr std::size_t kMostAxes = 6;  // more would leave no room for the picture
 constexpr qint64 kRateTextMs = 500;
-constexpr qint64 kFitMs = 80;             // sooner than an eye sees that a trace leaves the picture
+constexpr qint64 kFitMs = 80;  // sooner than an eye sees that a trace leaves the picture
 
-} // namespace
+}  // namespace
 
 PlotView::PlotView(const Theme &theme, QWidget *parent)
     : QChartView(parent)
     , m_theme(theme)
     , m_timeAxis(new QValueAxis(this))
 {
-    QChart *plot = chart();   // the view's own; one set over it would leave this one behind
+    QChart *plot = chart();  // the view's own; one set over it would leave this one behind
     plot->setAnimationOptions(QChart::NoAnimation);
     plot->setBackgroundVisible(false);
     plot->setBackgroundRoundness(0);
@@ -100,7 +100,8 @@ void PlotView::setChannels(ChannelTable table, const QList<int> &channels,
     setCurves(table, curves, std::move(store));
 }
 
-void PlotView::setCurves(ChannelTable table, const QList<Curve> &curves, std::shared_ptr<const TelemetryStore> store)
+void PlotView::setCurves(ChannelTable table, const QList<Curve> &curves,
+                         std::shared_ptr<const TelemetryStore> store)
 {
     m_table = table;
     m_curves = curves;
@@ -148,7 +149,7 @@ void PlotView::makeAxes()
         qsizetype place = keys.indexOf(key);
         if (place < 0 && axes.size() == kMostAxes) {
             place = qsizetype(kMostAxes) - 1;
-            axes.back().unit = u"…"_s;   // its numbers are of several kinds
+            axes.back().unit = u"…"_s;  // its numbers are of several kinds
         }
         if (place < 0) {
             place = keys.size();
@@ -172,7 +173,7 @@ void PlotView::makeAxes()
         auto *axis = new QValueAxis(this);
         axis->setLinePenColor(Qt::transparent);
         axis->setMinorTickCount(0);
-        axis->setTitleText(m_axes[i].unit);   // the unit stands at the scale, where the numbers are
+        axis->setTitleText(m_axes[i].unit);  // the unit stands at the scale, where the numbers are
         axis->setGridLineVisible(i == 0);
         chart()->addAxis(axis, i == 0 ? Qt::AlignLeft : Qt::AlignRight);
         m_axes[i].axis = axis;
@@ -245,7 +246,7 @@ void PlotView::applyTheme()
     }
     const auto markers = chart()->legend()->markers();
     for (QLegendMarker *marker : markers)
-        marker->setPen(QPen(Qt::transparent));   // no pen at all would bring the style's own back
+        marker->setPen(QPen(Qt::transparent));  // no pen at all would bring the style's own back
     updateView();
     m_traces.invalidate();
     viewport()->update();
@@ -321,14 +322,16 @@ void PlotView::updateView()
     std::array<TraceImage::Range, kMostAxes> ranges;
     for (std::size_t i = 0; i < m_axes.size(); ++i)
         ranges[i] = {m_axes[i].scale.low(), m_axes[i].scale.high()};
-    const TraceImage::Ground ground{m_theme.color(ColorRole::Surface), m_theme.color(ColorRole::SurfaceRaised),
+    const TraceImage::Ground ground{m_theme.color(ColorRole::Surface),
+                                    m_theme.color(ColorRole::SurfaceRaised),
                                     m_axes.empty() ? 1 : m_axes.front().scale.steps(), kTimeSteps};
-    m_traces.setView(chart()->plotArea(), m_window, std::span(ranges).first(m_axes.size()), ground, devicePixelRatioF());
+    m_traces.setView(chart()->plotArea(), m_window, std::span(ranges).first(m_axes.size()), ground,
+                     devicePixelRatioF());
 }
 
 void PlotView::resizeEvent(QResizeEvent *event)
 {
-    layOut();   // first: the chart lays its labels out when it gets its size, and hides those that lie outside
+    layOut();  // first: the chart lays its labels out when it gets its size, and hides those that lie outside
     QChartView::resizeEvent(event);
     layOut();
     updateView();
@@ -340,7 +343,8 @@ void PlotView::layOut()
     const double right = kRight + kRightAxis * std::max(m_rightRoom, rightAxes());
     const double room = std::max(10.0, width() - kLeft - right);
     chart()->setPlotArea({kLeft, kTop, room, std::max(10.0, height() - kTop - kBottom)});
-    // The legend stays where the room for it is; attached to the chart it keeps what room it found when it was hidden.
+    // The legend stays where the room for it is; attached to the chart it keeps what room it found when it
+    // was hidden.
     const double rate = m_rateText.isEmpty() ? 0.0 : QFontMetricsF(font()).horizontalAdvance(m_rateText) + 8;
     chart()->legend()->setGeometry(kLeft, 2, std::max(10.0, width() - kLeft - kRight - rate), kTop - 4);
     chart()->legend()->update();
@@ -460,23 +464,25 @@ QStringList PlotView::cursorTexts() const
             continue;
         }
         QString text = u"%1  %2 %3"_s.arg(curveName(i), measuredText(value, spec.decimals), unit);
-        const double before = m_reference ? valueAt(*m_store, curve.channel, curve.minus, *m_reference) : std::nan("");
+        const double before
+            = m_reference ? valueAt(*m_store, curve.channel, curve.minus, *m_reference) : std::nan("");
         if (!std::isnan(before))
-            text += u"  (Δ %1%2)"_s.arg(value < before ? u""_s : u"+"_s, measuredText(value - before, spec.decimals));
+            text += u"  (Δ %1%2)"_s.arg(value < before ? u""_s : u"+"_s,
+                                        measuredText(value - before, spec.decimals));
         texts.append(text);
     }
     return texts;
 }
 
-// Axes, grid and legend seldom change and cost more than the traces: a picture of them is kept. A frame is that picture around
-// the plot area, the traces in it, and what lies over them.
+// Axes, grid and legend seldom change and cost more than the traces: a picture of them is kept. A frame is
+// that picture around the plot area, the traces in it, and what lies over them.
 void PlotView::paintEvent(QPaintEvent *event)
 {
     const double scale = devicePixelRatioF();
     if (m_still.isNull() || m_still.size() != (QSizeF(viewport()->size()) * scale).toSize())
         drawStill();
     QPainter painter(viewport());
-    painter.scale(1 / scale, 1 / scale);   // device pixels: copying is quick where nothing is stretched
+    painter.scale(1 / scale, 1 / scale);  // device pixels: copying is quick where nothing is stretched
     const auto copy = [&](const QRectF &part) {
         const QRect pixels = QRectF(part.topLeft() * scale, part.size() * scale).toAlignedRect();
         if (!pixels.isEmpty())
@@ -508,14 +514,16 @@ void PlotView::drawStill()
     scene()->render(&painter, all, all);
     painter.setFont(font());
     painter.setPen(m_theme.color(ColorRole::Muted));
-    painter.drawText(QRectF(kLeft, 6, width() - kLeft - kRight, kTop - 4), Qt::AlignRight | Qt::AlignVCenter, m_rateText);
+    painter.drawText(QRectF(kLeft, 6, width() - kLeft - kRight, kTop - 4), Qt::AlignRight | Qt::AlignVCenter,
+                     m_rateText);
 }
 
 void PlotView::drawOverlay(QPainter &painter)
 {
     const QRectF area = chart()->plotArea();
     PlotOverlay overlay(painter, area, m_theme);
-    const auto inside = [&](std::optional<double> time) { return time && *time >= startTime() && *time <= endTime(); };
+    const auto inside
+        = [&](std::optional<double> time) { return time && *time >= startTime() && *time <= endTime(); };
     if (m_marks) {
         for (const PlotMark &mark : m_marks->between(startTime(), endTime()))
             overlay.mark(xAt(mark.time), mark.kind);

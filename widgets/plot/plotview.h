@@ -9,8 +9,8 @@
 #include "widgets/theme/theme.h"
 
 #include <QChartView>
-#include <QPixmap>
 #include <QElapsedTimer>
+#include <QPixmap>
 #include <QPointer>
 
 #include <memory>
@@ -23,12 +23,13 @@ class QValueAxis;
 struct Curve
 {
     int channel = -1;
-    int minus = -1;      ///< channel to subtract, -1 = none
-    QString name;        ///< empty: the channel's label
+    int minus = -1;  ///< channel to subtract, -1 = none
+    QString name;  ///< empty: the channel's label
 };
 
-/// A live plot: Qt Charts for axes, grid and legend; our own item for the traces. Time runs as "seconds ago". Traces of one
-/// unit share a value axis (or each has its own), which follows them with hysteresis and round steps, or stands still.
+/// A live plot: Qt Charts for axes, grid and legend; our own item for the traces. Time runs as "seconds ago".
+/// Traces of one unit share a value axis (or each has its own), which follows them with hysteresis and round
+/// steps, or stands still.
 class PlotView final : public QChartView
 {
     Q_OBJECT
@@ -37,8 +38,10 @@ public:
     ~PlotView() override;
 
     /// Which channels to show. The table must outlive the view's use of it.
-    void setChannels(ChannelTable table, const QList<int> &channels, std::shared_ptr<const TelemetryStore> store);
-    void setCurves(ChannelTable table, const QList<Curve> &curves, std::shared_ptr<const TelemetryStore> store);
+    void setChannels(ChannelTable table, const QList<int> &channels,
+                     std::shared_ptr<const TelemetryStore> store);
+    void setCurves(ChannelTable table, const QList<Curve> &curves,
+                   std::shared_ptr<const TelemetryStore> store);
     [[nodiscard]] const QList<Curve> &curves() const { return m_curves; }
     [[nodiscard]] QString curveName(qsizetype curve) const;
     [[nodiscard]] QColor curveColor(qsizetype curve) const;
@@ -76,7 +79,8 @@ public:
     /// The range of a value axis. @param axis from 0, the left one
     [[nodiscard]] const ValueScale &scale(std::size_t axis) const { return m_axes[axis].scale; }
 
-    /// One frame: called by the one timer of all plots, only while visible. True if something was painted anew.
+    /// One frame: called by the one timer of all plots, only while visible. True if something was painted
+    /// anew.
     bool advance();
     /// Frames per second worth having at this window and size: one per scrolled pixel, 60 at most.
     [[nodiscard]] int usefulRate() const;
@@ -140,18 +144,18 @@ private:
     int m_generation = -1;
     QValueAxis *m_timeAxis;
     std::vector<ValueAxis> m_axes;
-    QList<QLineSeries *> m_series;    // empty ones, for names, colours and the legend's toggles
+    QList<QLineSeries *> m_series;  // empty ones, for names, colours and the legend's toggles
     TraceImage m_traces;
     double m_window = 10;
     bool m_ownScales = false;
     int m_rightRoom = 0;
     std::optional<double> m_cursor;
     std::optional<double> m_reference;
-    QPixmap m_still;                  // axes, grid and legend; empty: to be drawn anew
+    QPixmap m_still;  // axes, grid and legend; empty: to be drawn anew
     QString m_rateText;
     QElapsedTimer m_rateTimer;
     QElapsedTimer m_fitTimer;
     Drag m_drag = Drag::None;
-    QPointF m_dragFrom;               // where the button went down
-    QPointF m_dragAt;                 // where the mouse is or was last
+    QPointF m_dragFrom;  // where the button went down
+    QPointF m_dragAt;  // where the mouse is or was last
 };

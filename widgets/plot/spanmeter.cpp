@@ -74,7 +74,8 @@ SpanMeter::Figures SpanMeter::measure(double from, double to)
             row = next;
         }
         // What retention has dropped is not asked for again.
-        m_known.erase(m_known.lower_bound({place, 0}), m_known.lower_bound({place, source.track.begin() / kChunk}));
+        m_known.erase(m_known.lower_bound({place, 0}),
+                      m_known.lower_bound({place, source.track.begin() / kChunk}));
     }
     Figures figures;
     figures.samples = all.samples;

@@ -6,8 +6,8 @@
 
 #include <map>
 
-/// Figures of one trace over a span of time that moves on. What was summed up once is kept, so that ten minutes cost no
-/// more than the newest second.
+/// Figures of one trace over a span of time that moves on. What was summed up once is kept, so that ten
+/// minutes cost no more than the newest second.
 class SpanMeter
 {
 public:
@@ -15,10 +15,10 @@ public:
     {
         std::size_t samples = 0;
         double mean = 0;
-        double rms = 0;          ///< around zero
+        double rms = 0;  ///< around zero
         double low = 0;
         double high = 0;
-        double rate = 0;         ///< samples per second
+        double rate = 0;  ///< samples per second
     };
 
     /// @param minus channel to subtract, -1 = none
@@ -44,5 +44,5 @@ private:
     int m_minus;
     int m_generation = -1;
     std::vector<TraceSource> m_sources;
-    std::map<std::pair<std::size_t, std::size_t>, Sum> m_known;   // by source and complete chunk of rows
+    std::map<std::pair<std::size_t, std::size_t>, Sum> m_known;  // by source and complete chunk of rows
 };

@@ -13,7 +13,7 @@ namespace {
 // A value older than this says nothing about the moment asked for.
 constexpr double kGapSeconds = 0.6;
 
-} // namespace
+}  // namespace
 
 SpanStatistics SpanStatistics::aroundMean() const
 {
@@ -49,7 +49,8 @@ SpanStatistics spanStatistics(const TelemetryStore &store, int channel, int minu
         }
     }
     if (result.samples == 0) {
-        result.mean = result.rms = result.peak = result.least = result.greatest = std::numeric_limits<double>::quiet_NaN();
+        result.mean = result.rms = result.peak = result.least = result.greatest
+            = std::numeric_limits<double>::quiet_NaN();
         return result;
     }
     result.peak = std::max(std::abs(result.least), std::abs(result.greatest));

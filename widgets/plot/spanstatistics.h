@@ -8,8 +8,8 @@
 struct SpanStatistics
 {
     double mean = 0;
-    double rms = 0;            ///< around zero
-    double peak = 0;           ///< greatest absolute value
+    double rms = 0;  ///< around zero
+    double peak = 0;  ///< greatest absolute value
     double least = 0;
     double greatest = 0;
     std::size_t samples = 0;
@@ -19,7 +19,8 @@ struct SpanStatistics
 };
 
 /// @param minus channel to subtract, -1 = none; times in seconds since the store's origin
-[[nodiscard]] SpanStatistics spanStatistics(const TelemetryStore &store, int channel, int minus, double from, double to);
+[[nodiscard]] SpanStatistics spanStatistics(const TelemetryStore &store, int channel, int minus, double from,
+                                            double to);
 
 /// Value of the newest sample at or before that time and not more than a gap older; NaN without one.
 [[nodiscard]] double valueAt(const TelemetryStore &store, int channel, int minus, double time);

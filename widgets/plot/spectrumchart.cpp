@@ -9,11 +9,11 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double kLowest = 1.0;            // Hz: what is slower is steering and drift
+constexpr double kLowest = 1.0;  // Hz: what is slower is steering and drift
 constexpr double kPointsPerOctave = 48.0;
 constexpr double kPointsLinear = 400.0;
 constexpr double kLeastDecibel = -160.0;
-constexpr double kStep = 20.0;             // dB between lines of the grid
+constexpr double kStep = 20.0;  // dB between lines of the grid
 constexpr double kEarlier = 0.35;
 
 double decibel(double density)
@@ -32,7 +32,7 @@ double roundUp(double value)
     return 10.0 * power;
 }
 
-} // namespace
+}  // namespace
 
 SpectrumChart::SpectrumChart(const Theme &theme, QWidget *parent)
     : CurveChart(theme, tr("Spectrum"), parent)
@@ -72,7 +72,8 @@ QList<QPointF> SpectrumChart::pointsOf(const Spectrum &spectrum) const
     return points;
 }
 
-void SpectrumChart::setSpectra(const std::vector<SpectrumCurve> &spectra, const QString &unit, const SpectrumScale &scale)
+void SpectrumChart::setSpectra(const std::vector<SpectrumCurve> &spectra, const QString &unit,
+                               const SpectrumScale &scale)
 {
     m_scale = scale;
     QList<ChartCurve> drawn;
@@ -95,7 +96,12 @@ void SpectrumChart::setSpectra(const std::vector<SpectrumCurve> &spectra, const 
     }
     ChartScale y{unit.isEmpty() ? tr("dB") : tr("dB of (%1)²/Hz").arg(unit), -80, 0, false, u"%.0f"_s, 4};
     if (scale.amplitude) {
-        y = {unit.isEmpty() ? tr("RMS") : tr("%1 RMS").arg(unit), 0, roundUp(std::max(high, 1e-4)), false, u"%g"_s, 5};
+        y = {unit.isEmpty() ? tr("RMS") : tr("%1 RMS").arg(unit),
+             0,
+             roundUp(std::max(high, 1e-4)),
+             false,
+             u"%g"_s,
+             5};
     } else if (high > low) {
         y.high = std::ceil(high / kStep) * kStep;
         y.low = std::max(std::floor(low / kStep) * kStep, y.high - 6 * kStep);
@@ -110,7 +116,8 @@ void SpectrumChart::setPeaks(const std::vector<std::pair<const Spectrum *, Spect
 {
     QList<ChartLabel> words;
     for (const auto &[spectrum, peak] : peaks) {
-        const auto bin = std::min(spectrum->density.size() - 1, std::size_t(std::lround(peak.frequency / spectrum->resolution)));
+        const auto bin = std::min(spectrum->density.size() - 1,
+                                  std::size_t(std::lround(peak.frequency / spectrum->resolution)));
         words.append({{peak.frequency, levelOf(*spectrum, bin)}, tr("%1 Hz").arg(peak.frequency, 0, 'f', 1)});
     }
     setLabels(words);

@@ -11,14 +11,14 @@ struct SpectrumCurve
     QString name;
     Axis axis = Axis::None;
     Spectrum spectrum;
-    bool earlier = false;      ///< kept to compare with: drawn faint
+    bool earlier = false;  ///< kept to compare with: drawn faint
 };
 
 /// How spectra are drawn.
 struct SpectrumScale
 {
     bool linearFrequency = false;
-    bool amplitude = false;    ///< RMS of each line in the unit of the samples, instead of decibels of density
+    bool amplitude = false;  ///< RMS of each line in the unit of the samples, instead of decibels of density
 };
 
 /// Spectra over a scale of frequency. Nothing above half the sample rate is shown.
@@ -29,7 +29,8 @@ public:
     explicit SpectrumChart(const Theme &theme, QWidget *parent = nullptr);
 
     /// @param unit of the samples
-    void setSpectra(const std::vector<SpectrumCurve> &spectra, const QString &unit, const SpectrumScale &scale = {});
+    void setSpectra(const std::vector<SpectrumCurve> &spectra, const QString &unit,
+                    const SpectrumScale &scale = {});
     /// Words at the highest peaks of a spectrum.
     void setPeaks(const std::vector<std::pair<const Spectrum *, SpectrumPeak>> &peaks);
     /// Highest frequency on the scale, 0 without a curve.

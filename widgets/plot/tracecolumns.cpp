@@ -10,7 +10,7 @@ namespace {
 // Samples further apart than this are not joined by a line: it is a gap.
 constexpr double kGapSeconds = 0.6;
 
-} // namespace
+}  // namespace
 
 void TraceColumns::reset(int width, double pitch, qint64 firstColumn, qint64 limit)
 {
@@ -83,7 +83,7 @@ std::optional<qint64> TraceColumns::update(std::vector<TraceSource> &sources)
         }
         if (m_track + 1 == sources.size())
             break;
-        m_started = false;   // go on in the next stream that carried this channel
+        m_started = false;  // go on in the next stream that carried this channel
     }
     return changed ? std::optional(std::max(m_first, before)) : std::nullopt;
 }
@@ -114,7 +114,8 @@ void TraceColumns::add(double time, float value)
     }
     const qint64 column = columnOf(time);
     if (m_hasLast && time - m_lastTime < kGapSeconds && time >= m_lastTime) {
-        // Spans touch the column before; between sparse samples the line is drawn through the columns it crosses.
+        // Spans touch the column before; between sparse samples the line is drawn through the columns it
+        // crosses.
         const qint64 from = columnOf(m_lastTime);
         const double width = time - m_lastTime;
         for (qint64 between = std::max(from, m_first - 1); between < column; ++between) {

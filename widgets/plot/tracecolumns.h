@@ -6,8 +6,8 @@
 
 #include <limits>
 
-/// One trace cut into pixel columns. Column k always covers the seconds [k*s, (k+1)*s), so nothing shimmers while the plot
-/// scrolls; finished columns are kept, only the newest one is worked on.
+/// One trace cut into pixel columns. Column k always covers the seconds [k*s, (k+1)*s), so nothing shimmers
+/// while the plot scrolls; finished columns are kept, only the newest one is worked on.
 class TraceColumns
 {
 public:
@@ -15,11 +15,12 @@ public:
     struct Span
     {
         float low = 0;
-        float high = -1;      ///< low > high: nothing to draw
+        float high = -1;  ///< low > high: nothing to draw
         [[nodiscard]] bool isEmpty() const { return low > high; }
     };
 
-    /// @param width number of columns kept; @param pitch seconds per column; @param limit last column of interest
+    /// @param width number of columns kept; @param pitch seconds per column; @param limit last column of
+    /// interest
     void reset(int width, double pitch, qint64 firstColumn, qint64 limit = kNoLimit);
     /// Takes all rows that are new since the last call. Returns the first column that changed, or nothing.
     std::optional<qint64> update(std::vector<TraceSource> &sources);
@@ -36,10 +37,10 @@ private:
 
     std::vector<Span> m_spans;
     double m_pitch = 0.01;
-    qint64 m_limit = kNoLimit;         // columns after this one are of no interest
-    qint64 m_first = 0;                // columns before this one are of no interest
-    qint64 m_newest = -1;              // newest column with anything in it
-    std::size_t m_track = 0;           // which of the tracks is being read
+    qint64 m_limit = kNoLimit;  // columns after this one are of no interest
+    qint64 m_first = 0;  // columns before this one are of no interest
+    qint64 m_newest = -1;  // newest column with anything in it
+    std::size_t m_track = 0;  // which of the tracks is being read
     std::size_t m_nextRow = 0;
     bool m_started = false;
     bool m_hasLast = false;

@@ -22,10 +22,10 @@ Column columnIn(QImage &image, int x)
     return {reinterpret_cast<QRgb *>(image.bits()) + x, image.bytesPerLine() / qsizetype(sizeof(QRgb))};
 }
 
-} // namespace
+}  // namespace
 
-void TraceImage::setView(const QRectF &area, double window, std::span<const Range> ranges, const Ground &ground,
-                         qreal scale)
+void TraceImage::setView(const QRectF &area, double window, std::span<const Range> ranges,
+                         const Ground &ground, qreal scale)
 {
     const bool samePlace = area == m_area && window == m_window && scale == m_scale;
     const bool sameRanges = std::equal(ranges.begin(), ranges.end(), m_ranges.begin(), m_ranges.end());
@@ -112,8 +112,9 @@ void TraceImage::rebuild()
     m_line = QImage(thickness(), m_height, QImage::Format_RGB32);
     m_lastColumn = static_cast<qint64>(std::floor(m_now / m_pitch));
     for (Trace &trace : m_traces) {
-        const int kept = m_width + thickness() - 1;   // some before the left edge reach into the picture
-        trace.columns.reset(kept, m_pitch, m_lastColumn - kept + 1, m_held ? m_lastColumn : TraceColumns::kNoLimit);
+        const int kept = m_width + thickness() - 1;  // some before the left edge reach into the picture
+        trace.columns.reset(kept, m_pitch, m_lastColumn - kept + 1,
+                            m_held ? m_lastColumn : TraceColumns::kNoLimit);
         trace.columns.update(trace.sources);
     }
     m_valid = true;
@@ -150,7 +151,8 @@ void TraceImage::drawColumns(qint64 first, qint64 last)
                 if (span.isEmpty())
                     continue;
                 const int top = int(std::floor(row(span.high)));
-                fill(slotOf(column), top, std::max(top + thickness(), int(std::ceil(row(span.low))) + 1), color);
+                fill(slotOf(column), top, std::max(top + thickness(), int(std::ceil(row(span.low))) + 1),
+                     color);
             }
         }
     }
@@ -195,11 +197,12 @@ void TraceImage::paint(QPainter &painter)
         return;
     const int left = int(std::lround(m_area.left() * m_scale));
     const int top = int(std::lround(m_area.top() * m_scale));
-    const int head = slotOf(m_lastColumn + 1);   // slot of the oldest column
+    const int head = slotOf(m_lastColumn + 1);  // slot of the oldest column
     painter.drawImage(left, top, m_ring, head, 0, m_width - head, m_height);
     if (head > 0)
         painter.drawImage(left + m_width - head, top, m_ring, 0, 0, head, m_height);
-    // The grid's vertical lines stand still while the traces pass over them: what is ground in the ring is line there.
+    // The grid's vertical lines stand still while the traces pass over them: what is ground in the ring is
+    // line there.
     const QRgb surface = m_ground.surface.rgb();
     const QRgb grid = m_ground.grid.rgb();
     for (int i = 0; i <= m_ground.columns; ++i) {

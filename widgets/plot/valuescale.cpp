@@ -11,7 +11,7 @@ namespace {
 // The scale shrinks only after the traces have used less than this part of it for a while.
 constexpr double kShrinkBelow = 0.4;
 constexpr qint64 kShrinkAfterMs = 1500;
-constexpr double kSmallest = 0.1;         // span
+constexpr double kSmallest = 0.1;  // span
 constexpr double kSmallestFixed = 1e-4;
 constexpr double kAir = 1.08;
 
@@ -33,7 +33,8 @@ struct RoundRange
     int steps;
 };
 
-// The tightest range of four to six round steps that holds the values with some air. @param least span of the range
+// The tightest range of four to six round steps that holds the values with some air. @param least span of the
+// range
 RoundRange roundRange(double low, double high, double least, double air)
 {
     RoundRange best{low, high, 4};
@@ -53,7 +54,7 @@ RoundRange roundRange(double low, double high, double least, double air)
     return best;
 }
 
-} // namespace
+}  // namespace
 
 bool ValueScale::fit(double lowest, double highest)
 {

@@ -4,7 +4,8 @@
 
 #include <QElapsedTimer>
 
-/// The range of a value axis: follows the traces with hysteresis and round steps, or stands still where it was put.
+/// The range of a value axis: follows the traces with hysteresis and round steps, or stands still where it
+/// was put.
 class ValueScale
 {
 public:

@@ -11,24 +11,24 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double kLowest = 1.0;         // Hz
+constexpr double kLowest = 1.0;  // Hz
 constexpr int kLeft = 76;
 constexpr int kTop = 12;
 constexpr int kRight = 84;
 constexpr int kBottom = 30;
-constexpr float kRange = 60.0F;         // decibels from dark to bright
-constexpr float kStep = 10.0F;          // the bright end moves by so much, so that colours do not dance
+constexpr float kRange = 60.0F;  // decibels from dark to bright
+constexpr float kStep = 10.0F;  // the bright end moves by so much, so that colours do not dance
 
 // Dark violet over teal to yellow: even steps of brightness, told apart by colour-blind eyes.
-constexpr std::array<std::array<float, 3>, 6> kColors{{{13, 8, 35}, {62, 35, 110}, {44, 95, 140}, {32, 150, 135},
-                                                      {120, 205, 85}, {253, 231, 60}}};
+constexpr std::array<std::array<float, 3>, 6> kColors{
+    {{13, 8, 35}, {62, 35, 110}, {44, 95, 140}, {32, 150, 135}, {120, 205, 85}, {253, 231, 60}}};
 
 float decibel(double density)
 {
     return 10.0F * std::log10(std::max(float(density), 1e-20F));
 }
 
-} // namespace
+}  // namespace
 
 WaterfallView::WaterfallView(const Theme &theme, QWidget *parent)
     : QWidget(parent)
@@ -49,17 +49,21 @@ double WaterfallView::frequencyAt(double row) const
 
 QRgb WaterfallView::colorOf(float level) const
 {
-    const float place = std::clamp((level - m_low) / (m_high - m_low), 0.0F, 1.0F) * float(kColors.size() - 1);
+    const float place
+        = std::clamp((level - m_low) / (m_high - m_low), 0.0F, 1.0F) * float(kColors.size() - 1);
     const auto index = std::min(kColors.size() - 2, std::size_t(place));
     const float part = place - float(index);
-    const auto mix = [&](std::size_t i) { return int(kColors[index][i] + part * (kColors[index + 1][i] - kColors[index][i])); };
+    const auto mix = [&](std::size_t i) {
+        return int(kColors[index][i] + part * (kColors[index + 1][i] - kColors[index][i]));
+    };
     return qRgb(mix(0), mix(1), mix(2));
 }
 
 float WaterfallView::level(int column, double frequency) const
 {
     const Spectrum &spectrum = m_columns[m_columns.size() - 1 - std::size_t(column)];
-    const auto bin = std::min(spectrum.density.size() - 1, std::size_t(std::lround(frequency / spectrum.resolution)));
+    const auto bin
+        = std::min(spectrum.density.size() - 1, std::size_t(std::lround(frequency / spectrum.resolution)));
     return decibel(spectrum.density[bin]);
 }
 
@@ -131,27 +135,29 @@ void WaterfallView::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
     painter.fillRect(rect(), m_theme.color(ColorRole::Surface));
-    const QRectF area(kLeft, kTop, std::max(10, width() - kLeft - kRight), std::max(10, height() - kTop - kBottom));
+    const QRectF area(kLeft, kTop, std::max(10, width() - kLeft - kRight),
+                      std::max(10, height() - kTop - kBottom));
     // The slot that is overwritten next is the oldest column, so the ring is cut there.
     const double split = area.width() * (kColumns - m_next) / kColumns;
     painter.drawImage(QRectF(area.left(), area.top(), split, area.height()), m_ring,
                       QRectF(m_next, 0, kColumns - m_next, kRows));
     if (m_next > 0) {
-        painter.drawImage(QRectF(area.left() + split, area.top(), area.width() - split, area.height()), m_ring,
-                          QRectF(0, 0, m_next, kRows));
+        painter.drawImage(QRectF(area.left() + split, area.top(), area.width() - split, area.height()),
+                          m_ring, QRectF(0, 0, m_next, kRows));
     }
     const QFontMetricsF metrics(font());
     painter.setPen(m_theme.color(ColorRole::Muted));
     if (m_rate > 0) {
         for (const double hz : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 300.0, 400.0, 500.0, 600.0}) {
             const double highest = m_rate / 2;
-            const double share = m_logarithmic ? std::log(hz / kLowest) / std::log(highest / kLowest) : hz / highest;
+            const double share
+                = m_logarithmic ? std::log(hz / kLowest) / std::log(highest / kLowest) : hz / highest;
             const bool shown = m_logarithmic ? hz <= 200.0 || hz == 500.0 : std::fmod(hz, 100.0) == 0.0;
             if (share > 1.0 || !shown)
                 continue;
             const double y = area.bottom() - share * area.height();
-            painter.drawText(QRectF(0, y - metrics.height() / 2, kLeft - 8, metrics.height()), Qt::AlignRight | Qt::AlignVCenter,
-                             tr("%1 Hz").arg(hz));
+            painter.drawText(QRectF(0, y - metrics.height() / 2, kLeft - 8, metrics.height()),
+                             Qt::AlignRight | Qt::AlignVCenter, tr("%1 Hz").arg(hz));
         }
     }
     const double seconds = kColumns * m_hop;
@@ -164,9 +170,11 @@ void WaterfallView::paintEvent(QPaintEvent *)
     const QRectF bar(area.right() + 12, area.top(), 12, area.height());
     for (int y = 0; y < int(bar.height()); ++y) {
         const float share = 1.0F - float(y) / float(bar.height());
-        painter.fillRect(QRectF(bar.left(), bar.top() + y, bar.width(), 1), QColor::fromRgb(colorOf(m_low + share * (m_high - m_low))));
+        painter.fillRect(QRectF(bar.left(), bar.top() + y, bar.width(), 1),
+                         QColor::fromRgb(colorOf(m_low + share * (m_high - m_low))));
     }
-    painter.drawText(QRectF(bar.right() + 6, bar.top() - 2, 60, metrics.height()), Qt::AlignLeft, tr("%1 dB").arg(double(m_high)));
-    painter.drawText(QRectF(bar.right() + 6, bar.bottom() - metrics.height() + 2, 60, metrics.height()), Qt::AlignLeft,
-                     tr("%1 dB").arg(double(m_low)));
+    painter.drawText(QRectF(bar.right() + 6, bar.top() - 2, 60, metrics.height()), Qt::AlignLeft,
+                     tr("%1 dB").arg(double(m_high)));
+    painter.drawText(QRectF(bar.right() + 6, bar.bottom() - metrics.height() + 2, 60, metrics.height()),
+                     Qt::AlignLeft, tr("%1 dB").arg(double(m_low)));
 }

@@ -10,8 +10,8 @@
 
 #include <deque>
 
-/// Spectra over time: frequency upwards, the newest at the right, strength as brightness. A ring image takes one column for
-/// each spectrum.
+/// Spectra over time: frequency upwards, the newest at the right, strength as brightness. A ring image takes
+/// one column for each spectrum.
 class WaterfallView final : public QWidget
 {
     Q_OBJECT
@@ -48,9 +48,9 @@ private:
     double m_rate = 0;
     double m_hop = 0.5;
     bool m_logarithmic = true;
-    std::deque<Spectrum> m_columns;        // newest last
+    std::deque<Spectrum> m_columns;  // newest last
     QImage m_ring{kColumns, kRows, QImage::Format_RGB32};
-    int m_next = 0;                        // slot of the next column
-    float m_low = -60;                     // decibels at the dark end
+    int m_next = 0;  // slot of the next column
+    float m_low = -60;  // decibels at the dark end
     float m_high = 0;
 };

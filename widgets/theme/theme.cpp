@@ -18,12 +18,12 @@ namespace {
 
 using Colors = std::array<QRgb, static_cast<std::size_t>(ColorRole::Count)>;
 
-constexpr Colors kLight{
-    0xFFF3F4F6, 0xFFFFFFFF, 0xFFE9EBEF, 0xFFC9CED6, 0xFF1B2027, 0xFF5A6472, 0xFF0B62A8, 0xFFFFFFFF, 0xFF17713D,
-    0xFF8A4B00, 0xFF8F5400, 0xFFB3201B, 0xFFFFFFFF, 0xFFB84F00, 0xFF00785A, 0xFF0072B2, 0xFFBFD9EE, 0xFFD9C9B2};
-constexpr Colors kDark{
-    0xFF16191E, 0xFF1F242B, 0xFF2A3038, 0xFF3D4550, 0xFFE7EAEE, 0xFFA3ADBA, 0xFF6CB4EE, 0xFF0D1116, 0xFF5CC98A,
-    0xFFF0B45C, 0xFFF0B45C, 0xFFFF7A70, 0xFF1B0604, 0xFFFF8F4D, 0xFF3DC79B, 0xFF5CB3EC, 0xFF28455E, 0xFF4A3F30};
+constexpr Colors kLight{0xFFF3F4F6, 0xFFFFFFFF, 0xFFE9EBEF, 0xFFC9CED6, 0xFF1B2027, 0xFF5A6472,
+                        0xFF0B62A8, 0xFFFFFFFF, 0xFF17713D, 0xFF8A4B00, 0xFF8F5400, 0xFFB3201B,
+                        0xFFFFFFFF, 0xFFB84F00, 0xFF00785A, 0xFF0072B2, 0xFFBFD9EE, 0xFFD9C9B2};
+constexpr Colors kDark{0xFF16191E, 0xFF1F242B, 0xFF2A3038, 0xFF3D4550, 0xFFE7EAEE, 0xFFA3ADBA,
+                       0xFF6CB4EE, 0xFF0D1116, 0xFF5CC98A, 0xFFF0B45C, 0xFFF0B45C, 0xFFFF7A70,
+                       0xFF1B0604, 0xFFFF8F4D, 0xFF3DC79B, 0xFF5CB3EC, 0xFF28455E, 0xFF4A3F30};
 constexpr std::array<QRgb, 8> kSeriesLight{0xFFA5477E, 0xFF6B7200, 0xFF3F5FBF, 0xFF8A5A00,
                                            0xFF00767A, 0xFF7A3FB0, 0xFF5A6472, 0xFFA82A2A};
 constexpr std::array<QRgb, 8> kSeriesDark{0xFFE08FBE, 0xFFCFD34A, 0xFF95AEFF, 0xFFE9B44C,
@@ -34,10 +34,11 @@ double luminance(const QColor &color)
     const auto channel = [](double value) {
         return value <= 0.03928 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
     };
-    return 0.2126 * channel(color.redF()) + 0.7152 * channel(color.greenF()) + 0.0722 * channel(color.blueF());
+    return 0.2126 * channel(color.redF()) + 0.7152 * channel(color.greenF())
+        + 0.0722 * channel(color.blueF());
 }
 
-} // namespace
+}  // namespace
 
 Theme::Theme(QObject *parent)
     : QObject(parent)
@@ -197,13 +198,23 @@ QSplitter::handle { background: @Background; }
 QProgressBar { border: 1px solid @Border; border-radius: 4px; background: @Background; text-align: center; min-height: 18px; }
 QProgressBar::chunk { background: @Accent; }
 )"_s;
-    constexpr std::array<std::pair<const char *, ColorRole>, 16> names{{
-        {"@SurfaceRaised", ColorRole::SurfaceRaised}, {"@Surface", ColorRole::Surface},
-        {"@Background", ColorRole::Background}, {"@Border", ColorRole::Border}, {"@Text", ColorRole::Text},
-        {"@Muted", ColorRole::Muted}, {"@AccentText", ColorRole::AccentText}, {"@Accent", ColorRole::Accent},
-        {"@Ok", ColorRole::Ok}, {"@Changed", ColorRole::Changed}, {"@Warning", ColorRole::Warning},
-        {"@DangerText", ColorRole::DangerText}, {"@Danger", ColorRole::Danger}, {"@AxisRoll", ColorRole::AxisRoll},
-        {"@AxisPitch", ColorRole::AxisPitch}, {"@AxisYaw", ColorRole::AxisYaw}}};
+    constexpr std::array<std::pair<const char *, ColorRole>, 16> names{
+        {{"@SurfaceRaised", ColorRole::SurfaceRaised},
+         {"@Surface", ColorRole::Surface},
+         {"@Background", ColorRole::Background},
+         {"@Border", ColorRole::Border},
+         {"@Text", ColorRole::Text},
+         {"@Muted", ColorRole::Muted},
+         {"@AccentText", ColorRole::AccentText},
+         {"@Accent", ColorRole::Accent},
+         {"@Ok", ColorRole::Ok},
+         {"@Changed", ColorRole::Changed},
+         {"@Warning", ColorRole::Warning},
+         {"@DangerText", ColorRole::DangerText},
+         {"@Danger", ColorRole::Danger},
+         {"@AxisRoll", ColorRole::AxisRoll},
+         {"@AxisPitch", ColorRole::AxisPitch},
+         {"@AxisYaw", ColorRole::AxisYaw}}};
     sheet.replace(u"@CheckIcon"_s, m_dark ? u"check-dark"_s : u"check-light"_s);
     for (const auto &[name, role] : names)
         sheet.replace(QLatin1String(name), color(role).name());

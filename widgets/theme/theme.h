@@ -12,8 +12,25 @@ class QWidget;
 
 /// What a colour is for. Code names roles, never colours.
 enum class ColorRole {
-    Background, Surface, SurfaceRaised, Border, Text, Muted, Accent, AccentText, Ok, Changed, Warning, Danger, DangerText,
-    AxisRoll, AxisPitch, AxisYaw, Sky, Ground, Count
+    Background,
+    Surface,
+    SurfaceRaised,
+    Border,
+    Text,
+    Muted,
+    Accent,
+    AccentText,
+    Ok,
+    Changed,
+    Warning,
+    Danger,
+    DangerText,
+    AxisRoll,
+    AxisPitch,
+    AxisYaw,
+    Sky,
+    Ground,
+    Count
 };
 
 /// Colours of the program, light and dark. Follows the system at start and can be forced.
@@ -56,4 +73,4 @@ inline constexpr int kGap = 8;
 inline constexpr int kMargin = 16;
 inline constexpr int kGroupGap = 24;
 inline constexpr int kFieldWidth = 420;
-} // namespace Metric
+}  // namespace Metric

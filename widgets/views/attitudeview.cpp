@@ -11,10 +11,10 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double kDegreesOverHeight = 70.0;   // pitch range that the view spans
-constexpr double kHeadingSpan = 90.0;         // degrees of heading on the strip
+constexpr double kDegreesOverHeight = 70.0;  // pitch range that the view spans
+constexpr double kHeadingSpan = 90.0;  // degrees of heading on the strip
 
-} // namespace
+}  // namespace
 
 AttitudeView::AttitudeView(const Theme &theme, QWidget *parent)
     : QWidget(parent)
@@ -31,7 +31,9 @@ void AttitudeView::setAttitude(double roll, double pitch, double yaw)
     m_roll = roll;
     m_pitch = pitch;
     m_yaw = std::isnan(yaw) ? 0.0 : yaw;
-    setAccessibleDescription(m_valid ? tr("Roll %1°, pitch %2°, yaw %3°").arg(roll, 0, 'f', 1).arg(pitch, 0, 'f', 1)
+    setAccessibleDescription(m_valid ? tr("Roll %1°, pitch %2°, yaw %3°")
+                                           .arg(roll, 0, 'f', 1)
+                                           .arg(pitch, 0, 'f', 1)
                                            .arg(m_yaw, 0, 'f', 1)
                                      : tr("No data"));
     update();

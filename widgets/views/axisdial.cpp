@@ -20,7 +20,7 @@ QPointF onCircle(QPointF center, double radius, double degrees)
     return center + QPointF(std::sin(radians), -std::cos(radians)) * radius;
 }
 
-} // namespace
+}  // namespace
 
 AxisDial::AxisDial(const Theme &theme, Axis axis, QWidget *parent)
     : QWidget(parent)
@@ -40,8 +40,11 @@ void AxisDial::setValues(double angle, double target, double power)
     m_angle = shown(angle);
     m_target = shown(target);
     m_power = power;
-    const auto said = [](double value, int decimals) { return std::isnan(value) ? u"–"_s : QString::number(value, 'f', decimals); };
-    setAccessibleDescription(m_valid ? tr("Angle %1°, target %2°, motor power %3 %").arg(said(angle, 1), said(target, 1), said(power, 0))
+    const auto said = [](double value, int decimals) {
+        return std::isnan(value) ? u"–"_s : QString::number(value, 'f', decimals);
+    };
+    setAccessibleDescription(m_valid ? tr("Angle %1°, target %2°, motor power %3 %")
+                                           .arg(said(angle, 1), said(target, 1), said(power, 0))
                                      : tr("No data"));
     update();
 }
@@ -75,12 +78,14 @@ void AxisDial::paintEvent(QPaintEvent *)
     if (m_high > m_low && m_high - m_low < 360) {
         // The part of the circle that remote control reaches.
         painter.setPen(QPen(m_theme.color(ColorRole::SurfaceRaised), 6));
-        painter.drawArc(QRectF(center.x() - radius + 5, center.y() - radius + 5, 2 * radius - 10, 2 * radius - 10),
-                        int((90 - m_high) * 16), int((m_high - m_low) * 16));
+        painter.drawArc(
+            QRectF(center.x() - radius + 5, center.y() - radius + 5, 2 * radius - 10, 2 * radius - 10),
+            int((90 - m_high) * 16), int((m_high - m_low) * 16));
     }
     painter.setPen(QPen(muted, 1));
     for (int mark = 0; mark < 360; mark += 30)
-        painter.drawLine(onCircle(center, radius - 2, mark), onCircle(center, radius - (mark % 90 == 0 ? 9 : 5), mark));
+        painter.drawLine(onCircle(center, radius - 2, mark),
+                         onCircle(center, radius - (mark % 90 == 0 ? 9 : 5), mark));
     if (m_valid) {
         if (!std::isnan(m_target)) {
             painter.setPen(QPen(muted, 2, Qt::DashLine));
@@ -103,14 +108,16 @@ void AxisDial::paintEvent(QPaintEvent *)
     painter.drawText(QRectF(width() / 2.0 + 4, y, width() / 2.0 - 4, line), Qt::AlignLeft | Qt::AlignVCenter,
                      m_valid && !std::isnan(m_target) ? u"→ %1°"_s.arg(m_target, 0, 'f', 1) : QString());
     if (std::isnan(m_power))
-        return;   // not every board tells it
+        return;  // not every board tells it
     y += line + 4;
     const QRectF bar(16, y, width() - 32, 6);
     painter.setPen(Qt::NoPen);
     painter.setBrush(m_theme.color(ColorRole::SurfaceRaised));
     painter.drawRoundedRect(bar, 3, 3);
     painter.setBrush(m_power > 90 ? m_theme.color(ColorRole::Warning) : axisColor);
-    painter.drawRoundedRect(QRectF(bar.left(), bar.top(), bar.width() * std::clamp(m_power, 0.0, 100.0) / 100.0, 6), 3, 3);
+    painter.drawRoundedRect(
+        QRectF(bar.left(), bar.top(), bar.width() * std::clamp(m_power, 0.0, 100.0) / 100.0, 6), 3, 3);
     painter.setPen(muted);
-    painter.drawText(QRectF(0, y + 8, width(), line), Qt::AlignCenter, tr("Motor power %1 %").arg(m_power, 0, 'f', 0));
+    painter.drawText(QRectF(0, y + 8, width(), line), Qt::AlignCenter,
+                     tr("Motor power %1 %").arg(m_power, 0, 'f', 0));
 }

@@ -10,11 +10,11 @@
 
 namespace {
 
-constexpr double kKeyDeflection = 0.5;    // an arrow key pushes half-way, with Shift a tenth
+constexpr double kKeyDeflection = 0.5;  // an arrow key pushes half-way, with Shift a tenth
 constexpr double kFineDeflection = 0.1;
-constexpr double kKeyStep = 0.05;         // of a knob that stays where it is
+constexpr double kKeyStep = 0.05;  // of a knob that stays where it is
 
-} // namespace
+}  // namespace
 
 ControlPad::ControlPad(const Theme &theme, QWidget *parent)
     : QWidget(parent)
@@ -93,7 +93,8 @@ void ControlPad::mouseReleaseEvent(QMouseEvent *event)
 void ControlPad::applyKeys(bool fine)
 {
     const auto pushed = [this](int key) { return m_keys.contains(key) ? 1.0 : 0.0; };
-    const QPointF direction(pushed(Qt::Key_Right) - pushed(Qt::Key_Left), pushed(Qt::Key_Up) - pushed(Qt::Key_Down));
+    const QPointF direction(pushed(Qt::Key_Right) - pushed(Qt::Key_Left),
+                            pushed(Qt::Key_Up) - pushed(Qt::Key_Down));
     if (m_springs)
         setValue(direction * (fine ? kFineDeflection : kKeyDeflection));
     else
@@ -137,15 +138,20 @@ void ControlPad::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF area = field();
-    painter.setPen(QPen(hasFocus() ? m_theme.color(ColorRole::Accent) : m_theme.color(ColorRole::Border), hasFocus() ? 2 : 1));
+    painter.setPen(QPen(hasFocus() ? m_theme.color(ColorRole::Accent) : m_theme.color(ColorRole::Border),
+                        hasFocus() ? 2 : 1));
     painter.setBrush(m_theme.color(ColorRole::SurfaceRaised));
     painter.drawRoundedRect(area, 8, 8);
     painter.setPen(QPen(m_theme.color(ColorRole::Border), 1));
-    painter.drawLine(QPointF(area.center().x(), area.top() + 8), QPointF(area.center().x(), area.bottom() - 8));
-    painter.drawLine(QPointF(area.left() + 8, area.center().y()), QPointF(area.right() - 8, area.center().y()));
+    painter.drawLine(QPointF(area.center().x(), area.top() + 8),
+                     QPointF(area.center().x(), area.bottom() - 8));
+    painter.drawLine(QPointF(area.left() + 8, area.center().y()),
+                     QPointF(area.right() - 8, area.center().y()));
     painter.setPen(m_theme.color(ColorRole::Muted));
-    painter.drawText(area.adjusted(8, 0, -8, -6), Qt::AlignBottom | Qt::AlignRight, m_horizontal + QStringLiteral(" →"));
-    painter.drawText(area.adjusted(8, 6, -8, 0), Qt::AlignTop | Qt::AlignLeft, m_vertical + QStringLiteral(" ↑"));
+    painter.drawText(area.adjusted(8, 0, -8, -6), Qt::AlignBottom | Qt::AlignRight,
+                     m_horizontal + QStringLiteral(" →"));
+    painter.drawText(area.adjusted(8, 6, -8, 0), Qt::AlignTop | Qt::AlignLeft,
+                     m_vertical + QStringLiteral(" ↑"));
     const QPointF knob(area.center().x() + m_value.x() * area.width() / 2,
                        area.center().y() - m_value.y() * area.height() / 2);
     painter.setPen(QPen(m_theme.color(ColorRole::Accent), 2));

@@ -26,7 +26,8 @@ QSize ElidedLabel::sizeHint() const
 
 QSize ElidedLabel::minimumSizeHint() const
 {
-    return {std::min(sizeHint().width(), fontMetrics().horizontalAdvance(u"00000000"_s)), QLabel::minimumSizeHint().height()};
+    return {std::min(sizeHint().width(), fontMetrics().horizontalAdvance(u"00000000"_s)),
+            QLabel::minimumSizeHint().height()};
 }
 
 void ElidedLabel::resizeEvent(QResizeEvent *event)

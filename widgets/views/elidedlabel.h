@@ -4,7 +4,8 @@
 
 #include <QLabel>
 
-/// One line of text that gives way where there is little room: its end is left out, and the tool tip has all of it.
+/// One line of text that gives way where there is little room: its end is left out, and the tool tip has all
+/// of it.
 class ElidedLabel final : public QLabel
 {
     Q_OBJECT

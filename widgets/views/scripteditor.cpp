@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/views/scripteditor.h"
 
-#include <Qsci/qsciapis.h>
-#include <Qsci/qscilexercustom.h>
-#include <Qsci/qscistyle.h>
-
 #include <QFontDatabase>
 #include <QKeyEvent>
 #include <QSet>
+#include <Qsci/qsciapis.h>
+#include <Qsci/qscilexercustom.h>
+#include <Qsci/qscistyle.h>
 
 using namespace Qt::StringLiterals;
 
@@ -19,13 +18,16 @@ enum Style { PlainStyle, WordStyle, NumberStyle, StringStyle, CommentStyle, Styl
 constexpr int kMistakeMarker = 3;
 constexpr int kNumberMargin = 0;
 
-} // namespace
+}  // namespace
 
 /// Colours words, numbers, quoted names and comments.
 class ScriptEditor::Lexer final : public QsciLexerCustom
 {
 public:
-    explicit Lexer(QsciScintilla *parent) : QsciLexerCustom(parent) { }
+    explicit Lexer(QsciScintilla *parent)
+        : QsciLexerCustom(parent)
+    {
+    }
 
     void setWords(const QStringList &words)
     {
@@ -34,7 +36,10 @@ public:
             m_words.insert(word.toUpper());
     }
     [[nodiscard]] const char *language() const override { return "script"; }
-    [[nodiscard]] QString description(int style) const override { return style < StyleCount ? QString::number(style) : QString(); }
+    [[nodiscard]] QString description(int style) const override
+    {
+        return style < StyleCount ? QString::number(style) : QString();
+    }
     // "#" belongs to words: CASE#1.
     [[nodiscard]] const char *wordCharacters() const override
     {
@@ -116,7 +121,7 @@ ScriptEditor::ScriptEditor(Theme &theme, QWidget *parent)
 
 ScriptEditor::~ScriptEditor()
 {
-    setLexer(nullptr);   // it goes with the children, after this class
+    setLexer(nullptr);  // it goes with the children, after this class
 }
 
 void ScriptEditor::applyTheme()
@@ -126,8 +131,9 @@ void ScriptEditor::applyTheme()
     m_lexer->setDefaultFont(font);
     m_lexer->setDefaultPaper(color(ColorRole::Surface));
     m_lexer->setDefaultColor(color(ColorRole::Text));
-    const std::array<QColor, StyleCount> colors{color(ColorRole::Text), color(ColorRole::Accent), color(ColorRole::AxisPitch),
-                                                color(ColorRole::AxisRoll), color(ColorRole::Muted)};
+    const std::array<QColor, StyleCount> colors{color(ColorRole::Text), color(ColorRole::Accent),
+                                                color(ColorRole::AxisPitch), color(ColorRole::AxisRoll),
+                                                color(ColorRole::Muted)};
     for (int style = 0; style < StyleCount; ++style) {
         m_lexer->setColor(colors[std::size_t(style)], style);
         m_lexer->setPaper(color(ColorRole::Surface), style);
@@ -171,7 +177,8 @@ void ScriptEditor::showMistake(int line, const QString &text)
     if (line < 1 || line > lines())
         return;
     markerAdd(line - 1, kMistakeMarker);
-    const QsciStyle style(-1, u"mistake"_s, m_theme.color(ColorRole::Danger), m_theme.color(ColorRole::Surface),
+    const QsciStyle style(-1, u"mistake"_s, m_theme.color(ColorRole::Danger),
+                          m_theme.color(ColorRole::Surface),
                           QFontDatabase::systemFont(QFontDatabase::GeneralFont));
     annotate(line - 1, text, style);
 }

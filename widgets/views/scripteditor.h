@@ -8,7 +8,8 @@
 
 class QsciAPIs;
 
-/// Text of a program that a board keeps: line numbers, the language's words in colour, completion, the wrong line marked.
+/// Text of a program that a board keeps: line numbers, the language's words in colour, completion, the wrong
+/// line marked.
 class ScriptEditor final : public QsciScintilla
 {
     Q_OBJECT

@@ -16,12 +16,12 @@ using Vector = std::array<double, 3>;
 
 // Where the sensor's X, Y, Z point in the room (x right, y away, z up) for each face that can lie up.
 constexpr std::array<std::array<Vector, 3>, 6> kFrames{{
-    {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},    // +Z up
+    {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},  // +Z up
     {{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}},  // -Z up
-    {{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}},   // +X up
-    {{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}}},   // -X up
-    {{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}},   // +Y up
-    {{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}},   // -Y up
+    {{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}},  // +X up
+    {{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}}},  // -X up
+    {{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}},  // +Y up
+    {{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}},  // -Y up
 }};
 
 // A plain oblique view: x to the right, y into the picture, z up.
@@ -30,7 +30,7 @@ QPointF project(const Vector &point, double scale, QPointF centre)
     return centre + QPointF(point[0] + 0.42 * point[1], -point[2] - 0.30 * point[1]) * scale;
 }
 
-} // namespace
+}  // namespace
 
 SensorCube::SensorCube(const Theme &theme, QWidget *parent)
     : QWidget(parent)
@@ -58,7 +58,8 @@ void SensorCube::paintEvent(QPaintEvent *)
     // The table it lies on, then the three faces that are seen.
     painter.setPen(QPen(m_theme.color(ColorRole::Border), 1.5));
     painter.setBrush(m_theme.color(ColorRole::Background));
-    painter.drawPolygon(QPolygonF({at(-2.0, -1.6, -1.0), at(1.8, -1.6, -1.0), at(2.0, 1.8, -1.0), at(-1.8, 1.8, -1.0)}));
+    painter.drawPolygon(
+        QPolygonF({at(-2.0, -1.6, -1.0), at(1.8, -1.6, -1.0), at(2.0, 1.8, -1.0), at(-1.8, 1.8, -1.0)}));
     if (m_up < 0) {
         painter.setPen(m_theme.color(ColorRole::Muted));
         painter.drawText(rect(), Qt::AlignCenter, tr("tilted"));
@@ -82,10 +83,12 @@ void SensorCube::paintEvent(QPaintEvent *)
         const bool hidden = direction[1] > 0.5 || direction[2] < -0.5 || direction[0] < -0.5;
         const QPointF from = at(direction[0], direction[1], direction[2]);
         const QPointF to = at(direction[0] * 1.75, direction[1] * 1.9, direction[2] * 1.75);
-        painter.setPen(QPen(m_theme.color(roles[axis]), 3, hidden ? Qt::DotLine : Qt::SolidLine, Qt::RoundCap));
+        painter.setPen(
+            QPen(m_theme.color(roles[axis]), 3, hidden ? Qt::DotLine : Qt::SolidLine, Qt::RoundCap));
         painter.drawLine(from, to);
         painter.setPen(m_theme.color(roles[axis]));
         const QPointF label = at(direction[0] * 2.05, direction[1] * 2.4, direction[2] * 2.05);
-        painter.drawText(QRectF(label.x() - 12, label.y() - 12, 24, 24), Qt::AlignCenter, QString(QLatin1Char(names[axis])));
+        painter.drawText(QRectF(label.x() - 12, label.y() - 12, 24, 24), Qt::AlignCenter,
+                         QString(QLatin1Char(names[axis])));
     }
 }

@@ -69,7 +69,7 @@ std::vector<Line> linesOf(const Configuration &configuration, int profile)
     return lines;
 }
 
-} // namespace
+}  // namespace
 
 QImage settingsPicture(const Configuration &configuration, int profile, const Theme &theme, double scale)
 {
@@ -85,7 +85,8 @@ QImage settingsPicture(const Configuration &configuration, int profile, const Th
     const int height = QFontMetrics(small).height() + 5;
     const int top = kMargin + QFontMetrics(title).height() + height + kGutter;
     const int perColumn = (int(lines.size()) + kColumns - 1) / kColumns + 1;
-    const QSize size(2 * kMargin + kColumns * kColumnWidth + (kColumns - 1) * kGutter, top + perColumn * height + kMargin);
+    const QSize size(2 * kMargin + kColumns * kColumnWidth + (kColumns - 1) * kGutter,
+                     top + perColumn * height + kMargin);
     QImage image(size * scale, QImage::Format_RGB32);
     image.setDevicePixelRatio(scale);
     image.fill(theme.color(ColorRole::Surface));
@@ -101,9 +102,10 @@ QImage settingsPicture(const Configuration &configuration, int profile, const Th
     painter.drawText(kMargin, kMargin + QFontMetrics(title).ascent(), head);
     painter.setFont(small);
     painter.setPen(theme.color(ColorRole::Muted));
-    painter.drawText(kMargin, kMargin + QFontMetrics(title).height() + height,
-                     QCoreApplication::translate("SettingsPicture", "%1 · bold differs from the default · GimbalDesk")
-                         .arg(QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat)));
+    painter.drawText(
+        kMargin, kMargin + QFontMetrics(title).height() + height,
+        QCoreApplication::translate("SettingsPicture", "%1 · bold differs from the default · GimbalDesk")
+            .arg(QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat)));
     int line = 0;
     int column = 0;
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -113,7 +115,8 @@ QImage settingsPicture(const Configuration &configuration, int profile, const Th
             line = 0;
             ++column;
         }
-        const QRect row(kMargin + column * (kColumnWidth + kGutter), top + line++ * height, kColumnWidth, height);
+        const QRect row(kMargin + column * (kColumnWidth + kGutter), top + line++ * height, kColumnWidth,
+                        height);
         if (each.isHeading) {
             painter.setFont(bold);
             painter.setPen(theme.color(ColorRole::Accent));
@@ -127,13 +130,15 @@ QImage settingsPicture(const Configuration &configuration, int profile, const Th
         painter.setFont(small);
         painter.setPen(theme.color(ColorRole::Muted));
         const QRect nameRect = row.adjusted(0, 0, -cells * width - Metric::kGap, 0);
-        painter.drawText(nameRect, Qt::AlignLeft | Qt::AlignVCenter, QFontMetrics(small).elidedText(each.name, Qt::ElideRight, nameRect.width()));
+        painter.drawText(nameRect, Qt::AlignLeft | Qt::AlignVCenter,
+                         QFontMetrics(small).elidedText(each.name, Qt::ElideRight, nameRect.width()));
         painter.setPen(theme.color(ColorRole::Text));
         for (int cell = 0; cell < cells; ++cell) {
             const QRect rect(row.right() - (cells - cell) * width, row.top(), width, height);
             painter.setFont(each.cells[std::size_t(cell)].differs ? bold : small);
-            painter.drawText(rect, Qt::AlignRight | Qt::AlignVCenter,
-                             painter.fontMetrics().elidedText(each.cells[std::size_t(cell)].text, Qt::ElideRight, width));
+            painter.drawText(
+                rect, Qt::AlignRight | Qt::AlignVCenter,
+                painter.fontMetrics().elidedText(each.cells[std::size_t(cell)].text, Qt::ElideRight, width));
         }
     }
     return image;
