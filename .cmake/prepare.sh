@@ -2,17 +2,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Sourced by app/run and tests/run: installs what a bare Debian 12 lacks, and builds a preset.
 
-# Package and a command or file that proves it is there.
+# What building and running need.
 gimbal_packages=(
-    cmake ninja-build g++ qt6-base-dev qt6-serialport-dev qt6-charts-dev libqt6opengl6-dev qt6-svg-dev
+    cmake ninja-build mold g++ qt6-base-dev qt6-serialport-dev qt6-charts-dev libqt6opengl6-dev qt6-svg-dev
     qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools libexpected-dev libeigen3-dev libgl-dev libxkbcommon-dev fonts-dejavu-core
     qt6-qpa-plugins libqscintilla2-qt6-dev
 )
 
+# gimbal_install [PACKAGE...]: what building needs, and these packages beside it
 gimbal_install() {
     local missing=()
     local package
-    for package in "${gimbal_packages[@]}"; do
+    for package in "${gimbal_packages[@]}" "$@"; do
         dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")
     done
     [ ${#missing[@]} -eq 0 ] && return 0

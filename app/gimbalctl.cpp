@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/ctl.h"
+#include "app/composition/composition.h"
 
 #include <QCoreApplication>
 
@@ -8,7 +9,7 @@ int main(int argc, char **argv)
 {
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("gimbalctl"));
-    Ctl ctl;
+    Ctl ctl(allFamilies(), allLinks());
     QObject::connect(
         &ctl, &Ctl::finished, &application, [](int code) { QCoreApplication::exit(code); },
         Qt::QueuedConnection);

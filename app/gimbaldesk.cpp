@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/composition/composition.h"
 #include "app/mainwindow/mainwindow.h"
-#include "app/mainwindow/tour.h"
-#include "app/mainwindow/tourrunner.h"
 #include "app/mainwindow/translations.h"
+#include "app/tour/tour.h"
+#include "app/tour/tourrunner.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -32,7 +32,7 @@ QStringList withDemoFamily(QStringList arguments)
         return arguments;
     const QString next = arguments.value(at + 1);
     const bool named = !next.isEmpty() && !next.startsWith(u'-');
-    arguments[at] = u"--demo="_s + (named ? next : allFamilies().first().key);
+    arguments[at] = u"--demo="_s + (named ? next : allLinks().usualFamily);
     if (named)
         arguments.removeAt(at + 1);
     return arguments;
@@ -129,7 +129,7 @@ int main(int argc, char **argv)
     QString address = parser.value(link);
     if (parser.isSet(demo) || parser.isSet(tour)) {
         if (address.isEmpty())
-            address = u"sim:"_s + (parser.isSet(demo) ? parser.value(demo) : allFamilies().first().key);
+            address = u"sim:"_s + (parser.isSet(demo) ? parser.value(demo) : allLinks().usualFamily);
     }
     if (!address.isEmpty()) {
         const auto parsed = LinkAddress::parse(address);

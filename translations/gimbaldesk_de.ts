@@ -756,6 +756,13 @@
         <source>Now</source>
         <translation>Jetzt</translation>
     </message>
+    <message numerus="yes">
+        <source>%n value(s)</source>
+        <translation>
+            <numerusform>%n Wert</numerusform>
+            <numerusform>%n Werte</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>CommandPalette</name>
@@ -806,6 +813,17 @@
     <message>
         <source>Action</source>
         <translation>Aktion</translation>
+    </message>
+</context>
+<context>
+    <name>Confirmations</name>
+    <message>
+        <source>“%1” has to be confirmed each time.</source>
+        <translation>„%1“ muss jedes Mal bestätigt werden.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -1078,6 +1096,10 @@
         <source>State: %1</source>
         <translation>Zustand: %1</translation>
     </message>
+    <message>
+        <source>Motors</source>
+        <translation>Motoren</translation>
+    </message>
 </context>
 <context>
     <name>DebugModel</name>
@@ -1139,6 +1161,77 @@
     <message>
         <source>Choose several with Ctrl or Shift to see them together</source>
         <translation>Wählen Sie mit Strg oder Umschalt mehrere, um sie zusammen zu sehen</translation>
+    </message>
+</context>
+<context>
+    <name>DocumentsPage</name>
+    <message>
+        <source>Documents</source>
+        <translation>Dokumente</translation>
+    </message>
+    <message>
+        <source>Load file…</source>
+        <translation>Datei laden …</translation>
+    </message>
+    <message>
+        <source>Save file…</source>
+        <translation>Datei speichern …</translation>
+    </message>
+    <message>
+        <source>Put the text of a file in place of this one</source>
+        <translation>Den Text einer Datei an die Stelle von diesem setzen</translation>
+    </message>
+    <message>
+        <source>Save the text as it is shown</source>
+        <translation>Den Text speichern, wie er gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Documents of this board</source>
+        <translation>Dokumente dieses Boards</translation>
+    </message>
+    <message>
+        <source>Text of the document</source>
+        <translation>Text des Dokuments</translation>
+    </message>
+    <message>
+        <source>Load a document</source>
+        <translation>Dokument laden</translation>
+    </message>
+    <message>
+        <source>Texts (*)</source>
+        <translation>Texte (*)</translation>
+    </message>
+    <message>
+        <source>Save the document</source>
+        <translation>Dokument speichern</translation>
+    </message>
+    <message>
+        <source>Connect a board, or open a file, to see its documents.</source>
+        <translation>Verbinden Sie ein Board oder öffnen Sie eine Datei, um die Dokumente zu sehen.</translation>
+    </message>
+    <message>
+        <source>This document is no UTF-8 text. It can be saved to a file, and not edited here.</source>
+        <translation>Dieses Dokument ist kein UTF-8-Text. Es kann in einer Datei gespeichert, aber hier nicht bearbeitet werden.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bytes</source>
+        <translation>%1 von %2 Bytes</translation>
+    </message>
+    <message>
+        <source>%1 bytes, and the board takes %2 to %3: this is not kept as an edit.</source>
+        <translation>%1 Bytes, und das Board nimmt %2 bis %3: Das wird nicht als Änderung übernommen.</translation>
+    </message>
+    <message>
+        <source>The board restarts when it is written.</source>
+        <translation>Das Board startet neu, wenn es geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>%1 is too long for this document, or no UTF-8 text</source>
+        <translation>%1 ist zu lang für dieses Dokument oder kein UTF-8-Text</translation>
+    </message>
+    <message>
+        <source>Saved to %1</source>
+        <translation>In %1 gespeichert</translation>
     </message>
 </context>
 <context>
@@ -1493,6 +1586,38 @@
     <message>
         <source>The details list what was in use. Set it again if you want to keep it.</source>
         <translation>Die Einzelheiten nennen, was in Gebrauch war. Setzen Sie es neu, wenn Sie es behalten wollen.</translation>
+    </message>
+    <message>
+        <source>%1 is written; waiting for the board to restart</source>
+        <translation>%1 ist geschrieben; es wird gewartet, bis das Board neu gestartet ist</translation>
+    </message>
+    <message>
+        <source>The board did not confirm that the motors are off.</source>
+        <translation>Das Board hat nicht bestätigt, dass die Motoren aus sind.</translation>
+    </message>
+    <message>
+        <source>They may still be running.</source>
+        <translation>Sie laufen vielleicht noch.</translation>
+    </message>
+    <message>
+        <source>Hold the camera and disconnect the power.</source>
+        <translation>Halten Sie die Kamera und trennen Sie den Strom.</translation>
+    </message>
+    <message>
+        <source>Measuring how the axis follows</source>
+        <translation>Messung, wie die Achse folgt</translation>
+    </message>
+    <message>
+        <source>The board is not in the state that this action needs.</source>
+        <translation>Das Board ist nicht in dem Zustand, den diese Aktion braucht.</translation>
+    </message>
+    <message>
+        <source>Nothing was sent to it.</source>
+        <translation>Es wurde nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>The details say what has to be so first.</source>
+        <translation>Die Einzelheiten sagen, was zuerst so sein muss.</translation>
     </message>
 </context>
 <context>
@@ -2094,6 +2219,14 @@
         <source>Lost: samples that were sent and never arrived. Silent: the board sent nothing at all, as while it calibrates.</source>
         <translation>Verloren: Messwerte, die gesendet wurden und nie ankamen. Still: das Board sandte gar nichts, wie während einer Kalibrierung.</translation>
     </message>
+    <message>
+        <source>Newest values of the arrays</source>
+        <translation>Neueste Werte der Felder</translation>
+    </message>
+    <message>
+        <source>Place in the array</source>
+        <translation>Stelle im Feld</translation>
+    </message>
 </context>
 <context>
     <name>Navigation</name>
@@ -2207,6 +2340,10 @@
     <message>
         <source>Scripts</source>
         <translation>Skripte</translation>
+    </message>
+    <message>
+        <source>Documents</source>
+        <translation>Dokumente</translation>
     </message>
 </context>
 <context>
@@ -2926,6 +3063,14 @@
     <message>
         <source>Write %1</source>
         <translation>%1 schreiben</translation>
+    </message>
+    <message>
+        <source>The board restarts when they are written.</source>
+        <translation>Das Board startet neu, wenn sie geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Some of them are in use only until the board restarts.</source>
+        <translation>Einige davon gelten nur, bis das Board neu startet.</translation>
     </message>
 </context>
 <context>
@@ -5761,10 +5906,6 @@ Spitze %2°</translation>
         <translation>Art</translation>
     </message>
     <message>
-        <source>Leave alone</source>
-        <translation>Unberührt lassen</translation>
-    </message>
-    <message>
         <source>Length of a note</source>
         <translation>Länge eines Tons</translation>
     </message>
@@ -6187,10 +6328,6 @@ Spitze %2°</translation>
     <message>
         <source>No action</source>
         <translation>Keine Aktion</translation>
-    </message>
-    <message>
-        <source>No control</source>
-        <translation>Keine Steuerung</translation>
     </message>
     <message>
         <source>No power manager</source>
@@ -10431,6 +10568,10 @@ Spitze %2°</translation>
     <message>
         <source>Sets all motors to normal use and restarts: the motors start.</source>
         <translation>Setzt alle Motoren auf normale Verwendung und startet neu: die Motoren laufen an.</translation>
+    </message>
+    <message>
+        <source>no number</source>
+        <translation>keine Zahl</translation>
     </message>
 </context>
 <context>

@@ -71,6 +71,16 @@
     </message>
 </context>
 <context>
+    <name>ChannelModel</name>
+    <message numerus="yes">
+        <source>%n value(s)</source>
+        <translation>
+            <numerusform>%n value</numerusform>
+            <numerusform>%n values</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>LinkMarks</name>
     <message numerus="yes">
         <source>%n value(s) written</source>

@@ -21,68 +21,124 @@ Result<QMap<QString, QString>> assignments(const QStringList &words)
     return map;
 }
 
-Result<CommandOutcome> performAction(Channel &channel, Device &device, const QString &key,
-                                     const QStringList &words, const CommandOptions &options)
+const ActionSpec *findAction(const Device &device, const QString &key)
 {
     const auto actions = device.actions();
     const auto it = std::find_if(actions.begin(), actions.end(), [&key](const ActionSpec &action) {
         return key == QLatin1String(action.key);
     });
-    if (it == actions.end()) {
-        QStringList names;
-        for (const ActionSpec &action : actions)
-            names.append(QLatin1String(action.key));
-        return failure(ErrorCode::InvalidArgument,
-                       u"no action '%1'; there are: %2"_s.arg(key, names.join(u", "_s)));
-    }
-    const auto texts = assignments(words);
-    if (!texts)
-        return tl::unexpected(texts.error());
-    const auto arguments = parseArguments(*it, *texts);
-    if (!arguments)
-        return tl::unexpected(arguments.error());
-    const auto done = performSafely(channel, device, key, *arguments, options.history);
-    if (!done)
-        return tl::unexpected(done.error());
+    return it == actions.end() ? nullptr : &*it;
+}
+
+CommandOutcome doneOutcome(const QString &key, const ActionReply &reply)
+{
     CommandOutcome outcome;
-    QJsonObject json{
-        {u"action"_s, key}, {u"done"_s, true}, {u"reply"_s, QJsonObject::fromVariantMap(done->reply)}};
-    if (!done->snapshotPath.isEmpty()) {
-        json.insert(u"snapshot"_s, done->snapshotPath);
-        outcome.note = u"snapshot: "_s + done->snapshotPath;
-    }
-    outcome.json = json;
-    for (auto reply = done->reply.begin(); reply != done->reply.end(); ++reply) {
+    outcome.json = QJsonObject{
+        {u"action"_s, key}, {u"done"_s, true}, {u"reply"_s, QJsonObject::fromVariantMap(reply)}};
+    for (auto it = reply.begin(); it != reply.end(); ++it) {
         QStringList values;
         for (const QVariant &value :
-             reply->typeId() == QMetaType::QVariantList ? reply->toList() : QVariantList{*reply})
+             it->typeId() == QMetaType::QVariantList ? it->toList() : QVariantList{*it})
             values.append(value.typeId() == QMetaType::Double ? QString::number(value.toDouble(), 'g', 6)
                                                               : value.toString());
-        outcome.text += u"%1 %2\n"_s.arg(reply.key().leftJustified(20), values.join(u' '));
+        outcome.text += u"%1 %2\n"_s.arg(it.key().leftJustified(20), values.join(u' '));
     }
     if (outcome.text.isEmpty())
         outcome.text = u"done\n"_s;
     return outcome;
 }
 
-class DoCommand final : public Command
+/// Performs one of the board's actions.
+class ActionCommand : public BoardCommand
 {
 public:
+    using BoardCommand::BoardCommand;
+    QList<CommandOption> options() override
+    {
+        return {switchOption(u"confirmed"_s,
+                             u"what the action asks to be confirmed each time is so (see \"do help\")"_s,
+                             m_confirmed)};
+    }
+
+protected:
+    /// The action and its arguments.
+    [[nodiscard]] virtual QString actionKey() const = 0;
+    [[nodiscard]] virtual QStringList given() const = 0;
+    [[nodiscard]] QList<int> awaits(const Device &device) const override
+    {
+        const ActionSpec *action = findAction(device, actionKey());
+        QList<int> channels;
+        for (const Condition condition : action ? action->needs : std::span<const Condition>()) {
+            if (const int channel = channelOf(condition, rolesOf(device)); channel >= 0)
+                channels.append(channel);
+        }
+        return channels;
+    }
+    Result<CommandOutcome> run(Channel &channel, Device &device) override;
+
+private:
+    bool m_confirmed = false;
+};
+
+Result<CommandOutcome> ActionCommand::run(Channel &channel, Device &device)
+{
+    const ActionSpec *action = findAction(device, actionKey());
+    if (!action) {
+        QStringList names;
+        for (const ActionSpec &each : device.actions())
+            names.append(QLatin1String(each.key));
+        return failure(ErrorCode::InvalidArgument,
+                       u"no action '%1'; there are: %2"_s.arg(actionKey(), names.join(u", "_s)));
+    }
+    const auto texts = assignments(given());
+    if (!texts)
+        return tl::unexpected(texts.error());
+    const auto arguments = parseArguments(*action, *texts);
+    if (!arguments)
+        return tl::unexpected(arguments.error());
+    if (*action->confirm && !m_confirmed) {
+        return failure(ErrorCode::InvalidArgument,
+                       u"%1 has to be confirmed with --confirmed each time: \"%2\""_s.arg(
+                           actionKey(), QString::fromUtf8(action->confirm)));
+    }
+    const auto done = performSafely(channel, device, actionKey(), *arguments, history(), {}, latest());
+    if (!done)
+        return tl::unexpected(done.error());
+    CommandOutcome outcome = doneOutcome(actionKey(), done->reply);
+    if (!done->snapshotPath.isEmpty()) {
+        QJsonObject json = outcome.json.toObject();
+        json.insert(u"snapshot"_s, done->snapshotPath);
+        outcome.json = json;
+        outcome.note = u"snapshot: "_s + done->snapshotPath;
+    }
+    return outcome;
+}
+
+class DoCommand final : public ActionCommand
+{
+public:
+    using ActionCommand::ActionCommand;
     const char *name() const override { return "do"; }
-    const char *usage() const override { return "do ACTION [ARG=VALUE...]"; }
-    const char *help() const override { return "perform an action; \"do help\" lists them"; }
+    const char *words() const override { return "ACTION [ARG=VALUE...]"; }
+    QString help() const override { return u"perform an action; \"do help\" lists them"_s; }
+    const char *example() const override
+    {
+        return "--link serial:/dev/ttyUSB0 do steer yaw=30 speed=20 seconds=3";
+    }
     bool moves() const override { return true; }
-    QString check(const CommandOptions &options) const override
+    QString check() const override
     {
-        return options.arguments.isEmpty() ? u"do needs the name of an action; \"do help\" lists them"_s
-                                           : QString();
+        return arguments().isEmpty() ? u"do needs the name of an action; \"do help\" lists them"_s
+                                     : QString();
     }
-    Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
+    Result<CommandOutcome> run(Channel &channel, Device &device) override
     {
-        if (options.arguments.first() == u"help"_s)
-            return help(device);
-        return performAction(channel, device, options.arguments.first(), options.arguments.mid(1), options);
+        return arguments().first() == u"help"_s ? help(device) : ActionCommand::run(channel, device);
     }
+
+protected:
+    QString actionKey() const override { return arguments().first(); }
+    QStringList given() const override { return arguments().mid(1); }
 
 private:
     static Result<CommandOutcome> help(Device &device)
@@ -111,95 +167,133 @@ private:
                                                          preset == u"nan"_s ? QString() : preset,
                                                          QString::fromUtf8(argument.label));
             }
-            array.append(QJsonObject{{u"key"_s, key},
-                                     {u"risk"_s, risk},
-                                     {u"help"_s, QString::fromUtf8(action.help)},
-                                     {u"arguments"_s, arguments}});
+            QJsonObject json{{u"key"_s, key},
+                             {u"risk"_s, risk},
+                             {u"help"_s, QString::fromUtf8(action.help)},
+                             {u"arguments"_s, arguments}};
+            if (*action.confirm) {
+                json.insert(u"confirm"_s, QString::fromUtf8(action.confirm));
+                outcome.text += u"    --confirmed  \"%1\"\n"_s.arg(QString::fromUtf8(action.confirm));
+            }
+            array.append(json);
         }
         outcome.json = array;
         return outcome;
     }
 };
 
-class CalibrateCommand final : public Command
+class CalibrateCommand final : public ActionCommand
 {
 public:
+    using ActionCommand::ActionCommand;
     const char *name() const override { return "calibrate"; }
-    const char *usage() const override { return "calibrate NAME [ARG=VALUE...]"; }
-    const char *help() const override { return "gyro, acc, battery, offset; with STorM32: level, six"; }
-    QString check(const CommandOptions &options) const override
+    const char *words() const override { return "NAME [ARG=VALUE...]"; }
+    QString help() const override { return u"calibrate a sensor; \"do help\" lists what the board can"_s; }
+    const char *example() const override { return "--link serial:/dev/ttyUSB0 calibrate gyro"; }
+    QString check() const override
     {
-        return options.arguments.isEmpty() ? u"calibrate needs a name; \"do help\" lists the board's"_s
-                                           : QString();
+        return arguments().isEmpty() ? u"calibrate needs a name; \"do help\" lists the board's"_s : QString();
     }
-    Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
-    {
-        return performAction(channel, device, u"calibrate."_s + options.arguments.first(),
-                             options.arguments.mid(1), options);
-    }
+
+protected:
+    QString actionKey() const override { return u"calibrate."_s + arguments().first(); }
+    QStringList given() const override { return arguments().mid(1); }
 };
 
-class AutotuneCommand final : public Command
+class AutotuneCommand final : public ActionCommand
 {
 public:
+    using ActionCommand::ActionCommand;
     const char *name() const override { return "autotune"; }
-    const char *usage() const override
-    {
-        return "autotune [roll=off] [gain=0..255] [keep=on] [save=off] ...";
-    }
-    const char *help() const override { return "the board searches its gains by moving the camera"; }
+    const char *words() const override { return "[roll=off] [gain=0..255] [keep=on] [save=off] ..."; }
+    QString help() const override { return u"the board searches its gains by moving the camera"_s; }
+    const char *example() const override { return "--link serial:/dev/ttyUSB0 autotune yaw=off"; }
     bool moves() const override { return true; }
-    QString check(const CommandOptions &) const override { return {}; }
-    Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
-    {
-        return performAction(channel, device, u"autotune"_s, options.arguments, options);
-    }
+
+protected:
+    QString actionKey() const override { return u"autotune"_s; }
+    QStringList given() const override { return arguments(); }
 };
 
+/// Off is the stop that always works: the board's stop plan, carried out until something proves it.
 class MotorsCommand final : public Command
 {
 public:
+    using Command::Command;
     const char *name() const override { return "motors"; }
-    const char *usage() const override { return "motors on|off"; }
-    const char *help() const override { return "switch the motors"; }
-    QString check(const CommandOptions &options) const override
+    const char *words() const override { return "on|off"; }
+    QString help() const override { return u"switch the motors"_s; }
+    const char *example() const override { return "--link serial:/dev/ttyUSB0 motors off"; }
+    QString check() const override
     {
-        const QString word = options.arguments.value(0);
-        return options.arguments.size() == 1 && (word == u"on"_s || word == u"off"_s)
-            ? QString()
-            : u"motors needs on or off"_s;
+        const QString word = arguments().value(0);
+        return arguments().size() == 1 && (word == u"on"_s || word == u"off"_s) ? QString()
+                                                                                : u"motors needs on or off"_s;
     }
-    Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
+    void start(DeviceClient &client) override
     {
-        return performAction(channel, device, u"motors."_s + options.arguments.first(), {}, options);
+        m_client = &client;
+        if (arguments().first() == u"off"_s) {
+            connect(&client, &DeviceClient::motorsOffFinished, this, [this](bool proven) {
+                if (proven)
+                    emit finished(doneOutcome(u"motors.off"_s, {}));
+                else
+                    emit finished(failure(ErrorCode::NotProven));
+            });
+            client.motorsOff();
+            return;
+        }
+        client
+            .submit<CommandOutcome>(
+                [safe = history()](Channel &channel, Device &device) { return on(channel, device, safe); })
+            .then(this, [this](const Result<CommandOutcome> &outcome) { emit finished(outcome); });
     }
+    void stop() override { m_client->cancelJobs(); }
+
+private:
+    static Result<CommandOutcome> on(Channel &channel, Device &device, const BoardHistory &history)
+    {
+        const QString key = u"motors.on"_s;
+        if (findAction(device, key)) {
+            return performSafely(channel, device, key, {}, history).map([&key](const ActionOutcome &done) {
+                return doneOutcome(key, done.reply);
+            });
+        }
+        if (!device.motorSwitch())
+            return failure(ErrorCode::Unsupported,
+                           u"this board has no command that switches its motors on"_s);
+        return channel.transact(device.motorSwitch()->motorsOnRequest()).map([&key](const Frame &) {
+            return doneOutcome(key, {});
+        });
+    }
+
+    DeviceClient *m_client = nullptr;
 };
 
-class StreamsCommand final : public Command
+class StreamsCommand final : public BoardCommand
 {
 public:
+    using BoardCommand::BoardCommand;
     const char *name() const override { return "streams"; }
-    const char *usage() const override { return "streams [--channels a,b]"; }
-    const char *help() const override
+    QString help() const override
     {
-        return "data streams of the board, and how fast a line can carry each";
+        return u"data streams of the board, and how fast a line can carry each"_s;
     }
-    QString check(const CommandOptions &options) const override
+    const char *example() const override
     {
-        return options.arguments.isEmpty() ? QString() : u"streams takes options only"_s;
+        return "--link serial:/dev/ttyUSB0 streams --channels gyro.roll,gyro.yaw";
     }
-    Result<CommandOutcome> run(Channel &, Device &device, const CommandOptions &options) override
+    QList<CommandOption> options() override { return {channelsOption(m_channels)}; }
+    QString check() const override
     {
-        QList<int> channels;
-        for (const QString &key : options.channels) {
-            const int channel = findChannel(device.channels(), key.trimmed());
-            if (channel < 0)
-                return failure(ErrorCode::InvalidArgument,
-                               u"no channel '%1'; gimbalctl monitor lists them"_s.arg(key));
-            channels.append(channel);
-        }
-        if (channels.isEmpty())
-            channels = usualChannels(device);
+        return arguments().isEmpty() ? QString() : u"streams takes options only"_s;
+    }
+    Result<CommandOutcome> run(Channel &, Device &device) override
+    {
+        const auto named = findChannels(device.channels(), m_channels);
+        if (!named)
+            return tl::unexpected(named.error());
+        const QList<int> channels = named->isEmpty() ? usualChannels(device) : *named;
         CommandOutcome outcome;
         QJsonArray list;
         // The line sets no limit on USB.
@@ -209,14 +303,15 @@ public:
         for (const int baud : lines)
             outcome.text += u"%1"_s.arg(baud ? QString::number(baud) : u"USB"_s, 12);
         outcome.text += u'\n';
-        for (const StreamSpec &spec : device.streams()) {
+        const StreamControl *streams = device.streamControl();
+        for (const StreamSpec &spec : streams ? streams->streams() : QList<StreamSpec>()) {
             const QList<int> wanted = spec.choosesChannels ? channels : spec.channels;
             QJsonObject json{{u"stream"_s, spec.key}, {u"name"_s, spec.label}};
             QJsonObject rates;
             QString cells;
             for (const int baud : lines) {
-                const auto budget
-                    = device.streamBudget({{}, 0, {{spec.key, 0, wanted}}}, LineSettings{baud, Parity::None});
+                const auto budget = streams->streamBudget({{}, 0, {{spec.key, 0, wanted}}},
+                                                          LineSettings{baud, Parity::None});
                 if (!budget)
                     return tl::unexpected(budget.error());
                 const StreamUse &use = budget->streams.front();
@@ -235,17 +330,14 @@ public:
         outcome.json = list;
         return outcome;
     }
+
+private:
+    QStringList m_channels;
 };
 
 }  // namespace
 
-std::vector<std::unique_ptr<Command>> actionCommands()
+Commands actionCommands(const CommandContext &context)
 {
-    std::vector<std::unique_ptr<Command>> commands;
-    commands.push_back(std::make_unique<DoCommand>());
-    commands.push_back(std::make_unique<CalibrateCommand>());
-    commands.push_back(std::make_unique<AutotuneCommand>());
-    commands.push_back(std::make_unique<MotorsCommand>());
-    commands.push_back(std::make_unique<StreamsCommand>());
-    return commands;
+    return makeCommands<DoCommand, CalibrateCommand, AutotuneCommand, MotorsCommand, StreamsCommand>(context);
 }

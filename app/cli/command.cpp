@@ -5,9 +5,14 @@
 #include "protocol/procedure/writeconfiguration.h"
 #include "widgets/models/errortext.h"
 
+#include <algorithm>
+
 using namespace Qt::StringLiterals;
 
 namespace {
+
+constexpr auto kTelemetryWait = 2s;
+constexpr auto kTelemetryPeriod = 20ms;
 
 QString stateText(WriteState state)
 {
@@ -25,24 +30,155 @@ QString stateText(WriteState state)
 
 QList<int> usualChannels(const Device &device)
 {
-    const ChannelRoles roles = device.roles();
+    const ChannelRoles roles = rolesOf(device);
+    return ChannelRoles::present({roles.angle, roles.target, roles.gyro});
+}
+
+Result<QList<int>> findChannels(ChannelTable table, const QStringList &keys)
+{
     QList<int> channels;
-    for (const auto &triple : {roles.angle, roles.target, roles.gyro})
-        channels.append(QList<int>(triple.begin(), triple.end()));
+    for (const QString &key : keys) {
+        const int channel = findChannel(table, key.trimmed());
+        if (channel < 0) {
+            QStringList known;
+            for (const ChannelSpec &spec : table)
+                known.append(QLatin1String(spec.key));
+            return failure(ErrorCode::InvalidArgument,
+                           u"no channel '%1'; there are: %2"_s.arg(key, known.join(u", "_s)));
+        }
+        if (table[std::size_t(channel)].elements > 1) {
+            return failure(ErrorCode::InvalidArgument,
+                           u"'%1' is an array of %2 values, which has no place in a table"_s.arg(key).arg(
+                               table[std::size_t(channel)].elements));
+        }
+        channels.append(channel);
+    }
     return channels;
 }
 
-std::vector<std::unique_ptr<Command>> allCommands()
+Commands allCommands(const CommandContext &context)
 {
-    std::vector<std::unique_ptr<Command>> all;
-    for (auto part : {parameterCommands, fileCommands, actionCommands, recordingCommands}) {
-        for (auto &command : part())
+    Commands all;
+    for (auto part : {parameterCommands, fileCommands, actionCommands, recordingCommands, linkCommands}) {
+        for (auto &command : part(context))
             all.push_back(std::move(command));
     }
     return all;
 }
 
-QString valueText(const ParameterSpec &spec, int raw)
+QString CommandOption::usage() const
+{
+    return value.isEmpty() ? u"[--%1]"_s.arg(name) : u"[--%1 %2]"_s.arg(name, value);
+}
+
+QString Command::usage()
+{
+    QStringList parts{QLatin1String(name())};
+    if (*words())
+        parts.append(QLatin1String(words()));
+    for (const CommandOption &option : options())
+        parts.append(option.usage());
+    return parts.join(u' ');
+}
+
+QString Command::fullHelp()
+{
+    QString text = u"gimbalctl %1\n\n%2\n"_s.arg(usage(), help());
+    for (const CommandOption &option : options()) {
+        const QString heading = u"\n  --%1 %2"_s.arg(option.name, option.value);
+        text += heading.leftJustified(25) + option.help;
+    }
+    text += options().isEmpty() ? QString() : u"\n"_s;
+    return text
+        + u"\nExample: gimbalctl %1\nOptions that every command takes: gimbalctl --help\n"_s.arg(
+            QLatin1String(example()));
+}
+
+void BoardCommand::start(DeviceClient &client)
+{
+    m_client = &client;
+    m_telemetry = client.telemetry();
+    if (const QList<int> channels = awaits(*client.device()); !channels.isEmpty())
+        awaitTelemetry(channels);
+    else
+        submit();
+}
+
+// Live data is arranged by the client as soon as a board is found.
+void BoardCommand::awaitTelemetry(const QList<int> &channels)
+{
+    const TimePoint begun = Clock::now();
+    connect(&m_awaiting, &QTimer::timeout, this, [this, channels, begun] {
+        const bool told = std::all_of(channels.begin(), channels.end(), [this, begun](int channel) {
+            return m_telemetry->latestAt(channel) > begun;
+        });
+        if (!told && Clock::now() - begun < kTelemetryWait)
+            return;
+        m_awaiting.stop();
+        submit();
+    });
+    m_awaiting.start(kTelemetryPeriod);
+}
+
+void BoardCommand::submit()
+{
+    m_client
+        ->submit<CommandOutcome>([this](Channel &channel, Device &device) { return run(channel, device); },
+                                 moves() ? DeviceClient::JobKind::Moving : DeviceClient::JobKind::Quiet)
+        .then(this, [this](const Result<CommandOutcome> &outcome) {
+            // A moving job posts its "stop" as the last thing; the link stays open until it is out.
+            QTimer::singleShot(outcome ? 0 : 100, this, [this, outcome] { emit finished(outcome); });
+        });
+}
+
+void BoardCommand::stop()
+{
+    if (m_awaiting.isActive()) {
+        m_awaiting.stop();
+        emit finished(failure(ErrorCode::Cancelled));
+        return;
+    }
+    m_client->cancelJobs();
+}
+
+CommandOption switchOption(const QString &name, const QString &help, bool &on)
+{
+    return {name, {}, help, [&on](const QString &) -> Result<void> {
+                on = true;
+                return {};
+            }};
+}
+
+CommandOption textOption(const QString &name, const QString &value, const QString &help, QString &text)
+{
+    return {name, value, help, [&text](const QString &given) -> Result<void> {
+                text = given;
+                return {};
+            }};
+}
+
+CommandOption profileOption(int &profile)
+{
+    return {u"profile"_s, u"N"_s, u"a profile from 1; without it, the active one"_s,
+            [&profile](const QString &text) -> Result<void> {
+                bool ok = false;
+                profile = text.toInt(&ok);
+                if (ok && profile >= 1)
+                    return {};
+                return failure(ErrorCode::InvalidArgument,
+                               u"--profile needs a number from 1, not '%1'"_s.arg(text));
+            }};
+}
+
+CommandOption channelsOption(QStringList &keys)
+{
+    return {u"channels"_s, u"a,b"_s, u"keys of channels"_s, [&keys](const QString &text) -> Result<void> {
+                keys = text.split(u',', Qt::SkipEmptyParts);
+                return {};
+            }};
+}
+
+QString valueText(const ParameterSpec &spec, double raw)
 {
     QString text = spec.format(raw);
     if (spec.row->kind == ValueKind::Choice) {
@@ -51,17 +187,22 @@ QString valueText(const ParameterSpec &spec, int raw)
                 text += u" ("_s + QString::fromUtf8(choice.name) + u')';
         }
     }
-    if (*spec.row->unit)
+    if (*spec.row->unit && !std::isnan(raw))
         text += u' ' + QString::fromUtf8(spec.row->unit);
     return text;
+}
+
+QJsonValue valueJson(const ParameterSpec &spec, double raw)
+{
+    return std::isnan(raw) ? QJsonValue() : QJsonValue(spec.format(raw));
 }
 
 QJsonObject changeJson(const ParameterChange &change)
 {
     return {{u"key"_s, change.spec->key},
             {u"profile"_s, change.profile + 1},
-            {u"from"_s, change.spec->format(change.from)},
-            {u"to"_s, change.spec->format(change.to)},
+            {u"from"_s, valueJson(*change.spec, change.from)},
+            {u"to"_s, valueJson(*change.spec, change.to)},
             {u"red"_s, change.spec->row->risk == Risk::Red},
             {u"scope"_s, change.spec->row->scope == Scope::Board ? u"board"_s : u"profile"_s}};
 }
@@ -90,10 +231,10 @@ QString dataText(const std::vector<DataChange> &changes)
 }
 
 Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Configuration &base,
-                                      const Configuration &edited, const CommandOptions &options)
+                                      const Configuration &edited, const BoardHistory &history)
 {
     WriteOptions write;
-    write.history = &options.history;
+    write.history = &history;
     const auto report = writeConfiguration(channel, device, base, edited, write);
     if (!report)
         return tl::unexpected(report.error());

@@ -2,27 +2,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/device.h"
+#include "protocol/client/deviceclient.h"
+#include "protocol/device/abilities.h"
+#include "protocol/device/family.h"
 #include "protocol/procedure/motiontest.h"
 #include "protocol/record/boardhistory.h"
+#include "protocol/telemetry/streams.h"
+#include "protocol/telemetry/telemetrystore.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
+#include <QTimer>
 
 #include <memory>
 
-/// The options that commands share.
-struct CommandOptions
+/// What every command gets from the program around it.
+struct CommandContext
 {
-    QStringList arguments;
-    int profile = 0;  ///< from 1; 0 = the active one
-    bool noSave = false;
-    bool dryRun = false;
-    QStringList channels;
-    QStringList streams;  ///< "realtime4@100": which streams to ask for; empty = arranged for the channels
-    double seconds = 0;  ///< 0 = until interrupted
-    QString csv;  ///< where to write samples; - = stdout
+    QList<Family> families;
     BoardHistory history;
+    bool json = false;
+    QStringList arguments;  ///< words after the command's name
+};
+
+/// An option that a command takes. Without a value name it is a switch.
+struct CommandOption
+{
+    QString name;
+    QString value;  ///< what stands for the value in the help: "N"
+    QString help;
+    /// Called once for each time the option was given. Errors: InvalidArgument.
+    std::function<Result<void>(const QString &text)> take;
+
+    /// As it stands in a usage line: "[--profile N]".
+    [[nodiscard]] QString usage() const;
 };
 
 /// What a command produced: one JSON document and the same as text.
@@ -32,49 +45,150 @@ struct CommandOutcome
     QString text;
     QString note;  ///< for people only, on stderr: where the snapshot went, how it went
     int exitCode = 0;
+
+    friend bool operator==(const CommandOutcome &, const CommandOutcome &) = default;
 };
 
 /// Exit codes of gimbalctl.
 enum ExitCode { Done = 0, Refused = 1, WrongArguments = 2 };
 
-/// One command of gimbalctl: sequential code on the worker thread, or without any board.
-class Command
+/// One command of gimbalctl: what it takes, and how it runs on a link. Commands that ask and answer derive
+/// from BoardCommand or LocalCommand; those that live on the running link from this.
+class Command : public QObject
 {
+    Q_OBJECT
 public:
-    virtual ~Command() = default;
+    /// @param context outlives the command; its arguments are known when the command is checked
+    explicit Command(const CommandContext &context)
+        : m_context(context)
+    {
+    }
 
     [[nodiscard]] virtual const char *name() const = 0;
-    [[nodiscard]] virtual const char *usage() const = 0;
-    [[nodiscard]] virtual const char *help() const = 0;
-    /// What is wrong with the arguments, empty if nothing.
-    [[nodiscard]] virtual QString check(const CommandOptions &options) const = 0;
-    [[nodiscard]] virtual bool needsBoard(const CommandOptions &) const { return true; }
-    [[nodiscard]] virtual bool moves() const { return false; }
-    virtual Result<CommandOutcome> run(Channel &, Device &, const CommandOptions &)
-    {
-        return failure(ErrorCode::Unsupported);
-    }
-    virtual Result<CommandOutcome> runWithoutBoard(const CommandOptions &)
-    {
-        return failure(ErrorCode::NotConnected);
-    }
+    /// What follows the name: "KEY=VALUE...".
+    [[nodiscard]] virtual const char *words() const { return ""; }
+    /// One line.
+    [[nodiscard]] virtual QString help() const = 0;
+    /// What follows "gimbalctl" on a line that could be typed.
+    [[nodiscard]] virtual const char *example() const = 0;
+    [[nodiscard]] virtual QList<CommandOption> options() { return {}; }
+    /// What is wrong with the arguments, empty if nothing. Called after the options were taken.
+    [[nodiscard]] virtual QString check() const { return {}; }
+
+    [[nodiscard]] virtual bool needsBoard() const { return true; }
+    /// Before the client connects, for those that want to hear everything.
+    virtual void prepare(DeviceClient &) { }
+    /// A board is connected; finished() or failed() follows.
+    virtual void start(DeviceClient &client) = 0;
+    /// Instead of start(), where no board is needed.
+    virtual void startWithoutBoard() { emit finished(failure(ErrorCode::NotConnected)); }
+    /// Ctrl-C: whatever moves is stopped, and the end is told as always.
+    virtual void stop() = 0;
+
+    /// Name, words and options.
+    [[nodiscard]] QString usage();
+    /// Usage, options and an example.
+    [[nodiscard]] QString fullHelp();
+
+signals:
+    void finished(const Result<CommandOutcome> &outcome);
+    /// An error with an exit code of its own.
+    void failed(const Error &error, int exitCode);
+    /// For people, on stderr.
+    void told(const QString &line);
+
+protected:
+    [[nodiscard]] const QStringList &arguments() const { return m_context.arguments; }
+    [[nodiscard]] const QList<Family> &families() const { return m_context.families; }
+    [[nodiscard]] const BoardHistory &history() const { return m_context.history; }
+    [[nodiscard]] bool speaksJson() const { return m_context.json; }
+
+private:
+    const CommandContext &m_context;
 };
 
-/// All commands in the order of the help text; "monitor" and "record" are built into the program, as they
-/// live on the running link.
-[[nodiscard]] std::vector<std::unique_ptr<Command>> allCommands();
+/// Sequential code on the worker thread.
+class BoardCommand : public Command
+{
+    Q_OBJECT
+public:
+    using Command::Command;
 
-[[nodiscard]] std::vector<std::unique_ptr<Command>> parameterCommands();
-[[nodiscard]] std::vector<std::unique_ptr<Command>> fileCommands();
-[[nodiscard]] std::vector<std::unique_ptr<Command>> actionCommands();
-[[nodiscard]] std::vector<std::unique_ptr<Command>> recordingCommands();
+    void start(DeviceClient &client) final;
+    void stop() final;
 
+protected:
+    /// A moving job is cancelled when the motors are switched off.
+    [[nodiscard]] virtual bool moves() const { return false; }
+    /// Channels that have to tell something new before it runs. They are waited for two seconds; without them
+    /// it runs all the same, and sees that nothing tells.
+    [[nodiscard]] virtual QList<int> awaits(const Device &) const { return {}; }
+    virtual Result<CommandOutcome> run(Channel &channel, Device &device) = 0;
+    /// The newest telemetry of the board.
+    [[nodiscard]] const LatestValues *latest() const { return m_telemetry.get(); }
+
+private:
+    void awaitTelemetry(const QList<int> &channels);
+    void submit();
+
+    DeviceClient *m_client = nullptr;
+    std::shared_ptr<const TelemetryStore> m_telemetry;
+    QTimer m_awaiting;
+};
+
+/// Needs no board at all.
+class LocalCommand : public Command
+{
+    Q_OBJECT
+public:
+    using Command::Command;
+
+    [[nodiscard]] bool needsBoard() const final { return false; }
+    void start(DeviceClient &) final { startWithoutBoard(); }
+    void startWithoutBoard() final { emit finished(run()); }
+    void stop() final { }
+
+protected:
+    virtual Result<CommandOutcome> run() = 0;
+};
+
+using Commands = std::vector<std::unique_ptr<Command>>;
+
+/// All commands in the order of the help text.
+[[nodiscard]] Commands allCommands(const CommandContext &context);
+
+[[nodiscard]] Commands parameterCommands(const CommandContext &context);
+[[nodiscard]] Commands fileCommands(const CommandContext &context);
+[[nodiscard]] Commands actionCommands(const CommandContext &context);
+[[nodiscard]] Commands recordingCommands(const CommandContext &context);
+[[nodiscard]] Commands linkCommands(const CommandContext &context);
+
+template <typename... Each> [[nodiscard]] Commands makeCommands(const CommandContext &context)
+{
+    Commands commands;
+    (commands.push_back(std::make_unique<Each>(context)), ...);
+    return commands;
+}
+
+// Options that several commands take.
+[[nodiscard]] CommandOption switchOption(const QString &name, const QString &help, bool &on);
+[[nodiscard]] CommandOption textOption(const QString &name, const QString &value, const QString &help,
+                                       QString &text);
+/// A profile from 1; left at 0 without the option.
+[[nodiscard]] CommandOption profileOption(int &profile);
+/// Keys of channels, separated by commas.
+[[nodiscard]] CommandOption channelsOption(QStringList &keys);
+
+/// The channels with these keys. Errors: InvalidArgument.
+[[nodiscard]] Result<QList<int>> findChannels(ChannelTable table, const QStringList &keys);
 /// What a person looks at first: angles, targets and gyros.
 [[nodiscard]] QList<int> usualChannels(const Device &device);
 /// What a motion test found. Errors: InvalidArgument (the samples tell nothing).
 [[nodiscard]] Result<CommandOutcome> describeMotion(const MotionTestResult &result);
 /// A value with its unit as a person reads it.
-[[nodiscard]] QString valueText(const ParameterSpec &spec, int raw);
+[[nodiscard]] QString valueText(const ParameterSpec &spec, double raw);
+/// The text, or null for what is no number.
+[[nodiscard]] QJsonValue valueJson(const ParameterSpec &spec, double raw);
 [[nodiscard]] QJsonObject changeJson(const ParameterChange &change);
 /// Lines "profile  key  old -> new".
 [[nodiscard]] QString changeText(const Configuration &configuration,
@@ -83,4 +197,4 @@ public:
 [[nodiscard]] QString dataText(const std::vector<DataChange> &changes);
 /// Writes and tells how it went. The exit code is 1 unless everything was verified.
 Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Configuration &base,
-                                      const Configuration &edited, const CommandOptions &options);
+                                      const Configuration &edited, const BoardHistory &history);

@@ -3,22 +3,19 @@
 #pragma once
 
 #include "app/cli/command.h"
-#include "protocol/device/deviceclient.h"
-#include "protocol/procedure/motiontest.h"
-#include "protocol/record/recorder.h"
-#include "protocol/record/udpexport.h"
+#include "app/composition/links.h"
 
 #include <QTextStream>
 
-class TelemetryPrinter;
+class QCommandLineParser;
 
-/// gimbalctl: finds the command, connects, runs it on the worker thread, prints, ends with an honest exit
-/// code.
+/// gimbalctl: finds the command, connects, runs it, prints, ends with an honest exit code.
 class Ctl final : public QObject
 {
     Q_OBJECT
 public:
-    explicit Ctl(QObject *parent = nullptr);
+    /// @param families which boards it knows; @param links what it reaches them by
+    Ctl(QList<Family> families, Links links, QObject *parent = nullptr);
     ~Ctl() override;
 
     /// Understands the arguments and starts. Empty: running, finished() follows; otherwise the exit code.
@@ -28,37 +25,31 @@ signals:
     void finished(int exitCode);
 
 private:
+    [[nodiscard]] QString helpText() const;
+    [[nodiscard]] QString familyKeys(const QString &separator) const;
+    [[nodiscard]] Command *findCommand(const QString &name) const;
+    void addOptions(QCommandLineParser &parser) const;
+    std::optional<int> takeCommand(const QCommandLineParser &parser);
+    Result<void> takeOptions(const QCommandLineParser &parser);
+    std::optional<int> connectToBoard(const QString &link, const QString &family);
+    int say(const QString &text);
+    int wrong(const QString &message);
+
     void stop();
     void onState(DeviceClient::State state);
     void onError(const Error &error, int exitCode);
     void onProgress(const Progress &progress);
-    void runCommand();
-    void runMonitor();
-    void runMeasure();
-    void finishMeasure(const MotionTestResult &result);
-    void runPublish();
-    void finishPublish();
-    [[nodiscard]] bool isRecording() const;
-    void runRecording();
-    void finishRecording();
-    [[nodiscard]] QList<int> wantedChannels();
+    void onTold(const QString &line);
     void finish(const Result<CommandOutcome> &outcome);
-    int wrong(const QString &message);
-    [[nodiscard]] QString helpText() const;
 
     QTextStream m_out{stdout};
     QTextStream m_err{stderr};
-    std::vector<std::unique_ptr<Command>> m_commands;
+    Links m_links;
+    CommandContext m_context;
+    Commands m_commands;  // the client's threads may use one, so they outlive it
     Command *m_command = nullptr;
-    CommandOptions m_options;
-    bool m_json = false;
     QString m_lastProgress;
-    Recorder m_recorder;  // the client's threads feed it, so it outlives them
-    std::unique_ptr<RecordingTask> m_recording;
     std::unique_ptr<DeviceClient> m_client;
-    std::unique_ptr<TelemetryPrinter> m_printer;
-    std::unique_ptr<UdpExport> m_publish;
-    std::unique_ptr<MotionTest> m_test;
     bool m_started = false;
     bool m_finished = false;
 };

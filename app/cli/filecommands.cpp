@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
-#include "app/composition/composition.h"
-#include "protocol/record/configurationfiles.h"
+#include "protocol/record/configurationformats.h"
 #include "protocol/transport/portlist.h"
 
 #include <QFile>
@@ -11,15 +10,19 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-class PortsCommand final : public Command
+CommandOption dryRunOption(bool &on)
+{
+    return switchOption(u"dry-run"_s, u"only tell what would be written"_s, on);
+}
+
+class PortsCommand final : public LocalCommand
 {
 public:
+    using LocalCommand::LocalCommand;
     const char *name() const override { return "ports"; }
-    const char *usage() const override { return "ports"; }
-    const char *help() const override { return "serial ports of this computer; opens none of them"; }
-    QString check(const CommandOptions &) const override { return {}; }
-    bool needsBoard(const CommandOptions &) const override { return false; }
-    Result<CommandOutcome> runWithoutBoard(const CommandOptions &) override
+    QString help() const override { return u"serial ports of this computer; opens none of them"_s; }
+    const char *example() const override { return "ports"; }
+    Result<CommandOutcome> run() override
     {
         CommandOutcome outcome;
         QJsonArray array;
@@ -38,26 +41,33 @@ public:
     }
 };
 
-class DumpCommand final : public Command
+class DumpCommand final : public BoardCommand
 {
 public:
+    using BoardCommand::BoardCommand;
     const char *name() const override { return "dump"; }
-    const char *usage() const override { return "dump FILE"; }
-    const char *help() const override
+    const char *words() const override { return "FILE"; }
+    const char *example() const override { return "--link serial:/dev/ttyUSB0 dump before.json"; }
+    QString help() const override
     {
-        return "save the whole configuration to a file; .cfg for STorM32's own format";
+        QString text = u"save the whole configuration to a file"_s;
+        for (const Family &family : families()) {
+            if (family.settingsFile)
+                text += u"; .%1 for %2"_s.arg(family.settingsFile->suffix, family.settingsFile->name);
+        }
+        return text;
     }
-    QString check(const CommandOptions &options) const override
+    QString check() const override
     {
-        return options.arguments.size() == 1 ? QString() : u"dump needs one file name"_s;
+        return arguments().size() == 1 ? QString() : u"dump needs one file name"_s;
     }
-    Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
+    Result<CommandOutcome> run(Channel &channel, Device &device) override
     {
         const auto configuration = device.readConfiguration(channel);
         if (!configuration)
             return tl::unexpected(configuration.error());
-        const QString path = options.arguments.first();
-        if (const auto saved = saveConfiguration(path, *configuration, u"dump"_s, allFamilies()); !saved)
+        const QString path = arguments().first();
+        if (const auto saved = saveConfiguration(path, *configuration, u"dump"_s, families()); !saved)
             return tl::unexpected(saved.error());
         CommandOutcome outcome;
         outcome.json = QJsonObject{{u"file"_s, path}, {u"blocks"_s, qint64(configuration->blocks().size())}};
@@ -66,43 +76,39 @@ public:
     }
 };
 
-class DiffCommand final : public Command
+class DiffCommand final : public BoardCommand
 {
 public:
+    using BoardCommand::BoardCommand;
     const char *name() const override { return "diff"; }
-    const char *usage() const override { return "diff A B"; }
-    const char *help() const override { return "differences between two files, or a file and \"board\""; }
-    QString check(const CommandOptions &options) const override
+    const char *words() const override { return "A B"; }
+    QString help() const override { return u"differences between two files, or a file and \"board\""_s; }
+    const char *example() const override { return "--link serial:/dev/ttyUSB0 diff before.json board"; }
+    QString check() const override
     {
-        return options.arguments.size() == 2 ? QString() : u"diff needs two files, one may be \"board\""_s;
+        return arguments().size() == 2 ? QString() : u"diff needs two files, one may be \"board\""_s;
     }
-    bool needsBoard(const CommandOptions &options) const override
-    {
-        return options.arguments.contains(u"board"_s);
-    }
-    Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
+    bool needsBoard() const override { return arguments().contains(u"board"_s); }
+    Result<CommandOutcome> run(Channel &channel, Device &device) override
     {
         auto board = device.readConfiguration(channel);
         if (!board)
             return tl::unexpected(board.error());
-        return compare(options, &*board);
+        return compare(&*board);
     }
-    Result<CommandOutcome> runWithoutBoard(const CommandOptions &options) override
-    {
-        return compare(options, nullptr);
-    }
+    void startWithoutBoard() override { emit finished(compare(nullptr)); }
 
 private:
-    static Result<CommandOutcome> compare(const CommandOptions &options, const Configuration *board)
+    [[nodiscard]] Result<CommandOutcome> compare(const Configuration *board) const
     {
         std::array<Configuration, 2> sides;
         for (std::size_t i = 0; i < sides.size(); ++i) {
-            const QString name = options.arguments.value(qsizetype(i));
+            const QString name = arguments().value(qsizetype(i));
             if (name == u"board"_s) {
                 sides[i] = *board;
                 continue;
             }
-            auto file = loadConfiguration(name, allFamilies());
+            auto file = loadConfiguration(name, families());
             if (!file)
                 return tl::unexpected(file.error());
             sides[i] = std::move(file->configuration);
@@ -138,22 +144,25 @@ private:
     }
 };
 
-class ApplyCommand final : public Command
+class ApplyCommand final : public BoardCommand
 {
 public:
+    using BoardCommand::BoardCommand;
     const char *name() const override { return "apply"; }
-    const char *usage() const override { return "apply FILE [--dry-run]"; }
-    const char *help() const override
+    const char *words() const override { return "FILE"; }
+    QString help() const override
     {
-        return "write a file's values to the board; --dry-run only shows them";
+        return u"write a file's values to the board; --dry-run only shows them"_s;
     }
-    QString check(const CommandOptions &options) const override
+    const char *example() const override { return "--link serial:/dev/ttyUSB0 apply before.json --dry-run"; }
+    QList<CommandOption> options() override { return {dryRunOption(m_dryRun)}; }
+    QString check() const override
     {
-        return options.arguments.size() == 1 ? QString() : u"apply needs one file name"_s;
+        return arguments().size() == 1 ? QString() : u"apply needs one file name"_s;
     }
-    Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
+    Result<CommandOutcome> run(Channel &channel, Device &device) override
     {
-        auto file = loadConfiguration(options.arguments.first(), allFamilies());
+        auto file = loadConfiguration(arguments().first(), families());
         if (!file)
             return tl::unexpected(file.error());
         if (file->configuration.identity().family != device.identity().family) {
@@ -167,7 +176,7 @@ public:
         QStringList skipped = file->unknownKeys;
         const Configuration edited = applied(*base, file->configuration, skipped);
         Result<CommandOutcome> outcome = CommandOutcome();
-        if (options.dryRun) {
+        if (m_dryRun) {
             const auto changes = base->changesTo(edited);
             QJsonArray array;
             for (const ParameterChange &change : changes)
@@ -179,7 +188,7 @@ public:
                 ? u"nothing would change\n"_s
                 : changeText(*base, changes) + dataText(base->dataChangesTo(edited));
         } else {
-            outcome = writeAndReport(channel, device, *base, edited, options);
+            outcome = writeAndReport(channel, device, *base, edited, history());
         }
         if (outcome && !file->missingKeys.isEmpty())
             outcome->note
@@ -188,30 +197,34 @@ public:
             outcome->note += u"\nnot applied, as this board does not have them: "_s + skipped.join(u", "_s);
         return outcome;
     }
+
+private:
+    bool m_dryRun = false;
 };
 
-class ScriptCommand final : public Command
+class ScriptCommand final : public BoardCommand
 {
 public:
+    using BoardCommand::BoardCommand;
     const char *name() const override { return "script"; }
-    const char *usage() const override { return "script N [FILE] [--dry-run]"; }
-    const char *help() const override
+    const char *words() const override { return "N [FILE]"; }
+    QString help() const override
     {
-        return "text of a script of the board; with a file, compile and write it";
+        return u"text of a script of the board; with a file, compile and write it"_s;
     }
-    QString check(const CommandOptions &options) const override
+    const char *example() const override { return "--link serial:/dev/ttyUSB0 script 1 look-around.scr"; }
+    QList<CommandOption> options() override { return {dryRunOption(m_dryRun)}; }
+    QString check() const override
     {
         bool ok = false;
-        options.arguments.value(0).toInt(&ok);
-        return ok && options.arguments.size() <= 2
-            ? QString()
-            : u"script needs the number of a script, and maybe a file"_s;
+        arguments().value(0).toInt(&ok);
+        return ok && arguments().size() <= 2 ? QString()
+                                             : u"script needs the number of a script, and maybe a file"_s;
     }
-    Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
+    Result<CommandOutcome> run(Channel &channel, Device &device) override
     {
-        const auto families = allFamilies();
-        const Family *family = findFamily(families, device.identity().family);
-        const int script = options.arguments.first().toInt() - 1;
+        const Family *family = findFamily(families(), device.identity().family);
+        const int script = arguments().first().toInt() - 1;
         if (!family || !family->scripts)
             return failure(ErrorCode::Unsupported, u"boards of this family keep no scripts"_s);
         if (script < 0 || script >= family->scripts->count())
@@ -223,13 +236,13 @@ public:
         const BlockKey key{0, family->scripts->block()};
         if (base->block(key).isEmpty())
             return failure(ErrorCode::Unsupported, u"the scripts cannot be read over this link"_s);
-        if (options.arguments.size() == 1) {
+        if (arguments().size() == 1) {
             CommandOutcome outcome;
             outcome.text = family->scripts->text(*base, script);
             outcome.json = QJsonObject{{u"script"_s, script + 1}, {u"text"_s, outcome.text}};
             return outcome;
         }
-        QFile file(options.arguments[1]);
+        QFile file(arguments()[1]);
         if (!file.open(QIODevice::ReadOnly))
             return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(file.fileName(), file.errorString()));
         QStringList texts;
@@ -241,8 +254,8 @@ public:
             return tl::unexpected(code.error().error());
         Configuration edited = *base;
         edited.setBlock(key, *code);
-        if (!options.dryRun)
-            return writeAndReport(channel, device, *base, edited, options);
+        if (!m_dryRun)
+            return writeAndReport(channel, device, *base, edited, history());
         const auto [used, all] = family->scripts->used(edited);
         CommandOutcome outcome;
         outcome.json = QJsonObject{{u"bytesUsed"_s, used}, {u"bytes"_s, all}};
@@ -252,17 +265,12 @@ public:
 
 private:
     static constexpr qint64 kLargestScript = 64 * 1024;
+    bool m_dryRun = false;
 };
 
 }  // namespace
 
-std::vector<std::unique_ptr<Command>> fileCommands()
+Commands fileCommands(const CommandContext &context)
 {
-    std::vector<std::unique_ptr<Command>> commands;
-    commands.push_back(std::make_unique<PortsCommand>());
-    commands.push_back(std::make_unique<DumpCommand>());
-    commands.push_back(std::make_unique<DiffCommand>());
-    commands.push_back(std::make_unique<ApplyCommand>());
-    commands.push_back(std::make_unique<ScriptCommand>());
-    return commands;
+    return makeCommands<PortsCommand, DumpCommand, DiffCommand, ApplyCommand, ScriptCommand>(context);
 }

@@ -10,23 +10,24 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-Result<int> chosenProfile(const CommandOptions &options, const Configuration &configuration)
+/// @param number from 1; 0 = the active one
+Result<int> chosenProfile(int number, const Configuration &configuration)
 {
-    if (options.profile == 0)
+    if (number == 0)
         return configuration.activeProfile();
-    if (options.profile > configuration.identity().profileCount) {
-        return failure(ErrorCode::InvalidArgument,
-                       u"profile %1; the board has %2"_s.arg(options.profile)
-                           .arg(configuration.identity().profileCount));
+    if (number > configuration.identity().profileCount) {
+        return failure(
+            ErrorCode::InvalidArgument,
+            u"profile %1; the board has %2"_s.arg(number).arg(configuration.identity().profileCount));
     }
-    return options.profile - 1;
+    return number - 1;
 }
 
-QJsonObject parameterJson(const ParameterSpec &spec, int profile, int raw)
+QJsonObject parameterJson(const ParameterSpec &spec, int profile, double raw)
 {
     QJsonObject json{{u"key"_s, spec.key},
-                     {u"value"_s, spec.format(raw)},
-                     {u"raw"_s, raw},
+                     {u"value"_s, valueJson(spec, raw)},
+                     {u"raw"_s, std::isnan(raw) ? QJsonValue() : QJsonValue(raw)},
                      {u"unit"_s, QString::fromUtf8(spec.row->unit)},
                      {u"profile"_s, profile + 1},
                      {u"label"_s, QString::fromUtf8(spec.row->label)}};
@@ -37,14 +38,14 @@ QJsonObject parameterJson(const ParameterSpec &spec, int profile, int raw)
     return json;
 }
 
-class InfoCommand final : public Command
+class InfoCommand final : public BoardCommand
 {
 public:
+    using BoardCommand::BoardCommand;
     const char *name() const override { return "info"; }
-    const char *usage() const override { return "info"; }
-    const char *help() const override { return "who is connected"; }
-    QString check(const CommandOptions &) const override { return {}; }
-    Result<CommandOutcome> run(Channel &, Device &device, const CommandOptions &) override
+    QString help() const override { return u"who is connected"_s; }
+    const char *example() const override { return "--link serial:/dev/ttyUSB0 info"; }
+    Result<CommandOutcome> run(Channel &, Device &device) override
     {
         const BoardIdentity &identity = device.identity();
         QStringList capabilities(identity.capabilities.begin(), identity.capabilities.end());
@@ -70,25 +71,28 @@ public:
     }
 };
 
-class ListCommand final : public Command
+class ListCommand final : public BoardCommand
 {
 public:
+    using BoardCommand::BoardCommand;
     const char *name() const override { return "list"; }
-    const char *usage() const override { return "list [PATTERN] [--profile N]"; }
-    const char *help() const override { return "parameters with unit, range and value"; }
-    QString check(const CommandOptions &options) const override
+    const char *words() const override { return "[PATTERN]"; }
+    QString help() const override { return u"parameters with unit, range and value"_s; }
+    const char *example() const override { return "--link serial:/dev/ttyUSB0 list 'pid.*'"; }
+    QList<CommandOption> options() override { return {profileOption(m_profile)}; }
+    QString check() const override
     {
-        return options.arguments.size() > 1 ? u"list takes one pattern at most"_s : QString();
+        return arguments().size() > 1 ? u"list takes one pattern at most"_s : QString();
     }
-    Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
+    Result<CommandOutcome> run(Channel &channel, Device &device) override
     {
         const auto configuration = device.readConfiguration(channel);
         if (!configuration)
             return tl::unexpected(configuration.error());
-        const auto profile = chosenProfile(options, *configuration);
+        const auto profile = chosenProfile(m_profile, *configuration);
         if (!profile)
             return tl::unexpected(profile.error());
-        const QString pattern = options.arguments.value(0, u"*"_s);
+        const QString pattern = arguments().value(0, u"*"_s);
         const QRegularExpression matcher(QRegularExpression::wildcardToRegularExpression(
             pattern.contains(u'*') || pattern.contains(u'?') ? pattern : u'*' + pattern + u'*'));
         CommandOutcome outcome;
@@ -110,72 +114,91 @@ public:
         }
         return outcome;
     }
+
+private:
+    int m_profile = 0;
 };
 
-class GetCommand final : public Command
+class GetCommand final : public BoardCommand
 {
 public:
+    using BoardCommand::BoardCommand;
     const char *name() const override { return "get"; }
-    const char *usage() const override { return "get KEY... [--profile N]"; }
-    const char *help() const override { return "values of parameters"; }
-    QString check(const CommandOptions &options) const override
+    const char *words() const override { return "KEY..."; }
+    QString help() const override { return u"values of parameters"_s; }
+    const char *example() const override { return "--link serial:/dev/ttyUSB0 get pid.roll.p pid.roll.i"; }
+    QList<CommandOption> options() override { return {profileOption(m_profile)}; }
+    QString check() const override
     {
-        return options.arguments.isEmpty() ? u"get needs at least one key"_s : QString();
+        return arguments().isEmpty() ? u"get needs at least one key"_s : QString();
     }
-    Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
+    Result<CommandOutcome> run(Channel &channel, Device &device) override
     {
         const auto configuration = device.readConfiguration(channel);
         if (!configuration)
             return tl::unexpected(configuration.error());
-        const auto profile = chosenProfile(options, *configuration);
+        const auto profile = chosenProfile(m_profile, *configuration);
         if (!profile)
             return tl::unexpected(profile.error());
         CommandOutcome outcome;
         QJsonArray array;
-        for (const QString &key : options.arguments) {
+        for (const QString &key : arguments()) {
             const ParameterSpec *spec = configuration->parameters().find(key);
             const auto raw = spec ? configuration->raw(*spec, *profile) : std::nullopt;
             if (!raw)
                 return failure(ErrorCode::InvalidArgument, u"there is no parameter '%1'"_s.arg(key));
             array.append(parameterJson(*spec, *profile, *raw));
-            outcome.text += options.arguments.size() == 1 ? spec->format(*raw) + u'\n'
-                                                          : key + u'=' + spec->format(*raw) + u'\n';
+            outcome.text += arguments().size() == 1 ? spec->format(*raw) + u'\n'
+                                                    : key + u'=' + spec->format(*raw) + u'\n';
         }
         outcome.json = array;
         return outcome;
     }
+
+private:
+    int m_profile = 0;
 };
 
-class SetCommand final : public Command
+class SetCommand final : public BoardCommand
 {
 public:
+    using BoardCommand::BoardCommand;
     const char *name() const override { return "set"; }
-    const char *usage() const override { return "set KEY=VALUE... [--profile N] [--no-save]"; }
-    const char *help() const override
+    const char *words() const override { return "KEY=VALUE..."; }
+    QString help() const override
     {
-        return "change parameters; --no-save changes them in volatile memory only";
+        return u"change parameters; --no-save changes them in volatile memory only"_s;
     }
-    QString check(const CommandOptions &options) const override
+    const char *example() const override
     {
-        if (options.arguments.isEmpty())
+        return "--link serial:/dev/ttyUSB0 set pid.roll.p=44 motor.yaw.power=150";
+    }
+    QList<CommandOption> options() override
+    {
+        return {profileOption(m_profile),
+                switchOption(u"no-save"_s, u"change values in volatile memory only"_s, m_noSave)};
+    }
+    QString check() const override
+    {
+        if (arguments().isEmpty())
             return u"set needs KEY=VALUE"_s;
-        for (const QString &assignment : options.arguments) {
+        for (const QString &assignment : arguments()) {
             if (assignment.indexOf(u'=') < 1)
                 return u"'%1' is not KEY=VALUE"_s.arg(assignment);
         }
         return {};
     }
-    Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
+    Result<CommandOutcome> run(Channel &channel, Device &device) override
     {
         const auto base = device.readConfiguration(channel);
         if (!base)
             return tl::unexpected(base.error());
-        const auto profile = chosenProfile(options, *base);
+        const auto profile = chosenProfile(m_profile, *base);
         if (!profile)
             return tl::unexpected(profile.error());
         Configuration edited = *base;
         std::vector<AdjustableValue> live;
-        for (const QString &assignment : options.arguments) {
+        for (const QString &assignment : arguments()) {
             const QString key = assignment.section(u'=', 0, 0);
             const ParameterSpec *spec = base->parameters().find(key);
             if (!spec)
@@ -187,41 +210,47 @@ public:
             }
             if (const auto set = edited.setRaw(*spec, *profile, *raw); !set)
                 return tl::unexpected(set.error());
-            if (options.noSave && spec->adjustable < 0) {
+            if (m_noSave && spec->adjustable < 0) {
                 return failure(ErrorCode::Unsupported,
                                u"%1 cannot be changed in volatile memory; leave --no-save out"_s.arg(key));
             }
-            live.push_back({spec->adjustable, double(*raw) * spec->row->adjustableScale});
+            live.push_back({spec->adjustable, *raw * spec->row->adjustableScale});
         }
-        if (!options.noSave)
-            return writeAndReport(channel, device, *base, edited, options);
+        if (!m_noSave)
+            return writeAndReport(channel, device, *base, edited, history());
 
         if (!device.identity().writable)
             return failure(ErrorCode::ReadOnly, device.identity().firmware);
         if (*profile != base->activeProfile())
             return failure(ErrorCode::InvalidArgument, u"--no-save works on the active profile only"_s);
-        if (const auto done = device.writeAdjustables(channel, live); !done)
+        if (const auto done = device.live()->writeAdjustables(channel, live); !done)
             return tl::unexpected(done.error());
         CommandOutcome outcome;
         outcome.json = QJsonObject{{u"volatile"_s, true}, {u"count"_s, qint64(live.size())}};
-        outcome.text = u"changed until the next restart: %1\n"_s.arg(options.arguments.join(u", "_s));
+        outcome.text = u"changed until the next restart: %1\n"_s.arg(arguments().join(u", "_s));
         return outcome;
     }
+
+private:
+    int m_profile = 0;
+    bool m_noSave = false;
 };
 
-class ProfilesCommand final : public Command
+class ProfilesCommand final : public BoardCommand
 {
 public:
+    using BoardCommand::BoardCommand;
     const char *name() const override { return "profiles"; }
-    const char *usage() const override { return "profiles"; }
-    const char *help() const override { return "names of the profiles; * marks the active one"; }
-    QString check(const CommandOptions &) const override { return {}; }
-    Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &) override
+    QString help() const override { return u"names of the profiles; * marks the active one"_s; }
+    const char *example() const override { return "--link serial:/dev/ttyUSB0 profiles"; }
+    Result<CommandOutcome> run(Channel &channel, Device &device) override
     {
-        const auto names = device.readProfileNames(channel);
+        ProfileAccess *profiles = device.profiles();
+        const auto names
+            = profiles ? profiles->readProfileNames(channel) : Result<QStringList>(QStringList{QString()});
         if (!names)
             return tl::unexpected(names.error());
-        const auto active = device.activeProfile(channel);
+        const auto active = profiles ? profiles->activeProfile(channel) : Result<int>(0);
         if (!active)
             return tl::unexpected(active.error());
         CommandOutcome outcome;
@@ -236,31 +265,36 @@ public:
     }
 };
 
-class RenameCommand final : public Command
+class RenameCommand final : public BoardCommand
 {
 public:
+    using BoardCommand::BoardCommand;
     const char *name() const override { return "rename"; }
-    const char *usage() const override { return "rename N NAME"; }
-    const char *help() const override { return "give a profile a name"; }
-    QString check(const CommandOptions &options) const override
+    const char *words() const override { return "N NAME"; }
+    QString help() const override { return u"give a profile a name"_s; }
+    const char *example() const override { return "--link serial:/dev/ttyUSB0 rename 2 Studio"; }
+    QString check() const override
     {
         bool ok = false;
-        const int number = options.arguments.value(0).toInt(&ok);
-        if (options.arguments.size() != 2 || !ok || number < 1)
+        const int number = arguments().value(0).toInt(&ok);
+        if (arguments().size() != 2 || !ok || number < 1)
             return u"rename needs the number of a profile and its name"_s;
         return {};
     }
-    Result<CommandOutcome> run(Channel &channel, Device &device, const CommandOptions &options) override
+    Result<CommandOutcome> run(Channel &channel, Device &device) override
     {
-        const int number = options.arguments.value(0).toInt();
-        const QString wanted = options.arguments.value(1);
+        const int number = arguments().value(0).toInt();
+        const QString wanted = arguments().value(1);
         if (number > device.identity().profileCount)
             return failure(ErrorCode::InvalidArgument,
                            u"the board has %1 profiles"_s.arg(device.identity().profileCount));
-        if (wanted.toUtf8().size() > device.profileNameBytes()) {
-            return failure(ErrorCode::InvalidArgument,
-                           u"a name has at most %1 bytes, this one has %2"_s.arg(device.profileNameBytes())
-                               .arg(wanted.toUtf8().size()));
+        if (!device.profiles())
+            return failure(ErrorCode::Unsupported, u"this board has one profile, without a name"_s);
+        if (wanted.toUtf8().size() > device.profiles()->profileNameBytes()) {
+            return failure(
+                ErrorCode::InvalidArgument,
+                u"a name has at most %1 bytes, this one has %2"_s.arg(device.profiles()->profileNameBytes())
+                    .arg(wanted.toUtf8().size()));
         }
         const auto base = device.readConfiguration(channel);
         if (!base)
@@ -270,20 +304,14 @@ public:
         names.resize(device.identity().profileCount);
         names[number - 1] = wanted;
         edited.setProfileNames(names);
-        return writeAndReport(channel, device, *base, edited, options);
+        return writeAndReport(channel, device, *base, edited, history());
     }
 };
 
 }  // namespace
 
-std::vector<std::unique_ptr<Command>> parameterCommands()
+Commands parameterCommands(const CommandContext &context)
 {
-    std::vector<std::unique_ptr<Command>> commands;
-    commands.push_back(std::make_unique<InfoCommand>());
-    commands.push_back(std::make_unique<ListCommand>());
-    commands.push_back(std::make_unique<GetCommand>());
-    commands.push_back(std::make_unique<SetCommand>());
-    commands.push_back(std::make_unique<ProfilesCommand>());
-    commands.push_back(std::make_unique<RenameCommand>());
-    return commands;
+    return makeCommands<InfoCommand, ListCommand, GetCommand, SetCommand, ProfilesCommand, RenameCommand>(
+        context);
 }

@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
-#include "app/composition/composition.h"
 #include "protocol/analysis/frequencyresponse.h"
 #include "protocol/analysis/holdingquality.h"
 #include "protocol/analysis/stepresponse.h"
-#include "protocol/device/uniformsamples.h"
 #include "protocol/record/replaystore.h"
 #include "protocol/record/responsecsv.h"
 #include "protocol/record/telemetrycsv.h"
+#include "protocol/telemetry/uniformsamples.h"
 
 #include <QSaveFile>
 
@@ -31,17 +30,17 @@ struct Opened
     std::unique_ptr<Device> device;
     std::shared_ptr<TelemetryStore> store;
 
-    static Result<Opened> open(const QString &path)
+    static Result<Opened> open(const QString &path, const QList<Family> &families)
     {
         auto recording = Recording::load(path);
         if (!recording)
             return tl::unexpected(recording.error());
         const QString key = recording->description.value(u"family"_s).toString();
-        for (const Family &family : allFamilies()) {
+        for (const Family &family : families) {
             if (family.key != key)
                 continue;
             Opened opened{std::move(*recording), family.makeDevice(), nullptr};
-            opened.store = readTelemetry(opened.recording, *opened.device);
+            opened.store = readTelemetry(opened.recording, family, *opened.device);
             return opened;
         }
         return failure(ErrorCode::BadFile, u"%1: this program knows no family '%2'"_s.arg(path, key));
@@ -60,20 +59,14 @@ struct Opened
     }
 };
 
+/// The channels with these keys, or all that were recorded.
 Result<QList<int>> channelsOf(const Opened &opened, const QStringList &keys)
 {
-    QList<int> channels;
     const ChannelTable table = opened.device->channels();
-    for (const QString &key : keys) {
-        const int channel = findChannel(table, key.trimmed());
-        if (channel < 0)
-            return failure(ErrorCode::InvalidArgument,
-                           u"no channel '%1'; gimbalctl monitor lists them"_s.arg(key));
-        channels.append(channel);
-    }
+    auto channels = findChannels(table, keys);
     for (int channel = 0; keys.isEmpty() && channel < int(table.size()); ++channel) {
         if (!opened.store->tracks(channel).empty())
-            channels.append(channel);
+            channels->append(channel);
     }
     return channels;
 }
@@ -135,92 +128,102 @@ QString timeText(std::optional<double> value)
     return value ? u"%1 ms"_s.arg(*value * 1000, 0, 'f', 0) : u"-"_s;
 }
 
-class ExportCommand final : public Command
+class ExportCommand final : public LocalCommand
 {
 public:
+    using LocalCommand::LocalCommand;
     const char *name() const override { return "export"; }
-    const char *usage() const override { return "export FILE [--csv FILE|-] [--channels a,b]"; }
-    const char *help() const override { return "samples of a recording as CSV; - or nothing = stdout"; }
-    QString check(const CommandOptions &options) const override
+    const char *words() const override { return "FILE"; }
+    QString help() const override { return u"samples of a recording as CSV; - or nothing = stdout"_s; }
+    const char *example() const override { return "export flight.rec --csv flight.csv"; }
+    QList<CommandOption> options() override
     {
-        return options.arguments.size() == 1 ? QString() : u"export needs one recording"_s;
+        return {textOption(u"csv"_s, u"FILE|-"_s, u"where the samples go, - = stdout"_s, m_csv),
+                channelsOption(m_channels)};
     }
-    bool needsBoard(const CommandOptions &) const override { return false; }
-    Result<CommandOutcome> runWithoutBoard(const CommandOptions &options) override
+    QString check() const override
     {
-        const auto opened = Opened::open(options.arguments.first());
+        return arguments().size() == 1 ? QString() : u"export needs one recording"_s;
+    }
+    Result<CommandOutcome> run() override
+    {
+        const auto opened = Opened::open(arguments().first(), families());
         if (!opened)
             return tl::unexpected(opened.error());
-        const auto channels = channelsOf(*opened, options.channels);
+        const auto channels = channelsOf(*opened, m_channels);
         if (!channels)
             return tl::unexpected(channels.error());
-        const bool toScreen = options.csv.isEmpty() || options.csv == u"-"_s;
+        const bool toScreen = m_csv.isEmpty() || m_csv == u"-"_s;
         std::unique_ptr<QFileDevice> file;
         if (toScreen)
             file = std::make_unique<QFile>();
         else
-            file = std::make_unique<QSaveFile>(options.csv);
+            file = std::make_unique<QSaveFile>(m_csv);
         const bool open = toScreen ? static_cast<QFile &>(*file).open(stdout, QIODevice::WriteOnly)
                                    : file->open(QIODevice::WriteOnly);
         if (!open)
-            return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(options.csv, file->errorString()));
+            return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(m_csv, file->errorString()));
         const auto lines = writeTelemetryCsv(*file, *opened->store, opened->device->channels(), *channels,
                                              -kAllTime, kAllTime);
         if (!lines)
             return tl::unexpected(lines.error());
         if (!toScreen && !static_cast<QSaveFile &>(*file).commit())
-            return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(options.csv, file->errorString()));
+            return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(m_csv, file->errorString()));
         CommandOutcome outcome;
         outcome.note = opened->note();
         if (!toScreen)
-            outcome.text = u"%1 lines saved to %2\n"_s.arg(*lines).arg(options.csv);
-        outcome.json = QJsonObject{{u"lines"_s, *lines}, {u"file"_s, options.csv}};
+            outcome.text = u"%1 lines saved to %2\n"_s.arg(*lines).arg(m_csv);
+        outcome.json = QJsonObject{{u"lines"_s, *lines}, {u"file"_s, m_csv}};
         return outcome;
     }
+
+private:
+    QString m_csv;
+    QStringList m_channels;
 };
 
-class AnalyzeCommand final : public Command
+class AnalyzeCommand final : public LocalCommand
 {
 public:
+    using LocalCommand::LocalCommand;
     const char *name() const override { return "analyze"; }
-    const char *usage() const override { return "analyze spectrum|holding|steps|response FILE [--channels]"; }
-    const char *help() const override
+    const char *words() const override { return "spectrum|holding|steps|response FILE"; }
+    QString help() const override
     {
-        return "measure a recording, or the response in an in;out file (.csv)";
+        return u"measure a recording, or the response in an in;out file (.csv)"_s;
     }
-    QString check(const CommandOptions &options) const override
+    const char *example() const override { return "analyze spectrum flight.rec"; }
+    QList<CommandOption> options() override { return {channelsOption(m_channels)}; }
+    QString check() const override
     {
         static const QStringList kinds{u"spectrum"_s, u"holding"_s, u"steps"_s, u"response"_s};
-        if (options.arguments.size() != 2 || !kinds.contains(options.arguments.first()))
+        if (arguments().size() != 2 || !kinds.contains(arguments().first()))
             return u"analyze needs spectrum, holding, steps or response, and a recording"_s;
-        if (options.arguments.first() == u"response"_s && options.channels.size() != 2
-            && !options.channels.isEmpty())
+        if (arguments().first() == u"response"_s && m_channels.size() != 2 && !m_channels.isEmpty())
             return u"response needs two channels: input,output"_s;
         return {};
     }
-    bool needsBoard(const CommandOptions &) const override { return false; }
-    Result<CommandOutcome> runWithoutBoard(const CommandOptions &options) override
+    Result<CommandOutcome> run() override
     {
-        if (options.arguments.first() == u"response"_s && options.arguments[1].endsWith(u".csv"_s))
-            return responseOfText(options.arguments[1]);
-        const auto opened = Opened::open(options.arguments[1]);
+        if (arguments().first() == u"response"_s && arguments()[1].endsWith(u".csv"_s))
+            return responseOfText(arguments()[1]);
+        const auto opened = Opened::open(arguments()[1], families());
         if (!opened)
             return tl::unexpected(opened.error());
-        Result<CommandOutcome> outcome = measure(options.arguments.first(), *opened, options);
+        Result<CommandOutcome> outcome = measure(arguments().first(), *opened);
         if (outcome)
             outcome->note = opened->note();
         return outcome;
     }
 
 private:
-    static Result<CommandOutcome> measure(const QString &kind, const Opened &opened,
-                                          const CommandOptions &options)
+    [[nodiscard]] Result<CommandOutcome> measure(const QString &kind, const Opened &opened) const
     {
         if (kind == u"spectrum"_s)
-            return spectra(opened, options);
+            return spectra(opened);
         if (kind == u"holding"_s)
             return holding(opened);
-        return kind == u"steps"_s ? steps(opened) : response(opened, options);
+        return kind == u"steps"_s ? steps(opened) : response(opened);
     }
 
     static Result<UniformSamples> samplesOf(const Opened &opened, int channel, int minus = -1)
@@ -233,14 +236,14 @@ private:
         return averaging(samples.values.size(), samples.rate);
     }
 
-    static Result<CommandOutcome> spectra(const Opened &opened, const CommandOptions &options)
+    [[nodiscard]] Result<CommandOutcome> spectra(const Opened &opened) const
     {
         QList<int> channels;
-        if (options.channels.isEmpty()) {
-            const ChannelRoles roles = opened.device->roles();
+        if (m_channels.isEmpty()) {
+            const ChannelRoles roles = rolesOf(*opened.device);
             channels = QList<int>(roles.gyro.begin(), roles.gyro.end());
         } else {
-            const auto named = channelsOf(opened, options.channels);
+            const auto named = channelsOf(opened, m_channels);
             if (!named)
                 return tl::unexpected(named.error());
             channels = *named;
@@ -287,7 +290,7 @@ private:
 
     static Result<CommandOutcome> holding(const Opened &opened)
     {
-        const ChannelRoles roles = opened.device->roles();
+        const ChannelRoles roles = rolesOf(*opened.device);
         CommandOutcome outcome;
         QJsonObject json;
         for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
@@ -323,8 +326,8 @@ private:
 
     static Result<CommandOutcome> steps(const Opened &opened)
     {
-        const ChannelRoles roles = opened.device->roles();
-        if (!MotionTest::tellsTargets(*opened.device))
+        const ChannelRoles roles = rolesOf(*opened.device);
+        if (!tellsTargets(*opened.device))
             return tl::unexpected(untold());
         CommandOutcome outcome;
         QJsonArray list;
@@ -375,17 +378,17 @@ private:
         return outcome;
     }
 
-    static Result<CommandOutcome> response(const Opened &opened, const CommandOptions &options)
+    [[nodiscard]] Result<CommandOutcome> response(const Opened &opened) const
     {
-        const ChannelRoles roles = opened.device->roles();
+        const ChannelRoles roles = rolesOf(*opened.device);
         QList<std::pair<int, int>> pairs;
-        if (options.channels.isEmpty()) {
-            if (!MotionTest::tellsTargets(*opened.device))
+        if (m_channels.isEmpty()) {
+            if (!tellsTargets(*opened.device))
                 return tl::unexpected(untold());
             for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis)
                 pairs.append({roles.target[axis], roles.angle[axis]});
         } else {
-            const auto named = channelsOf(opened, options.channels);
+            const auto named = channelsOf(opened, m_channels);
             if (!named)
                 return tl::unexpected(named.error());
             pairs.append({named->at(0), named->at(1)});
@@ -409,6 +412,7 @@ private:
         outcome.json = json;
         return outcome;
     }
+    QStringList m_channels;
 };
 
 }  // namespace
@@ -447,10 +451,7 @@ Result<CommandOutcome> describeMotion(const MotionTestResult &result)
     return outcome;
 }
 
-std::vector<std::unique_ptr<Command>> recordingCommands()
+Commands recordingCommands(const CommandContext &context)
 {
-    std::vector<std::unique_ptr<Command>> commands;
-    commands.push_back(std::make_unique<ExportCommand>());
-    commands.push_back(std::make_unique<AnalyzeCommand>());
-    return commands;
+    return makeCommands<ExportCommand, AnalyzeCommand>(context);
 }

@@ -14,7 +14,7 @@ constexpr auto kDrainPeriod = 50ms;
 
 }  // namespace
 
-TelemetryPrinter::TelemetryPrinter(DeviceClient &client, QList<int> channels, TelemetryWish wish,
+TelemetryPrinter::TelemetryPrinter(DeviceClient &client, QList<int> channels, Subscription wish,
                                    double seconds, bool asJson)
     : m_client(client)
     , m_channels(std::move(channels))
@@ -29,7 +29,7 @@ TelemetryPrinter::TelemetryPrinter(DeviceClient &client, QList<int> channels, Te
 
 void TelemetryPrinter::start()
 {
-    m_client.setTelemetry(m_wish);
+    m_client.subscribe(m_wish);
     m_timer.start();
 }
 

@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/deviceclient.h"
+#include "protocol/client/deviceclient.h"
+#include "protocol/device/abilities.h"
+#include "protocol/device/family.h"
+#include "protocol/telemetry/streams.h"
+#include "protocol/telemetry/telemetryplan.h"
+#include "protocol/telemetry/telemetrystore.h"
 
 #include <QJsonArray>
 #include <QTextStream>
@@ -14,7 +19,7 @@ class TelemetryPrinter final : public QObject
     Q_OBJECT
 public:
     /// @param channels columns; @param wish what to ask the board for
-    TelemetryPrinter(DeviceClient &client, QList<int> channels, TelemetryWish wish, double seconds,
+    TelemetryPrinter(DeviceClient &client, QList<int> channels, Subscription wish, double seconds,
                      bool asJson);
 
     void start();
@@ -32,7 +37,7 @@ private:
 
     DeviceClient &m_client;
     QList<int> m_channels;
-    TelemetryWish m_wish;
+    Subscription m_wish;
     double m_seconds;
     bool m_asJson;
     QTextStream m_out{stdout};

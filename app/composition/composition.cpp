@@ -3,19 +3,47 @@
 #include "app/composition/composition.h"
 
 #include "protocol/record/replaytransport.h"
-#include "protocol/simplebgc/sbgcdevice.h"
-#include "protocol/simulator/hosts.h"
-#include "protocol/storm32/stormdevice.h"
+#include "protocol/simulator/link/simulatedgimbals.h"
+#include "protocol/transport/systemtransport.h"
+
+#if GIMBAL_WITH_SIMPLEBGC
+#include "protocol/simplebgc/device.h"
+#include "protocol/simulator/simplebgc/family.h"
+#endif
+#if GIMBAL_WITH_STORM32
+#include "protocol/simulator/storm32/family.h"
+#include "protocol/storm32/device.h"
+#endif
 
 QList<Family> allFamilies()
 {
-    return {sbgcFamily(), stormFamily()};
+    QList<Family> families;
+#if GIMBAL_WITH_SIMPLEBGC
+    families.append(sbgcFamily());
+#endif
+#if GIMBAL_WITH_STORM32
+    families.append(stormFamily());
+#endif
+    return families;
+}
+
+QList<SimulatedFamily> allSimulatedFamilies()
+{
+    QList<SimulatedFamily> families;
+#if GIMBAL_WITH_SIMPLEBGC
+    families.append(simulatedSimpleBgc());
+#endif
+#if GIMBAL_WITH_STORM32
+    families.append(simulatedStorm32());
+#endif
+    return families;
 }
 
 Links allLinks()
 {
-    const SimulatedGimbals simulated;
+    const SimulatedGimbals simulated(allSimulatedFamilies());
     Links links;
+    links.usualFamily = allFamilies().first().key;
     links.transports = [simulated](const LinkAddress &address) {
         switch (address.kind()) {
         case LinkAddress::Kind::Simulator: return simulated.connectTo(address);

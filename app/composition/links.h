@@ -7,6 +7,8 @@
 /// Every kind of link, and the way to change the world around the simulated gimbals among them.
 struct Links
 {
+    /// The family whose pages are shown before the first board, and whose simulated board is the demo.
+    QString usualFamily;
     TransportFactory transports;
     /// A fault as NAME=VALUE for a `sim:` address that was connected to. Errors: InvalidArgument,
     /// NotConnected.

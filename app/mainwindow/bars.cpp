@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bars.h"
 
+#include "protocol/session/linkstatistics.h"
+#include "protocol/telemetry/telemetrystore.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QClipboard>
@@ -347,7 +349,7 @@ void StatusStrip::refresh()
     }
     const bool bad = m_lastBad > 0 && m_badAt.isValid() && m_badAt.elapsed() < kBadTimeMs;
     m_link->setText(dot(bad ? ColorRole::Warning : ColorRole::Ok) + text);
-    const ChannelRoles roles = m_workspace.roles();
+    const ChannelRoles &roles = m_workspace.roles();
     const double volts = m_workspace.latest(roles.battery);
     m_battery->setText(std::isnan(volts) ? QString() : tr("%1 V").arg(volts, 0, 'f', 1));
     const double celsius = m_workspace.latest(roles.temperature);

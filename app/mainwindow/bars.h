@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/pages/workspace.h"
+#include "app/workspace/workspace.h"
 
 #include <QElapsedTimer>
 #include <QFrame>
@@ -65,11 +65,6 @@ class UnsavedBar final : public QFrame
 public:
     explicit UnsavedBar(Workspace &workspace, QWidget *parent = nullptr);
     [[nodiscard]] QPushButton *writeButton() const { return m_write; }
-    [[nodiscard]] QPushButton *undoButton() const { return m_undo; }
-    [[nodiscard]] QPushButton *redoButton() const { return m_redo; }
-    [[nodiscard]] QPushButton *discardButton() const { return m_discard; }
-
-    [[nodiscard]] QPushButton *saveFileButton() const { return m_saveFile; }
 
 signals:
     void reviewRequested();

@@ -204,14 +204,17 @@ void LinkBar::updateMotors()
     const bool connected = m_workspace.client().isConnected() && !m_workspace.client().address().isReplay();
     const auto running = m_workspace.motorsRunning();
     // Unknown counts as running: the button must stop them then.
-    m_offNext = !running || *running;
+    // So does a board without a command that switches them on: there the button only ever stops.
+    const Device *device = m_workspace.client().device();
+    const bool canSwitchOn = !connected || (device && device->motorSwitch());
+    m_offNext = !running || *running || !canSwitchOn;
     m_motors->setEnabled(connected);
     const QString text = m_offNext ? tr("■ MOTORS OFF") : tr("▶ Motors on");
     if (m_motors->text() != text) {
         m_motors->setText(text);
         m_motors->setAccessibleName(m_offNext ? tr("Switch motors off") : tr("Switch motors on"));
     }
-    const bool red = connected && m_offNext;
+    const bool red = connected && (!running || *running);
     if (m_motors->property("running").toBool() != red) {
         m_motors->setProperty("running", red);
         repolish(m_motors);

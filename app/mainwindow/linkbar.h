@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/pages/workspace.h"
+#include "app/workspace/workspace.h"
 #include "protocol/transport/portlist.h"
 
 #include <QFrame>
@@ -23,9 +23,7 @@ public:
     void connectOrDisconnect();
     /// Looks for serial ports on another thread and fills the list.
     void scanPorts();
-    [[nodiscard]] QPushButton *motorsButton() const { return m_motors; }
     [[nodiscard]] QPushButton *connectButton() const { return m_connect; }
-    [[nodiscard]] QComboBox *profileBox() const { return m_profile; }
     [[nodiscard]] QComboBox *addressBox() const { return m_address; }
 
 private:

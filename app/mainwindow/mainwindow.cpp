@@ -9,7 +9,7 @@
 #include "app/mainwindow/pagetable.h"
 #include "app/mainwindow/palettesource.h"
 #include "app/mainwindow/startpage.h"
-#include "app/pages/helppage.h"
+#include "app/pages/program/helppage.h"
 
 #include <QAbstractItemView>
 #include <QApplication>
@@ -124,7 +124,7 @@ void MainWindow::connectFrame()
     connect(m_start, &StartPage::fileRequested, this, &MainWindow::askOpenFile);
     connect(m_start, &StartPage::leftoverRequested, this, &MainWindow::openFile);
     connect(m_start, &StartPage::demoRequested, this,
-            [this] { openLink(u"sim:"_s + m_workspace->client().families().first().key); });
+            [this] { openLink(u"sim:"_s + m_workspace->usualFamily()); });
     connect(m_navigation, &Navigation::pageChosen, this, &MainWindow::updateStart);
     connect(&workspace->configuration(), &ConfigurationModel::boardReset, this, &MainWindow::updateStart);
     connect(&workspace->configuration(), &ConfigurationModel::boardReset, this, &MainWindow::updateOffered);
@@ -250,7 +250,7 @@ bool MainWindow::showPage(const QString &key)
 void MainWindow::updateOffered()
 {
     for (const PageEntry &entry : pageTable())
-        m_navigation->setOffered(QLatin1String(entry.key), !entry.fits || entry.fits(*m_workspace));
+        m_navigation->setOffered(QLatin1String(entry.key), isOffered(entry, *m_workspace));
     if (!m_navigation->isOffered(m_navigation->currentPage()))
         showPage(QLatin1String(pageTable().front().key));
 }
@@ -297,7 +297,12 @@ void MainWindow::showPalette()
 {
     if (m_palette)
         return;
-    m_palette = new CommandPalette(paletteEntries(*this), this);
+    const PaletteTargets targets{[this](const QString &key) {
+                                     showPage(key);
+                                     return page(key);
+                                 },
+                                 [this] { review(); }};
+    m_palette = new CommandPalette(paletteEntries(*m_workspace, *m_navigation, targets), this);
     m_palette->open();
     m_palette->input()->setFocus();
 }

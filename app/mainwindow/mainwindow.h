@@ -4,7 +4,7 @@
 
 #include "app/mainwindow/commandpalette.h"
 #include "app/mainwindow/replaybar.h"
-#include "app/pages/page.h"
+#include "app/workspace/page.h"
 #include "widgets/forms/reviewdialog.h"
 
 #include <QMainWindow>
@@ -34,16 +34,13 @@ public:
     ~MainWindow() override;
 
     [[nodiscard]] Workspace &workspace() { return *m_workspace; }
-    [[nodiscard]] LinkBar *linkBar() const { return m_linkBar; }
     [[nodiscard]] UnsavedBar *unsavedBar() const { return m_unsavedBar; }
-    [[nodiscard]] UnstoredBar *unstoredBar() const { return m_unstoredBar; }
     [[nodiscard]] MessageBar *messageBar() const { return m_messages; }
     [[nodiscard]] OfferBar *offerBar() const { return m_offers; }
     [[nodiscard]] Navigation *navigation() const { return m_navigation; }
     [[nodiscard]] ReplayBar *replayBar() const { return m_replay; }
     [[nodiscard]] ReviewDialog *reviewDialog() const { return m_review; }
     [[nodiscard]] CommandPalette *commandPalette() const { return m_palette; }
-    [[nodiscard]] StartPage *startPage() const { return m_start; }
 
     void openLink(const QString &address);
     /// Opens a configuration file without a board.

@@ -2,64 +2,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/pagetable.h"
 
-#include "app/pages/actionspage.h"
-#include "app/pages/backupspage.h"
-#include "app/pages/consolepage.h"
-#include "app/pages/controlpage.h"
-#include "app/pages/dashboardpage.h"
-#include "app/pages/debugpage.h"
-#include "app/pages/helppage.h"
-#include "app/pages/monitorpage.h"
-#include "app/pages/parameterspage.h"
-#include "app/pages/profilespage.h"
-#include "app/pages/responsepage.h"
-#include "app/pages/scriptspage.h"
-#include "app/pages/settingspage.h"
-#include "app/pages/spectrumpage.h"
-#include "app/pages/tuningpage.h"
-#include "app/pages/variablespage.h"
-#include "app/wizards/autotunepage.h"
-#include "app/wizards/calibrationpage.h"
-#include "app/wizards/sensorpage.h"
-#include "app/wizards/setuppage.h"
+#include "app/families/familypages.h"
+#include "app/pages/board/actionspage.h"
+#include "app/pages/board/backupspage.h"
+#include "app/pages/board/consolepage.h"
+#include "app/pages/board/controlpage.h"
+#include "app/pages/program/helppage.h"
+#include "app/pages/program/settingspage.h"
+#include "app/pages/setup/documentspage.h"
+#include "app/pages/setup/parameterspage.h"
+#include "app/pages/setup/profilespage.h"
+#include "app/pages/setup/scriptspage.h"
+#include "app/pages/tune/responsepage.h"
+#include "app/pages/tune/spectrumpage.h"
+#include "app/pages/tune/tuningpage.h"
+#include "app/pages/tune/variablespage.h"
+#include "app/pages/watch/dashboardpage.h"
+#include "app/pages/watch/debugpage.h"
+#include "app/pages/watch/monitorpage.h"
+#include "protocol/device/steering.h"
 
 #include <QCoreApplication>
 
 namespace {
 
-template <typename P> Page *make(Workspace &workspace)
-{
-    return new P(workspace);
-}
-
-bool hasDebugVariables(const Workspace &workspace)
-{
-    return workspace.tables()->hasDebugVariables();
-}
-
+// What a page needs of a board.
 bool hasProfiles(const Workspace &workspace)
 {
-    return workspace.profileCount() != 1;
+    return workspace.tables()->profiles();
 }
 
-bool calibratesItself(const Workspace &workspace)
+bool hasInnerVariables(const Workspace &workspace)
 {
-    return workspace.hasAction(QStringLiteral("calibrate.gyro"));
+    return workspace.tables()->innerVariables();
 }
 
-bool tunesItself(const Workspace &workspace)
+bool hasLiveValues(const Workspace &workspace)
 {
-    return workspace.hasAction(QStringLiteral("autotune"));
+    return workspace.tables()->live();
 }
 
-bool givesReadings(const Workspace &workspace)
+bool canBeSteered(const Workspace &workspace)
 {
-    return workspace.hasAction(QStringLiteral("sensors.average"));
+    return workspace.tables()->steering();
 }
 
-bool isSetUpByTasks(const Workspace &workspace)
+bool hasMotionSensors(const Workspace &workspace)
 {
-    return workspace.hasAction(QStringLiteral("setup.orientation"));
+    const ChannelRoles roles = rolesOf(*workspace.tables());
+    return !ChannelRoles::present({roles.gyro, roles.angle}).isEmpty();
+}
+
+// A response is measured by steering to an angle.
+bool showsMotion(const Workspace &workspace)
+{
+    const Steering *steering = workspace.tables()->steering();
+    const auto modes = steering ? steering->modes() : std::span<const SteeringMode>();
+    return hasMotionSensors(workspace)
+        && std::any_of(modes.begin(), modes.end(),
+                       [](const SteeringMode &mode) { return mode.isPositional(); });
+}
+
+bool wordsFrames(const Workspace &workspace)
+{
+    return workspace.tables()->inspector();
 }
 
 bool keepsScripts(const Workspace &workspace)
@@ -67,52 +73,61 @@ bool keepsScripts(const Workspace &workspace)
     return workspace.family() && workspace.family()->scripts;
 }
 
+bool keepsDocuments(const Workspace &workspace)
+{
+    const ConfigurationModel &shown = workspace.configuration();
+    const auto set = !shown.isEmpty() && !workspace.client().isConnected() ? shown.board().parameterSet()
+                                                                           : workspace.tables()->parameters();
+    const auto blocks = set ? set->blocks() : std::span<const BlockSpec>();
+    return std::any_of(blocks.begin(), blocks.end(), [](const BlockSpec &block) { return block.isText(); });
+}
+
+// clang-format off
 constexpr PageEntry kPages[] = {
-    {"dashboard", QT_TRANSLATE_NOOP("Pages", "Dashboard"), QT_TRANSLATE_NOOP("Pages", "Watch"),
-     make<DashboardPage>},
-    {"monitor", QT_TRANSLATE_NOOP("Pages", "Monitor"), QT_TRANSLATE_NOOP("Pages", "Watch"),
-     make<MonitorPage>},
-    {"debug", QT_TRANSLATE_NOOP("Pages", "Debug variables"), QT_TRANSLATE_NOOP("Pages", "Watch"),
-     make<DebugPage>, hasDebugVariables},
-    {"parameters", QT_TRANSLATE_NOOP("Pages", "Parameters"), QT_TRANSLATE_NOOP("Pages", "Set up"),
-     make<ParametersPage>},
-    {"profiles", QT_TRANSLATE_NOOP("Pages", "Profiles"), QT_TRANSLATE_NOOP("Pages", "Set up"),
-     make<ProfilesPage>, hasProfiles},
-    {"calibration", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"),
-     make<CalibrationPage>, calibratesItself},
-    {"setup", QT_TRANSLATE_NOOP("Pages", "Gimbal setup"), QT_TRANSLATE_NOOP("Pages", "Set up"),
-     make<SetupPage>, isSetUpByTasks},
-    {"sensor", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"),
-     make<SensorPage>, givesReadings},
-    {"scripts", QT_TRANSLATE_NOOP("Pages", "Scripts"), QT_TRANSLATE_NOOP("Pages", "Set up"),
-     make<ScriptsPage>, keepsScripts},
-    {"tuning", QT_TRANSLATE_NOOP("Pages", "Tuning"), QT_TRANSLATE_NOOP("Pages", "Tune"), make<TuningPage>},
-    {"spectrum", QT_TRANSLATE_NOOP("Pages", "Spectrum"), QT_TRANSLATE_NOOP("Pages", "Tune"),
-     make<SpectrumPage>},
-    {"response", QT_TRANSLATE_NOOP("Pages", "Response"), QT_TRANSLATE_NOOP("Pages", "Tune"),
-     make<ResponsePage>},
-    {"autotune", QT_TRANSLATE_NOOP("Pages", "Auto-tune"), QT_TRANSLATE_NOOP("Pages", "Tune"),
-     make<AutoTunePage>, tunesItself},
+    {"dashboard", QT_TRANSLATE_NOOP("Pages", "Dashboard"), QT_TRANSLATE_NOOP("Pages", "Watch"), makePage<DashboardPage>},
+    {"monitor", QT_TRANSLATE_NOOP("Pages", "Monitor"), QT_TRANSLATE_NOOP("Pages", "Watch"), makePage<MonitorPage>},
+    {"debug", QT_TRANSLATE_NOOP("Pages", "Debug variables"), QT_TRANSLATE_NOOP("Pages", "Watch"), makePage<DebugPage>, hasInnerVariables},
+    {"parameters", QT_TRANSLATE_NOOP("Pages", "Parameters"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<ParametersPage>},
+    {"profiles", QT_TRANSLATE_NOOP("Pages", "Profiles"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<ProfilesPage>, hasProfiles},
+    {"scripts", QT_TRANSLATE_NOOP("Pages", "Scripts"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<ScriptsPage>, keepsScripts},
+    {"documents", QT_TRANSLATE_NOOP("Pages", "Documents"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<DocumentsPage>, keepsDocuments},
+    {"tuning", QT_TRANSLATE_NOOP("Pages", "Tuning"), QT_TRANSLATE_NOOP("Pages", "Tune"), makePage<TuningPage>, hasLiveValues},
+    {"spectrum", QT_TRANSLATE_NOOP("Pages", "Spectrum"), QT_TRANSLATE_NOOP("Pages", "Tune"), makePage<SpectrumPage>, hasMotionSensors},
+    {"response", QT_TRANSLATE_NOOP("Pages", "Response"), QT_TRANSLATE_NOOP("Pages", "Tune"), makePage<ResponsePage>, showsMotion},
     {"variables", QT_TRANSLATE_NOOP("Pages", "Adjustable variables"), QT_TRANSLATE_NOOP("Pages", "Tune"),
-     make<VariablesPage>},
-    {"control", QT_TRANSLATE_NOOP("Pages", "Control"), QT_TRANSLATE_NOOP("Pages", "Board"),
-     make<ControlPage>},
-    {"actions", QT_TRANSLATE_NOOP("Pages", "Actions"), QT_TRANSLATE_NOOP("Pages", "Board"),
-     make<ActionsPage>},
-    {"backups", QT_TRANSLATE_NOOP("Pages", "Backups"), QT_TRANSLATE_NOOP("Pages", "Board"),
-     make<BackupsPage>},
-    {"console", QT_TRANSLATE_NOOP("Pages", "Console"), QT_TRANSLATE_NOOP("Pages", "Board"),
-     make<ConsolePage>},
-    {"settings", QT_TRANSLATE_NOOP("Pages", "Settings"), QT_TRANSLATE_NOOP("Pages", "Program"),
-     make<SettingsPage>},
-    {"help", QT_TRANSLATE_NOOP("Pages", "Help"), QT_TRANSLATE_NOOP("Pages", "Program"), make<HelpPage>},
+     makePage<VariablesPage>, hasLiveValues},
+    {"control", QT_TRANSLATE_NOOP("Pages", "Control"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<ControlPage>, canBeSteered},
+    {"actions", QT_TRANSLATE_NOOP("Pages", "Actions"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<ActionsPage>},
+    {"backups", QT_TRANSLATE_NOOP("Pages", "Backups"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<BackupsPage>},
+    {"console", QT_TRANSLATE_NOOP("Pages", "Console"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<ConsolePage>, wordsFrames},
+    {"settings", QT_TRANSLATE_NOOP("Pages", "Settings"), QT_TRANSLATE_NOOP("Pages", "Program"), makePage<SettingsPage>},
+    {"help", QT_TRANSLATE_NOOP("Pages", "Help"), QT_TRANSLATE_NOOP("Pages", "Program"), makePage<HelpPage>},
 };
+// clang-format on
 
 }  // namespace
 
+// The pages of families stand behind the page that each names.
 std::span<const PageEntry> pageTable()
 {
-    return kPages;
+    static const std::vector<PageEntry> table = [] {
+        std::vector<PageEntry> all(std::begin(kPages), std::end(kPages));
+        for (const PageEntry &own : familyPages()) {
+            const auto before = std::find_if(all.begin(), all.end(), [&own](const PageEntry &entry) {
+                return qstrcmp(entry.key, own.after) == 0;
+            });
+            all.insert(before == all.end() ? before : before + 1, own);
+        }
+        return all;
+    }();
+    return table;
+}
+
+bool isOffered(const PageEntry &entry, const Workspace &workspace)
+{
+    if (*entry.family && workspace.expectedFamily()->key != QLatin1String(entry.family))
+        return false;
+    return !entry.fits || entry.fits(workspace);
 }
 
 QString pageText(const char *text)

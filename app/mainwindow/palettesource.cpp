@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/palettesource.h"
 
-#include "app/mainwindow/mainwindow.h"
 #include "app/mainwindow/navigation.h"
 #include "app/mainwindow/pagetable.h"
-#include "app/pages/actionspage.h"
-#include "app/pages/monitorpage.h"
-#include "app/pages/parameterspage.h"
+#include "app/pages/board/actionspage.h"
+#include "app/pages/setup/parameterspage.h"
+#include "app/pages/watch/monitorpage.h"
 #include "widgets/models/parametermodel.h"
 
 using namespace Qt::StringLiterals;
@@ -22,17 +21,18 @@ PaletteEntry makeEntry(const QString &kind, const QString &text, const QString &
 
 }  // namespace
 
-QList<PaletteEntry> paletteEntries(MainWindow &window)
+QList<PaletteEntry> paletteEntries(Workspace &workspace, const Navigation &navigation,
+                                   const PaletteTargets &targets)
 {
+    const auto showPage = targets.showPage;
     QList<PaletteEntry> entries;
     for (const PageEntry &page : pageTable()) {
         const QString key = QLatin1String(page.key);
-        if (!window.navigation()->isOffered(key))
+        if (!navigation.isOffered(key))
             continue;
         entries.append(makeEntry(CommandPalette::tr("Page"), pageText(page.title), pageText(page.group), key,
-                                 [&window, key] { window.showPage(key); }));
+                                 [showPage, key] { showPage(key); }));
     }
-    Workspace &workspace = window.workspace();
     entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Motors off"), u"F12"_s, {},
                              [&workspace] { workspace.setMotors(false); }));
     if (workspace.client().isConnected())
@@ -40,7 +40,7 @@ QList<PaletteEntry> paletteEntries(MainWindow &window)
                                  [&workspace] { workspace.setMotors(true); }));
     if (!workspace.configuration().isEmpty()) {
         entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Review and write"),
-                                 u"Ctrl+S"_s, {}, [&window] { window.review(); }));
+                                 u"Ctrl+S"_s, {}, targets.review));
         entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Take a snapshot"), {}, {},
                                  [&workspace] { workspace.takeSnapshot(); }));
         for (const ParameterSpec &spec :
@@ -49,9 +49,8 @@ QList<PaletteEntry> paletteEntries(MainWindow &window)
                 continue;
             entries.append(
                 makeEntry(CommandPalette::tr("Parameter"), parameterLabel(spec), spec.key,
-                          tableText(spec.row->group), [&window, key = spec.key] {
-                              window.showPage(u"parameters"_s);
-                              static_cast<ParametersPage *>(window.page(u"parameters"_s))->showParameter(key);
+                          tableText(spec.row->group), [showPage, key = spec.key] {
+                              static_cast<ParametersPage *>(showPage(u"parameters"_s))->showParameter(key);
                           }));
         }
     }
@@ -62,9 +61,8 @@ QList<PaletteEntry> paletteEntries(MainWindow &window)
     for (std::size_t i = 0; i < channels.size(); ++i) {
         entries.append(makeEntry(
             CommandPalette::tr("Channel"), tableText(channels[i].label), QLatin1String(channels[i].key),
-            tableText(channels[i].group), [&window, channel = int(i)] {
-                window.showPage(u"monitor"_s);
-                ChannelModel &model = static_cast<MonitorPage *>(window.page(u"monitor"_s))->channels();
+            tableText(channels[i].group), [showPage, channel = int(i)] {
+                ChannelModel &model = static_cast<MonitorPage *>(showPage(u"monitor"_s))->channels();
                 QList<int> ticked = model.ticked();
                 if (!ticked.contains(channel))
                     model.setTicked(ticked << channel);
@@ -73,9 +71,8 @@ QList<PaletteEntry> paletteEntries(MainWindow &window)
     for (const ActionSpec &action : device->actions()) {
         entries.append(makeEntry(CommandPalette::tr("Action"), tableText(action.label),
                                  QLatin1String(action.key), tableText(action.help),
-                                 [&window, key = QString::fromLatin1(action.key)] {
-                                     window.showPage(u"actions"_s);
-                                     static_cast<ActionsPage *>(window.page(u"actions"_s))->showAction(key);
+                                 [showPage, key = QString::fromLatin1(action.key)] {
+                                     static_cast<ActionsPage *>(showPage(u"actions"_s))->showAction(key);
                                  }));
     }
     return entries;

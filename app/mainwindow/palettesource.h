@@ -4,7 +4,18 @@
 
 #include "app/mainwindow/commandpalette.h"
 
-class MainWindow;
+class Navigation;
+class Page;
+class Workspace;
 
-/// Everything the palette can find in this window: pages, parameters, channels and actions of the board.
-[[nodiscard]] QList<PaletteEntry> paletteEntries(MainWindow &window);
+/// What choosing an entry does to the window.
+struct PaletteTargets
+{
+    std::function<Page *(const QString &key)> showPage;  ///< shows a page and returns it
+    std::function<void()> review;
+};
+
+/// Everything the palette can find: the pages that are offered, parameters, channels and actions of the
+/// board.
+[[nodiscard]] QList<PaletteEntry> paletteEntries(Workspace &workspace, const Navigation &navigation,
+                                                 const PaletteTargets &targets);

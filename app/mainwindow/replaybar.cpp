@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/replaybar.h"
 
+#include "protocol/client/replaycontrol.h"
+#include "protocol/transport/replay.h"
+
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -56,13 +59,13 @@ ReplayBar::ReplayBar(Workspace &workspace, QWidget *parent)
     layout->addWidget(m_speed);
     connect(m_pause, &QPushButton::toggled, this, [this](bool paused) {
         m_pause->setText(paused ? tr("Play") : tr("Pause"));
-        m_workspace.client().setReplayPaused(paused);
+        m_workspace.client().replay().setPaused(paused);
     });
     connect(m_place, &QSlider::valueChanged, this, &ReplayBar::seek);
     connect(m_place, &QSlider::sliderMoved, this,
             [this](int value) { m_text->setText(clock(value / kStepsPerSecond)); });
     connect(m_speed, &QComboBox::activated, this,
-            [this] { m_workspace.client().setReplaySpeed(m_speed->currentData().toDouble()); });
+            [this] { m_workspace.client().replay().setSpeed(m_speed->currentData().toDouble()); });
     DeviceClient &client = workspace.client();
     connect(&client, &DeviceClient::statisticsChanged, this, &ReplayBar::showState);
     // Queued: going back opens the recording anew, and the bar must not go away and come back meanwhile.
@@ -83,12 +86,12 @@ QString ReplayBar::text() const
 
 void ReplayBar::seek()
 {
-    m_workspace.client().seekReplay(m_place->value() / kStepsPerSecond);
+    m_workspace.client().replay().seek(m_place->value() / kStepsPerSecond);
 }
 
 void ReplayBar::showState()
 {
-    const auto &state = m_workspace.client().statistics().replay;
+    const auto &state = m_workspace.client().replay().state();
     if (!state || m_place->isSliderDown())
         return;
     const QSignalBlocker slider(m_place);

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/analysis/spectrum.h"
+#include "protocol/analysis/spectrumoptions.h"
+#include "protocol/base/result.h"
 
 #include <complex>
 #include <memory>
+#include <span>
+#include <vector>
 
 /// Cuts evenly spaced samples into overlapping, windowed segments and transforms them: what a spectrum and a
 /// frequency response have in common.

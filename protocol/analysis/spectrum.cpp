@@ -57,21 +57,6 @@ double Spectrum::bandRms(double from, double to) const
     return std::sqrt(power);
 }
 
-std::vector<double> windowWeights(WindowShape shape, int length)
-{
-    std::vector<double> weights(std::size_t(length), 1.0);
-    if (shape == WindowShape::Rectangular)
-        return weights;
-    for (int i = 0; i < length; ++i) {
-        const double phase = 2.0 * std::numbers::pi * i / length;
-        weights[std::size_t(i)] = shape == WindowShape::Hann
-            ? 0.5 - 0.5 * std::cos(phase)
-            : 0.21557895 - 0.41663158 * std::cos(phase) + 0.277263158 * std::cos(2 * phase)
-                - 0.083578947 * std::cos(3 * phase) + 0.006947368 * std::cos(4 * phase);
-    }
-    return weights;
-}
-
 Result<Spectrum> spectrum(std::span<const float> samples, double rate, const SpectrumOptions &options)
 {
     auto cut = Segments::make(samples.size(), rate, options);

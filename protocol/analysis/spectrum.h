@@ -2,25 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/analysis/spectrumoptions.h"
 #include "protocol/base/result.h"
 
 #include <span>
 #include <vector>
-
-/// How each segment fades in and out before it is transformed.
-enum class WindowShape {
-    Rectangular,  ///< sharpest for a tone that fits the segment exactly, leaks everywhere else
-    Hann,  ///< the one to use when in doubt
-    FlatTop,  ///< true amplitudes of single tones, wide peaks
-};
-
-/// How a spectrum is averaged.
-struct SpectrumOptions
-{
-    int length = 1024;  ///< samples per segment, 16 to 65536; its rate / length is the resolution
-    double overlap = 0.5;  ///< share of a segment that the next one sees again, 0 to 0.9
-    WindowShape window = WindowShape::Hann;
-};
 
 /// One-sided power spectral density, averaged over segments (Welch).
 struct Spectrum
@@ -46,9 +32,6 @@ struct SpectrumPeak
     double width = 0;  ///< Hz between the points 3 dB below the top
     double height = 0;  ///< dB above the surroundings
 };
-
-/// The weights of a window of that length.
-[[nodiscard]] std::vector<double> windowWeights(WindowShape shape, int length);
 
 /// Spectrum of evenly spaced samples; the mean of each segment is taken off. NaN is not allowed.
 /// @param rate samples per second. Errors: InvalidArgument (length, overlap or rate out of range, fewer

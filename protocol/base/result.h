@@ -32,9 +32,11 @@ enum class ErrorCode {
     NoBackup,  ///< the safety copy could not be made, so nothing was changed
     TooMuch,  ///< more than the link can carry
     Unready,  ///< something has to be so first, and is not
+    ConditionUnmet,  ///< an action needs something that is not so, or nothing tells; the detail says what
     NotSeen,  ///< what a procedure waited for did not come; the detail says what
     NotRestored,  ///< values in use were replaced and could not be put back; the detail lists them
     Diverged,  ///< an axis did not follow and was stopped
+    NotProven,  ///< commands were sent, and nothing the board tells proves that they took effect
     Busy,  ///< another job of the same kind is running
 };
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/base/clock.h"
 #include "protocol/base/result.h"
-#include "protocol/device/parameterspec.h"
+#include "protocol/configuration/parameterspec.h"
 
 #include <QVariantMap>
 
@@ -33,6 +34,10 @@ struct ArgumentSpec
     const char *defaultText = "";  ///< "" = must be given
 };
 
+/// What must be so before an action is performed, by the channels with the roles "armed", "calibrated" and
+/// "outputs".
+enum class Condition : std::uint8_t { Disarmed, Calibrated, MotorsOff };
+
 /// A named command: everything a protocol can do that is neither a parameter nor telemetry.
 struct ActionSpec
 {
@@ -47,6 +52,9 @@ struct ActionSpec
     const char *capability = "";
     MemoryEffect memory = MemoryEffect::None;
     bool whileSteering = false;  ///< at hand on the control page
+    std::span<const Condition> needs{};
+    const char *confirm = "";  ///< what the operator has to confirm each time: "The propellers are off."
+    milliseconds silence{0};  ///< the board says nothing for so long afterwards
 };
 
 /// What came back: figures and texts by key, e.g. {"angle.roll": 1.25}.

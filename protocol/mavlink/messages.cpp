@@ -34,19 +34,21 @@ constexpr Field kAttitude[] = {
     {"yaw", Field::F32, 12, 4},         {"rollspeed", Field::F32, 16, 4}, {"pitchspeed", Field::F32, 20, 4},
     {"yawspeed", Field::F32, 24, 4},
 };
+// clang-format off
 constexpr Field kCommandLong[] = {
-    {"param1", Field::F32, 0, 4},        {"param2", Field::F32, 4, 4},    {"param3", Field::F32, 8, 4},
-    {"param4", Field::F32, 12, 4},       {"param5", Field::F32, 16, 4},   {"param6", Field::F32, 20, 4},
-    {"param7", Field::F32, 24, 4},       {"command", Field::U16, 28, 2},  {"target_system", Field::U8, 30},
-    {"target_component", Field::U8, 31}, {"confirmation", Field::U8, 32},
+    {"param1", Field::F32, 0, 4}, {"param2", Field::F32, 4, 4}, {"param3", Field::F32, 8, 4}, {"param4", Field::F32, 12, 4},
+    {"param5", Field::F32, 16, 4}, {"param6", Field::F32, 20, 4}, {"param7", Field::F32, 24, 4}, {"command", Field::U16, 28, 2},
+    {"target_system", Field::U8, 30}, {"target_component", Field::U8, 31}, {"confirmation", Field::U8, 32},
 };
+// clang-format on
 constexpr Field kCommandAck[] = {{"command", Field::U16, 0, 2}, {"result", Field::U8, 2}};
+// clang-format off
 constexpr Field kDigicamControl[] = {
     {"extra_value", Field::F32, 0, 4}, {"target_system", Field::U8, 4}, {"target_component", Field::U8, 5},
-    {"session", Field::U8, 6},         {"zoom_pos", Field::U8, 7},      {"zoom_step", Field::I8, 8},
-    {"focus_lock", Field::U8, 9},      {"shot", Field::U8, 10},         {"command_id", Field::U8, 11},
-    {"extra_param", Field::U8, 12},
+    {"session", Field::U8, 6}, {"zoom_pos", Field::U8, 7}, {"zoom_step", Field::I8, 8}, {"focus_lock", Field::U8, 9},
+    {"shot", Field::U8, 10}, {"command_id", Field::U8, 11}, {"extra_param", Field::U8, 12},
 };
+// clang-format on
 constexpr Field kMountConfigure[] = {
     {"target_system", Field::U8, 0}, {"target_component", Field::U8, 1}, {"mount_mode", Field::U8, 2},
     {"stab_roll", Field::U8, 3},     {"stab_pitch", Field::U8, 4},       {"stab_yaw", Field::U8, 5},
@@ -75,6 +77,7 @@ constexpr Field kParamValue2[] = {
 };
 constexpr Field kStatusText[] = {{"severity", Field::U8, 0}, {"text", Field::Text, 1, 50}};
 
+// clang-format off
 constexpr Message kMessages[] = {
     {MessageId::Heartbeat, "HEARTBEAT", 50, 9, false, kHeartbeat},
     {MessageId::ParamRequestRead, "PARAM_REQUEST_READ", 214, 20, false, kParamRequestRead},
@@ -94,6 +97,7 @@ constexpr Message kMessages[] = {
     {MessageId::ParamValue2, "PARAM_VALUE2", 78, 11, false, kParamValue2},
     {MessageId::StatusText, "STATUSTEXT", 83, 51, false, kStatusText},
 };
+// clang-format on
 
 // Each message's fields lie one behind the other and fill it.
 constexpr bool fieldsFill(const Message &message)
@@ -137,17 +141,13 @@ QString commandName(int command)
         int id;
         const char *name;
     };
+    // clang-format off
     static constexpr std::array<Named, 9> kNames{{
-        {180, "DO_SET_PARAMETER"},
-        {183, "DO_SET_SERVO"},
-        {203, "DO_DIGICAM_CONTROL"},
-        {204, "DO_MOUNT_CONFIGURE"},
-        {205, "DO_MOUNT_CONTROL"},
-        {220, "DO_MOUNT_CONTROL_QUAT"},
-        {245, "PREFLIGHT_STORAGE"},
-        {1234, "REQUEST_ATTITUDE"},
+        {180, "DO_SET_PARAMETER"}, {183, "DO_SET_SERVO"}, {203, "DO_DIGICAM_CONTROL"}, {204, "DO_MOUNT_CONFIGURE"},
+        {205, "DO_MOUNT_CONTROL"}, {220, "DO_MOUNT_CONTROL_QUAT"}, {245, "PREFLIGHT_STORAGE"}, {1234, "REQUEST_ATTITUDE"},
         {1235, "TARGET_SPECIFIC"},
     }};
+    // clang-format on
     const auto it = std::find_if(kNames.begin(), kNames.end(),
                                  [command](const Named &named) { return named.id == command; });
     return it == kNames.end() ? QString::number(command) : QString::fromLatin1(it->name);

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/procedure/motiontest.h"
 
+#include "protocol/device/device.h"
+#include "protocol/device/steering.h"
+#include "protocol/session/channel.h"
+#include "protocol/session/stopplan.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,7 +18,7 @@ namespace {
 
 constexpr auto kTick = 20ms;  // as often as set-points go out
 constexpr double kTail = 0.3;  // seconds after the end until the last samples are there
-constexpr double kStale = 0.4;  // seconds without new samples
+constexpr double kStale = 0.7;  // seconds without new samples: one answer may be lost on a polled line
 constexpr double kStill = 1.0;  // degrees off target before it begins
 constexpr double kQuiet = 1.0;  // seconds within kStay that show that the camera has arrived
 constexpr double kStay = 0.5;  // degrees
@@ -33,7 +38,7 @@ Result<void> within(double value, double low, double high, const QString &what)
 Result<void> MotionTestPlan::check() const
 {
     for (const Result<void> &each :
-         {within(degrees, 0.2, kMostDegrees, u"movement"_s), within(steps, 2, 40, u"steps"_s),
+         {within(degrees, 0.2, kMaxDegrees, u"movement"_s), within(steps, 2, 40, u"steps"_s),
           within(rest, 0.3, 5, u"rest"_s), within(fromHz, 0.1, toHz, u"lowest frequency"_s),
           within(toHz, fromHz, 20, u"highest frequency"_s), within(sweepSeconds, 5, 120, u"seconds"_s),
           within(limit, 0.5, 20, u"limit"_s)}) {
@@ -63,120 +68,144 @@ double MotionTestPlan::offsetAt(double seconds) const
     return degrees * fade * std::sin(2.0 * std::numbers::pi * phase);
 }
 
-MotionTest::MotionTest(DeviceClient &client, QObject *parent)
-    : QObject(parent)
-    , m_client(client)
-{
-    m_timer.setInterval(kTick);
-    m_timer.setTimerType(Qt::PreciseTimer);
-    connect(&m_timer, &QTimer::timeout, this, &MotionTest::tick);
-    connect(&m_client, &DeviceClient::connectionLost, this, [this](const Error &error) {
-        if (isRunning())
-            end(tl::unexpected(error), false);
-    });
-    connect(&m_client, &DeviceClient::motorsOffFinished, this, [this] {
-        if (isRunning())
-            end(failure(ErrorCode::Cancelled, u"the motors were switched off"_s), false);
-    });
-}
+namespace {
 
-bool MotionTest::tellsTargets(const Device &device)
+/// One run of a test.
+class Run
 {
-    const ChannelRoles roles = device.roles();
-    return std::all_of(roles.target.begin(), roles.target.end(), [](int channel) { return channel >= 0; });
-}
-
-QList<int> MotionTest::channels(const Device &device, Axis axis)
-{
-    const ChannelRoles roles = device.roles();
-    const auto i = std::size_t(axis);
-    return {roles.target[i], roles.angle[i], roles.gyro[i]};
-}
-
-double MotionTest::latest(int channel) const
-{
-    const auto store = m_client.telemetry();
-    return store ? double(store->latest(channel)) : std::nan("");
-}
-
-Result<void> MotionTest::start(const MotionTestPlan &plan)
-{
-    if (isRunning())
-        return failure(ErrorCode::Busy);
-    if (!m_client.isConnected())
-        return failure(ErrorCode::NotConnected);
-    if (!m_client.identity().writable)
-        return failure(ErrorCode::ReadOnly);
-    if (const auto checked = plan.check(); !checked)
-        return checked;
-    const Device &device = *m_client.device();
-    const bool told = tellsTargets(device);
-    const ControlMode *mode = nullptr;
-    for (const ControlMode &each : device.controlModes()) {  // the one that reaches furthest
-        const bool fits = each.usesAngle && (each.usesSpeed || !told) && qstrcmp(each.unit, "°") == 0;
-        if (fits && (!mode || each.maxAngle > mode->maxAngle))
-            mode = &each;
+public:
+    Run(Channel &channel, const Device &device, const TelemetryStore &telemetry, const MotionTestPlan &plan)
+        : m_channel(channel)
+        , m_device(device)
+        , m_telemetry(telemetry)
+        , m_plan(plan)
+        , m_roles(rolesOf(device))
+        , m_axis(std::size_t(plan.axis))
+        , m_told(tellsTargets(device))
+    {
     }
-    const QList<int> needed = channels(device, plan.axis);
-    if (!mode || needed[1] < 0)
+
+    Result<MotionTestResult> run();
+
+private:
+    Result<void> prepare();
+    Result<void> center();
+    Result<void> move();
+    Result<void> wait();
+    [[nodiscard]] std::optional<Error> danger();
+    void steer(double offset);
+    void report(double share);
+    [[nodiscard]] Result<MotionTestResult> collect() const;
+    [[nodiscard]] UniformSamples sentTarget(const UniformSamples &angle) const;
+    [[nodiscard]] double latest(int channel) const { return double(m_telemetry.latest(channel)); }
+    [[nodiscard]] const SteeringMode *furthestMode() const;
+
+    Channel &m_channel;
+    const Device &m_device;
+    const TelemetryStore &m_telemetry;
+    const MotionTestPlan m_plan;
+    const ChannelRoles m_roles;
+    const std::size_t m_axis;
+    const bool m_told;
+    SteeringSetpoint m_middle;  // set-points without the movement
+    int m_input = -1;  // of the axis, among them
+    double m_rest = 0;  // where the axis stands then
+    bool m_centering = false;
+    std::vector<std::pair<TimePoint, double>> m_sent;  // offsets, each until the next
+    TimePoint m_startedAt{};
+    quint64 m_lastRows = 0;
+    TimePoint m_lastNewsAt{};
+};
+
+Result<MotionTestResult> Run::run()
+{
+    if (const auto ready = prepare(); !ready)
+        return tl::unexpected(ready.error());
+    Result<void> done = m_told ? Result<void>() : center();
+    if (done)
+        done = move();
+    if (!done && done.error().code == ErrorCode::Diverged)
+        m_channel.stopMotors(m_device.stopPlan());
+    else
+        m_channel.releaseControl();
+    if (!done)
+        return tl::unexpected(done.error());
+    return collect();
+}
+
+// The one that reaches furthest.
+const SteeringMode *Run::furthestMode() const
+{
+    const Steering *steering = m_device.steering();
+    const SteeringMode *furthest = nullptr;
+    double reach = 0;
+    for (const SteeringMode &mode : steering ? steering->modes() : std::span<const SteeringMode>()) {
+        const int input = mode.inputOf(m_plan.axis);
+        if (input < 0 || !mode.isPositional() || (m_told && mode.find("speed") < 0))
+            continue;
+        const SteeringInput &turn = mode.inputs[std::size_t(input)];
+        if (qstrcmp(turn.unit, "°") == 0 && turn.max > reach) {
+            furthest = &mode;
+            reach = turn.max;
+        }
+    }
+    return furthest;
+}
+
+Result<void> Run::prepare()
+{
+    if (!m_device.identity().writable)
+        return failure(ErrorCode::ReadOnly);
+    if (const auto checked = m_plan.check(); !checked)
+        return checked;
+    const SteeringMode *mode = furthestMode();
+    const int angle = m_roles.angle[m_axis];
+    if (!mode || angle < 0)
         return failure(ErrorCode::Unsupported, u"the board cannot be steered to an angle"_s);
-    if (!told && plan.kind == MotionTestPlan::Kind::Sweep) {
+    if (!m_told && m_plan.kind == MotionTestPlan::Kind::Sweep) {
         return failure(
             ErrorCode::Unsupported,
             u"the board does not tell its targets, so the line's delay would be taken for its own; "
             "steps can be measured"_s);
     }
-    const ChannelRoles roles = device.roles();
-    for (std::size_t i = 0; i < kAxisCount; ++i) {
-        m_middle[i] = told ? latest(roles.target[i]) : 0.0;
-        if (std::isnan(m_middle[i]) || std::isnan(latest(roles.angle[i])))
+    m_input = mode->inputOf(m_plan.axis);
+    m_middle = {mode->id, {}, {}};
+    for (const SteeringInput &input : mode->inputs) {
+        const auto axis = std::size_t(input.axis);
+        const bool turns = input.axis != Axis::None;
+        const double start = !turns ? input.max : m_told ? latest(m_roles.target[axis]) : 0.0;
+        if (std::isnan(start) || (turns && std::isnan(latest(m_roles.angle[axis]))))
             return failure(ErrorCode::Unready, u"no telemetry of the angles"_s);
+        m_middle.inputs.push_back(start);
     }
-    if (roles.motorsOn >= 0 && !(latest(roles.motorsOn) > 0.5))
+    if (m_roles.outputs >= 0 && !(latest(m_roles.outputs) > 0.5))
         return failure(ErrorCode::Unready, u"the motors are off"_s);
-    m_plan = plan;
-    m_mode = mode->id;
-    m_speed = mode->maxSpeed;
-    m_rest = m_middle[std::size_t(plan.axis)];
-    m_centering = !told;
-    m_sent.clear();
-    const double off = std::abs(latest(needed[1]) - m_rest);
-    if (told && !(off < kStill))
+    m_rest = m_middle.inputs[std::size_t(m_input)];
+    const double off = std::abs(latest(angle) - m_rest);
+    if (m_told && !(off < kStill))
         return failure(ErrorCode::Unready, u"the axis is %1° away from its target"_s.arg(off, 0, 'f', 1));
-    m_quietAngle = latest(needed[1]);
-    m_quietSince = Clock::now();
-    m_startedAt = m_lastNewsAt = Clock::now();
-    m_lastRows = m_client.telemetry()->rows();
-    m_timer.start();
-    tick();
+    m_startedAt = m_lastNewsAt = m_channel.now();
+    m_lastRows = m_telemetry.rows();
     return {};
 }
 
-void MotionTest::stop()
-{
-    if (isRunning())
-        end(failure(ErrorCode::Cancelled), true);
-}
-
 // What must not be: the axis far from where it should be, nobody looking, motors off.
-std::optional<Error> MotionTest::danger()
+std::optional<Error> Run::danger()
 {
-    const ChannelRoles roles = m_client.device()->roles();
-    const auto axis = std::size_t(m_plan.axis);
-    const TimePoint now = Clock::now();
-    if (const quint64 rows = m_client.telemetry()->rows(); rows != m_lastRows) {
+    const TimePoint now = m_channel.now();
+    if (const quint64 rows = m_telemetry.rows(); rows != m_lastRows) {
         m_lastRows = rows;
         m_lastNewsAt = now;
     }
     if (seconds(now - m_lastNewsAt) > kStale)
         return Error{ErrorCode::Unready,
                      u"no telemetry for %1 s"_s.arg(seconds(now - m_lastNewsAt), 0, 'f', 1), 0};
-    if (roles.motorsOn >= 0 && latest(roles.motorsOn) < 0.5)
+    if (m_roles.outputs >= 0 && latest(m_roles.outputs) < 0.5)
         return Error{ErrorCode::Unready, u"the motors went off"_s, 0};
     if (m_centering)
         return {};
     // A step is not followed at once: while it rises, its own height does not count.
-    const double off = std::abs(latest(roles.angle[axis]) - m_rest);
+    const double off = std::abs(latest(m_roles.angle[m_axis]) - m_rest);
     const double allowed = m_plan.degrees + m_plan.limit;
     if (off > allowed)
         return Error{ErrorCode::Diverged,
@@ -185,100 +214,97 @@ std::optional<Error> MotionTest::danger()
     return {};
 }
 
-void MotionTest::tick()
+Result<void> Run::wait()
 {
-    if (!m_client.isConnected()) {
-        end(failure(ErrorCode::NotConnected), false);
-        return;
-    }
-    if (const auto found = danger()) {
-        if (found->code == ErrorCode::Diverged) {
-            m_timer.stop();  // its own "motors off" is not somebody else's
-            m_client.motorsOff();
-        }
-        end(tl::unexpected(*found), true);
-        return;
-    }
-    if (m_centering) {
-        center();
-        return;
-    }
-    const double elapsed = seconds(Clock::now() - m_startedAt);
-    if (elapsed > m_plan.duration() + kTail) {
-        end(collect(), true);
-        return;
-    }
-    steer(m_plan.offsetAt(elapsed));
-    emit progressed(std::min(1.0, elapsed / m_plan.duration()));
+    if (const auto found = danger())
+        return tl::unexpected(*found);
+    return m_channel.sleep(kTick);
 }
 
 // Brings the camera to its middle and finds where that is; the test's own time begins then.
-void MotionTest::center()
+Result<void> Run::center()
 {
-    const auto axis = std::size_t(m_plan.axis);
-    const int channel = m_client.device()->roles().angle[axis];
-    const TimePoint now = Clock::now();
-    if (std::abs(latest(channel) - m_quietAngle) > kStay) {
-        m_quietAngle = latest(channel);
-        m_quietSince = now;
+    const int channel = m_roles.angle[m_axis];
+    double quietAngle = latest(channel);  // near which the axis has been since
+    TimePoint quietSince = m_channel.now();
+    m_centering = true;
+    while (seconds(m_channel.now() - quietSince) < kQuiet) {
+        if (seconds(m_channel.now() - m_startedAt) > kCentering)
+            return failure(ErrorCode::Unready, u"the axis does not come to rest in its middle"_s);
+        steer(0.0);
+        if (const auto waited = wait(); !waited)
+            return waited;
+        if (std::abs(latest(channel) - quietAngle) > kStay) {
+            quietAngle = latest(channel);
+            quietSince = m_channel.now();
+        }
     }
-    if (seconds(now - m_startedAt) > kCentering) {
-        end(failure(ErrorCode::Unready, u"the axis does not come to rest in its middle"_s), true);
-        return;
-    }
-    steer(0.0);
-    if (seconds(now - m_quietSince) < kQuiet)
-        return;
-    const auto store = m_client.telemetry();
-    const double end = store->secondsAt(now);
-    const auto still = uniformSamples(*store, channel, -1, end - kQuiet, end);
-    m_rest = m_quietAngle;
-    if (still)
-        m_rest
-            = std::accumulate(still->values.begin(), still->values.end(), 0.0) / double(still->values.size());
     m_centering = false;
+    const double end = m_telemetry.secondsAt(m_channel.now());
+    const auto still = uniformSamples(m_telemetry, channel, -1, end - kQuiet, end);
+    m_rest = still
+        ? std::accumulate(still->values.begin(), still->values.end(), 0.0) / double(still->values.size())
+        : quietAngle;
     m_sent.clear();
-    m_startedAt = now;
+    m_startedAt = m_channel.now();
+    return {};
 }
 
-void MotionTest::steer(double offset)
+Result<void> Run::move()
 {
-    ControlSetpoint setpoint{};
-    for (std::size_t i = 0; i < kAxisCount; ++i) {
-        setpoint[i] = {m_mode, m_speed, m_middle[i]};
-        if (i == std::size_t(m_plan.axis))
-            setpoint[i].angle += offset;
+    for (;;) {
+        const double elapsed = seconds(m_channel.now() - m_startedAt);
+        if (elapsed > m_plan.duration() + kTail)
+            return {};
+        steer(m_plan.offsetAt(elapsed));
+        report(std::min(1.0, elapsed / m_plan.duration()));
+        if (const auto waited = wait(); !waited)
+            return waited;
     }
+}
+
+void Run::steer(double offset)
+{
+    SteeringSetpoint setpoint = m_middle;
+    setpoint.inputs[std::size_t(m_input)] += offset;
     if (m_sent.empty() || m_sent.back().second != offset)
-        m_sent.emplace_back(Clock::now(), offset);
-    m_client.setControl(setpoint);
+        m_sent.emplace_back(m_channel.now(), offset);
+    m_channel.steer(m_device.steering()->controlFrames(setpoint));
+}
+
+void Run::report(double share)
+{
+    Progress progress;
+    progress.step = u"motion-test"_s;
+    progress.done = int(std::lround(share * 1000.0));
+    progress.total = 1000;
+    m_channel.progress(progress);
 }
 
 // What was sent, at the instants of the angle.
-UniformSamples MotionTest::sentTarget(const UniformSamples &angle) const
+UniformSamples Run::sentTarget(const UniformSamples &angle) const
 {
-    const auto store = m_client.telemetry();
     UniformSamples target = angle;
     for (std::size_t i = 0; i < target.values.size(); ++i) {
         const double time = angle.start + double(i) / angle.rate;
-        const auto next = std::find_if(m_sent.begin(), m_sent.end(),
-                                       [&](const auto &sent) { return store->secondsAt(sent.first) > time; });
+        const auto next = std::find_if(m_sent.begin(), m_sent.end(), [&](const auto &sent) {
+            return m_telemetry.secondsAt(sent.first) > time;
+        });
         target.values[i] = float(m_rest + (next == m_sent.begin() ? 0.0 : std::prev(next)->second));
     }
     return target;
 }
 
-Result<MotionTestResult> MotionTest::collect() const
+Result<MotionTestResult> Run::collect() const
 {
-    const QList<int> wanted = channels(*m_client.device(), m_plan.axis);
-    const auto store = m_client.telemetry();
-    const double from = store->secondsAt(m_startedAt);
+    const double from = m_telemetry.secondsAt(m_startedAt);
     const double to = from + m_plan.duration();
-    auto angle = uniformSamples(*store, wanted[1], -1, from, to);
+    auto angle = uniformSamples(m_telemetry, m_roles.angle[m_axis], -1, from, to);
     if (!angle)
         return tl::unexpected(angle.error());
-    auto target = wanted[0] < 0 ? Result<UniformSamples>(sentTarget(*angle))
-                                : uniformSamples(*store, wanted[0], -1, from, to);
+    const int told = m_roles.target[m_axis];
+    auto target = told < 0 ? Result<UniformSamples>(sentTarget(*angle))
+                           : uniformSamples(m_telemetry, told, -1, from, to);
     if (!target)
         return tl::unexpected(target.error());
     if (angle->start != target->start || angle->values.size() != target->values.size())
@@ -291,13 +317,28 @@ Result<MotionTestResult> MotionTest::collect() const
     return MotionTestResult{m_plan, std::move(*target), std::move(*angle)};
 }
 
-void MotionTest::end(const Result<MotionTestResult> &result, bool release)
+}  // namespace
+
+bool tellsTargets(const Device &device)
 {
-    m_timer.stop();
-    if (release)
-        m_client.releaseControl();
-    if (result)
-        emit measured(*result);
-    else
-        emit failed(result.error());
+    const ChannelRoles roles = rolesOf(device);
+    return std::all_of(roles.target.begin(), roles.target.end(), [](int channel) { return channel >= 0; });
+}
+
+QList<int> motionChannels(const Device &device, Axis axis)
+{
+    const ChannelRoles roles = rolesOf(device);
+    const auto i = std::size_t(axis);
+    QList<int> channels;
+    for (const int channel : {roles.target[i], roles.angle[i], roles.gyro[i]}) {
+        if (channel >= 0)
+            channels.append(channel);
+    }
+    return channels;
+}
+
+Result<MotionTestResult> measureMotion(Channel &channel, const Device &device,
+                                       const TelemetryStore &telemetry, const MotionTestPlan &plan)
+{
+    return Run(channel, device, telemetry, plan).run();
 }

@@ -3,6 +3,7 @@
 #include "protocol/procedure/safeaction.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -22,11 +23,48 @@ Result<QString> backupFor(Channel &channel, Device &device, ActionRisk risk, con
     return history.save(withoutLive(*configuration, live), reason);
 }
 
+// Nothing older than this tells how it is now.
+constexpr auto kFresh = 2s;
+
+Result<void> checkCondition(Condition condition, const Device &device, const LatestValues *latest,
+                            TimePoint now)
+{
+    struct Row
+    {
+        bool wanted;
+        QString unmet;
+        QString unknown;
+    };
+    const int channel = channelOf(condition, rolesOf(device));
+    const Row row = condition == Condition::Disarmed
+        ? Row{false, u"the board is armed"_s, u"whether the board is armed"_s}
+        : condition == Condition::Calibrated
+        ? Row{true, u"the sensors are not calibrated"_s, u"whether the sensors are calibrated"_s}
+        : Row{false, u"the motors are running"_s, u"whether the motors are running"_s};
+    const bool told = latest && channel >= 0 && now - latest->latestAt(channel) < kFresh
+        && !std::isnan(latest->latest(channel));
+    if (!told)
+        return failure(ErrorCode::ConditionUnmet, u"nothing tells %1"_s.arg(row.unknown));
+    if ((latest->latest(channel) != 0.0F) != row.wanted)
+        return failure(ErrorCode::ConditionUnmet, row.unmet);
+    return {};
+}
+
 }  // namespace
+
+int channelOf(Condition condition, const ChannelRoles &roles)
+{
+    switch (condition) {
+    case Condition::Disarmed: return roles.armed;
+    case Condition::Calibrated: return roles.calibrated;
+    case Condition::MotorsOff: return roles.outputs;
+    }
+    return -1;
+}
 
 Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QString &key,
                                     const QVariantMap &arguments, const BoardHistory &history,
-                                    const LiveValues &live)
+                                    const LiveValues &live, const LatestValues *latest)
 {
     const auto actions = device.actions();
     const auto it = std::find_if(actions.begin(), actions.end(), [&key](const ActionSpec &action) {
@@ -34,11 +72,17 @@ Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QStr
     });
     if (it == actions.end())
         return failure(ErrorCode::Unsupported, key);
+    for (const Condition condition : it->needs) {
+        if (const auto met = checkCondition(condition, device, latest, channel.now()); !met)
+            return tl::unexpected(met.error());
+    }
     ActionOutcome outcome;
     auto path = backupFor(channel, device, it->risk, u"before "_s + key, history, live);
     if (!path)
         return tl::unexpected(path.error());
     outcome.snapshotPath = *path;
+    if (it->silence > 0ms)
+        channel.expectSilence(it->silence);
     auto reply = device.perform(channel, key, arguments);
     if (!reply)
         return tl::unexpected(reply.error());

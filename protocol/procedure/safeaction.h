@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/configuration/livevalues.h"
+#include "protocol/device/abilities.h"
 #include "protocol/device/device.h"
-#include "protocol/device/livevalues.h"
 #include "protocol/record/boardhistory.h"
+#include "protocol/session/channel.h"
 
 /// The reply of an action and the safety copy taken before it, if any.
 struct ActionOutcome
@@ -13,12 +15,19 @@ struct ActionOutcome
     QString snapshotPath;
 };
 
+/// The channel that tells whether it is so; -1 where the board has none.
+[[nodiscard]] int channelOf(Condition condition, const ChannelRoles &roles);
+
 /// Performs an action; one that writes or destroys takes a full snapshot first and refuses to run without it.
 /// Errors: Unsupported for an unknown key, NoBackup, those of reading the board, and those of the action.
+/// ConditionUnmet where something that the action needs is not so, or nothing tells; its confirmation is the
+/// caller's business.
 /// @param live values in use that are not stored, so that the snapshot tells what is
+/// @param latest telemetry that tells whether the board is armed, calibrated, driving its motors; may be null
+/// for actions without conditions
 Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QString &key,
                                     const QVariantMap &arguments, const BoardHistory &history,
-                                    const LiveValues &live = {});
+                                    const LiveValues &live = {}, const LatestValues *latest = nullptr);
 
 /// Sends a command typed by hand; one that writes or destroys takes a full snapshot first. Its answer goes to
 /// whoever listens. Errors: ReadOnly, NoBackup, those of reading the board.

@@ -32,14 +32,27 @@ private:
     Result<void> readBoard();
     Result<void> checkConflicts() const;
     Result<void> writeBlocks();
+    Result<void> writeBracketed();
+    Result<void> writeRestarting();
+    Result<void> put(BlockKey key, const QByteArray &bytes);
+    Result<QByteArray> fetch(BlockKey key);
     Result<void> writeNames();
     Result<void> verify();
     void rollBack();
     void finishReport(const Error &error);
+    // Where the board has such a thing.
+    Result<void> begin();
+    Result<void> end();
+    Result<void> selectActive();
     void markBlock(BlockKey key, WriteState state);
     void report(const QString &step, BlockKey key);
     [[nodiscard]] QByteArray patched(BlockKey key) const;
     [[nodiscard]] std::vector<bool> stateBytes(int block) const;
+    [[nodiscard]] const BlockSpec &specOf(BlockKey key) const
+    {
+        return *m_base.parameters().block(key.block);
+    }
+    [[nodiscard]] bool restarts(BlockKey key) const { return specOf(key).effect == WriteEffect::Restarts; }
 
     Channel &m_channel;
     Device &m_device;
@@ -50,13 +63,17 @@ private:
     WriteReport m_report;
     std::vector<ParameterChange> m_changes;
     std::vector<DataChange> m_data;
-    std::vector<BlockKey> m_keys;  // in the order of writing: the active profile last
+    std::vector<BlockKey> m_keys;  // in the order of writing: the active profile last, then what restarts
     std::map<BlockKey, QByteArray> m_board;  // fresh from the board, before anything was written
     std::set<BlockKey> m_written;
     bool m_namesChanged = false;
     bool m_bracketOpen = false;
+    TimePoint m_backBy{};  // until then a restarting board may be silent
     int m_done = 0;
 };
+
+// A board that has confirmed goes down within this time, and is asked this often whether it is back.
+constexpr milliseconds kRestartPause = 1s;
 
 bool isLinkGone(const Error &error)
 {
@@ -71,6 +88,8 @@ Result<WriteReport> Writer::run()
     m_changes = m_base.changesTo(m_edited);
     m_data = m_base.dataChangesTo(m_edited);
     m_namesChanged = m_base.hasOtherNames(m_edited);
+    m_report.before = m_base;
+    m_report.wanted = m_edited;
     m_report.onBoard = m_base;
     for (const ParameterChange &change : m_changes)
         m_report.lines.push_back(
@@ -127,6 +146,7 @@ void Writer::collectBlocks()
     const int active = m_base.activeProfile();
     std::stable_partition(m_keys.begin(), m_keys.end(),
                           [active](BlockKey key) { return key.profile != active; });
+    std::stable_partition(m_keys.begin(), m_keys.end(), [this](BlockKey key) { return !restarts(key); });
 }
 
 Result<void> Writer::readBoard()
@@ -148,7 +168,7 @@ Result<void> Writer::checkConflicts() const
     QStringList conflicts;
     for (const ParameterChange &change : m_changes) {
         const auto now = change.spec->read(m_board.at({change.profile, change.spec->row->block}));
-        if (now && *now != change.from && *now != change.to) {
+        if (now && !sameValue(*now, change.from) && !sameValue(*now, change.to)) {
             conflicts.append(u"%1: %2, read as %3, now %4"_s.arg(
                 m_base.profileName(change.profile), change.spec->key, change.spec->format(change.from),
                 change.spec->format(*now)));
@@ -171,10 +191,10 @@ QByteArray Writer::patched(BlockKey key) const
             return change.to;
     }
     for (const ParameterChange &change : m_changes) {
-        const bool concerns = change.spec->row->block == key.block
-            && (change.spec->row->scope == Scope::Board || change.profile == key.profile);
-        if (concerns)
-            change.spec->write(bytes, change.to);
+        const bool boardWide = change.spec->row->scope == Scope::Board;
+        const int source = boardWide ? m_edited.activeProfile() : change.profile;
+        if (change.spec->row->block == key.block && (boardWide || change.profile == key.profile))
+            change.spec->copy(bytes, m_edited.block({source, key.block}));
     }
     return bytes;
 }
@@ -183,32 +203,118 @@ Result<void> Writer::writeBlocks()
 {
     if (m_keys.empty())
         return {};
-    if (const auto begun = m_device.beginWrite(m_channel); !begun)
+    if (const auto written = writeBracketed(); !written)
+        return written;
+    if (const auto written = writeRestarting(); !written)
+        return written;
+    if (m_keys.back().profile != m_base.activeProfile())
+        return selectActive();
+    return {};
+}
+
+Result<void> Writer::writeBracketed()
+{
+    if (restarts(m_keys.front()))
+        return {};
+    if (const auto begun = begin(); !begun)
         return begun;
     m_bracketOpen = true;
     for (const BlockKey key : m_keys) {
+        if (restarts(key))
+            break;
         report(u"write-block"_s, key);
         // From here on, until it is read back, nobody knows what the board holds.
         markBlock(key, WriteState::Unknown);
         m_written.insert(key);
-        if (const auto written = m_device.writeBlock(m_channel, key, patched(key)); !written)
+        if (const auto written = put(key, patched(key)); !written)
             return written;
     }
-    if (const auto ended = m_device.endWrite(m_channel); !ended)
+    if (const auto ended = end(); !ended)
         return ended;
     m_bracketOpen = false;
-    if (m_keys.back().profile != m_base.activeProfile())
-        return m_device.selectProfile(m_channel, m_base.activeProfile());
     return {};
+}
+
+// Outside the bracket, which the restart would end.
+Result<void> Writer::writeRestarting()
+{
+    for (const BlockKey key : m_keys) {
+        if (!restarts(key))
+            continue;
+        report(u"write-block"_s, key);
+        markBlock(key, WriteState::Unknown);
+        m_written.insert(key);
+        if (const auto written = put(key, patched(key)); !written)
+            return written;
+    }
+    return {};
+}
+
+// Writes a block; one that restarts the board is written when the board is back.
+Result<void> Writer::put(BlockKey key, const QByteArray &bytes)
+{
+    if (!restarts(key))
+        return m_device.writeBlock(m_channel, key, bytes);
+    const milliseconds absence = specOf(key).restartTime > 0ms ? specOf(key).restartTime : kRestartLimit;
+    m_channel.expectSilence(absence);
+    const auto written = m_device.writeBlock(m_channel, key, bytes);
+    // A board that restarts at once does not get to confirm it. What it holds is read when it is back.
+    const bool mayBeRestarting = written || written.error().code == ErrorCode::Timeout
+        || written.error().code == ErrorCode::LinkClosed;
+    if (!mayBeRestarting)
+        return written;
+    m_backBy = m_channel.now() + absence;
+    report(u"await-restart"_s, key);
+    if (const auto slept = m_channel.sleep(kRestartPause);
+        !slept && slept.error().code == ErrorCode::Cancelled)
+        return slept;
+    const auto back = fetch(key);
+    return back ? Result<void>() : tl::unexpected(back.error());
+}
+
+// Reads a block; a board that restarts has time to come back. On a link that is closed no time passes, so the
+// number of attempts has an end as well.
+Result<QByteArray> Writer::fetch(BlockKey key)
+{
+    for (auto attempts = (m_backBy - m_channel.now()) / kRestartPause;; --attempts) {
+        auto bytes = m_device.readBlock(m_channel, key);
+        if (bytes || bytes.error().code == ErrorCode::Cancelled || attempts <= 0
+            || m_channel.now() >= m_backBy)
+            return bytes;
+        if (const auto slept = m_channel.sleep(kRestartPause);
+            !slept && slept.error().code == ErrorCode::Cancelled)
+            return tl::unexpected(slept.error());
+    }
+}
+
+Result<void> Writer::begin()
+{
+    WriteBracket *bracket = m_device.writeBracket();
+    return bracket ? bracket->beginWrite(m_channel) : Result<void>();
+}
+
+Result<void> Writer::end()
+{
+    WriteBracket *bracket = m_device.writeBracket();
+    return bracket ? bracket->endWrite(m_channel) : Result<void>();
+}
+
+Result<void> Writer::selectActive()
+{
+    ProfileAccess *profiles = m_device.profiles();
+    return profiles ? profiles->selectProfile(m_channel, m_base.activeProfile()) : Result<void>();
 }
 
 Result<void> Writer::writeNames()
 {
     if (!m_namesChanged)
         return {};
-    if (const auto written = m_device.writeProfileNames(m_channel, m_edited.profileNames()); !written)
+    ProfileAccess *profiles = m_device.profiles();
+    if (!profiles)
+        return failure(ErrorCode::Unsupported, u"this board has one profile, without a name"_s);
+    if (const auto written = profiles->writeProfileNames(m_channel, m_edited.profileNames()); !written)
         return written;
-    const auto again = m_device.readProfileNames(m_channel);
+    const auto again = profiles->readProfileNames(m_channel);
     if (!again)
         return tl::unexpected(again.error());
     m_report.onBoard.setProfileNames(*again);
@@ -237,25 +343,29 @@ Result<void> Writer::verify()
     QStringList different;
     for (const BlockKey key : m_keys) {
         report(u"verify-block"_s, key);
-        const auto bytes = m_device.readBlock(m_channel, key);
+        const auto bytes = fetch(key);
         if (!bytes)
             return tl::unexpected(bytes.error());
         const QByteArray expected = patched(key);
         m_report.onBoard.setBlock(key, *bytes);
+        if (specOf(key).isData() && bytes->size() > expected.size()) {
+            different.append(u"%1 has %2 bytes, %3 were written"_s.arg(QLatin1String(specOf(key).name))
+                                 .arg(bytes->size())
+                                 .arg(expected.size()));
+        }
         const std::vector<bool> mask = stateBytes(key.block);
         for (qsizetype i = 0; i < expected.size(); ++i) {
             const bool isState = std::size_t(i) < mask.size() && mask[std::size_t(i)];
             if (!isState && (i >= bytes->size() || (*bytes)[i] != expected[i]))
-                different.append(
-                    u"%1 profile %2, byte %3"_s.arg(QLatin1String(m_base.parameters().block(key.block)->name))
-                        .arg(key.profile + 1)
-                        .arg(i));
+                different.append(u"%1 profile %2, byte %3"_s.arg(QLatin1String(specOf(key).name))
+                                     .arg(key.profile + 1)
+                                     .arg(i));
         }
         for (WriteLine &line : m_report.lines) {
             if (line.spec->row->block != key.block || line.profile != key.profile)
                 continue;
             line.found = line.spec->read(*bytes).value_or(line.from);
-            line.state = line.found == line.to ? WriteState::Verified : WriteState::Mismatch;
+            line.state = sameValue(line.found, line.to) ? WriteState::Verified : WriteState::Mismatch;
         }
         for (WriteData &data : m_report.data) {
             if (data.key == key)
@@ -265,7 +375,7 @@ Result<void> Writer::verify()
     // The blocks that were not written carry the new board-wide values as well.
     for (const ParameterChange &change : m_changes) {
         if (change.spec->row->scope == Scope::Board)
-            std::ignore = m_report.onBoard.setRaw(*change.spec, change.profile, change.to);
+            std::ignore = m_report.onBoard.copyRaw(*change.spec, change.profile, m_edited);
     }
     if (!different.isEmpty())
         return failure(ErrorCode::VerifyFailed, different.mid(0, 8).join(u"; "_s));
@@ -283,22 +393,27 @@ void Writer::finishReport(const Error &error)
 // The board still answers: put back what was there before, and look whether it is.
 void Writer::rollBack()
 {
-    if (!m_bracketOpen && !m_device.beginWrite(m_channel))
-        return;
+    if (!m_bracketOpen && !restarts(m_keys.front())) {
+        if (!begin())
+            return;
+        m_bracketOpen = true;
+    }
     for (const BlockKey key : m_keys) {
         if (!m_written.contains(key))
             continue;
+        if (restarts(key) && std::exchange(m_bracketOpen, false) && !end())
+            return;
         report(u"roll-back"_s, key);
-        if (!m_device.writeBlock(m_channel, key, m_board.at(key)))
+        if (!put(key, m_board.at(key)))
             return;
     }
-    if (!m_device.endWrite(m_channel))
+    if (m_bracketOpen && !end())
         return;
-    std::ignore = m_device.selectProfile(m_channel, m_base.activeProfile());
+    std::ignore = selectActive();
     for (const BlockKey key : m_keys) {
         if (!m_written.contains(key))
             continue;
-        const auto bytes = m_device.readBlock(m_channel, key);
+        const auto bytes = fetch(key);
         if (!bytes)
             return;
         m_report.onBoard.setBlock(key, *bytes);
@@ -307,7 +422,7 @@ void Writer::rollBack()
                 || line.state == WriteState::Mismatch)
                 continue;
             line.found = line.spec->read(*bytes).value_or(line.to);
-            line.state = line.found == line.from ? WriteState::RolledBack : WriteState::Mismatch;
+            line.state = sameValue(line.found, line.from) ? WriteState::RolledBack : WriteState::Mismatch;
         }
         for (WriteData &data : m_report.data) {
             if (data.key == key && data.state != WriteState::Mismatch)
@@ -332,10 +447,11 @@ void Writer::report(const QString &step, BlockKey key)
 {
     Progress progress;
     progress.done = m_done++;
-    progress.total = 3 * int(m_keys.size());
+    const auto restarting
+        = std::count_if(m_keys.begin(), m_keys.end(), [this](BlockKey k) { return restarts(k); });
+    progress.total = int(3 * m_keys.size() + std::size_t(restarting));
     progress.step = step;
-    progress.subject = u"%1, profile %2"_s.arg(QLatin1String(m_base.parameters().block(key.block)->name))
-                           .arg(key.profile + 1);
+    progress.subject = u"%1, profile %2"_s.arg(QLatin1String(specOf(key).name)).arg(key.profile + 1);
     m_channel.progress(progress);
 }
 

@@ -6,9 +6,11 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QSaveFile>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -18,8 +20,10 @@ const QString kFormat = u"gimbaldesk-configuration"_s;
 constexpr int kVersion = 1;
 constexpr qint64 kLargestFile = 4 * 1024 * 1024;
 
-QJsonValue valueOf(const ParameterSpec &spec, int raw)
+QJsonValue valueOf(const ParameterSpec &spec, double raw)
 {
+    if (std::isnan(raw))
+        return QJsonValue::Null;  // the blocks hold the bytes
     switch (spec.row->kind) {
     case ValueKind::Toggle: return raw != 0;
     case ValueKind::Choice: return raw;
@@ -30,12 +34,12 @@ QJsonValue valueOf(const ParameterSpec &spec, int raw)
     return spec.format(raw).toDouble();
 }
 
-std::optional<int> rawOf(const ParameterSpec &spec, const QJsonValue &value)
+std::optional<double> rawOf(const ParameterSpec &spec, const QJsonValue &value)
 {
     if (value.isBool())
         return value.toBool() ? 1 : 0;
     if (value.isDouble())
-        return spec.parse(QString::number(value.toDouble(), 'g', 15));
+        return spec.parse(QString::number(value.toDouble(), 'g', QLocale::FloatingPointShortest));
     if (value.isString())
         return spec.parse(value.toString());
     return {};
@@ -53,6 +57,15 @@ QJsonObject valuesOf(const Configuration &configuration, int profile, Scope scop
     return values;
 }
 
+// Whether the file's value is the one that the blocks hold. Files of earlier versions show counts with the
+// decimals of the screen, which may not be enough to tell them apart.
+bool isKnown(const ParameterSpec &spec, double known, const QJsonValue &value, double raw)
+{
+    const bool rounded = spec.row->wire != WireType::F32 && spec.row->kind == ValueKind::Number
+        && value.isDouble() && value.toDouble() == spec.rounded(known).toDouble();
+    return known == raw || rounded;
+}
+
 // Puts a file's values into a configuration. A value that the blocks already hold exactly is left alone, so
 // rounding in the text never changes a byte.
 Result<void> readValues(Configuration &configuration, const QJsonObject &values, int profile,
@@ -65,14 +78,17 @@ Result<void> readValues(Configuration &configuration, const QJsonObject &values,
                 unknown.append(it.key());
             continue;
         }
+        const auto known = configuration.raw(*spec, profile);
+        if (it.value().isNull() && known && std::isnan(*known))
+            continue;
         const auto raw = rawOf(*spec, it.value());
         if (!raw) {
             return failure(
                 ErrorCode::BadFile,
-                u"the value of %1 is not understood: %2"_s.arg(it.key(), it.value().toVariant().toString()));
+                u"the value of %1 is not understood: %2"_s.arg(
+                    it.key(), it.value().isNull() ? u"null"_s : it.value().toVariant().toString()));
         }
-        const auto known = configuration.raw(*spec, profile);
-        if (known && spec->format(*known) == spec->format(*raw))
+        if (known && isKnown(*spec, *known, it.value(), *raw))
             continue;
         if (const auto set = configuration.setRaw(*spec, profile, *raw); !set)
             return failure(ErrorCode::BadFile, set.error().detail);
@@ -82,9 +98,12 @@ Result<void> readValues(Configuration &configuration, const QJsonObject &values,
 
 // Boards of other firmware may count in other steps, or call their choices by other numbers: what is
 // displayed is what is meant. A choice that there is not there gets a number out of range.
-int translated(const ParameterSpec &from, int raw, int fromFirmware, const ParameterSpec &to, int toFirmware)
+double translated(const ParameterSpec &from, double raw, int fromFirmware, const ParameterSpec &to,
+                  int toFirmware)
 {
-    if (from.row == to.row || from.row->kind != ValueKind::Choice || to.row->kind != ValueKind::Choice)
+    if (from.row == to.row)
+        return raw;
+    if (from.row->kind != ValueKind::Choice || to.row->kind != ValueKind::Choice)
         return to.toRaw(from.toDisplay(raw));
     const auto known = from.choices(fromFirmware);
     const auto name = std::find_if(known.begin(), known.end(),
@@ -96,6 +115,15 @@ int translated(const ParameterSpec &from, int raw, int fromFirmware, const Param
             return choice.value;
     }
     return to.row->max + 1;
+}
+
+// ", value of KEY" where what stands before that byte is the value of a key: a number as large as 1e999 is no
+// JSON.
+QString entryAt(const QByteArray &json, int offset)
+{
+    static const QRegularExpression key(u"\"([^\"]*)\"\\s*:[^\":,]*$"_s);
+    const auto match = key.match(QString::fromUtf8(json.left(offset)));
+    return match.hasMatch() ? u", value of %1"_s.arg(match.captured(1)) : QString();
 }
 
 }  // namespace
@@ -124,16 +152,13 @@ QByteArray ConfigurationFile::toJson(const Configuration &configuration, const Q
         blocks.insert(u"%1/%2"_s.arg(key.profile + 1).arg(QLatin1String(block ? block->name : "?")),
                       QString::fromLatin1(bytes.toHex()));
     }
-    const QJsonObject root{
-        {u"format"_s, kFormat},
-        {u"version"_s, kVersion},
-        {u"reason"_s, reason},
-        {u"savedAt"_s, savedAt.toString(Qt::ISODateWithMs)},
-        {u"board"_s, board},
-        {u"activeProfile"_s, configuration.activeProfile() + 1},
-        {u"boardValues"_s, valuesOf(configuration, configuration.activeProfile(), Scope::Board)},
-        {u"profiles"_s, profiles},
-        {u"blocks"_s, blocks}};
+    // clang-format off
+    const QJsonObject root{{u"format"_s, kFormat}, {u"version"_s, kVersion}, {u"reason"_s, reason},
+                           {u"savedAt"_s, savedAt.toString(Qt::ISODateWithMs)}, {u"board"_s, board},
+                           {u"activeProfile"_s, configuration.activeProfile() + 1},
+                           {u"boardValues"_s, valuesOf(configuration, configuration.activeProfile(), Scope::Board)},
+                           {u"profiles"_s, profiles}, {u"blocks"_s, blocks}};
+    // clang-format on
     return QJsonDocument(root).toJson();
 }
 
@@ -144,7 +169,9 @@ Result<ConfigurationFile> ConfigurationFile::fromJson(const QByteArray &json,
     const QJsonDocument document = QJsonDocument::fromJson(json, &parse);
     if (!document.isObject()) {
         return failure(ErrorCode::BadFile,
-                       u"not JSON (%1 at byte %2)"_s.arg(parse.errorString()).arg(parse.offset));
+                       u"not JSON (%1 at byte %2%3)"_s.arg(parse.errorString())
+                           .arg(parse.offset)
+                           .arg(entryAt(json, parse.offset)));
     }
     const QJsonObject root = document.object();
     if (root.value(u"format"_s).toString() != kFormat)
@@ -190,7 +217,8 @@ Result<ConfigurationFile> ConfigurationFile::fromJson(const QByteArray &json,
             if (!blocks.contains(name))
                 continue;
             const QByteArray bytes = QByteArray::fromHex(blocks.value(name).toString().toLatin1());
-            if (bytes.size() < block.size) {
+            // Blocks of parameters may have grown since; those of data are taken as a whole or not at all.
+            if (bytes.size() < block.size || (block.isData() && !block.holds(bytes.size()))) {
                 return failure(ErrorCode::BadFile,
                                u"block %1 has %2 of %3 bytes"_s.arg(name).arg(bytes.size()).arg(block.size));
             }
@@ -250,10 +278,11 @@ Configuration applied(const Configuration &board, const Configuration &file, QSt
             const auto raw = file.raw(spec, boardWide ? file.activeProfile() : profile);
             if (!raw)
                 break;
-            const int wanted = own
+            const double wanted = own
                 ? translated(spec, *raw, file.parameters().firmware(), *own, board.parameters().firmware())
-                : 0;
-            if (!own || (board.raw(*own, profile) != wanted && !result.setRaw(*own, profile, wanted))) {
+                : 0.0;
+            if (!own
+                || (!sameValue(board.raw(*own, profile), wanted) && !result.setRaw(*own, profile, wanted))) {
                 if (!skipped.contains(spec.key))
                     skipped.append(spec.key);
                 break;
@@ -264,11 +293,16 @@ Configuration applied(const Configuration &board, const Configuration &file, QSt
     }
     for (const auto &[key, bytes] : file.blocks()) {
         const BlockSpec *spec = file.parameters().block(key.block);
-        if (!spec || !*spec->data || board.block(key) == bytes
-            || key.profile >= board.identity().profileCount)
+        if (!spec || !spec->isData() || key.profile >= board.identity().profileCount)
             continue;
-        // What is in it refers to the firmware it was made for.
-        if (file.parameters().firmware() == board.parameters().firmware() && !board.block(key).isEmpty())
+        const auto held = board.blocks().find(key);
+        if (held != board.blocks().end() && held->second == bytes)
+            continue;
+        // Code refers to the firmware it was made for; a text says itself what it means.
+        const BlockSpec *own = board.parameters().block(key.block);
+        const bool fits = spec->isText() || file.parameters().firmware() == board.parameters().firmware();
+        if (fits && own && own->kind == spec->kind && own->holds(bytes.size())
+            && held != board.blocks().end())
             result.setBlock(key, bytes);
         else
             skipped.append(QLatin1String(spec->data));

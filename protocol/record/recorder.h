@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/identity.h"
+#include "protocol/base/framelistener.h"
+#include "protocol/configuration/identity.h"
 #include "protocol/record/recording.h"
-#include "protocol/session/session.h"
+#include "protocol/transport/linkaddress.h"
 
 #include <atomic>
 #include <condition_variable>

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/record/replaystore.h"
 
+#include "protocol/telemetry/streams.h"
+
 #include <limits>
 
-std::shared_ptr<TelemetryStore> readTelemetry(const Recording &recording, const Device &device)
+std::shared_ptr<TelemetryStore> readTelemetry(const Recording &recording, const Family &family,
+                                              const Device &device)
 {
     auto store = std::make_shared<TelemetryStore>(int(device.channels().size()));
     store->setRetention(std::numeric_limits<double>::infinity());
-    const auto framer = device.makeFramer();
+    const auto framer = family.makeFramer();
     const auto decoder = device.replayDecoder();
     const qint64 begin = recording.begin();
     for (const RecordedPiece &piece : recording.pieces) {

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/device.h"
+#include "protocol/device/family.h"
 #include "protocol/record/recording.h"
+
+class TelemetryStore;
 
 /// Everything of a recording at once, through the same framer and decoder as a live link. Times of the store
 /// begin with the recording's first received bytes.
-[[nodiscard]] std::shared_ptr<TelemetryStore> readTelemetry(const Recording &recording, const Device &device);
+[[nodiscard]] std::shared_ptr<TelemetryStore> readTelemetry(const Recording &recording, const Family &family,
+                                                            const Device &device);

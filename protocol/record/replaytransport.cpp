@@ -151,12 +151,12 @@ void ReplayTransport::forwardTo(double seconds)
     runFromHere();
 }
 
-std::optional<ReplayState> ReplayTransport::replayState() const
+ReplayState ReplayTransport::state() const
 {
     const qint64 begin = m_recording.begin();
     const qint64 end = m_recording.end();
-    return ReplayState{double(std::clamp(m_position, begin, end) - begin) * 1e-9, double(end - begin) * 1e-9,
-                       m_speed, m_paused};
+    return {double(std::clamp(m_position, begin, end) - begin) * 1e-9, double(end - begin) * 1e-9, m_speed,
+            m_paused};
 }
 
 void ReplayTransport::deliver()

@@ -11,7 +11,7 @@
 /// A recording as a link. Requests are answered as they were answered then (the answer nearest before the
 /// place that is played, else the first one); a request that was never made gets no answer. Received bytes
 /// run in their own time once play() was called, and keep the distances of their times whatever the speed.
-class ReplayTransport final : public Transport
+class ReplayTransport final : public Transport, public Replay
 {
     Q_OBJECT
 public:
@@ -25,7 +25,8 @@ public:
     void setPaused(bool paused) override;
     void setSpeed(double speed) override;
     void forwardTo(double seconds) override;
-    [[nodiscard]] std::optional<ReplayState> replayState() const override;
+    [[nodiscard]] ReplayState state() const override;
+    [[nodiscard]] Replay *replay() override { return this; }
 
 private:
     void advance();

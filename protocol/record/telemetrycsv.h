@@ -3,8 +3,8 @@
 #pragma once
 
 #include "protocol/base/result.h"
-#include "protocol/device/channelspec.h"
-#include "protocol/device/telemetrystore.h"
+#include "protocol/telemetry/channelspec.h"
+#include "protocol/telemetry/telemetrystore.h"
 
 class QIODevice;
 

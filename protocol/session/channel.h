@@ -2,22 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/base/progress.h"
+#include "protocol/session/controlstream.h"
+#include "protocol/session/framer.h"
 #include "protocol/session/request.h"
 #include "protocol/transport/linkaddress.h"
 
-#include <QMap>
-
 #include <memory>
-
-/// How far a job is, for the operator's eyes.
-struct Progress
-{
-    int done = 0;
-    int total = 0;  ///< 0 = unknown
-    QString step;  ///< a key of the step ("read-block"), worded in widgets/
-    QString subject;  ///< what it works on ("PARAMS_3, profile 2")
-    QMap<QString, double> values;  ///< live figures of a procedure, by key
-};
 
 /// Frames nobody asked for (second confirmations, progress reports), kept from the moment the mailbox exists.
 class Mailbox
@@ -48,12 +39,20 @@ public:
     virtual Result<Frame> transact(const Request &request) = 0;
     /// Sends without waiting for an answer, also from a cancelled job: "stop" must get through.
     virtual void post(const Request &request) = 0;
-    /// Waits. Errors: Cancelled, LinkClosed.
+    /// Waits. Errors: Cancelled, and LinkClosed as soon as a link that was open is gone.
     virtual Result<void> sleep(milliseconds duration) = 0;
     /// Keeps every frame that the filter accepts and that answers no request, until the mailbox is destroyed.
     virtual std::unique_ptr<Mailbox> listen(std::function<bool(const FrameView &)> filter) = 0;
     /// Changes rate and parity of the line. Errors: Unsupported where the port refuses them.
     virtual Result<void> setLine(const LineSettings &line) = 0;
+    /// Steers with these frames from now on; to be repeated at least each 250 ms (see ControlStream).
+    virtual void steer(const ControlFrames &frames) = 0;
+    /// Ends steering: stop, then control goes back to whoever had it before.
+    virtual void releaseControl() = 0;
+    /// Stops the motors, ahead of everything, also from a cancelled job. Does not wait for it.
+    virtual void stopMotors(const StopPlan &plan) = 0;
+    /// The board will say nothing for so long, and that is no reason to take the link for lost.
+    virtual void expectSilence(milliseconds duration) = 0;
     [[nodiscard]] virtual bool cancelled() const = 0;
     virtual void progress(const Progress &progress) = 0;
     /// Time as the job sees it (virtual in tests).

@@ -19,33 +19,44 @@ void ControlStream::end(TimePoint now)
         return;
     m_state = State::Stopping;
     m_stopSent = false;
+    m_stoppedAt = now;
     m_nextSend = now;
 }
 
-std::optional<QByteArray> ControlStream::advance(TimePoint now)
+// One stop is enough where nothing could prove it.
+bool ControlStream::isStopDone(TimePoint now, const LatestValues *latest) const
+{
+    if (!m_stopSent)
+        return false;
+    if (!m_frames.stopped || !latest || now - m_stoppedAt >= kStopLimit)
+        return true;
+    return m_frames.stopped(*latest, m_stoppedAt) == Proof::Proven;
+}
+
+std::optional<QByteArray> ControlStream::advance(TimePoint now, const LatestValues *latest)
 {
     if (m_state == State::Streaming && now - m_refreshedAt >= kDeadMan) {
-        ++m_rescues;
+        ++m_failsafeCount;
         end(now);
     }
-    if (m_state == State::Idle || now < m_nextSend)
+    if (m_state == State::Inactive || now < m_nextSend)
         return {};
     if (m_state == State::Streaming) {
-        m_nextSend = std::max(m_nextSend + kPeriod, now + kPeriod / 2);
+        m_nextSend = std::max(m_nextSend + m_period, now + m_period / 2);
         return m_frames.setpoint;
     }
-    if (!m_stopSent) {
+    if (!isStopDone(now, latest)) {
         m_stopSent = true;
         m_nextSend = now + kReleaseDelay;
         return m_frames.stop;
     }
-    m_state = State::Idle;
+    m_state = State::Inactive;
     return m_frames.release;
 }
 
 std::optional<TimePoint> ControlStream::nextDeadline() const
 {
-    if (m_state == State::Idle)
+    if (m_state == State::Inactive)
         return {};
     if (m_state == State::Streaming)
         return std::min<TimePoint>(m_nextSend, m_refreshedAt + kDeadMan);

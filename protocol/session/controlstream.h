@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/session/request.h"
+#include "protocol/session/stopplan.h"
 
 #include <QByteArray>
 
@@ -14,41 +14,54 @@ struct ControlFrames
     QByteArray setpoint;
     QByteArray stop;  ///< stand still, control kept
     QByteArray release;  ///< give control back to whoever had it before
-    AnswerMatcher answer
-        = {};  ///< the board answers each, and wants nothing else before it has; empty: nothing answers
+    /// The board answers each, and wants nothing else before it has; empty: nothing answers.
+    AnswerMatcher answer = {};
+    /// What telemetry since the stop proves that the board stands still; the stop is repeated until then.
+    /// Empty: one stop is enough.
+    std::function<Proof(const LatestValues &, TimePoint since)> stopped = {};
 };
 
 /// Repeats a set-point at its rate, but only as long as somebody refreshes it: 250 ms without a refresh and
-/// it sends stop, then releases control (the dead-man's rule). No clock of its own.
+/// it sends stop, then releases control (the dead-man's rule). No clock of its own. Belongs to one link.
 class ControlStream
 {
 public:
-    static constexpr auto kPeriod = 20ms;  // document CMD_CONTROL: 50 Hz or less
     static constexpr auto kDeadMan = 250ms;
-    static constexpr auto kReleaseDelay = 100ms;  // time for the stop to act before control is given back
+    static constexpr auto kReleaseDelay = 100ms;  ///< for the stop to act before control is given back
+    static constexpr auto kStopLimit = 2s;  ///< a stop that nothing proves is repeated for so long
+
+    /// @param period between two set-points, see LinkTiming::controlPeriod
+    explicit ControlStream(milliseconds period = 20ms)
+        : m_period(period)
+    {
+    }
 
     void refresh(ControlFrames frames, TimePoint now);
     /// Ends the stream on purpose: stop now, release shortly after.
     void end(TimePoint now);
     /// Ends without another word, when the link is gone or the motors were stopped.
-    void drop() { m_state = State::Idle; }
+    void drop() { m_state = State::Inactive; }
 
     /// The frame to send now, if any; call at or after nextDeadline().
-    std::optional<QByteArray> advance(TimePoint now);
+    std::optional<QByteArray> advance(TimePoint now, const LatestValues *latest = nullptr);
     [[nodiscard]] std::optional<TimePoint> nextDeadline() const;
-    [[nodiscard]] bool isActive() const { return m_state != State::Idle; }
+    [[nodiscard]] bool isActive() const { return m_state != State::Inactive; }
     [[nodiscard]] bool isStreaming() const { return m_state == State::Streaming; }
     [[nodiscard]] const AnswerMatcher &answer() const { return m_frames.answer; }
     /// How often the dead-man's rule had to act.
-    [[nodiscard]] int rescues() const { return m_rescues; }
+    [[nodiscard]] int failsafeCount() const { return m_failsafeCount; }
 
 private:
-    enum class State { Idle, Streaming, Stopping };
+    enum class State { Inactive, Streaming, Stopping };
 
-    State m_state = State::Idle;
+    [[nodiscard]] bool isStopDone(TimePoint now, const LatestValues *latest) const;
+
+    milliseconds m_period;
+    State m_state = State::Inactive;
     ControlFrames m_frames;
     TimePoint m_refreshedAt{};
     TimePoint m_nextSend{};
+    TimePoint m_stoppedAt{};
     bool m_stopSent = false;
-    int m_rescues = 0;
+    int m_failsafeCount = 0;
 };

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "protocol/base/clock.h"
+#include "protocol/base/frame.h"
 #include "protocol/base/result.h"
-#include "protocol/session/frame.h"
 
 #include <optional>
 

@@ -13,8 +13,6 @@ namespace {
 
 // Bytes kept while no frame was understood, to name the protocol that is spoken instead.
 constexpr qsizetype kKeptBytes = 512;
-constexpr auto kUrgentRepeat = 100ms;
-constexpr int kUrgentAttempts = 5;
 
 qint64 slotOf(TimePoint now)
 {
@@ -28,6 +26,15 @@ Session::Session(TransportFactory makeTransport, QObject *parent)
     , m_makeTransport(std::move(makeTransport))
     , m_sink([this](const FrameView &frame) { onFrame(frame); })
     , m_queue([this](QByteArrayView bytes) { send(bytes); })
+    , m_stop([this](const Request &request) {
+        m_queue.submit(
+            request,
+            [this](const Result<Frame> &result) {
+                if (result)
+                    m_stop.answered(*result);
+            },
+            Clock::now(), TransactionQueue::Lane::Urgent);
+    })
     , m_timer(this)
 {
     m_timer.setSingleShot(true);
@@ -37,6 +44,7 @@ Session::Session(TransportFactory makeTransport, QObject *parent)
 
 Session::~Session()
 {
+    m_stop.abandon({ErrorCode::LinkClosed, {}});
     m_queue.cancelAll({ErrorCode::LinkClosed, {}});
 }
 
@@ -51,7 +59,7 @@ void Session::send(QByteArrayView bytes)
         listener->bytesSent(bytes, Clock::now());
 }
 
-void Session::open(const LinkAddress &address, std::unique_ptr<Framer> framer)
+void Session::open(const LinkAddress &address, std::unique_ptr<Framer> framer, LinkTiming timing)
 {
     close({ErrorCode::Cancelled, {}});
     auto transport = m_makeTransport(address);
@@ -61,6 +69,9 @@ void Session::open(const LinkAddress &address, std::unique_ptr<Framer> framer)
     }
     m_transport = std::move(*transport);
     m_framer = std::move(framer);
+    m_timing = std::move(timing);
+    m_control = ControlStream(m_timing.controlPeriod);
+    m_queue.setPause(m_timing.pause);
     m_bytesIn = m_bytesOut = 0;
     m_lastBytes.clear();
     m_rateSlots = {};
@@ -72,7 +83,9 @@ void Session::open(const LinkAddress &address, std::unique_ptr<Framer> framer)
     });
     connect(m_transport.get(), &Transport::opened, this, [this] {
         m_open = true;
+        m_arrival = m_nextBeat = m_silentUntil = Clock::now();
         qCInfo(logSession) << "link open";
+        schedule();
         emit opened();
     });
     connect(m_transport.get(), &Transport::closed, this, &Session::close);
@@ -88,9 +101,9 @@ void Session::close(const Error &why)
 {
     if (!m_transport)
         return;
-    if (m_open && why.code == ErrorCode::Cancelled && !m_farewell.isEmpty())
-        send(m_farewell);
-    m_farewell.clear();
+    if (m_open && why.code == ErrorCode::Cancelled && !m_shutdownFrames.isEmpty())
+        send(m_shutdownFrames);
+    m_shutdownFrames.clear();
     qCInfo(logSession) << "link closed:" << int(why.code) << why.detail;
     m_transport->disconnect(this);
     m_transport->close();
@@ -102,6 +115,7 @@ void Session::close(const Error &why)
     m_pollRunning = false;
     m_control.drop();
     m_controlAsked = false;
+    m_stop.abandon({ErrorCode::LinkClosed, why.detail});
     m_queue.cancelAll({ErrorCode::LinkClosed, why.detail});
     emit closed(why);
 }
@@ -136,8 +150,8 @@ void Session::setPoll(std::optional<Request> request, milliseconds interval)
 
 void Session::refreshControl(ControlFrames frames)
 {
-    if (!m_open)
-        return;
+    if (!m_open || m_stop.isActive())
+        return;  // nothing steers while the motors are being stopped
     m_control.refresh(std::move(frames), Clock::now());
     schedule();
 }
@@ -148,69 +162,32 @@ void Session::endControl()
     schedule();
 }
 
-void Session::sendUrgent(Request request, TransactionQueue::Completion completion)
-{
-    m_control.drop();
-    sendUrgentAttempt(std::move(request), std::move(completion), kUrgentAttempts);
-}
-
-void Session::sendUrgentAttempt(Request request, TransactionQueue::Completion completion, int attemptsLeft)
+void Session::stopMotors(StopPlan plan, StopSequence::Completion completion)
 {
     if (!m_open) {
         completion(failure(ErrorCode::LinkClosed));
         return;
     }
-    Request once = request;
-    once.timeout = kUrgentRepeat;
-    m_queue.submit(
-        std::move(once),
-        [this, request, completion, attemptsLeft](Result<Frame> result) {
-            if (result || attemptsLeft <= 1 || result.error().code != ErrorCode::Timeout) {
-                completion(std::move(result));
-                return;
-            }
-            sendUrgentAttempt(request, completion, attemptsLeft - 1);
-        },
-        Clock::now(), TransactionQueue::Lane::Urgent);
+    m_control.drop();
+    m_stop.start(std::move(plan), std::move(completion), Clock::now());
     schedule();
 }
 
-void Session::play()
+void Session::expectSilence(milliseconds duration)
 {
-    if (m_transport)
-        m_transport->play();
-}
-
-void Session::setReplayPaused(bool paused)
-{
-    if (m_transport)
-        m_transport->setPaused(paused);
-}
-
-void Session::setReplaySpeed(double speed)
-{
-    if (m_transport)
-        m_transport->setSpeed(speed);
-}
-
-void Session::forwardReplay(double seconds)
-{
-    if (m_transport)
-        m_transport->forwardTo(seconds);
+    m_silentUntil = std::max<TimePoint>(m_silentUntil, Clock::now() + duration);
+    schedule();
 }
 
 LinkStatistics Session::statistics() const
 {
     LinkStatistics statistics;
-    if (m_transport)
-        statistics.replay = m_transport->replayState();
     if (m_framer)
         statistics.framing = m_framer->statistics();
     statistics.bytesIn = m_bytesIn;
     statistics.bytesOut = m_bytesOut;
     statistics.timeouts = m_queue.timeouts();
     statistics.roundTrip = m_queue.roundTrip();
-    statistics.deadManRescues = m_control.rescues();
     // Nine full slots: the current one is still filling.
     const qint64 slot = slotOf(Clock::now());
     quint64 frames = 0;
@@ -238,6 +215,8 @@ void Session::onReceived(QByteArrayView bytes, TimePoint at)
     if (m_framer->statistics().frames == 0)
         m_lastBytes = (m_lastBytes + bytes.toByteArray()).right(kKeptBytes);
     m_framer->feed(asBytes(bytes), m_sink);
+    if (m_transport && m_transport->isPacketBased())
+        m_framer->packetEnded(m_sink);
     schedule();
 }
 
@@ -253,12 +232,16 @@ void Session::onFrame(const FrameView &frame)
     const bool claimed = m_queue.frameArrived(frame, m_arrival);
     for (std::size_t i = 0; i < m_listeners.size(); ++i)
         m_listeners[i]->frameReceived(frame, m_arrival, claimed);
+    if (m_stop.isActive() && m_latest)
+        m_stop.telemetryArrived(*m_latest);
 }
 
 // Where each frame is answered it takes its turn: a set-point that finds the last one unanswered is passed
 // over, the next one is newer. What ends the steering is never passed over.
 void Session::sendControl(const QByteArray &frame, TimePoint now)
 {
+    if (frame.isEmpty())
+        return;
     if (!m_control.answer()) {
         m_queue.sendUnanswered(frame, now);
         return;
@@ -279,8 +262,13 @@ void Session::onTick()
     const TimePoint now = Clock::now();
     if (m_framer && m_framer->isWaiting() && now - m_arrival > m_framer->gap())
         m_framer->flush(m_sink);
-    while (auto frame = m_control.advance(now))
+    const int failsafes = m_control.failsafeCount();
+    while (auto frame = m_control.advance(now, m_latest.get()))
         sendControl(*frame, now);
+    if (m_control.failsafeCount() != failsafes)
+        emit failsafeActed();
+    m_stop.advance(now);
+    beat(now);
     m_queue.advance(now);
     if (m_poll && !m_pollRunning && now >= m_nextPoll && m_queue.isReady(now)) {
         m_pollRunning = true;
@@ -288,7 +276,25 @@ void Session::onTick()
         m_queue.submit(
             *m_poll, [this](const Result<Frame> &) { m_pollRunning = false; }, now);
     }
+    if (m_open && m_timing.silenceLimit > 0ms && now >= lostAt()) {
+        close({ErrorCode::LinkClosed,
+               QStringLiteral("nothing came for %1 s").arg(seconds(now - m_arrival), 0, 'f', 1)});
+        return;
+    }
     schedule();
+}
+
+TimePoint Session::lostAt() const
+{
+    return std::max(m_arrival, m_silentUntil) + m_timing.silenceLimit;
+}
+
+void Session::beat(TimePoint now)
+{
+    if (!m_open || m_timing.heartbeatPeriod <= 0ms || !m_timing.heartbeat || now < m_nextBeat)
+        return;
+    m_nextBeat = std::max<TimePoint>(m_nextBeat + m_timing.heartbeatPeriod, now);
+    m_queue.sendUnanswered(m_timing.heartbeat(), now);
 }
 
 void Session::schedule()
@@ -302,6 +308,11 @@ void Session::schedule()
             next = next ? std::min(*next, *time) : *time;
     };
     consider(m_control.nextDeadline());
+    consider(m_stop.nextDeadline());
+    if (m_timing.heartbeatPeriod > 0ms)
+        consider(m_nextBeat);
+    if (m_timing.silenceLimit > 0ms)
+        consider(lostAt());
     if (m_poll && !m_pollRunning)
         consider(std::max(m_nextPoll, now + 1ms));
     if (m_framer && m_framer->isWaiting())

@@ -2,41 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/base/framelistener.h"
 #include "protocol/session/channel.h"
 #include "protocol/session/controlstream.h"
+#include "protocol/session/linkstatistics.h"
+#include "protocol/session/linktiming.h"
+#include "protocol/session/stopplan.h"
 #include "protocol/session/transactionqueue.h"
 #include "protocol/transport/transport.h"
 
 #include <QTimer>
 
 #include <array>
-
-/// Gets every frame on the I/O thread with its time of arrival.
-class FrameListener
-{
-public:
-    virtual ~FrameListener() = default;
-    /// @param claimed the frame was the answer to a request (polled telemetry is an answer and telemetry all
-    /// the same)
-    virtual void frameReceived(const FrameView &frame, TimePoint at, bool claimed) = 0;
-    /// Bytes as they came from the port, before the frames in them are found.
-    virtual void bytesReceived(QByteArrayView, TimePoint) { }
-    /// Whole frames that left for the board.
-    virtual void bytesSent(QByteArrayView, TimePoint) { }
-};
-
-/// Counters of one link, as shown in the status bar.
-struct LinkStatistics
-{
-    FramerStatistics framing;
-    quint64 bytesIn = 0;
-    quint64 bytesOut = 0;
-    quint64 timeouts = 0;
-    double framesPerSecond = 0;
-    std::optional<Duration> roundTrip;
-    int deadManRescues = 0;
-    std::optional<ReplayState> replay;  ///< where a recorded link stands
-};
 
 /// One open link. Owns the transport, the framer, the transaction queue and the control stream; lives on the
 /// I/O thread.
@@ -48,7 +25,8 @@ public:
     ~Session() override;
 
     // All of the following are called on the I/O thread.
-    void open(const LinkAddress &address, std::unique_ptr<Framer> framer);
+    /// @param timing how the family wants to be spoken to
+    void open(const LinkAddress &address, std::unique_ptr<Framer> framer, LinkTiming timing = {});
     void close(const Error &why);
     bool setLine(const LineSettings &line);
     TransactionQueue::Id submit(Request request, TransactionQueue::Completion completion);
@@ -60,21 +38,23 @@ public:
     /// streamed).
     void setPoll(std::optional<Request> request, milliseconds interval = 50ms);
 
-    /// Bytes to send when the link is closed on purpose, so that the board falls silent behind us.
-    void setFarewell(QByteArray bytes) { m_farewell = std::move(bytes); }
+    /// Frames to send when the link is closed on purpose, so that the board falls silent behind us.
+    void setShutdownFrames(QByteArray bytes) { m_shutdownFrames = std::move(bytes); }
+    /// Where telemetry goes, to see what a stop has done. Updated by a listener on this thread.
+    void setLatestValues(std::shared_ptr<const LatestValues> latest) { m_latest = std::move(latest); }
 
     void refreshControl(ControlFrames frames);
     void endControl();
 
-    /// Ahead of everything: drops the control stream, sends at once, repeats every 100 ms until answered,
-    /// five times at most. The completion tells whether the board confirmed.
-    void sendUrgent(Request request, TransactionQueue::Completion completion);
+    /// Ahead of everything: drops the control stream and carries out the plan until the stop is proven.
+    /// Completes with nothing, NotProven or LinkClosed.
+    void stopMotors(StopPlan plan, StopSequence::Completion completion);
 
-    /// Lets a replayed link run; others run by themselves.
-    void play();
-    void setReplayPaused(bool paused);
-    void setReplaySpeed(double speed);
-    void forwardReplay(double seconds);
+    /// The board will say nothing for so long; the silence limit counts from then.
+    void expectSilence(milliseconds duration);
+
+    /// The recording behind the open link; null for a living one.
+    [[nodiscard]] Replay *replay() const { return m_transport ? m_transport->replay() : nullptr; }
 
     [[nodiscard]] LinkStatistics statistics() const;
     [[nodiscard]] LinkObservation observation() const;
@@ -83,6 +63,8 @@ signals:
     void opened();
     /// Once per link: why it ended (Cancelled when it was asked for).
     void closed(const Error &why);
+    /// Nobody refreshed the set-points in time: the board was stopped and control given back.
+    void failsafeActed();
 
 private:
     void send(QByteArrayView bytes);
@@ -91,14 +73,17 @@ private:
     void onTick();
     void schedule();
     void sendControl(const QByteArray &frame, TimePoint now);
-    void sendUrgentAttempt(Request request, TransactionQueue::Completion completion, int attemptsLeft);
+    void beat(TimePoint now);
+    [[nodiscard]] TimePoint lostAt() const;
 
     TransportFactory m_makeTransport;
     std::unique_ptr<Transport> m_transport;
     std::unique_ptr<Framer> m_framer;
     FrameSink m_sink;
     TransactionQueue m_queue;
+    LinkTiming m_timing;
     ControlStream m_control;
+    StopSequence m_stop;
     QTimer m_timer;
     std::vector<FrameListener *> m_listeners;
     std::optional<Request> m_poll;
@@ -106,7 +91,10 @@ private:
     TimePoint m_nextPoll{};
     bool m_pollRunning = false;
     bool m_controlAsked = false;  // a set-point waits for its answer
-    QByteArray m_farewell;
+    QByteArray m_shutdownFrames;
+    std::shared_ptr<const LatestValues> m_latest;
+    TimePoint m_nextBeat{};
+    TimePoint m_silentUntil{};  // silence is expected before
     bool m_open = false;
     TimePoint m_arrival{};
     quint64 m_bytesIn = 0;

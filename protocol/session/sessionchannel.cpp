@@ -45,11 +45,39 @@ void JobControl::cancel()
     m_wake.notify_all();
 }
 
-SessionChannel::SessionChannel(Session &session, std::shared_ptr<JobControl> control, ProgressSink progress)
+/// What the worker knows of the link. Guarded by the control's mutex.
+struct SessionChannel::LinkWatch
+{
+    bool open = false;
+    std::optional<Error> lost;
+};
+
+SessionChannel::SessionChannel(Session &session, std::shared_ptr<JobControl> control, Hooks hooks, Link link)
     : m_session(session)
     , m_control(std::move(control))
-    , m_progress(std::move(progress))
+    , m_hooks(std::move(hooks))
+    , m_link(std::make_shared<LinkWatch>())
 {
+    m_link->open = link == Link::Open;
+    // Called on the I/O thread, where the session lives; whoever waits is on the worker thread.
+    m_watches[0] = QObject::connect(&session, &Session::opened, [control = m_control, watch = m_link] {
+        const std::lock_guard lock(control->m_mutex);
+        watch->open = true;
+        watch->lost.reset();
+    });
+    m_watches[1] = QObject::connect(&session, &Session::closed,
+                                    [control = m_control, watch = m_link](const Error &why) {
+                                        const std::lock_guard lock(control->m_mutex);
+                                        if (std::exchange(watch->open, false))
+                                            watch->lost = Error{ErrorCode::LinkClosed, why.detail};
+                                        control->m_wake.notify_all();
+                                    });
+}
+
+SessionChannel::~SessionChannel()
+{
+    for (const QMetaObject::Connection &watch : m_watches)
+        QObject::disconnect(watch);
 }
 
 Result<Frame> SessionChannel::transact(const Request &request)
@@ -85,8 +113,11 @@ void SessionChannel::post(const Request &request)
 Result<void> SessionChannel::sleep(milliseconds duration)
 {
     std::unique_lock lock(m_control->m_mutex);
-    if (m_control->m_wake.wait_for(lock, duration, [&] { return m_control->isCancelled(); }))
+    m_control->m_wake.wait_for(lock, duration, [&] { return m_control->isCancelled() || m_link->lost; });
+    if (m_control->isCancelled())
         return failure(ErrorCode::Cancelled);
+    if (m_link->lost)
+        return tl::unexpected(*m_link->lost);
     return {};
 }
 
@@ -183,13 +214,47 @@ LinkObservation SessionChannel::observation() const
     return observation;
 }
 
-Result<void> SessionChannel::open(const LinkAddress &address, std::unique_ptr<Framer> framer)
+void SessionChannel::steer(const ControlFrames &frames)
+{
+    QMetaObject::invokeMethod(
+        &m_session, [session = &m_session, frames] { session->refreshControl(frames); },
+        Qt::QueuedConnection);
+}
+
+void SessionChannel::releaseControl()
+{
+    QMetaObject::invokeMethod(
+        &m_session, [session = &m_session] { session->endControl(); }, Qt::QueuedConnection);
+}
+
+void SessionChannel::stopMotors(const StopPlan &plan)
+{
+    QMetaObject::invokeMethod(
+        &m_session,
+        [session = &m_session, plan, told = m_hooks.motorsStopped] {
+            session->stopMotors(plan, [told](const Result<void> &result) {
+                if (told)
+                    told(result.has_value());
+            });
+        },
+        Qt::QueuedConnection);
+}
+
+void SessionChannel::expectSilence(milliseconds duration)
+{
+    QMetaObject::invokeMethod(
+        &m_session, [session = &m_session, duration] { session->expectSilence(duration); },
+        Qt::QueuedConnection);
+}
+
+Result<void> SessionChannel::open(const LinkAddress &address, std::unique_ptr<Framer> framer,
+                                  const LinkTiming &timing)
 {
     auto waiter = std::make_shared<Waiter<bool>>(m_control, m_control->m_mutex, m_control->m_wake);
     auto owned = std::make_shared<std::unique_ptr<Framer>>(std::move(framer));
     QMetaObject::invokeMethod(
         &m_session,
-        [session = &m_session, address, owned, handle = completionHandle(waiter)] {
+        [session = &m_session, address, owned, timing, handle = completionHandle(waiter)] {
             session->close({ErrorCode::Cancelled, {}});
             // Whichever comes first ends the wait and both watchers.
             auto *watch = new QObject(session);
@@ -201,7 +266,7 @@ Result<void> SessionChannel::open(const LinkAddress &address, std::unique_ptr<Fr
                 handle->complete(tl::unexpected(why));
                 watch->deleteLater();
             });
-            session->open(address, std::move(*owned));
+            session->open(address, std::move(*owned), timing);
         },
         Qt::QueuedConnection);
     std::unique_lock lock(m_control->m_mutex);

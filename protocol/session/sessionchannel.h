@@ -28,26 +28,42 @@ private:
 class SessionChannel final : public Channel
 {
 public:
-    using ProgressSink = std::function<void(const Progress &)>;
+    /// What a job tells its client, from whatever thread.
+    struct Hooks
+    {
+        std::function<void(const Progress &)> progress;
+        std::function<void(bool proven)> motorsStopped;
+    };
+
+    enum class Link { Open, NotYet };
 
     /// The session must outlive the channel; the control is shared with the one who may cancel.
-    SessionChannel(Session &session, std::shared_ptr<JobControl> control, ProgressSink progress);
+    /// @param link whether the job begins on an open link, whose end then ends every wait
+    SessionChannel(Session &session, std::shared_ptr<JobControl> control, Hooks hooks, Link link);
+    ~SessionChannel() override;
 
     Result<Frame> transact(const Request &request) override;
     void post(const Request &request) override;
     Result<void> sleep(milliseconds duration) override;
     std::unique_ptr<Mailbox> listen(std::function<bool(const FrameView &)> filter) override;
     Result<void> setLine(const LineSettings &line) override;
+    void steer(const ControlFrames &frames) override;
+    void releaseControl() override;
+    void stopMotors(const StopPlan &plan) override;
+    void expectSilence(milliseconds duration) override;
     [[nodiscard]] bool cancelled() const override { return m_control->isCancelled(); }
-    void progress(const Progress &progress) override { m_progress(progress); }
+    void progress(const Progress &progress) override { m_hooks.progress(progress); }
     [[nodiscard]] TimePoint now() const override { return Clock::now(); }
     [[nodiscard]] LinkObservation observation() const override;
 
     /// Opens the link and waits until it is open. Errors: whatever the transport reports.
-    Result<void> open(const LinkAddress &address, std::unique_ptr<Framer> framer);
+    Result<void> open(const LinkAddress &address, std::unique_ptr<Framer> framer, const LinkTiming &timing);
 
 private:
     Session &m_session;
     std::shared_ptr<JobControl> m_control;
-    ProgressSink m_progress;
+    Hooks m_hooks;
+    struct LinkWatch;
+    std::shared_ptr<LinkWatch> m_link;
+    std::array<QMetaObject::Connection, 2> m_watches;
 };

@@ -3,6 +3,7 @@
 #include "protocol/session/transactionqueue.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace {
 
@@ -112,8 +113,11 @@ void TransactionQueue::bytesTaken(qint64 count, TimePoint now)
     m_untaken = std::max<qint64>(0, m_untaken - count);
     if (m_untaken > 0)
         return;
-    // Only now has the last byte left our hands: the answer timers of everything in flight start here.
+    // Only now has the last byte left our hands: the answer timers of what was sent meanwhile start here.
+    // Those that run already are not put off by heartbeats and set-points.
     for (Pending &pending : m_inFlight) {
+        if (std::exchange(pending.hasLeft, true))
+            continue;
         pending.leftAt = std::max(pending.leftAt, now);
         pending.deadline = pending.leftAt + timeoutOf(pending.request);
     }
@@ -124,7 +128,7 @@ void TransactionQueue::advance(TimePoint now)
     std::erase_if(m_ghosts, [now](const Ghost &ghost) { return ghost.until <= now; });
     for (std::size_t i = 0; i < m_inFlight.size();) {
         Pending &pending = m_inFlight[i];
-        if (m_untaken > 0)
+        if (m_untaken > 0 && !pending.hasLeft)
             pending.deadline = std::max(pending.deadline, now + timeoutOf(pending.request));
         if (pending.deadline > now) {
             ++i;
@@ -167,6 +171,7 @@ bool TransactionQueue::isReady(TimePoint now) const
 void TransactionQueue::send(Pending &pending, TimePoint now)
 {
     ++pending.sends;
+    pending.hasLeft = false;
     pending.sentAt = pending.leftAt = account(pending.request.bytes.size(), now);
     pending.deadline = pending.leftAt + timeoutOf(pending.request);
     m_write(pending.request.bytes);

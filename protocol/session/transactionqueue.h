@@ -61,6 +61,7 @@ private:
         Completion completion;
         Lane lane = Lane::Normal;
         int sends = 0;
+        bool hasLeft = false;  // the last sending has been taken by the system
         int refused = 0;  // answered, but to be sent again
         TimePoint sentAt{};  // when the line will have carried the last byte, for the round trip
         TimePoint leftAt{};  // when the last byte has left for certain, for the timeout

@@ -14,267 +14,120 @@ using namespace sbgc;
 
 namespace {
 
-constexpr auto kCalibrationLimit = 20s;  // errata 7: gyro about 4 s, accelerometer a few seconds
-constexpr auto kSimpleFormWait = 8s;  // the simple form may never confirm its end
-constexpr auto kSettleAfterCalibration = 1500ms;
-constexpr auto kAutoPidSilence = 15s;  // progress comes every 0.5-1 s
-constexpr auto kAutoPidLimit = 10min;
 constexpr auto kSteerPeriod = 50ms;
-constexpr int kStillnessSamples = 25;
 
 constexpr Choice kImuChoices[] = {{0, "selected"}, {1, "main"}, {2, "frame"}};
 constexpr Choice kForms[] = {{0, "extended"}, {1, "simple"}};
-constexpr Choice kCalibrationActions[]
-    = {{1, "normal"},          {2, "reset-all"},       {3, "temperature"},   {4, "temperature-on"},
-       {5, "temperature-off"}, {6, "restore-factory"}, {7, "copy-to-sensor"}};
-constexpr Choice kSteerModes[] = {{Speed, "speed"},
-                                  {Angle, "angle"},
-                                  {SpeedAngle, "speed-angle"},
-                                  {Rc, "rc"},
+// clang-format off
+constexpr Choice kCalibrationActions[] = {
+    {1, "normal"}, {2, "reset-all"}, {3, "temperature"}, {4, "temperature-on"}, {5, "temperature-off"},
+    {6, "restore-factory"}, {7, "copy-to-sensor"}};
+constexpr Choice kSteerModes[] = {{Speed, "speed"}, {Angle, "angle"}, {SpeedAngle, "speed-angle"}, {Rc, "rc"},
                                   {AngleRelFrame, "angle-frame"}};
-constexpr Choice kSounds[] = {{1, "calibrate"}, {2, "confirm"}, {4, "error"},     {16, "click"},
-                              {32, "complete"}, {64, "intro"},  {32768, "melody"}};
-constexpr Choice kDefaultsScope[] = {{0, "profile1"}, {1, "profile2"}, {2, "profile3"},
-                                     {3, "profile4"}, {4, "profile5"}, {253, "erase-eeprom"}};
+constexpr Choice kSounds[] = {{1, "calibrate"}, {2, "confirm"}, {4, "error"}, {16, "click"}, {32, "complete"},
+                              {64, "intro"}, {32768, "melody"}};
+constexpr Choice kDefaultsScope[] = {{0, "profile1"}, {1, "profile2"}, {2, "profile3"}, {3, "profile4"},
+                                     {4, "profile5"}, {253, "erase-eeprom"}};
 
-constexpr ArgumentSpec kMenuArguments[]
-    = {{.key = "command", .label = "Command", .kind = ArgumentKind::Choice, .choices = kMenuActions}};
-constexpr ArgumentSpec kProfileArguments[]
-    = {{.key = "profile", .label = "Profile", .kind = ArgumentKind::Integer, .min = 1, .max = 5}};
-constexpr ArgumentSpec kSteerArguments[] = {{.key = "mode",
-                                             .label = "Mode",
-                                             .kind = ArgumentKind::Choice,
-                                             .choices = kSteerModes,
-                                             .defaultText = "angle"},
-                                            {.key = "roll",
-                                             .label = "Roll",
-                                             .kind = ArgumentKind::Real,
-                                             .min = -720,
-                                             .max = 720,
-                                             .unit = "°",
-                                             .defaultText = "nan"},
-                                            {.key = "pitch",
-                                             .label = "Pitch",
-                                             .kind = ArgumentKind::Real,
-                                             .min = -720,
-                                             .max = 720,
-                                             .unit = "°",
-                                             .defaultText = "nan"},
-                                            {.key = "yaw",
-                                             .label = "Yaw",
-                                             .kind = ArgumentKind::Real,
-                                             .min = -720,
-                                             .max = 720,
-                                             .unit = "°",
-                                             .defaultText = "nan"},
-                                            {.key = "speed",
-                                             .label = "Speed",
-                                             .kind = ArgumentKind::Real,
-                                             .min = 0,
-                                             .max = 1000,
-                                             .unit = "°/s",
-                                             .defaultText = "30"},
-                                            {.key = "seconds",
-                                             .label = "Duration",
-                                             .kind = ArgumentKind::Real,
-                                             .min = 0.1,
-                                             .max = 600,
-                                             .unit = "s",
-                                             .defaultText = "3"},
-                                            {.key = "release",
-                                             .label = "Release control at the end",
-                                             .kind = ArgumentKind::Toggle,
-                                             .defaultText = "on"}};
-constexpr ArgumentSpec kBeepArguments[] = {{.key = "sound",
-                                            .label = "Sound",
-                                            .kind = ArgumentKind::Choice,
-                                            .choices = kSounds,
-                                            .defaultText = "confirm"},
-                                           {.key = "notes",
-                                            .label = "Notes of a melody (Hz, comma between)",
-                                            .kind = ArgumentKind::Text,
-                                            .defaultText = "988,1175,1568"},
-                                           {.key = "length",
-                                            .label = "Length of a note",
-                                            .kind = ArgumentKind::Integer,
-                                            .min = 8,
-                                            .max = 2040,
-                                            .unit = "ms",
-                                            .defaultText = "120"},
-                                           {.key = "decay",
-                                            .label = "Decay",
-                                            .kind = ArgumentKind::Integer,
-                                            .min = 0,
-                                            .max = 15,
-                                            .defaultText = "3"}};
-constexpr ArgumentSpec kReadVariables[] = {{.key = "ids",
-                                            .label = "Numbers (comma between)",
-                                            .kind = ArgumentKind::Text,
-                                            .defaultText = "0,1,2,3,4,5,6,7,8,9,10,11"}};
-constexpr ArgumentSpec kWriteVariable[]
-    = {{.key = "id", .label = "Number", .kind = ArgumentKind::Integer, .min = 0, .max = 255},
-       {.key = "value",
-        .label = "Value",
-        .kind = ArgumentKind::Integer,
-        .min = -2147483648.0,
-        .max = 2147483647.0}};
-constexpr ArgumentSpec kCalibrationArguments[] = {{.key = "imu",
-                                                   .label = "Sensor",
-                                                   .kind = ArgumentKind::Choice,
-                                                   .choices = kImuChoices,
-                                                   .defaultText = "selected"},
-                                                  {.key = "action",
-                                                   .label = "Kind",
-                                                   .kind = ArgumentKind::Choice,
-                                                   .choices = kCalibrationActions,
-                                                   .defaultText = "normal"},
-                                                  {.key = "form",
-                                                   .label = "Form of the command",
-                                                   .kind = ArgumentKind::Choice,
-                                                   .choices = kForms,
-                                                   .defaultText = "extended"}};
-constexpr ArgumentSpec kBatteryArguments[] = {{.key = "voltage",
-                                               .label = "Measured voltage",
-                                               .kind = ArgumentKind::Real,
-                                               .min = 3,
-                                               .max = 60,
-                                               .unit = "V"}};
+constexpr ArgumentSpec kMenuArguments[] = {
+    {.key = "command", .label = "Command", .kind = ArgumentKind::Choice, .choices = kMenuActions}};
+constexpr ArgumentSpec kProfileArguments[] = {
+    {.key = "profile", .label = "Profile", .kind = ArgumentKind::Integer, .min = 1, .max = 5}};
+constexpr ArgumentSpec kSteerArguments[] = {
+    {.key = "mode", .label = "Mode", .kind = ArgumentKind::Choice, .choices = kSteerModes, .defaultText = "angle"},
+    {.key = "roll", .label = "Roll", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°",
+     .defaultText = "nan"},
+    {.key = "pitch", .label = "Pitch", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°",
+     .defaultText = "nan"},
+    {.key = "yaw", .label = "Yaw", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°",
+     .defaultText = "nan"},
+    {.key = "speed", .label = "Speed", .kind = ArgumentKind::Real, .min = 0, .max = 1000, .unit = "°/s",
+     .defaultText = "30"},
+    {.key = "seconds", .label = "Duration", .kind = ArgumentKind::Real, .min = 0.1, .max = 600, .unit = "s",
+     .defaultText = "3"},
+    {.key = "release", .label = "Release control at the end", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
+constexpr ArgumentSpec kBeepArguments[] = {
+    {.key = "sound", .label = "Sound", .kind = ArgumentKind::Choice, .choices = kSounds, .defaultText = "confirm"},
+    {.key = "notes", .label = "Notes of a melody (Hz, comma between)", .kind = ArgumentKind::Text,
+     .defaultText = "988,1175,1568"},
+    {.key = "length", .label = "Length of a note", .kind = ArgumentKind::Integer, .min = 8, .max = 2040, .unit = "ms",
+     .defaultText = "120"},
+    {.key = "decay", .label = "Decay", .kind = ArgumentKind::Integer, .min = 0, .max = 15, .defaultText = "3"}};
+constexpr ArgumentSpec kReadVariables[] = {
+    {.key = "ids", .label = "Numbers (comma between)", .kind = ArgumentKind::Text,
+     .defaultText = "0,1,2,3,4,5,6,7,8,9,10,11"}};
+constexpr ArgumentSpec kWriteVariable[] = {
+    {.key = "id", .label = "Number", .kind = ArgumentKind::Integer, .min = 0, .max = 255},
+    {.key = "value", .label = "Value", .kind = ArgumentKind::Integer, .min = -2147483648.0, .max = 2147483647.0}};
+constexpr ArgumentSpec kCalibrationArguments[] = {
+    {.key = "imu", .label = "Sensor", .kind = ArgumentKind::Choice, .choices = kImuChoices, .defaultText = "selected"},
+    {.key = "action", .label = "Kind", .kind = ArgumentKind::Choice, .choices = kCalibrationActions,
+     .defaultText = "normal"},
+    {.key = "form", .label = "Form of the command", .kind = ArgumentKind::Choice, .choices = kForms,
+     .defaultText = "extended"}};
+constexpr ArgumentSpec kBatteryArguments[] = {
+    {.key = "voltage", .label = "Measured voltage", .kind = ArgumentKind::Real, .min = 3, .max = 60, .unit = "V"}};
 constexpr ArgumentSpec kAutoTuneArguments[] = {
     {.key = "roll", .label = "Roll", .kind = ArgumentKind::Toggle, .defaultText = "on"},
     {.key = "pitch", .label = "Pitch", .kind = ArgumentKind::Toggle, .defaultText = "on"},
     {.key = "yaw", .label = "Yaw", .kind = ArgumentKind::Toggle, .defaultText = "on"},
-    {.key = "profile",
-     .label = "Profile (0 = active)",
-     .kind = ArgumentKind::Integer,
-     .min = 0,
-     .max = 5,
+    {.key = "profile", .label = "Profile (0 = active)", .kind = ArgumentKind::Integer, .min = 0, .max = 5,
      .defaultText = "0"},
-    {.key = "gain",
-     .label = "Gain against stability",
-     .kind = ArgumentKind::Integer,
-     .min = 0,
-     .max = 255,
+    {.key = "gain", .label = "Gain against stability", .kind = ArgumentKind::Integer, .min = 0, .max = 255,
      .defaultText = "128"},
     {.key = "keep", .label = "Start from current gains", .kind = ArgumentKind::Toggle, .defaultText = "off"},
     {.key = "lpf", .label = "Tune the low-pass filter", .kind = ArgumentKind::Toggle, .defaultText = "off"},
     {.key = "save", .label = "Save the result", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
-constexpr ArgumentSpec kResetArguments[] = {{.key = "delay",
-                                             .label = "Delay",
-                                             .kind = ArgumentKind::Integer,
-                                             .min = 0,
-                                             .max = 10000,
-                                             .unit = "ms",
-                                             .defaultText = "1000"}};
-constexpr ArgumentSpec kDefaultsArguments[]
-    = {{.key = "what", .label = "What", .kind = ArgumentKind::Choice, .choices = kDefaultsScope}};
+constexpr ArgumentSpec kResetArguments[] = {
+    {.key = "delay", .label = "Delay", .kind = ArgumentKind::Integer, .min = 0, .max = 10000, .unit = "ms",
+     .defaultText = "1000"}};
+constexpr ArgumentSpec kDefaultsArguments[] = {
+    {.key = "what", .label = "What", .kind = ArgumentKind::Choice, .choices = kDefaultsScope}};
 
 constexpr ActionSpec kActions[] = {
     {.key = "angles", .label = "Read angles", .help = "Camera, target and motor angles.", .group = "Read"},
-    {.key = "debug.list",
-     .label = "List debug variables",
-     .help = "Names and types of the board's inner variables.",
+    {.key = "debug.list", .label = "List debug variables", .help = "Names and types of the board's inner variables.",
      .group = "Read"},
-    {.key = "debug.read",
-     .label = "Read debug variables",
-     .help = "Values of the board's inner variables.",
+    {.key = "debug.read", .label = "Read debug variables", .help = "Values of the board's inner variables.",
      .group = "Read"},
-    {.key = "variables.read",
-     .label = "Read adjustable variables",
-     .help = "Live values in the board's memory.",
-     .group = "Read",
-     .arguments = kReadVariables},
-    {.key = "beep",
-     .label = "Make a sound",
-     .help = "Standard sound or melody; helps to find the right board.",
-     .group = "Board",
-     .arguments = kBeepArguments,
-     .since = 2590},
-    {.key = "motors.on",
-     .label = "Motors on",
-     .help = "Starts stabilization.",
-     .group = "Motion",
+    {.key = "variables.read", .label = "Read adjustable variables", .help = "Live values in the board's memory.",
+     .group = "Read", .arguments = kReadVariables},
+    {.key = "beep", .label = "Make a sound", .help = "Standard sound or melody; helps to find the right board.",
+     .group = "Board", .arguments = kBeepArguments, .since = 2590},
+    {.key = "motors.on", .label = "Motors on", .help = "Starts stabilization.", .group = "Motion",
      .risk = ActionRisk::Moves},
-    {.key = "motors.off",
-     .label = "Motors off",
-     .help = "Switches all motors off at once.",
-     .group = "Motion"},
-    {.key = "menu",
-     .label = "Menu command",
-     .help = "Runs a command of the board's menu.",
-     .group = "Motion",
-     .risk = ActionRisk::Moves,
-     .arguments = kMenuArguments},
-    {.key = "steer",
-     .label = "Steer",
-     .help = "Moves the camera for a time, then gives control back.",
-     .group = "Motion",
-     .risk = ActionRisk::Moves,
-     .arguments = kSteerArguments,
-     .isProcedure = true},
-    {.key = "profile.select",
-     .label = "Use profile",
-     .help = "Makes a profile the active one.",
-     .group = "Profiles",
-     .risk = ActionRisk::Moves,
-     .arguments = kProfileArguments},
-    {.key = "variables.write",
-     .label = "Set adjustable variable",
-     .help = "Changes a value in volatile memory; lost at the next start unless saved.",
-     .group = "Variables",
-     .risk = ActionRisk::Moves,
-     .arguments = kWriteVariable},
-    {.key = "variables.save",
-     .label = "Save variables",
-     .help = "Stores the live values in the active profile.",
-     .group = "Variables",
-     .risk = ActionRisk::Writes},
-    {.key = "calibrate.gyro",
-     .label = "Calibrate gyroscope",
-     .help = "Measures the zero of the gyroscope. The camera must stand absolutely still.",
-     .group = "Calibration",
-     .risk = ActionRisk::Writes,
-     .arguments = kCalibrationArguments,
-     .isProcedure = true},
-    {.key = "calibrate.acc",
-     .label = "Calibrate accelerometer",
+    {.key = "motors.off", .label = "Motors off", .help = "Switches all motors off at once.", .group = "Motion"},
+    {.key = "menu", .label = "Menu command", .help = "Runs a command of the board's menu.", .group = "Motion",
+     .risk = ActionRisk::Moves, .arguments = kMenuArguments},
+    {.key = "steer", .label = "Steer", .help = "Moves the camera for a time, then gives control back.",
+     .group = "Motion", .risk = ActionRisk::Moves, .arguments = kSteerArguments, .isProcedure = true},
+    {.key = "profile.select", .label = "Use profile", .help = "Makes a profile the active one.", .group = "Profiles",
+     .risk = ActionRisk::Moves, .arguments = kProfileArguments},
+    {.key = "variables.write", .label = "Set adjustable variable",
+     .help = "Changes a value in volatile memory; lost at the next start unless saved.", .group = "Variables",
+     .risk = ActionRisk::Moves, .arguments = kWriteVariable},
+    {.key = "variables.save", .label = "Save variables", .help = "Stores the live values in the active profile.",
+     .group = "Variables", .risk = ActionRisk::Writes},
+    {.key = "calibrate.gyro", .label = "Calibrate gyroscope",
+     .help = "Measures the zero of the gyroscope. The camera must stand absolutely still.", .group = "Calibration",
+     .risk = ActionRisk::Writes, .arguments = kCalibrationArguments, .isProcedure = true},
+    {.key = "calibrate.acc", .label = "Calibrate accelerometer",
      .help = "Measures the zero of the accelerometer in this position. The sensor must be level and still.",
-     .group = "Calibration",
-     .risk = ActionRisk::Writes,
-     .arguments = kCalibrationArguments,
-     .isProcedure = true},
-    {.key = "calibrate.battery",
-     .label = "Calibrate voltage sensor",
-     .help = "Tells the board the true battery voltage.",
-     .group = "Calibration",
-     .risk = ActionRisk::Writes,
-     .arguments = kBatteryArguments,
-     .capability = "battery"},
-    {.key = "calibrate.offset",
-     .label = "Calibrate follow offset",
-     .help = "Takes the present position as the neutral point of following.",
-     .group = "Calibration",
-     .risk = ActionRisk::Writes,
-     .isProcedure = true},
-    {.key = "autotune",
-     .label = "Auto-tune PID",
-     .help = "The board searches gains by moving the camera.",
-     .group = "Calibration",
-     .risk = ActionRisk::Writes,
-     .arguments = kAutoTuneArguments,
-     .isProcedure = true},
-    {.key = "reset",
-     .label = "Restart board",
-     .help = "Restarts the controller; motors go off meanwhile.",
-     .group = "Board",
-     .risk = ActionRisk::Moves,
-     .arguments = kResetArguments},
-    {.key = "defaults",
-     .label = "Factory defaults",
-     .help = "Overwrites a profile, or everything, with defaults.",
-     .group = "Board",
-     .risk = ActionRisk::Destroys,
-     .arguments = kDefaultsArguments},
+     .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kCalibrationArguments, .isProcedure = true},
+    {.key = "calibrate.battery", .label = "Calibrate voltage sensor",
+     .help = "Tells the board the true battery voltage.", .group = "Calibration", .risk = ActionRisk::Writes,
+     .arguments = kBatteryArguments, .capability = "battery"},
+    {.key = "calibrate.offset", .label = "Calibrate follow offset",
+     .help = "Takes the present position as the neutral point of following.", .group = "Calibration",
+     .risk = ActionRisk::Writes, .isProcedure = true},
+    {.key = "autotune", .label = "Auto-tune PID", .help = "The board searches gains by moving the camera.",
+     .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kAutoTuneArguments, .isProcedure = true},
+    {.key = "reset", .label = "Restart board", .help = "Restarts the controller; motors go off meanwhile.",
+     .group = "Board", .risk = ActionRisk::Moves, .arguments = kResetArguments},
+    {.key = "defaults", .label = "Factory defaults", .help = "Overwrites a profile, or everything, with defaults.",
+     .group = "Board", .risk = ActionRisk::Destroys, .arguments = kDefaultsArguments},
 };
+// clang-format on
 
 const QString kAxisNames[] = {u"roll"_s, u"pitch"_s, u"yaw"_s};
 
@@ -295,6 +148,7 @@ Result<QList<int>> parseNumbers(const QString &text, int min, int max)
 
 }  // namespace
 
+// clang-format off
 const SbgcActions::Entry SbgcActions::kHandlers[] = {
     {"angles", &SbgcActions::readAngles},
     {"debug.list", &SbgcActions::listDebugVariables},
@@ -316,6 +170,7 @@ const SbgcActions::Entry SbgcActions::kHandlers[] = {
     {"reset", &SbgcActions::reset},
     {"defaults", &SbgcActions::useDefaults},
 };
+// clang-format on
 
 std::vector<ActionSpec> SbgcActions::available(const BoardIdentity &identity)
 {
@@ -412,7 +267,7 @@ Result<ActionReply> SbgcActions::motorsOn(const QVariantMap &)
 
 Result<ActionReply> SbgcActions::motorsOff(const QVariantMap &)
 {
-    const auto reply = m_channel.transact(m_device.motorsOffRequest());
+    const auto reply = m_channel.transact(confirmRequest(CommandId::MotorsOff, {}, SbgcDevice::kVersion));
     if (!reply)
         return tl::unexpected(reply.error());
     return ActionReply{};
@@ -435,7 +290,7 @@ Result<ActionReply> SbgcActions::steer(const QVariantMap &arguments)
 {
     const int mode = arguments.value(u"mode"_s).toInt();
     const double speed = arguments.value(u"speed"_s).toDouble();
-    ControlSetpoint setpoint{};
+    SbgcDevice::Control setpoint{};
     bool any = false;
     for (std::size_t axis = 0; axis < setpoint.size(); ++axis) {
         const QVariant wanted = arguments.value(kAxisNames[axis]);
@@ -444,7 +299,8 @@ Result<ActionReply> SbgcActions::steer(const QVariantMap &arguments)
         any = true;
         // In speed mode the axis value is the speed itself.
         const double value = wanted.toDouble();
-        setpoint[axis] = mode == Speed ? AxisSetpoint{mode, value, 0.0} : AxisSetpoint{mode, speed, value};
+        setpoint[axis] = mode == Speed ? SbgcDevice::AxisControl{mode, value, 0.0}
+                                       : SbgcDevice::AxisControl{mode, speed, value};
     }
     if (!any)
         return failure(ErrorCode::InvalidArgument, u"steer needs roll=, pitch= or yaw="_s);
@@ -532,203 +388,6 @@ Result<ActionReply> SbgcActions::saveVariables(const QVariantMap &)
     if (!reply)
         return tl::unexpected(reply.error());
     return ActionReply{};
-}
-
-Result<ActionReply> SbgcActions::calibrateGyro(const QVariantMap &arguments)
-{
-    return calibrate(CommandId::CalibGyro, arguments);
-}
-
-Result<ActionReply> SbgcActions::calibrateAcc(const QVariantMap &arguments)
-{
-    return calibrate(CommandId::CalibAcc, arguments);
-}
-
-Result<ActionReply> SbgcActions::calibrate(CommandId id, const QVariantMap &arguments)
-{
-    const bool simple = arguments.value(u"form"_s).toInt() == 1;
-    const QByteArray payload = simple
-        ? QByteArray()
-        : encodeCalibration(arguments.value(u"imu"_s).toInt(), arguments.value(u"action"_s, 1).toInt());
-    Progress progress;
-    progress.step = u"calibrate"_s;
-    progress.subject = commandName(number(id));
-    progress.total = 100;
-    m_channel.progress(progress);
-    const auto before = measureStillness();
-    if (!before)
-        return tl::unexpected(before.error());
-
-    // Both confirmations are kept from before the command goes out (errata 7: at reception and at the end).
-    const auto confirmations
-        = m_channel.listen([id](const FrameView &frame) { return isConfirmOf(frame, id); });
-    const auto accepted = m_channel.transact(confirmRequest(id, payload, SbgcDevice::kVersion));
-    if (!accepted && !(simple && accepted.error().code == ErrorCode::Timeout))
-        return tl::unexpected(accepted.error());
-
-    const TimePoint started = m_channel.now();
-    const auto limit = simple ? kSimpleFormWait : kCalibrationLimit;
-    bool finished = false;
-    while (!finished && m_channel.now() - started < limit) {
-        const auto end = confirmations->next(200ms);
-        if (end) {
-            finished = true;
-        } else if (end.error().code != ErrorCode::Timeout) {
-            return tl::unexpected(end.error());
-        }
-        // The usual length is about four seconds; the bar never claims more than it knows.
-        progress.done = std::min(95, int(seconds(m_channel.now() - started) / 4.5 * 90.0));
-        m_channel.progress(progress);
-    }
-    if (!finished && !simple)
-        return failure(ErrorCode::Timeout, u"%1: the end was not confirmed"_s.arg(commandName(number(id))));
-
-    // The board takes hold of the camera again; what counts is how it stands afterwards.
-    if (const auto slept = m_channel.sleep(kSettleAfterCalibration); !slept)
-        return tl::unexpected(slept.error());
-    const auto after = measureStillness();
-    if (!after)
-        return tl::unexpected(after.error());
-    ActionReply reply;
-    reply.insert(u"confirmed"_s, finished);
-    reply.insert(u"gyro.bias.before"_s, before->gyroBias);
-    reply.insert(u"gyro.bias.after"_s, after->gyroBias);
-    reply.insert(u"gyro.noise"_s, after->gyroNoise);
-    reply.insert(u"acc.error.before"_s, before->accError);
-    reply.insert(u"acc.error.after"_s, after->accError);
-    return reply;
-}
-
-Result<SbgcActions::Stillness> SbgcActions::measureStillness()
-{
-    // Mean and spread of the calibrated sensors: what calibration is there to improve.
-    std::array<double, 3> sum{};
-    std::array<double, 3> squares{};
-    double gravity = 0;
-    for (int sample = 0; sample < kStillnessSamples; ++sample) {
-        const auto frame = m_channel.transact(replyRequest(
-            CommandId::RealtimeData3, {}, CommandId::RealtimeData3, kRealtime3Size, SbgcDevice::kVersion));
-        if (!frame)
-            return tl::unexpected(frame.error());
-        std::array<double, 3> acc{};
-        for (const WireField &field : realtimeFields()) {
-            const double value = double(readField(field, asBytes(frame->payload)));
-            if (field.channel >= GyroRoll && field.channel <= GyroYaw) {
-                const auto axis = std::size_t(field.channel - GyroRoll);
-                sum[axis] += value;
-                squares[axis] += value * value;
-            } else if (field.channel >= AccX && field.channel <= AccZ) {
-                acc[std::size_t(field.channel - AccX)] = value;
-            }
-        }
-        // Against the face that lies up, so that all six positions count alike.
-        const auto up = std::max_element(acc.begin(), acc.end(),
-                                         [](double a, double b) { return std::abs(a) < std::abs(b); });
-        *up -= std::copysign(1.0, *up);
-        gravity += std::hypot(acc[0], acc[1], acc[2]);
-    }
-    Stillness stillness;
-    double variance = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double mean = sum[axis] / kStillnessSamples;
-        stillness.gyroBias = std::max(stillness.gyroBias, std::abs(mean));
-        variance = std::max(variance, squares[axis] / kStillnessSamples - mean * mean);
-    }
-    stillness.gyroNoise = std::sqrt(std::max(variance, 0.0));
-    stillness.accError = gravity / kStillnessSamples;
-    return stillness;
-}
-
-Result<ActionReply> SbgcActions::calibrateBattery(const QVariantMap &arguments)
-{
-    const int centivolts = int(std::lround(arguments.value(u"voltage"_s).toDouble() * 100.0));
-    return confirm(CommandId::CalibBat, ByteWriter().u16(centivolts).take());
-}
-
-Result<ActionReply> SbgcActions::calibrateOffset(const QVariantMap &)
-{
-    Request request = confirmRequest(CommandId::CalibOffset, {}, SbgcDevice::kVersion);
-    request.timeout = 5000ms;
-    const auto reply = m_channel.transact(request);
-    if (!reply)
-        return tl::unexpected(reply.error());
-    return ActionReply{};
-}
-
-Result<ActionReply> SbgcActions::autoTune(const QVariantMap &arguments)
-{
-    int flags = AutoPidReport;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (arguments.value(kAxisNames[axis]).toBool())
-            flags |= 1 << axis;
-    }
-    if (!(flags & 7))
-        return failure(ErrorCode::InvalidArgument, u"no axis to tune"_s);
-    if (arguments.value(u"keep"_s).toBool())
-        flags |= AutoPidKeepCurrent;
-    if (arguments.value(u"lpf"_s).toBool())
-        flags |= AutoPidTuneLpf;
-    int profile = arguments.value(u"profile"_s).toInt() - 1;
-    if (profile < 0) {
-        const auto active = m_device.activeProfile(m_channel);
-        if (!active)
-            return tl::unexpected(active.error());
-        profile = *active;
-    }
-    const auto payload = [profile, &arguments](int configFlags) {
-        return ByteWriter()
-            .u8(profile)
-            .u8(configFlags)
-            .u8(arguments.value(u"gain"_s).toInt())
-            .zeros(16)
-            .take();
-    };
-    const auto reports = m_channel.listen([](const FrameView &frame) {
-        return frame.id == number(CommandId::AutoPid) || isConfirmOf(frame, CommandId::AutoPid);
-    });
-    const auto accepted
-        = m_channel.transact(confirmRequest(CommandId::AutoPid, payload(flags), SbgcDevice::kVersion));
-    if (!accepted)
-        return tl::unexpected(accepted.error());
-
-    AutoPidProgress last;
-    Progress progress;
-    progress.step = u"autotune"_s;
-    const TimePoint started = m_channel.now();
-    for (;;) {
-        const auto report = reports->next(kAutoPidSilence);
-        if (!report || m_channel.now() - started > kAutoPidLimit) {
-            // Whatever ends the wait, the board must not go on shaking the camera.
-            m_channel.post(confirmRequest(CommandId::AutoPid, payload(0), SbgcDevice::kVersion));
-            return tl::unexpected(report ? Error{ErrorCode::Timeout, u"AUTO_PID"_s, 0} : report.error());
-        }
-        if (report->id != number(CommandId::AutoPid))
-            break;
-        const auto decoded = AutoPidProgress::decode(asBytes(report->payload));
-        if (!decoded)
-            continue;
-        last = *decoded;
-        progress.done = last.iteration;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            progress.values[u"p."_s + kAxisNames[axis]] = last.p[axis];
-            progress.values[u"i."_s + kAxisNames[axis]] = last.i[axis] * 0.01;
-            progress.values[u"d."_s + kAxisNames[axis]] = last.d[axis];
-            progress.values[u"lpf."_s + kAxisNames[axis]] = last.lpf[axis];
-            progress.values[u"error."_s + kAxisNames[axis]] = double(last.trackingError[axis]);
-        }
-        m_channel.progress(progress);
-    }
-    if (arguments.value(u"save"_s).toBool()) {
-        const auto saved = saveVariables({});
-        if (!saved)
-            return saved;
-    }
-    ActionReply reply;
-    for (auto it = progress.values.begin(); it != progress.values.end(); ++it)
-        reply.insert(it.key(), it.value());
-    reply.insert(u"iterations"_s, last.iteration);
-    reply.insert(u"profile"_s, profile + 1);
-    return reply;
 }
 
 Result<ActionReply> SbgcActions::reset(const QVariantMap &arguments)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/simplebgc/sbgcdevice.h"
+#include "protocol/simplebgc/device.h"
 
 /// The actions of the family: everything of the serial API that is neither a parameter nor telemetry, as
 /// table and code.

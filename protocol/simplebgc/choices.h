@@ -2,97 +2,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/parameterspec.h"
+#include "protocol/configuration/parameterspec.h"
 
 #include <array>
 
 /// Choice lists shared by the parameter tables (document "Variables description and range", errata 4).
 namespace sbgc {
 
+// clang-format off
 inline constexpr Choice kMenuActions[] = {
-    {0, "No action"},
-    {1, "Use profile 1"},
-    {2, "Use profile 2"},
-    {3, "Use profile 3"},
-    {14, "Use profile 4"},
-    {15, "Use profile 5"},
-    {4, "Swap RC pitch and roll"},
-    {5, "Swap RC yaw and roll"},
-    {6, "Calibrate accelerometer"},
-    {9, "Calibrate gyroscope"},
-    {20, "Calibrate gyroscope (temperature)"},
-    {21, "Calibrate accelerometer (temperature)"},
-    {33, "Calibrate magnetometer"},
-    {7, "Reset board"},
-    {8, "Set tilt angles by hand"},
-    {37, "Set tilt angles by hand, do not save"},
-    {10, "Motors on/off"},
-    {11, "Motors on"},
-    {12, "Motors off"},
-    {13, "Frame upside-down", 2600},
-    {16, "Auto PID"},
-    {17, "Look down"},
-    {18, "Home position"},
-    {19, "Bind RC receiver"},
-    {22, "Menu button press"},
-    {23, "Run script 1"},
-    {24, "Run script 2"},
-    {25, "Run script 3"},
-    {26, "Run script 4"},
-    {27, "Run script 5"},
-    {28, "Run script 6", 2600},
-    {29, "Run script 7", 2600},
-    {30, "Run script 8", 2600},
-    {31, "Run script 9", 2600},
-    {32, "Run script 10", 2600},
-    {34, "Level roll and pitch"},
-    {35, "Center yaw"},
-    {36, "Untwist cables"},
-    {38, "Home position, shortest way", 2600},
-    {39, "Center yaw, shortest way", 2600},
-    {40, "Rotate yaw 180 deg", 2600},
-    {41, "Rotate yaw 180 deg, relative to frame", 2600},
-    {42, "Switch yaw 180 deg, relative to frame", 2600},
-    {43, "Switch roll 90 deg", 2600},
-    {44, "Start time-lapse", 2600},
-    {45, "Calibrate momentum", 2620},
-    {46, "Level roll", 2600},
-    {47, "Repeat time-lapse", 2600},
-    {48, "Load profile set 1", 2620},
-    {49, "Load profile set 2", 2620},
-    {50, "Load profile set 3", 2620},
-    {51, "Load profile set 4", 2620},
-    {52, "Load profile set 5", 2620},
-    {53, "Load backup set", 2620},
-    {54, "Invert RC roll", 2620},
-    {55, "Invert RC pitch", 2620},
-    {56, "Invert RC yaw", 2620},
-    {57, "Snap to fixed position", 2620},
-    {58, "Camera: record or photo", 2660},
-    {59, "Camera: photo", 2660},
-    {60, "Motors: safe stop", 2680},
-    {61, "Calibrate accelerometer (automatic)", 2680},
-    {62, "Reset IMU", 2680},
-    {63, "Forced follow on/off", 2680},
-    {64, "Auto PID, gain only", 2680},
-    {65, "Level pitch", 2680},
-    {66, "Motors: safe stop/on", 2680},
-    {67, "Time-lapse step 1", 2700},
-    {68, "Calibrate external gyroscope", 2700},
-    {69, "Follow off/on", 2700},
-    {70, "Take position as home", 2700},
-    {71, "Stop script", 2700},
-    {72, "Tripod mode off", 2700},
-    {73, "Tripod mode on", 2700},
-    {74, "Set RC trim", 2700},
-    {75, "Home position of motors", 2730},
-    {76, "Retracted position", 2730},
-    {77, "Shake generator off", 2730},
-    {78, "Shake generator on", 2730},
-    {79, "Servo mode on", 2730},
-    {80, "Servo mode off", 2730},
-    {81, "Servo mode on/off", 2730},
+    {0, "No action"}, {1, "Use profile 1"}, {2, "Use profile 2"}, {3, "Use profile 3"}, {14, "Use profile 4"},
+    {15, "Use profile 5"}, {4, "Swap RC pitch and roll"}, {5, "Swap RC yaw and roll"},
+    {6, "Calibrate accelerometer"}, {9, "Calibrate gyroscope"}, {20, "Calibrate gyroscope (temperature)"},
+    {21, "Calibrate accelerometer (temperature)"}, {33, "Calibrate magnetometer"}, {7, "Reset board"},
+    {8, "Set tilt angles by hand"}, {37, "Set tilt angles by hand, do not save"}, {10, "Motors on/off"},
+    {11, "Motors on"}, {12, "Motors off"}, {13, "Frame upside-down", 2600}, {16, "Auto PID"}, {17, "Look down"},
+    {18, "Home position"}, {19, "Bind RC receiver"}, {22, "Menu button press"}, {23, "Run script 1"},
+    {24, "Run script 2"}, {25, "Run script 3"}, {26, "Run script 4"}, {27, "Run script 5"},
+    {28, "Run script 6", 2600}, {29, "Run script 7", 2600}, {30, "Run script 8", 2600},
+    {31, "Run script 9", 2600}, {32, "Run script 10", 2600}, {34, "Level roll and pitch"}, {35, "Center yaw"},
+    {36, "Untwist cables"}, {38, "Home position, shortest way", 2600}, {39, "Center yaw, shortest way", 2600},
+    {40, "Rotate yaw 180 deg", 2600}, {41, "Rotate yaw 180 deg, relative to frame", 2600},
+    {42, "Switch yaw 180 deg, relative to frame", 2600}, {43, "Switch roll 90 deg", 2600},
+    {44, "Start time-lapse", 2600}, {45, "Calibrate momentum", 2620}, {46, "Level roll", 2600},
+    {47, "Repeat time-lapse", 2600}, {48, "Load profile set 1", 2620}, {49, "Load profile set 2", 2620},
+    {50, "Load profile set 3", 2620}, {51, "Load profile set 4", 2620}, {52, "Load profile set 5", 2620},
+    {53, "Load backup set", 2620}, {54, "Invert RC roll", 2620}, {55, "Invert RC pitch", 2620},
+    {56, "Invert RC yaw", 2620}, {57, "Snap to fixed position", 2620}, {58, "Camera: record or photo", 2660},
+    {59, "Camera: photo", 2660}, {60, "Motors: safe stop", 2680}, {61, "Calibrate accelerometer (automatic)", 2680},
+    {62, "Reset IMU", 2680}, {63, "Forced follow on/off", 2680}, {64, "Auto PID, gain only", 2680},
+    {65, "Level pitch", 2680}, {66, "Motors: safe stop/on", 2680}, {67, "Time-lapse step 1", 2700},
+    {68, "Calibrate external gyroscope", 2700}, {69, "Follow off/on", 2700}, {70, "Take position as home", 2700},
+    {71, "Stop script", 2700}, {72, "Tripod mode off", 2700}, {73, "Tripod mode on", 2700},
+    {74, "Set RC trim", 2700}, {75, "Home position of motors", 2730}, {76, "Retracted position", 2730},
+    {77, "Shake generator off", 2730}, {78, "Shake generator on", 2730}, {79, "Servo mode on", 2730},
+    {80, "Servo mode off", 2730}, {81, "Servo mode on/off", 2730},
 };
+// clang-format on
 
 namespace detail {
 
@@ -145,8 +91,10 @@ inline constexpr auto kSignalSources = detail::makeSources();
 
 inline constexpr Choice kSensorAxes[] = {{1, "X"}, {2, "Y"}, {3, "Z"}, {-1, "-X"}, {-2, "-Y"}, {-3, "-Z"}};
 inline constexpr Choice kAxisNumbers[] = {{0, "Off"}, {1, "Roll"}, {2, "Pitch"}, {3, "Yaw"}};
-inline constexpr Choice kSerialSpeeds[]
-    = {{0, "115200"}, {1, "57600"}, {2, "38400"}, {3, "19200"}, {4, "9600"}, {5, "256000", 2600}};
+// clang-format off
+inline constexpr Choice kSerialSpeeds[] = {{0, "115200"}, {1, "57600"}, {2, "38400"}, {3, "19200"}, {4, "9600"},
+                                           {5, "256000", 2600}};
+// clang-format on
 inline constexpr Choice kPorts[] = {{0, "Off"}, {1, "UART1"}, {2, "RC serial"}, {3, "UART2"}, {4, "USB"}};
 
 }  // namespace sbgc

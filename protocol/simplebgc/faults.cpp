@@ -12,6 +12,7 @@ std::vector<BoardFault> faultsOf(unsigned bits, unsigned detail)
         bool severe;
     };
     // SYSTEM_ERROR bits (document REALTIME_DATA_3).
+    // clang-format off
     static constexpr Row rows[] = {
         {"no-sensor", "No IMU", "The board does not see its motion sensor, so it cannot stabilize.",
          "Check the sensor cable and its connectors, then restart the board.", true},
@@ -23,14 +24,10 @@ std::vector<BoardFault> faultsOf(unsigned bits, unsigned detail)
          "Set poles and direction of each motor.", true},
         {"protection", "Protection is active", "The motor drivers switched off to save themselves.",
          "Let the motors cool, then lower the power.", true},
-        {"serial", "Serial error", "The board received damaged commands.", "Check the cable and its ground.",
-         false},
-        {"low-battery", "Battery is low", "The alarm threshold is reached.", "Change the battery soon.",
-         false},
-        {"battery-empty", "Battery is empty", "The board switched the motors off.", "Change the battery.",
-         true},
-        {"tool-version", "Firmware and tool differ",
-         "The board expects another version of its configuration tool.",
+        {"serial", "Serial error", "The board received damaged commands.", "Check the cable and its ground.", false},
+        {"low-battery", "Battery is low", "The alarm threshold is reached.", "Change the battery soon.", false},
+        {"battery-empty", "Battery is empty", "The board switched the motors off.", "Change the battery.", true},
+        {"tool-version", "Firmware and tool differ", "The board expects another version of its configuration tool.",
          "Check the values before writing any.", false},
         {"missed-steps", "Motor lost steps", "A motor could not hold the camera.",
          "Balance the camera, or raise the power of that motor.", true},
@@ -38,6 +35,7 @@ std::vector<BoardFault> faultsOf(unsigned bits, unsigned detail)
         {"emergency-stop", "Emergency stop", "The board switched the motors off.",
          "Remove the cause, then restart the board.", true},
     };
+    // clang-format on
     // SYSTEM_SUB_ERROR (errata 4.5).
     static constexpr const char *causes[] = {"",
                                              "I2C errors",

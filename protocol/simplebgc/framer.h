@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/session/frame.h"
+#include "protocol/session/framer.h"
 
 #include <array>
 

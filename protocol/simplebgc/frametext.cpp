@@ -22,28 +22,30 @@ namespace {
 constexpr std::array<const char *, 3> kAxisLetters{"R", "P", "Y"};
 
 // What a command does to the gimbal when sent by hand; commands not listed count as destroying.
+// clang-format off
 constexpr std::pair<CommandId, ActionRisk> kRisks[] = {
-    {CommandId::BoardInfo, ActionRisk::Safe},          {CommandId::BoardInfo3, ActionRisk::Safe},
-    {CommandId::ReadParams, ActionRisk::Safe},         {CommandId::ReadParams3, ActionRisk::Safe},
-    {CommandId::ReadParamsExt, ActionRisk::Safe},      {CommandId::ReadParamsExt2, ActionRisk::Safe},
-    {CommandId::ReadProfileNames, ActionRisk::Safe},   {CommandId::RealtimeData, ActionRisk::Safe},
-    {CommandId::RealtimeData3, ActionRisk::Safe},      {CommandId::RealtimeData4, ActionRisk::Safe},
+    {CommandId::BoardInfo, ActionRisk::Safe}, {CommandId::BoardInfo3, ActionRisk::Safe},
+    {CommandId::ReadParams, ActionRisk::Safe}, {CommandId::ReadParams3, ActionRisk::Safe},
+    {CommandId::ReadParamsExt, ActionRisk::Safe}, {CommandId::ReadParamsExt2, ActionRisk::Safe},
+    {CommandId::ReadProfileNames, ActionRisk::Safe}, {CommandId::RealtimeData, ActionRisk::Safe},
+    {CommandId::RealtimeData3, ActionRisk::Safe}, {CommandId::RealtimeData4, ActionRisk::Safe},
     {CommandId::RealtimeDataCustom, ActionRisk::Safe}, {CommandId::GetAngles, ActionRisk::Safe},
-    {CommandId::GetAnglesExt, ActionRisk::Safe},       {CommandId::GetAdjVarsVal, ActionRisk::Safe},
-    {CommandId::GetParams3, ActionRisk::Safe},         {CommandId::DebugVarsInfo3, ActionRisk::Safe},
-    {CommandId::DebugVars3, ActionRisk::Safe},         {CommandId::AhrsHelper, ActionRisk::Moves},
-    {CommandId::MotorsOff, ActionRisk::Safe},          {CommandId::BeepSound, ActionRisk::Safe},
-    {CommandId::SelectImu3, ActionRisk::Safe},         {CommandId::DataStreamInterval, ActionRisk::Safe},
-    {CommandId::MotorsOn, ActionRisk::Moves},          {CommandId::Control, ActionRisk::Moves},
-    {CommandId::ExecuteMenu, ActionRisk::Writes},      {CommandId::Reset, ActionRisk::Moves},
-    {CommandId::SetAdjVarsVal, ActionRisk::Moves},     {CommandId::SaveParams3, ActionRisk::Writes},
-    {CommandId::WriteParams, ActionRisk::Writes},      {CommandId::WriteParams3, ActionRisk::Writes},
-    {CommandId::WriteParamsExt, ActionRisk::Writes},   {CommandId::WriteParamsExt2, ActionRisk::Writes},
-    {CommandId::WriteParamsSet, ActionRisk::Writes},   {CommandId::WriteProfileNames, ActionRisk::Writes},
-    {CommandId::CalibAcc, ActionRisk::Writes},         {CommandId::CalibGyro, ActionRisk::Writes},
-    {CommandId::CalibBat, ActionRisk::Writes},         {CommandId::CalibOffset, ActionRisk::Writes},
-    {CommandId::AutoPid, ActionRisk::Writes},          {CommandId::UseDefaults, ActionRisk::Destroys},
+    {CommandId::GetAnglesExt, ActionRisk::Safe}, {CommandId::GetAdjVarsVal, ActionRisk::Safe},
+    {CommandId::GetParams3, ActionRisk::Safe}, {CommandId::DebugVarsInfo3, ActionRisk::Safe},
+    {CommandId::DebugVars3, ActionRisk::Safe}, {CommandId::AhrsHelper, ActionRisk::Moves},
+    {CommandId::MotorsOff, ActionRisk::Safe}, {CommandId::BeepSound, ActionRisk::Safe},
+    {CommandId::SelectImu3, ActionRisk::Safe}, {CommandId::DataStreamInterval, ActionRisk::Safe},
+    {CommandId::MotorsOn, ActionRisk::Moves}, {CommandId::Control, ActionRisk::Moves},
+    {CommandId::ExecuteMenu, ActionRisk::Writes}, {CommandId::Reset, ActionRisk::Moves},
+    {CommandId::SetAdjVarsVal, ActionRisk::Moves}, {CommandId::SaveParams3, ActionRisk::Writes},
+    {CommandId::WriteParams, ActionRisk::Writes}, {CommandId::WriteParams3, ActionRisk::Writes},
+    {CommandId::WriteParamsExt, ActionRisk::Writes}, {CommandId::WriteParamsExt2, ActionRisk::Writes},
+    {CommandId::WriteParamsSet, ActionRisk::Writes}, {CommandId::WriteProfileNames, ActionRisk::Writes},
+    {CommandId::CalibAcc, ActionRisk::Writes}, {CommandId::CalibGyro, ActionRisk::Writes},
+    {CommandId::CalibBat, ActionRisk::Writes}, {CommandId::CalibOffset, ActionRisk::Writes},
+    {CommandId::AutoPid, ActionRisk::Writes}, {CommandId::UseDefaults, ActionRisk::Destroys},
 };
+// clang-format on
 
 ActionRisk riskOf(int id)
 {

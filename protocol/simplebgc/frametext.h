@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/device.h"
+#include "protocol/device/abilities.h"
 
 namespace sbgc {
 

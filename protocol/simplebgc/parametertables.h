@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/parameterspec.h"
+#include "protocol/configuration/parameterspec.h"
 
 namespace sbgc {
 
@@ -13,11 +13,13 @@ inline constexpr int kParams3Size = 134;
 inline constexpr int kParamsExtSize = 104;
 inline constexpr int kParamsExt2Size = 151;
 
+// clang-format off
 inline constexpr BlockSpec kBlocks[] = {
     {Params3, "PARAMS_3", kParams3Size},
     {ParamsExt, "PARAMS_EXT", kParamsExtSize},
     {ParamsExt2, "PARAMS_EXT2", kParamsExt2Size},
 };
+// clang-format on
 
 /// Every field of PARAMS_3, PARAMS_EXT and PARAMS_EXT2 (document "Variables description and range",
 /// errata 3.3-3.6). Labels, groups, help texts and choice names are translated in the context "Tables".

@@ -16,6 +16,7 @@ namespace {
 // (errata 3.4, 5).
 constexpr std::array<int, 3> kStreamWords{124 + 64, 125 + 64, 155 + 64};
 
+// clang-format off
 constexpr SimpleCommand kSimple[] = {
     {Simple::Test, "t", "test", 0, {}},
     {Simple::Version, "v", "version", 0, {27, 27, 27}},
@@ -41,17 +42,18 @@ constexpr SimpleCommand kSimple[] = {
     {Simple::WriteCalibration, "Cw", "write calibration", 38, {}},
     {Simple::RawSensors, "Cd", "raw sensors", 0, {14, 14, 14}},
 };
+// clang-format on
 static_assert(std::size(kSimple) == std::size_t(Simple::Count));
 
 // Payloads of the RC set (errata 4). The board takes no notice of bytes that have no name here.
 constexpr NamedField kIndex[] = {{"index", NamedField::U16, 0, 2}};
 constexpr NamedField kIndexAndValue[] = {{"index", NamedField::U16, 0, 2}, {"value", NamedField::U16, 2, 2}};
-constexpr NamedField kVersion[] = {{"firmware", NamedField::U16, 0, 2},
-                                   {"layout", NamedField::U16, 2, 2},
+// clang-format off
+constexpr NamedField kVersion[] = {{"firmware", NamedField::U16, 0, 2}, {"layout", NamedField::U16, 2, 2},
                                    {"capabilities", NamedField::U16, 4, 2}};
-constexpr NamedField kVersionStrings[] = {{"version", NamedField::Text, 0, 16},
-                                          {"name", NamedField::Text, 16, 16},
+constexpr NamedField kVersionStrings[] = {{"version", NamedField::Text, 0, 16}, {"name", NamedField::Text, 16, 16},
                                           {"board", NamedField::Text, 32, 16}};
+// clang-format on
 constexpr NamedField kDataType[] = {{"type", NamedField::U8, 0}};
 constexpr NamedField kTypedData[] = {{"type", NamedField::U8, 0}, {"data", NamedField::Bytes, 2, 0}};
 constexpr NamedField kMask[] = {{"mask", NamedField::U16, 0, 2}};
@@ -61,16 +63,16 @@ constexpr NamedField kPanMode[] = {{"mode", NamedField::U8, 0}};
 constexpr NamedField kStandby[] = {{"on", NamedField::U8, 0}};
 constexpr NamedField kCamera[] = {{"shot", NamedField::U8, 1}};
 constexpr NamedField kScript[] = {{"script", NamedField::U8, 0}, {"case", NamedField::U8, 1}};
-constexpr NamedField kAngles[] = {{"pitch", NamedField::F32, 0, 4},
-                                  {"roll", NamedField::F32, 4, 4},
-                                  {"yaw", NamedField::F32, 8, 4},
-                                  {"flags", NamedField::U8, 12},
-                                  {"type", NamedField::U8, 13}};
+// clang-format off
+constexpr NamedField kAngles[] = {{"pitch", NamedField::F32, 0, 4}, {"roll", NamedField::F32, 4, 4}, {"yaw", NamedField::F32, 8, 4},
+                                  {"flags", NamedField::U8, 12}, {"type", NamedField::U8, 13}};
+// clang-format on
 constexpr NamedField kPulses[]
     = {{"pitch", NamedField::U16, 0, 2}, {"roll", NamedField::U16, 2, 2}, {"yaw", NamedField::U16, 4, 2}};
 constexpr NamedField kPanSetting[] = {{"setting", NamedField::U8, 0}};
 constexpr NamedField kAck[] = {{"code", NamedField::U8, 0}};
 
+// clang-format off
 constexpr RcCommand kRc[] = {
     {Rc::GetVersion, "GETVERSION", 0, {}, kVersion},
     {Rc::GetVersionStrings, "GETVERSIONSTR", 0, {}, kVersionStrings},
@@ -92,6 +94,7 @@ constexpr RcCommand kRc[] = {
     {Rc::RestoreAllParameters, "RESTOREALLPARAMETER", 0},
     {Rc::ActivePanModeSetting, "ACTIVEPANMODESETTING", 1, kPanSetting},
 };
+// clang-format on
 
 constexpr RcCommand kAckFrame{Rc::Ack, "ACK", 1, {}, kAck};
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/parameterspec.h"
+#include "protocol/configuration/parameterspec.h"
 #include "protocol/storm32/scripts.h"
 
 namespace storm32 {
@@ -30,16 +30,5 @@ enum Block : std::uint8_t { Parameters, Scripts, BlockCount };
 
 /// What scripts of a layout may name.
 [[nodiscard]] ScriptContext scriptContext(const ParameterSet &parameters, int firmware);
-
-/// The 24 ways in which a sensor can be mounted (errata 10): which of its axes point forward, left and up.
-struct Orientation
-{
-    const char *name;  ///< "z90°"
-    int code;  ///< shown in brackets
-    std::array<std::array<int, 3>, 3> axes;  ///< forward, left, up as vectors of the sensor
-};
-[[nodiscard]] std::span<const Orientation> orientations();
-/// The orientation whose z points up and x forward, from unit vectors of the sensor; -1 if there is none.
-[[nodiscard]] int findOrientation(const std::array<int, 3> &up, const std::array<int, 3> &forward);
 
 }  // namespace storm32

@@ -49,6 +49,7 @@ struct Statement
 };
 
 // Errata 8.
+// clang-format off
 constexpr Statement kStatements[] = {
     {kStop, "STOP"},
     {kRestart, "RESTART"},
@@ -84,6 +85,7 @@ constexpr Statement kStatements[] = {
     {0x1F, "REMOTEENABLE", {}, 95},
     {0x20, "REMOTEDISABLE", {}, 95},
 };
+// clang-format on
 
 constexpr int wireBytes(Argument::Kind kind)
 {

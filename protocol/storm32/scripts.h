@@ -3,7 +3,7 @@
 #pragma once
 
 #include "protocol/base/bytes.h"
-#include "protocol/device/scriptlanguage.h"
+#include "protocol/configuration/scriptlanguage.h"
 
 #include <QString>
 

@@ -16,19 +16,20 @@ namespace storm32 {
 
 namespace {
 
+// clang-format off
 constexpr ChannelSpec kChannels[] = {
-    {"imu.angle.roll", "Camera angle, roll", "Angles", "°", 2, Axis::Roll, -180, 180},
-    {"imu.angle.pitch", "Camera angle, pitch", "Angles", "°", 2, Axis::Pitch, -180, 180},
-    {"imu.angle.yaw", "Camera angle, yaw", "Angles", "°", 2, Axis::Yaw, -180, 180},
-    {"frame.angle.roll", "Frame angle, roll", "Angles", "°", 2, Axis::Roll, -180, 180},
-    {"frame.angle.pitch", "Frame angle, pitch", "Angles", "°", 2, Axis::Pitch, -180, 180},
-    {"frame.angle.yaw", "Frame angle, yaw", "Angles", "°", 2, Axis::Yaw, -180, 180},
-    {"gyro.x", "Gyro, about forward (roll)", "Inertial sensors", "°/s", 2, Axis::Roll, -200, 200},
-    {"gyro.y", "Gyro, about left (pitch)", "Inertial sensors", "°/s", 2, Axis::Pitch, -200, 200},
-    {"gyro.z", "Gyro, about up (yaw)", "Inertial sensors", "°/s", 2, Axis::Yaw, -200, 200},
-    {"acc.x", "Acceleration, X", "Inertial sensors", "g", 3, Axis::Roll, -2, 2},
-    {"acc.y", "Acceleration, Y", "Inertial sensors", "g", 3, Axis::Pitch, -2, 2},
-    {"acc.z", "Acceleration, Z", "Inertial sensors", "g", 3, Axis::Yaw, -2, 2},
+    {"imu.angle.roll", "Camera angle, roll", "Angles", "°", 2, Axis::Roll, -180, 180, "attitude.roll"},
+    {"imu.angle.pitch", "Camera angle, pitch", "Angles", "°", 2, Axis::Pitch, -180, 180, "attitude.pitch"},
+    {"imu.angle.yaw", "Camera angle, yaw", "Angles", "°", 2, Axis::Yaw, -180, 180, "attitude.yaw"},
+    {"frame.angle.roll", "Frame angle, roll", "Angles", "°", 2, Axis::Roll, -180, 180, "frame.roll"},
+    {"frame.angle.pitch", "Frame angle, pitch", "Angles", "°", 2, Axis::Pitch, -180, 180, "frame.pitch"},
+    {"frame.angle.yaw", "Frame angle, yaw", "Angles", "°", 2, Axis::Yaw, -180, 180, "frame.yaw"},
+    {"gyro.x", "Gyro, about forward (roll)", "Inertial sensors", "°/s", 2, Axis::Roll, -200, 200, "rate.roll"},
+    {"gyro.y", "Gyro, about left (pitch)", "Inertial sensors", "°/s", 2, Axis::Pitch, -200, 200, "rate.pitch"},
+    {"gyro.z", "Gyro, about up (yaw)", "Inertial sensors", "°/s", 2, Axis::Yaw, -200, 200, "rate.yaw"},
+    {"acc.x", "Acceleration, X", "Inertial sensors", "g", 3, Axis::Roll, -2, 2, "acceleration.x"},
+    {"acc.y", "Acceleration, Y", "Inertial sensors", "g", 3, Axis::Pitch, -2, 2, "acceleration.y"},
+    {"acc.z", "Acceleration, Z", "Inertial sensors", "g", 3, Axis::Yaw, -2, 2, "acceleration.z"},
     {"up.x", "Up direction, X", "Inertial sensors", "", 4, Axis::Roll, -1, 1},
     {"up.y", "Up direction, Y", "Inertial sensors", "", 4, Axis::Pitch, -1, 1},
     {"up.z", "Up direction, Z", "Inertial sensors", "", 4, Axis::Yaw, -1, 1},
@@ -41,15 +42,16 @@ constexpr ChannelSpec kChannels[] = {
     {"mag.yaw", "Magnetometer, yaw", "Angles", "°", 2, Axis::Yaw, -180, 180},
     {"link.yaw", "STorM32-Link, yaw", "Angles", "°", 2, Axis::Yaw, -180, 180},
     {"acc.confidence", "Trust in the accelerometer", "Inertial sensors", "", 3, Axis::None, 0, 1.5},
-    {"battery", "Battery", "Power", "V", 2, Axis::None, 0, 30},
-    {"state", "State", "Board", "", 0, Axis::None, 0, 100},
-    {"status", "Status bits", "Board", "", 0, Axis::None, 0, 65535},
+    {"battery", "Battery", "Power", "V", 2, Axis::None, 0, 30, "battery"},
+    {"state", "State", "Board", "", 0, Axis::None, 0, 100, "state fault_detail"},
+    {"status", "Status bits", "Board", "", 0, Axis::None, 0, 65535, "faults"},
     {"status2", "Status bits 2", "Board", "", 0, Axis::None, 0, 65535},
-    {"errors.bus", "Sensor bus errors", "Board", "", 0, Axis::None, 0, 100},
-    {"cycle_time", "Cycle time", "Board", "µs", 0, Axis::None, 0, 2000},
-    {"motors.on", "Motors running", "Board", "", 0, Axis::None, 0, 1},
+    {"errors.bus", "Sensor bus errors", "Board", "", 0, Axis::None, 0, 100, "bus_errors"},
+    {"cycle_time", "Cycle time", "Board", "µs", 0, Axis::None, 0, 2000, "cycle_time"},
+    {"motors.on", "Motors running", "Board", "", 0, Axis::None, 0, 1, "outputs"},
     {"functions", "Function inputs", "Remote control", "", 0, Axis::None, 0, 65535},
 };
+// clang-format on
 static_assert(std::size(kChannels) == ChannelCount);
 
 constexpr int kLinkPresent = 0x0100;
@@ -64,23 +66,6 @@ constexpr double kDrift = 2e-4;  // how fast the board's clock may run off ours
 ChannelTable channelTable()
 {
     return kChannels;
-}
-
-ChannelRoles channelRoles()
-{
-    ChannelRoles roles;
-    roles.angle = {AngleRoll, AnglePitch, AngleYaw};
-    roles.gyro = {GyroX, GyroY, GyroZ};
-    roles.acc = {AccX, AccY, AccZ};
-    roles.frameAngle = {Angle2Roll, Angle2Pitch, Angle2Yaw};
-    roles.battery = Voltage;
-    roles.motorsOn = MotorsActive;
-    roles.faults = Status;
-    roles.faultDetail = State;
-    roles.cycleTime = CycleTime;
-    roles.busErrors = BusErrors;
-    roles.state = State;
-    return roles;
 }
 
 LiveScales::LiveScales(int firmware)

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/device.h"
+#include "protocol/device/abilities.h"
+#include "protocol/telemetry/channelspec.h"
+#include "protocol/telemetry/streams.h"
 
 namespace storm32 {
 
@@ -45,7 +47,6 @@ enum ChannelId : int {
 };
 
 [[nodiscard]] ChannelTable channelTable();
-[[nodiscard]] ChannelRoles channelRoles();
 
 /// What the counts of `d` mean: gyro and accelerometer changed their scales (errata 3.5).
 struct LiveScales

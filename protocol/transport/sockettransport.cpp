@@ -54,6 +54,11 @@ void SocketTransport::write(QByteArrayView bytes)
     m_socket->flush();
 }
 
+bool SocketTransport::isPacketBased() const
+{
+    return m_socket->socketType() == QAbstractSocket::UdpSocket;
+}
+
 void SocketTransport::onReadyRead()
 {
     const TimePoint now = Clock::now();

@@ -16,6 +16,7 @@ public:
     void open() override;
     void close() override;
     void write(QByteArrayView bytes) override;
+    [[nodiscard]] bool isPacketBased() const override;
 
 private:
     void onReadyRead();

@@ -5,23 +5,12 @@
 #include "protocol/base/bytes.h"
 #include "protocol/base/clock.h"
 #include "protocol/transport/linkaddress.h"
+#include "protocol/transport/replay.h"
 
 #include <QObject>
 
 #include <functional>
 #include <memory>
-
-/// Where a recorded link stands.
-struct ReplayState
-{
-    double position = 0;  ///< seconds since the recording's first byte
-    double length = 0;  ///< seconds
-    double speed = 1;  ///< times real time
-    bool paused = false;
-
-    [[nodiscard]] bool hasEnded() const { return position >= length; }
-    friend bool operator==(const ReplayState &, const ReplayState &) = default;
-};
 
 /// Moves bytes and stamps the time at which they arrived. Lives on the I/O thread and never blocks it.
 class Transport : public QObject
@@ -39,15 +28,10 @@ public:
     virtual bool setLine(const LineSettings &line);
     /// Settings that decide how long bytes take; empty for links without a line rate.
     [[nodiscard]] virtual std::optional<LineSettings> line() const { return {}; }
-    /// A recorded link waits with its live data until somebody can take them; others have nothing to wait
-    /// for.
-    virtual void play() { }
-    /// The rest is for recorded links as well. A place before the present one cannot be gone to: what was
-    /// received was received. What lies between is delivered at once.
-    virtual void setPaused(bool) { }
-    virtual void setSpeed(double) { }
-    virtual void forwardTo(double /*seconds*/) { }
-    [[nodiscard]] virtual std::optional<ReplayState> replayState() const { return {}; }
+    /// The received bytes are whole packets: one signal each, and nothing reaches from one into the next.
+    [[nodiscard]] virtual bool isPacketBased() const { return false; }
+    /// The recording behind this link; null for a living one.
+    [[nodiscard]] virtual Replay *replay() { return nullptr; }
 
 signals:
     void opened();
@@ -63,6 +47,3 @@ signals:
 
 /// Makes the transport for an address; called on the I/O thread. Schemes are composed in app/.
 using TransportFactory = std::function<Result<std::unique_ptr<Transport>>(const LinkAddress &)>;
-
-/// Serial ports, TCP and UDP. Errors: InvalidArgument for any other kind.
-Result<std::unique_ptr<Transport>> makeSystemTransport(const LinkAddress &address);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/pages/monitorpage.h"
+#include "app/pages/watch/monitorpage.h"
+#include "protocol/telemetry/telemetryplan.h"
 #include "tests/bench/report.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
@@ -77,15 +78,18 @@ void benchEndToEnd(Report &report, int seconds)
     if (!rig.open(simulator.address()))
         qFatal("no board");
     auto *monitor = rig.page<MonitorPage>();
-    const ChannelRoles roles = rig.workspace().roles();
+    const ChannelRoles &roles = rig.workspace().roles();
     QList<int> channels;
     for (const auto &triple : {roles.angle, roles.target, roles.gyro, roles.acc})
         channels.append(QList<int>(triple.begin(), triple.end()));
     std::sort(channels.begin(), channels.end());
     monitor->channels().setTicked(channels);
     const auto quiet = [&rig] {
-        auto stopped = rig.client().submit<bool>([](Channel &channel, Device &device) -> Result<bool> {
-            device.stopTelemetry(channel);
+        auto stopped = rig.client().submit<bool>([bytes = rig.client().telemetryPlan().shutdownFrames](
+                                                     Channel &channel, Device &) -> Result<bool> {
+            Request request;
+            request.bytes = bytes;
+            channel.post(request);
             return true;
         });
         std::ignore = QTest::qWaitFor([&] { return stopped.isFinished(); }, 5000);

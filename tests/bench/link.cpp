@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/composition/composition.h"
-#include "protocol/device/deviceclient.h"
+#include "protocol/client/deviceclient.h"
 #include "protocol/simplebgc/framer.h"
 #include "protocol/simplebgc/payloads.h"
 #include "protocol/simplebgc/telemetrytables.h"
+#include "protocol/telemetry/telemetryplan.h"
 #include "tests/bench/report.h"
 #include "tests/support/simprocess.h"
 
@@ -111,7 +112,7 @@ void benchLoss(Report &report, const QString &path)
     Counter counter;
     auto client = connectClient(simulator.address());
     client->addListener(counter);
-    client->setTelemetry({{}, 0, {{u"realtime4"_s, 1250, {}}}});
+    client->subscribe({{}, 0, {{u"realtime4"_s, 1250, {}}}});
     if (!QTest::qWaitFor([&] { return client->telemetryPlan().rate == 1250.0; }, 5000))
         qFatal("no stream");
     QElapsedTimer timer;
@@ -119,10 +120,13 @@ void benchLoss(Report &report, const QString &path)
     const quint64 before = counter.frames;
     blockHalf();
     const double rate = double(counter.frames - before) / (double(timer.elapsed()) / 1000.0);
-    auto stopped = client->submit<bool>([](Channel &channel, Device &device) -> Result<bool> {
-        device.stopTelemetry(channel);
-        return true;
-    });
+    auto stopped = client->submit<bool>(
+        [bytes = client->telemetryPlan().shutdownFrames](Channel &channel, Device &) -> Result<bool> {
+            Request request;
+            request.bytes = bytes;
+            channel.post(request);
+            return true;
+        });
     std::ignore = QTest::qWaitFor([&] { return stopped.isFinished(); }, 5000);
     process(300ms);
     const SimProcess::Streams sent = simulator.streams();

@@ -8,9 +8,10 @@
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char *data, std::size_t size)
 {
     const QByteArray bytes(reinterpret_cast<const char *>(data), qsizetype(size));
-    static const auto device = allFamilies().first().makeDevice();
+    static const Family family = allFamilies().first();
+    static const auto device = family.makeDevice();
     if (const auto recording = Recording::fromBytes(bytes))
-        (void)readTelemetry(*recording, *device);
+        (void)readTelemetry(*recording, family, *device);
     Recording pieces;
     qint64 at = 0;
     for (const QByteArray &part : bytes.split('\n')) {
@@ -18,6 +19,6 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char *data, std::size_t siz
             pieces.pieces.push_back(
                 {RecordedPiece::Kind(1 + quint8(part[0]) % 3), at += 800'000, part.mid(1)});
     }
-    (void)readTelemetry(pieces, *device);
+    (void)readTelemetry(pieces, family, *device);
     return 0;
 }

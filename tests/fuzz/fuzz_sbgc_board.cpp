@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/simplebgc/telemetrytables.h"
-#include "protocol/simulator/sbgcboard.h"
+#include "protocol/simulator/simplebgc/board.h"
 
 #include <algorithm>
 #include <tuple>

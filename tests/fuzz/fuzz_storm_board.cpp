@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "protocol/simulator/stormboard.h"
+#include "protocol/simulator/storm32/board.h"
 #include "protocol/storm32/framer.h"
 
 #include <algorithm>

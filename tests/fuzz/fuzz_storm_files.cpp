@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/storm32/files.h"
 #include "protocol/storm32/parametertables.h"
-#include "protocol/storm32/stormfiles.h"
-#include "protocol/storm32/stormlanguage.h"
+#include "protocol/storm32/scriptlanguage.h"
 
 // Files of the original program, and texts of scripts. What was read can be written and read again; what
 // compiles can be shown, and what is shown compiles to the same.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/storm32/device.h"
 #include "protocol/storm32/framer.h"
-#include "protocol/storm32/stormdevice.h"
 
 #include <algorithm>
 #include <cstdlib>

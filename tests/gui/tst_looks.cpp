@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/families/simplebgc/calibrationpage.h"
 #include "app/mainwindow/navigation.h"
 #include "app/mainwindow/translations.h"
-#include "app/pages/monitorpage.h"
-#include "app/pages/page.h"
-#include "app/pages/streamsdialog.h"
-#include "app/wizards/calibrationpage.h"
+#include "app/pages/watch/monitorpage.h"
+#include "app/pages/watch/streamsdialog.h"
+#include "app/workspace/page.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/reviewdialog.h"
 
@@ -102,9 +102,7 @@ void TestLooks::nothingIsClipped()
     WindowRig rig;
     rig.window().resize(rig.window().minimumSize());
     const auto check = [&rig](const QString &where) {
-        QTest::qWait(60);  // layouts settle
-        QCoreApplication::sendPostedEvents(
-            nullptr, QEvent::LayoutRequest);  // of a text that has changed just now, too
+        QVERIFY(rig.isSettled());
         for (const QWidget *widget : rig.window().findChildren<QWidget *>()) {
             if (!widget->isVisible() || widget->visibleRegion().isEmpty())
                 continue;
@@ -188,7 +186,7 @@ void TestLooks::keyboardReachesEverything()
     WindowRig rig;
     QVERIFY(rig.open());
     rig.window().showPage(page);
-    QTest::qWait(100);
+    QVERIFY(rig.isSettled());
     QVERIFY(QTest::qWaitForWindowActive(&rig.window()));
     rig.window().navigation()->setFocus();
     QSet<QWidget *> visited;
@@ -225,7 +223,7 @@ void TestLooks::focusIsSeen()
     QSet<QString> kinds;
     for (const PageEntry &entry : pageTable()) {
         rig.window().showPage(QLatin1String(entry.key));
-        QTest::qWait(60);
+        QVERIFY(rig.isSettled());
         QVERIFY(QTest::qWaitForWindowActive(&rig.window()));
         for (QWidget *widget : rig.window().page(QLatin1String(entry.key))->findChildren<QWidget *>()) {
             const QString kind = QString::fromLatin1(widget->metaObject()->className());
@@ -252,7 +250,7 @@ void TestLooks::accessibilityTreeHasNames()
     int seen = 0;
     for (const PageEntry &entry : pageTable()) {
         rig.window().showPage(QLatin1String(entry.key));
-        QTest::qWait(60);
+        QVERIFY(rig.isSettled());
         QList<QAccessibleInterface *> queue{QAccessible::queryAccessibleInterface(&rig.window())};
         while (!queue.isEmpty()) {
             QAccessibleInterface *item = queue.takeFirst();

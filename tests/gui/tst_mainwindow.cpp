@@ -4,10 +4,12 @@
 #include "app/mainwindow/linkbar.h"
 #include "app/mainwindow/mainwindow.h"
 #include "app/mainwindow/startpage.h"
-#include "app/mainwindow/tour.h"
-#include "app/pages/dashboardpage.h"
-#include "app/pages/monitorpage.h"
-#include "app/pages/parameterspage.h"
+#include "app/pages/setup/parameterspage.h"
+#include "app/pages/watch/dashboardpage.h"
+#include "app/pages/watch/monitorpage.h"
+#include "app/tour/tour.h"
+#include "protocol/telemetry/telemetryplan.h"
+#include "tests/support/named.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/parameterform.h"
@@ -98,7 +100,7 @@ private:
     QDoubleSpinBox *numberBox(const QString &key)
     {
         auto *parameters = page<ParametersPage>();
-        QTest::qWait(20);  // the page gets its size, and the form its columns
+        std::ignore = m_rig->isSettled();  // the page gets its size, and the form its columns
         parameters->showParameter(key);
         return parameters->form()->findChild<QDoubleSpinBox *>(key);
     }
@@ -132,7 +134,7 @@ void TestMainWindow::startCardLeadsToTheSimulator()
 
 void TestMainWindow::connectByKeyboard()
 {
-    QComboBox *box = m_window->linkBar()->addressBox();
+    QComboBox *box = m_window->findChild<LinkBar *>()->addressBox();
     box->setFocus();
     box->lineEdit()->selectAll();
     QTest::keyClicks(box->lineEdit(), u"sim:simplebgc?seed=4"_s);
@@ -142,7 +144,7 @@ void TestMainWindow::connectByKeyboard()
     // Ctrl+2 is the second page.
     QTest::keyClick(m_window, Qt::Key_2, Qt::ControlModifier);
     QTRY_VERIFY(m_window->page(QLatin1String(pageTable()[1].key))->isVisible());
-    QTest::mouseClick(m_window->linkBar()->connectButton(), Qt::LeftButton);
+    QTest::mouseClick(m_window->findChild<LinkBar *>()->connectButton(), Qt::LeftButton);
     QTRY_COMPARE(client().state(), DeviceClient::State::Disconnected);
 }
 
@@ -233,11 +235,11 @@ void TestMainWindow::undoRedoAndDiscard()
     numberBox(u"pid.roll.p"_s)->setValue(47);
     numberBox(u"pid.roll.d"_s)->setValue(48);
     QCOMPARE(model().changeCount(), 2);
-    QTest::mouseClick(m_window->unsavedBar()->undoButton(), Qt::LeftButton);
+    QTest::mouseClick(named<QPushButton>(m_window->unsavedBar(), u"Undo"_s), Qt::LeftButton);
     QCOMPARE(model().changeCount(), 1);
-    QTest::mouseClick(m_window->unsavedBar()->redoButton(), Qt::LeftButton);
+    QTest::mouseClick(named<QPushButton>(m_window->unsavedBar(), u"Redo"_s), Qt::LeftButton);
     QCOMPARE(model().changeCount(), 2);
-    QTest::mouseClick(m_window->unsavedBar()->discardButton(), Qt::LeftButton);
+    QTest::mouseClick(named<QPushButton>(m_window->unsavedBar(), u"Discard"_s), Qt::LeftButton);
     QCOMPARE(model().changeCount(), 0);
     QCOMPARE(numberBox(u"pid.roll.p"_s)->value(), 35.0);
 }
@@ -275,7 +277,7 @@ void TestMainWindow::boardsValueIsOneClickAway()
 void TestMainWindow::profileSwitch()
 {
     QVERIFY(open());
-    QComboBox *box = m_window->linkBar()->profileBox();
+    QComboBox *box = named<QComboBox>(m_window->findChild<LinkBar *>(), u"Active profile"_s);
     QCOMPARE(box->count(), 5);
     QVERIFY(box->itemText(1).contains(u"Studio"_s));
     box->setFocus();
@@ -291,7 +293,7 @@ void TestMainWindow::motorsOffByMouse()
 {
     QVERIFY(open());
     QTRY_COMPARE_WITH_TIMEOUT(m_window->workspace().motorsRunning().value_or(false), true, 5000);
-    QPushButton *motors = m_window->linkBar()->motorsButton();
+    QPushButton *motors = m_window->findChild<LinkBar *>()->findChild<QPushButton *>(u"motors"_s);
     QTRY_VERIFY(motors->property("running").toBool());
     QTest::mouseClick(motors, Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(m_window->workspace().motorsRunning().value_or(true), false, 5000);
@@ -369,12 +371,12 @@ void TestMainWindow::nothingIsCutAtTheSmallestSize()
     QVERIFY(open(u"sim:simplebgc?firmware=2.70b4"_s));
     auto *parameters = page<ParametersPage>();
     m_window->resize(m_window->minimumSize());
-    QTest::qWait(50);
+    QVERIFY(m_rig->isSettled());
     auto *groups = parameters->findChild<QListWidget *>();
     parameters->findChild<QComboBox *>()->setCurrentIndex(2);
     for (int i = 0; i < groups->count(); ++i) {
         parameters->showGroup(i);
-        QTest::qWait(20);
+        QVERIFY(m_rig->isSettled());
         for (const QWidget *editor : parameters->form()->findChildren<ValueEditor *>()) {
             const int right = editor->mapTo(m_window, QPoint(editor->width(), 0)).x();
             const QWidget *view = parameters->form()->parentWidget()->parentWidget();
@@ -414,11 +416,11 @@ void TestMainWindow::monitorPauses()
     QVERIFY(open());
     auto *monitor = page<MonitorPage>();
     QTRY_VERIFY_WITH_TIMEOUT(client().telemetryPlan().rate == 1250.0, 5000);
-    QTest::qWait(500);
+    QVERIFY(m_rig->boardGoesOn(0.5));
     PlotView *plot = monitor->plots().first();
     monitor->pauseButton()->setChecked(true);
     const QImage still = plot->grab().toImage();
-    QTest::qWait(300);
+    QVERIFY(m_rig->boardGoesOn(0.3));
     QVERIFY(plot->grab().toImage() == still);
     monitor->pauseButton()->setChecked(false);
     QTRY_VERIFY(plot->grab().toImage() != still);
@@ -496,11 +498,14 @@ void TestMainWindow::interruptedWriteIsFinishedAfterReconnecting()
 
 void TestMainWindow::conflictIsTold()
 {
-    SimProcess simulator({u"--tcp"_s, u"0"_s, u"--fault"_s, u"other-client=5"_s});
+    SimProcess simulator({u"--tcp"_s, u"0"_s});
     QVERIFY(open(simulator.address()));
     QCOMPARE(raw(u"pid.roll.p"_s), 35);
     numberBox(u"pid.roll.p"_s)->setValue(60);
-    QTest::qWait(5200);  // the simulator's own clock: somebody else changes the value
+    // Somebody else changes the value; the simulator answers when it has taken notice.
+    simulator.process().write("other-client=0\n");
+    std::ignore = simulator.streams();
+    QVERIFY(m_rig->boardGoesOn(0.2));
     QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
     m_window->workspace().write(model().edited());
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 15000);

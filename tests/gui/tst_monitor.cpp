@@ -1,8 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/pages/monitorpage.h"
-#include "app/pages/spectrumpage.h"
-#include "protocol/simulator/plant.h"
+#include "app/pages/tune/spectrumpage.h"
+#include "app/pages/watch/monitorpage.h"
+#include "protocol/device/abilities.h"
+#include "protocol/session/linkstatistics.h"
+#include "protocol/simulator/world/plant.h"
+#include "protocol/telemetry/streams.h"
+#include "protocol/telemetry/telemetrystore.h"
+#include "tests/support/named.h"
 #include "tests/support/windowrig.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/plot/plotview.h"
@@ -71,13 +76,13 @@ void TestMonitor::spectrumFindsTheResonance()
     // Gains that make the structure ring show where it rings.
     auto set = m_rig->client().submit<bool>([](Channel &channel, Device &device) -> Result<bool> {
         std::vector<AdjustableValue> values;
-        for (const AdjustableSpec &spec : device.adjustables()) {
+        for (const AdjustableSpec &spec : device.live()->adjustables()) {
             if (QByteArray(spec.key) == "p.roll")
                 values.push_back({spec.id, 100});
             if (QByteArray(spec.key) == "d.roll")
                 values.push_back({spec.id, 60});
         }
-        const auto done = device.writeAdjustables(channel, values);
+        const auto done = device.live()->writeAdjustables(channel, values);
         return done ? Result<bool>(values.size() == 2) : tl::unexpected(done.error());
     });
     QTRY_VERIFY(set.isFinished());
@@ -96,7 +101,7 @@ void TestMonitor::spectrumFindsTheResonance()
     // The error by band, and how it changes against what was kept.
     QTRY_VERIFY_WITH_TIMEOUT(page->bands()->item(1, 1)->text().contains(u"RMS"_s), 10000);
     QVERIFY(!page->bands()->item(1, 1)->text().contains(u'%'));
-    QTest::mouseClick(page->compareButton(), Qt::LeftButton);
+    QTest::mouseClick(named<QPushButton>(page, u"Compare"_s), Qt::LeftButton);
     QVERIFY(page->bands()->item(1, 1)->text().contains(u'%'));
     QTest::mouseClick(page->pauseButton(), Qt::LeftButton);
     const QString held = page->bands()->item(1, 1)->text();
@@ -109,11 +114,11 @@ void TestMonitor::peakBecomesANotch()
 {
     QVERIFY(m_rig->open());
     auto *page = m_rig->page<SpectrumPage>();
-    QVERIFY(!page->notchButton()->isEnabled());
+    QVERIFY(!named<QPushButton>(page, u"Put a notch here…"_s)->isEnabled());
     QTRY_VERIFY_WITH_TIMEOUT(page->peaks()->rowCount() > 0, 20000);
     QTest::mouseClick(page->pauseButton(), Qt::LeftButton);
     page->peaks()->selectRow(0);
-    QVERIFY(page->notchButton()->isEnabled());
+    QVERIFY(named<QPushButton>(page, u"Put a notch here…"_s)->isEnabled());
     const QString axis = page->peaks()->item(0, 0)->text();
     const double hz = page->peaks()->item(0, 1)->text().section(u' ', 0, 0).toDouble();
     const QString key = axis == axisLabel(Axis::Roll) ? u"roll"_s
@@ -124,13 +129,13 @@ void TestMonitor::peakBecomesANotch()
         return spec.toDisplay(std::as_const(m_rig->model()).edited().raw(spec, 0).value());
     };
     // Declined: nothing is changed. Taken: the values of one filter, one step to undo.
-    QTest::mouseClick(page->notchButton(), Qt::LeftButton);
+    QTest::mouseClick(named<QPushButton>(page, u"Put a notch here…"_s), Qt::LeftButton);
     QTRY_VERIFY(page->notchQuestion());
     QVERIFY(page->notchQuestion()->text().contains(u"delays"_s));
     QTest::keyClick(page->notchQuestion(), Qt::Key_Escape);
     QTRY_VERIFY(!page->notchQuestion());
     QCOMPARE(m_rig->model().changeCount(), 0);
-    QTest::mouseClick(page->notchButton(), Qt::LeftButton);
+    QTest::mouseClick(named<QPushButton>(page, u"Put a notch here…"_s), Qt::LeftButton);
     QTRY_VERIFY(page->notchQuestion());
     QTest::keyClick(page->notchQuestion(), Qt::Key_Return);
     QTRY_VERIFY(m_rig->model().changeCount() > 0);
@@ -140,7 +145,7 @@ void TestMonitor::peakBecomesANotch()
     QCOMPARE(int(edited(u"enabled"_s)) & 1, 1);
     // The next one goes into the next filter.
     QTRY_VERIFY(!page->notchQuestion());
-    QTest::mouseClick(page->notchButton(), Qt::LeftButton);
+    QTest::mouseClick(named<QPushButton>(page, u"Put a notch here…"_s), Qt::LeftButton);
     QTRY_VERIFY(page->notchQuestion());
     QTest::keyClick(page->notchQuestion(), Qt::Key_Return);
     QTRY_COMPARE(int(edited(u"enabled"_s)) & 3, 3);
@@ -180,7 +185,7 @@ void TestMonitor::notchTakesTheResonanceAway()
     QTest::mouseClick(page->pauseButton(), Qt::LeftButton);
     QVERIFY(strength() > 0.0);
     page->peaks()->selectRow(row);
-    QTest::mouseClick(page->notchButton(), Qt::LeftButton);
+    QTest::mouseClick(named<QPushButton>(page, u"Put a notch here…"_s), Qt::LeftButton);
     QTRY_VERIFY(page->notchQuestion());
     QTest::keyClick(page->notchQuestion(), Qt::Key_Return);
     QTRY_VERIFY(m_rig->model().changeCount() > 0);
@@ -202,12 +207,12 @@ void TestMonitor::recordingsFromTheScreen()
     QSignalSpy finished(&recorder, &LinkRecorder::finished);
     QVERIFY(recorder.start(now));
     QVERIFY(!recorder.start(m_rig->filePath(u"second"_s)));
-    QCOMPARE(monitor->recordButton()->menu(), nullptr);
+    QCOMPARE(named<QPushButton>(monitor, u"Stop recording"_s)->menu(), nullptr);
     QTRY_VERIFY_WITH_TIMEOUT(recorder.size() > 50'000, 10000);
-    QTest::mouseClick(monitor->recordButton(), Qt::LeftButton);
+    QTest::mouseClick(named<QPushButton>(monitor, u"Stop recording"_s), Qt::LeftButton);
     QVERIFY(!recorder.isRecording());
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 10000);
-    QVERIFY(monitor->recordButton()->menu());
+    QVERIFY(named<QPushButton>(monitor, u"Record"_s)->menu());
     // The last minutes, after the fact.
     const QString past = m_rig->filePath(u"past.gimbalrec"_s);
     QVERIFY(recorder.savePast(past));
@@ -226,7 +231,7 @@ void TestMonitor::recordingsFromTheScreen()
         QVERIFY(!m_rig->client().identity().writable);
         m_rig->window().showPage(u"monitor"_s);
         QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().telemetry()->rows() > 300, 10000);
-        QVERIFY(!monitor->recordButton()->isEnabled());
+        QVERIFY(!named<QPushButton>(monitor, u"Record"_s)->isEnabled());
         m_rig->client().disconnectFromBoard();
     }
     // Unplugging ends a recording properly.

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/families/simplebgc/autotunepage.h"
+#include "app/families/simplebgc/calibrationpage.h"
 #include "app/mainwindow/bars.h"
-#include "app/pages/controlpage.h"
-#include "app/wizards/autotunepage.h"
-#include "app/wizards/calibrationpage.h"
+#include "app/pages/board/controlpage.h"
+#include "protocol/device/steering.h"
+#include "tests/support/named.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/argumentform.h"
 #include "widgets/plot/iterationchart.h"
@@ -12,6 +14,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
@@ -80,6 +83,16 @@ private:
         QTest::mouseClick(page->continueButton(), Qt::LeftButton);
         return page->step() == CalibrationPage::Step::Measure;
     }
+    /// How far the measurement that is shown has come.
+    static int measured(const CalibrationPage *page)
+    {
+        int most = 0;
+        for (const QProgressBar *bar : page->findChildren<QProgressBar *>()) {
+            if (bar->isVisible())
+                most = std::max(most, bar->value());
+        }
+        return page->step() == CalibrationPage::Step::Measure ? most : 0;
+    }
     AutoTunePage *autoTune()
     {
         auto *page = m_rig->page<AutoTunePage>();
@@ -133,7 +146,7 @@ void TestMotion::gyroscopeWaitsWhileItMoves()
     QVERIFY(alive());
     workspace().setMotors(false);
     CalibrationPage *page = calibration(CalibrationPage::Kind::Gyroscope);
-    QTest::qWait(2000);
+    QVERIFY(m_rig->boardGoesOn(2.0));
     QVERIFY(!page->isSatisfied());
     QVERIFY(!page->continueButton()->isEnabled());
     workspace().changeWorld(u"pose=1"_s);
@@ -148,7 +161,7 @@ void TestMotion::calibrationCancelled()
     QVERIFY(alive());
     CalibrationPage *page = calibration(CalibrationPage::Kind::Gyroscope);
     QVERIFY(place(page, 1));
-    QTest::qWait(1500);
+    QTRY_VERIFY_WITH_TIMEOUT(measured(page) > 0, 10000);
     QTest::mouseClick(page->cancelButton(), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(page->step(), CalibrationPage::Step::Choose, 3000);
     QVERIFY(m_rig->window().messageBar()->text().contains(u"cancelled"_s));
@@ -177,7 +190,7 @@ void TestMotion::calibrationUnplugged()
     QVERIFY(alive());
     CalibrationPage *page = calibration(CalibrationPage::Kind::Level);
     QVERIFY(place(page, 1));
-    QTest::qWait(1000);
+    QTRY_VERIFY_WITH_TIMEOUT(measured(page) > 0, 10000);
     workspace().changeWorld(u"replug=1"_s);
     workspace().changeWorld(u"unplug=0"_s);
     QTRY_COMPARE_WITH_TIMEOUT(page->step(), CalibrationPage::Step::Choose, 5000);
@@ -196,7 +209,7 @@ void TestMotion::sixPositionsToTheEnd()
             QTRY_COMPARE_WITH_TIMEOUT(page->step(), CalibrationPage::Step::Place, 20000);
             QCOMPARE(page->doneCount(), pose);
             // The same face again is not wanted.
-            QTest::qWait(300);
+            QVERIFY(m_rig->boardGoesOn(0.3));
             QVERIFY(!page->continueButton()->isEnabled());
         }
     }
@@ -215,13 +228,15 @@ void TestMotion::autoTuneAcceptedAndSaved()
     const int before = liveP();
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
     QCOMPARE(page->state(), AutoTunePage::State::Running);
-    QTRY_VERIFY_WITH_TIMEOUT(page->errorChart()->pointCount(u"Error, Roll"_s) >= 3, 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        named<IterationChart>(page, u"Tracking error by iteration"_s)->pointCount(u"Error, Roll"_s) >= 3,
+        30000);
     QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Finished, 120000);
     QTRY_VERIFY(liveP() != before);
     const int found = liveP();
     // In use, not stored.
     QCOMPARE(m_rig->raw(u"pid.roll.p"_s), before);
-    QTest::mouseClick(page->acceptButton(), Qt::LeftButton);
+    QTest::mouseClick(named<QPushButton>(page, u"Accept and save"_s), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Ready, 10000);
     QTRY_COMPARE_WITH_TIMEOUT(m_rig->raw(u"pid.roll.p"_s), found, 10000);
     // The snapshot before it holds what was stored, not what was found.
@@ -245,7 +260,7 @@ void TestMotion::autoTuneReverted()
     QCOMPARE(page->state(), AutoTunePage::State::Ready);
     QTRY_VERIFY(workspace().live().isSettled());
     workspace().live().read();
-    QTest::qWait(200);
+    QVERIFY(m_rig->jobsAreDone());
     QCOMPARE(liveP(), before);
     QCOMPARE(workspace().live().changeCount(), 0);
 }
@@ -257,12 +272,14 @@ void TestMotion::autoTuneCancelled()
     AutoTunePage *page = autoTune();
     const int before = liveP();
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(page->errorChart()->pointCount(u"Error, Roll"_s) >= 2, 30000);
-    QTest::mouseClick(page->stopButton(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        named<IterationChart>(page, u"Tracking error by iteration"_s)->pointCount(u"Error, Roll"_s) >= 2,
+        30000);
+    QTest::mouseClick(named<QPushButton>(page, u"Stop and put the old gains back"_s), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Ready, 5000);
     QTRY_VERIFY(workspace().live().isSettled());
     workspace().live().read();
-    QTest::qWait(300);
+    QVERIFY(m_rig->jobsAreDone());
     QCOMPARE(liveP(), before);
 }
 
@@ -272,7 +289,9 @@ void TestMotion::autoTuneStoppedByMotorsOff()
     QVERIFY(alive());
     AutoTunePage *page = autoTune();
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(page->errorChart()->pointCount(u"Error, Roll"_s) >= 1, 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        named<IterationChart>(page, u"Tracking error by iteration"_s)->pointCount(u"Error, Roll"_s) >= 1,
+        30000);
     QTest::keyClick(page, Qt::Key_F12);
     QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Ready, 5000);
     QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(false), 5000);
@@ -284,7 +303,9 @@ void TestMotion::autoTuneUnplugged()
     QVERIFY(alive());
     AutoTunePage *page = autoTune();
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(page->errorChart()->pointCount(u"Error, Roll"_s) >= 1, 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        named<IterationChart>(page, u"Tracking error by iteration"_s)->pointCount(u"Error, Roll"_s) >= 1,
+        30000);
     workspace().changeWorld(u"replug=1"_s);
     workspace().changeWorld(u"unplug=0"_s);
     QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Ready, 5000);
@@ -301,7 +322,7 @@ void TestMotion::armingMovesNothing()
     const double before = target(Axis::Yaw);
     QTest::mouseClick(page->armButton(), Qt::LeftButton);
     QVERIFY(page->isArmed());
-    QTest::qWait(700);
+    QVERIFY(m_rig->boardGoesOn(0.7));
     QVERIFY(std::abs(target(Axis::Yaw) - before) < 1.5);
     QTest::mouseClick(page->armButton(), Qt::LeftButton);
     QVERIFY(!page->isArmed());
@@ -319,9 +340,9 @@ void TestMotion::padSteersAndSpringsBack()
     QTRY_VERIFY_WITH_TIMEOUT(target(Axis::Pitch) > before + 4.0, 5000);
     QTest::mouseRelease(page->pad(), Qt::LeftButton, {}, middle - QPoint(0, page->pad()->height() / 4));
     QCOMPARE(page->pad()->value(), QPointF());
-    QTest::qWait(300);
+    QVERIFY(m_rig->boardGoesOn(0.3));
     const double stopped = target(Axis::Pitch);
-    QTest::qWait(600);
+    QVERIFY(m_rig->boardGoesOn(0.6));
     QVERIFY2(std::abs(target(Axis::Pitch) - stopped) < 0.3, "it stands where it was let go");
 }
 
@@ -329,9 +350,9 @@ void TestMotion::angleModeGoesThere()
 {
     ControlPage *page = control();
     QVERIFY(page);
-    const int index = page->modeBox()->findText(u"Angle"_s);
+    const int index = named<QComboBox>(page, u"Mode of control"_s)->findText(u"Angle"_s);
     QVERIFY(index >= 0);
-    page->modeBox()->setCurrentIndex(index);
+    named<QComboBox>(page, u"Mode of control"_s)->setCurrentIndex(index);
     page->setArmed(true);
     auto boxes = page->findChildren<QDoubleSpinBox *>();
     QCOMPARE(boxes.size(), 3);
@@ -356,16 +377,15 @@ void TestMotion::everyModeIsOffered()
 {
     ControlPage *page = control();
     QVERIFY(page);
-    int usable = 0;
-    for (const ControlMode &mode : m_rig->client().device()->controlModes())
-        usable += mode.usesSpeed || mode.usesAngle;
-    QCOMPARE(page->modeBox()->count(), usable);
+    const int usable = int(m_rig->client().device()->steering()->modes().size());
+    QVERIFY(usable >= 5);
+    QCOMPARE(named<QComboBox>(page, u"Mode of control"_s)->count(), usable);
     for (int i = 0; i < usable; ++i) {
-        page->modeBox()->setCurrentIndex(i);
+        named<QComboBox>(page, u"Mode of control"_s)->setCurrentIndex(i);
         QVERIFY(!page->isArmed());
         page->setArmed(true);
         QVERIFY(page->isArmed());
-        QCOMPARE(page->setpoint()[0].mode, page->modeBox()->currentData().toInt());
+        QCOMPARE(page->setpoint().mode, named<QComboBox>(page, u"Mode of control"_s)->currentData().toInt());
         page->setArmed(false);
     }
 }
@@ -403,7 +423,7 @@ void TestMotion::blockedScreenStopsTheBoard()
     ControlPage *page = control();
     QVERIFY(page);
     page->setArmed(true);
-    QSignalSpy rescued(&m_rig->client(), &DeviceClient::controlRescued);
+    QSignalSpy rescued(&m_rig->client(), &DeviceClient::failsafeActed);
     const QPoint middle = page->pad()->rect().center();
     QTest::mousePress(page->pad(), Qt::LeftButton, {}, middle + QPoint(page->pad()->width() / 3, 0));
     const double before = target(Axis::Yaw);
@@ -411,9 +431,9 @@ void TestMotion::blockedScreenStopsTheBoard()
     // The screen's thread hangs. The I/O thread goes on: it stops the board and lets go; telemetry goes on
     // arriving.
     const double atBlock = target(Axis::Yaw);
-    QThread::msleep(500);
+    QVERIFY(boardGoesOnWhileBlocked(m_rig->client(), 0.5));
     const double half = target(Axis::Yaw);
-    QThread::msleep(1000);
+    QVERIFY(boardGoesOnWhileBlocked(m_rig->client(), 1.0));
     const double end = target(Axis::Yaw);
     QVERIFY2(std::abs(half - atBlock) < 20 * 0.5, "less than it would have moved");
     // Follow mode may draw it back slowly, but nobody steers any more.

@@ -4,17 +4,23 @@
 #include "app/mainwindow/linkbar.h"
 #include "app/mainwindow/navigation.h"
 #include "app/mainwindow/startpage.h"
-#include "app/pages/actionspage.h"
-#include "app/pages/backupspage.h"
-#include "app/pages/consolepage.h"
-#include "app/pages/debugpage.h"
-#include "app/pages/helppage.h"
-#include "app/pages/monitorpage.h"
-#include "app/pages/parameterspage.h"
-#include "app/pages/profilespage.h"
-#include "app/pages/settingspage.h"
-#include "app/pages/tuningpage.h"
-#include "app/pages/variablespage.h"
+#include "app/pages/board/actionspage.h"
+#include "app/pages/board/backupspage.h"
+#include "app/pages/board/consolepage.h"
+#include "app/pages/program/helppage.h"
+#include "app/pages/program/settingspage.h"
+#include "app/pages/setup/parameterspage.h"
+#include "app/pages/setup/profilespage.h"
+#include "app/pages/tune/tuningpage.h"
+#include "app/pages/tune/variablespage.h"
+#include "app/pages/watch/debugpage.h"
+#include "app/pages/watch/monitorpage.h"
+#include "protocol/device/abilities.h"
+#include "protocol/session/linkstatistics.h"
+#include "protocol/telemetry/streams.h"
+#include "protocol/telemetry/telemetryplan.h"
+#include "protocol/telemetry/telemetrystore.h"
+#include "tests/support/named.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/argumentform.h"
@@ -29,6 +35,7 @@
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QJsonArray>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -94,7 +101,7 @@ private:
         std::optional<double> value;
         m_rig->client()
             .submit<std::vector<AdjustableValue>>([variable](Channel &channel, Device &device) {
-                return device.readAdjustables(channel, {variable});
+                return device.live()->readAdjustables(channel, {variable});
             })
             .then(this, [&value](const Result<std::vector<AdjustableValue>> &read) {
                 value = read ? read->front().value : std::nan("");
@@ -149,8 +156,9 @@ void TestPages::profileRenamedCopiedAndWritten()
     QVERIFY(window().navigation()->isMarked(u"profiles"_s));
 
     page->table()->selectRow(0);
-    page->targetBox()->setCurrentIndex(page->targetBox()->findData(1));
-    QTest::mouseClick(page->copyButton(), Qt::LeftButton);
+    named<QComboBox>(page, u"Profile to copy onto"_s)
+        ->setCurrentIndex(named<QComboBox>(page, u"Profile to copy onto"_s)->findData(1));
+    QTest::mouseClick(named<QPushButton>(page, u"Copy onto"_s), Qt::LeftButton);
     const ParameterSpec &p = m_rig->spec(u"pid.roll.p"_s);
     QCOMPARE(m_rig->model().value(p, 1), 61);
     // One step back takes the whole copy away.
@@ -207,9 +215,9 @@ void TestPages::profileMadeActive()
     QVERIFY(m_rig->open());
     auto *page = m_rig->page<ProfilesPage>();
     page->table()->selectRow(2);
-    QTest::mouseClick(page->activeButton(), Qt::LeftButton);
+    QTest::mouseClick(named<QPushButton>(page, u"Make active"_s), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(std::as_const(m_rig->model()).board().activeProfile(), 2, 5000);
-    QVERIFY(!page->activeButton()->isEnabled());
+    QVERIFY(!named<QPushButton>(page, u"Make active"_s)->isEnabled());
 }
 
 void TestPages::damagedFileIsExplained()
@@ -263,10 +271,10 @@ void TestPages::savedValuesStay()
     const ParameterSpec &i = m_rig->spec(u"pid.pitch.i"_s);
     page->live().setValue(i.id, 44);
     QTRY_VERIFY(page->live().isSettled());
-    QTest::mouseClick(page->saveButton(), Qt::LeftButton);
+    QTest::mouseClick(named<QPushButton>(page, u"Save"_s), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(m_rig->raw(u"pid.pitch.i"_s), 44, 10000);
     QTRY_VERIFY(!page->hasChanges());
-    QVERIFY(!page->saveButton()->isEnabled());
+    QVERIFY(!named<QPushButton>(page, u"Save"_s)->isEnabled());
     // The way back was kept.
     QVERIFY(
         !workspace().history().snapshots(std::as_const(m_rig->model()).board().identity().serial).isEmpty());
@@ -335,7 +343,7 @@ void TestPages::unplugWhileTuning()
     workspace().changeWorld(u"replug=1"_s);
     workspace().changeWorld(u"unplug=0"_s);
     QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Reconnecting, 5000);
-    QVERIFY(!page->saveButton()->isEnabled());
+    QVERIFY(!named<QPushButton>(page, u"Save"_s)->isEnabled());
     QSignalSpy read(&workspace(), &Workspace::boardRead);
     QTRY_COMPARE_WITH_TIMEOUT(read.count(), 1, 15000);
     // The board was not restarted: it still uses the value, and the page says that it is not stored.
@@ -529,7 +537,7 @@ void TestPages::consoleGuardsDangerousCommands()
     page->send();
     QVERIFY(window().messageBar()->text().contains(u"not sent"_s));
     QVERIFY(workspace().history().snapshots(serial).isEmpty());
-    page->allowBox()->setChecked(true);
+    named<QCheckBox>(page, u"Allow commands that change something"_s)->setChecked(true);
     page->input()->setText(u"SAVE_PARAMS_3"_s);
     page->send();
     QTRY_COMPARE_WITH_TIMEOUT(workspace().history().snapshots(serial).size(), 1, 10000);
@@ -542,15 +550,15 @@ void TestPages::backupComparedAndRestored()
     QCOMPARE(page->table()->rowCount(), 0);
     QTest::mouseClick(page->takeButton(), Qt::LeftButton);
     QTRY_COMPARE(page->table()->rowCount(), 1);
-    const int before = m_rig->raw(u"pid.roll.p"_s);
+    const double before = m_rig->raw(u"pid.roll.p"_s);
     m_rig->edit(u"pid.roll.p"_s, 0, before + 30);
     QVERIFY(write());
     QTRY_COMPARE(page->table()->rowCount(), 2);  // the automatic one
     page->table()->selectRow(1);
-    QVERIFY(page->restoreButton()->isEnabled());
-    QTest::mouseClick(page->restoreButton(), Qt::LeftButton);
+    QVERIFY(named<QPushButton>(page, u"Restore as edits"_s)->isEnabled());
+    QTest::mouseClick(named<QPushButton>(page, u"Restore as edits"_s), Qt::LeftButton);
     QCOMPARE(m_rig->model().changeCount(), 1);
-    QVERIFY(!page->restoreButton()->isEnabled());
+    QVERIFY(!named<QPushButton>(page, u"Restore as edits"_s)->isEnabled());
     QVERIFY(write());
     QVERIFY(readAgain());
     QCOMPARE(m_rig->raw(u"pid.roll.p"_s), before);
@@ -561,7 +569,7 @@ void TestPages::monitorZoomsMovesAndExports()
     QVERIFY(m_rig->open());
     auto *page = m_rig->page<MonitorPage>();
     QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().telemetryPlan().rate == 1250.0, 5000);
-    QTest::qWait(1500);
+    QVERIFY(m_rig->boardGoesOn(1.5));
     PlotView *plot = page->plots().first();
     plot->setFocus();
     QTest::keyClick(plot, Qt::Key_Space);
@@ -609,8 +617,12 @@ void TestPages::crashLosesNoEdit()
     m_rig->edit(u"pid.roll.p"_s, 2, 5);
     workspace().edits().undoStack().undo();
     const QString serial = std::as_const(m_rig->model()).board().identity().serial;
-    QTRY_VERIFY(workspace().history().unsaved(serial).has_value());
-    QTest::qWait(400);  // the journal follows the last step
+    // The journal follows the last step, which was taken back.
+    const auto written = [this, &serial] {
+        const auto unsaved = workspace().history().unsaved(serial).value_or(QJsonObject());
+        return unsaved.value(u"steps"_s).toArray().size() == 4 && unsaved.value(u"done"_s).toInt() == 3;
+    };
+    QTRY_VERIFY(written());
     m_rig->crash();
     m_rig->restart();
     QVERIFY(m_rig->open());
@@ -643,7 +655,7 @@ void TestPages::leftoverCanBeThrownAway()
     m_rig->restart();
     // The first card offers them without a board as well.
     QVERIFY(!workspace().history().unsavedBases().isEmpty());
-    QVERIFY(window().startPage()->findChildren<QPushButton *>().size() > 3);
+    QVERIFY(window().findChild<StartPage *>()->findChildren<QPushButton *>().size() > 3);
     QVERIFY(m_rig->open());
     QTRY_VERIFY(window().offerBar()->isVisible());
     QTest::mouseClick(window().offerBar()->buttons().at(1), Qt::LeftButton);
@@ -676,10 +688,10 @@ void TestPages::offlineEditingOfASnapshot()
     workspace().takeSnapshot();
     const QString serial = std::as_const(m_rig->model()).board().identity().serial;
     const QString path = workspace().history().snapshots(serial).first();
-    QTest::mouseClick(window().linkBar()->connectButton(), Qt::LeftButton);
+    QTest::mouseClick(window().findChild<LinkBar *>()->connectButton(), Qt::LeftButton);
     QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
     m_rig->restart();
-    QVERIFY(window().startPage()->isVisible());
+    QVERIFY(window().findChild<StartPage *>()->isVisible());
     window().openFile(path);
     QCOMPARE(workspace().offlineFile(), path);
     auto *parameters = m_rig->page<ParametersPage>();
@@ -688,7 +700,7 @@ void TestPages::offlineEditingOfASnapshot()
     m_rig->edit(u"pid.roll.p"_s, 0, 88);
     QTRY_VERIFY(window().unsavedBar()->isVisible());
     QVERIFY(!window().unsavedBar()->writeButton()->isEnabled());
-    QVERIFY(window().unsavedBar()->saveFileButton()->isVisible());
+    QVERIFY(named<QPushButton>(window().unsavedBar(), u"Save to file…"_s)->isVisible());
     const QString copy = m_rig->filePath(u"edited.json"_s);
     QVERIFY(workspace().saveFile(copy));
     QCOMPARE(workspace().loadFile(copy)->configuration.raw(m_rig->spec(u"pid.roll.p"_s), 0), 88);
@@ -777,7 +789,7 @@ void TestPages::escTappedDoesNot()
     QSignalSpy off(&m_rig->client(), &DeviceClient::motorsOffFinished);
     QTest::keyPress(&window(), Qt::Key_Escape);
     QTest::keyRelease(&window(), Qt::Key_Escape);
-    QTest::qWait(m_rig->settings().escapeHoldMs() + 300);
+    QVERIFY(m_rig->boardGoesOn(m_rig->settings().escapeHoldMs() / 1000.0 + 0.3));
     QCOMPARE(off.count(), 0);
     QCOMPARE(workspace().motorsRunning(), std::optional(true));
 }
@@ -816,7 +828,7 @@ void TestPages::helpForEveryPage()
         auto *help = static_cast<HelpPage *>(window().page(u"help"_s));
         QTRY_VERIFY(help->isVisible());
         QCOMPARE(help->topic(), key);
-        QVERIFY2(help->browser()->toPlainText().size() > 80, entry.key);
+        QVERIFY2(named<QTextBrowser>(help, u"Help text"_s)->toPlainText().size() > 80, entry.key);
     }
     QVERIFY(seen > 14);
 }
@@ -826,8 +838,8 @@ void TestPages::helpIsSearchable()
     auto *help = m_rig->page<HelpPage>();
     help->search()->setText(u"order does not matter"_s);
     int visible = 0;
-    for (int i = 0; i < help->topics()->count(); ++i)
-        visible += !help->topics()->item(i)->isHidden();
+    for (int i = 0; i < named<QListWidget>(help, u"Topics"_s)->count(); ++i)
+        visible += !named<QListWidget>(help, u"Topics"_s)->item(i)->isHidden();
     QCOMPARE(visible, 1);
     QCOMPARE(help->topic(), u"calibration"_s);
 }

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/navigation.h"
-#include "app/pages/backupspage.h"
-#include "app/pages/consolepage.h"
-#include "app/pages/gaincard.h"
-#include "app/pages/parameterspage.h"
-#include "app/pages/scriptspage.h"
-#include "app/pages/sharedialog.h"
-#include "app/pages/spectrumpage.h"
-#include "app/pages/tuningpage.h"
+#include "app/pages/board/backupspage.h"
+#include "app/pages/board/consolepage.h"
+#include "app/pages/board/sharedialog.h"
+#include "app/pages/setup/parameterspage.h"
+#include "app/pages/setup/scriptspage.h"
+#include "app/pages/tune/gaincard.h"
+#include "app/pages/tune/spectrumpage.h"
+#include "app/pages/tune/tuningpage.h"
+#include "tests/support/named.h"
 #include "tests/support/stormwindow.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/valueeditor.h"
@@ -19,6 +20,7 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -101,7 +103,7 @@ void TestStorm::slidersSetThreeGains()
 void TestStorm::unstoredValuesStayInSight()
 {
     QVERIFY(openStorm());
-    UnstoredBar *bar = m_rig->window().unstoredBar();
+    UnstoredBar *bar = m_rig->window().findChild<UnstoredBar *>();
     QVERIFY(!bar->isVisible());
     auto *page = m_rig->page<TuningPage>();
     QTRY_VERIFY(page->live().value(m_rig->spec(u"pid.yaw.p"_s).id));
@@ -172,7 +174,7 @@ void TestStorm::scriptIsTypedTakenOverAndWritten()
     QVERIFY(openStorm());
     auto *page = m_rig->page<ScriptsPage>();
     QTRY_VERIFY(page->editor()->isEnabled());
-    QCOMPARE(page->scriptList()->count(), 4);
+    QCOMPARE(named<QListWidget>(page, u"Scripts"_s)->count(), 4);
     page->editor()->setFocus();
     QTest::keyClicks(page->editor(), u"WAIT 5"_s);
     QTest::keyClick(page->editor(), Qt::Key_Escape);  // completion
@@ -245,7 +247,8 @@ void TestStorm::spectrumOfPolledSamples()
         return page->bands()->item(2, 0)->text().section(u'–', 1).section(u' ', 0, 0).toDouble();
     };
     QTRY_VERIFY2(end() > 30 && end() < 60, qPrintable(page->bands()->item(2, 0)->text()));
-    QVERIFY(!page->notchButton()->isVisible());  // such a board has no filter to put there
+    QVERIFY(!named<QPushButton>(page, u"Put a notch here…"_s)
+                 ->isVisible());  // such a board has no filter to put there
 }
 
 void TestStorm::consoleLeavesPollingOut()
@@ -259,6 +262,7 @@ void TestStorm::consoleLeavesPollingOut()
             found += model.index(row, FrameLogModel::NameColumn).data().toString() == name ? 1 : 0;
         return found;
     };
+    QTRY_VERIFY(!m_rig->client().isBusy());  // the values in use are asked for one by one
     model.clear();
     page->input()->setText(u"getparameter index=0"_s);
     page->send();
@@ -283,7 +287,8 @@ void TestStorm::snapshotsShowWhatDiffers()
                            [&words](QLabel *label) { return label->text().startsWith(words); });
     };
     QTRY_VERIFY(says(u"All values are the same."_s));
-    QVERIFY(!page->restoreButton()->isEnabled());  // this board's one profile has no name that could differ
+    QVERIFY(!named<QPushButton>(page, u"Restore as edits"_s)
+                 ->isEnabled());  // this board's one profile has no name that could differ
     m_rig->edit(u"pid.roll.p"_s, 0, 555);
     workspace().perform(u"directions.take"_s, {});
     m_rig->page<ParametersPage>();

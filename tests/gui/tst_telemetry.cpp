@@ -1,12 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/pages/monitorpage.h"
-#include "app/pages/responsepage.h"
-#include "app/pages/spectrumpage.h"
-#include "app/pages/streamsdialog.h"
+#include "app/pages/tune/responsepage.h"
+#include "app/pages/tune/spectrumpage.h"
+#include "app/pages/watch/monitorpage.h"
+#include "app/pages/watch/streamsdialog.h"
+#include "protocol/client/replaycontrol.h"
+#include "protocol/device/steering.h"
+#include "protocol/telemetry/telemetryplan.h"
+#include "protocol/transport/replay.h"
 #include "tests/support/loopmath.h"
+#include "tests/support/named.h"
 #include "tests/support/windowrig.h"
 #include "widgets/models/parametermodel.h"
+#include "widgets/plot/curvechart.h"
 #include "widgets/plot/spanstatistics.h"
 #include "widgets/plot/waterfallview.h"
 
@@ -260,13 +266,13 @@ void TestTelemetry::layoutsAreKeptByName()
     QCOMPARE(page->plots().size(), 3);
     QCOMPARE(plot(2)->curves().size(), 2);
     QCOMPARE(page->window(), 30.0);
-    emit page->layoutMenu()->aboutToShow();
-    const auto named = [page](const QString &name) {
-        const QList<QAction *> actions = page->layoutMenu()->actions();
+    emit named<QPushButton>(page, u"Layout"_s)->menu()->aboutToShow();
+    const auto isOffered = [page](const QString &name) {
+        const QList<QAction *> actions = named<QPushButton>(page, u"Layout"_s)->menu()->actions();
         return std::any_of(actions.begin(), actions.end(),
                            [&](QAction *action) { return action->text() == name; });
     };
-    QVERIFY(named(u"Power / battery"_s));
+    QVERIFY(isOffered(u"Power / battery"_s));
     // The last arrangement and the kept one are there after a restart.
     m_rig->restart();
     QVERIFY(m_rig->open());
@@ -313,14 +319,14 @@ void TestTelemetry::streamsByHand()
     auto *dialog = page->findChild<StreamsDialog *>();
     QVERIFY(dialog);
     dialog->byHand()->setChecked(true);
-    QVERIFY(!dialog->applyButton()->isEnabled());  // nothing is chosen
+    QVERIFY(!named<QPushButton>(dialog, u"Use"_s)->isEnabled());  // nothing is chosen
     dialog->check(u"realtime4"_s)->setChecked(true);
     dialog->rate(u"realtime4"_s)->setValue(200);
     dialog->check(u"custom"_s)->setChecked(true);
     dialog->rate(u"custom"_s)->setValue(500);
-    QVERIFY(dialog->applyButton()->isEnabled());
+    QVERIFY(named<QPushButton>(dialog, u"Use"_s)->isEnabled());
     QVERIFY2(dialog->verdict()->text().contains(u"%"_s), qPrintable(dialog->verdict()->text()));
-    QTest::mouseClick(dialog->applyButton(), Qt::LeftButton);
+    QTest::mouseClick(named<QPushButton>(dialog, u"Use"_s), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().telemetryPlan().rate, 500.0, 5000);
     QCOMPARE(m_rig->client().telemetryPlan().budget.streams.size(), std::size_t(2));
     QTRY_VERIFY_WITH_TIMEOUT(
@@ -344,10 +350,10 @@ void TestTelemetry::streamsThatDoNotFitAreNotOffered()
     dialog->byHand()->setChecked(true);
     dialog->check(u"realtime4"_s)->setChecked(true);
     dialog->rate(u"realtime4"_s)->setValue(200);
-    QVERIFY(!dialog->applyButton()->isEnabled());
+    QVERIFY(!named<QPushButton>(dialog, u"Use"_s)->isEnabled());
     QVERIFY2(dialog->verdict()->text().contains(u"11520"_s), qPrintable(dialog->verdict()->text()));
     dialog->rate(u"realtime4"_s)->setValue(0);  // as fast as possible always fits
-    QVERIFY(dialog->applyButton()->isEnabled());
+    QVERIFY(named<QPushButton>(dialog, u"Use"_s)->isEnabled());
     dialog->reject();
     // The same by code: told with numbers, and what ran goes on.
     QSignalSpy told(&m_rig->workspace(), &Workspace::problem);
@@ -366,21 +372,21 @@ void TestTelemetry::heldSpanIsMeasuredOnTheSpectrum()
     monitor->stack()->setSeconds(3);
     monitor->pauseButton()->setChecked(true);
     auto *page = m_rig->page<SpectrumPage>();
-    QCOMPARE(page->spanChoice()->count(), 5);
-    page->spanChoice()->setCurrentIndex(4);
-    emit page->spanChoice()->activated(4);
+    QCOMPARE(named<QComboBox>(page, u"Span"_s)->count(), 5);
+    named<QComboBox>(page, u"Span"_s)->setCurrentIndex(4);
+    emit named<QComboBox>(page, u"Span"_s)->activated(4);
     QCOMPARE(page->chart()->curveCount(), 3);
     // Compared with another span, the earlier lines stay, faint.
-    QTest::mouseClick(page->compareButton(), Qt::LeftButton);
-    page->spanChoice()->setCurrentIndex(0);
-    emit page->spanChoice()->activated(0);
+    QTest::mouseClick(named<QPushButton>(page, u"Compare"_s), Qt::LeftButton);
+    named<QComboBox>(page, u"Span"_s)->setCurrentIndex(0);
+    emit named<QComboBox>(page, u"Span"_s)->activated(0);
     QCOMPARE(page->chart()->curveCount(), 6);
     QVERIFY(page->chart()->curves().first().strength < 1.0);
     QVERIFY(page->bands()->item(1, 1)->text().contains(u'%'));
     // Running again, there is no such span.
     m_rig->page<MonitorPage>()->pauseButton()->setChecked(false);
     m_rig->page<SpectrumPage>();
-    QCOMPARE(page->spanChoice()->count(), 4);
+    QCOMPARE(named<QComboBox>(page, u"Span"_s)->count(), 4);
     // The other ways to draw it.
     for (QAction *action : page->viewMenu()->actions()) {
         if (action->isCheckable() && !action->text().startsWith(u"Waterfall"_s))
@@ -426,7 +432,7 @@ void TestTelemetry::stepTestFindsWhatThePlantDoes()
     QVERIFY(m_rig->open());
     auto *page = m_rig->page<ResponsePage>();
     waitForMotors();
-    page->axisChoice()->setCurrentIndex(2);  // yaw has nothing that pulls it
+    named<QComboBox>(page, u"Axis"_s)->setCurrentIndex(2);  // yaw has nothing that pulls it
     QVERIFY(!page->startButton()->isEnabled());
     QTest::mouseClick(page->armButton(), Qt::LeftButton);
     QVERIFY(page->startButton()->isEnabled());
@@ -456,10 +462,10 @@ void TestTelemetry::stepTestFindsWhatThePlantDoes()
     QTest::mouseClick(page->armButton(), Qt::LeftButton);
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(page->records().size(), std::size_t(2), 20000);
-    const auto curves = page->stepChart()->curves().size();
+    const auto curves = named<CurveChart>(page, u"Step response"_s)->curves().size();
     auto *model = static_cast<QStandardItemModel *>(page->table()->model());
     model->item(1, 0)->setCheckState(Qt::Unchecked);
-    QCOMPARE(page->stepChart()->curves().size(), curves - 1);
+    QCOMPARE(named<CurveChart>(page, u"Step response"_s)->curves().size(), curves - 1);
     // The events stand in the plots.
     QVERIFY(m_rig->workspace().marks().all().size() >= 4);
 }
@@ -470,28 +476,27 @@ void TestTelemetry::ownMotionIsMeasured()
     auto *page = m_rig->page<ResponsePage>();
     waitForMotors();
     page->wayChoice()->setCurrentIndex(2);
-    page->axisChoice()->setCurrentIndex(2);
+    named<QComboBox>(page, u"Axis"_s)->setCurrentIndex(2);
     // Nothing was steered: nothing can be told, and that is said.
     waitForSamples(9000);
-    page->secondsField()->setValue(6);
+    named<QDoubleSpinBox>(page, u"Duration"_s)->setValue(6);
     QSignalSpy told(&m_rig->workspace(), &Workspace::problem);
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
     QCOMPARE(told.count(), 1);
     QVERIFY(page->records().empty());
     // The operator sways the camera, as a hand controller would.
-    const auto modes = m_rig->client().device()->controlModes();
-    const auto mode = std::find_if(modes.begin(), modes.end(),
-                                   [](const ControlMode &each) { return each.usesAngle && each.usesSpeed; });
+    const auto modes = m_rig->client().device()->steering()->modes();
+    const auto mode = std::find_if(modes.begin(), modes.end(), [](const SteeringMode &each) {
+        return each.isPositional() && each.find("speed") >= 0;
+    });
     QTimer hand;
     QElapsedTimer clock;
     connect(&hand, &QTimer::timeout, this, [&] {
         // From 1 to 7 Hz in three seconds, over and over: whatever six seconds are measured, all of it is in
         // them.
         const double t = std::fmod(double(clock.elapsed()) / 1000.0, 3.0);
-        ControlSetpoint setpoint{};
-        for (AxisSetpoint &axis : setpoint)
-            axis = {mode->id, 1000, 0};
-        setpoint[2].angle = 3.0 * std::sin(2.0 * std::numbers::pi * (1.0 + t) * t);
+        SteeringSetpoint setpoint{mode->id, {0, 0, 0, 1000}, {}};
+        setpoint.inputs[2] = 3.0 * std::sin(2.0 * std::numbers::pi * (1.0 + t) * t);
         m_rig->client().setControl(setpoint);
     });
     clock.start();
@@ -562,8 +567,8 @@ void TestTelemetry::divergenceSwitchesTheMotorsOff()
     auto *page = m_rig->page<ResponsePage>();
     waitForMotors();
     // A tight limit: the overshoot of a large step is beyond it.
-    page->degreesField()->setValue(10);
-    page->limitField()->setValue(0.5);
+    named<QDoubleSpinBox>(page, u"Movement"_s)->setValue(10);
+    named<QDoubleSpinBox>(page, u"Stop beyond"_s)->setValue(0.5);
     QSignalSpy told(&m_rig->workspace(), &Workspace::problem);
     QTest::mouseClick(page->armButton(), Qt::LeftButton);
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
@@ -606,7 +611,7 @@ void TestTelemetry::responsesAreExchangedAsText()
     QVERIFY(std::abs(record.closed.gainDb(bin)
                      + 10.0 * std::log10(1.0 + std::pow(2 * std::numbers::pi * hz * 0.05, 2)))
             < 0.7);
-    QVERIFY(!page->gainChart()->curves().isEmpty());
+    QVERIFY(!named<CurveChart>(page, u"Gain"_s)->curves().isEmpty());
     // Out and in again: the same.
     const QString copy = m_rig->filePath(u"copy.csv"_s);
     QVERIFY(page->exportCsv(copy));
@@ -640,27 +645,27 @@ void TestTelemetry::recordingIsPausedAndGoneThrough()
     QTRY_VERIFY(bar->isVisible());
     waitForSamples(500);
     QTest::mouseClick(bar->pauseButton(), Qt::LeftButton);
-    const auto state = [this] { return m_rig->client().statistics().replay.value_or(ReplayState()); };
+    const auto state = [this] { return m_rig->client().replay().state().value_or(ReplayState()); };
     QTRY_VERIFY(state().paused);
     const quint64 rows = m_rig->client().telemetry()->rows();
     const double position = state().position;
     const double length = state().length;
     QVERIFY(length > 8.0);
     // Forward: what lies between is there at once, although it is paused.
-    m_rig->client().seekReplay(position + 4.0);
+    m_rig->client().replay().seek(position + 4.0);
     QTRY_VERIFY(state().position >= position + 3.9);
     QTRY_VERIFY(m_rig->client().telemetry()->rows() > rows + 4500);
     QVERIFY(state().paused);
     QVERIFY(m_rig->client().telemetry()->lost() == 0);
     // Back: opened anew, with everything before that place, and still paused.
-    m_rig->client().seekReplay(position + 1.0);
+    m_rig->client().replay().seek(position + 1.0);
     QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && state().paused
                                  && std::abs(state().position - position - 1.0) < 0.3,
                              10000);
     QTRY_VERIFY(m_rig->client().telemetry()->rows() > 1000);
     QVERIFY(m_rig->client().telemetry()->rows() < rows + 3500);
     // Faster, to the end, which is told.
-    m_rig->client().setReplaySpeed(10);
+    m_rig->client().replay().setSpeed(10);
     QTest::mouseClick(bar->pauseButton(), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(state().hasEnded(), 10000);
     QTRY_VERIFY2(bar->text().contains(u"the end"_s), qPrintable(bar->text()));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/mainwindow/tour.h"
+#include "app/tour/tour.h"
 #include "tests/support/windowrig.h"
 
 #include <QImage>

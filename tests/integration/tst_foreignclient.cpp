@@ -182,10 +182,14 @@ void TestForeignClient::connectsReadsWritesStreamsAndMoves()
     // CONTROL, 13-byte form: mode 2, yaw -45° at 30 °/s.
     client.send(QByteArray::fromHex("3E430D500200000000F6008E03F60000F877"));
     QVERIFY(!client.reply(67).isEmpty());
-    QTest::qWait(2500);
-    client.command(73);
-    const QByteArray angles = client.reply(73);
-    QCOMPARE(angles.size(), 18);
+    QByteArray angles;
+    const auto isThere = [&] {
+        client.command(73);
+        angles = client.reply(73);
+        return angles.size() == 18 && std::abs(word(angles, 12) * 0.02197265625 + 45.0) < 1.0
+            && std::abs(word(angles, 6) * 0.02197265625 - 20.0) < 1.0;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isThere(), 10000);
     const double yaw = word(angles, 12) * 0.02197265625;
     QVERIFY2(std::abs(yaw + 45.0) < 3.0, qPrintable(QString::number(yaw)));
     const double pitch = word(angles, 6) * 0.02197265625;

@@ -1,9 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/composition/composition.h"
-#include "protocol/device/deviceclient.h"
+#include "protocol/client/deviceclient.h"
+#include "protocol/device/abilities.h"
 #include "protocol/procedure/writeconfiguration.h"
-#include "protocol/simplebgc/sbgcdevice.h"
+#include "protocol/session/linkstatistics.h"
+#include "protocol/simplebgc/device.h"
+#include "protocol/telemetry/streams.h"
+#include "protocol/telemetry/telemetryplan.h"
+#include "protocol/telemetry/telemetrystore.h"
+#include "protocol/transport/systemtransport.h"
+#include "tests/support/boardtime.h"
 #include "tests/support/simprocess.h"
 
 #include <QElapsedTimer>
@@ -11,7 +18,6 @@
 #include <QTcpServer>
 #include <QTcpSocket>
 #include <QTemporaryDir>
-#include <QUdpSocket>
 
 #include <algorithm>
 #include <atomic>
@@ -95,7 +101,7 @@ private:
         m_port = server.serverPort();
         std::unique_ptr<QTcpSocket> client;
         QTcpSocket board;
-        const auto framer = SbgcDevice().makeFramer();
+        const auto framer = sbgcFamily().makeFramer();
         const FrameSink sink = [this](const FrameView &frame) {
             const std::lock_guard lock(m_mutex);
             m_seen[frame.id] = Clock::now();
@@ -169,7 +175,6 @@ private slots:
     void submittingWithoutABoardFails();
     void foreignProtocolIsNamed();
     void portInUseIsToldAsBusy();
-    void udpCarriesDatagrams();
 };
 
 void TestLinks::serialPortOverPseudoTerminal()
@@ -203,12 +208,14 @@ void TestLinks::serialPortOverPseudoTerminal()
     QCOMPARE(*again->raw(*again->parameters().find(u"pid.roll.p"_s), 0), 61);
 
     // Full rate over the pseudo-terminal, nothing lost.
-    const ChannelRoles roles = second->device()->roles();
-    second->setTelemetry({QList<int>(roles.angle.begin(), roles.angle.end()), 0});
+    const ChannelRoles roles = second->roles();
+    second->subscribe({QList<int>(roles.angle.begin(), roles.angle.end()), 0});
     QTRY_VERIFY_WITH_TIMEOUT(second->telemetryPlan().rate == 1250.0, 5000);
     const quint64 before = second->telemetry()->rows();
-    QTest::qWait(2000);
-    QVERIFY(second->telemetry()->rows() - before > 2000);
+    QElapsedTimer timer;
+    timer.start();
+    QTRY_VERIFY_WITH_TIMEOUT(second->telemetry()->rows() - before > 2000, 20000);
+    QVERIFY2(timer.elapsed() < 2000, qPrintable(QString::number(timer.elapsed())));
     QCOMPARE(second->telemetry()->lost(), quint64(0));
     second.reset();
     QCOMPARE(simulator.stop(), 0);
@@ -297,11 +304,11 @@ void TestLinks::faults()
     QCOMPARE(*configuration->raw(*configuration->parameters().find(u"pid.roll.p"_s), 0), 35);
     if (faultKey.isEmpty())
         return;
-    const ChannelRoles roles = client->device()->roles();
+    const ChannelRoles roles = client->roles();
     QTRY_VERIFY_WITH_TIMEOUT(client->telemetry()->latest(roles.faults) > 0, 5000);
     QStringList keys;
     for (const BoardFault &found :
-         client->device()->faults(unsigned(client->telemetry()->latest(roles.faults)), 0))
+         client->device()->faultWords()->faults(unsigned(client->telemetry()->latest(roles.faults)), 0))
         keys.append(found.key);
     QVERIFY(keys.contains(faultKey));
 }
@@ -315,7 +322,7 @@ void TestLinks::unplugAndReplugKeepsTheBoard()
     QSignalSpy lost(client.get(), &DeviceClient::connectionLost);
     QVERIFY(connectTo(*client, path));
     QVERIFY(wait(client->submit<bool>([](Channel &channel, Device &device) -> Result<bool> {
-        const auto done = device.writeProfileNames(channel, {u"Mine"_s, {}, {}, {}, {}});
+        const auto done = device.profiles()->writeProfileNames(channel, {u"Mine"_s, {}, {}, {}, {}});
         return done ? Result<bool>(true) : tl::unexpected(done.error());
     })));
     QTRY_COMPARE_WITH_TIMEOUT(lost.count(), 1, 10000);
@@ -376,23 +383,25 @@ void TestLinks::motorsOffIsFastWhileEverythingIsBusy()
     WireTap tap(portOf(simulator));
     auto client = makeClient();
     QVERIFY(connectTo(*client, tap.address()));
-    const ChannelRoles roles = client->device()->roles();
-    client->setTelemetry({QList<int>(roles.gyro.begin(), roles.gyro.end()), 0});
+    const ChannelRoles roles = client->roles();
+    client->subscribe({QList<int>(roles.gyro.begin(), roles.gyro.end()), 0});
     QTRY_VERIFY_WITH_TIMEOUT(client->telemetryPlan().rate > 0, 5000);
     // A long job runs: the whole board read over and over.
-    auto job = client->submit<int>([](Channel &channel, Device &device) -> Result<int> {
+    std::atomic<int> runs = 0;
+    auto job = client->submit<int>([&runs](Channel &channel, Device &device) -> Result<int> {
         for (int i = 0; i < 12; ++i) {
+            ++runs;
             if (const auto configuration = device.readConfiguration(channel); !configuration)
                 return tl::unexpected(configuration.error());
         }
         return 12;
     });
-    QTest::qWait(200);
-    // The screen thread is blocked for two seconds; another thread presses the button again and again.
+    QTRY_VERIFY(runs > 0);
+    // The screen thread is blocked meanwhile; another thread presses the button again and again.
     std::vector<double> latencies;
     std::thread button([&] {
         for (int i = 0; i < 20; ++i) {
-            std::this_thread::sleep_for(90ms);
+            boardGoesOnWhileBlocked(*client, 0.09);
             tap.forget(kMotorsOff);
             const TimePoint pressed = Clock::now();
             client->motorsOff();
@@ -402,8 +411,8 @@ void TestLinks::motorsOffIsFastWhileEverythingIsBusy()
             latencies.push_back(seen ? seconds(*seen - pressed) * 1000.0 : 1000.0);
         }
     });
-    std::this_thread::sleep_for(2s);  // this is the screen thread
-    button.join();
+    button.join();  // this is the screen thread
+    QCOMPARE(latencies.size(), std::size_t(20));
     std::sort(latencies.begin(), latencies.end());
     qInfo() << "motors off on the wire after" << latencies[latencies.size() / 2] << "ms (median),"
             << latencies.back() << "ms (worst) of" << latencies.size();
@@ -440,17 +449,22 @@ void TestLinks::deadManStopsWhenTheScreenIsBlocked()
     WireTap tap(portOf(simulator));
     auto client = makeClient();
     QVERIFY(connectTo(*client, tap.address()));
-    ControlSetpoint setpoint{};
-    setpoint[2] = {1, 30.0, 0.0};  // yaw, speed mode
-    for (int i = 0; i < 10; ++i) {
+    const SteeringSetpoint setpoint{1, {std::nan(""), std::nan(""), 30.0}, {}};  // yaw, speed mode
+    const ChannelRoles roles = client->roles();
+    client->subscribe({QList<int>(roles.gyro.begin(), roles.gyro.end()), 0});
+    QTRY_VERIFY_WITH_TIMEOUT(newestSample(*client) > 0.0, 5000);
+    const double begin = newestSample(*client);
+    const auto steered = [&] {
         client->setControl(setpoint);
-        QTest::qWait(50);
-    }
+        return newestSample(*client) > begin + 0.5;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(steered(), 10000);
     QVERIFY(tap.count(kControl) > 15);
-    QSignalSpy rescued(client.get(), &DeviceClient::controlRescued);
-    std::this_thread::sleep_for(800ms);  // the screen thread is blocked: nobody refreshes
+    QSignalSpy rescued(client.get(), &DeviceClient::failsafeActed);
+    // The screen thread is blocked: nobody refreshes.
+    QVERIFY(boardGoesOnWhileBlocked(*client, 0.8));
     const int after = tap.count(kControl);
-    std::this_thread::sleep_for(300ms);
+    QVERIFY(boardGoesOnWhileBlocked(*client, 0.3));
     QCOMPARE(tap.count(kControl), after);
     QTRY_VERIFY_WITH_TIMEOUT(rescued.count() == 1, 3000);
     // The board stands: its yaw target does not move any more.
@@ -461,7 +475,7 @@ void TestLinks::deadManStopsWhenTheScreenIsBlocked()
     const auto first = angles();
     QVERIFY(first);
     QVERIFY(first->value(u"target.yaw"_s).toDouble() > 5.0);
-    QTest::qWait(500);
+    QVERIFY(boardGoesOn(*client, 0.5));
     QVERIFY(std::abs(angles()->value(u"target.yaw"_s).toDouble() - first->value(u"target.yaw"_s).toDouble())
             < 0.1);
 }
@@ -476,25 +490,29 @@ void TestLinks::motorsOffCancelsAMovingJob()
             return device.perform(channel, u"autotune"_s, arguments);
         },
         DeviceClient::JobKind::Moving);
-    QTest::qWait(1500);
+    QSignalSpy progress(client.get(), &DeviceClient::progressChanged);
+    QTRY_VERIFY_WITH_TIMEOUT(progress.count() >= 3, 20000);
+    QVERIFY(!job.isFinished());
     client->motorsOff();
     const auto result = wait(job, 3000);
     QVERIFY(!result);
     QCOMPARE(result.error().code, ErrorCode::Cancelled);
-    const ChannelRoles roles = client->device()->roles();
-    QTRY_VERIFY_WITH_TIMEOUT(client->telemetry()->latest(roles.motorsOn) == 0.0F, 3000);
+    const ChannelRoles roles = client->roles();
+    QTRY_VERIFY_WITH_TIMEOUT(client->telemetry()->latest(roles.outputs) == 0.0F, 3000);
 }
 
 void TestLinks::cancelledJobsEndAtOnce()
 {
     auto client = makeClient();
     QVERIFY(connectTo(*client, u"sim:simplebgc?seed=22"_s));
-    auto running = client->submit<bool>([](Channel &channel, Device &) -> Result<bool> {
+    std::atomic<bool> begun = false;
+    auto running = client->submit<bool>([&begun](Channel &channel, Device &) -> Result<bool> {
+        begun = true;
         const auto slept = channel.sleep(60s);
         return slept ? Result<bool>(true) : tl::unexpected(slept.error());
     });
     auto waiting = client->submit<bool>([](Channel &, Device &) -> Result<bool> { return true; });
-    QTest::qWait(100);
+    QTRY_VERIFY(begun);
     QElapsedTimer timer;
     timer.start();
     client->cancelJobs();
@@ -509,11 +527,11 @@ void TestLinks::telemetryGoesOnWhileTheScreenIsBlocked()
     SimProcess simulator({u"--tcp"_s, u"0"_s});
     auto client = makeClient();
     QVERIFY(connectTo(*client, simulator.address()));
-    const ChannelRoles roles = client->device()->roles();
-    client->setTelemetry({{roles.gyro[0]}, 0});
+    const ChannelRoles roles = client->roles();
+    client->subscribe({{roles.gyro[0]}, 0});
     QTRY_VERIFY_WITH_TIMEOUT(client->telemetryPlan().rate == 1250.0, 5000);
     const quint64 before = client->telemetry()->rows();
-    std::this_thread::sleep_for(1500ms);
+    QVERIFY(boardGoesOnWhileBlocked(*client, 1.5));
     const quint64 rows = client->telemetry()->rows() - before;
     QVERIFY2(rows > 1600, qPrintable(QString::number(rows)));
     QCOMPARE(client->telemetry()->lost(), quint64(0));
@@ -563,36 +581,13 @@ void TestLinks::portInUseIsToldAsBusy()
     QVERIFY(read(*first));  // the one who has it is not disturbed
 }
 
-void TestLinks::udpCarriesDatagrams()
-{
-    QUdpSocket peer;
-    QVERIFY(peer.bind(QHostAddress::LocalHost, 0));
-    auto transport = makeSystemTransport(*LinkAddress::parse(u"udp://127.0.0.1:%1"_s.arg(peer.localPort())));
-    QVERIFY(transport);
-    QByteArray received;
-    connect(transport->get(), &Transport::received, this,
-            [&received](QByteArrayView bytes, TimePoint) { received += bytes.toByteArray(); });
-    QSignalSpy opened(transport->get(), &Transport::opened);
-    (*transport)->open();
-    QTRY_COMPARE(opened.count(), 1);
-    (*transport)->write("ping");
-    QTRY_VERIFY(peer.hasPendingDatagrams());
-    QByteArray datagram(64, '\0');
-    QHostAddress from;
-    quint16 port = 0;
-    datagram.resize(peer.readDatagram(datagram.data(), datagram.size(), &from, &port));
-    QCOMPARE(datagram, QByteArray("ping"));
-    peer.writeDatagram("pong", from, port);
-    QTRY_COMPARE(received, QByteArray("pong"));
-}
-
 void TestLinks::theWorldChangesOnStandardInput()
 {
     SimProcess simulator({u"--tcp"_s, u"0"_s});
     const auto client = makeClient();
     QVERIFY(connectTo(*client, simulator.address()));
-    const ChannelRoles roles = client->device()->roles();
-    client->setTelemetry({QList<int>(roles.acc.begin(), roles.acc.end()), 0});
+    const ChannelRoles roles = client->roles();
+    client->subscribe({QList<int>(roles.acc.begin(), roles.acc.end()), 0});
     const auto acc = [&](int axis) { return client->telemetry()->latest(roles.acc[std::size_t(axis)]); };
     QTRY_VERIFY_WITH_TIMEOUT(acc(2) > 0.9F, 5000);
     simulator.process().write("pose=4\nnonsense\n");  // X down; the second line is refused and does no harm
@@ -602,7 +597,7 @@ void TestLinks::theWorldChangesOnStandardInput()
         = [&] { return (said += simulator.process().readAllStandardError()).contains("nonsense"); };
     QTRY_VERIFY_WITH_TIMEOUT(complains(), 2000);
     simulator.process().closeWriteChannel();
-    QTest::qWait(200);
+    QVERIFY(boardGoesOn(*client, 0.5));
     QCOMPARE(simulator.process().state(), QProcess::Running);  // the end of its input is not the end of it
 }
 

@@ -1,11 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/composition/composition.h"
-#include "protocol/device/deviceclient.h"
+#include "protocol/client/deviceclient.h"
+#include "protocol/device/abilities.h"
 #include "protocol/record/recorder.h"
 #include "protocol/record/replaystore.h"
 #include "protocol/record/replaytransport.h"
 #include "protocol/record/responsecsv.h"
+#include "protocol/session/linkstatistics.h"
+#include "protocol/telemetry/streams.h"
+#include "protocol/telemetry/telemetrystore.h"
 
 #include <QBuffer>
 #include <QSignalSpy>
@@ -320,9 +324,9 @@ void TestRecording::replayIsTheSameBoard()
         QTRY_VERIFY_WITH_TIMEOUT(configuration.isFinished(), 10000);
         original = *configuration.result();
         identity = client.identity();
-        const ChannelRoles roles = client.device()->roles();
+        const ChannelRoles roles = client.roles();
         wanted = QList<int>(roles.gyro.begin(), roles.gyro.end());
-        client.setTelemetry({wanted, 0});
+        client.subscribe({wanted, 0});
         QTRY_VERIFY_WITH_TIMEOUT(client.telemetry()->rows() > 1500, 10000);
         client.shutDown();
         rows = client.telemetry()->rows();
@@ -335,7 +339,7 @@ void TestRecording::replayIsTheSameBoard()
     const auto recording = Recording::load(file);
     QVERIFY(recording);
     const auto device = allFamilies().first().makeDevice();
-    const auto store = readTelemetry(*recording, *device);
+    const auto store = readTelemetry(*recording, allFamilies().first(), *device);
     QVERIFY2(store->rows() >= rows, qPrintable(u"%1 of %2"_s.arg(store->rows()).arg(rows)));
     QCOMPARE(store->lost(), quint64(0));
     QVERIFY(!store->tracks(wanted.first()).empty());
@@ -377,12 +381,12 @@ void TestRecording::replayFindsTheStreamThatRan()
         client.addListener(recorder);
         client.connectTo(*LinkAddress::parse(u"sim:simplebgc?seed=4"_s), u"simplebgc"_s);
         QTRY_VERIFY_WITH_TIMEOUT(client.isConnected(), 10000);
-        gyro = client.device()->roles().gyro[0];
-        angle = client.device()->roles().angle[0];
+        gyro = client.roles().gyro[0];
+        angle = client.roles().angle[0];
         for (const int channel : {gyro, angle}) {
             QSignalSpy planned(&client, &DeviceClient::telemetryPlanChanged);
             const quint64 rows = client.telemetry()->rows();
-            client.setTelemetry({{channel}, 0});
+            client.subscribe({{channel}, 0});
             QTRY_VERIFY_WITH_TIMEOUT(planned.count() > 0, 10000);
             QTRY_VERIFY_WITH_TIMEOUT(client.telemetry()->rows() > rows + 500, 10000);
         }
@@ -391,7 +395,7 @@ void TestRecording::replayFindsTheStreamThatRan()
     Recording recording;
     recording.pieces = recorder.after(0).first;
     const auto device = allFamilies().first().makeDevice();
-    const auto store = readTelemetry(recording, *device);
+    const auto store = readTelemetry(recording, allFamilies().first(), *device);
     const auto fastRows = [&store](int channel) {
         std::size_t rows = 0;
         for (TrackView track : store->tracks(channel)) {

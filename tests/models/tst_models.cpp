@@ -303,8 +303,8 @@ void TestModels::everyErrorHasWords()
 
 void TestModels::everyProgressHasWords()
 {
-    for (const char *step : {"probe", "read-block", "write-block", "verify-block", "roll-back", "calibrate",
-                             "autotune", "steer"}) {
+    for (const char *step : {"probe", "read-block", "write-block", "await-restart", "verify-block",
+                             "roll-back", "calibrate", "autotune", "steer"}) {
         Progress progress;
         progress.step = QLatin1String(step);
         progress.subject = u"PARAMS_3"_s;

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kRate = 1250.0;
 constexpr int kSeries = 6;
+// clang-format off
 constexpr std::array<ChannelSpec, kSeries> kChannels{{
     {"a", "a", "bench", "", 0, Axis::None, -1, 1},
     {"b", "b", "bench", "", 0, Axis::None, -1, 1},
@@ -25,6 +26,7 @@ constexpr std::array<ChannelSpec, kSeries> kChannels{{
     {"e", "e", "bench", "", 0, Axis::None, -1, 1},
     {"f", "f", "bench", "", 0, Axis::None, -1, 1},
 }};
+// clang-format on
 
 /// A plot and the board behind it.
 struct Rig

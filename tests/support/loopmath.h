@@ -3,7 +3,7 @@
 #pragma once
 
 #include "protocol/analysis/frequencyresponse.h"
-#include "protocol/simulator/stabilizer.h"
+#include "protocol/simulator/world/stabilizer.h"
 
 #include <cmath>
 #include <numbers>

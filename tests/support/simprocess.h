@@ -7,13 +7,14 @@
 
 #include <tuple>
 
-/// A running gimbalsim, ended by its process id.
+/// A running gimbalsim, or one of another composition, ended by its process id.
 class SimProcess
 {
 public:
-    explicit SimProcess(const QStringList &arguments, const QString &family = QStringLiteral("simplebgc"))
+    explicit SimProcess(const QStringList &arguments, const QString &family = QStringLiteral("simplebgc"),
+                        const QString &program = QStringLiteral("gimbalsim"))
     {
-        m_process.setProgram(QStringLiteral(GIMBAL_BIN_DIR "/gimbalsim"));
+        m_process.setProgram(QStringLiteral(GIMBAL_BIN_DIR "/") + program);
         m_process.setArguments(QStringList{QStringLiteral("--family"), family} + arguments);
         m_process.start();
         std::ignore = QTest::qWaitFor(

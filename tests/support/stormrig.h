@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/simulator/stormboard.h"
-#include "protocol/simulator/virtualchannel.h"
-#include "protocol/storm32/stormdevice.h"
+#include "protocol/simulator/link/virtualchannel.h"
+#include "protocol/simulator/storm32/board.h"
+#include "protocol/storm32/device.h"
 
 using namespace Qt::StringLiterals;
 
@@ -22,7 +22,7 @@ struct StormRig
     explicit StormRig(const SimulatorOptions &o = stormOptions(96), std::optional<LineSettings> line = {})
         : options(o)
         , port(std::make_unique<StormBoard>(o), o, line)
-        , channel(port, device.makeFramer())
+        , channel(port, family.makeFramer(), family.timing)
     {
     }
     StormBoard &board() { return static_cast<StormBoard &>(port.board()); }
@@ -47,6 +47,7 @@ struct StormRig
     }
 
     SimulatorOptions options;
+    const Family family = stormFamily();
     StormDevice device;
     SimulatedPort port;
     VirtualChannel channel;

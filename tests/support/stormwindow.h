@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/device/abilities.h"
+#include "protocol/session/linkstatistics.h"
+#include "protocol/telemetry/streams.h"
+#include "protocol/telemetry/telemetrystore.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/reviewdialog.h"
 
@@ -25,8 +29,9 @@ protected:
     {
         std::optional<int> value;
         m_rig->client()
-            .submit<std::vector<AdjustableValue>>(
-                [word](Channel &channel, Device &device) { return device.readAdjustables(channel, {word}); })
+            .submit<std::vector<AdjustableValue>>([word](Channel &channel, Device &device) {
+                return device.live()->readAdjustables(channel, {word});
+            })
             .then(this, [&value](const Result<std::vector<AdjustableValue>> &read) {
                 value = read ? int(read->front().value) : -1;
             });

@@ -7,8 +7,8 @@
 #include "protocol/simplebgc/adjustables.h"
 #include "protocol/simplebgc/parametertables.h"
 #include "protocol/simplebgc/telemetrytables.h"
+#include "protocol/storm32/device.h"
 #include "protocol/storm32/parametertables.h"
-#include "protocol/storm32/stormdevice.h"
 #include "protocol/storm32/telemetrytables.h"
 #include "tests/support/virtualboard.h"
 
@@ -99,7 +99,7 @@ int main()
     if (!board.identify())
         return 1;
     texts.add(board.device.actions());
-    for (const ControlMode &mode : board.device.controlModes())
+    for (const SteeringMode &mode : board.device.modes())
         texts.add(mode.label);
     for (const char *axis : {"Roll", "Pitch", "Yaw"})
         texts.add(axis);
@@ -120,7 +120,7 @@ int main()
     }
     const StormDevice storm;
     texts.add(storm.actions());
-    for (const ControlMode &mode : storm.controlModes())
+    for (const SteeringMode &mode : storm.modes())
         texts.add(mode.label);
     texts.print();
     return 0;

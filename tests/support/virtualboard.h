@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/simplebgc/sbgcdevice.h"
-#include "protocol/simulator/sbgcboard.h"
-#include "protocol/simulator/virtualchannel.h"
+#include "protocol/simplebgc/device.h"
+#include "protocol/simulator/link/virtualchannel.h"
+#include "protocol/simulator/simplebgc/board.h"
 
 /// A simulated SimpleBGC board, its cable and a virtual channel to it: family code in one thread, in
 /// microseconds.
@@ -12,7 +12,7 @@ struct VirtualBoard
 {
     explicit VirtualBoard(const SimulatorOptions &options = {}, std::optional<LineSettings> line = {})
         : port(std::make_unique<SbgcBoard>(options), options, line)
-        , channel(port, device.makeFramer())
+        , channel(port, family.makeFramer(), family.timing)
     {
     }
 
@@ -20,6 +20,7 @@ struct VirtualBoard
     /// Identifies the board; most of the device's tables exist only afterwards.
     bool identify() { return device.identify(channel).has_value(); }
 
+    const Family family = sbgcFamily();
     SbgcDevice device;
     SimulatedPort port;
     VirtualChannel channel;

@@ -5,6 +5,7 @@
 #include "app/composition/composition.h"
 #include "app/mainwindow/mainwindow.h"
 #include "app/mainwindow/pagetable.h"
+#include "tests/support/boardtime.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -13,7 +14,10 @@
 class WindowRig
 {
 public:
-    WindowRig()
+    /// @param links, families the composition; by default the program's own
+    explicit WindowRig(Links links = allLinks(), QList<Family> families = allFamilies())
+        : m_links(std::move(links))
+        , m_families(std::move(families))
     {
         m_theme.setMode(Theme::Mode::Light);
         m_theme.apply();
@@ -26,7 +30,7 @@ public:
     {
         m_window.reset();
         m_settings = std::make_unique<Settings>(filePath(QStringLiteral("settings.ini")));
-        m_window = std::make_unique<MainWindow>(allLinks(), allFamilies(), m_theme, *m_settings);
+        m_window = std::make_unique<MainWindow>(m_links, m_families, m_theme, *m_settings);
         m_window->show();
         if (!QTest::qWaitForWindowExposed(m_window.get()))
             qFatal("no window");
@@ -43,6 +47,31 @@ public:
     {
         m_window->openLink(address);
         return QTest::qWaitFor([this] { return client().isConnected() && !model().isEmpty(); }, 15000);
+    }
+    /// Waits until so many more seconds of samples have come from the board.
+    bool boardGoesOn(double seconds) { return ::boardGoesOn(client(), seconds); }
+    /// Waits until everything that was submitted so far is done and its results have arrived.
+    bool jobsAreDone()
+    {
+        const auto done = std::make_shared<bool>(false);
+        client()
+            .submit<bool>([](Channel &, Device &) -> Result<bool> { return true; })
+            .then(m_window.get(), [done](const Result<bool> &) { *done = true; });
+        return QTest::qWaitFor([done] { return *done; }, 15000);
+    }
+    /// Waits until a turn of the event loop moves no widget any more.
+    bool isSettled()
+    {
+        QList<QRect> before;
+        return QTest::qWaitFor([this, &before] {
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+            QList<QRect> now;
+            for (const QWidget *widget : m_window->findChildren<QWidget *>()) {
+                if (widget->isVisible())
+                    now.append(widget->geometry());
+            }
+            return std::exchange(before, now) == now;
+        });
     }
     MainWindow &window() { return *m_window; }
     Workspace &workspace() { return m_window->workspace(); }
@@ -67,16 +96,18 @@ public:
     }
     const ParameterSpec &spec(const QString &key) { return *model().edited().parameters().find(key); }
     /// What the board holds, as last read.
-    int raw(const QString &key, int profile = 0)
+    double raw(const QString &key, int profile = 0)
     {
         return std::as_const(model()).board().raw(spec(key), profile).value();
     }
-    void edit(const QString &key, int profile, int value)
+    void edit(const QString &key, int profile, double value)
     {
         workspace().edits().edit(spec(key).id, profile, value);
     }
 
 private:
+    Links m_links;
+    QList<Family> m_families;
     QTemporaryDir m_dir;
     Theme m_theme;
     std::unique_ptr<Settings> m_settings;

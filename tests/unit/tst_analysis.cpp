@@ -6,9 +6,9 @@
 #include "protocol/analysis/holdingquality.h"
 #include "protocol/analysis/pidshape.h"
 #include "protocol/analysis/stepresponse.h"
-#include "protocol/device/uniformsamples.h"
 #include "protocol/procedure/motiontest.h"
-#include "protocol/simulator/stabilizer.h"
+#include "protocol/simulator/world/stabilizer.h"
+#include "protocol/telemetry/uniformsamples.h"
 #include "tests/support/loopmath.h"
 
 #include <QTest>

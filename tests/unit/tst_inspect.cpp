@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "protocol/device/livevalues.h"
+#include "protocol/client/framelog.h"
+#include "protocol/configuration/livevalues.h"
 #include "protocol/record/telemetrycsv.h"
-#include "protocol/session/framelog.h"
 #include "protocol/simplebgc/adjustables.h"
 #include "protocol/simplebgc/frametext.h"
 #include "protocol/simplebgc/parametertables.h"
@@ -254,7 +254,7 @@ void TestInspect::liveValuesAreTakenOutOfReads()
     const auto stored = bench.device.readConfiguration(bench.channel);
     QVERIFY(stored);
     const ParameterSpec &p = *stored->parameters().find(u"pid.roll.p"_s);
-    const int before = *stored->raw(p, 0);
+    const double before = *stored->raw(p, 0);
     QVERIFY(bench.device.writeAdjustables(bench.channel, {{0, double(before + 20)}}));
     const auto read = bench.device.readConfiguration(bench.channel);
     // The board answers for its active profile out of volatile memory.

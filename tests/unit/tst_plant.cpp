@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "protocol/simulator/autopidsearch.h"
-#include "protocol/simulator/stabilizer.h"
+#include "protocol/simulator/simplebgc/autopidsearch.h"
+#include "protocol/simulator/world/stabilizer.h"
 
 #include <QTest>
 

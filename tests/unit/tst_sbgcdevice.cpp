@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "protocol/device/connector.h"
+#include "protocol/client/connector.h"
 #include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/simplebgc/units.h"
+#include "protocol/storm32/device.h"
 #include "tests/support/virtualboard.h"
 
 #include <QTest>
@@ -30,6 +31,19 @@ QVariantMap argumentsFor(const SbgcDevice &device, const char *key, const QMap<Q
     return {};
 }
 
+Result<FoundBoard> find(VirtualBoard &bench, const LinkAddress &address)
+{
+    const QList<Family> known{sbgcFamily(), stormFamily()};
+    return findBoard(bench.channel, bench.family, bench.device, known, address);
+}
+
+Request fireAndForget(const QByteArray &bytes)
+{
+    Request request;
+    request.bytes = bytes;
+    return request;
+}
+
 /// A board that never answers one command.
 class ForgetfulChannel final : public Channel
 {
@@ -53,6 +67,10 @@ public:
         return m_channel.listen(std::move(filter));
     }
     Result<void> setLine(const LineSettings &line) override { return m_channel.setLine(line); }
+    void steer(const ControlFrames &frames) override { m_channel.steer(frames); }
+    void releaseControl() override { m_channel.releaseControl(); }
+    void stopMotors(const StopPlan &plan) override { m_channel.stopMotors(plan); }
+    void expectSilence(milliseconds duration) override { m_channel.expectSilence(duration); }
     [[nodiscard]] bool cancelled() const override { return m_channel.cancelled(); }
     void progress(const Progress &progress) override { m_channel.progress(progress); }
     [[nodiscard]] TimePoint now() const override { return m_channel.now(); }
@@ -173,7 +191,7 @@ void TestSbgcDevice::findsRateAndParity()
     o.usb = false;
     const LineSettings line{baud, even ? Parity::Even : Parity::None};
     VirtualBoard bench(o, line);
-    const auto found = findBoard(bench.channel, bench.device, LinkAddress::serial(u"/dev/x"_s));
+    const auto found = find(bench, LinkAddress::serial(u"/dev/x"_s));
     QVERIFY(found);
     QCOMPARE(found->line->baud, baud);
     // From 2.41 on the board takes either parity, so "none" is found first; 2.40 answers to even only.
@@ -188,7 +206,7 @@ void TestSbgcDevice::explainsSilenceGarbageAndForeigners()
     o.usb = false;
     VirtualBoard silent(o, LineSettings{115200, Parity::Even});
     const auto address = LinkAddress::serial(u"/dev/x"_s, 115200, Parity::None);
-    QCOMPARE(findBoard(silent.channel, silent.device, address).error().code, ErrorCode::Silent);
+    QCOMPARE(find(silent, address).error().code, ErrorCode::Silent);
 
     SimulatorOptions noisy;
     noisy.faults.flipByte = 1.0;
@@ -196,13 +214,14 @@ void TestSbgcDevice::explainsSilenceGarbageAndForeigners()
     // The board hears nothing either, so it is made to talk.
     garbage.port.board().receive(asBytes(DataStream{25, 20, QByteArray(8, '\0')}.encode()));
     garbage.port.board().receive(asBytes(encodeFrame(85, DataStream{25, 20, QByteArray(8, '\0')}.encode())));
-    QCOMPARE(findBoard(garbage.channel, garbage.device, address).error().code, ErrorCode::Garbage);
+    QCOMPARE(find(garbage, address).error().code, ErrorCode::Garbage);
 
+    const QList<Family> known{sbgcFamily(), stormFamily()};
     // Two MAVLink heartbeats, one behind the other; a STorM32 answering every byte with e.
     const QByteArray heartbeat = hex("FE 09 00 01 01 00 00 00 00 00 1A 03 00 04 03 12 34");
-    QCOMPARE(recognizeProtocol(heartbeat + heartbeat), u"MAVLink"_s);
-    QCOMPARE(recognizeProtocol("eeeee"), u"STorM32"_s);
-    QCOMPARE(recognizeProtocol(hex("3E 56 00")), QString());
+    QCOMPARE(recogniseProtocol(known, heartbeat + heartbeat), u"MAVLink"_s);
+    QCOMPARE(recogniseProtocol(known, "eeeee"), u"STorM32"_s);
+    QCOMPARE(recogniseProtocol(known, hex("3E 56 00")), QString());
 }
 
 void TestSbgcDevice::readsEverything_data()
@@ -428,7 +447,7 @@ void TestSbgcDevice::autoTuneStopsWhenCancelled()
     bench.port.advance(200ms);
     bench.channel.queue().advance(bench.channel.now());
     bench.port.advance(3s);
-    const QByteArray rest = bench.port.hostReads();
+    const QByteArray rest = bench.port.hostReads().join();
     QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), 35);
     // Progress reports of 62 bytes come each 0.6 s while tuning: after "stop" there are none.
     QVERIFY2(rest.count(encodeFrame(35, {}, 1).first(2)) <= 1, "the board is still tuning");
@@ -472,24 +491,38 @@ void TestSbgcDevice::everyControlModeIsEncoded()
     VirtualBoard now(options(2738));
     QVERIFY(old.identify());
     QVERIFY(now.identify());
-    QCOMPARE(old.device.controlModes().size(), std::size_t(6));
-    QCOMPARE(now.device.controlModes().size(), std::size_t(9));
-    for (const ControlMode &mode : now.device.controlModes()) {
-        ControlSetpoint setpoint{};
-        setpoint[1] = {mode.id, mode.usesSpeed ? 30.0 : 0.0, mode.usesAngle ? 20.0 : 0.0};
+    // All but those that steer nothing.
+    QCOMPARE(old.device.modes().size(), std::size_t(5));
+    QCOMPARE(now.device.modes().size(), std::size_t(7));
+    for (const int still : {int(NoControl), int(Ignore)}) {
+        SbgcDevice::Control control{};
+        control[1].mode = still;
+        const auto command
+            = decodeControl(asBytes(now.device.controlFrames(control).setpoint).subspan(4, 15));
+        QCOMPARE((*command)[1].mode, still);
+        const auto stop = decodeControl(asBytes(now.device.controlFrames(control).stop).subspan(4, 15));
+        QCOMPARE((*stop)[1].mode, still);
+    }
+    for (const SteeringMode &mode : now.device.modes()) {
+        // Axes whose input is unknown keep what they do.
+        SteeringSetpoint setpoint{mode.id, std::vector<double>(mode.inputs.size(), std::nan("")), {}};
+        const bool usesSpeed = mode.find("speed") >= 0 || !mode.isPositional();
+        setpoint.inputs[1] = mode.isPositional() ? 20.0 : 30.0;
+        if (mode.find("speed") >= 0)
+            setpoint.inputs[std::size_t(mode.find("speed"))] = 30.0;
         const ControlFrames frames = now.device.controlFrames(setpoint);
         const auto command = decodeControl(asBytes(frames.setpoint).subspan(4, 15));
         QVERIFY(command);
         QCOMPARE((*command)[1].mode & 0x0F, mode.id);
         QCOMPARE((*command)[0], ControlAxis());
-        if (mode.usesSpeed)
+        if (usesSpeed)
             QCOMPARE((*command)[1].speed, 246);  // 30 °/s, errata section 8
         const auto stop = decodeControl(asBytes(frames.stop).subspan(4, 15));
         QCOMPARE((*stop)[1].speed, 0);
         QCOMPARE(frames.release, encodeFrame(67, QByteArray(13, '\0')));
     }
     // Slow motion uses the fine unit where the firmware has it; before 2.55b5 all axes share one mode byte.
-    ControlSetpoint slow{};
+    SbgcDevice::Control slow{};
     slow[2] = {Speed, 0.5, 0};
     const auto fine = decodeControl(asBytes(now.device.controlFrames(slow).setpoint).subspan(4, 15));
     QCOMPARE((*fine)[2].mode, int(Speed) | int(ControlHighResSpeed));
@@ -535,7 +568,9 @@ void TestSbgcDevice::motorsOffStopsEvenATuningBoard()
     QVERIFY(bench.channel.transact(
         confirmRequest(CommandId::AutoPid, hex("00 0F 80") + QByteArray(16, '\0'), 1)));
     std::ignore = bench.channel.sleep(1s);
-    QVERIFY(bench.channel.transact(bench.device.motorsOffRequest()));
+    bench.channel.stopMotors(bench.device.stopPlan());
+    std::ignore = bench.channel.sleep(200ms);
+    QVERIFY(bench.channel.stopResult() && bench.channel.stopResult()->has_value());
     QVERIFY(!bench.board().stabilizer().motorsOn());
     std::ignore = bench.channel.sleep(2s);
     QVERIFY(!bench.board().stabilizer().motorsOn());
@@ -585,9 +620,9 @@ void TestSbgcDevice::streamsAtFullRateWithoutLoss()
     VirtualBoard bench;
     QVERIFY(bench.identify());
     TelemetryStore store(int(bench.device.channels().size()));
-    const ChannelRoles roles = bench.device.roles();
+    const ChannelRoles roles = rolesOf(bench.device);
     const QList<int> wanted{roles.angle[0], roles.gyro[1]};
-    const auto plan = bench.device.startTelemetry(bench.channel, {wanted, 0}, {});
+    const auto plan = bench.device.subscribe(bench.channel, {wanted, 0}, {});
     QVERIFY(plan);
     QVERIFY(plan->streaming);
     QCOMPARE(plan->rate, 1250.0);
@@ -607,7 +642,8 @@ void TestSbgcDevice::streamsAtFullRateWithoutLoss()
     }
     // Status channels come beside the fast ones.
     QVERIFY(std::abs(double(store.latest(roles.battery)) - 12.3) < 0.3);
-    bench.device.stopTelemetry(bench.channel);
+    bench.channel.post(fireAndForget(plan->shutdownFrames));
+    std::ignore = bench.channel.sleep(100ms);
     const auto rows = store.rows();
     std::ignore = bench.channel.sleep(500ms);
     QVERIFY(store.rows() <= rows + 1);
@@ -617,7 +653,7 @@ void TestSbgcDevice::oldFirmwareIsPolled()
 {
     VirtualBoard bench(options(2439));
     QVERIFY(bench.identify());
-    const auto plan = bench.device.startTelemetry(bench.channel, {}, {});
+    const auto plan = bench.device.subscribe(bench.channel, {}, {});
     QVERIFY(plan);
     QVERIFY(!plan->streaming);
     QVERIFY(plan->poll);
@@ -625,7 +661,7 @@ void TestSbgcDevice::oldFirmwareIsPolled()
     const auto reply = bench.channel.transact(*plan->poll);
     QVERIFY(reply);
     plan->decoder->decode({reply->id, asBytes(reply->payload), 1}, bench.channel.now(), store);
-    QVERIFY(double(store.latest(bench.device.roles().battery)) > 11.0);
+    QVERIFY(double(store.latest(rolesOf(bench.device).battery)) > 11.0);
     QVERIFY(bench.device.fastChannels().isEmpty());
 }
 
@@ -638,7 +674,7 @@ void TestSbgcDevice::pollsWhenAllStreamsAreTaken()
         const DataStream taken{88, 1000, QByteArray(1, char(1 + i)) + QByteArray(7, '\0')};
         QVERIFY(bench.channel.transact(confirmRequest(CommandId::DataStreamInterval, taken.encode(), 1)));
     }
-    const auto plan = bench.device.startTelemetry(bench.channel, {{bench.device.roles().gyro[0]}, 0}, {});
+    const auto plan = bench.device.subscribe(bench.channel, {{rolesOf(bench.device).gyro[0]}, 0}, {});
     QVERIFY(plan);
     QVERIFY(!plan->streaming && plan->poll);
 }
@@ -651,9 +687,9 @@ void TestSbgcDevice::streamFitsASlowLine()
     VirtualBoard bench(o, line);
     std::ignore = bench.channel.setLine(line);
     QVERIFY(bench.identify());
-    const ChannelRoles roles = bench.device.roles();
-    const auto plan = bench.device.startTelemetry(
-        bench.channel, {{roles.angle[0], roles.target[0], roles.gyro[0]}, 0}, line);
+    const ChannelRoles roles = rolesOf(bench.device);
+    const auto plan
+        = bench.device.subscribe(bench.channel, {{roles.angle[0], roles.target[0], roles.gyro[0]}, 0}, line);
     QVERIFY(plan);
     // 25 bytes a frame: 443/s would fill the line (performance notes, section 1); some is left for requests.
     QVERIFY2(plan->rate > 280 && plan->rate < 400, qPrintable(QString::number(plan->rate)));
@@ -672,8 +708,8 @@ void TestSbgcDevice::lostFramesAreCountedAsGaps()
     o.seed = 4;
     VirtualBoard bench(o);
     QVERIFY(bench.identify());
-    const ChannelRoles roles = bench.device.roles();
-    const auto plan = bench.device.startTelemetry(bench.channel, {{roles.gyro[0]}, 0}, {});
+    const ChannelRoles roles = rolesOf(bench.device);
+    const auto plan = bench.device.subscribe(bench.channel, {{roles.gyro[0]}, 0}, {});
     QVERIFY(plan);
     TelemetryStore store(int(bench.device.channels().size()));
     quint64 frames = 0;
@@ -693,14 +729,12 @@ void TestSbgcDevice::streamsChosenByHandAllRun()
 {
     VirtualBoard bench;
     QVERIFY(bench.identify());
-    const ChannelRoles roles = bench.device.roles();
-    const TelemetryWish wish{{},
-                             0,
-                             {{u"custom"_s, 500, {roles.gyro[0]}},
-                              {u"realtime4"_s, 200, {}},
-                              {u"realtime3"_s, 50, {}},
-                              {u"helper"_s, 100, {}}}};
-    const auto plan = bench.device.startTelemetry(bench.channel, wish, {});
+    const ChannelRoles roles = rolesOf(bench.device);
+    // clang-format off
+    const Subscription wish{{}, 0, {{u"custom"_s, 500, {roles.gyro[0]}}, {u"realtime4"_s, 200, {}}, {u"realtime3"_s, 50, {}},
+                                     {u"helper"_s, 100, {}}}};
+    // clang-format on
+    const auto plan = bench.device.subscribe(bench.channel, wish, {});
     QVERIFY(plan);
     QCOMPARE(plan->budget.streams.size(), std::size_t(4));
     QCOMPARE(plan->rate, 500.0);
@@ -725,9 +759,10 @@ void TestSbgcDevice::streamsChosenByHandAllRun()
     QCOMPARE(periodOf("battery"), 0.005);
     QCOMPARE(periodOf("z1.z"), 0.01);
     QVERIFY(std::abs(double(store.latest(findChannel(bench.device.channels(), u"z1.z"_s))) - 1.0) < 0.05);
-    // The farewell stops them all.
-    QCOMPARE(plan->farewell.count(char(0x55)) >= 4, true);
-    bench.device.stopTelemetry(bench.channel);
+    // The shutdownFrames stops them all.
+    QCOMPARE(plan->shutdownFrames.count(char(0x55)) >= 4, true);
+    bench.channel.post(fireAndForget(plan->shutdownFrames));
+    std::ignore = bench.channel.sleep(100ms);
     frames.clear();
     std::ignore = bench.channel.sleep(500ms);
     QCOMPARE(frames.value(88) + frames.value(25) + frames.value(23) + frames.value(56), 0);
@@ -774,8 +809,7 @@ void TestSbgcDevice::eachFlagOfCustomDelivers()
     for (const sbgc::CustomField &field : sbgc::customFields()) {
         const int channel = field.fields.front().channel;
         const QByteArray key = bench.device.channels()[std::size_t(channel)].key;
-        const auto plan
-            = bench.device.startTelemetry(bench.channel, {{}, 0, {{u"custom"_s, 250, {channel}}}}, {});
+        const auto plan = bench.device.subscribe(bench.channel, {{}, 0, {{u"custom"_s, 250, {channel}}}}, {});
         QVERIFY2(plan, key);
         TelemetryStore store(int(bench.device.channels().size()));
         bench.channel.setTap(
@@ -790,7 +824,7 @@ void TestSbgcDevice::eachFlagOfCustomDelivers()
     }
     // Different codings of one angle agree.
     const QList<int> same{sbgc::ImuPitch, sbgc::ImuRadPitch, sbgc::Imu20Pitch, sbgc::ImuQuatW};
-    const auto plan = bench.device.startTelemetry(bench.channel, {same, 0, {}}, {});
+    const auto plan = bench.device.subscribe(bench.channel, {same, 0, {}}, {});
     QVERIFY(plan);
     TelemetryStore store(int(bench.device.channels().size()));
     bench.channel.setTap(
@@ -803,7 +837,7 @@ void TestSbgcDevice::eachFlagOfCustomDelivers()
     QVERIFY(std::abs(latest(sbgc::Imu20Pitch) - latest(sbgc::ImuRadPitch)) < 0.0004);
     bench.channel.setTap({});
     // More than a frame can carry is refused before anything is sent.
-    const auto most = bench.device.startTelemetry(bench.channel, {bench.device.fastChannels(), 0, {}}, {});
+    const auto most = bench.device.subscribe(bench.channel, {bench.device.fastChannels(), 0, {}}, {});
     QVERIFY(!most);
     QCOMPARE(most.error().code, ErrorCode::TooMuch);
     QVERIFY(most.error().detail.contains(u"255"_s));
@@ -836,7 +870,7 @@ void TestSbgcDevice::streamsThatDoNotFitAreRefused()
     VirtualBoard bench(o, line);
     std::ignore = bench.channel.setLine(line);
     QVERIFY(bench.identify());
-    const auto plan = bench.device.startTelemetry(bench.channel, {{}, 0, {{key, rate, {}}}}, line);
+    const auto plan = bench.device.subscribe(bench.channel, {{}, 0, {{key, rate, {}}}}, line);
     QCOMPARE(plan ? -1 : int(plan.error().code), code);
     // The numbers are in it: 100 frames of 129 bytes against 85 % of 11520.
     if (code == int(ErrorCode::TooMuch))
@@ -893,7 +927,7 @@ void TestSbgcDevice::lossIsFoundWithoutStamps()
     o.seed = 4;
     VirtualBoard bench(o);
     QVERIFY(bench.identify());
-    const auto plan = bench.device.startTelemetry(bench.channel, {{}, 0, {{u"realtime4"_s, 1250, {}}}}, {});
+    const auto plan = bench.device.subscribe(bench.channel, {{}, 0, {{u"realtime4"_s, 1250, {}}}}, {});
     QVERIFY(plan);
     TelemetryStore store(int(bench.device.channels().size()));
     quint64 frames = 0;
@@ -922,8 +956,8 @@ void TestSbgcDevice::silenceIsNoLoss()
     QFETCH(QString, stream);
     VirtualBoard bench;
     QVERIFY(bench.identify());
-    const int gyro = bench.device.roles().gyro[0];
-    const auto plan = bench.device.startTelemetry(bench.channel, {{}, 0, {{stream, 1250, {gyro}}}}, {});
+    const int gyro = rolesOf(bench.device).gyro[0];
+    const auto plan = bench.device.subscribe(bench.channel, {{}, 0, {{stream, 1250, {gyro}}}}, {});
     QVERIFY(plan);
     TelemetryStore store(int(bench.device.channels().size()));
     bool deaf = false;  // the board calibrates and says nothing

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/base/checksum.h"
-#include "protocol/simulator/simulatedport.h"
-#include "protocol/simulator/stormboard.h"
+#include "protocol/simulator/link/simulatedport.h"
+#include "protocol/simulator/storm32/board.h"
 
 #include <QTest>
 
@@ -42,7 +42,7 @@ struct ByteClient
         SimulatorOptions o;
         o.firmware = firmware;
         o.usb = !uart;
-        o.strict = strict;
+        o.own[u"strict"_s] = strict;
         return o;
     }
     StormBoard &board() { return static_cast<StormBoard &>(port.board()); }
@@ -51,7 +51,7 @@ struct ByteClient
         QByteArray heard;
         for (milliseconds passed{}; passed < time; passed += 1ms) {
             port.advance(1ms);
-            heard += port.hostReads();
+            heard += port.hostReads().join();
         }
         return heard;
     }

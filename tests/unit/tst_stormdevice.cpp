@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "protocol/device/connector.h"
-#include "protocol/simplebgc/sbgcdevice.h"
-#include "protocol/simulator/sbgcboard.h"
+#include "protocol/client/connector.h"
+#include "protocol/simplebgc/device.h"
+#include "protocol/simulator/simplebgc/board.h"
 #include "protocol/storm32/parametertables.h"
 #include "protocol/storm32/telemetrytables.h"
 #include "tests/support/stormrig.h"
@@ -21,6 +21,18 @@ const LineSettings kLine{115200, Parity::None};
 LinkAddress serialAddress()
 {
     return LinkAddress::parse(u"serial:/dev/ttyTest"_s).value();
+}
+
+Result<FoundBoard> find(Channel &channel, Device &device)
+{
+    const QList<Family> known{sbgcFamily(), stormFamily()};
+    const Family &asked = dynamic_cast<StormDevice *>(&device) ? known[1] : known[0];
+    return findBoard(channel, asked, device, known, serialAddress());
+}
+
+Request offRequest(const StormDevice &device)
+{
+    return device.stopPlan().means.at(0).requests.at(0);
 }
 
 }  // namespace
@@ -103,7 +115,7 @@ void TestStormDevice::familiesAreToldApart()
 {
     {
         StormRig rig(stormOptions(96, false), kLine);
-        const auto found = findBoard(rig.channel, rig.device, serialAddress());
+        const auto found = find(rig.channel, rig.device);
         QVERIFY(found);
         QCOMPARE(found->line->baud, 115200);
     }
@@ -113,20 +125,20 @@ void TestStormDevice::familiesAreToldApart()
         SimulatedPort port(std::make_unique<SbgcBoard>(o), o, kLine);
         auto &board = static_cast<SbgcBoard &>(port.board());
         StormDevice device;
-        VirtualChannel channel(port, device.makeFramer());
+        VirtualChannel channel(port, stormFamily().makeFramer(), stormFamily().timing);
         const int before = board.stored(u"pid.roll.p"_s, 0);
-        QVERIFY(!findBoard(channel, device, serialAddress()));
+        QVERIFY(!find(channel, device));
         QCOMPARE(board.stored(u"pid.roll.p"_s, 0), before);
         QVERIFY(board.stabilizer().motorsOn());
         SbgcDevice right;
-        VirtualChannel again(port, right.makeFramer());
-        QVERIFY(findBoard(again, right, serialAddress()));
+        VirtualChannel again(port, sbgcFamily().makeFramer(), sbgcFamily().timing);
+        QVERIFY(find(again, right));
     }
     {  // theirs to a STorM32 board
         StormRig rig(stormOptions(96, false), kLine);
         SbgcDevice wrong;
-        VirtualChannel channel(rig.port, wrong.makeFramer());
-        const auto found = findBoard(channel, wrong, serialAddress());
+        VirtualChannel channel(rig.port, sbgcFamily().makeFramer(), sbgcFamily().timing);
+        const auto found = find(channel, wrong);
         QVERIFY(!found);
         QVERIFY2(found.error().code == ErrorCode::WrongProtocol, qPrintable(found.error().detail));
         QCOMPARE(found.error().detail, u"STorM32"_s);
@@ -134,7 +146,7 @@ void TestStormDevice::familiesAreToldApart()
     }
     {  // the wrong rate
         StormRig rig(stormOptions(90, false), LineSettings{38400, Parity::None});
-        const auto found = findBoard(rig.channel, rig.device, serialAddress());
+        const auto found = find(rig.channel, rig.device);
         QVERIFY(found);
         QCOMPARE(found->line->baud, 38400);
     }
@@ -197,7 +209,7 @@ void TestStormDevice::lockedOutBoardIsReached()
     for (const int firmware : {79, 90, 96}) {
         StormRig rig(stormOptions(firmware, false), kLine);
         rig.lockOut();
-        const auto found = findBoard(rig.channel, rig.device, serialAddress());
+        const auto found = find(rig.channel, rig.device);
         QVERIFY(found);
         QVERIFY(rig.device.isEmbedded());
         QCOMPARE(found->identity.extra[u"embedded"_s].toBool(), true);
@@ -218,8 +230,8 @@ void TestStormDevice::lockedOutBoardIsReached()
         QVERIFY(rig.device.perform(rig.channel, u"heartbeat.off"_s, {}));
         QCOMPARE(rig.board().inUse(112), 0);
         StormDevice plain;
-        VirtualChannel channel(rig.port, plain.makeFramer());
-        QVERIFY(findBoard(channel, plain, serialAddress()));
+        VirtualChannel channel(rig.port, stormFamily().makeFramer(), stormFamily().timing);
+        QVERIFY(find(channel, plain));
         QVERIFY(!plain.isEmbedded());
     }
 }
@@ -231,7 +243,7 @@ void TestStormDevice::lockedOutBoardWithOtherNumbers()
     rig.board().set(110, 12);
     rig.board().set(111, 34);
     rig.lockOut();
-    const auto found = findBoard(rig.channel, rig.device, serialAddress());
+    const auto found = find(rig.channel, rig.device);
     QVERIFY(found);
     QVERIFY(rig.device.isEmbedded());
     QVERIFY(rig.device.perform(rig.channel, u"heartbeat.off"_s, {}));
@@ -255,7 +267,7 @@ void TestStormDevice::lockedOutBoardIsListed()
     StormRig rig(stormOptions(firmware, false), kLine);
     rig.board().set(22, 65536 - 250);
     rig.lockOut();
-    QVERIFY(findBoard(rig.channel, rig.device, serialAddress()));
+    QVERIFY(find(rig.channel, rig.device));
     QVERIFY(rig.device.isEmbedded());
     const auto listed = rig.device.readConfiguration(rig.channel);
     QVERIFY(listed);
@@ -270,18 +282,18 @@ void TestStormDevice::lockedOutBoardIsListed()
 void TestStormDevice::wayFollowsTheHeartbeat()
 {
     StormRig rig(stormOptions(96, false), kLine);
-    QVERIFY(findBoard(rig.channel, rig.device, serialAddress()));
+    QVERIFY(find(rig.channel, rig.device));
     auto configuration = rig.device.readConfiguration(rig.channel);
     QVERIFY(configuration);
-    const QByteArray plainOff = rig.device.motorsOffRequest().bytes;
+    const QByteArray plainOff = offRequest(rig.device).bytes;
     QByteArray words = configuration->block({0, Parameters});
     words[2 * 110] = 12;  // other numbers as well
     words[2 * 111] = 34;
     words[2 * 112] = 1;
     QVERIFY(rig.device.writeBlock(rig.channel, {0, Parameters}, words));
     QVERIFY(rig.device.isEmbedded());
-    QVERIFY(rig.device.motorsOffRequest().bytes != plainOff);
-    QVERIFY(rig.channel.transact(rig.device.motorsOffRequest()));
+    QVERIFY(offRequest(rig.device).bytes != plainOff);
+    QVERIFY(rig.channel.transact(offRequest(rig.device)));
     QCOMPARE(rig.board().state(), 99);
     QVERIFY(rig.device.endWrite(rig.channel));
     const auto again = rig.device.readConfiguration(rig.channel);
@@ -289,7 +301,7 @@ void TestStormDevice::wayFollowsTheHeartbeat()
     QCOMPARE(again->block({0, Parameters}), words);
     QVERIFY(rig.device.perform(rig.channel, u"heartbeat.off"_s, {}));
     QVERIFY(!rig.device.isEmbedded());
-    QCOMPARE(rig.device.motorsOffRequest().bytes, plainOff);
+    QCOMPARE(offRequest(rig.device).bytes, plainOff);
     QCOMPARE(rig.device.readConfiguration(rig.channel)->blocks().size(), 2U);  // scripts too
     // USB answers everything all the time: nothing has to change.
     StormRig usb;
@@ -306,8 +318,8 @@ void TestStormDevice::textsAreHandedOn()
     const StormDevice device;
     const FrameView frame{
         FrameId::kMavlink + mavlink::number(mavlink::MessageId::StatusText), asBytes(payload), {}};
-    QCOMPARE(device.spokenText(frame), u"Battery is weak"_s);
-    QVERIFY(device.spokenText({FrameId::kMavlink, asBytes(payload), {}}).isEmpty());
+    QCOMPARE(device.messageText(frame), u"Battery is weak"_s);
+    QVERIFY(device.messageText({FrameId::kMavlink, asBytes(payload), {}}).isEmpty());
 }
 
 // Bits of errata 3.8 and word 31 of 3.5.
@@ -353,7 +365,7 @@ void TestStormDevice::telemetryIsPolled()
             rig.lockOut();
         QVERIFY(rig.device.probe(rig.channel).value_or(false));
         QVERIFY(rig.device.identify(rig.channel));
-        const auto plan = rig.device.startTelemetry(rig.channel, {}, kLine);
+        const auto plan = rig.device.subscribe(rig.channel, {}, kLine);
         QVERIFY(plan && plan->poll && !plan->streaming);
         QVERIFY2(plan->rate > 40 && plan->rate < 120, qPrintable(QString::number(plan->rate)));
         TelemetryStore store(int(rig.device.channels().size()));
@@ -373,7 +385,7 @@ void TestStormDevice::telemetryIsPolled()
         for (std::size_t row = 1; row < tracks[0].end(); ++row)
             QVERIFY(tracks[0].time(row) >= tracks[0].time(row - 1));
         rig.channel.setTap({});
-        QVERIFY(!rig.device.startTelemetry(rig.channel, {{}, 0, {{u"custom"_s, 10, {}}}}, kLine));
+        QVERIFY(!rig.device.subscribe(rig.channel, {{}, 0, {{u"custom"_s, 10, {}}}}, kLine));
     }
 }
 
@@ -480,14 +492,13 @@ void TestStormDevice::steeringAndMotors()
     StormRig rig;
     QVERIFY(rig.device.identify(rig.channel));
     rig.board().stabilizer().hand().setStrength(0);
-    QVERIFY(rig.channel.transact(rig.device.motorsOffRequest()));
+    QVERIFY(rig.channel.transact(offRequest(rig.device)));
     QVERIFY(rig.channel.sleep(50ms));
     QVERIFY(!rig.board().stabilizer().motorsOn());
     QVERIFY(rig.channel.transact(rig.device.motorsOnRequest()));
     QVERIFY(rig.channel.sleep(1500ms));
     QVERIFY(rig.board().stabilizer().motorsOn());
-    ControlSetpoint setpoint{};
-    setpoint[1] = {2, 0, 20};  // pitch, without limits
+    const SteeringSetpoint setpoint{2, {0, 20, 0}, {}};  // pitch, without limits
     Request request;
     request.bytes = rig.device.controlFrames(setpoint).setpoint;
     rig.channel.post(request);

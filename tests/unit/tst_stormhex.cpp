@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/storm32/device.h"
 #include "protocol/storm32/framer.h"
-#include "protocol/storm32/stormdevice.h"
 #include "protocol/storm32/telemetrytables.h"
 
 #include <QTest>
@@ -78,6 +78,10 @@ public:
     Result<void> sleep(milliseconds) override { return {}; }
     std::unique_ptr<Mailbox> listen(std::function<bool(const FrameView &)>) override { return nullptr; }
     Result<void> setLine(const LineSettings &) override { return {}; }
+    void steer(const ControlFrames &) override { }
+    void releaseControl() override { }
+    void stopMotors(const StopPlan &) override { }
+    void expectSilence(milliseconds) override { }
     [[nodiscard]] bool cancelled() const override { return false; }
     void progress(const Progress &) override { }
     [[nodiscard]] TimePoint now() const override { return {}; }

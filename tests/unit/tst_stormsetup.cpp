@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/procedure/writeconfiguration.h"
 #include "protocol/storm32/commands.h"
+#include "protocol/storm32/files.h"
+#include "protocol/storm32/orientations.h"
 #include "protocol/storm32/parametertables.h"
-#include "protocol/storm32/stormfiles.h"
 #include "tests/support/stormrig.h"
 
 #include <QTemporaryDir>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/storm32/orientations.h"
 #include "protocol/storm32/parametertables.h"
 
 #include <QFile>

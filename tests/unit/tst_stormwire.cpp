@@ -249,10 +249,11 @@ void TestStormWire::requestsTakeTheirAnswersOnly()
 void TestStormWire::mavlinkTableIsWhole()
 {
     // Errata 6: number, checksum seed, length.
-    const QList<std::array<int, 3>> wanted{
-        {0, 50, 9},    {20, 214, 20}, {21, 159, 2},  {22, 220, 25}, {23, 168, 23}, {30, 39, 28},
-        {76, 152, 33}, {77, 143, 3},  {155, 22, 13}, {156, 19, 6},  {157, 21, 15}, {234, 152, 2},
-        {235, 102, 2}, {236, 195, 4}, {237, 49, 9},  {238, 78, 11}, {253, 83, 51}};
+    // clang-format off
+    const QList<std::array<int, 3>> wanted{{0, 50, 9}, {20, 214, 20}, {21, 159, 2}, {22, 220, 25}, {23, 168, 23}, {30, 39, 28},
+                                           {76, 152, 33}, {77, 143, 3}, {155, 22, 13}, {156, 19, 6}, {157, 21, 15}, {234, 152, 2},
+                                           {235, 102, 2}, {236, 195, 4}, {237, 49, 9}, {238, 78, 11}, {253, 83, 51}};
+    // clang-format on
     QCOMPARE(qsizetype(mavlink::messages().size()), wanted.size());
     for (const auto &[id, seed, size] : wanted) {
         const mavlink::Message *message = mavlink::findMessage(id);

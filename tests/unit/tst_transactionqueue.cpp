@@ -92,6 +92,7 @@ private slots:
     void cancelInFlightAndWaiting();
     void closingTheLinkEndsEverything();
     void timerStartsWhenTheLastByteHasLeft();
+    void heartbeatsDoNotPutOffTheTimeout();
     void timeoutGrowsWithASlowLine();
     void unansweredIsDoneWhenSent();
     void deadlineIsReported();
@@ -288,6 +289,18 @@ void TestTransactionQueue::timerStartsWhenTheLastByteHasLeft()
     QCOMPARE(bench.completed.size(), 1);
 }
 
+// What is sent meanwhile is not what is waited for.
+void TestTransactionQueue::heartbeatsDoNotPutOffTheTimeout()
+{
+    Bench bench;
+    bench.submit(request(u"a"_s, 1, false));
+    for (int beat = 0; beat < 6; ++beat) {
+        bench.pass(50ms);
+        bench.queue.sendUnanswered(QByteArrayView("beat"), bench.now);
+    }
+    QCOMPARE(bench.completed, QStringList{failed("a", ErrorCode::Timeout)});
+}
+
 void TestTransactionQueue::timeoutGrowsWithASlowLine()
 {
     Bench bench;
@@ -336,7 +349,7 @@ void TestTransactionQueue::controlStreamRepeatsAndStops()
     }
     // 50 per second, as the document allows.
     QVERIFY2(setpoints >= 48 && setpoints <= 51, qPrintable(QString::number(setpoints)));
-    QCOMPARE(stream.rescues(), 0);
+    QCOMPARE(stream.failsafeCount(), 0);
 }
 
 void TestTransactionQueue::controlStreamDeadMan()
@@ -357,7 +370,7 @@ void TestTransactionQueue::controlStreamDeadMan()
     QCOMPARE(sent.last(), QByteArray("free"));
     const qint64 stopAt = at[sent.indexOf("stop")];
     QVERIFY2(stopAt >= 250 && stopAt <= 252, qPrintable(QString::number(stopAt)));
-    QCOMPARE(stream.rescues(), 1);
+    QCOMPARE(stream.failsafeCount(), 1);
     QVERIFY(!stream.isActive());
 }
 
@@ -371,7 +384,7 @@ void TestTransactionQueue::controlStreamEndsOnPurpose()
     QCOMPARE(*stream.advance(now), QByteArray("stop"));
     QVERIFY(!stream.advance(now));
     QCOMPARE(*stream.advance(now + 101ms), QByteArray("free"));
-    QCOMPARE(stream.rescues(), 0);
+    QCOMPARE(stream.failsafeCount(), 0);
     stream.refresh({"go", "stop", "free"}, now);
     stream.drop();
     QVERIFY(!stream.advance(now + 1s));

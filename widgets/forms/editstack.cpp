@@ -15,6 +15,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr qint64 kMergeMs = 1000;
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// A step that can be kept in a file.
 class Edit : public QUndoCommand
@@ -26,7 +27,8 @@ public:
 class ValueEdit final : public Edit
 {
 public:
-    ValueEdit(ConfigurationModel &configuration, const ParameterSpec &spec, int profile, int from, int to)
+    ValueEdit(ConfigurationModel &configuration, const ParameterSpec &spec, int profile, double from,
+              double to)
         : m_configuration(configuration)
         , m_key(spec.key)
         , m_profile(profile)
@@ -48,17 +50,18 @@ public:
             return false;
         m_new = next->m_new;
         m_age.restart();
-        setObsolete(m_new == m_old);
+        setObsolete(sameValue(m_new, m_old));
         return true;
     }
 
     [[nodiscard]] QJsonObject toJson() const override
     {
+        // What is no number becomes null.
         return {{u"key"_s, m_key}, {u"profile"_s, m_profile}, {u"from"_s, m_old}, {u"to"_s, m_new}};
     }
 
 private:
-    void set(int raw)
+    void set(double raw)
     {
         // By key: after reconnecting, the same parameter is another object.
         if (const ParameterSpec *spec = m_configuration.edited().parameters().find(m_key))
@@ -68,8 +71,8 @@ private:
     ConfigurationModel &m_configuration;
     QString m_key;
     int m_profile;
-    int m_old;
-    int m_new;
+    double m_old;
+    double m_new;
     QElapsedTimer m_age;
 };
 
@@ -135,14 +138,15 @@ EditStack::EditStack(ConfigurationModel &configuration, QObject *parent)
 {
 }
 
-bool EditStack::edit(int parameter, int profile, int raw)
+bool EditStack::edit(int parameter, int profile, double raw)
 {
     const ParameterSpec &spec = m_configuration.edited().parameters().at(parameter);
     const auto now = m_configuration.value(spec, profile);
-    if (!now || !spec.isInRange(raw) || spec.row->state)
+    const double wanted = spec.nearest(raw);
+    if (!now || !canHold(spec, profile, wanted) || spec.row->state)
         return false;
-    if (*now != raw)
-        m_stack.push(new ValueEdit(m_configuration, spec, profile, *now, raw));
+    if (!sameValue(*now, wanted))
+        m_stack.push(new ValueEdit(m_configuration, spec, profile, *now, wanted));
     return true;
 }
 
@@ -157,7 +161,7 @@ void EditStack::editData(BlockKey key, const QByteArray &bytes)
 {
     const QByteArray now = m_configuration.edited().block(key);
     const BlockSpec *spec = m_configuration.edited().parameters().block(key.block);
-    if (spec && now != bytes && now.size() == bytes.size())
+    if (spec && spec->isData() && spec->holds(bytes.size()) && now != bytes)
         m_stack.push(new DataEdit(m_configuration, key, tableText(spec->data), now, bytes));
 }
 
@@ -182,10 +186,17 @@ void EditStack::apply(const Configuration &wanted, const QString &text)
     m_stack.endMacro();
 }
 
+bool EditStack::canHold(const ParameterSpec &spec, int profile, double raw) const
+{
+    return spec.isInRange(raw) || sameValue(m_configuration.boardValue(spec, profile), raw);
+}
+
 // Unlike edit(): values that a board or a file holds are taken as they are, even outside the documented
-// range.
+// range. What is no number can only be gone back to.
 void EditStack::push(const ParameterChange &change)
 {
+    if (std::isnan(change.to) && !canHold(*change.spec, change.profile, change.to))
+        return;
     m_stack.push(new ValueEdit(m_configuration, *change.spec, change.profile, change.from, change.to));
 }
 
@@ -203,7 +214,7 @@ void EditStack::applyProfile(const Configuration &wanted, int from, int to, cons
             continue;
         const auto now = m_configuration.value(spec, to);
         const auto then = wanted.raw(wanted.parameters().at(spec.id), from);
-        if (now && then && *now != *then)
+        if (now && then && !sameValue(*now, *then))
             changes.push_back({&spec, to, *now, *then});
     }
     if (changes.empty())
@@ -259,20 +270,20 @@ void EditStack::restoreEdit(const QJsonObject &edit)
     }
     if (edit.contains(u"toData"_s)) {
         const BlockKey key{profile, edit.value(u"block"_s).toInt(-1)};
-        const QByteArray now = m_configuration.edited().block(key);
         const BlockSpec *block = m_configuration.edited().parameters().block(key.block);
         const auto bytes = [&edit](const QString &name) {
             return QByteArray::fromHex(edit.value(name).toString().toLatin1());
         };
         const QByteArray from = bytes(u"fromData"_s);
         const QByteArray to = bytes(u"toData"_s);
-        if (block && *block->data && to.size() == now.size() && from.size() == now.size())
+        if (block && block->isData() && m_configuration.edited().blocks().contains(key)
+            && block->holds(to.size()) && block->holds(from.size()))
             m_stack.push(new DataEdit(m_configuration, key, tableText(block->data), from, to));
         return;
     }
     const ParameterSpec *spec = m_configuration.edited().parameters().find(edit.value(u"key"_s).toString());
-    const int to = edit.value(u"to"_s).toInt();
-    const int from = edit.value(u"from"_s).toInt();
-    if (spec && !spec->row->state && spec->isInRange(to) && m_configuration.value(*spec, profile))
+    const double to = edit.value(u"to"_s).toDouble(kNoNumber);
+    const double from = edit.value(u"from"_s).toDouble(kNoNumber);
+    if (spec && !spec->row->state && canHold(*spec, profile, to) && m_configuration.value(*spec, profile))
         m_stack.push(new ValueEdit(m_configuration, *spec, profile, from, to));
 }

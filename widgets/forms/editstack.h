@@ -14,9 +14,9 @@ class EditStack final : public QObject
 public:
     explicit EditStack(ConfigurationModel &configuration, QObject *parent = nullptr);
 
-    /// Changes a value; steps on the same value within one second become one edit. Out of range: refused,
-    /// false.
-    bool edit(int parameter, int profile, int raw);
+    /// Changes a value; steps on the same value within one second become one edit. Out of range or no number:
+    /// refused, false, unless it goes back to what the board holds.
+    bool edit(int parameter, int profile, double raw);
     void rename(int profile, const QString &name);
     /// Changes a block without parameters as a whole.
     void editData(BlockKey key, const QByteArray &bytes);
@@ -37,6 +37,8 @@ public:
 
 private:
     void push(const ParameterChange &change);
+    /// In range, or the board's own value.
+    [[nodiscard]] bool canHold(const ParameterSpec &spec, int profile, double raw) const;
     void restoreEdit(const QJsonObject &edit);
 
     ConfigurationModel &m_configuration;

@@ -59,11 +59,10 @@ void HelpCard::refresh()
         lines.append(
             u"<tr><td style='padding-right:12px'>%1</td><td>%2</td></tr>"_s.arg(name, value.toHtmlEscaped()));
     };
-    const QString unit = *spec.row->unit ? u' ' + QString::fromUtf8(spec.row->unit) : QString();
     if (const auto board = m_configuration.boardValue(spec, m_configuration.shownProfile()))
-        line(tr("On the board"), parameterValueText(spec, *board) + unit);
+        line(tr("On the board"), parameterQuantityText(spec, *board));
     if (!spec.row->state)
-        line(tr("Default"), parameterValueText(spec, spec.defaultRaw) + unit);
+        line(tr("Default"), parameterQuantityText(spec, spec.defaultRaw));
     if (const QString range = parameterRangeText(spec); !range.isEmpty())
         line(tr("Range"), range);
     line(tr("Belongs to"), spec.row->scope == Scope::Board ? tr("the whole board") : tr("this profile"));

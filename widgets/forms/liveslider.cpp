@@ -10,16 +10,23 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
+#include <algorithm>
+#include <cmath>
+
 namespace {
 
 constexpr int kSteps = 50;  // from end to end with the keys, when not by single counts
+constexpr int kPositions = 1000;  // of a slider for a value that has no counts, or too many of them
+constexpr double kMaxCounts = 1e6;
 
 }  // namespace
 
-LiveSlider::LiveSlider(const ParameterSpec &spec, std::pair<int, int> range, int firmware, QWidget *parent)
+LiveSlider::LiveSlider(const ParameterSpec &spec, std::pair<double, double> range, int firmware,
+                       QWidget *parent)
     : QWidget(parent)
     , m_spec(spec)
     , m_editor(new ValueEditor(spec, firmware))
+    , m_range(range)
 {
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -29,8 +36,12 @@ LiveSlider::LiveSlider(const ParameterSpec &spec, std::pair<int, int> range, int
     if (spec.row->kind != ValueKind::Number)
         return;
     m_slider = new QSlider(Qt::Horizontal);
-    m_slider->setRange(range.first, range.second);
-    m_slider->setSingleStep(std::max(1, (range.second - range.first) / kSteps));
+    m_inCounts = spec.row->wire != WireType::F32 && range.second - range.first <= kMaxCounts;
+    if (m_inCounts)
+        m_slider->setRange(int(range.first), int(range.second));
+    else
+        m_slider->setRange(0, kPositions);
+    m_slider->setSingleStep(std::max(1, (m_slider->maximum() - m_slider->minimum()) / kSteps));
     m_slider->setPageStep(m_slider->singleStep() * 5);
     m_slider->setFocusPolicy(Qt::StrongFocus);
     m_slider->setAccessibleName(parameterLabel(spec));
@@ -38,20 +49,35 @@ LiveSlider::LiveSlider(const ParameterSpec &spec, std::pair<int, int> range, int
     m_slider->setProperty("axis", int(spec.axis));
     m_slider->installEventFilter(this);
     layout->addWidget(m_slider);
-    connect(m_slider, &QSlider::valueChanged, this, [this](int raw) {
+    connect(m_slider, &QSlider::valueChanged, this, [this](int position) {
         if (!m_updating)
-            emit edited(raw);
+            emit edited(rawAt(position));
     });
 }
 
-void LiveSlider::show(std::optional<int> value, std::optional<int> stored)
+double LiveSlider::rawAt(int position) const
+{
+    const auto [low, high] = m_range;
+    return m_inCounts ? position : m_spec.clamped(low + (high - low) * position / kPositions);
+}
+
+int LiveSlider::positionOf(double raw) const
+{
+    const auto [low, high] = m_range;
+    const double inside = std::clamp(raw, low, high);
+    if (m_inCounts)
+        return int(inside);
+    return high > low ? int(std::lround((inside - low) / (high - low) * kPositions)) : 0;
+}
+
+void LiveSlider::show(std::optional<double> value, std::optional<double> stored)
 {
     m_updating = true;
     m_editor->show(value, stored);
     if (m_slider) {
         m_slider->setEnabled(value.has_value());
-        if (value)
-            m_slider->setValue(*value);
+        if (value && std::isfinite(*value))
+            m_slider->setValue(positionOf(*value));
     }
     m_updating = false;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/parameterspec.h"
+#include "protocol/configuration/parameterspec.h"
 
 #include <QWidget>
 
@@ -16,22 +16,28 @@ class LiveSlider final : public QWidget
     Q_OBJECT
 public:
     /// @param range raw values that can be set live
-    LiveSlider(const ParameterSpec &spec, std::pair<int, int> range, int firmware, QWidget *parent = nullptr);
+    LiveSlider(const ParameterSpec &spec, std::pair<double, double> range, int firmware,
+               QWidget *parent = nullptr);
 
     /// Shows the value in use and the stored one; empty = not known.
-    void show(std::optional<int> value, std::optional<int> stored);
+    void show(std::optional<double> value, std::optional<double> stored);
     [[nodiscard]] QSlider *slider() const { return m_slider; }
     [[nodiscard]] ValueEditor *editor() const { return m_editor; }
 
 signals:
-    void edited(int raw);
+    void edited(double raw);
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    [[nodiscard]] double rawAt(int position) const;
+    [[nodiscard]] int positionOf(double raw) const;
+
     const ParameterSpec &m_spec;
     ValueEditor *m_editor;
     QSlider *m_slider = nullptr;
+    std::pair<double, double> m_range;
+    bool m_inCounts = true;  // a position is a raw count; otherwise a fraction of the range
     bool m_updating = false;
 };

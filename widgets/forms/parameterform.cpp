@@ -213,7 +213,7 @@ ValueEditor *ParameterForm::makeEditor(int parameter)
     auto *editor = new ValueEditor(set.at(parameter), set.firmware());
     editor->setEnabled(m_configuration.board().identity().writable);
     m_editors.insert(parameter, editor);
-    connect(editor, &ValueEditor::edited, this, [this, parameter](int raw) {
+    connect(editor, &ValueEditor::edited, this, [this, parameter](double raw) {
         if (!m_edits.edit(parameter, m_configuration.shownProfile(), raw))
             refresh(parameter);
     });

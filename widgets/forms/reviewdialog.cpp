@@ -18,6 +18,7 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     , m_changes(board, edited)
     , m_table(new QTableView)
     , m_risk(new QLabel)
+    , m_effect(new QLabel)
     , m_write(new QPushButton)
 {
     setWindowTitle(tr("Review and write"));
@@ -41,6 +42,7 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     m_risk->setText(tr(
         "⚠ Values of the risk class are among them: hold the camera, or take it off, while motors start."));
 
+    m_effect->setWordWrap(true);
     auto *back = new QPushButton(tr("Back"));
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(Metric::kGap);
@@ -57,6 +59,7 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     layout->addWidget(intro);
     layout->addWidget(m_table, 1);
     layout->addWidget(m_risk);
+    layout->addWidget(m_effect);
     layout->addLayout(buttons);
     connect(&m_changes, &ChangeModel::ticksChanged, this, &ReviewDialog::updateButton);
     updateButton();
@@ -72,6 +75,13 @@ void ReviewDialog::updateButton()
     m_write->setText(profiles > 1 ? tr("Write %1 to %2 profiles").arg(values).arg(profiles)
                                   : tr("Write %1").arg(values));
     m_write->setEnabled(count > 0);
+    QStringList effects;
+    if (m_changes.hasTicked(WriteEffect::Restarts))
+        effects.append(tr("The board restarts when they are written."));
+    if (m_changes.hasTicked(WriteEffect::Volatile))
+        effects.append(tr("Some of them are in use only until the board restarts."));
+    m_effect->setText(effects.join(u' '));
+    m_effect->setVisible(!effects.isEmpty());
     const bool red = m_changes.hasTickedRed();
     m_risk->setVisible(red);
     m_write->setObjectName(red ? u"danger"_s : u"primary"_s);

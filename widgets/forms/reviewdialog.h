@@ -28,5 +28,6 @@ private:
     ChangeModel m_changes;
     QTableView *m_table;
     QLabel *m_risk;
+    QLabel *m_effect;  // what writing means for the board
     QPushButton *m_write;
 };

@@ -25,7 +25,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// A number box that thinks in raw counts: each step is one count of the wire.
+/// A number box that thinks in raw counts: each step is one count of the wire, or of a float one unit of the
+/// last decimal.
 class NumberBox final : public QDoubleSpinBox
 {
 public:
@@ -37,7 +38,10 @@ public:
 
     void stepBy(int steps) override
     {
-        setValue(m_spec.toDisplay(m_spec.clamped(m_spec.toRaw(value()) + steps)));
+        if (m_spec.row->wire == WireType::F32)
+            setValue(value() + steps * std::pow(10.0, -decimals()));
+        else
+            setValue(m_spec.toDisplay(m_spec.clamped(m_spec.toRaw(value()) + steps)));
         selectAll();
     }
 
@@ -158,8 +162,9 @@ QWidget *ValueEditor::makeFlags(int firmware)
         action->setCheckable(true);
         action->setData(choice.value);
         connect(action, &QAction::triggered, this, [this, bit = choice.value](bool on) {
-            const int mask = 1 << bit;
-            emit edited(on ? m_raw | mask : m_raw & ~mask);
+            const quint32 mask = 1U << bit;
+            const quint32 bits = flagBits(m_raw);
+            emit edited(on ? bits | mask : bits & ~mask);
         });
     }
     m_flags->setMenu(m_flagsMenu);
@@ -168,7 +173,7 @@ QWidget *ValueEditor::makeFlags(int firmware)
     return m_flags;
 }
 
-void ValueEditor::show(std::optional<int> value, std::optional<int> onBoard)
+void ValueEditor::show(std::optional<double> value, std::optional<double> onBoard)
 {
     m_control->setEnabled(value && !m_spec.row->state);
     if (!value)
@@ -178,7 +183,7 @@ void ValueEditor::show(std::optional<int> value, std::optional<int> onBoard)
     m_updating = true;
     showValue(*value);
     m_updating = false;
-    const bool changed = m_raw != m_boardRaw;
+    const bool changed = !sameValue(m_raw, m_boardRaw);
     markChanged(m_control, changed);
     m_reset->setVisible(changed);
     if (changed) {
@@ -201,18 +206,33 @@ void ValueEditor::setIdle(const QString &reason)
     repolish(m_control);
 }
 
-void ValueEditor::showValue(int raw)
+// What is no number stands below the range as a word; whatever is typed takes its place.
+void ValueEditor::showNumber(double raw)
+{
+    double low = m_spec.toDisplay(m_spec.row->min);
+    double high = m_spec.toDisplay(m_spec.row->max);
+    if (std::isnan(raw)) {
+        low -= std::pow(10.0, -m_number->decimals());
+        m_number->setRange(low, high);
+        m_number->setSpecialValueText(parameterValueText(m_spec, raw));
+        m_number->setValue(low);
+        return;
+    }
+    // A board may hold a value outside the documented range; it is shown as it is.
+    const double display = m_spec.toDisplay(raw);
+    m_number->setSpecialValueText(QString());
+    m_number->setRange(std::min(low, display), std::max(high, display));
+    m_number->setValue(display);
+}
+
+void ValueEditor::showValue(double raw)
 {
     if (m_number) {
-        // A board may hold a value outside the documented range; it is shown as it is.
-        const double display = m_spec.toDisplay(raw);
-        m_number->setRange(std::min(m_spec.toDisplay(m_spec.row->min), display),
-                           std::max(m_spec.toDisplay(m_spec.row->max), display));
-        m_number->setValue(display);
+        showNumber(raw);
     } else if (m_choice) {
-        int index = m_choice->findData(raw);
+        int index = m_choice->findData(int(raw));
         if (index < 0) {
-            m_choice->addItem(tr("Unknown (%1)").arg(raw), raw);
+            m_choice->addItem(tr("Unknown (%1)").arg(int(raw)), int(raw));
             index = m_choice->count() - 1;
         }
         m_choice->setCurrentIndex(index);
@@ -223,11 +243,11 @@ void ValueEditor::showValue(int raw)
     }
 }
 
-void ValueEditor::updateFlagsText(int raw)
+void ValueEditor::updateFlagsText(double raw)
 {
     int count = 0;
     for (QAction *action : m_flagsMenu->actions()) {
-        const bool on = raw & (1 << action->data().toInt());
+        const bool on = flagBits(raw) & (1U << action->data().toInt());
         action->setChecked(on);
         count += on;
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/parameterspec.h"
+#include "protocol/configuration/parameterspec.h"
 
 #include <QWidget>
 
@@ -24,14 +24,14 @@ public:
 
     [[nodiscard]] const ParameterSpec &spec() const { return m_spec; }
     /// Shows a value and what the board has; empty = the board did not deliver it.
-    void show(std::optional<int> value, std::optional<int> onBoard);
+    void show(std::optional<double> value, std::optional<double> onBoard);
     /// Why it has no effect now; it can be edited all the same, to be ready when it has.
     void setIdle(const QString &reason);
     /// The control that takes keys.
     [[nodiscard]] QWidget *control() const { return m_control; }
 
 signals:
-    void edited(int raw);
+    void edited(double raw);
     void focused();
 
 protected:
@@ -42,8 +42,9 @@ private:
     QWidget *makeChoice(int firmware);
     QWidget *makeToggle();
     QWidget *makeFlags(int firmware);
-    void showValue(int raw);
-    void updateFlagsText(int raw);
+    void showValue(double raw);
+    void showNumber(double raw);
+    void updateFlagsText(double raw);
 
     const ParameterSpec &m_spec;
     QWidget *m_control = nullptr;
@@ -54,7 +55,7 @@ private:
     QMenu *m_flagsMenu = nullptr;
     QToolButton *m_reset;
     QString m_idle;
-    int m_raw = 0;
-    int m_boardRaw = 0;
+    double m_raw = 0;
+    double m_boardRaw = 0;
     bool m_updating = false;
 };

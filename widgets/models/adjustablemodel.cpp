@@ -4,6 +4,8 @@
 
 #include "widgets/models/parametermodel.h"
 
+#include <cmath>
+
 using namespace Qt::StringLiterals;
 
 AdjustableModel::AdjustableModel(DeviceClient &client, QObject *parent)
@@ -15,7 +17,8 @@ AdjustableModel::AdjustableModel(DeviceClient &client, QObject *parent)
 void AdjustableModel::reset()
 {
     beginResetModel();
-    m_specs = m_client.device() ? m_client.device()->adjustables() : std::span<const AdjustableSpec>();
+    const LiveAccess *live = m_client.device() ? m_client.device()->live() : nullptr;
+    m_specs = live ? live->adjustables() : std::span<const AdjustableSpec>();
     m_parameters = m_client.device() ? m_client.device()->parameters() : nullptr;
     m_values.assign(m_specs.size(), {});
     m_behind.assign(m_specs.size(), nullptr);
@@ -39,7 +42,7 @@ void AdjustableModel::refresh()
         ids.append(spec.id);
     m_client
         .submit<std::vector<AdjustableValue>>(
-            [ids](Channel &channel, Device &device) { return device.readAdjustables(channel, ids); })
+            [ids](Channel &channel, Device &device) { return device.live()->readAdjustables(channel, ids); })
         .then(this, [this, asked = m_specs.data()](const Result<std::vector<AdjustableValue>> &read) {
             m_asking = false;
             if (asked != m_specs.data())
@@ -52,9 +55,10 @@ void AdjustableModel::refresh()
             int last = -1;
             for (const AdjustableValue &variable : *read) {
                 for (std::size_t row = 0; row < m_specs.size(); ++row) {
-                    if (m_specs[row].id != variable.id || m_values[row] == int(variable.value))
+                    const double value = isFloat(int(row)) ? variable.value : std::trunc(variable.value);
+                    if (m_specs[row].id != variable.id || sameValue(m_values[row], value))
                         continue;
-                    m_values[row] = int(variable.value);
+                    m_values[row] = value;
                     first = first < 0 ? int(row) : std::min(first, int(row));
                     last = std::max(last, int(row));
                 }
@@ -74,13 +78,20 @@ int AdjustableModel::columnCount(const QModelIndex &parent) const
     return parent.isValid() ? 0 : ColumnCount;
 }
 
+bool AdjustableModel::isFloat(int row) const
+{
+    const ParameterSpec *behind = m_behind[std::size_t(row)];
+    return behind && behind->row->wire == WireType::F32;
+}
+
 QString AdjustableModel::meaning(int row) const
 {
     const ParameterSpec *behind = m_behind[std::size_t(row)];
     const auto value = m_values[std::size_t(row)];
     if (!behind || !value)
         return {};
-    const QString text = parameterValueText(*behind, *value / behind->row->adjustableScale);
+    const double raw = *value / behind->row->adjustableScale;
+    const QString text = parameterValueText(*behind, isFloat(row) ? raw : std::trunc(raw));
     return u"%1: %2"_s.arg(parameterLabel(*behind), text);
 }
 
@@ -99,18 +110,20 @@ QVariant AdjustableModel::data(const QModelIndex &index, int role) const
     if (role == Qt::TextAlignmentRole && (index.column() == ValueColumn || index.column() == NumberColumn))
         return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::EditRole && index.column() == ValueColumn)
-        return value ? QVariant(*value) : QVariant();
+        return value ? isFloat(index.row()) ? QVariant(plainNumber(*value)) : QVariant(int(*value))
+                     : QVariant();
     if (role == Qt::ToolTipRole && index.column() == ValueColumn)
-        return tr("Takes effect at once, in volatile memory, from %1 to %2").arg(spec.min).arg(spec.max);
+        return tr("Takes effect at once, in volatile memory, from %1 to %2")
+            .arg(plainNumber(spec.min), plainNumber(spec.max));
     if (role != Qt::DisplayRole)
         return {};
     switch (index.column()) {
     case NumberColumn: return spec.id;
     case NameColumn: return tableText(spec.label);
     case GroupColumn: return tableText(spec.group);
-    case ValueColumn: return value ? QString::number(*value) : u"–"_s;
+    case ValueColumn: return value ? plainNumber(*value) : u"–"_s;
     case MeaningColumn: return meaning(index.row());
-    case RangeColumn: return tr("%1 to %2").arg(spec.min).arg(spec.max);
+    case RangeColumn: return tr("%1 to %2").arg(plainNumber(spec.min), plainNumber(spec.max));
     case KeyColumn: return QLatin1String(spec.key);
     default: return {};
     }
@@ -122,15 +135,17 @@ bool AdjustableModel::setData(const QModelIndex &index, const QVariant &value, i
         return false;
     const AdjustableSpec &spec = m_specs[std::size_t(index.row())];
     bool ok = false;
-    const int wanted = value.toInt(&ok);
-    if (!ok || wanted < spec.min || wanted > spec.max) {
-        emit failed({ErrorCode::OutOfRange,
-                     tr("%1: %2 to %3").arg(tableText(spec.label)).arg(spec.min).arg(spec.max), 0});
+    const double wanted = value.toDouble(&ok);
+    if (!ok || (!isFloat(index.row()) && wanted != std::trunc(wanted)) || wanted < spec.min
+        || wanted > spec.max) {
+        emit failed(
+            {ErrorCode::OutOfRange,
+             tr("%1: %2 to %3").arg(tableText(spec.label), plainNumber(spec.min), plainNumber(spec.max)), 0});
         return false;
     }
     m_client
         .submit<bool>([id = spec.id, wanted](Channel &channel, Device &device) -> Result<bool> {
-            const auto done = device.writeAdjustables(channel, {{id, double(wanted)}});
+            const auto done = device.live()->writeAdjustables(channel, {{id, wanted}});
             return done ? Result<bool>(true) : tl::unexpected(done.error());
         })
         .then(this, [this, id = spec.id, wanted](const Result<bool> &done) {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/deviceclient.h"
+#include "protocol/client/deviceclient.h"
+#include "protocol/device/abilities.h"
 
 #include <QAbstractTableModel>
 
@@ -40,9 +41,11 @@ public:
 signals:
     void failed(const Error &error);
     /// A value was set and confirmed.
-    void written(int id, int value);
+    void written(int id, double value);
 
 private:
+    /// Whole numbers, unless the parameter behind it is a float.
+    [[nodiscard]] bool isFloat(int row) const;
     [[nodiscard]] QString meaning(int row) const;
 
     DeviceClient &m_client;
@@ -50,6 +53,6 @@ private:
     std::shared_ptr<const ParameterSet> m_parameters;
     std::vector<const ParameterSpec *>
         m_behind;  // the parameter behind each variable, null where there is none
-    std::vector<std::optional<int>> m_values;
+    std::vector<std::optional<double>> m_values;
     bool m_asking = false;
 };

@@ -54,12 +54,6 @@ QVariant ChangeModel::data(const QModelIndex &index, int role) const
         return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     if (role != Qt::DisplayRole)
         return {};
-    const auto value = [spec](int raw) {
-        QString text = parameterValueText(*spec, raw);
-        if (*spec->row->unit)
-            text += u' ' + QString::fromUtf8(spec->row->unit);
-        return text;
-    };
     if (row.data.spec && index.column() != ProfileColumn) {
         return index.column() == NameColumn ? tableText(row.data.spec->data)
             : index.column() == BoardColumn ? tr("as on the board")
@@ -75,8 +69,12 @@ QVariant ChangeModel::data(const QModelIndex &index, int role) const
         if (spec && spec->row->scope == Scope::Board)
             return tr("All profiles");
         return profileLabel(m_board, row.change.profile);
-    case BoardColumn: return spec ? value(row.change.from) : m_board.profileNames().value(row.change.profile);
-    case EditedColumn: return spec ? value(row.change.to) : m_edited.profileNames().value(row.change.profile);
+    case BoardColumn:
+        return spec ? parameterQuantityText(*spec, row.change.from)
+                    : m_board.profileNames().value(row.change.profile);
+    case EditedColumn:
+        return spec ? parameterQuantityText(*spec, row.change.to)
+                    : m_edited.profileNames().value(row.change.profile);
     default: return {};
     }
 }
@@ -136,6 +134,16 @@ bool ChangeModel::hasTickedRed() const
     });
 }
 
+bool ChangeModel::hasTicked(WriteEffect effect) const
+{
+    return std::any_of(m_rows.begin(), m_rows.end(), [&](const Row &row) {
+        const BlockSpec *block = row.data.spec;
+        if (row.change.spec)
+            block = m_board.parameters().block(row.change.spec->row->block);
+        return row.ticked && block && block->effect == effect;
+    });
+}
+
 Configuration ChangeModel::ticked() const
 {
     Configuration result = m_board;
@@ -146,7 +154,7 @@ Configuration ChangeModel::ticked() const
         if (!row.ticked)
             continue;
         if (row.change.spec) {
-            std::ignore = result.setRaw(*row.change.spec, row.change.profile, row.change.to);
+            std::ignore = result.copyRaw(*row.change.spec, row.change.profile, m_edited);
         } else if (row.data.spec) {
             result.setBlock(row.data.key, row.data.to);
         } else {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/configuration.h"
+#include "protocol/configuration/configuration.h"
 
 #include <QAbstractTableModel>
 
@@ -26,6 +26,8 @@ public:
     [[nodiscard]] int tickedCount() const;
     [[nodiscard]] int tickedProfiles() const;
     [[nodiscard]] bool hasTickedRed() const;
+    /// Whether writing what is ticked does this.
+    [[nodiscard]] bool hasTicked(WriteEffect effect) const;
     /// The board's configuration with the ticked changes only.
     [[nodiscard]] Configuration ticked() const;
 

@@ -139,6 +139,10 @@ QVariant ChannelModel::data(const QModelIndex &index, int role) const
     switch (index.column()) {
     case NameColumn: return tableText(spec.label);
     case ValueColumn: {
+        if (spec.elements > 1) {
+            const auto values = m_store ? m_store->latestArray(channel).values : nullptr;
+            return values && !values->empty() ? tr("%n value(s)", nullptr, int(values->size())) : u"–"_s;
+        }
         const float value = m_store ? m_store->latest(channel) : std::numeric_limits<float>::quiet_NaN();
         return std::isnan(value) ? u"–"_s : measuredText(double(value), spec.decimals);
     }
@@ -168,7 +172,8 @@ Qt::ItemFlags ChannelModel::flags(const QModelIndex &index) const
     Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
     if (channelOf(index) >= 0 && index.column() == NameColumn)
         flags |= Qt::ItemIsUserCheckable;
-    if (channelOf(index) >= 0)
+    // Arrays have a curve of their own; there is no plot over time to drag them into.
+    if (const int channel = channelOf(index); channel >= 0 && m_table[std::size_t(channel)].elements == 1)
         flags |= Qt::ItemIsDragEnabled;
     return flags;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/telemetry.h"
+#include "protocol/telemetry/streams.h"
 
 #include <QAbstractItemModel>
 #include <QSet>

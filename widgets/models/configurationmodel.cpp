@@ -6,6 +6,8 @@
 
 #include <tuple>
 
+using namespace Qt::StringLiterals;
+
 ConfigurationModel::ConfigurationModel(QObject *parent)
     : QObject(parent)
 {
@@ -93,26 +95,28 @@ void ConfigurationModel::setShownProfile(int profile)
     emit shownProfileChanged(profile);
 }
 
-std::optional<int> ConfigurationModel::value(const ParameterSpec &spec, int profile) const
+std::optional<double> ConfigurationModel::value(const ParameterSpec &spec, int profile) const
 {
     return m_edited.raw(spec, profile);
 }
 
-std::optional<int> ConfigurationModel::boardValue(const ParameterSpec &spec, int profile) const
+std::optional<double> ConfigurationModel::boardValue(const ParameterSpec &spec, int profile) const
 {
     return m_board.raw(spec, profile);
 }
 
 bool ConfigurationModel::isChanged(const ParameterSpec &spec, int profile) const
 {
-    return !spec.row->state && m_board.raw(spec, profile) != m_edited.raw(spec, profile);
+    return !spec.row->state && !sameValue(m_board.raw(spec, profile), m_edited.raw(spec, profile));
 }
 
-Result<void> ConfigurationModel::setValue(const ParameterSpec &spec, int profile, int raw)
+Result<void> ConfigurationModel::setValue(const ParameterSpec &spec, int profile, double raw)
 {
-    if (m_edited.raw(spec, profile) == raw)
+    if (sameValue(m_edited.raw(spec, profile), raw))
         return {};
-    if (const auto set = m_edited.setRaw(spec, profile, raw); !set)
+    const auto set = sameValue(m_board.raw(spec, profile), raw) ? m_edited.copyRaw(spec, profile, m_board)
+                                                                : m_edited.setRaw(spec, profile, raw);
+    if (!set)
         return set;
     emit valueChanged(spec.id, profile);
     recount();
@@ -135,6 +139,9 @@ Result<void> ConfigurationModel::setData(BlockKey key, const QByteArray &bytes)
 {
     if (!m_edited.blocks().contains(key))
         return failure(ErrorCode::Unsupported, QString::number(key.block));
+    if (const BlockSpec *spec = m_edited.parameters().block(key.block); spec && !spec->holds(bytes.size()))
+        return failure(ErrorCode::OutOfRange,
+                       u"%1: %2 bytes"_s.arg(QLatin1String(spec->name)).arg(bytes.size()));
     if (m_edited.block(key) == bytes)
         return {};
     m_edited.setBlock(key, bytes);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/configuration.h"
+#include "protocol/configuration/configuration.h"
 
 #include <QObject>
 
@@ -31,13 +31,15 @@ public:
     [[nodiscard]] int shownProfile() const { return m_shownProfile; }
     void setShownProfile(int profile);
 
-    [[nodiscard]] std::optional<int> value(const ParameterSpec &spec, int profile) const;
-    [[nodiscard]] std::optional<int> boardValue(const ParameterSpec &spec, int profile) const;
+    [[nodiscard]] std::optional<double> value(const ParameterSpec &spec, int profile) const;
+    [[nodiscard]] std::optional<double> boardValue(const ParameterSpec &spec, int profile) const;
     [[nodiscard]] bool isChanged(const ParameterSpec &spec, int profile) const;
-    /// Errors: OutOfRange, Unsupported, ReadOnly.
-    Result<void> setValue(const ParameterSpec &spec, int profile, int raw);
+    /// What the board holds is taken over bit by bit, in range and a number or not. Errors: those of
+    /// Configuration::setRaw().
+    Result<void> setValue(const ParameterSpec &spec, int profile, double raw);
     void setProfileName(int profile, const QString &name);
-    /// Edits a block without parameters as a whole. Errors: Unsupported (no such block).
+    /// Edits a block without parameters as a whole. Errors: Unsupported (no such block), OutOfRange (its
+    /// length).
     Result<void> setData(BlockKey key, const QByteArray &bytes);
 
     [[nodiscard]] std::vector<ParameterChange> changes() const { return m_board.changesTo(m_edited); }

@@ -42,23 +42,23 @@ void DebugModel::reset()
 
 void DebugModel::refresh()
 {
-    if (m_asking || !m_client.isConnected())
+    if (m_asking || !m_client.isConnected() || !m_client.device()->innerVariables())
         return;
     m_asking = true;
     m_client
         .submit<DebugRead>([list = !m_listed](Channel &channel, Device &device) -> Result<DebugRead> {
             DebugRead read;
             if (list) {
-                const auto variables = device.debugVariables(channel);
+                const auto variables = device.innerVariables()->debugVariables(channel);
                 if (!variables)
                     return tl::unexpected(variables.error());
                 read.variables = *variables;
             }
-            const auto values = device.readDebugVariables(channel);
+            const auto values = device.innerVariables()->readDebugVariables(channel);
             if (!values)
                 return tl::unexpected(values.error());
             read.values = *values;
-            read.at = channel.now();
+            read.at = Clock::now();
             return read;
         })
         .then(this, [this, generation = m_generation](const Result<DebugRead> &read) {

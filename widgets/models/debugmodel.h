@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/deviceclient.h"
+#include "protocol/client/deviceclient.h"
+#include "protocol/device/abilities.h"
+#include "protocol/telemetry/telemetrystore.h"
 
 #include <QAbstractTableModel>
 

@@ -139,6 +139,11 @@ ErrorText describe(const Error &error)
         text.meaning = Words::tr("The camera has to be held by running motors, and live data has to come.");
         text.cure = Words::tr("Switch the motors on, let the camera settle, then try again.");
         break;
+    case ErrorCode::ConditionUnmet:
+        text.what = Words::tr("The board is not in the state that this action needs.");
+        text.meaning = Words::tr("Nothing was sent to it.");
+        text.cure = Words::tr("The details say what has to be so first.");
+        break;
     case ErrorCode::NotSeen:
         text.what = Words::tr("What was waited for did not come.");
         text.meaning = Words::tr("This step was given up; nothing was stored.");
@@ -154,6 +159,11 @@ ErrorText describe(const Error &error)
         text.meaning = Words::tr("It moved further than the test allows.");
         text.cure
             = Words::tr("Lower the gains or make the movement smaller, then switch the motors on again.");
+        break;
+    case ErrorCode::NotProven:
+        text.what = Words::tr("The board did not confirm that the motors are off.");
+        text.meaning = Words::tr("They may still be running.");
+        text.cure = Words::tr("Hold the camera and disconnect the power.");
         break;
     case ErrorCode::Busy:
         text.what = Words::tr("Another job is still running.");
@@ -173,6 +183,8 @@ QString describe(const Progress &progress)
         return Words::tr("Reading %1").arg(progress.subject);
     if (progress.step == u"write-block"_s)
         return Words::tr("Writing %1").arg(progress.subject);
+    if (progress.step == u"await-restart"_s)
+        return Words::tr("%1 is written; waiting for the board to restart").arg(progress.subject);
     if (progress.step == u"verify-block"_s)
         return Words::tr("Reading back %1").arg(progress.subject);
     if (progress.step == u"roll-back"_s)
@@ -191,6 +203,8 @@ QString describe(const Progress &progress)
         return Words::tr("The board starts; keep the camera still");
     if (progress.step == u"autotune"_s)
         return Words::tr("Auto-tune, iteration %1").arg(progress.done);
+    if (progress.step == u"motion-test"_s)
+        return Words::tr("Measuring how the axis follows");
     if (progress.step == u"steer"_s)
         return Words::tr("Steering");
     return progress.step;

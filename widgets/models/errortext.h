@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/base/progress.h"
 #include "protocol/base/result.h"
-#include "protocol/session/channel.h"
 
 /// An error in the operator's words: what happened, what it means for the gimbal, what to do.
 struct ErrorText

@@ -21,11 +21,11 @@ void FrameLogModel::refresh()
     if (!m_showsStreams) {
         // Live data is what comes from the board again and again, asked for by the program or by nobody;
         // errors and notices are not.
-        std::erase_if(fresh, [this, poll = m_client.pollBytes()](const LoggedFrame &frame) {
+        const FrameInspector *inspector = m_client.device() ? m_client.device()->inspector() : nullptr;
+        std::erase_if(fresh, [inspector, poll = m_client.pollBytes()](const LoggedFrame &frame) {
             if (!frame.fromBoard)
                 return !poll.isEmpty() && frame.bytes == poll;
-            return (!frame.claimed || !poll.isEmpty()) && m_client.device()
-                && m_client.device()->isTelemetryFrame(frame.id);
+            return (!frame.claimed || !poll.isEmpty()) && inspector && inspector->isTelemetryFrame(frame.id);
         });
     }
     if (fresh.empty())
@@ -59,14 +59,15 @@ const FrameText &FrameLogModel::textOf(const Row &row) const
     if (row.text)
         return *row.text;
     row.text = FrameText{u"?"_s, {}};
-    const Device *device = m_client.device();
-    if (!device)
+    const FrameInspector *inspector = m_client.device() ? m_client.device()->inspector() : nullptr;
+    if (!inspector)
         return *row.text;
     if (row.frame.fromBoard) {
-        row.text = device->describeFrame({row.frame.id, asBytes(row.frame.bytes), row.frame.version}, true);
+        row.text
+            = inspector->describeFrame({row.frame.id, asBytes(row.frame.bytes), row.frame.version}, true);
         return *row.text;
     }
-    row.text = device->describeSent(row.frame.bytes);
+    row.text = inspector->describeSent(row.frame.bytes);
     return *row.text;
 }
 

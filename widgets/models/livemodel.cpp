@@ -2,8 +2,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/livemodel.h"
 
+#include "protocol/device/abilities.h"
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+namespace {
+
+// The parameter's raw value behind a variable's; of integers whole counts, as the board divides.
+double rawOf(const ParameterSpec &spec, double variable)
+{
+    const double raw = variable / spec.row->adjustableScale;
+    return spec.row->wire == WireType::F32 ? spec.nearest(raw) : std::trunc(raw);
+}
+
+}  // namespace
 
 LiveModel::LiveModel(DeviceClient &client, ConfigurationModel &configuration, QObject *parent)
     : QObject(parent)
@@ -55,13 +69,13 @@ void LiveModel::reset()
     read();
 }
 
-std::optional<int> LiveModel::value(int parameter) const
+std::optional<double> LiveModel::value(int parameter) const
 {
     const auto it = m_values.find(parameter);
     return it == m_values.end() ? std::nullopt : std::optional(*it);
 }
 
-std::optional<int> LiveModel::stored(int parameter) const
+std::optional<double> LiveModel::stored(int parameter) const
 {
     if (!m_set)
         return {};
@@ -72,7 +86,7 @@ std::optional<int> LiveModel::stored(int parameter) const
 bool LiveModel::isChanged(int parameter) const
 {
     const auto now = value(parameter);
-    return now && stored(parameter) != now;
+    return now && !sameValue(stored(parameter), now);
 }
 
 void LiveModel::read()
@@ -84,7 +98,7 @@ void LiveModel::read()
         ids.append(spec(parameter).adjustable);
     m_client
         .submit<std::vector<AdjustableValue>>(
-            [ids](Channel &channel, Device &device) { return device.readAdjustables(channel, ids); })
+            [ids](Channel &channel, Device &device) { return device.live()->readAdjustables(channel, ids); })
         .then(this, [this, generation = m_generation](const Result<std::vector<AdjustableValue>> &read) {
             if (generation != m_generation)
                 return;
@@ -99,8 +113,8 @@ void LiveModel::read()
                 const auto it = byId.find(spec(parameter).adjustable);
                 if (it == byId.end() || m_wanted.contains(parameter))
                     continue;
-                const int raw = int(*it) / spec(parameter).row->adjustableScale;
-                if (value(parameter) == raw)
+                const double raw = rawOf(spec(parameter), *it);
+                if (sameValue(value(parameter), raw))
                     continue;
                 m_values.insert(parameter, raw);
                 emit valueChanged(parameter);
@@ -109,40 +123,43 @@ void LiveModel::read()
         });
 }
 
-std::pair<int, int> LiveModel::range(int parameter) const
+std::pair<double, double> LiveModel::range(int parameter) const
 {
     const ParameterSpec &parameterSpec = spec(parameter);
-    std::pair<int, int> range{parameterSpec.row->min, parameterSpec.row->max};
-    const auto variables
-        = m_client.device() ? m_client.device()->adjustables() : std::span<const AdjustableSpec>();
+    std::pair<double, double> range{parameterSpec.row->min, parameterSpec.row->max};
+    const LiveAccess *live = m_client.device() ? m_client.device()->live() : nullptr;
+    const auto variables = live ? live->adjustables() : std::span<const AdjustableSpec>();
     for (const AdjustableSpec &variable : variables) {
         if (variable.id != parameterSpec.adjustable)
             continue;
-        range.first = std::max(range.first, variable.min / parameterSpec.row->adjustableScale);
-        range.second = std::min(range.second, variable.max / parameterSpec.row->adjustableScale);
+        range.first = std::max(range.first, rawOf(parameterSpec, variable.min));
+        range.second = std::min(range.second, rawOf(parameterSpec, variable.max));
     }
     return range;
 }
 
-void LiveModel::setValue(int parameter, int raw)
+void LiveModel::setValue(int parameter, double raw)
 {
     if (!m_client.isConnected() || !m_parameters.contains(parameter))
         return;
     const auto [low, high] = range(parameter);
-    put(parameter, std::clamp(raw, low, high));
+    put(parameter, std::clamp(spec(parameter).nearest(raw), low, high));
     flush();
 }
 
-void LiveModel::setValues(const QHash<int, int> &values)
+void LiveModel::setValues(const QHash<int, double> &values)
 {
     if (!m_client.isConnected())
         return;
     for (auto it = values.begin(); it != values.end(); ++it) {
         if (!m_parameters.contains(it.key()))
             continue;
+        const double raw = spec(it.key()).clamped(it.value());
+        if (!std::isfinite(raw))
+            continue;
         // Written in any case: what is believed to be in use may be old by now.
-        put(it.key(), spec(it.key()).clamped(it.value()));
-        m_wanted.insert(it.key(), spec(it.key()).clamped(it.value()));
+        put(it.key(), raw);
+        m_wanted.insert(it.key(), raw);
     }
     flush();
 }
@@ -158,9 +175,9 @@ LiveValues LiveModel::unsaved() const
     return values;
 }
 
-void LiveModel::put(int parameter, int raw)
+void LiveModel::put(int parameter, double raw)
 {
-    if (value(parameter) == raw)
+    if (!std::isfinite(raw) || sameValue(value(parameter), raw))
         return;
     m_values.insert(parameter, raw);
     m_wanted.insert(parameter, raw);
@@ -177,13 +194,12 @@ void LiveModel::flush()
     for (auto it = m_wanted.begin(); it != m_wanted.end(); ++it) {
         if (!m_sent.contains(it.key()))
             m_sent.append(it.key());
-        values.push_back(
-            {spec(it.key()).adjustable, double(it.value() * spec(it.key()).row->adjustableScale)});
+        values.push_back({spec(it.key()).adjustable, it.value() * spec(it.key()).row->adjustableScale});
     }
     m_wanted.clear();
     m_client
         .submit<bool>([values](Channel &channel, Device &device) -> Result<bool> {
-            const auto done = device.writeAdjustables(channel, values);
+            const auto done = device.live()->writeAdjustables(channel, values);
             return done ? Result<bool>(true) : tl::unexpected(done.error());
         })
         .then(this, [this, generation = m_generation](const Result<bool> &done) {
@@ -212,7 +228,7 @@ void LiveModel::revert()
         if (!kept || !value(parameter))
             continue;
         // Also what looks unchanged: a value still on its way must not win.
-        if (m_writing && value(parameter) == *kept)
+        if (m_writing && *value(parameter) == *kept)
             m_wanted.insert(parameter, *kept);
         put(parameter, *kept);
     }
@@ -248,7 +264,7 @@ int LiveModel::slotDifference() const
         return 0;
     int count = 0;
     for (auto it = m_values.begin(); it != m_values.end(); ++it)
-        count += m_other.value(it.key(), it.value()) != it.value();
+        count += !sameValue(m_other.value(it.key(), it.value()), it.value());
     return count;
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/deviceclient.h"
-#include "protocol/device/livevalues.h"
+#include "protocol/client/deviceclient.h"
+#include "protocol/configuration/livevalues.h"
 #include "widgets/models/configurationmodel.h"
 
 #include <QHash>
@@ -22,11 +22,11 @@ public:
     /// Ids of the parameters that can be changed live on this board, in table order.
     [[nodiscard]] const QList<int> &parameters() const { return m_parameters; }
     /// In use now; empty until the board has said so.
-    [[nodiscard]] std::optional<int> value(int parameter) const;
+    [[nodiscard]] std::optional<double> value(int parameter) const;
     /// Raw values that can be set live, which may be fewer than can be stored.
-    [[nodiscard]] std::pair<int, int> range(int parameter) const;
+    [[nodiscard]] std::pair<double, double> range(int parameter) const;
     /// What the active profile holds in permanent memory.
-    [[nodiscard]] std::optional<int> stored(int parameter) const;
+    [[nodiscard]] std::optional<double> stored(int parameter) const;
     [[nodiscard]] bool isChanged(int parameter) const;
     /// How many values in use are not stored.
     [[nodiscard]] int changeCount() const { return m_changeCount; }
@@ -37,8 +37,8 @@ public:
     void read();
     /// Forgets what is in use: the board has loaded a profile anew.
     void forget() { m_values.clear(); }
-    void setValue(int parameter, int raw);
-    void setValues(const QHash<int, int> &values);
+    void setValue(int parameter, double raw);
+    void setValues(const QHash<int, double> &values);
     /// Values in use that are not stored.
     [[nodiscard]] LiveValues unsaved() const;
     /// Everything back to what is stored, ahead of changes still waiting.
@@ -63,9 +63,9 @@ signals:
     void settled(const QList<int> &parameters);
 
 private:
-    using Values = QHash<int, int>;  // parameter id -> raw
+    using Values = QHash<int, double>;  // parameter id -> raw
     void reset();
-    void put(int parameter, int raw);
+    void put(int parameter, double raw);
     void flush();
     void recount();
     [[nodiscard]] const ParameterSpec &spec(int parameter) const;

@@ -38,36 +38,45 @@ QString profileLabel(const Configuration &configuration, int profile)
     return name.isEmpty() ? QCoreApplication::translate("Tables", "Profile %1").arg(profile + 1) : name;
 }
 
-QString parameterValueText(const ParameterSpec &spec, int raw)
+QString parameterValueText(const ParameterSpec &spec, double raw)
 {
+    if (std::isnan(raw))
+        return QCoreApplication::translate("Tables", "no number");
     switch (spec.row->kind) {
     case ValueKind::Toggle:
-        return raw ? QCoreApplication::translate("Tables", "On")
-                   : QCoreApplication::translate("Tables", "Off");
+        return raw != 0 ? QCoreApplication::translate("Tables", "On")
+                        : QCoreApplication::translate("Tables", "Off");
     case ValueKind::Choice:
         for (const Choice &choice : spec.row->choices) {
             if (choice.value == raw)
                 return tableText(choice.name);
         }
-        return QString::number(raw);
+        return QString::number(qint64(raw));
     case ValueKind::Flags: {
         QStringList names;
         for (const Choice &choice : spec.row->choices) {
-            if (raw & (1 << choice.value))
+            if (flagBits(raw) & (1U << choice.value))
                 names.append(tableText(choice.name));
         }
         return names.isEmpty() ? QCoreApplication::translate("Tables", "None") : names.join(u", "_s);
     }
     case ValueKind::Number: break;
     }
-    return spec.format(raw);
+    return spec.rounded(raw);
+}
+
+QString parameterQuantityText(const ParameterSpec &spec, double raw)
+{
+    const QString text = parameterValueText(spec, raw);
+    return *spec.row->unit && !std::isnan(raw) ? text + u' ' + QString::fromUtf8(spec.row->unit) : text;
 }
 
 QString parameterRangeText(const ParameterSpec &spec)
 {
     if (spec.row->kind != ValueKind::Number)
         return {};
-    QString text = QCoreApplication::translate("Tables", "%1 to %2").arg(spec.minText(), spec.maxText());
+    QString text = QCoreApplication::translate("Tables", "%1 to %2")
+                       .arg(spec.rounded(spec.row->min), spec.rounded(spec.row->max));
     if (*spec.row->unit)
         text += u' ' + QString::fromUtf8(spec.row->unit);
     return text;
@@ -77,7 +86,7 @@ QString idleReason(const ConfigurationModel &configuration, const ParameterSpec 
 {
     const QString key = spec.idleKey();
     const ParameterSpec *other = key.isEmpty() ? nullptr : configuration.edited().parameters().find(key);
-    if (!other || configuration.value(*other, profile) != spec.row->idle.value)
+    if (!other || !sameValue(configuration.value(*other, profile), spec.row->idle.value))
         return {};
     return QCoreApplication::translate("Tables", "No effect while “%1” is “%2”.")
         .arg(parameterLabel(*other), parameterValueText(*other, spec.row->idle.value));
@@ -139,7 +148,7 @@ QVariant ParameterModel::data(const QModelIndex &index, int role) const
     case IdRole: return spec.id;
     case ChangedRole: return m_configuration.isChanged(spec, profile);
     case RedRole: return spec.row->risk == Risk::Red;
-    case DiffersFromDefaultRole: return value && !spec.row->state && *value != spec.defaultRaw;
+    case DiffersFromDefaultRole: return value && !spec.row->state && !sameValue(*value, spec.defaultRaw);
     case LevelRole: return int(spec.row->level);
     case SearchRole: return parameterSearchText(spec);
     case GroupRole: return tableText(spec.row->group);

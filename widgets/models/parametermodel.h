@@ -42,7 +42,7 @@ public:
 
 signals:
     /// Somebody typed a value; whoever owns the undo stack makes an edit of it.
-    void editRequested(int parameter, int raw);
+    void editRequested(int parameter, double raw);
 
 private:
     [[nodiscard]] const ParameterSpec &specAt(int row) const;
@@ -58,7 +58,9 @@ private:
 [[nodiscard]] QString tableText(const char *text);
 /// The profile's name, or its number where it has none.
 [[nodiscard]] QString profileLabel(const Configuration &configuration, int profile);
-[[nodiscard]] QString parameterValueText(const ParameterSpec &spec, int raw);
+[[nodiscard]] QString parameterValueText(const ParameterSpec &spec, double raw);
+/// The same with its unit.
+[[nodiscard]] QString parameterQuantityText(const ParameterSpec &spec, double raw);
 [[nodiscard]] QString parameterRangeText(const ParameterSpec &spec);
 /// Lower-case text in which a search looks: label, key, group, help.
 /// Why the parameter has no effect now, as a sentence; empty: it has one.

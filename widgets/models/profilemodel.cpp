@@ -49,7 +49,7 @@ int ProfileModel::differences(int profile) const
     int count = 0;
     for (const ParameterSpec &spec : edited.parameters().all()) {
         if (spec.row->scope == Scope::Profile && !spec.row->state)
-            count += edited.raw(spec, profile) != edited.raw(spec, edited.activeProfile());
+            count += !sameValue(edited.raw(spec, profile), edited.raw(spec, edited.activeProfile()));
     }
     return count;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/channelspec.h"
+#include "protocol/telemetry/channelspec.h"
 
 #include <QByteArray>
 #include <QList>

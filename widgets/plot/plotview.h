@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/telemetry.h"
+#include "protocol/telemetry/streams.h"
 #include "widgets/plot/plotmarks.h"
 #include "widgets/plot/traceimage.h"
 #include "widgets/plot/valuescale.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/tracesource.h"
+#include "protocol/telemetry/tracesource.h"
 
 #include <map>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plot/spanstatistics.h"
 
-#include "protocol/device/tracesource.h"
+#include "protocol/telemetry/tracesource.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/telemetrystore.h"
+#include "protocol/telemetry/telemetrystore.h"
 
 /// Figures of one channel, or of the difference of two, over a span of time. NaN without samples.
 struct SpanStatistics

@@ -20,8 +20,10 @@ constexpr float kRange = 60.0F;  // decibels from dark to bright
 constexpr float kStep = 10.0F;  // the bright end moves by so much, so that colours do not dance
 
 // Dark violet over teal to yellow: even steps of brightness, told apart by colour-blind eyes.
-constexpr std::array<std::array<float, 3>, 6> kColors{
-    {{13, 8, 35}, {62, 35, 110}, {44, 95, 140}, {32, 150, 135}, {120, 205, 85}, {253, 231, 60}}};
+// clang-format off
+constexpr std::array<std::array<float, 3>, 6> kColors{{{13, 8, 35}, {62, 35, 110}, {44, 95, 140}, {32, 150, 135},
+                                                      {120, 205, 85}, {253, 231, 60}}};
+// clang-format on
 
 float decibel(double density)
 {

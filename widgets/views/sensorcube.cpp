@@ -15,14 +15,16 @@ namespace {
 using Vector = std::array<double, 3>;
 
 // Where the sensor's X, Y, Z point in the room (x right, y away, z up) for each face that can lie up.
+// clang-format off
 constexpr std::array<std::array<Vector, 3>, 6> kFrames{{
-    {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},  // +Z up
+    {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},    // +Z up
     {{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}},  // -Z up
-    {{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}},  // +X up
-    {{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}}},  // -X up
-    {{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}},  // +Y up
-    {{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}},  // -Y up
+    {{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}},   // +X up
+    {{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}}},   // -X up
+    {{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}},   // +Y up
+    {{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}},   // -Y up
 }};
+// clang-format on
 
 // A plain oblique view: x to the right, y into the picture, z up.
 QPointF project(const Vector &point, double scale, QPointF centre)

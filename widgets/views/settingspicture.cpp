@@ -36,12 +36,9 @@ struct Line
     bool isHeading = false;
 };
 
-Cell cellOf(const ParameterSpec &spec, int raw)
+Cell cellOf(const ParameterSpec &spec, double raw)
 {
-    QString text = parameterValueText(spec, raw);
-    if (*spec.row->unit)
-        text += u' ' + QString::fromUtf8(spec.row->unit);
-    return {text, raw != spec.defaultRaw};
+    return {parameterQuantityText(spec, raw), !sameValue(raw, spec.defaultRaw)};
 }
 
 std::vector<Line> linesOf(const Configuration &configuration, int profile)

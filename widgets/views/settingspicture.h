@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/device/configuration.h"
+#include "protocol/configuration/configuration.h"
 #include "widgets/theme/theme.h"
 
 #include <QImage>

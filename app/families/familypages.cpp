@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/families/familypages.h"
+
+#if GIMBAL_WITH_SIMPLEBGC
+#include "app/families/simplebgc/autotunepage.h"
+#include "app/families/simplebgc/calibrationpage.h"
+#endif
+#if GIMBAL_WITH_STORM32
+#include "app/families/storm32/sensorpage.h"
+#include "app/families/storm32/setuppage.h"
+#endif
+
+#include <QCoreApplication>
+
+// clang-format off
+QList<PageEntry> familyPages()
+{
+    QList<PageEntry> pages;
+#if GIMBAL_WITH_STORM32
+    pages += {
+        {"sensor", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<SensorPage>, nullptr, "storm32", "profiles"},
+        {"setup", QT_TRANSLATE_NOOP("Pages", "Gimbal setup"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<SetupPage>, nullptr, "storm32", "profiles"},
+    };
+#endif
+#if GIMBAL_WITH_SIMPLEBGC
+    pages += {
+        {"calibration", QT_TRANSLATE_NOOP("Pages", "Calibration"), QT_TRANSLATE_NOOP("Pages", "Set up"), makePage<CalibrationPage>, nullptr, "simplebgc", "profiles"},
+        {"autotune", QT_TRANSLATE_NOOP("Pages", "Auto-tune"), QT_TRANSLATE_NOOP("Pages", "Tune"), makePage<AutoTunePage>, nullptr, "simplebgc", "response"},
+    };
+#endif
+    return pages;
+}
+// clang-format on

@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/board/actionspage.h"
+
+#include "widgets/forms/argumentform.h"
+#include "widgets/models/parametermodel.h"
+#include "widgets/views/card.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QShortcut>
+#include <QTextBrowser>
+#include <QTime>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kListWidth = 300;
+
+QString replyText(const QVariant &value)
+{
+    if (value.typeId() == QMetaType::QVariantList) {
+        QStringList parts;
+        for (const QVariant &element : value.toList())
+            parts.append(replyText(element));
+        return parts.join(u", "_s);
+    }
+    if (value.typeId() == QMetaType::Double)
+        return QString::number(value.toDouble(), 'g', 7);
+    if (value.typeId() == QMetaType::Bool)
+        return value.toBool() ? ActionsPage::tr("yes") : ActionsPage::tr("no");
+    return value.toString();
+}
+
+}  // namespace
+
+QString riskText(ActionRisk risk)
+{
+    switch (risk) {
+    case ActionRisk::Safe: return ActionsPage::tr("Changes nothing");
+    case ActionRisk::Moves:
+        return ActionsPage::tr("⚠ Can move the camera or change how it is held, until the next start");
+    case ActionRisk::Writes: return ActionsPage::tr("⚠ Changes permanent memory; a snapshot is taken first");
+    case ActionRisk::Destroys: return ActionsPage::tr("⚠ Overwrites settings; a snapshot is taken first");
+    }
+    return {};
+}
+
+ActionsPage::ActionsPage(Workspace &workspace, QWidget *parent)
+    : Page(workspace, u"actions"_s, tr("Actions"), parent)
+    , m_search(new QLineEdit)
+    , m_list(new QTreeWidget)
+    , m_card(new Card({}))
+    , m_title(new QLabel)
+    , m_help(new QLabel)
+    , m_risk(new QLabel)
+    , m_formHolder(new QVBoxLayout)
+    , m_run(new QPushButton)
+    , m_cancel(new QPushButton(tr("Cancel")))
+    , m_reply(new QTextBrowser)
+{
+    m_search->setPlaceholderText(tr("Search (Ctrl+F)"));
+    m_search->setAccessibleName(tr("Search actions"));
+    m_search->setClearButtonEnabled(true);
+    m_search->setMinimumWidth(180);
+    header()->addWidget(m_search);
+    m_list->setAccessibleName(tr("Actions of this board"));
+    m_list->setHeaderHidden(true);
+    m_list->setIndentation(14);
+    m_list->setFixedWidth(kListWidth);
+    QFont font = m_title->font();
+    font.setWeight(QFont::DemiBold);
+    font.setPointSizeF(font.pointSizeF() + 2);
+    m_title->setFont(font);
+    m_help->setWordWrap(true);
+    m_risk->setWordWrap(true);
+    m_reply->setAccessibleName(tr("Reply"));
+    m_reply->setPlaceholderText(tr("The reply of the board comes here."));
+    auto *buttons = new QHBoxLayout;
+    buttons->addWidget(m_run);
+    buttons->addWidget(m_cancel);
+    buttons->addStretch(1);
+    QVBoxLayout *content = m_card->content();
+    content->setSpacing(12);
+    content->addWidget(m_title);
+    content->addWidget(m_help);
+    content->addWidget(m_risk);
+    content->addLayout(m_formHolder);
+    content->addLayout(buttons);
+    auto *right = new QVBoxLayout;
+    right->setSpacing(12);
+    right->addWidget(m_card);
+    right->addWidget(m_reply, 1);
+    auto *row = new QHBoxLayout;
+    row->setSpacing(12);
+    row->addWidget(m_list);
+    row->addLayout(right, 1);
+    body()->addLayout(row, 1);
+
+    connect(m_search, &QLineEdit::textChanged, this, &ActionsPage::refilter);
+    connect(m_list, &QTreeWidget::currentItemChanged, this, &ActionsPage::onChosen);
+    connect(m_run, &QPushButton::clicked, this, &ActionsPage::run);
+    connect(m_cancel, &QPushButton::clicked, &workspace.client(), &DeviceClient::cancelJobs);
+    connect(&workspace.client(), &DeviceClient::stateChanged, this, &ActionsPage::fillList);
+    new QShortcut(QKeySequence::Find, this, [this] { m_search->setFocus(); });
+    fillList();
+}
+
+void ActionsPage::fillList()
+{
+    const DeviceClient &client = workspace().client();
+    updateRun();
+    if (!client.isConnected())
+        return;
+    const QString before = m_action ? QString::fromLatin1(m_action->key) : QString();
+    m_list->clear();
+    QMap<QString, QTreeWidgetItem *> groups;
+    for (const ActionSpec &action : client.device()->actions()) {
+        const QString group = tableText(action.group);
+        if (!groups.contains(group)) {
+            auto *item = new QTreeWidgetItem(m_list, {group});
+            item->setFlags(Qt::ItemIsEnabled);
+            item->setExpanded(true);
+            groups.insert(group, item);
+        }
+        auto *item = new QTreeWidgetItem(groups.value(group), {tableText(action.label)});
+        item->setData(0, Qt::UserRole, QString::fromLatin1(action.key));
+        item->setToolTip(0, tableText(action.help));
+    }
+    m_list->expandAll();
+    refilter();
+    if (!showAction(before) && m_list->topLevelItemCount() > 0)
+        m_list->setCurrentItem(m_list->topLevelItem(0)->child(0));
+}
+
+void ActionsPage::refilter()
+{
+    const auto words = m_search->text().toLower().split(u' ', Qt::SkipEmptyParts);
+    for (int g = 0; g < m_list->topLevelItemCount(); ++g) {
+        QTreeWidgetItem *group = m_list->topLevelItem(g);
+        bool any = false;
+        for (int i = 0; i < group->childCount(); ++i) {
+            QTreeWidgetItem *item = group->child(i);
+            const QString text = (group->text(0) + u' ' + item->text(0) + u' ' + item->toolTip(0) + u' '
+                                  + item->data(0, Qt::UserRole).toString())
+                                     .toLower();
+            const bool match = std::all_of(words.begin(), words.end(),
+                                           [&text](const QString &word) { return text.contains(word); });
+            item->setHidden(!match);
+            any |= match;
+        }
+        group->setHidden(!any);
+    }
+}
+
+bool ActionsPage::showAction(const QString &key)
+{
+    for (int g = 0; g < m_list->topLevelItemCount(); ++g) {
+        QTreeWidgetItem *group = m_list->topLevelItem(g);
+        for (int i = 0; i < group->childCount(); ++i) {
+            if (group->child(i)->data(0, Qt::UserRole).toString() == key) {
+                m_list->setCurrentItem(group->child(i));
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+void ActionsPage::onChosen()
+{
+    const QTreeWidgetItem *item = m_list->currentItem();
+    const Device *device = workspace().client().device();
+    if (!item || !device || item->data(0, Qt::UserRole).toString().isEmpty())
+        return;
+    const QString key = item->data(0, Qt::UserRole).toString();
+    for (const ActionSpec &action : device->actions()) {
+        if (key == QLatin1String(action.key))
+            m_action = action;
+    }
+    delete std::exchange(m_form, nullptr);
+    m_title->setText(tableText(m_action->label));
+    m_help->setText(tableText(m_action->help));
+    m_risk->setText(riskText(m_action->risk));
+    m_risk->setObjectName(m_action->risk == ActionRisk::Safe           ? u"muted"_s
+                              : m_action->risk == ActionRisk::Destroys ? u"error"_s
+                                                                       : u"warning"_s);
+    repolish(m_risk);
+    m_form = new ArgumentForm(*m_action);
+    m_formHolder->addWidget(m_form);
+    updateRun();
+}
+
+void ActionsPage::updateRun()
+{
+    const bool connected = workspace().client().isConnected();
+    const bool red = m_action && m_action->risk == ActionRisk::Destroys;
+    // The button says what will happen; nothing else asks.
+    m_run->setText(!m_action ? tr("Run")
+                       : red ? tr("%1: overwrite settings").arg(tableText(m_action->label))
+                             : tableText(m_action->label));
+    m_run->setObjectName(red ? u"danger"_s : u"primary"_s);
+    repolish(m_run);
+    m_run->setEnabled(connected && m_action && !m_running
+                      && (workspace().client().identity().writable || m_action->risk == ActionRisk::Safe));
+    m_cancel->setVisible(m_running);
+    m_list->setEnabled(connected && !m_running);
+}
+
+void ActionsPage::run()
+{
+    const auto arguments = m_form->arguments();
+    if (!arguments) {
+        emit workspace().problem(describe(arguments.error()));
+        return;
+    }
+    m_running = true;
+    updateRun();
+    const QString label = tableText(m_action->label);
+    m_reply->setPlainText(tr("%1 …").arg(label));
+    const bool rereads = m_action->risk == ActionRisk::Writes || m_action->risk == ActionRisk::Destroys;
+    workspace()
+        .perform(QString::fromLatin1(m_action->key), *arguments)
+        .then(this, [this, label, rereads](const Result<ActionOutcome> &outcome) {
+            m_running = false;
+            updateRun();
+            const QString time = QTime::currentTime().toString(u"HH:mm:ss"_s);
+            if (!outcome) {
+                m_reply->setPlainText(time + u"  "_s + label + u'\n' + describe(outcome.error()).oneLine());
+                return;
+            }
+            QString html = u"<p>%1  <b>%2</b>: %3</p><table>"_s.arg(time, label.toHtmlEscaped(),
+                                                                    tr("done").toHtmlEscaped());
+            for (auto it = outcome->reply.begin(); it != outcome->reply.end(); ++it) {
+                html += u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td>%2</td></tr>"_s.arg(
+                    it.key().toHtmlEscaped(), replyText(it.value()).toHtmlEscaped());
+            }
+            html += u"</table>"_s;
+            if (!outcome->snapshotPath.isEmpty())
+                html += u"<p>%1</p>"_s.arg(
+                    tr("The board as it was is kept in %1").arg(outcome->snapshotPath).toHtmlEscaped());
+            m_reply->setHtml(html);
+            if (rereads)
+                workspace().readBoard();
+        });
+}

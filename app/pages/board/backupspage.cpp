@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/board/backupspage.h"
+
+#include "app/pages/board/sharedialog.h"
+#include "widgets/models/parametermodel.h"
+#include "widgets/views/card.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kMostShown = 60;  // snapshots listed; older ones stay on the disk
+constexpr int kMostDifferences = 500;
+
+void prepare(QTableWidget *table, const QStringList &heads)
+{
+    table->setColumnCount(int(heads.size()));
+    table->setHorizontalHeaderLabels(heads);
+    table->verticalHeader()->hide();
+    table->setShowGrid(false);
+    table->setTabKeyNavigation(false);
+    table->setAlternatingRowColors(true);
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setSelectionMode(QAbstractItemView::SingleSelection);
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->horizontalHeader()->setStretchLastSection(true);
+    table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    table->horizontalHeader()->setHighlightSections(false);
+}
+
+// Reasons are stored in English, the language of files.
+// Actions are named as they are on their page, when the board (or its tables) is there.
+QString reasonText(const QString &reason, const Device *device)
+{
+    if (reason == u"by the operator"_s)
+        return BackupsPage::tr("by the operator");
+    if (reason == u"before the first write"_s)
+        return BackupsPage::tr("before the first write");
+    if (reason == u"unsaved edits of an earlier run"_s)
+        return BackupsPage::tr("unsaved edits of an earlier run");
+    if (!reason.startsWith(u"before "_s))
+        return reason;
+    const QString key = reason.mid(7);
+    if (device) {
+        for (const ActionSpec &action : device->actions()) {
+            if (key == QLatin1String(action.key))
+                return BackupsPage::tr("before “%1”").arg(tableText(action.label));
+        }
+    }
+    return BackupsPage::tr("before the action %1").arg(key);
+}
+
+}  // namespace
+
+BackupsPage::BackupsPage(Workspace &workspace, QWidget *parent)
+    : Page(workspace, u"backups"_s, tr("Backups"), parent)
+    , m_table(new QTableWidget)
+    , m_differences(new QTableWidget)
+    , m_summary(new QLabel)
+    , m_take(new QPushButton(tr("Take a snapshot now")))
+    , m_restore(new QPushButton(tr("Restore as edits")))
+    , m_export(new QPushButton(tr("Export…")))
+{
+    m_take->setObjectName(u"primary"_s);
+    m_restore->setToolTip(
+        tr("Put the snapshot's values into the forms; nothing is on the board before you review and write"));
+    m_export->setToolTip(tr("Copy the snapshot to a file of your choice"));
+    auto *load = new QPushButton(tr("Load a file…"));
+    load->setToolTip(
+        tr("Put a file's values into the forms; nothing is on the board before you review and write"));
+    auto *saveAs = new QPushButton(tr("Save to a file…"));
+    saveAs->setToolTip(tr("Save the values as they are shown, edits included"));
+    connect(load, &QPushButton::clicked, this, [this] {
+        askOpenPath(tr("Load a configuration"), this->workspace().openFilter(), [this](const QString &path) {
+            if (const auto done = this->workspace().applyFile(path); !done)
+                emit this->workspace().problem(describe(done.error()));
+        });
+    });
+    connect(saveAs, &QPushButton::clicked, this, [this] {
+        askSavePath(tr("Save the configuration"), u"gimbal.json"_s, this->workspace().configurationFilter(),
+                    [this](const QString &path) {
+                        if (const auto saved = this->workspace().saveFile(path); !saved)
+                            emit this->workspace().problem(describe(saved.error()));
+                        else
+                            emit this->workspace().notice(tr("Saved to %1").arg(path));
+                    });
+    });
+    header()->addWidget(load);
+    auto *share = new QPushButton(tr("Share…"));
+    share->setObjectName(u"share"_s);
+    share->setToolTip(tr("All values as one picture"));
+    connect(share, &QPushButton::clicked, this, [this] {
+        if (this->workspace().configuration().isEmpty())
+            return;
+        auto *dialog = new ShareDialog(this->workspace(), this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->open();
+    });
+    for (QPushButton *button : {load, saveAs, share, m_take})
+        header()->addWidget(button);
+    prepare(m_table, {tr("Taken"), tr("Why"), tr("File")});
+    m_table->setAccessibleName(tr("Snapshots of this board"));
+    m_table->setColumnWidth(0, 190);
+    m_table->setColumnWidth(1, 400);
+    prepare(m_differences, {tr("Parameter"), tr("Profile"), tr("Snapshot"), tr("Now")});
+    m_differences->setAccessibleName(tr("Differences between the snapshot and now"));
+    m_differences->setColumnWidth(0, 300);
+    m_differences->setColumnWidth(1, 90);
+    m_differences->setColumnWidth(2, 180);
+    m_summary->setWordWrap(true);
+    auto *card = new Card(tr("What differs from now"));
+    auto *line = new QHBoxLayout;
+    line->setSpacing(Metric::kGap);
+    line->addWidget(m_summary, 1);
+    line->addWidget(m_export);
+    line->addWidget(m_restore);
+    card->content()->addLayout(line);
+    card->content()->addWidget(m_differences, 1);
+    body()->addWidget(m_table, 1);
+    body()->addWidget(card, 1);
+
+    connect(m_take, &QPushButton::clicked, &workspace, &Workspace::takeSnapshot);
+    connect(m_restore, &QPushButton::clicked, this, [this] {
+        if (const auto done = this->workspace().applyFile(chosenPath()); !done)
+            emit this->workspace().problem(describe(done.error()));
+        showDifferences();
+    });
+    connect(m_export, &QPushButton::clicked, this, [this] {
+        const QString from = chosenPath();
+        askSavePath(tr("Export snapshot"), u"snapshot.json"_s, tr("GimbalDesk configurations (*.json)"),
+                    [this, from](const QString &to) {
+                        QFile::remove(to);
+                        if (QFile::copy(from, to))
+                            emit this->workspace().notice(tr("Saved to %1").arg(to));
+                        else
+                            emit this->workspace().problem(describe({ErrorCode::BadFile, to, 0}));
+                    });
+    });
+    connect(m_table, &QTableWidget::itemSelectionChanged, this, &BackupsPage::showDifferences);
+    connect(&workspace, &Workspace::snapshotTaken, this, &BackupsPage::reload);
+    connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &BackupsPage::reload);
+    connect(&workspace.configuration(), &ConfigurationModel::storedChanged, this,
+            &BackupsPage::showDifferences);
+}
+
+void BackupsPage::showEvent(QShowEvent *event)
+{
+    Page::showEvent(event);
+    reload();
+}
+
+QString BackupsPage::chosenPath() const
+{
+    const auto items = m_table->selectedItems();
+    return items.isEmpty() ? QString()
+                           : m_table->item(items.first()->row(), 0)->data(Qt::UserRole).toString();
+}
+
+void BackupsPage::reload()
+{
+    if (!isVisible())
+        return;
+    const ConfigurationModel &model = workspace().configuration();
+    const QString before = chosenPath();
+    m_table->setRowCount(0);
+    m_take->setEnabled(!model.isEmpty());
+    const QStringList paths
+        = model.isEmpty() ? QStringList() : workspace().history().snapshots(model.board().identity().serial);
+    for (const QString &path : paths.mid(0, kMostShown)) {
+        const int row = m_table->rowCount();
+        m_table->insertRow(row);
+        const QDateTime time = BoardHistory::timeOf(path).toLocalTime();
+        auto *when = new QTableWidgetItem(QLocale::system().toString(time, QLocale::ShortFormat));
+        when->setData(Qt::UserRole, path);
+        const auto file = workspace().loadFile(path);
+        m_table->setItem(row, 0, when);
+        m_table->setItem(
+            row, 1,
+            new QTableWidgetItem(file ? reasonText(file->reason, workspace().tables()) : tr("damaged")));
+        auto *name = new QTableWidgetItem(QFileInfo(path).fileName());
+        name->setToolTip(path);
+        m_table->setItem(row, 2, name);
+        if (path == before)
+            m_table->selectRow(row);
+    }
+    if (chosenPath().isEmpty() && m_table->rowCount() > 0)
+        m_table->selectRow(0);
+    showDifferences();
+}
+
+void BackupsPage::showDifferences()
+{
+    const QString path = chosenPath();
+    const ConfigurationModel &model = workspace().configuration();
+    m_differences->setRowCount(0);
+    m_restore->setEnabled(false);
+    m_export->setEnabled(!path.isEmpty());
+    if (path.isEmpty() || model.isEmpty()) {
+        m_summary->setText(
+            tr("No snapshot yet. One is taken before the first write to a board, and before each action that "
+               "writes."));
+        return;
+    }
+    const auto file = workspace().loadFile(path);
+    if (!file) {
+        m_summary->setText(describe(file.error()).oneLine());
+        return;
+    }
+    QStringList skipped;
+    const Configuration wanted = applied(model.edited(), file->configuration, skipped);
+    const auto changes = model.edited().changesTo(wanted);
+    const bool names = model.edited().hasOtherNames(wanted);
+    const auto blocks = model.edited().dataChangesTo(wanted);
+    m_restore->setEnabled(!changes.empty() || !blocks.empty() || names);
+    QString text = changes.empty() ? tr("All values are the same.")
+                                   : tr("%n value(s) differ.", nullptr, int(changes.size()));
+    for (const DataChange &change : blocks)
+        text += u' ' + tr("%1 differ.").arg(tableText(change.spec->data));
+    if (names)
+        text += u' ' + tr("Profile names differ.");
+    m_summary->setText(text);
+    for (const ParameterChange &change : changes) {
+        const int row = m_differences->rowCount();
+        if (row >= kMostDifferences)
+            break;
+        m_differences->insertRow(row);
+        const bool boardWide = change.spec->row->scope == Scope::Board;
+        const QStringList cells{
+            parameterLabel(*change.spec), boardWide ? tr("all") : QString::number(change.profile + 1),
+            parameterValueText(*change.spec, change.to), parameterValueText(*change.spec, change.from)};
+        for (int column = 0; column < cells.size(); ++column)
+            m_differences->setItem(row, column, new QTableWidgetItem(cells[column]));
+    }
+}

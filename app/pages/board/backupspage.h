@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/workspace/page.h"
+
+class QPushButton;
+class QTableWidget;
+
+/// The snapshots of this board: what differs from now, and how to go back.
+class BackupsPage final : public Page
+{
+    Q_OBJECT
+public:
+    explicit BackupsPage(Workspace &workspace, QWidget *parent = nullptr);
+
+    [[nodiscard]] QTableWidget *table() const { return m_table; }
+    [[nodiscard]] QPushButton *takeButton() const { return m_take; }
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    void reload();
+    void showDifferences();
+    [[nodiscard]] QString chosenPath() const;
+
+    QTableWidget *m_table;
+    QTableWidget *m_differences;
+    QLabel *m_summary;
+    QPushButton *m_take;
+    QPushButton *m_restore;
+    QPushButton *m_export;
+};

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/workspace/page.h"
+#include "widgets/models/framelogmodel.h"
+
+#include <QTimer>
+
+class FilterTable;
+class QCheckBox;
+class QLineEdit;
+class QPushButton;
+class QTextBrowser;
+
+/// Every frame in and out, decoded; and sending by name or in hex.
+class ConsolePage final : public Page
+{
+    Q_OBJECT
+public:
+    explicit ConsolePage(Workspace &workspace, QWidget *parent = nullptr);
+
+    [[nodiscard]] FrameLogModel &model() { return m_model; }
+    [[nodiscard]] QLineEdit *input() const { return m_input; }
+    void send();
+    /// Errors: BadFile.
+    Result<void> saveText(const QString &path) const;
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
+private:
+    void refresh();
+    void showDetails(const QModelIndex &shown);
+
+    FrameLogModel m_model;
+    FilterTable *m_table;
+    QLineEdit *m_filter;
+    QCheckBox *m_streams;
+    QPushButton *m_pause;
+    QTextBrowser *m_details;
+    QLineEdit *m_input;
+    QCheckBox *m_allow;
+    QTimer m_timer;
+    bool m_follow = true;
+};

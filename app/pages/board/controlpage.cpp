@@ -1,0 +1,506 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/board/controlpage.h"
+
+#include "protocol/telemetry/telemetrystore.h"
+#include "widgets/forms/argumentform.h"
+#include "widgets/models/parametermodel.h"
+#include "widgets/views/attitudeview.h"
+#include "widgets/views/card.h"
+#include "widgets/views/controlpad.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr auto kSendPeriod = 50ms;  // well below the dead-man's 250 ms
+constexpr auto kRefreshPeriod = 100ms;
+constexpr int kSliderSteps = 100;
+constexpr double kPitchReach = 45.0;  // where the rim of the pad points, unless the family says otherwise
+constexpr double kYawReach = 90.0;
+
+}  // namespace
+
+ControlPage::ControlPage(Workspace &workspace, QWidget *parent)
+    : Page(workspace, u"control"_s, tr("Control"), parent)
+    , m_mode(new QComboBox)
+    , m_arm(new QPushButton)
+    , m_center(new QPushButton(tr("To the middle")))
+    , m_pad(new ControlPad(workspace.theme()))
+    , m_roll(new QSlider(Qt::Horizontal))
+    , m_rollLabel(new QLabel(axisLabel(Axis::Roll)))
+    , m_inputs(new QGridLayout)
+    , m_speed(new QSlider(Qt::Horizontal))
+    , m_speedText(new QLabel)
+    , m_state(new QLabel)
+    , m_now(new QLabel)
+    , m_attitude(new AttitudeView(workspace.theme()))
+    , m_functions(new Card(tr("Functions")))
+{
+    m_arm->setCheckable(true);
+    m_arm->setToolTip(
+        tr("While armed the camera moves as you steer. Let go, leave this page or press Esc to end it."));
+    m_mode->setAccessibleName(tr("Mode of control"));
+    m_pad->setLabels(axisLabel(Axis::Yaw), axisLabel(Axis::Pitch));
+    m_roll->setRange(-kSliderSteps, kSliderSteps);
+    m_roll->setAccessibleName(axisLabel(Axis::Roll));
+    m_speed->setAccessibleName(tr("Speed"));
+    m_speed->setRange(1, workspace.settings().controlSpeedLimit());
+    m_speed->setValue(std::min(20, m_speed->maximum()));
+    m_state->setWordWrap(true);
+    header()->addWidget(m_mode);
+    header()->addWidget(m_arm);
+
+    auto *steer = new Card(tr("Steer"));
+    steer->content()->addWidget(m_pad, 1);
+    QGridLayout *grid = m_inputs;
+    grid->setHorizontalSpacing(12);
+    grid->setVerticalSpacing(Metric::kGap);
+    m_rollLabel->setBuddy(m_roll);
+    grid->addWidget(m_rollLabel, 0, 0);
+    grid->addWidget(m_roll, 0, 1, 1, 2);
+    auto *speedLabel = new QLabel(tr("Speed"));
+    speedLabel->setBuddy(m_speed);
+    grid->addWidget(speedLabel, 1, 0);
+    grid->addWidget(m_speed, 1, 1);
+    m_speedText->setMinimumWidth(64);
+    m_speedText->setAlignment(Qt::AlignRight);
+    grid->addWidget(m_speedText, 1, 2);
+    grid->setColumnStretch(1, 1);
+    steer->content()->addLayout(grid);
+
+    auto *goal = new Card(tr("Angles to go to"));
+    auto *angles = new QGridLayout;
+    angles->setHorizontalSpacing(12);
+    angles->setVerticalSpacing(Metric::kGap);
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        m_angles[axis] = new QDoubleSpinBox;
+        m_angles[axis]->setDecimals(1);
+        m_angles[axis]->setAlignment(Qt::AlignRight);
+        m_angles[axis]->setAccessibleName(tr("Angle, %1").arg(axisLabel(kAxes[axis])));
+        m_angleLabels[axis] = new QLabel(axisLabel(kAxes[axis]));
+        m_angleLabels[axis]->setBuddy(m_angles[axis]);
+        angles->addWidget(m_angleLabels[axis], int(axis), 0);
+        angles->addWidget(m_angles[axis], int(axis), 1);
+    }
+    angles->addWidget(m_center, 3, 1);
+    angles->setColumnStretch(1, 1);
+    goal->content()->addLayout(angles);
+
+    auto *now = new Card(tr("Camera"));
+    now->content()->addWidget(m_attitude, 1);
+    m_now->setTextFormat(Qt::RichText);
+    now->content()->addWidget(m_now);
+    auto *right = new QVBoxLayout;
+    right->setSpacing(12);
+    right->addWidget(goal);
+    right->addWidget(now, 1);
+    auto *row = new QHBoxLayout;
+    row->setSpacing(12);
+    row->addWidget(steer, 2);
+    row->addWidget(m_functions, 2);
+    row->addLayout(right, 2);
+    body()->addWidget(m_state);
+    body()->addLayout(row, 1);
+
+    const auto touch = [this] { m_touched.start(); };
+    connect(m_pad, &ControlPad::moved, this, [this] {
+        m_touched.start();
+        const SteeringMode *chosen = mode();
+        if (!chosen || !chosen->isPositional() || m_filling)
+            return;
+        // In a mode of places the pad points at them, within half of the range either way.
+        const auto point = [&](std::size_t axis, double share, double usual) {
+            const int input = chosen->inputOf(kAxes[axis]);
+            const double reach = input < 0 ? 0.0 : chosen->inputs[std::size_t(input)].padReach;
+            m_angles[axis]->setValue(share * (reach > 0 ? reach : usual));
+        };
+        point(1, m_pad->value().y(), kPitchReach);
+        point(2, m_pad->value().x(), kYawReach);
+    });
+    connect(m_roll, &QSlider::valueChanged, this, touch);
+    connect(m_roll, &QSlider::sliderReleased, this, [this] {
+        if (mode() && !mode()->isPositional())
+            m_roll->setValue(0);
+    });
+    connect(m_roll, &QSlider::valueChanged, this, [this](int value) {
+        const SteeringMode *chosen = mode();
+        const int input = chosen ? chosen->inputOf(Axis::Roll) : -1;
+        if (input < 0 || !chosen->isPositional() || m_filling)
+            return;
+        const double reach = chosen->inputs[std::size_t(input)].padReach;
+        m_angles[0]->setValue((reach > 0 ? reach : kPitchReach) * value / kSliderSteps);
+    });
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+        connect(m_angles[axis], &QDoubleSpinBox::valueChanged, this,
+                [this, axis] { m_known[axis] = m_known[axis] || !m_filling; });
+    }
+    for (QDoubleSpinBox *angle : m_angles)
+        connect(angle, &QDoubleSpinBox::valueChanged, this, touch);
+    connect(m_speed, &QSlider::valueChanged, this, [this, touch](int value) {
+        m_speedText->setText(tr("%1 °/s").arg(value));
+        touch();
+    });
+    m_speedText->setText(tr("%1 °/s").arg(m_speed->value()));
+    connect(m_center, &QPushButton::clicked, this, [this] {
+        m_pad->reset();
+        m_roll->setValue(0);
+        for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+            m_angles[axis]->setValue(0);
+            m_known[axis] = true;
+        }
+        m_touched.start();
+    });
+    connect(m_arm, &QPushButton::toggled, this, &ControlPage::setArmed);
+    connect(m_mode, &QComboBox::currentIndexChanged, this, &ControlPage::onMode);
+    connect(&workspace.client(), &DeviceClient::stateChanged, this, &ControlPage::onState);
+    connect(&workspace.client(), &DeviceClient::motorsOffFinished, this, [this] { setArmed(false); });
+    connect(&workspace.client(), &DeviceClient::failsafeActed, this, [this] { setArmed(false); });
+    connect(&workspace.settings(), &Settings::changed, this,
+            [this] { m_speed->setMaximum(this->workspace().settings().controlSpeedLimit()); });
+    connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
+        if (state != Qt::ApplicationActive)
+            setArmed(false);
+    });
+    m_send.setInterval(kSendPeriod);
+    m_send.setTimerType(Qt::PreciseTimer);
+    connect(&m_send, &QTimer::timeout, this, &ControlPage::tick);
+    m_refresh.setInterval(kRefreshPeriod);
+    connect(&m_refresh, &QTimer::timeout, this, &ControlPage::updateNow);
+    for (QWidget *widget : findChildren<QWidget *>())
+        widget->installEventFilter(this);
+    onState();
+}
+
+// Actions that belong to steering: each with its fields and a button.
+void ControlPage::fillFunctions()
+{
+    auto *rows = new QWidget;
+    auto *grid = new QGridLayout(rows);
+    grid->setContentsMargins(0, 0, Metric::kGap, 0);
+    grid->setHorizontalSpacing(Metric::kGap);
+    grid->setVerticalSpacing(12);
+    grid->setColumnStretch(0, 1);
+    int line = 0;
+    const Device *tables = workspace().tables();
+    for (const ActionSpec &action : tables ? tables->actions() : std::span<const ActionSpec>()) {
+        if (!action.whileSteering)
+            continue;
+        auto *form = new ArgumentForm(action);
+        auto *button = new QPushButton(tableText(action.label));
+        // One field needs no name beside the button's; a tick does.
+        if (action.arguments.size() == 1 && action.arguments.front().kind != ArgumentKind::Toggle) {
+            for (QLabel *label : form->findChildren<QLabel *>())
+                label->hide();
+            static_cast<QFormLayout *>(form->layout())->setHorizontalSpacing(0);
+        }
+        button->setToolTip(tableText(action.help));
+        grid->addWidget(form, line, 0, Qt::AlignVCenter);
+        grid->addWidget(button, line++, 1, action.arguments.size() > 1 ? Qt::AlignBottom : Qt::AlignVCenter);
+        connect(button, &QPushButton::clicked, this, [this, form, key = QString::fromLatin1(action.key)] {
+            if (const auto arguments = form->arguments())
+                workspace().perform(key, *arguments);
+            else
+                emit workspace().problem(describe(arguments.error()));
+        });
+    }
+    grid->setRowStretch(line, 1);
+    auto *scroll = m_functions->findChild<QScrollArea *>();
+    if (!scroll) {
+        scroll = new QScrollArea;
+        scroll->setWidgetResizable(true);
+        scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        m_functions->content()->addWidget(scroll, 1);
+    }
+    delete scroll->takeWidget();
+    scroll->setWidget(rows);
+    scroll->setMinimumWidth(rows->minimumSizeHint().width()
+                            + scroll->verticalScrollBar()->sizeHint().width());
+    m_functions->setVisible(line > 0);
+    for (QWidget *widget : rows->findChildren<QWidget *>())
+        widget->installEventFilter(this);
+}
+
+const Steering *ControlPage::steering() const
+{
+    const Device *device = workspace().client().device();
+    return device ? device->steering() : nullptr;
+}
+
+const SteeringMode *ControlPage::mode() const
+{
+    return steering() ? steering()->mode(m_mode->currentData().toInt()) : nullptr;
+}
+
+void ControlPage::onState()
+{
+    const DeviceClient &client = workspace().client();
+    if (!client.isConnected()) {
+        setArmed(false);
+    } else if (steering()) {
+        const int before = m_mode->count() ? m_mode->currentData().toInt() : -1;
+        m_filling = true;
+        m_mode->clear();
+        for (const SteeringMode &candidate : steering()->modes())
+            m_mode->addItem(tableText(candidate.label), candidate.id);
+        m_mode->setCurrentIndex(std::max(0, m_mode->findData(before)));
+        m_filling = false;
+        onMode();
+    }
+    const bool ready = client.isConnected() && client.identity().writable && steering();
+    fillFunctions();
+    m_functions->setEnabled(ready);
+    m_arm->setEnabled(ready);
+    m_mode->setEnabled(ready);
+    updateNow();
+}
+
+void ControlPage::onMode()
+{
+    if (m_filling)
+        return;
+    setArmed(false);
+    const SteeringMode *chosen = mode();
+    m_pad->setSprings(!chosen || !chosen->isPositional());
+    showTargets(chosen);
+    fillInputs();
+    const auto has = [chosen](Axis axis) { return !chosen || chosen->inputOf(axis) >= 0; };
+    m_pad->setVisible(has(Axis::Pitch) || has(Axis::Yaw));
+    m_roll->setVisible(has(Axis::Roll));
+    m_rollLabel->setVisible(has(Axis::Roll));
+    m_center->setEnabled(chosen && chosen->isPositional());
+    const bool turns = chosen && !chosen->inputs.empty() && qstrcmp(chosen->inputs.front().unit, "°/s") == 0;
+    m_speed->setEnabled(turns || (chosen && chosen->find("speed") >= 0));
+}
+
+// The fields of places to go to, as this mode has them.
+void ControlPage::showTargets(const SteeringMode *chosen)
+{
+    m_filling = true;
+    m_roll->setValue(0);
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+        QDoubleSpinBox *angle = m_angles[axis];
+        const int at = chosen ? chosen->inputOf(kAxes[axis]) : -1;
+        const SteeringInput input = at < 0 ? SteeringInput() : chosen->inputs[std::size_t(at)];
+        const bool place = at >= 0 && !input.springsBack;
+        for (QWidget *widget : {static_cast<QWidget *>(angle), static_cast<QWidget *>(m_angleLabels[axis])})
+            widget->setVisible(!chosen || at >= 0);
+        angle->setEnabled(place);
+        angle->setRange(place ? input.min : 0, place ? input.max : 0);
+        angle->setSuffix(place ? QString::fromUtf8(input.unit) : chosen ? u"°"_s : QString());
+        angle->setValue(0);
+        m_known[axis] = false;
+    }
+    m_filling = false;
+}
+
+// Inputs that turn no axis, and switches: a row each.
+void ControlPage::fillInputs()
+{
+    for (QWidget *widget : std::exchange(m_rows, {}))
+        delete widget;
+    m_moreInputs.clear();
+    m_switches.clear();
+    const SteeringMode *chosen = mode();
+    if (!chosen)
+        return;
+    int row = m_inputs->rowCount();
+    const auto addRow = [this, &row](const char *text, QWidget *field) {
+        auto *label = new QLabel(tableText(text));
+        label->setBuddy(field);
+        field->setAccessibleName(tableText(text));
+        m_inputs->addWidget(label, row, 0);
+        m_inputs->addWidget(field, row++, 1, 1, 2);
+        field->installEventFilter(this);
+        m_rows.insert(m_rows.end(), {label, field});
+    };
+    for (const SteeringInput &input : chosen->inputs) {
+        if (input.axis != Axis::None || qstrcmp(input.key, "speed") == 0)
+            continue;
+        auto *box = new QDoubleSpinBox;
+        box->setRange(input.min, input.max);
+        box->setDecimals(2);
+        box->setSingleStep((input.max - input.min) / 20);
+        box->setSuffix(*input.unit ? u' ' + QString::fromUtf8(input.unit) : QString());
+        box->setValue(input.centre);
+        connect(box, &QDoubleSpinBox::valueChanged, this, [this] { m_touched.start(); });
+        addRow(input.label, box);
+        m_moreInputs[input.key] = box;
+    }
+    for (const SteeringSwitch &toggle : steering()->switches()) {
+        auto *box = new QComboBox;
+        for (const Choice &choice : toggle.choices)
+            box->addItem(tableText(choice.name), choice.value);
+        box->setCurrentIndex(std::max(0, box->findData(toggle.start)));
+        connect(box, &QComboBox::currentIndexChanged, this, [this] { m_touched.start(); });
+        addRow(toggle.label, box);
+        m_switches.push_back(box);
+    }
+}
+
+bool ControlPage::isArmed() const
+{
+    return m_send.isActive();
+}
+
+void ControlPage::setArmed(bool on)
+{
+    const bool allowed = on && isVisible() && workspace().client().isConnected()
+        && workspace().client().identity().writable && mode() && workspace().client().telemetry();
+    if (allowed && !isArmed()) {
+        m_pad->reset();
+        m_touched.start();
+        takeHold();
+        m_send.start();
+    } else if (!allowed && isArmed()) {
+        m_send.stop();
+        m_pad->reset();
+        m_roll->setValue(0);
+        const auto switches = steering() ? steering()->switches() : std::span<const SteeringSwitch>();
+        for (std::size_t i = 0; i < std::min(switches.size(), m_switches.size()); ++i)
+            m_switches[i]->setCurrentIndex(std::max(0, m_switches[i]->findData(switches[i].start)));
+        const SteeringMode *chosen = mode();
+        for (const SteeringInput &input : chosen ? chosen->inputs : std::vector<SteeringInput>()) {
+            if (const auto more = m_moreInputs.find(input.key); more != m_moreInputs.end())
+                more->second->setValue(input.centre);  // a throttle does not wait for the next time
+        }
+        workspace().client().releaseControl();
+    }
+    m_arm->setChecked(isArmed());
+    m_arm->setText(isArmed() ? tr("■ Disarm") : tr("Arm"));
+    m_arm->setObjectName(isArmed() ? u"danger"_s : QString());
+    repolish(m_arm);
+    for (QWidget *widget : {static_cast<QWidget *>(m_pad), static_cast<QWidget *>(m_roll)})
+        widget->setEnabled(isArmed());
+    if (allowed)
+        m_pad->setFocus();
+    m_state->setText(
+        isArmed()
+            ? tr("Armed: the camera follows you. It stops when you let go, leave this page, or do nothing "
+                 "for %1 s.")
+                  .arg(workspace().settings().disarmSeconds())
+            : tr("Not armed: nothing is sent. Choose a mode, then arm."));
+    m_state->setObjectName(isArmed() ? u"warning"_s : u"muted"_s);
+    repolish(m_state);
+}
+
+// What is to be held is where everything is now, so that arming moves nothing.
+void ControlPage::takeHold()
+{
+    const SteeringMode *chosen = mode();
+    const SteeringSetpoint now = steering()->holdingSetpoint(chosen->id, *workspace().client().telemetry());
+    m_filling = true;
+    for (std::size_t i = 0; i < std::min(chosen->inputs.size(), now.inputs.size()); ++i) {
+        const SteeringInput &input = chosen->inputs[i];
+        if (input.axis == Axis::None || input.springsBack)
+            continue;
+        const auto axis = std::size_t(input.axis);
+        m_known[axis] = !std::isnan(now.inputs[i]);
+        if (m_known[axis])
+            m_angles[axis]->setValue(now.inputs[i]);
+        else
+            m_angles[axis]->clear();
+    }
+    m_filling = false;
+}
+
+double ControlPage::axisValue(const SteeringInput &input) const
+{
+    const auto axis = std::size_t(input.axis);
+    if (!input.springsBack)
+        return m_known[axis] ? m_angles[axis]->value() : std::nan("");
+    const std::array<double, kAxisCount> push{double(m_roll->value()) / kSliderSteps, m_pad->value().y(),
+                                              m_pad->value().x()};
+    if (qstrcmp(input.unit, "°/s") == 0)
+        return push[axis] * m_speed->value();
+    return input.centre + push[axis] * (push[axis] < 0 ? input.centre - input.min : input.max - input.centre);
+}
+
+SteeringSetpoint ControlPage::setpoint() const
+{
+    SteeringSetpoint wanted;
+    const SteeringMode *chosen = mode();
+    if (!chosen)
+        return wanted;
+    wanted.mode = chosen->id;
+    for (const SteeringInput &input : chosen->inputs) {
+        const auto more = m_moreInputs.find(input.key);
+        wanted.inputs.push_back(input.axis != Axis::None         ? axisValue(input)
+                                    : more != m_moreInputs.end() ? more->second->value()
+                                                                 : double(m_speed->value()));
+    }
+    for (const QComboBox *box : m_switches)
+        wanted.switches.push_back(box->currentData().toInt());
+    return wanted;
+}
+
+void ControlPage::tick()
+{
+    if (m_touched.elapsed() > 1000LL * workspace().settings().disarmSeconds() && !m_pad->isHeld()) {
+        setArmed(false);
+        emit workspace().notice(tr("Control was disarmed: nothing was moved for %1 s.")
+                                    .arg(workspace().settings().disarmSeconds()));
+        return;
+    }
+    workspace().client().setControl(setpoint());
+}
+
+void ControlPage::updateNow()
+{
+    const ChannelRoles &roles = workspace().roles();
+    const auto value = [this](int channel) { return workspace().latest(channel); };
+    m_attitude->setAttitude(value(roles.angle[0]), value(roles.angle[1]), value(roles.angle[2]));
+    const auto text = [](double number) {
+        return std::isnan(number) ? u"–"_s : u"%1°"_s.arg(std::abs(number) < 0.05 ? 0.0 : number, 0, 'f', 1);
+    };
+    QString rows = u"<tr><td></td><td align='right'>%1</td><td align='right'>%2</td></tr>"_s.arg(
+        tr("is"), tr("target"));
+    const bool any = !ChannelRoles::present({roles.angle, roles.target}).isEmpty();
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        if (any && roles.angle[axis] < 0 && roles.target[axis] < 0)
+            continue;
+        rows += u"<tr><td>%1</td><td align='right'>%2</td><td align='right'>%3</td></tr>"_s.arg(
+            axisLabel(kAxes[axis]), text(value(roles.angle[axis])), text(value(roles.target[axis])));
+    }
+    m_now->setText(u"<table width='100%'>%1</table>"_s.arg(rows));
+}
+
+bool ControlPage::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::KeyPress && isArmed()
+        && static_cast<QKeyEvent *>(event)->key() == Qt::Key_Escape)
+        setArmed(false);
+    return Page::eventFilter(watched, event);
+}
+
+void ControlPage::showEvent(QShowEvent *event)
+{
+    Page::showEvent(event);
+    const ChannelRoles &roles = workspace().roles();
+    workspace().wishTelemetry(this, ChannelRoles::present({roles.angle, roles.target}));
+    m_refresh.start();
+    setArmed(false);
+}
+
+void ControlPage::hideEvent(QHideEvent *event)
+{
+    Page::hideEvent(event);
+    setArmed(false);
+    m_refresh.stop();
+}

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/workspace/page.h"
+#include "protocol/device/steering.h"
+
+#include <QElapsedTimer>
+#include <QTimer>
+
+class AttitudeView;
+class Card;
+class ControlPad;
+class QComboBox;
+class QDoubleSpinBox;
+class QGridLayout;
+class QPushButton;
+class QSlider;
+
+/// Steering by hand: a pad for two axes, a slider for the third, every mode the board has. Armed on purpose;
+/// lets go by itself.
+class ControlPage final : public Page
+{
+    Q_OBJECT
+public:
+    explicit ControlPage(Workspace &workspace, QWidget *parent = nullptr);
+
+    [[nodiscard]] bool isArmed() const;
+    void setArmed(bool on);
+    [[nodiscard]] QPushButton *armButton() const { return m_arm; }
+    [[nodiscard]] ControlPad *pad() const { return m_pad; }
+    /// What is sent now.
+    [[nodiscard]] SteeringSetpoint setpoint() const;
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void onState();
+    void onMode();
+    void fillFunctions();
+    void tick();
+    void updateNow();
+    void takeHold();
+    void fillInputs();
+    void showTargets(const SteeringMode *chosen);
+    [[nodiscard]] const Steering *steering() const;
+    [[nodiscard]] const SteeringMode *mode() const;
+    [[nodiscard]] double axisValue(const SteeringInput &input) const;
+
+    QComboBox *m_mode;
+    QPushButton *m_arm;
+    QPushButton *m_center;
+    ControlPad *m_pad;
+    QSlider *m_roll;
+    QLabel *m_rollLabel;
+    std::array<QDoubleSpinBox *, kAxisCount> m_angles{};
+    std::array<QLabel *, kAxisCount> m_angleLabels{};
+    // Where an axis is steered to is known: told by the board, or chosen. What is not known is left alone.
+    std::array<bool, kAxisCount> m_known{};
+    QGridLayout *m_inputs;  // of the steer card
+    std::vector<QWidget *> m_rows;  // of what follows
+    std::map<QByteArray, QDoubleSpinBox *> m_moreInputs;  // neither axis nor speed
+    std::vector<QComboBox *> m_switches;  // in the order of the board's
+    QSlider *m_speed;
+    QLabel *m_speedText;
+    QLabel *m_state;
+    QLabel *m_now;
+    AttitudeView *m_attitude;
+    Card *m_functions;  // what else is at hand while steering
+    QTimer m_send;
+    QTimer m_refresh;
+    QElapsedTimer m_touched;  // since the operator last moved something
+    bool m_filling = false;
+};

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/program/settingspage.h"
+
+#include "widgets/views/card.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kLabelWidth = 230;
+constexpr double kBytesPerMinute
+    = 24 * 1250 * 60 * 4.9;  // 24 channels at the firmware's full rate, with their index
+
+}  // namespace
+
+SettingsPage::SettingsPage(Workspace &workspace, QWidget *parent)
+    : Page(workspace, u"settings"_s, tr("Settings"), parent)
+    , m_theme(new QComboBox)
+    , m_language(new QComboBox)
+    , m_temperature(new QComboBox)
+    , m_retention(new QSpinBox)
+    , m_escape(new QSpinBox)
+    , m_speed(new QSpinBox)
+    , m_disarm(new QSpinBox)
+    , m_offOnQuit(new QCheckBox(tr("Switch the motors off when the program is closed")))
+    , m_memory(new QLabel)
+    , m_startLanguage(workspace.settings().language())
+    , m_restart(new QLabel(tr("The language changes at the next start.")))
+{
+    Settings &settings = workspace.settings();
+    m_theme->addItem(tr("As the system"), int(Settings::ThemeChoice::System));
+    m_theme->addItem(tr("Light"), int(Settings::ThemeChoice::Light));
+    m_theme->addItem(tr("Dark"), int(Settings::ThemeChoice::Dark));
+    m_theme->setCurrentIndex(m_theme->findData(int(settings.theme())));
+    m_language->addItem(tr("As the system"), QString());
+    m_language->addItem(u"English"_s, u"en"_s);
+    m_language->addItem(u"Deutsch"_s, u"de"_s);
+    m_language->setCurrentIndex(std::max(0, m_language->findData(settings.language())));
+    m_temperature->addItem(tr("Degrees Celsius"), false);
+    m_temperature->addItem(tr("Degrees Fahrenheit"), true);
+    m_temperature->setCurrentIndex(settings.fahrenheit() ? 1 : 0);
+    m_retention->setRange(1, 60);
+    m_retention->setSuffix(tr(" min"));
+    m_retention->setValue(settings.retentionMinutes());
+    m_escape->setRange(0, 3000);
+    m_escape->setSingleStep(100);
+    m_escape->setSuffix(tr(" ms"));
+    m_escape->setSpecialValueText(tr("not by Esc"));
+    m_escape->setValue(settings.escapeHoldMs());
+    m_speed->setRange(1, 360);
+    m_speed->setSuffix(tr(" °/s"));
+    m_speed->setValue(settings.controlSpeedLimit());
+    m_disarm->setRange(2, 120);
+    m_disarm->setSuffix(tr(" s"));
+    m_disarm->setValue(settings.disarmSeconds());
+    m_offOnQuit->setChecked(settings.motorsOffOnQuit());
+    m_memory->setObjectName(u"muted"_s);
+    m_memory->setWordWrap(true);
+    m_restart->setObjectName(u"muted"_s);
+
+    auto *holder = new QWidget;
+    auto *column = new QVBoxLayout(holder);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(12);
+    const auto section = [column](const QString &title) {
+        auto *card = new Card(title);
+        card->setMaximumWidth(720);
+        auto *form = new QFormLayout;
+        form->setSpacing(Metric::kGap);
+        form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
+        card->content()->addLayout(form);
+        column->addWidget(card);
+        return form;
+    };
+    const auto row = [](QFormLayout *form, const QString &label, QWidget *field) {
+        field->setAccessibleName(label);
+        field->setMinimumWidth(220);
+        auto *name = new QLabel(label);
+        name->setMinimumWidth(kLabelWidth);
+        name->setBuddy(field);
+        form->addRow(name, field);
+    };
+    QFormLayout *look = section(tr("Look and language"));
+    row(look, tr("Colours"), m_theme);
+    row(look, tr("Language"), m_language);
+    look->addRow(QString(), m_restart);
+    row(look, tr("Temperatures"), m_temperature);
+    QFormLayout *live = section(tr("Live data"));
+    row(live, tr("Keep in memory"), m_retention);
+    live->addRow(m_memory);
+    QFormLayout *safety = section(tr("Safety"));
+    row(safety, tr("Hold Esc to switch motors off"), m_escape);
+    row(safety, tr("Highest speed on Control"), m_speed);
+    row(safety, tr("Disarm control after"), m_disarm);
+    safety->addRow(m_offOnQuit);
+    auto *fixed = new QLabel(
+        tr("Always so, and not to be switched off: a snapshot before the first write, reading back of every "
+           "byte, F12 for motors off, and control that ends when the program does not refresh it."));
+    fixed->setObjectName(u"muted"_s);
+    fixed->setWordWrap(true);
+    safety->addRow(fixed);
+    auto *about = section(tr("About"));
+    auto *text = new QLabel(
+        tr("GimbalDesk %1, GPL 3.0 or later. Settings: %2. Snapshots: %3.")
+            .arg(QStringLiteral(GIMBAL_VERSION), Settings::defaultPath(), BoardHistory::defaultRoot()));
+    text->setWordWrap(true);
+    text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    about->addRow(text);
+    column->addStretch(1);
+    auto *scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(holder);
+    body()->addWidget(scroll, 1);
+
+    connect(m_theme, &QComboBox::activated, this,
+            [this, &settings] { settings.setTheme(Settings::ThemeChoice(m_theme->currentData().toInt())); });
+    connect(m_language, &QComboBox::activated, this, [this, &settings] {
+        settings.setLanguage(m_language->currentData().toString());
+        updateNotes();
+    });
+    connect(m_temperature, &QComboBox::activated, this,
+            [this, &settings] { settings.setFahrenheit(m_temperature->currentData().toBool()); });
+    connect(m_retention, &QSpinBox::valueChanged, this, [this, &settings](int minutes) {
+        settings.setRetentionMinutes(minutes);
+        updateNotes();
+    });
+    connect(m_escape, &QSpinBox::editingFinished, this, [this, &settings] {
+        settings.setEscapeHoldMs(m_escape->value());
+        m_escape->setValue(settings.escapeHoldMs());
+    });
+    connect(m_speed, &QSpinBox::valueChanged, this,
+            [&settings](int value) { settings.setControlSpeedLimit(value); });
+    connect(m_disarm, &QSpinBox::valueChanged, this,
+            [&settings](int value) { settings.setDisarmSeconds(value); });
+    connect(m_offOnQuit, &QCheckBox::toggled, this,
+            [&settings](bool on) { settings.setMotorsOffOnQuit(on); });
+    updateNotes();
+}
+
+void SettingsPage::updateNotes()
+{
+    m_restart->setVisible(workspace().settings().language() != m_startLanguage);
+    m_memory->setText(tr("At most %1 MB with 24 channels at full rate. The last ten minutes of the link "
+                         "itself, for recordings, "
+                         "take up to %2 MB more.")
+                          .arg(m_retention->value() * kBytesPerMinute / 1e6, 0, 'f', 0)
+                          .arg(double(Recorder::kMostBytes) / 1e6, 0, 'f', 0));
+}

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/workspace/page.h"
+
+class QCheckBox;
+class QComboBox;
+class QSpinBox;
+
+/// What the operator can choose about the program itself.
+class SettingsPage final : public Page
+{
+    Q_OBJECT
+public:
+    explicit SettingsPage(Workspace &workspace, QWidget *parent = nullptr);
+
+private:
+    void updateNotes();
+
+    QComboBox *m_theme;
+    QComboBox *m_language;
+    QComboBox *m_temperature;
+    QSpinBox *m_retention;
+    QSpinBox *m_escape;
+    QSpinBox *m_speed;
+    QSpinBox *m_disarm;
+    QCheckBox *m_offOnQuit;
+    QLabel *m_memory;
+    QString m_startLanguage;
+    QLabel *m_restart;
+};

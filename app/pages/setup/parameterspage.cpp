@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/setup/parameterspage.h"
+
+#include "widgets/forms/helpcard.h"
+#include "widgets/forms/parameterform.h"
+#include "widgets/forms/valueeditor.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QShortcut>
+#include <QSortFilterProxyModel>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QVBoxLayout>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// The table shows the same rows as the form.
+class RowFilter final : public QSortFilterProxyModel
+{
+public:
+    using Accept = std::function<bool(int)>;
+    RowFilter(Accept accept, QObject *parent)
+        : QSortFilterProxyModel(parent)
+        , m_accept(std::move(accept))
+    {
+    }
+    void refilter() { invalidateFilter(); }
+
+protected:
+    [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex &) const override { return m_accept(row); }
+
+private:
+    Accept m_accept;
+};
+
+constexpr int kGroupsColumn = 168;
+constexpr int kHelpColumn = 248;
+constexpr int kNarrowColumn = 196;
+constexpr int kNarrowPage = 1000;
+
+QPushButton *makeChip(const QString &text)
+{
+    auto *chip = new QPushButton(text);
+    chip->setObjectName(u"chip"_s);
+    chip->setCheckable(true);
+    return chip;
+}
+
+}  // namespace
+
+ParametersPage::ParametersPage(Workspace &workspace, QWidget *parent)
+    : Page(workspace, u"parameters"_s, tr("Parameters"), parent)
+    , m_model(workspace.configuration())
+    , m_proxy(new RowFilter(
+          [this](int row) {
+              return matches(this->workspace().configuration().edited().parameters().at(row));
+          },
+          this))
+    , m_groups(new QListWidget)
+    , m_scroll(new QScrollArea)
+    , m_form(new ParameterForm(workspace.configuration(), workspace.edits()))
+    , m_help(new HelpCard(workspace.configuration()))
+    , m_table(new QTableView)
+    , m_views(new QStackedWidget)
+    , m_search(new QLineEdit)
+    , m_level(new QComboBox)
+    , m_onlyChanged(makeChip(tr("Changed")))
+    , m_onlyNonDefault(makeChip(tr("Not default")))
+    , m_onlyRed(makeChip(tr("⚠ Risk")))
+    , m_asTable(makeChip(tr("Table")))
+    , m_nothing(new QLabel(tr("Nothing matches. Change the search, the filters or the level.")))
+    , m_left(new QVBoxLayout)
+    , m_row(new QHBoxLayout)
+{
+    m_level->addItem(tr("Basic"), int(ViewLevel::Basic));
+    m_level->addItem(tr("Advanced"), int(ViewLevel::Advanced));
+    m_level->addItem(tr("Expert"), int(ViewLevel::Expert));
+    m_level->setCurrentIndex(1);
+    m_level->setAccessibleName(tr("How much to show"));
+    m_level->setToolTip(tr("How much to show"));
+    m_search->setPlaceholderText(tr("Search (Ctrl+F)"));
+    m_search->setAccessibleName(tr("Search parameters"));
+    m_search->setClearButtonEnabled(true);
+    m_search->setMinimumWidth(180);
+    m_search->setToolTip(tr("Looks in names, keys and help of all parameters"));
+    for (QWidget *widget : {static_cast<QWidget *>(m_onlyChanged), static_cast<QWidget *>(m_onlyNonDefault),
+                            static_cast<QWidget *>(m_onlyRed), static_cast<QWidget *>(m_asTable),
+                            static_cast<QWidget *>(m_level), static_cast<QWidget *>(m_search)})
+        header()->addWidget(widget);
+
+    m_groups->setAccessibleName(tr("Groups"));
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto *holder = new QWidget;
+    auto *holderLayout = new QVBoxLayout(holder);
+    holderLayout->setContentsMargins(Metric::kGap, 0, Metric::kGap, 0);
+    m_nothing->setObjectName(u"muted"_s);
+    holderLayout->addWidget(m_nothing);
+    holderLayout->addWidget(m_form, 1);
+    m_scroll->setWidget(holder);
+    m_proxy->setSourceModel(&m_model);
+    m_table->setModel(m_proxy);
+    m_table->setAccessibleName(tr("All parameters"));
+    m_table->verticalHeader()->hide();
+    m_table->setShowGrid(false);
+    m_table->setTabKeyNavigation(false);
+    m_table->setAlternatingRowColors(true);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_views->addWidget(m_scroll);
+    m_views->addWidget(m_table);
+    m_left->setSpacing(12);
+    m_left->addWidget(m_groups, 1);
+    m_row->setSpacing(12);
+    m_row->addLayout(m_left);
+    m_row->addWidget(m_views, 1);
+    m_row->addWidget(m_help);
+    body()->addLayout(m_row, 1);
+    arrange(false);
+
+    connect(m_search, &QLineEdit::textChanged, this, &ParametersPage::refilter);
+    connect(m_level, &QComboBox::currentIndexChanged, this, &ParametersPage::refilter);
+    for (QPushButton *chip : {m_onlyChanged, m_onlyNonDefault, m_onlyRed})
+        connect(chip, &QPushButton::toggled, this, &ParametersPage::refilter);
+    connect(m_asTable, &QPushButton::toggled, this, [this](bool on) {
+        m_views->setCurrentIndex(on ? 1 : 0);
+        refilter();
+        if (on)
+            m_table->resizeColumnsToContents();
+    });
+    connect(m_groups, &QListWidget::currentRowChanged, this, &ParametersPage::refilter);
+    connect(m_form, &ParameterForm::parameterFocused, m_help, &HelpCard::show);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex &index) {
+                if (index.isValid())
+                    m_help->show(index.data(ParameterModel::IdRole).toInt());
+            });
+    connect(&m_model, &ParameterModel::editRequested, this, [this](int parameter, double raw) {
+        this->workspace().edits().edit(parameter, this->workspace().configuration().shownProfile(), raw);
+    });
+    connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &ParametersPage::onBoard);
+    connect(&workspace.configuration(), &ConfigurationModel::valueChanged, this,
+            &ParametersPage::updateGroupMarks);
+    connect(&workspace.configuration(), &ConfigurationModel::shownProfileChanged, this,
+            &ParametersPage::updateGroupMarks);
+    connect(&workspace.configuration(), &ConfigurationModel::changeCountChanged, this, [this] {
+        updateGroupMarks();
+        emit changesChanged();
+    });
+    new QShortcut(QKeySequence::Find, this, [this] {
+        m_search->setFocus();
+        m_search->selectAll();
+    });
+    onBoard();
+}
+
+// A narrow page has no room for three columns: the help card moves below the groups.
+void ParametersPage::arrange(bool narrow)
+{
+    m_narrow = narrow;
+    m_groups->setFixedWidth(narrow ? kNarrowColumn : kGroupsColumn);
+    m_help->setFixedWidth(narrow ? kNarrowColumn : kHelpColumn);
+    m_left->removeWidget(m_help);
+    m_row->removeWidget(m_help);
+    if (narrow)
+        m_left->addWidget(m_help, 1);
+    else
+        m_row->addWidget(m_help);
+}
+
+void ParametersPage::resizeEvent(QResizeEvent *event)
+{
+    Page::resizeEvent(event);
+    if (const bool narrow = width() < kNarrowPage; narrow != m_narrow)
+        arrange(narrow);
+}
+
+bool ParametersPage::hasChanges() const
+{
+    return workspace().configuration().changeCount() > 0;
+}
+
+bool ParametersPage::matches(const ParameterSpec &spec) const
+{
+    const ConfigurationModel &model = workspace().configuration();
+    const int profile = model.shownProfile();
+    const QString words = m_search->text().trimmed().toLower();
+    const bool filtered = !words.isEmpty() || m_onlyChanged->isChecked() || m_onlyNonDefault->isChecked()
+        || m_onlyRed->isChecked();
+    const auto value = model.value(spec, profile);
+    if (!value)
+        return false;
+    // A search or a filter looks everywhere, at every level; the group list is for browsing.
+    if (!filtered) {
+        if (int(spec.row->level) > m_level->currentData().toInt())
+            return false;
+        const QListWidgetItem *group = m_groups->currentItem();
+        return !group || group->data(Qt::UserRole).toString() == QLatin1String(spec.row->group);
+    }
+    if (m_onlyChanged->isChecked() && !model.isChanged(spec, profile))
+        return false;
+    if (m_onlyNonDefault->isChecked() && (spec.row->state || *value == spec.defaultRaw))
+        return false;
+    if (m_onlyRed->isChecked() && spec.row->risk != Risk::Red)
+        return false;
+    const QString text = parameterSearchText(spec);
+    const auto parts = words.split(u' ', Qt::SkipEmptyParts);
+    return std::all_of(parts.begin(), parts.end(),
+                       [&text](const QString &part) { return text.contains(part); });
+}
+
+void ParametersPage::onBoard()
+{
+    const int row = std::max(0, m_groups->currentRow());
+    const QSignalBlocker blocker(m_groups);
+    m_groups->clear();
+    const ConfigurationModel &model = workspace().configuration();
+    if (!model.isEmpty()) {
+        for (const char *group : model.board().parameters().groups()) {
+            if (qstrcmp(group, "Board state") == 0)
+                continue;
+            auto *item = new QListWidgetItem(tableText(group), m_groups);
+            item->setData(Qt::UserRole, QString::fromLatin1(group));
+        }
+        m_groups->setCurrentRow(std::min(row, m_groups->count() - 1));
+    }
+    updateGroupMarks();
+    refilter();
+}
+
+void ParametersPage::refilter()
+{
+    const ConfigurationModel &model = workspace().configuration();
+    QList<int> shown;
+    if (!model.isEmpty() && m_views->currentIndex() == 0) {
+        // In the order of the groups, so that each has one heading.
+        for (const char *group : model.board().parameters().groups()) {
+            for (const ParameterSpec &spec : model.edited().parameters().all()) {
+                if (qstrcmp(spec.row->group, group) == 0 && matches(spec))
+                    shown.append(spec.id);
+            }
+        }
+    }
+    if (m_views->currentIndex() == 0) {
+        m_form->setParameters(shown);
+        m_nothing->setVisible(shown.isEmpty() && !model.isEmpty());
+        m_scroll->verticalScrollBar()->setValue(0);
+    }
+    static_cast<RowFilter *>(m_proxy)->refilter();
+}
+
+void ParametersPage::updateGroupMarks()
+{
+    const ConfigurationModel &model = workspace().configuration();
+    if (model.isEmpty())
+        return;
+    QHash<QString, int> counts;
+    for (const ParameterChange &change : model.changes())
+        ++counts[QLatin1String(change.spec->row->group)];
+    for (int i = 0; i < m_groups->count(); ++i) {
+        QListWidgetItem *item = m_groups->item(i);
+        const QString group = item->data(Qt::UserRole).toString();
+        const int count = counts.value(group);
+        const QString name = tableText(group.toLatin1().constData());
+        item->setText(count ? u"%1  • %2"_s.arg(name).arg(count) : name);
+        QFont font = item->font();
+        font.setBold(count > 0);
+        item->setFont(font);
+    }
+}
+
+void ParametersPage::showGroup(int row)
+{
+    m_groups->setCurrentRow(row);
+}
+
+void ParametersPage::showParameter(const QString &key)
+{
+    const ConfigurationModel &model = workspace().configuration();
+    const ParameterSpec *spec = model.isEmpty() ? nullptr : model.edited().parameters().find(key);
+    if (!spec)
+        return;
+    m_search->clear();
+    for (QPushButton *chip : {m_onlyChanged, m_onlyNonDefault, m_onlyRed, m_asTable})
+        chip->setChecked(false);
+    m_level->setCurrentIndex(std::max(m_level->currentIndex(), int(spec->row->level)));
+    for (int i = 0; i < m_groups->count(); ++i) {
+        if (m_groups->item(i)->data(Qt::UserRole).toString() == QLatin1String(spec->row->group))
+            m_groups->setCurrentRow(i);
+    }
+    if (ValueEditor *editor = m_form->editor(spec->id)) {
+        m_scroll->ensureWidgetVisible(editor);
+        editor->control()->setFocus();
+    }
+}

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/setup/profilespage.h"
+
+#include "widgets/models/parametermodel.h"
+#include "widgets/views/card.h"
+
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTableView>
+#include <QVBoxLayout>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const char *const kFilter = QT_TRANSLATE_NOOP("ProfilesPage", "GimbalDesk configurations (*.json)");
+
+}  // namespace
+
+ProfilesPage::ProfilesPage(Workspace &workspace, QWidget *parent)
+    : Page(workspace, u"profiles"_s, tr("Profiles"), parent)
+    , m_model(workspace.configuration())
+    , m_table(new QTableView)
+    , m_active(new QPushButton(tr("Make active")))
+    , m_rename(new QPushButton(tr("Rename")))
+    , m_copy(new QPushButton(tr("Copy onto")))
+    , m_target(new QComboBox)
+    , m_load(new QPushButton(tr("Load from file…")))
+    , m_save(new QPushButton(tr("Save to file…")))
+    , m_loadAll(new QPushButton(tr("Load all profiles…")))
+{
+    m_table->setModel(&m_model);
+    m_table->setAccessibleName(tr("Profiles"));
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(36);
+    m_table->setShowGrid(false);
+    m_table->setTabKeyNavigation(false);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->setColumnWidth(ProfileModel::NumberColumn, 56);
+    m_table->setColumnWidth(ProfileModel::NameColumn, 260);
+    m_table->setColumnWidth(ProfileModel::StateColumn, 120);
+    m_table->setColumnWidth(ProfileModel::ChangesColumn, 160);
+    m_target->setAccessibleName(tr("Profile to copy onto"));
+    m_target->setMinimumContentsLength(14);
+    m_active->setToolTip(tr("The board uses this profile from now on"));
+    m_rename->setToolTip(tr("Change the name (F2)"));
+    m_copy->setToolTip(
+        tr("Take all values of the chosen profile over into another one, as an edit that can be undone"));
+    m_load->setToolTip(
+        tr("Take one profile of a file over into the chosen profile, as an edit that can be undone"));
+    m_save->setToolTip(tr("Save all profiles with their unsaved changes"));
+    m_loadAll->setToolTip(tr("Take everything in a file over, as one edit that can be undone"));
+
+    auto *row = new QHBoxLayout;
+    row->setSpacing(Metric::kGap);
+    row->addWidget(m_active);
+    row->addWidget(m_rename);
+    row->addSpacing(Metric::kMargin);
+    row->addWidget(m_copy);
+    row->addWidget(m_target);
+    row->addSpacing(Metric::kMargin);
+    row->addWidget(m_load);
+    row->addStretch(1);
+    header()->addWidget(m_loadAll);
+    header()->addWidget(m_save);
+    auto *note = new QLabel(
+        tr("Copying, renaming and loading are edits: nothing is on the board before you review and write. "
+           "Board-wide values (sensors, motors' outputs, ports) belong to no profile and stay."));
+    note->setObjectName(u"muted"_s);
+    note->setWordWrap(true);
+    body()->addWidget(m_table, 1);
+    body()->addLayout(row);
+    body()->addWidget(note);
+
+    ConfigurationModel &configuration = workspace.configuration();
+    connect(&m_model, &ProfileModel::renameRequested, &workspace.edits(), &EditStack::rename);
+    connect(&m_model, &ProfileModel::nameRefused, this, [this](int profile, int bytes, int limit) {
+        ErrorText text;
+        text.what = tr("The name of profile %1 is too long.").arg(profile + 1);
+        text.meaning = tr("It has %1 bytes, the board holds %2; an accented letter counts as two.")
+                           .arg(bytes)
+                           .arg(limit);
+        text.cure = tr("Choose a shorter one.");
+        emit this->workspace().problem(text);
+    });
+    connect(m_active, &QPushButton::clicked, this, [this] { this->workspace().useProfile(chosen()); });
+    connect(m_rename, &QPushButton::clicked, this,
+            [this] { m_table->edit(m_model.index(chosen(), ProfileModel::NameColumn)); });
+    connect(m_copy, &QPushButton::clicked, this,
+            [this] { this->workspace().edits().copyProfile(chosen(), m_target->currentData().toInt()); });
+    connect(m_load, &QPushButton::clicked, this, [this] {
+        const int profile = chosen();
+        askOpenPath(tr("Load a profile"), tr(kFilter),
+                    [this, profile](const QString &path) { loadInto(path, profile); });
+    });
+    connect(m_loadAll, &QPushButton::clicked, this, [this] {
+        askOpenPath(tr("Load all profiles"), tr(kFilter), [this](const QString &path) {
+            if (const auto loaded = this->workspace().applyFile(path); !loaded)
+                emit this->workspace().problem(describe(loaded.error()));
+        });
+    });
+    connect(m_save, &QPushButton::clicked, this, [this] {
+        askSavePath(tr("Save profiles"), u"gimbal.json"_s, tr(kFilter),
+                    [this](const QString &path) { saveTo(path); });
+    });
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &ProfilesPage::updateButtons);
+    connect(&m_model, &QAbstractItemModel::modelReset, this, [this] {
+        const ConfigurationModel &shown = this->workspace().configuration();
+        const Device *device = this->workspace().client().device();
+        if (const ProfileAccess *profiles = device ? device->profiles() : nullptr)
+            m_model.setNameLimit(profiles->profileNameBytes());
+        if (!shown.isEmpty())
+            m_table->selectRow(shown.board().activeProfile());
+    });
+    connect(&m_model, &QAbstractItemModel::dataChanged, this, &ProfilesPage::updateButtons);
+    connect(&workspace.client(), &DeviceClient::stateChanged, this, &ProfilesPage::updateButtons);
+    connect(&configuration, &ConfigurationModel::changeCountChanged, this, &Page::changesChanged);
+    if (!configuration.isEmpty())
+        m_table->selectRow(std::as_const(configuration).board().activeProfile());
+    updateButtons();
+}
+
+int ProfilesPage::chosen() const
+{
+    const auto rows = m_table->selectionModel()->selectedRows();
+    return rows.isEmpty() ? -1 : rows.first().row();
+}
+
+bool ProfilesPage::hasChanges() const
+{
+    return workspace().configuration().namesChanged();
+}
+
+void ProfilesPage::updateButtons()
+{
+    const ConfigurationModel &model = workspace().configuration();
+    const int profile = chosen();
+    const bool any = profile >= 0 && !model.isEmpty();
+    m_active->setEnabled(any && workspace().client().isConnected()
+                         && profile != model.board().activeProfile());
+    for (QPushButton *button : {m_rename, m_copy, m_load})
+        button->setEnabled(any);
+    for (QPushButton *button : {m_loadAll, m_save})
+        button->setEnabled(!model.isEmpty());
+    m_target->setEnabled(any);
+    const int before = m_target->currentData().toInt();
+    const QSignalBlocker blocker(m_target);
+    m_target->clear();
+    for (int other = 0; any && other < model.board().identity().profileCount; ++other) {
+        if (other != profile)
+            m_target->addItem(u"%1  %2"_s.arg(other + 1).arg(profileLabel(model.edited(), other)), other);
+    }
+    m_target->setCurrentIndex(std::max(0, m_target->findData(before)));
+}
+
+void ProfilesPage::loadFrom(const QString &path, int from, int to)
+{
+    if (const auto loaded = workspace().applyFile(path, from, to); !loaded)
+        emit workspace().problem(describe(loaded.error()));
+}
+
+void ProfilesPage::loadInto(const QString &path, int profile)
+{
+    const auto file = workspace().loadFile(path);
+    if (!file) {
+        emit workspace().problem(describe(file.error()));
+        return;
+    }
+    auto *dialog = new QDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Load into profile %1").arg(profile + 1));
+    auto *list = new QListWidget;
+    list->setAccessibleName(tr("Profiles of the file"));
+    for (int i = 0; i < file->configuration.identity().profileCount; ++i)
+        list->addItem(u"%1  %2"_s.arg(i + 1).arg(profileLabel(file->configuration, i)));
+    list->setCurrentRow(std::min(profile, list->count() - 1));
+    auto *text = new QLabel(tr("Which profile of %1?").arg(QFileInfo(path).fileName()));
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    QPushButton *load = buttons->addButton(tr("Load"), QDialogButtonBox::AcceptRole);
+    load->setDefault(true);
+    auto *layout = new QVBoxLayout(dialog);
+    layout->addWidget(text);
+    layout->addWidget(list);
+    layout->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+    connect(list, &QListWidget::itemActivated, dialog, &QDialog::accept);
+    connect(dialog, &QDialog::accepted, this,
+            [this, path, list, profile] { loadFrom(path, list->currentRow(), profile); });
+    dialog->open();
+}
+
+void ProfilesPage::saveTo(const QString &path)
+{
+    if (const auto saved = workspace().saveFile(path); !saved)
+        emit workspace().problem(describe(saved.error()));
+    else
+        emit workspace().notice(tr("Saved to %1").arg(path));
+}

@@ -1,0 +1,618 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/tune/responsepage.h"
+
+#include "protocol/record/responsecsv.h"
+#include "widgets/models/parametermodel.h"
+#include "widgets/views/card.h"
+
+#include <QComboBox>
+#include <QDateTime>
+#include <QDoubleSpinBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QSpinBox>
+#include <QStackedWidget>
+#include <QStandardItemModel>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kMostRecords = 12;
+constexpr double kOwnFromHz = 0.3;
+constexpr double kOwnToHz = 40.0;
+constexpr qint64 kBiggestFile = 400'000'000;
+constexpr int kMovementWidth = 300;
+
+QString msText(std::optional<double> seconds)
+{
+    return seconds ? ResponsePage::tr("%1 ms").arg(*seconds * 1000.0, 0, 'f', 0) : u"–"_s;
+}
+
+QDoubleSpinBox *makeField(double low, double high, double value, int decimals, const QString &suffix)
+{
+    auto *field = new QDoubleSpinBox;
+    field->setRange(low, high);
+    field->setDecimals(decimals);
+    field->setSingleStep(decimals ? 0.1 : 1);
+    field->setValue(value);
+    field->setSuffix(suffix);
+    return field;
+}
+
+}  // namespace
+
+ResponsePage::ResponsePage(Workspace &workspace, QWidget *parent)
+    : Page(workspace, u"response"_s, tr("Response"), parent)
+    , m_way(new QComboBox)
+    , m_axis(new QComboBox)
+    , m_state(new QLabel)
+    , m_arm(new QPushButton(tr("Arm")))
+    , m_start(new QPushButton(tr("Start")))
+    , m_progress(new QProgressBar)
+    , m_pictures(new QStackedWidget)
+    , m_steps(new CurveChart(workspace.theme(), tr("Step response")))
+    , m_gain(new CurveChart(workspace.theme(), tr("Gain")))
+    , m_phase(new CurveChart(workspace.theme(), tr("Phase")))
+    , m_coherence(new CurveChart(workspace.theme(), tr("Coherence")))
+    , m_model(new QStandardItemModel(this))
+    , m_table(new QTableView)
+    , m_remove(new QPushButton(tr("Remove")))
+    , m_export(new QPushButton(tr("Export…")))
+{
+    m_way->addItem(tr("Step"), int(Way::Steps));
+    m_way->addItem(tr("Sweep"), int(Way::Sweep));
+    m_way->addItem(tr("Own motion"), int(Way::OwnMotion));
+    m_way->setAccessibleName(tr("Kind of test"));
+    m_way->setToolTip(tr("Step: how fast and how calmly the axis arrives. Sweep: margins, by moving it "
+                         "slowly, then ever faster. "
+                         "Own motion: the same from what you steered just now."));
+    for (const Axis each : kAxes)
+        m_axis->addItem(axisLabel(each), int(each));
+    m_axis->setCurrentIndex(1);
+    m_axis->setAccessibleName(tr("Axis"));
+    auto *import = new QPushButton(tr("Import…"));
+    import->setToolTip(tr("A measurement of another tool: a text file with two columns, in;out"));
+    m_export->setToolTip(tr("Both sides of the chosen measurement as in;out"));
+    header()->addWidget(m_way);
+    header()->addWidget(m_axis);
+    header()->addWidget(import);
+    header()->addWidget(m_export);
+
+    auto *left = new QVBoxLayout;
+    left->setSpacing(Metric::kGroupGap);
+    makePictures(left);
+    auto *right = new QVBoxLayout;
+    makeMovementCard(right);
+    right->addStretch(1);
+    auto *columns = new QHBoxLayout;
+    columns->setSpacing(Metric::kGroupGap);
+    columns->addLayout(left, 1);
+    columns->addLayout(right);
+    body()->addLayout(columns, 1);
+
+    connect(m_way, &QComboBox::currentIndexChanged, this, &ResponsePage::onWay);
+    connect(m_axis, &QComboBox::currentIndexChanged, this, [this] { setArmed(false); });
+    connect(m_arm, &QPushButton::clicked, this, [this] { setArmed(m_arm->isChecked()); });
+    connect(m_start, &QPushButton::clicked, this, &ResponsePage::start);
+    connect(m_remove, &QPushButton::clicked, this, &ResponsePage::removeChosen);
+    m_table->setModel(m_model);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            &ResponsePage::updateButtons);
+    connect(m_model, &QStandardItemModel::itemChanged, this, [this](QStandardItem *item) {
+        const auto place = recordAt(item->row());
+        if (m_filling || item->column() != 0 || !place)
+            return;
+        m_records[*place].shown = item->checkState() == Qt::Checked;
+        m_records[*place].name = item->text();
+        drawSteps();
+        drawBode();
+    });
+    connect(import, &QPushButton::clicked, this, [this] {
+        askOpenPath(tr("Import a measurement"), tr("Text files (*.csv *.txt);;All files (*)"),
+                    [this](const QString &path) {
+                        if (const auto done = importCsv(path); !done)
+                            emit this->workspace().problem(describe(done.error()));
+                    });
+    });
+    connect(m_export, &QPushButton::clicked, this, [this] {
+        askSavePath(tr("Export a measurement"), u"response.csv"_s, tr("CSV files (*.csv)"),
+                    [this](const QString &path) {
+                        if (const auto done = exportCsv(path); done)
+                            emit this->workspace().notice(tr("Measurement saved to %1").arg(path));
+                        else
+                            emit this->workspace().problem(describe(done.error()));
+                    });
+    });
+    connect(&workspace.client(), &DeviceClient::progressChanged, this, [this](const Progress &progress) {
+        if (progress.step == u"motion-test"_s && progress.total > 0)
+            m_progress->setValue(100 * progress.done / progress.total);
+    });
+    connect(&workspace.client(), &DeviceClient::stateChanged, this, [this] {
+        offerWays();
+        setArmed(false);
+    });
+    m_disarm.setSingleShot(true);
+    connect(&m_disarm, &QTimer::timeout, this, [this] { setArmed(false); });
+    onWay();
+}
+
+void ResponsePage::makePictures(QVBoxLayout *column)
+{
+    auto *bode = new QWidget;
+    auto *charts = new QVBoxLayout(bode);
+    charts->setContentsMargins(0, 0, 0, 0);
+    charts->setSpacing(2);
+    charts->addWidget(m_gain, 4);
+    charts->addWidget(m_phase, 4);
+    charts->addWidget(m_coherence, 3);
+    m_coherence->setMinimumHeight(110);
+    m_steps->setHint(tr("Arm, then Start: the axis steps to and fro, and here is how it arrives."));
+    m_gain->setHint(tr("Arm, then Start: the axis sways ever faster, and here is how it follows."));
+    m_pictures->addWidget(m_steps);
+    m_pictures->addWidget(bode);
+    column->addWidget(m_pictures, 3);
+    auto *card = new Card(tr("Measurements"));
+    m_table->setAccessibleName(tr("Measurements"));
+    m_table->verticalHeader()->hide();
+    m_table->setShowGrid(false);
+    m_table->setTabKeyNavigation(false);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->setMinimumHeight(110);
+    card->content()->addWidget(m_table, 1);
+    auto *buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(m_remove);
+    card->content()->addLayout(buttons);
+    column->addWidget(card, 1);
+}
+
+void ResponsePage::makeMovementCard(QVBoxLayout *column)
+{
+    auto *card = new Card(tr("Movement"));
+    card->setFixedWidth(kMovementWidth);
+    m_degrees = makeField(0.2, MotionTestPlan::kMaxDegrees, 2, 1, tr("°"));
+    m_degrees->setToolTip(tr("How far the axis is moved; as small as still can be told from its noise"));
+    m_count = new QSpinBox;
+    m_count->setRange(2, 40);
+    m_count->setValue(6);
+    m_count->setSingleStep(2);
+    m_rest = makeField(0.3, 5, 1, 1, tr(" s"));
+    m_from = makeField(0.1, 20, 0.5, 1, tr(" Hz"));
+    m_to = makeField(1, 20, 15, 1, tr(" Hz"));
+    m_seconds = makeField(5, 120, 20, 0, tr(" s"));
+    m_limit = makeField(0.5, 20, 4, 1, tr("°"));
+    m_limit->setToolTip(tr("Further than this beyond the movement itself, and the motors are switched off"));
+    m_form = new QFormLayout;
+    m_form->addRow(tr("Movement"), m_degrees);
+    m_form->addRow(tr("Steps"), m_count);
+    m_form->addRow(tr("Rest between"), m_rest);
+    m_form->addRow(tr("From"), m_from);
+    m_form->addRow(tr("To"), m_to);
+    m_form->addRow(tr("Duration"), m_seconds);
+    m_form->addRow(tr("Stop beyond"), m_limit);
+    for (QWidget *field :
+         {static_cast<QWidget *>(m_degrees), static_cast<QWidget *>(m_count), static_cast<QWidget *>(m_rest),
+          static_cast<QWidget *>(m_from), static_cast<QWidget *>(m_to), static_cast<QWidget *>(m_seconds),
+          static_cast<QWidget *>(m_limit)})
+        field->setAccessibleName(static_cast<QLabel *>(m_form->labelForField(field))->text());
+    card->content()->addLayout(m_form);
+    m_state->setWordWrap(true);
+    card->content()->addWidget(m_state);
+    m_progress->setRange(0, 100);
+    m_progress->setAccessibleName(tr("Progress of the test"));
+    m_progress->hide();
+    card->content()->addWidget(m_progress);
+    m_arm->setCheckable(true);
+    m_start->setObjectName(u"primary"_s);
+    auto *buttons = new QHBoxLayout;
+    buttons->setSpacing(Metric::kGap);
+    buttons->addWidget(m_arm, 1);
+    buttons->addWidget(m_start, 1);
+    card->content()->addLayout(buttons);
+    column->addWidget(card);
+}
+
+bool ResponsePage::tellsTargets() const
+{
+    const Device *device = workspace().client().device();
+    return !device || ::tellsTargets(*device);
+}
+
+// A board that does not tell its targets can be seen to step; its margins cannot be told from the line's.
+void ResponsePage::offerWays()
+{
+    const bool told = tellsTargets();
+    auto *ways = qobject_cast<QStandardItemModel *>(m_way->model());
+    for (int row = 0; row < ways->rowCount(); ++row) {
+        const bool fits = told || Way(m_way->itemData(row).toInt()) == Way::Steps;
+        ways->item(row)->setEnabled(fits);
+        ways->item(row)->setToolTip(
+            fits ? QString()
+                 : tr("This board does not tell its targets: the line's delay would be taken for its own."));
+    }
+    if (!told)
+        m_way->setCurrentIndex(m_way->findData(int(Way::Steps)));
+}
+
+ResponsePage::Way ResponsePage::way() const
+{
+    return Way(m_way->currentData().toInt());
+}
+
+Axis ResponsePage::axis() const
+{
+    return Axis(m_axis->currentData().toInt());
+}
+
+ResponseRecord::Kind ResponsePage::kind() const
+{
+    return way() == Way::Steps ? ResponseRecord::Kind::Steps : ResponseRecord::Kind::Frequency;
+}
+
+MotionTestPlan ResponsePage::plan() const
+{
+    MotionTestPlan plan;
+    plan.kind = way() == Way::Steps ? MotionTestPlan::Kind::Steps : MotionTestPlan::Kind::Sweep;
+    plan.axis = axis();
+    plan.degrees = m_degrees->value();
+    plan.steps = m_count->value();
+    plan.rest = m_rest->value();
+    plan.fromHz = m_from->value();
+    plan.toHz = m_to->value();
+    plan.sweepSeconds = m_seconds->value();
+    plan.limit = m_limit->value();
+    return plan;
+}
+
+void ResponsePage::onWay()
+{
+    const Way now = way();
+    const auto show = [this](QWidget *field, bool visible) {
+        field->setVisible(visible);
+        m_form->labelForField(field)->setVisible(visible);
+    };
+    show(m_degrees, now != Way::OwnMotion);
+    show(m_count, now == Way::Steps);
+    show(m_rest, now == Way::Steps);
+    show(m_from, now == Way::Sweep);
+    show(m_to, now == Way::Sweep);
+    show(m_seconds, now != Way::Steps);
+    show(m_limit, now != Way::OwnMotion);
+    m_arm->setVisible(now != Way::OwnMotion);
+    m_pictures->setCurrentIndex(now == Way::Steps ? 0 : 1);
+    setArmed(false);
+    showRecords();
+}
+
+void ResponsePage::setArmed(bool armed)
+{
+    const DeviceClient &client = workspace().client();
+    const bool ready = client.isConnected() && client.identity().writable;
+    armed = armed && ready && isVisible() && !m_running;
+    m_arm->setEnabled(ready && !m_running);
+    m_arm->setChecked(armed);
+    m_arm->setText(armed ? tr("■ Disarm") : tr("Arm"));
+    if (armed)
+        m_disarm.start(1000 * workspace().settings().disarmSeconds());
+    else
+        m_disarm.stop();
+    if (way() == Way::OwnMotion)
+        m_state->setText(tr("Steer the axis to and fro for a while, by hand controller or on the Control "
+                            "page; then measure."));
+    else if (m_running)
+        m_state->setText(tr("The axis is being moved. Keep your hands off the camera."));
+    else if (armed && tellsTargets())
+        m_state->setText(tr("Armed: Start moves the axis by %1°. Keep clear.").arg(m_degrees->value()));
+    else if (armed)
+        m_state->setText(
+            tr("Armed: Start brings the camera to its middle, then moves the axis by %1°. Keep clear.")
+                .arg(m_degrees->value()));
+    else
+        m_state->setText(tr("Not armed: nothing moves. The motors must run and hold the camera."));
+    m_state->setObjectName(armed || m_running ? u"warning"_s : u"muted"_s);
+    repolish(m_state);
+    updateButtons();
+}
+
+void ResponsePage::updateButtons()
+{
+    const bool running = m_running;
+    m_start->setText(running ? tr("Stop") : way() == Way::OwnMotion ? tr("Measure") : tr("Start"));
+    m_start->setEnabled(running || m_arm->isChecked()
+                        || (way() == Way::OwnMotion && workspace().client().device()));
+    m_progress->setVisible(running);
+    m_way->setEnabled(!running);
+    m_axis->setEnabled(!running);
+    m_remove->setEnabled(recordAt(m_table->currentIndex().row()).has_value());
+    m_export->setEnabled(!m_records.empty());
+}
+
+void ResponsePage::start()
+{
+    if (m_running) {
+        workspace().client().cancelMovingJobs();
+        return;
+    }
+    if (way() == Way::OwnMotion) {
+        measureOwnMotion();
+        return;
+    }
+    m_running = true;
+    m_progress->setValue(0);
+    workspace().mark(PlotMark::Kind::Note, tr("Test of %1 begins").arg(axisLabel(axis())));
+    workspace()
+        .client()
+        .submit<MotionTestResult>(
+            [wanted = plan(), telemetry = workspace().client().telemetry()](Channel &channel,
+                                                                            Device &device) {
+                return measureMotion(channel, device, *telemetry, wanted);
+            },
+            DeviceClient::JobKind::Moving)
+        .then(this, [this](const Result<MotionTestResult> &result) {
+            m_running = false;
+            if (result)
+                onMeasured(*result);
+            else
+                onFailed(result.error());
+        });
+    setArmed(false);
+}
+
+void ResponsePage::onMeasured(const MotionTestResult &result)
+{
+    workspace().mark(PlotMark::Kind::Note, tr("Test of %1 is over").arg(axisLabel(result.plan.axis)));
+    if (result.plan.kind == MotionTestPlan::Kind::Steps) {
+        add(stepRecord(result), result.plan.axis);
+    } else {
+        add(frequencyRecord(result.target.values, result.angle.values, result.angle.rate, result.plan.fromHz,
+                            result.plan.toHz),
+            result.plan.axis);
+    }
+    setArmed(false);
+}
+
+void ResponsePage::onFailed(const Error &error)
+{
+    workspace().mark(error.code == ErrorCode::Diverged ? PlotMark::Kind::Fault : PlotMark::Kind::Note,
+                     tr("Test was ended"));
+    if (error.code == ErrorCode::Cancelled)
+        emit workspace().notice(tr("The test was ended; control was given back."));
+    else
+        emit workspace().problem(describe(error));
+    setArmed(false);
+}
+
+void ResponsePage::measureOwnMotion()
+{
+    const auto store = workspace().client().telemetry();
+    const ChannelRoles &roles = workspace().roles();
+    const int seen = roles.angle[std::size_t(axis())];
+    const int wanted = roles.target[std::size_t(axis())];
+    const auto tracks = store && seen >= 0 ? store->tracks(seen) : std::vector<TrackView>();
+    if (tracks.empty() || tracks.back().end() == tracks.back().begin()) {
+        emit workspace().problem(describe({ErrorCode::Unready, {}, 0}));
+        return;
+    }
+    const double end = tracks.back().time(tracks.back().end() - 1);
+    const auto target = uniformSamples(*store, wanted, -1, end - m_seconds->value(), end);
+    const auto angle = uniformSamples(*store, seen, -1, end - m_seconds->value(), end);
+    if (!target || !angle) {
+        add(tl::unexpected(target ? angle.error() : target.error()), axis());
+        return;
+    }
+    add(frequencyRecord(target->values, angle->values, angle->rate, kOwnFromHz, kOwnToHz), axis());
+}
+
+void ResponsePage::add(Result<ResponseRecord> record, Axis axis)
+{
+    if (!record) {
+        ErrorText text = describe(record.error());
+        text.what = tr("The samples tell nothing about how the axis follows.");
+        text.cure = tr("Make the movement larger, or give it more time.");
+        emit workspace().problem(text);
+        return;
+    }
+    record->axis = axis;
+    if (record->name.isEmpty())
+        record->name = u"%1 %2"_s.arg(axisLabel(axis), QDateTime::currentDateTime().toString(u"HH:mm:ss"_s));
+    m_records.push_back(std::move(*record));
+    if (m_records.size() > kMostRecords)
+        m_records.erase(m_records.begin());
+    showRecords();
+}
+
+std::optional<std::size_t> ResponsePage::recordAt(int row) const
+{
+    // Newest first.
+    for (std::size_t i = m_records.size(); i-- > 0;) {
+        if (m_records[i].kind == kind() && row-- == 0)
+            return i;
+    }
+    return {};
+}
+
+void ResponsePage::removeChosen()
+{
+    if (const auto place = recordAt(m_table->currentIndex().row())) {
+        m_records.erase(m_records.begin() + std::ptrdiff_t(*place));
+        showRecords();
+    }
+}
+
+void ResponsePage::showRecords()
+{
+    m_filling = true;
+    const bool steps = kind() == ResponseRecord::Kind::Steps;
+    const QStringList titles = steps
+        ? QStringList{tr("Measurement"), tr("Rise"), tr("Overshoot"), tr("Settled after"), tr("Left over")}
+        : QStringList{tr("Measurement"), tr("Phase margin"), tr("Gain margin"), tr("Bandwidth"),
+                      tr("Greatest sensitivity")};
+    m_model->clear();
+    m_model->setHorizontalHeaderLabels(titles);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    for (int row = 0; const auto place = recordAt(row); ++row) {
+        const ResponseRecord &record = m_records[*place];
+        QStringList cells;
+        if (steps) {
+            cells = {msText(record.steps.metrics.riseSeconds),
+                     tr("%1 %").arg(record.steps.metrics.overshoot, 0, 'f', 1),
+                     msText(record.steps.metrics.settlingSeconds),
+                     tr("%1 %").arg(100.0 * record.steps.metrics.error, 0, 'f', 1)};
+        } else {
+            const Margins &m = record.margins;
+            cells = {m.phaseDeg ? tr("%1° at %2 Hz").arg(*m.phaseDeg, 0, 'f', 0).arg(*m.phaseHz, 0, 'f', 1)
+                                : u"–"_s,
+                     m.gainDb ? tr("%1 dB at %2 Hz").arg(*m.gainDb, 0, 'f', 1).arg(*m.gainHz, 0, 'f', 1)
+                              : u"–"_s,
+                     m.phaseHz ? tr("%1 Hz").arg(*m.phaseHz, 0, 'f', 1) : u"–"_s,
+                     tr("%1 dB at %2 Hz").arg(m.sensitivityDb, 0, 'f', 1).arg(m.sensitivityHz, 0, 'f', 1)};
+        }
+        auto *name = new QStandardItem(record.name);
+        name->setCheckable(true);
+        name->setCheckState(record.shown ? Qt::Checked : Qt::Unchecked);
+        QList<QStandardItem *> items{name};
+        for (const QString &cell : std::as_const(cells)) {
+            items.append(new QStandardItem(cell));
+            items.last()->setEditable(false);
+        }
+        m_model->appendRow(items);
+    }
+    m_filling = false;
+    drawSteps();
+    drawBode();
+    updateButtons();
+}
+
+void ResponsePage::drawSteps()
+{
+    QList<ChartCurve> curves;
+    double last = 1000.0;
+    double high = 1.4;
+    bool newest = true;
+    for (std::size_t i = m_records.size(); i-- > 0;) {
+        const ResponseRecord &record = m_records[i];
+        if (record.kind != ResponseRecord::Kind::Steps || !record.shown)
+            continue;
+        curves.append(stepCurves(record, int(i), std::exchange(newest, false)));
+        last = std::max(curves.size() == 1 ? 0.0 : last,
+                        1000.0 * double(record.steps.mean.size()) / record.rate);
+        for (const float value : record.steps.mean)
+            high = std::max(high, std::ceil(double(value) * 5.0 + 0.5) / 5.0);
+    }
+    m_steps->setScales(
+        {{}, 0, std::ceil(last / 100.0) * 100.0, false, tr("%g ms"), 0},
+        {tr("Share of the way"), -0.2, high, false, u"%.1f"_s, int(std::lround((high + 0.2) / 0.2))});
+    m_steps->setCurves(curves);
+}
+
+void ResponsePage::drawBode()
+{
+    QList<ChartCurve> gain;
+    QList<ChartCurve> phase;
+    QList<ChartCurve> coherence;
+    double highest = 10;
+    double lowPhase = -180;
+    double lowGain = -20;
+    double highGain = 10;
+    bool newest = true;
+    for (std::size_t i = m_records.size(); i-- > 0;) {
+        const ResponseRecord &record = m_records[i];
+        if (record.kind != ResponseRecord::Kind::Frequency || !record.shown)
+            continue;
+        const bool first = std::exchange(newest, false);
+        gain.append(bodeCurve(record, BodePart::Gain, int(i), first));
+        phase.append(bodeCurve(record, BodePart::Phase, int(i), first));
+        coherence.append(bodeCurve(record, BodePart::Coherence, int(i), first));
+        highest = std::max(highest, record.toHz);
+        for (const QPointF &point : gain.last().points) {
+            lowGain = std::min(lowGain, std::floor(point.y() / 10.0) * 10.0);
+            highGain = std::max(highGain, std::ceil(point.y() / 10.0) * 10.0);
+        }
+        for (const QPointF &point : phase.last().points)
+            lowPhase = std::min(lowPhase, std::floor(point.y() / 90.0) * 90.0);
+    }
+    lowGain = std::max(lowGain, -60.0);
+    lowPhase = std::max(lowPhase, -540.0);
+    const ChartScale hertz{{}, 0.3, highest, true, tr("%g Hz"), 0};
+    m_gain->setScales(
+        hertz,
+        {tr("Gain, dB"), lowGain, highGain, false, u"%.0f"_s, int(std::lround((highGain - lowGain) / 10.0))});
+    m_phase->setScales(
+        hertz, {tr("Phase, °"), lowPhase, 90, false, u"%.0f"_s, int(std::lround((90 - lowPhase) / 90.0))});
+    m_coherence->setScales(hertz, {tr("Coherence"), 0, 1, false, u"%.1f"_s, 2});
+    m_gain->setCurves(gain);
+    m_phase->setCurves(phase);
+    m_coherence->setCurves(coherence);
+}
+
+Result<void> ResponsePage::importCsv(const QString &path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
+    if (file.size() > kBiggestFile)
+        return failure(ErrorCode::BadFile, u"%1: %2 MB is too big"_s.arg(path).arg(file.size() / 1'000'000));
+    auto samples = readResponseCsv(file.readAll());
+    if (!samples)
+        return failure(samples.error().code, path + u": "_s + samples.error().detail);
+    auto record = frequencyRecord(std::move(samples->in), std::move(samples->out), samples->rate, kOwnFromHz,
+                                  kOwnToHz);
+    if (!record)
+        return tl::unexpected(record.error());
+    record->name = QFileInfo(path).completeBaseName();
+    if (kind() != ResponseRecord::Kind::Frequency)
+        m_way->setCurrentIndex(m_way->findData(int(Way::OwnMotion)));
+    add(std::move(record), Axis::None);
+    if (samples->rateAssumed)
+        emit workspace().notice(
+            tr("The file does not tell its rate; %1 samples/s are assumed.").arg(samples->rate));
+    return {};
+}
+
+Result<void> ResponsePage::exportCsv(const QString &path) const
+{
+    const auto place = recordAt(std::max(0, m_table->currentIndex().row()));
+    if (!place)
+        return failure(ErrorCode::InvalidArgument, u"no measurement"_s);
+    const ResponseRecord &record = m_records[*place];
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly))
+        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
+    if (const auto written = writeResponseCsv(file, record.target, record.angle, record.rate); !written)
+        return written;
+    if (!file.commit())
+        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
+    return {};
+}
+
+void ResponsePage::showEvent(QShowEvent *event)
+{
+    Page::showEvent(event);
+    const ChannelRoles &roles = workspace().roles();
+    workspace().wishTelemetry(this, ChannelRoles::present({roles.angle, roles.target, roles.gyro}));
+    offerWays();
+    setArmed(false);
+}
+
+void ResponsePage::hideEvent(QHideEvent *event)
+{
+    Page::hideEvent(event);
+    if (m_running)
+        workspace().client().cancelMovingJobs();  // nobody looks any more
+    setArmed(false);
+}

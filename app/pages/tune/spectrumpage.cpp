@@ -1,0 +1,495 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/tune/spectrumpage.h"
+
+#include "protocol/analysis/holdingquality.h"
+#include "protocol/telemetry/uniformsamples.h"
+#include "widgets/models/parametermodel.h"
+#include "widgets/plot/waterfallview.h"
+#include "widgets/views/card.h"
+
+#include <QActionGroup>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr auto kPeriod = 500ms;
+constexpr std::array<int, 4> kSpans{5, 10, 30, 60};  // seconds
+constexpr int kDefaultSpan = 1;
+constexpr int kPeaks = 3;  // of each axis
+constexpr double kFinest = 0.5;  // Hz
+constexpr double kNotchDepthDb = 20.0;
+constexpr double kLeastNotchWidth = 0.25;  // of its frequency
+constexpr std::array<double, 3> kCostHz{5, 10, 20};
+constexpr double kCostShare = 0.7;  // of the notch's frequency: nearer it, the lag says little
+constexpr double kWaterfallSpan = 1.0;  // seconds in one column
+constexpr double kSlowest = 5.0;  // Hz: below it nothing is a vibration
+
+// As fine as the span allows with eight segments or more to average.
+int segmentLength(const UniformSamples &samples)
+{
+    int length = 64;
+    while (length * 9 <= int(samples.values.size()) && samples.rate / length > kFinest)
+        length *= 2;
+    return length;
+}
+
+QTableWidget *makeTable(const QStringList &titles, const QString &name)
+{
+    auto *table = new QTableWidget(0, int(titles.size()));
+    table->setHorizontalHeaderLabels(titles);
+    table->setAccessibleName(name);
+    table->verticalHeader()->hide();
+    table->setShowGrid(false);
+    table->setTabKeyNavigation(false);
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setSelectionMode(QAbstractItemView::SingleSelection);
+    table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    table->horizontalHeader()->setHighlightSections(false);
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    return table;
+}
+
+void setText(QTableWidget *table, int row, int column, const QString &text)
+{
+    if (!table->item(row, column))
+        table->setItem(row, column, new QTableWidgetItem);
+    table->item(row, column)->setText(text);
+}
+
+}  // namespace
+
+SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
+    : Page(workspace, u"spectrum"_s, tr("Spectrum"), parent)
+    , m_signal(new QComboBox)
+    , m_span(new QComboBox)
+    , m_view(new QPushButton(tr("View")))
+    , m_viewMenu(new QMenu(m_view))
+    , m_pause(new QPushButton(tr("Pause")))
+    , m_compare(new QPushButton(tr("Compare")))
+    , m_notch(new QPushButton(tr("Put a notch here…")))
+    , m_note(new QLabel)
+    , m_pictures(new QStackedWidget)
+    , m_chart(new SpectrumChart(workspace.theme()))
+    , m_waterfall(new WaterfallView(workspace.theme()))
+    , m_peaks(makeTable({tr("Axis"), tr("Frequency"), tr("Strength (RMS)"), tr("Width")}, tr("Peaks")))
+    , m_bands(makeTable({tr("Band"), axisLabel(Axis::Roll), axisLabel(Axis::Pitch), axisLabel(Axis::Yaw)},
+                        tr("Angle error by band")))
+{
+    m_signal->addItem(tr("Gyro"), int(Signal::Gyro));
+    m_signal->addItem(tr("Angle error"), int(Signal::Error));
+    m_signal->setAccessibleName(tr("Signal"));
+    m_signal->setToolTip(tr("What the spectrum is made of"));
+    for (const int seconds : kSpans)
+        m_span->addItem(tr("last %1 s").arg(seconds), seconds);
+    m_span->setCurrentIndex(kDefaultSpan);
+    m_span->setAccessibleName(tr("Span"));
+    m_span->setToolTip(tr("A longer span shows finer lines, a shorter one follows faster"));
+    m_pause->setCheckable(true);
+    m_compare->setToolTip(tr("Keep the figures of now and show what changes against them"));
+    m_note->setObjectName(u"muted"_s);
+    header()->addWidget(m_note);
+    header()->addWidget(m_signal);
+    header()->addWidget(m_span);
+    header()->addWidget(m_view);
+    header()->addWidget(m_pause);
+
+    auto *peaks = new Card(tr("Peaks"));
+    peaks->content()->addWidget(m_peaks, 1);
+    m_notch->setToolTip(tr("A filter that takes the chosen peak out of the loop, as an edit to review"));
+    auto *notchRow = new QHBoxLayout;
+    notchRow->addStretch(1);
+    notchRow->addWidget(m_notch);
+    peaks->content()->addLayout(notchRow);
+    auto *bands = new Card(tr("Angle error by band"));
+    bands->content()->addWidget(m_bands, 1);
+    auto *buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(m_compare);
+    bands->content()->addLayout(buttons);
+    m_bands->setRowCount(int(kHoldingBands.size()));
+    m_bands->verticalHeader()->setDefaultSectionSize(2 * m_bands->fontMetrics().lineSpacing() + Metric::kGap);
+    nameBands({});
+    auto *row = new QHBoxLayout;
+    row->setSpacing(Metric::kGroupGap);
+    row->addWidget(peaks, 1);
+    row->addWidget(bands, 1);
+    m_pictures->addWidget(m_chart);
+    m_pictures->addWidget(m_waterfall);
+    m_waterfall->setHop(std::chrono::duration<double>(kPeriod).count());
+    makeViewMenu();
+    body()->addWidget(m_pictures, 3);
+    body()->addLayout(row, 2);
+
+    connect(m_pause, &QPushButton::toggled, this,
+            [this](bool on) { m_pause->setText(on ? tr("Continue") : tr("Pause")); });
+    connect(m_compare, &QPushButton::clicked, this, [this] {
+        m_before = m_left;
+        m_earlier = m_now;
+        for (SpectrumCurve &curve : m_earlier)
+            curve.earlier = true;
+        showBands();
+        drawCurves();
+    });
+    connect(m_notch, &QPushButton::clicked, this, &SpectrumPage::askNotch);
+    connect(m_peaks, &QTableWidget::itemSelectionChanged, this, &SpectrumPage::updateNotch);
+    updateNotch();
+    connect(m_signal, &QComboBox::activated, this, [this] {
+        fillWaterfall();
+        refresh();
+    });
+    connect(m_span, &QComboBox::activated, this, &SpectrumPage::refresh);
+    m_timer.setInterval(kPeriod);
+    connect(&m_timer, &QTimer::timeout, this, [this] {
+        if (!m_pause->isChecked())
+            refresh();
+    });
+}
+
+SpectrumPage::Signal SpectrumPage::signal() const
+{
+    return Signal(m_signal->currentData().toInt());
+}
+
+void SpectrumPage::showEvent(QShowEvent *event)
+{
+    Page::showEvent(event);
+    const ChannelRoles &roles = workspace().roles();
+    QList<int> wanted;
+    for (const auto &triple : {roles.gyro, roles.angle, roles.target})
+        wanted.append(QList<int>(triple.begin(), triple.end()));
+    workspace().wishTelemetry(this, wanted);
+    offerHeldSpan();
+    fillWaterfall();
+    refresh();
+    m_timer.start();
+}
+
+void SpectrumPage::hideEvent(QHideEvent *event)
+{
+    Page::hideEvent(event);
+    m_timer.stop();
+}
+
+// How it is drawn: few want to change it, so it does not take room in the header.
+void SpectrumPage::makeViewMenu()
+{
+    m_view->setMenu(m_viewMenu);
+    m_view->setToolTip(tr("How the spectrum is made and drawn"));
+    const auto choices
+        = [this](const QString &title, const QList<std::pair<QString, std::function<void()>>> &entries) {
+              m_viewMenu->addSection(title);
+              auto *group = new QActionGroup(m_viewMenu);
+              for (const auto &[text, chosen] : entries) {
+                  QAction *action = m_viewMenu->addAction(text);
+                  action->setCheckable(true);
+                  action->setChecked(group->actions().isEmpty());
+                  group->addAction(action);
+                  connect(action, &QAction::triggered, this, [this, chosen] {
+                      chosen();
+                      refresh();
+                  });
+              }
+          };
+    QList<std::pair<QString, std::function<void()>>> pictures{{tr("Lines"), [this] {
+                                                                   m_waterfallAxis = Axis::None;
+                                                                   m_pictures->setCurrentWidget(m_chart);
+                                                               }}};
+    for (const Axis axis : kAxes) {
+        pictures.append({tr("Waterfall, %1").arg(axisLabel(axis)), [this, axis] {
+                             m_waterfallAxis = axis;
+                             m_pictures->setCurrentWidget(m_waterfall);
+                             fillWaterfall();
+                         }});
+    }
+    choices(tr("Picture"), pictures);
+    choices(tr("Frequency"),
+            {{tr("Logarithmic"), [this] { m_scale.linearFrequency = false; }},
+             {tr("Linear"), [this] { m_scale.linearFrequency = true; }}});
+    choices(tr("Level"),
+            {{tr("Decibel"), [this] { m_scale.amplitude = false; }},
+             {tr("RMS of each line"), [this] { m_scale.amplitude = true; }}});
+    choices(tr("Window"),
+            {{tr("Hann: the usual one"), [this] { m_window = WindowShape::Hann; }},
+             {tr("Flat top: true heights of single tones"), [this] { m_window = WindowShape::FlatTop; }},
+             {tr("Rectangular: sharpest, leaks"), [this] { m_window = WindowShape::Rectangular; }}});
+}
+
+// A span that the operator holds still on the Monitor can be measured here, and compared with another one.
+void SpectrumPage::offerHeldSpan()
+{
+    const int last = int(kSpans.size());
+    const auto held = workspace().heldSpan();
+    if (held && m_span->count() == last)
+        m_span->addItem(QString());
+    if (held)
+        m_span->setItemText(last, tr("as held on Monitor, %1 s").arg(held->second - held->first, 0, 'g', 3));
+    else if (m_span->count() > last)
+        m_span->removeItem(last);
+}
+
+std::pair<double, double> SpectrumPage::spanOf(const TelemetryStore &store, int channel) const
+{
+    if (const auto held = workspace().heldSpan(); held && m_span->currentIndex() == int(kSpans.size()))
+        return *held;
+    // The newest sample is the end: a recording goes on standing where it stopped.
+    const std::vector<TrackView> tracks = channel < 0 ? std::vector<TrackView>() : store.tracks(channel);
+    if (tracks.empty() || tracks.back().end() == tracks.back().begin())
+        return {0, 0};
+    const double end = tracks.back().time(tracks.back().end() - 1);
+    return {end - m_span->currentData().toDouble(), end};
+}
+
+void SpectrumPage::refresh()
+{
+    const auto store = workspace().client().telemetry();
+    const Device *device = workspace().client().device();
+    if (!store || !device)
+        return;
+    const ChannelRoles &roles = workspace().roles();
+    const ChannelTable table = device->channels();
+    const bool gyro = signal() == Signal::Gyro;
+    m_now.clear();
+    m_lines.clear();
+    m_note->setText(tr("Waiting for samples at a steady rate"));
+    for (std::size_t i = 0; i < kAxes.size(); ++i) {
+        const int channel = gyro ? roles.gyro[i] : roles.angle[i];
+        const auto [from, to] = spanOf(*store, channel);
+        if (to <= from)
+            continue;
+        const auto error = uniformSamples(*store, roles.angle[i], roles.target[i], from, to);
+        if (error) {
+            const auto qualities = holdingQuality(error->values, error->rate);
+            for (std::size_t band = 0; band < qualities.size(); ++band)
+                m_left[i][band] = {qualities[band].rms, qualities[band].peak, qualities[band].known};
+            nameBands(qualities);
+        }
+        const auto samples = gyro ? uniformSamples(*store, channel, -1, from, to) : error;
+        if (!samples)
+            continue;
+        auto result = spectrum(samples->values, samples->rate, {segmentLength(*samples), 0.5, m_window});
+        if (!result)
+            continue;
+        m_unit = QString::fromUtf8(table[std::size_t(channel)].unit);
+        for (const SpectrumPeak &peak : findPeaks(*result, kPeaks, kSlowest))
+            m_lines.push_back({kAxes[i], peak});
+        m_note->setText(tr("%1 samples/s, lines of %2 Hz, %n average(s)", nullptr, result->segments)
+                            .arg(result->rate, 0, 'f', 0)
+                            .arg(result->resolution, 0, 'g', 2));
+        if (samples->polled)  // no filter stands before what is asked for one by one
+            m_note->setText(tr("%1; what is faster than %2 Hz shows up lower")
+                                .arg(m_note->text())
+                                .arg(result->rate / 2, 0, 'f', 0));
+        m_now.push_back({axisLabel(kAxes[i]), kAxes[i], std::move(*result), false});
+    }
+    drawCurves();
+    addWaterfall();
+    showPeaks(m_unit);
+    showBands();
+}
+
+void SpectrumPage::drawCurves()
+{
+    std::vector<SpectrumCurve> all = m_earlier;
+    all.insert(all.end(), m_now.begin(), m_now.end());
+    m_chart->setSpectra(all, m_unit, m_scale);
+    std::vector<std::pair<const Spectrum *, SpectrumPeak>> peaks;
+    for (const Line &line : m_lines) {
+        for (const SpectrumCurve &curve : m_now) {
+            if (curve.axis == line.axis)
+                peaks.push_back({&curve.spectrum, line.peak});
+        }
+    }
+    m_chart->setPeaks(peaks);
+}
+
+void SpectrumPage::addWaterfall()
+{
+    if (m_waterfallAxis == Axis::None)
+        return;
+    m_waterfall->setLogarithmic(!m_scale.linearFrequency);
+    addColumn(spanOf(*workspace().client().telemetry(), waterfallChannel()).second);
+}
+
+// What has been kept is there at once.
+void SpectrumPage::fillWaterfall()
+{
+    m_waterfall->clear();
+    if (m_waterfallAxis == Axis::None)
+        return;
+    const auto store = workspace().client().telemetry();
+    if (!store || !workspace().client().device())
+        return;
+    const double hop = std::chrono::duration<double>(kPeriod).count();
+    const double end = spanOf(*store, waterfallChannel()).second;
+    for (int column = WaterfallView::kColumns; column >= 1; --column)
+        addColumn(end - column * hop);
+}
+
+int SpectrumPage::waterfallChannel() const
+{
+    const ChannelRoles &roles = workspace().roles();
+    return signal() == Signal::Gyro ? roles.gyro[std::size_t(m_waterfallAxis)]
+                                    : roles.angle[std::size_t(m_waterfallAxis)];
+}
+
+// A second alone, so that a column shows what happened then.
+void SpectrumPage::addColumn(double end)
+{
+    const auto store = workspace().client().telemetry();
+    const ChannelRoles &roles = workspace().roles();
+    const auto axis = std::size_t(m_waterfallAxis);
+    const bool gyro = signal() == Signal::Gyro;
+    const int channel = waterfallChannel();
+    const auto samples
+        = uniformSamples(*store, channel, gyro ? -1 : roles.target[axis], end - kWaterfallSpan, end);
+    if (!samples)
+        return;
+    int length = 64;
+    while (length * 2 <= int(samples->values.size()))
+        length *= 2;
+    if (const auto now = spectrum(samples->values, samples->rate, {length, 0.5, m_window}))
+        m_waterfall->add(*now);
+}
+
+void SpectrumPage::showPeaks(const QString &unit)
+{
+    m_peaks->setRowCount(int(m_lines.size()));
+    for (int row = 0; row < int(m_lines.size()); ++row) {
+        const auto &[axis, peak] = m_lines[std::size_t(row)];
+        setText(m_peaks, row, 0, axisLabel(axis));
+        setText(m_peaks, row, 1, tr("%1 Hz").arg(peak.frequency, 0, 'f', 1));
+        setText(m_peaks, row, 2, u"%1 %2"_s.arg(peak.rms, 0, 'g', 3).arg(unit));
+        setText(m_peaks, row, 3, tr("%1 Hz").arg(peak.width, 0, 'f', 1));
+    }
+    updateNotch();
+}
+
+void SpectrumPage::updateNotch()
+{
+    const Device *device = workspace().client().device();
+    const NotchFilters *notches = device ? device->notchFilters() : nullptr;
+    const int row = m_peaks->currentRow();
+    m_notch->setVisible(!device || (notches && std::any_of(kAxes.begin(), kAxes.end(), [notches](Axis axis) {
+                                        return !notches->notchesOf(axis).empty();
+                                    })));
+    m_notch->setEnabled(notches && workspace().client().isConnected()
+                        && workspace().client().identity().writable && !workspace().configuration().isEmpty()
+                        && row >= 0 && row < int(m_lines.size())
+                        && !notches->notchesOf(m_lines[std::size_t(row)].axis).empty());
+}
+
+// The first filter of that axis that is not in use takes the peak. Empty: all are.
+std::optional<SpectrumPage::NotchPlan> SpectrumPage::planNotch(const Line &line)
+{
+    const Configuration &edited = std::as_const(workspace().configuration()).edited();
+    const int profile = workspace().configuration().shownProfile();
+    const NotchFilters *notches = workspace().client().device()->notchFilters();
+    for (const NotchFilter &filter : notches ? notches->notchesOf(line.axis) : std::vector<NotchFilter>()) {
+        const ParameterSpec *enabled = edited.parameters().find(filter.enabled);
+        const ParameterSpec *frequency = edited.parameters().find(filter.frequency);
+        const ParameterSpec *width = edited.parameters().find(filter.width);
+        const ParameterSpec *depth = edited.parameters().find(filter.depth);
+        const auto bits = enabled ? edited.raw(*enabled, profile) : std::nullopt;
+        if (!bits || !frequency || !width || !depth || flagBits(*bits) & (1U << filter.bit))
+            continue;
+        NotchPlan plan{filter, line.axis, {}, edited};
+        const auto put = [&plan, profile](const ParameterSpec &spec, double value) {
+            const double raw = spec.clamped(spec.toRaw(value));
+            plan.wanted.setRaw(spec, profile, raw);
+            return spec.toDisplay(raw);
+        };
+        // A resonance wanders with temperature and load: twice its width, a quarter of its frequency at
+        // least.
+        plan.shape.hz = put(*frequency, line.peak.frequency);
+        plan.shape.width
+            = put(*width, std::max(2.0 * line.peak.width, line.peak.frequency * kLeastNotchWidth));
+        plan.shape.depthDb = put(*depth, kNotchDepthDb);
+        plan.wanted.setRaw(*enabled, profile, flagBits(*bits) | (1U << filter.bit));
+        return plan;
+    }
+    return {};
+}
+
+void SpectrumPage::askNotch()
+{
+    const int row = m_peaks->currentRow();
+    if (row < 0 || row >= int(m_lines.size()) || m_question)
+        return;
+    const auto plan = planNotch(m_lines[std::size_t(row)]);
+    if (!plan) {
+        emit workspace().notice(
+            tr("All notch filters of this axis are in use; change one of them on Parameters."));
+        return;
+    }
+    // What it costs, before anything is changed: the lag at frequencies where a loop crosses over.
+    QStringList costs;
+    for (const double hz : kCostHz) {
+        if (hz < plan->shape.hz * kCostShare)
+            costs.append(tr("%1° at %2 Hz").arg(lagDeg(notchResponse(plan->shape, hz)), 0, 'f', 0).arg(hz));
+    }
+    const QString name = axisLabel(plan->axis);
+    QString text = tr("%1, notch %2: %3 Hz, width %4 Hz, depth %5 dB.")
+                       .arg(name)
+                       .arg(plan->filter.bit + 1)
+                       .arg(plan->shape.hz)
+                       .arg(plan->shape.width)
+                       .arg(plan->shape.depthDb);
+    if (!costs.isEmpty())
+        text += u"\n\n"_s
+            + tr("It delays the loop: %1. Every degree is taken from the phase margin.")
+                  .arg(costs.join(u", "_s));
+    text += u"\n\n"_s + tr("Nothing is on the board before you review and write.");
+    m_question
+        = new QMessageBox(QMessageBox::NoIcon, tr("Put a notch here"), text, QMessageBox::NoButton, this);
+    m_question->setAttribute(Qt::WA_DeleteOnClose);
+    auto *accept = m_question->addButton(tr("Take over as an edit"), QMessageBox::AcceptRole);
+    auto *leave = m_question->addButton(tr("Leave it"), QMessageBox::RejectRole);
+    m_question->setDefaultButton(accept);
+    m_question->setEscapeButton(leave);
+    connect(accept, &QPushButton::clicked, this, [this, plan = *plan, name] {
+        workspace().edits().apply(plan.wanted, tr("Notch %1 of %2").arg(plan.filter.bit + 1).arg(name));
+    });
+    m_question->open();
+}
+
+// The bands, as far as they could be measured.
+void SpectrumPage::nameBands(const std::vector<BandQuality> &measured)
+{
+    const QStringList names{tr("Sway"), tr("Wobble"), tr("Jitter")};
+    for (std::size_t i = 0; i < kHoldingBands.size(); ++i) {
+        const Band &band = i < measured.size() && measured[i].known ? measured[i].band : kHoldingBands[i];
+        setText(m_bands, int(i), 0,
+                u"%1\n%2–%3 Hz"_s.arg(names[qsizetype(i)]).arg(band.from, 0, 'g', 2).arg(band.to, 0, 'f', 0));
+    }
+}
+
+void SpectrumPage::showBands()
+{
+    for (std::size_t axis = 0; axis < m_left.size(); ++axis) {
+        for (std::size_t band = 0; band < m_left[axis].size(); ++band) {
+            const Left &left = m_left[axis][band];
+            QString text = left.known
+                ? tr("%1° RMS\n%2° peak").arg(left.rms, 0, 'f', 3).arg(left.peak, 0, 'f', 3)
+                : u"–"_s;
+            if (m_before && left.known && (*m_before)[axis][band].known && (*m_before)[axis][band].rms > 0) {
+                const double change = (left.rms / (*m_before)[axis][band].rms - 1.0) * 100.0;
+                text = tr("%1° RMS").arg(left.rms, 0, 'f', 3)
+                    + u"\n%1 %2 %"_s.arg(change > 0 ? u"▲"_s : u"▼"_s).arg(std::abs(change), 0, 'f', 0);
+            }
+            setText(m_bands, int(band), int(axis) + 1, text);
+        }
+    }
+}

@@ -1,0 +1,370 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/tune/tuningpage.h"
+
+#include "app/pages/tune/gaincard.h"
+#include "widgets/forms/liveslider.h"
+#include "widgets/forms/valueeditor.h"
+#include "widgets/models/parametermodel.h"
+#include "widgets/plot/plotview.h"
+#include "widgets/plot/spanstatistics.h"
+#include "widgets/views/card.h"
+
+#include <QButtonGroup>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QShortcut>
+#include <QSlider>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr auto kFigurePeriod = 250ms;
+constexpr double kFigureSpan = 3.0;  // seconds that the figures look back
+constexpr double kPlotWindow = 10.0;
+constexpr int kControlsWidth = 404;
+constexpr int kControlsMost = 520;
+
+QPushButton *makeButton(const QString &text, const QString &tip)
+{
+    auto *button = new QPushButton(text);
+    button->setToolTip(tip);
+    return button;
+}
+
+QString figure(double value)
+{
+    return std::isnan(value) ? u"–"_s : u"%1°"_s.arg(value, 0, 'f', 3);
+}
+
+}  // namespace
+
+TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
+    : Page(workspace, u"tuning"_s, tr("Tuning"), parent)
+    , m_live(workspace.live())
+    , m_scroll(new QScrollArea)
+    , m_a(makeButton(tr("Set A"), tr("Use the first set of values (F6 switches)")))
+    , m_b(makeButton(tr("Set B"), tr("Use the second set of values (F6 switches)")))
+    , m_copy(makeButton(tr("Copy to other"), tr("Make the other set the same as the values in use")))
+    , m_revert(makeButton(tr("Revert all"), tr("Put the stored values into use at once (F9)")))
+    , m_save(makeButton(tr("Save"),
+                        tr("Store the values in use in the active profile; a snapshot is taken first")))
+    , m_state(new QLabel)
+{
+    auto *sets = new QButtonGroup(this);
+    for (QPushButton *button : {m_a, m_b}) {
+        button->setCheckable(true);
+        sets->addButton(button);
+    }
+    m_revert->setObjectName(u"danger"_s);
+    m_save->setObjectName(u"primary"_s);
+    m_state->setObjectName(u"muted"_s);
+    for (QPushButton *button : {m_a, m_b, m_copy, m_revert, m_save})
+        header()->addWidget(button);
+
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setMinimumWidth(kControlsWidth);
+    m_scroll->setMaximumWidth(kControlsMost);
+    auto *right = new QWidget;
+    auto *rightLayout = new QVBoxLayout(right);
+    rightLayout->setContentsMargins(0, 0, 0, 0);
+    rightLayout->setSpacing(12);
+    for (int i = 0; i < 2; ++i) {
+        auto *plot = new PlotView(workspace.theme());
+        plot->setMinimumHeight(90);
+        plot->setWindow(kPlotWindow);
+        plot->setAccessibleName(i == 0 ? tr("Angle error") : tr("Gyroscope"));
+        rightLayout->addWidget(plot, 1);
+        plot->setMarks(&workspace.marks());
+        m_plots.append(plot);
+    }
+    auto *figures = new Card(tr("Angle error, last %1 s").arg(kFigureSpan));
+    auto *grid = new QGridLayout;
+    grid->setHorizontalSpacing(12);
+    grid->setVerticalSpacing(Metric::kUnit);
+    const QStringList heads{QString(),         tr("RMS"),          tr("Peak"),
+                            tr("RMS\nbefore"), tr("Peak\nbefore"), tr("Change")};
+    for (int column = 0; column < heads.size(); ++column) {
+        auto *head = new QLabel(heads[column]);
+        head->setObjectName(u"muted"_s);
+        head->setAlignment((column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignBottom);
+        grid->addWidget(head, 0, column);
+    }
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        auto *name = new QLabel(axisLabel(kAxes[axis]));
+        grid->addWidget(name, int(axis) + 1, 0);
+        for (std::size_t cell = 0; cell < m_cells[axis].size(); ++cell) {
+            m_cells[axis][cell] = new QLabel;
+            m_cells[axis][cell]->setAlignment(Qt::AlignRight);
+            grid->addWidget(m_cells[axis][cell], int(axis) + 1, int(cell) + 1);
+        }
+    }
+    auto *keep = makeButton(tr("Compare"),
+                            tr("Compare what follows with these figures; switching sets does so too"));
+    grid->setColumnStretch(0, 1);
+    figures->content()->addLayout(grid);
+    figures->content()->addWidget(keep, 0, Qt::AlignRight);
+    rightLayout->addWidget(figures);
+    auto *split = new QHBoxLayout;
+    split->setSpacing(12);
+    split->addWidget(m_scroll);
+    split->addWidget(right, 1);
+    body()->addWidget(m_state);
+    body()->addLayout(split, 1);
+    m_clock.setPlots(m_plots);
+
+    connect(keep, &QPushButton::clicked, this, &TuningPage::keepFigures);
+    connect(m_a, &QPushButton::clicked, this, [this] {
+        keepFigures();
+        m_live.useSlot(LiveModel::Slot::A);
+    });
+    connect(m_b, &QPushButton::clicked, this, [this] {
+        keepFigures();
+        m_live.useSlot(LiveModel::Slot::B);
+    });
+    connect(m_copy, &QPushButton::clicked, &m_live, &LiveModel::copyToOther);
+    connect(m_revert, &QPushButton::clicked, &m_live, &LiveModel::revert);
+    connect(m_save, &QPushButton::clicked, this, &TuningPage::save);
+    new QShortcut(Qt::Key_F6, this, [this] { (m_live.slot() == LiveModel::Slot::A ? m_b : m_a)->click(); });
+    new QShortcut(Qt::Key_F9, this, [this] { m_revert->click(); });
+    connect(&m_live, &LiveModel::modelReset, this, &TuningPage::rebuild);
+    connect(&m_live, &LiveModel::valueChanged, this, [this](int parameter) {
+        if (LiveSlider *shown = m_controls.value(parameter))
+            shown->show(m_live.value(parameter), m_live.stored(parameter));
+    });
+    connect(&m_live, &LiveModel::changeCountChanged, this, [this] {
+        updateState();
+        emit changesChanged();
+    });
+    connect(&m_live, &LiveModel::slotChanged, this, &TuningPage::updateState);
+    connect(&m_live, &LiveModel::failed, this, [this](const Error &error) {
+        if (error.code == ErrorCode::LinkClosed || error.code == ErrorCode::Cancelled)
+            return;
+        ErrorText text = describe(error);
+        text.meaning += tr(" The values in use were asked for again.");
+        emit this->workspace().problem(text);
+    });
+    connect(&workspace.client(), &DeviceClient::stateChanged, this, &TuningPage::onStore);
+    m_figureTimer.setInterval(kFigurePeriod);
+    connect(&m_figureTimer, &QTimer::timeout, this, &TuningPage::updateFigures);
+    rebuild();
+    onStore();
+}
+
+QWidget *TuningPage::makeControls()
+{
+    auto *holder = new QWidget;
+    auto *layout = new QVBoxLayout(holder);
+    layout->setContentsMargins(0, 0, Metric::kGap, 0);
+    layout->setSpacing(12);
+    const int firmware = m_set->firmware();
+    if (const Device *tables = workspace().tables(); tables && tables->gainShape()) {
+        m_gains = new GainCard(m_live, tables->gainShape());
+        m_gains->setParameters(m_set);
+        layout->addWidget(m_gains);
+    }
+    QString group;
+    QGridLayout *grid = nullptr;
+    int row = -1;
+    const ParameterRow *last = nullptr;
+    for (const int parameter : m_live.parameters()) {
+        const ParameterSpec &spec = m_set->at(parameter);
+        if (group != QLatin1String(spec.row->group) || !grid) {
+            group = QLatin1String(spec.row->group);
+            auto *card = new Card(tableText(spec.row->group));
+            grid = new QGridLayout;
+            grid->setHorizontalSpacing(Metric::kGap);
+            grid->setVerticalSpacing(Metric::kGap);
+            grid->setColumnMinimumWidth(0, 84);
+            for (int column = 1; column <= 3; ++column) {
+                auto *head = new QLabel(axisLabel(kAxes[std::size_t(column - 1)]));
+                head->setObjectName(u"muted"_s);
+                grid->addWidget(head, 0, column);
+                grid->setColumnStretch(column, 1);
+            }
+            card->content()->addLayout(grid);
+            layout->addWidget(card);
+            row = 0;
+            last = nullptr;
+        }
+        if (last != spec.row) {
+            ++row;
+            last = spec.row;
+            auto *label = new QLabel(parameterLabel(spec, false));
+            label->setWordWrap(true);
+            label->setToolTip(tableText(spec.row->help));
+            grid->addWidget(label, row, 0, Qt::AlignTop);
+        }
+        auto *control = new LiveSlider(spec, m_live.range(parameter), firmware);
+        const int column = spec.axis == Axis::None ? 1 : int(spec.axis) + 1;
+        grid->addWidget(control, row, column, 1, spec.axis == Axis::None ? 3 : 1);
+        connect(control, &LiveSlider::edited, this, [this, control, parameter](double raw) {
+            m_live.setValue(parameter, raw);
+            control->show(m_live.value(parameter),
+                          m_live.stored(parameter));  // what came of it, within its range
+        });
+        m_controls.insert(parameter, control);
+        control->show(m_live.value(parameter), m_live.stored(parameter));
+    }
+    if (m_live.parameters().isEmpty()) {
+        auto *nothing = new QLabel(tr("This board has no values that can be changed live."));
+        nothing->setWordWrap(true);
+        nothing->setObjectName(u"muted"_s);
+        layout->addWidget(nothing);
+    }
+    layout->addStretch(1);
+    return holder;
+}
+
+void TuningPage::rebuild()
+{
+    const ConfigurationModel &model = workspace().configuration();
+    const auto set = model.isEmpty() ? nullptr : model.board().parameterSet();
+    if (set && set == m_set) {
+        for (auto it = m_controls.begin(); it != m_controls.end(); ++it)
+            it.value()->show(m_live.value(it.key()), m_live.stored(it.key()));
+        updateState();
+        return;
+    }
+    m_controls.clear();
+    // The old controls refer to the old set: they go first.
+    delete m_scroll->takeWidget();
+    m_gains = nullptr;
+    m_set = set;
+    if (m_set)
+        m_scroll->setWidget(makeControls());
+    m_before = {};
+    updateState();
+}
+
+LiveSlider *TuningPage::control(const QString &key) const
+{
+    const ParameterSpec *spec = m_set ? m_set->find(key) : nullptr;
+    return spec ? m_controls.value(spec->id) : nullptr;
+}
+
+void TuningPage::onStore()
+{
+    DeviceClient &client = workspace().client();
+    updateState();
+    if (!client.isConnected() || !client.device())
+        return;
+    const ChannelRoles &roles = client.roles();
+    QList<Curve> errors;
+    QList<Curve> gyros;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        // A board that does not tell its targets shows the angles themselves.
+        if (roles.target[axis] >= 0)
+            errors.append(
+                {roles.target[axis], roles.angle[axis], tr("Error, %1").arg(axisLabel(kAxes[axis]))});
+        else
+            errors.append({roles.angle[axis], -1, {}});
+        gyros.append({roles.gyro[axis], -1, {}});
+    }
+    m_plots[0]->setCurves(client.device()->channels(), errors, client.telemetry());
+    m_plots[1]->setCurves(client.device()->channels(), gyros, client.telemetry());
+    m_clock.updateRate();
+}
+
+void TuningPage::showEvent(QShowEvent *event)
+{
+    Page::showEvent(event);
+    const ChannelRoles &roles = workspace().roles();
+    QList<int> wanted(roles.angle.begin(), roles.angle.end());
+    wanted.append(QList<int>(roles.target.begin(), roles.target.end()));
+    wanted.append(QList<int>(roles.gyro.begin(), roles.gyro.end()));
+    workspace().wishTelemetry(this, wanted);
+    m_clock.start();
+    m_figureTimer.start();
+}
+
+void TuningPage::hideEvent(QHideEvent *event)
+{
+    Page::hideEvent(event);
+    m_clock.stop();
+    m_figureTimer.stop();
+}
+
+void TuningPage::updateState()
+{
+    const bool connected = workspace().client().isConnected();
+    const bool writable = connected && workspace().client().identity().writable;
+    const int changed = m_live.changeCount();
+    m_a->setChecked(m_live.slot() == LiveModel::Slot::A);
+    m_b->setChecked(m_live.slot() == LiveModel::Slot::B);
+    for (QPushButton *button : {m_a, m_b, m_copy})
+        button->setEnabled(writable && !m_live.parameters().isEmpty());
+    m_revert->setEnabled(writable && changed > 0);
+    m_save->setEnabled(writable && changed > 0 && !m_saving);
+    m_scroll->setEnabled(writable);
+    if (!connected) {
+        m_state->setText(tr("Connect the board to tune it live"));
+        return;
+    }
+    QString text
+        = changed == 0 ? tr("In use: as stored") : tr("%n value(s) in use, not stored", nullptr, changed);
+    if (const int different = m_live.slotDifference())
+        text += u" · "_s + tr("A and B differ in %1").arg(different);
+    m_state->setText(text);
+}
+
+void TuningPage::updateFigures()
+{
+    const auto store = workspace().client().telemetry();
+    if (!store || !workspace().client().device())
+        return;
+    const ChannelRoles &roles = workspace().roles();
+    const double now = store->now();
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        const bool told = roles.target[axis] >= 0;
+        SpanStatistics span = spanStatistics(*store, told ? roles.target[axis] : roles.angle[axis],
+                                             told ? roles.angle[axis] : -1, now - kFigureSpan, now);
+        if (!told)
+            span = span.aroundMean();  // without a target, how far it strays from where it is held
+        m_now[axis] = {span.rms, span.peak};
+        auto &cells = m_cells[axis];
+        cells[0]->setText(figure(span.rms));
+        cells[1]->setText(figure(span.peak));
+        const auto &before = m_before[axis];
+        cells[2]->setText(before ? figure(before->rms) : u"–"_s);
+        cells[3]->setText(before ? figure(before->peak) : u"–"_s);
+        const double change
+            = before && before->rms > 0 ? 100.0 * (span.rms / before->rms - 1.0) : std::nan("");
+        cells[4]->setText(std::isnan(change) ? u"–"_s
+                                             : (change < 0 ? u"▼ "_s : u"▲ "_s)
+                                  + u"%1 %"_s.arg(std::abs(change), 0, 'f', 0));
+        const QString name = std::isnan(change) || std::abs(change) < 5 ? u"muted"_s
+            : change < 0                                                ? u"ok"_s
+                                                                        : u"warning"_s;
+        if (cells[4]->objectName() != name) {
+            cells[4]->setObjectName(name);
+            repolish(cells[4]);
+        }
+    }
+}
+
+void TuningPage::keepFigures()
+{
+    updateFigures();
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis)
+        m_before[axis] = m_now[axis];
+    updateFigures();
+}
+
+void TuningPage::save()
+{
+    m_saving = true;
+    updateState();
+    workspace().saveLive().then(this, [this](bool) {
+        m_saving = false;
+        updateState();
+    });
+}

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/watch/debugpage.h"
+
+#include "widgets/plot/plotstack.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr auto kPeriod = 100ms;
+constexpr double kSeconds = 30;
+constexpr qsizetype kMostCurves = 6;
+
+}  // namespace
+
+DebugPage::DebugPage(Workspace &workspace, QWidget *parent)
+    : Page(workspace, u"debug"_s, tr("Debug variables"), parent)
+    , m_model(workspace.client())
+    , m_table(new QTableView)
+    , m_plots(new PlotStack(workspace.theme()))
+    , m_pause(new QPushButton(tr("Pause")))
+{
+    auto *clear = new QPushButton(tr("Forget bounds"));
+    clear->setToolTip(tr("Start lowest and highest anew"));
+    m_pause->setCheckable(true);
+    header()->addWidget(clear);
+    header()->addWidget(m_pause);
+    m_table->setModel(&m_model);
+    m_table->setAccessibleName(tr("Debug variables"));
+    m_table->verticalHeader()->hide();
+    m_table->setShowGrid(false);
+    m_table->setTabKeyNavigation(false);
+    m_table->setAlternatingRowColors(true);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_table->setToolTip(tr("Choose several with Ctrl or Shift to see them together"));
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_table->horizontalHeader()->setDefaultSectionSize(
+        m_table->fontMetrics().horizontalAdvance(u"-0.0000000000"_s) + Metric::kMargin);
+    m_table->horizontalHeader()->setSectionResizeMode(DebugModel::NameColumn, QHeaderView::Stretch);
+    m_plots->setSeconds(kSeconds);
+    auto *note = new QLabel(
+        tr("What these variables mean is known to the firmware's makers only; they help a supporter."));
+    note->setObjectName(u"muted"_s);
+    note->setWordWrap(true);
+    body()->addWidget(note);
+    body()->addWidget(m_table, 3);
+    body()->addWidget(m_plots, 3);
+
+    connect(clear, &QPushButton::clicked, &m_model, &DebugModel::clearBounds);
+    connect(m_pause, &QPushButton::toggled, this, [this](bool on) {
+        m_pause->setText(on ? tr("Continue") : tr("Pause"));
+        m_plots->setPaused(on);
+    });
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &DebugPage::showCurves);
+    connect(m_plots, &PlotStack::pausedChanged, m_pause, &QPushButton::setChecked);
+    connect(&m_model, &DebugModel::modelReset, this, [this] {
+        if (m_model.rowCount() > 0)
+            m_table->selectRow(0);
+    });
+    connect(&m_model, &DebugModel::failed, this, [this](const Error &error) {
+        if (error.code == ErrorCode::LinkClosed || error.code == ErrorCode::Cancelled)
+            return;
+        m_pause->setChecked(true);
+        emit this->workspace().problem(describe(error));
+    });
+    connect(&workspace.client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
+        if (state == DeviceClient::State::Connected)
+            m_model.reset();
+    });
+    m_timer.setInterval(kPeriod);
+    connect(&m_timer, &QTimer::timeout, this, [this] {
+        if (!m_pause->isChecked())
+            m_model.refresh();
+    });
+}
+
+// All of them in one plot, each with its own scale: nothing is known of their units.
+void DebugPage::showCurves()
+{
+    QList<int> channels;
+    const QModelIndexList rows = m_table->selectionModel()->selectedRows();
+    for (const QModelIndex &row : rows.first(std::min<qsizetype>(rows.size(), kMostCurves)))
+        channels.append(row.row());
+    std::sort(channels.begin(), channels.end());
+    m_plots->setPlots({});
+    m_plots->setSource(m_model.table(), m_model.store());
+    if (!channels.isEmpty())
+        m_plots->setPlots({{channels, channels.size() > 1, false}});
+}
+
+void DebugPage::showEvent(QShowEvent *event)
+{
+    Page::showEvent(event);
+    m_model.refresh();
+    m_timer.start();
+}
+
+void DebugPage::hideEvent(QHideEvent *event)
+{
+    Page::hideEvent(event);
+    m_timer.stop();
+}

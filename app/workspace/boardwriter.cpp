@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workspace/boardwriter.h"
+
+#include "protocol/procedure/writeconfiguration.h"
+
+using namespace Qt::StringLiterals;
+
+BoardWriter::BoardWriter(DeviceClient &client, ConfigurationModel &configuration, LiveModel &live,
+                         EditStack &edits, const BoardHistory &history)
+    : m_client(client)
+    , m_configuration(configuration)
+    , m_live(live)
+    , m_edits(edits)
+    , m_history(history)
+{
+}
+
+void BoardWriter::write(const Configuration &wanted)
+{
+    if (m_writing) {
+        emit problem(describe({ErrorCode::Busy, {}, 0}));
+        return;
+    }
+    m_writing = true;
+    m_client
+        .submit<WriteReport>([base = m_configuration.board(), wanted, history = m_history,
+                              backupDone = m_backupDone,
+                              live = m_live.unsaved()](Channel &channel, Device &device) {
+            WriteOptions options;
+            options.history = &history;
+            options.backupDone = backupDone;
+            options.live = live;
+            return writeConfiguration(channel, device, base, wanted, options);
+        })
+        .then(this, [this, live = m_live.unsaved()](const Result<WriteReport> &result) {
+            m_writing = false;
+            onReport(result);
+            restoreLive(live);
+            // What was wanted is not lost: it is unsaved again.
+            if (const auto again = std::exchange(m_wantedAgain, std::nullopt);
+                again && result && result->isComplete())
+                m_edits.apply(*again, tr("Changes of the interrupted write"));
+            emit finished();
+        });
+}
+
+void BoardWriter::onReport(const Result<WriteReport> &result)
+{
+    if (!result) {
+        emit problem(describe(result.error()));
+        if (result.error().code == ErrorCode::Conflict)
+            emit conflicted();
+        return;
+    }
+    m_lastReport = *result;
+    if (!result->snapshotPath.isEmpty())
+        m_backupDone = true;
+    m_configuration.setBoard(result->onBoard);
+    if (!result->snapshotPath.isEmpty())
+        emit snapshotTaken();
+    const int verified = result->count(WriteState::Verified);
+    if (result->isComplete()) {
+        emit completed();
+        QString text = result->lines.empty() && result->data.empty()
+            ? tr("Profile names written and read back.")
+            : tr("%n value(s) written and read back.", nullptr, verified);
+        if (!result->snapshotPath.isEmpty())
+            text += u' ' + tr("The board as it was is kept in %1").arg(result->snapshotPath);
+        emit notice(text);
+        return;
+    }
+    ErrorText text = describe(*result->error);
+    QStringList counts;
+    if (verified > 0)
+        counts.append(tr("%n verified", nullptr, verified));
+    if (const int n = result->count(WriteState::RolledBack))
+        counts.append(tr("%n put back", nullptr, n));
+    if (const int n = result->count(WriteState::Unknown))
+        counts.append(tr("%n unknown", nullptr, n));
+    if (const int n = result->count(WriteState::NotWritten))
+        counts.append(tr("%n not written", nullptr, n));
+    if (const int n = result->count(WriteState::Mismatch))
+        counts.append(tr("%n different", nullptr, n));
+    text.what = tr("The write is not complete: %1. ").arg(counts.join(u", "_s)) + text.what;
+    m_interrupted = result->count(WriteState::Unknown) > 0;
+    if (m_interrupted) {
+        text.cure = tr("When the board is back it is read again; then the write can be finished or undone.");
+    }
+    QStringList names;
+    for (const WriteLine &line : result->lines)
+        names.append(line.spec->key);
+    text.detail += u' ' + names.mid(0, 12).join(u", "_s);
+    emit problem(text);
+}
+
+// After the reconnection the board was read again, so it is known what a broken write left behind: the rest
+// can be written, or what got through can be put back. Either way it is an ordinary verified write.
+void BoardWriter::offerRepair()
+{
+    if (!std::exchange(m_interrupted, false))
+        return;
+    const Configuration &board = std::as_const(m_configuration).board();
+    Configuration finished = board;
+    Configuration undone = board;
+    int missing = 0;
+    int landed = 0;
+    for (const WriteLine &line : m_lastReport->lines) {
+        const ParameterSpec *spec = board.parameters().find(line.spec->key);
+        if (!spec)
+            continue;
+        if (sameValue(board.raw(*spec, line.profile), line.to)) {
+            ++landed;
+            std::ignore = undone.copyRaw(*spec, line.profile, m_lastReport->before);
+        } else {
+            ++missing;
+            std::ignore = finished.copyRaw(*spec, line.profile, m_lastReport->wanted);
+        }
+    }
+    for (const WriteData &data : m_lastReport->data) {
+        if (board.block(data.key) == m_lastReport->wanted.block(data.key)) {
+            ++landed;
+            undone.setBlock(data.key, m_lastReport->before.block(data.key));
+        } else {
+            ++missing;
+            finished.setBlock(data.key, m_lastReport->wanted.block(data.key));
+        }
+    }
+    if (missing == 0) {
+        emit notice(tr("The interrupted write was complete: all %1 values are on the board.").arg(landed));
+        return;
+    }
+    Offer question;
+    question.text = tr("The last write was interrupted: %1 of %2 values are not on the board.")
+                        .arg(missing)
+                        .arg(missing + landed);
+    if (landed == 0)
+        question.text += u' ' + tr("The board holds the old values.");
+    question.choices.append(
+        {tr("Finish: write %n value(s)", nullptr, missing), [this, finished] { write(finished); }});
+    if (landed > 0)
+        question.choices.append({tr("Undo: put %n value(s) back", nullptr, landed), [this, undone, finished] {
+                                     m_wantedAgain = finished;
+                                     write(undone);
+                                 }});
+    question.choices.append({tr("Leave it so"), [] {}});
+    emit offer(question);
+}
+
+// A written block is loaded by the board at once, stored values and all: what was in use beside it is put
+// into use again.
+void BoardWriter::restoreLive(const LiveValues &before)
+{
+    if (!m_client.isConnected())
+        return;
+    QHash<int, double> values;
+    for (const LiveValue &value : before) {
+        const ParameterSpec *spec = std::as_const(m_configuration).board().parameters().find(value.key);
+        if (spec && sameValue(m_live.stored(spec->id), value.stored))
+            values.insert(spec->id, value.inUse);
+    }
+    m_live.forget();
+    m_live.read();
+    m_live.setValues(values);
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/workspace/offer.h"
+#include "protocol/client/deviceclient.h"
+#include "protocol/configuration/writereport.h"
+#include "protocol/record/boardhistory.h"
+#include "widgets/forms/editstack.h"
+#include "widgets/models/errortext.h"
+#include "widgets/models/livemodel.h"
+
+/// Writes edits to the board, tells the operator how it went, and mends what a broken link left half done.
+class BoardWriter final : public QObject
+{
+    Q_OBJECT
+public:
+    BoardWriter(DeviceClient &client, ConfigurationModel &configuration, LiveModel &live, EditStack &edits,
+                const BoardHistory &history);
+
+    /// Writes what differs between the board and this, verified, with a snapshot before the first write on
+    /// this link.
+    void write(const Configuration &wanted);
+    [[nodiscard]] bool isWriting() const { return m_writing; }
+    [[nodiscard]] const std::optional<WriteReport> &lastReport() const { return m_lastReport; }
+    /// Another board, or one that may have been changed meanwhile: the next write makes its own safety copy.
+    void beginLink() { m_backupDone = false; }
+    /// The board was read: if a write had broken off before, asks what to do about it.
+    void offerRepair();
+
+signals:
+    /// Everything that was wanted is on the board, and stored.
+    void completed();
+    /// The board was changed by somebody else; nothing was written.
+    void conflicted();
+    /// A write has come to its end, one way or the other.
+    void finished();
+    void snapshotTaken();
+    void problem(const ErrorText &text);
+    void notice(const QString &text);
+    void offer(const Offer &offer);
+
+private:
+    void onReport(const Result<WriteReport> &result);
+    void restoreLive(const LiveValues &before);
+
+    DeviceClient &m_client;
+    ConfigurationModel &m_configuration;
+    LiveModel &m_live;
+    EditStack &m_edits;
+    const BoardHistory &m_history;
+    std::optional<WriteReport> m_lastReport;
+    std::optional<Configuration> m_wantedAgain;  // becomes edits once an interrupted write is undone
+    bool m_backupDone = false;
+    bool m_writing = false;
+    bool m_interrupted = false;  // the link broke during a write; told again once the board can be read
+};

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workspace/confirmations.h"
+
+#include "widgets/models/parametermodel.h"
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+// The button that goes on says what is so.
+QFuture<Confirmations::Outcome> Confirmations::ask(const ActionSpec &action,
+                                                   std::function<QFuture<Outcome>()> perform)
+{
+    auto question = std::make_shared<Promise>();
+    question->start();
+    m_questions.push_back(question);
+    const auto goOn = [this, question, perform = std::move(perform)] {
+        if (std::find(m_questions.begin(), m_questions.end(), question) == m_questions.end())
+            return;  // forgotten meanwhile
+        perform().then(this, [this, question](const Outcome &outcome) { answer(question, outcome); });
+    };
+    Offer asked;
+    asked.text = tr("“%1” has to be confirmed each time.").arg(tableText(action.label));
+    asked.choices.append({u"%1: %2"_s.arg(tableText(action.confirm), tableText(action.label)), goOn});
+    asked.choices.append(
+        {tr("Cancel"), [this, question] { answer(question, failure(ErrorCode::Cancelled)); }});
+    emit offer(asked);
+    return question->future();
+}
+
+void Confirmations::answer(const std::shared_ptr<Promise> &question, const Outcome &outcome)
+{
+    if (std::erase(m_questions, question) == 0)
+        return;
+    question->addResult(outcome);
+    question->finish();
+}
+
+void Confirmations::forget()
+{
+    for (const auto &question : std::vector(m_questions))
+        answer(question, failure(ErrorCode::Cancelled));
+}

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/workspace/offer.h"
+#include "protocol/procedure/safeaction.h"
+
+#include <QFuture>
+#include <QObject>
+#include <QPromise>
+
+/// Asks the operator before an action with ActionSpec::confirm, each time; nothing is remembered.
+class Confirmations final : public QObject
+{
+    Q_OBJECT
+public:
+    using Outcome = Result<ActionOutcome>;
+    using QObject::QObject;
+
+    /// Performs it once the operator has confirmed; Cancelled without that.
+    QFuture<Outcome> ask(const ActionSpec &action, std::function<QFuture<Outcome>()> perform);
+    /// Ends open questions with Cancelled: they belonged to another link.
+    void forget();
+
+signals:
+    void offer(const Offer &offer);
+
+private:
+    using Promise = QPromise<Outcome>;
+    void answer(const std::shared_ptr<Promise> &question, const Outcome &outcome);
+
+    std::vector<std::shared_ptr<Promise>> m_questions;
+};

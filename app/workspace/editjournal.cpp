@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workspace/editjournal.h"
+
+#include <QJsonArray>
+
+#include <algorithm>
+#include <tuple>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+// Long enough for one drag of a slider to be one write, short enough that a crash takes no thought with it.
+constexpr int kDelayMs = 150;
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+EditJournal::EditJournal(ConfigurationModel &configuration, EditStack &edits, const BoardHistory &history,
+                         QObject *parent)
+    : QObject(parent)
+    , m_configuration(configuration)
+    , m_edits(edits)
+    , m_history(history)
+{
+    m_timer.setSingleShot(true);
+    m_timer.setInterval(kDelayMs);
+    connect(&m_timer, &QTimer::timeout, this, &EditJournal::write);
+    connect(&configuration, &ConfigurationModel::boardReset, this, &EditJournal::onBoard);
+    connect(&configuration, &ConfigurationModel::changeCountChanged, &m_timer, qOverload<>(&QTimer::start));
+    connect(&edits.undoStack(), &QUndoStack::indexChanged, &m_timer, qOverload<>(&QTimer::start));
+}
+
+EditJournal::~EditJournal()
+{
+    flush();
+}
+
+void EditJournal::onBoard()
+{
+    const QString serial = m_configuration.board().identity().serial;
+    if (serial == m_serial)
+        return;
+    m_serial = serial;
+    m_hasFile = false;
+    m_leftover = m_history.unsaved(serial);
+    if (m_leftover)
+        emit leftoverFound(int(m_leftover->value(u"steps"_s).toArray().size()));
+}
+
+bool EditJournal::restoreLeftover()
+{
+    if (!m_leftover)
+        return false;
+    const QJsonObject steps = *std::exchange(m_leftover, std::nullopt);
+    m_hasFile = true;
+    return m_edits.restore(steps);
+}
+
+void EditJournal::dropLeftover()
+{
+    m_leftover.reset();
+    m_history.dropUnsaved(m_serial);
+}
+
+void EditJournal::flush()
+{
+    if (m_timer.isActive())
+        write();
+}
+
+// New edits take the place of an earlier run's that nobody has decided about; those become a snapshot
+// instead.
+void EditJournal::keepUndecided()
+{
+    const auto leftover = std::exchange(m_leftover, std::nullopt);
+    if (!leftover)
+        return;
+    Configuration kept = m_configuration.board();
+    const QJsonArray steps = leftover->value(u"steps"_s).toArray();
+    for (int i = 0; i < std::min<int>(leftover->value(u"done"_s).toInt(), int(steps.size())); ++i) {
+        for (const QJsonValue value : steps[i].toObject().value(u"edits"_s).toArray()) {
+            const QJsonObject edit = value.toObject();
+            const ParameterSpec *spec = kept.parameters().find(edit.value(u"key"_s).toString());
+            const int profile = edit.value(u"profile"_s).toInt(-1);
+            const BlockKey block{profile, edit.value(u"block"_s).toInt(-1)};
+            const BlockSpec *data = kept.parameters().block(block.block);
+            const QByteArray bytes = QByteArray::fromHex(edit.value(u"toData"_s).toString().toLatin1());
+            if (data && data->isData() && data->holds(bytes.size()) && kept.blocks().contains(block))
+                kept.setBlock(block, bytes);
+            if (spec && profile >= 0 && profile < kept.identity().profileCount)
+                std::ignore = kept.setRaw(*spec, profile, edit.value(u"to"_s).toDouble(kNoNumber));
+        }
+    }
+    std::ignore = m_history.save(kept, u"unsaved edits of an earlier run"_s);
+}
+
+void EditJournal::abandon()
+{
+    m_timer.stop();
+    m_timer.disconnect();
+}
+
+void EditJournal::write()
+{
+    m_timer.stop();
+    if (m_configuration.isEmpty())
+        return;
+    if (m_configuration.changeCount() == 0) {
+        // What an earlier run left stays until the operator has decided about it.
+        if (m_hasFile && !m_leftover)
+            m_history.dropUnsaved(m_serial);
+        m_hasFile = false;
+        return;
+    }
+    keepUndecided();
+    m_hasFile = true;
+    if (const auto saved = m_history.saveUnsaved(m_configuration.board(), m_edits.toJson()); !saved)
+        emit failed(saved.error());
+}

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/client/deviceclient.h"
+#include "protocol/record/recorder.h"
+
+#include <QThreadPool>
+
+/// Always holds the last minutes of the link, and writes recordings of it.
+class LinkRecorder final : public QObject
+{
+    Q_OBJECT
+public:
+    explicit LinkRecorder(DeviceClient &client, QObject *parent = nullptr);
+    ~LinkRecorder() override;
+
+    [[nodiscard]] bool isRecording() const { return m_task != nullptr; }
+    [[nodiscard]] const QString &path() const { return m_path; }
+    /// Size of the running recording in bytes.
+    [[nodiscard]] qint64 size() const { return m_task ? m_task->bytesWritten() : 0; }
+    /// Seconds that savePast() would save.
+    [[nodiscard]] double heldSeconds() const { return m_recorder.heldSeconds(); }
+
+    /// Records from now on. Errors: BadFile, NotConnected, Busy.
+    Result<void> start(const QString &path);
+    void stop();
+    /// Saves the minutes that are held; finished() or failed() tells when it is done. Errors: BadFile,
+    /// NotConnected.
+    Result<void> savePast(const QString &path);
+
+signals:
+    void recordingChanged(bool recording);
+    /// A recording is complete.
+    void finished(const QString &path, qint64 bytes);
+    /// The disk refused; what was written before stays good.
+    void failed(const Error &error);
+
+private:
+    void end(std::shared_ptr<RecordingTask> task, const QString &path);
+
+    DeviceClient &m_client;
+    Recorder m_recorder;
+    std::unique_ptr<RecordingTask> m_task;
+    QString m_path;
+    QTimer m_watch;
+    QThreadPool m_writers;  // the last bytes go to the disk without anybody waiting
+};

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workspace/page.h"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+using namespace Qt::StringLiterals;
+
+Page::Page(Workspace &workspace, const QString &key, const QString &title, QWidget *parent)
+    : QWidget(parent)
+    , m_workspace(workspace)
+    , m_key(key)
+    , m_title(title)
+    , m_body(new QVBoxLayout)
+    , m_header(new QHBoxLayout)
+{
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(Metric::kMargin, 12, Metric::kMargin, Metric::kMargin);
+    layout->setSpacing(12);
+    auto *label = new QLabel(title);
+    label->setObjectName(u"title"_s);
+    QFont font = label->font();
+    font.setPointSizeF(font.pointSizeF() + 4);
+    font.setWeight(QFont::DemiBold);
+    label->setFont(font);
+    m_header->setSpacing(Metric::kGap);
+    m_header->addWidget(label);
+    m_header->addStretch(1);
+    layout->addLayout(m_header);
+    layout->addLayout(m_body, 1);
+}
+
+void Page::askSavePath(const QString &title, const QString &name, const QString &filter,
+                       const std::function<void(const QString &)> &chosen)
+{
+    auto *dialog = new QFileDialog(this, title, {}, filter);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QFileInfo(name).suffix());
+    dialog->selectFile(name);
+    // "Settings (*.cfg)" asks for that ending.
+    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString &chosenFilter) {
+        dialog->setDefaultSuffix(chosenFilter.section(u"*."_s, 1).chopped(1));
+    });
+    connect(dialog, &QFileDialog::fileSelected, this, chosen);
+    dialog->open();
+}
+
+void Page::askOpenPath(const QString &title, const QString &filter,
+                       const std::function<void(const QString &)> &chosen)
+{
+    auto *dialog = new QFileDialog(this, title, {}, filter);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, chosen);
+    dialog->open();
+}

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/workspace/workspace.h"
+
+#include <QWidget>
+
+#include <functional>
+
+class QHBoxLayout;
+class QLabel;
+class QVBoxLayout;
+
+/// A page of the main window: a header with title and actions, and a body.
+class Page : public QWidget
+{
+    Q_OBJECT
+public:
+    Page(Workspace &workspace, const QString &key, const QString &title, QWidget *parent = nullptr);
+
+    /// Name for `--page` and for picture files.
+    [[nodiscard]] const QString &key() const { return m_key; }
+    [[nodiscard]] const QString &title() const { return m_title; }
+    /// Unsaved changes live on this page.
+    [[nodiscard]] virtual bool hasChanges() const { return false; }
+
+signals:
+    void changesChanged();
+
+protected:
+    [[nodiscard]] Workspace &workspace() const { return m_workspace; }
+    [[nodiscard]] QVBoxLayout *body() const { return m_body; }
+    /// Space in the header, right of the title.
+    [[nodiscard]] QHBoxLayout *header() const { return m_header; }
+    /// Asks for a file without stopping anything; calls back when one was chosen.
+    void askSavePath(const QString &title, const QString &name, const QString &filter,
+                     const std::function<void(const QString &)> &chosen);
+    void askOpenPath(const QString &title, const QString &filter,
+                     const std::function<void(const QString &)> &chosen);
+
+private:
+    Workspace &m_workspace;
+    QString m_key;
+    QString m_title;
+    QVBoxLayout *m_body;
+    QHBoxLayout *m_header;
+};

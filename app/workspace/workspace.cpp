@@ -1,0 +1,593 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workspace/workspace.h"
+
+#include "protocol/record/configurationformats.h"
+#include "widgets/models/parametermodel.h"
+
+#include <QFileInfo>
+#include <QLocale>
+#include <QSet>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+// Older than this, telemetry says nothing about now.
+constexpr auto kStale = 1500ms;
+
+}  // namespace
+
+QString temperatureText(double celsius, bool fahrenheit)
+{
+    if (std::isnan(celsius))
+        return {};
+    return fahrenheit ? Workspace::tr("%1 °F").arg(celsius * 1.8 + 32.0, 0, 'f', 0)
+                      : Workspace::tr("%1 °C").arg(celsius, 0, 'f', 0);
+}
+
+Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings &settings, QObject *parent)
+    : QObject(parent)
+    , m_theme(theme)
+    , m_settings(settings)
+    , m_links(std::move(links))
+    , m_client(m_links.transports, std::move(families))
+    , m_live(m_client, m_configuration)
+    , m_edits(m_configuration)
+    , m_journal(m_configuration, m_edits, m_history)
+    , m_recorder(m_client)
+    , m_linkMarks(m_client, m_configuration, m_live, m_marks)
+    , m_writer(m_client, m_configuration, m_live, m_edits, m_history)
+{
+    connect(&m_journal, &EditJournal::leftoverFound, this, &Workspace::offerLeftover);
+    connect(&m_journal, &EditJournal::failed, this, [this](const Error &error) {
+        ErrorText text = describe(error);
+        text.meaning = tr("Unsaved edits would not survive a crash of the program.");
+        emit problem(text);
+    });
+    connect(&m_recorder, &LinkRecorder::finished, this, [this](const QString &path, qint64 bytes) {
+        emit notice(tr("Recording saved to %1 (%2)").arg(path, QLocale::c().formattedDataSize(bytes)));
+    });
+    connect(&m_recorder, &LinkRecorder::failed, this, [this](const Error &error) {
+        ErrorText text = describe(error);
+        text.what = tr("The recording has ended.");
+        text.cure = tr("What was recorded before is in the file. Make room, or choose another place.");
+        emit problem(text);
+    });
+    connect(&m_writer, &BoardWriter::completed, this,
+            [this] { setUnstored(false); });  // a write ends with storing
+    connect(&m_writer, &BoardWriter::conflicted, this, &Workspace::readBoard);
+    connect(&m_writer, &BoardWriter::finished, this, &Workspace::writeFinished);
+    connect(this, &Workspace::writeFinished, this, [this] {
+        if (lastReport())
+            m_linkMarks.addWritten(*lastReport());
+    });
+    connect(this, &Workspace::worldChanged, &m_linkMarks, &LinkMarks::addWorld);
+    connect(&m_client, &DeviceClient::statisticsChanged, this,
+            [this] { m_linkMarks.look(latest(roles().activeProfile), faults()); });
+    connect(&m_writer, &BoardWriter::snapshotTaken, this, &Workspace::snapshotTaken);
+    connect(&m_writer, &BoardWriter::problem, this, &Workspace::problem);
+    connect(&m_writer, &BoardWriter::notice, this, &Workspace::notice);
+    connect(&m_writer, &BoardWriter::offer, this, &Workspace::offer);
+    connect(&m_confirmations, &Confirmations::offer, this, &Workspace::offer);
+    connect(&m_settings, &Settings::changed, this, &Workspace::applySettings);
+    connect(&m_client, &DeviceClient::stateChanged, this, &Workspace::onState);
+    connect(&m_client, &DeviceClient::connectionFailed, this,
+            [this](const Error &error) { emit problem(describe(error)); });
+    connect(&m_client, &DeviceClient::connectionLost, this, [this](const Error &error) {
+        m_wasLost = true;
+        ErrorText text = describe(error);
+        if (m_configuration.changeCount() > 0)
+            text.cure += tr(" Unsaved changes are kept.");
+        emit problem(text);
+    });
+    connect(&m_client, &DeviceClient::telemetryFailed, this, [this](const Error &error) {
+        ErrorText text = describe(error);
+        text.what = tr("Live data could not be started. ") + text.what;
+        emit problem(text);
+    });
+    connect(&m_client, &DeviceClient::motorsOffFinished, this, [this](bool confirmed) {
+        if (confirmed) {
+            emit notice(tr("Motors are off."));
+            return;
+        }
+        emit problem({tr("The board did not confirm that the motors are off."),
+                      tr("They may still be running."),
+                      tr("Hold the camera and disconnect the power."),
+                      {}});
+    });
+    connect(&m_client, &DeviceClient::boardSpoke, this,
+            [this](const QString &text) { emit notice(tr("The board says: %1").arg(text)); });
+    connect(&m_client, &DeviceClient::failsafeActed, this, [this] {
+        emit notice(tr("Control was released because the program did not refresh it in time."));
+    });
+    connect(&m_client, &DeviceClient::statisticsChanged, this, &Workspace::followActiveProfile);
+}
+
+Workspace::~Workspace()
+{
+    shutDown();
+}
+
+void Workspace::shutDown()
+{
+    m_journal.flush();
+    m_recorder.stop();
+    m_confirmations.forget();
+    m_client.shutDown();
+}
+
+void Workspace::connectTo(const LinkAddress &address, const QString &family)
+{
+    m_settings.setLastAddress(address.toString());
+    m_client.connectTo(address, family);
+}
+
+void Workspace::onState(DeviceClient::State state)
+{
+    if (state != DeviceClient::State::Connected) {
+        m_confirmations.forget();
+        return;
+    }
+    m_writer.beginLink();
+    m_reading = false;
+    m_heldSpan.reset();
+    if (std::exchange(m_wasLost, false))
+        emit notice(tr("Connected again."));
+    if (m_client.address().isReplay())
+        emit notice(tr("This is a recording: everything can be looked at, nothing can be changed."));
+    else if (!m_client.identity().writable)
+        emit problem(describe({ErrorCode::ReadOnly, m_client.identity().firmware, 0}));
+    if (m_client.identity().serial != m_unstoredSerial)
+        setUnstored(false);  // another board; of the same one nobody knows what it did meanwhile
+    offerWayOut();
+    applySettings();
+    if (!m_client.device()->streamControl())
+        m_streams.clear();
+    updateWish();
+    readBoard();
+}
+
+void Workspace::applySettings()
+{
+    if (const auto store = m_client.telemetry())
+        store->setRetention(m_settings.retentionMinutes() * 60.0);
+}
+
+void Workspace::readBoard()
+{
+    if (m_reading)
+        return;
+    m_reading = true;
+    m_client
+        .submit<Configuration>(
+            [](Channel &channel, Device &device) { return device.readConfiguration(channel); })
+        .then(this, [this](const Result<Configuration> &answer) {
+            m_reading = false;
+            if (!answer) {
+                if (answer.error().code != ErrorCode::Cancelled
+                    && answer.error().code != ErrorCode::LinkClosed)
+                    emit problem(describe(answer.error()));
+                return;
+            }
+            const bool sameBoard = !m_configuration.isEmpty()
+                && answer->identity().serial == std::as_const(m_configuration).board().identity().serial;
+            const Configuration read = sameBoard ? withoutLive(*answer, m_live.unsaved()) : *answer;
+            m_offlineFile.clear();
+            if (!m_configuration.rebase(read)) {
+                m_journal.flush();  // edits of another board stay in its journal
+                m_edits.undoStack().clear();
+                m_configuration.reset(read);
+            }
+            m_writer.offerRepair();
+            emit boardRead();
+        });
+}
+
+void Workspace::write(const Configuration &wanted)
+{
+    m_writer.write(wanted);
+}
+
+void Workspace::offerLeftover(int steps)
+{
+    if (m_client.isConnected() && !m_client.identity().writable)
+        return;  // they wait for the board itself
+    Offer question;
+    question.text = tr("%n unsaved step(s) of an earlier run belong to this board.", nullptr, steps);
+    question.choices.append({tr("Restore them"), [this] {
+                                 if (!m_journal.restoreLeftover())
+                                     emit notice(tr("Nothing of it fits this board any more."));
+                             }});
+    question.choices.append({tr("Throw them away"), [this] { m_journal.dropLeftover(); }});
+    emit offer(question);
+}
+
+Result<ConfigurationFile> Workspace::loadFile(const QString &path) const
+{
+    return loadConfiguration(path, m_client.families());
+}
+
+Result<void> Workspace::openFile(const QString &path)
+{
+    if (m_client.isConnected())
+        return failure(ErrorCode::Busy, u"disconnect first"_s);
+    if (const auto recording = Recording::describe(path)) {
+        connectTo(LinkAddress::replay(path), recording->value(u"family"_s).toString());
+        return {};
+    }
+    const auto file = loadFile(path);
+    if (!file)
+        return tl::unexpected(file.error());
+    m_journal.flush();
+    m_edits.undoStack().clear();
+    m_offlineFile = path;
+    m_configuration.reset(file->configuration);
+    if (!file->unknownKeys.isEmpty()) {
+        emit notice(tr("%n entry(s) of the file are unknown and were left out.", nullptr,
+                       int(file->unknownKeys.size())));
+    }
+    return {};
+}
+
+Result<void> Workspace::applyFile(const QString &path, std::optional<int> from, int to)
+{
+    if (m_configuration.isEmpty())
+        return failure(ErrorCode::NotConnected);
+    const auto file = loadFile(path);
+    if (!file)
+        return tl::unexpected(file.error());
+    if (file->configuration.identity().family != std::as_const(m_configuration).board().identity().family)
+        return failure(ErrorCode::BadFile, tr("The file is of another family of boards."));
+    QStringList skipped;
+    const Configuration wanted
+        = applied(std::as_const(m_configuration).edited(), file->configuration, skipped);
+    const QString name = QFileInfo(path).fileName();
+    if (from)
+        m_edits.applyProfile(wanted, *from, to, tr("Load profile %1 from %2").arg(to + 1).arg(name));
+    else
+        m_edits.apply(wanted, tr("Load %1").arg(name));
+    skipped += file->unknownKeys;
+    if (!file->missingKeys.isEmpty()) {
+        emit notice(tr("%n value(s) are not in the file and got their defaults: %1", nullptr,
+                       int(file->missingKeys.size()))
+                        .arg(file->missingKeys.mid(0, 8).join(u", "_s)));
+    }
+    if (!skipped.isEmpty()) {
+        emit notice(tr("%n value(s) of the file do not fit this board and were left out: %1", nullptr,
+                       int(skipped.size()))
+                        .arg(skipped.mid(0, 8).join(u", "_s)));
+    }
+    return {};
+}
+
+Result<void> Workspace::saveFile(const QString &path) const
+{
+    return saveConfiguration(path, m_configuration.edited(), u"saved by the operator"_s, m_client.families());
+}
+
+void Workspace::takeSnapshot()
+{
+    const auto saved = m_history.save(std::as_const(m_configuration).board(), u"by the operator"_s);
+    if (!saved) {
+        emit problem(describe(saved.error()));
+        return;
+    }
+    emit notice(tr("Snapshot taken."));
+    emit snapshotTaken();
+}
+
+QFuture<Result<ActionOutcome>> Workspace::perform(const QString &key, const QVariantMap &arguments,
+                                                  bool quiet)
+{
+    const auto actions = m_client.device() ? m_client.device()->actions() : std::span<const ActionSpec>();
+    const auto it = std::find_if(actions.begin(), actions.end(),
+                                 [&key](const ActionSpec &spec) { return key == QLatin1String(spec.key); });
+    if (it != actions.end() && *it->confirm)
+        return m_confirmations.ask(
+            *it, [this, key, arguments, quiet] { return performNow(key, arguments, quiet); });
+    return performNow(key, arguments, quiet);
+}
+
+QFuture<Result<ActionOutcome>> Workspace::performNow(const QString &key, const QVariantMap &arguments,
+                                                     bool quiet)
+{
+    const auto actions = m_client.device() ? m_client.device()->actions() : std::span<const ActionSpec>();
+    const auto it = std::find_if(actions.begin(), actions.end(),
+                                 [&key](const ActionSpec &spec) { return key == QLatin1String(spec.key); });
+    const bool moving = it != actions.end() && it->isProcedure;
+    const MemoryEffect effect = it == actions.end() ? MemoryEffect::None : it->memory;
+    return m_client
+        .submit<ActionOutcome>(
+            [key, arguments, history = m_history, live = m_live.unsaved(),
+             latest = m_client.telemetry()](Channel &channel, Device &device) {
+                return performSafely(channel, device, key, arguments, history, live, latest.get());
+            },
+            moving ? DeviceClient::JobKind::Moving : DeviceClient::JobKind::Quiet)
+        .then(this, [this, quiet, effect](const Result<ActionOutcome> &outcome) {
+            if (!outcome && !quiet)
+                emit problem(describe(outcome.error()));
+            if (outcome && !outcome->snapshotPath.isEmpty())
+                emit snapshotTaken();
+            if (outcome && outcome->reply.contains(u"unstored"_s))
+                setUnstored(outcome->reply.value(u"unstored"_s).toBool());
+            else if (outcome && effect != MemoryEffect::None)
+                setUnstored(effect == MemoryEffect::ChangesInUse);
+            // What was set live is gone, also when only the answer was lost.
+            if (effect == MemoryEffect::Reloads && m_client.isConnected()) {
+                m_live.forget();
+                m_live.read();
+                readBoard();
+            }
+            return outcome;
+        });
+}
+
+bool Workspace::isSimulated() const
+{
+    return m_client.isConnected() && m_client.address().kind() == LinkAddress::Kind::Simulator;
+}
+
+void Workspace::changeWorld(const QString &assignment)
+{
+    if (const auto changed = m_links.changeWorld(m_client.address(), assignment); !changed)
+        emit problem(describe(changed.error()));
+    else
+        emit worldChanged(assignment);
+}
+
+QFuture<bool> Workspace::saveLive()
+{
+    return perform(m_client.device() && m_client.device()->live() ? m_client.device()->live()->storeAction()
+                                                                  : QString(),
+                   {})
+        .then(this, [this, live = m_live.unsaved()](const Result<ActionOutcome> &saved) {
+            if (!saved)
+                return false;
+            Configuration board = std::as_const(m_configuration).board();
+            for (const LiveValue &value : live) {
+                if (const ParameterSpec *spec = board.parameters().find(value.key))
+                    std::ignore = board.setRaw(*spec, board.activeProfile(), value.inUse);
+            }
+            m_configuration.setBoard(board);
+            emit notice(
+                tr("Stored on the board. The board as it was is kept in %1").arg(saved->snapshotPath));
+            readBoard();  // what is stored now is what the board says, not what was meant
+            return true;
+        });
+}
+
+void Workspace::useProfile(int profile)
+{
+    if (!m_client.isConnected() || m_client.address().isReplay()) {
+        m_configuration.setShownProfile(profile);
+        return;
+    }
+    m_switchingProfile = true;
+    m_client
+        .submit<bool>([profile](Channel &channel, Device &device) -> Result<bool> {
+            if (!device.profiles())
+                return failure(ErrorCode::Unsupported, u"this board has one profile"_s);
+            const auto selected = device.profiles()->selectProfile(channel, profile);
+            return selected ? Result<bool>(true) : tl::unexpected(selected.error());
+        })
+        .then(this, [this, profile](const Result<bool> &done) {
+            m_switchingProfile = false;
+            if (!done) {
+                emit problem(describe(done.error()));
+                emit m_configuration.activeProfileChanged(m_configuration.board().activeProfile());
+                return;
+            }
+            m_configuration.setActiveProfile(profile);
+            m_configuration.setShownProfile(profile);
+        });
+}
+
+void Workspace::setMotors(bool on)
+{
+    if (m_client.address().isReplay() && m_client.isConnected()) {
+        emit notice(tr("This is a recording: there are no motors to switch."));
+        return;
+    }
+    if (!on) {
+        m_client.motorsOff();
+        return;
+    }
+    m_client
+        .submit<Frame>([](Channel &channel, Device &device) -> Result<Frame> {
+            if (!device.motorSwitch())
+                return failure(ErrorCode::Unsupported,
+                               u"this board has no command that switches its motors on"_s);
+            return channel.transact(device.motorSwitch()->motorsOnRequest());
+        })
+        .then(this, [this](const Result<Frame> &done) {
+            if (!done)
+                emit problem(describe(done.error()));
+        });
+}
+
+void Workspace::wishTelemetry(const QObject *who, const QList<int> &channels)
+{
+    m_wishes.insert(who, channels);
+    updateWish();
+}
+
+void Workspace::setStreams(const QList<StreamChoice> &streams)
+{
+    m_streams = streams;
+    updateWish();
+}
+
+void Workspace::updateWish()
+{
+    if (m_client.device())
+        m_client.subscribe(telemetryWish(m_streams));
+}
+
+Subscription Workspace::telemetryWish(const QList<StreamChoice> &streams) const
+{
+    const StreamControl *control = m_client.device()->streamControl();
+    const QList<int> fast = control ? control->fastChannels() : QList<int>();
+    QSet<int> wanted;
+    for (const QList<int> &channels : std::as_const(m_wishes)) {
+        for (const int channel : channels) {
+            if (fast.contains(channel))
+                wanted.insert(channel);
+        }
+    }
+    Subscription wish;
+    wish.channels = QList<int>(wanted.begin(), wanted.end());
+    std::sort(wish.channels.begin(), wish.channels.end());
+    wish.streams = streams;
+    // A stream of chosen channels carries what the pages want to see; without any it is not needed.
+    const QList<StreamSpec> offered = control ? control->streams() : QList<StreamSpec>();
+    for (const StreamSpec &spec : offered) {
+        for (StreamChoice &stream : wish.streams) {
+            if (stream.key == spec.key && spec.choosesChannels)
+                stream.channels = wish.channels;
+        }
+        if (spec.choosesChannels && wish.channels.isEmpty())
+            wish.streams.removeIf([&](const StreamChoice &stream) { return stream.key == spec.key; });
+    }
+    return wish;
+}
+
+double Workspace::latest(int channel) const
+{
+    const auto store = m_client.telemetry();
+    return store ? double(store->latest(channel)) : std::nan("");
+}
+
+bool Workspace::hasAction(const QString &key) const
+{
+    if (!tables())
+        return false;
+    const auto actions = tables()->actions();
+    return std::any_of(actions.begin(), actions.end(),
+                       [&key](const ActionSpec &action) { return key == QLatin1String(action.key); });
+}
+
+const Family *Workspace::family() const
+{
+    if (m_client.isConnected())
+        return findFamily(m_client.families(), m_client.identity().family);
+    return m_configuration.isEmpty()
+        ? nullptr
+        : findFamily(m_client.families(), std::as_const(m_configuration).board().identity().family);
+}
+
+const Family *Workspace::expectedFamily() const
+{
+    if (const Family *shown = family())
+        return shown;
+    return findFamily(m_client.families(), m_links.usualFamily);
+}
+
+const Device *Workspace::tables() const
+{
+    if (m_client.isConnected())
+        return m_client.device();
+    const Family *shown = expectedFamily();
+    if (std::exchange(m_tablesOf, shown->key) != shown->key || !m_tables)
+        m_tables = shown->makeDevice();
+    return m_tables.get();
+}
+
+int Workspace::profileCount() const
+{
+    if (m_client.isConnected())
+        return m_client.identity().profileCount;
+    return m_configuration.isEmpty() ? 0 : std::as_const(m_configuration).board().identity().profileCount;
+}
+
+QString Workspace::configurationFilter() const
+{
+    QString filter = tr("GimbalDesk configurations (*.json)");
+    if (const Family *shown = family(); shown && shown->settingsFile)
+        filter += u";;%1 (*.%2)"_s.arg(shown->settingsFile->name, shown->settingsFile->suffix);
+    return filter;
+}
+
+QString Workspace::openFilter() const
+{
+    QStringList endings{u"*.json"_s, u"*.gimbalrec"_s};
+    for (const Family &each : m_client.families()) {
+        if (each.settingsFile)
+            endings.append(u"*."_s + each.settingsFile->suffix);
+    }
+    return tr("Configurations and recordings (%1)").arg(endings.join(u' '));
+}
+
+void Workspace::setUnstored(bool unstored)
+{
+    m_unstoredSerial = m_client.identity().serial;
+    if (unstored == std::exchange(m_unstored, unstored))
+        return;
+    emit unstoredChanged();
+}
+
+// A board that can be reached only by a detour, and what ends that.
+void Workspace::offerWayOut()
+{
+    const StatusWords *words = m_client.device()->statusWords();
+    const auto way = words ? words->connectOffer() : std::nullopt;
+    if (!way || !m_client.identity().writable || m_client.address().isReplay())
+        return;
+    Offer question;
+    question.text = tableText(way->text);
+    question.choices.append({tableText(way->choice), [this, key = QString::fromLatin1(way->action)] {
+                                 perform(key, {}).then(this, [this](const Result<ActionOutcome> &done) {
+                                     if (done)
+                                         readBoard();  // scripts as well, now
+                                 });
+                             }});
+    question.choices.append({tr("Leave it so"), [] {}});
+    emit offer(question);
+}
+
+const ChannelRoles &Workspace::roles() const
+{
+    return m_client.roles();
+}
+
+std::optional<bool> Workspace::motorsRunning() const
+{
+    const auto store = m_client.telemetry();
+    if (!m_client.isConnected() || !store)
+        return {};
+    const TimePoint now = Clock::now();
+    if (store->rows() != m_lastRows) {
+        m_lastRows = store->rows();
+        m_lastRowsAt = now;
+    }
+    const double value = latest(roles().outputs);
+    if (std::isnan(value) || now - m_lastRowsAt > kStale)
+        return {};
+    return value != 0.0;
+}
+
+std::vector<BoardFault> Workspace::faults() const
+{
+    if (!m_client.isConnected())
+        return {};
+    const ChannelRoles channels = roles();
+    const double bits = latest(channels.faults);
+    const double detail = latest(channels.faultDetail);
+    const FaultWords *words = m_client.device()->faultWords();
+    if (std::isnan(bits) || !words)
+        return {};
+    return words->faults(unsigned(bits), std::isnan(detail) ? 0U : unsigned(detail));
+}
+
+// The profile can be changed by a menu button, a radio or another program as well.
+void Workspace::followActiveProfile()
+{
+    const double active = latest(roles().activeProfile);
+    if (std::isnan(active) || m_switchingProfile || isWriting() || m_reading || m_configuration.isEmpty()
+        || !m_client.isConnected() || int(active) == m_configuration.board().activeProfile())
+        return;
+    m_configuration.setActiveProfile(int(active));
+}

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/composition/links.h"
+#include "app/workspace/boardwriter.h"
+#include "app/workspace/confirmations.h"
+#include "app/workspace/editjournal.h"
+#include "app/workspace/linkmarks.h"
+#include "app/workspace/linkrecorder.h"
+#include "app/workspace/settings.h"
+#include "protocol/client/deviceclient.h"
+#include "protocol/device/abilities.h"
+#include "protocol/device/family.h"
+#include "protocol/procedure/safeaction.h"
+#include "protocol/telemetry/streams.h"
+#include "widgets/forms/editstack.h"
+#include "widgets/models/errortext.h"
+#include "widgets/models/livemodel.h"
+#include "widgets/theme/theme.h"
+
+/// "31 °C" or "88 °F"; empty for NaN.
+[[nodiscard]] QString temperatureText(double celsius, bool fahrenheit);
+
+/// What all pages share: the client, the configuration with its edits, the history of snapshots, the theme.
+/// Turns wishes of the operator into jobs, and their results into model changes and messages.
+class Workspace final : public QObject
+{
+    Q_OBJECT
+public:
+    Workspace(Links links, QList<Family> families, Theme &theme, Settings &settings,
+              QObject *parent = nullptr);
+    ~Workspace() override;
+    /// Ends the link and keeps what is unsaved; before pages are taken down.
+    void shutDown();
+
+    [[nodiscard]] DeviceClient &client() { return m_client; }
+    [[nodiscard]] const DeviceClient &client() const { return m_client; }
+    [[nodiscard]] ConfigurationModel &configuration() { return m_configuration; }
+    [[nodiscard]] const ConfigurationModel &configuration() const { return m_configuration; }
+    [[nodiscard]] EditStack &edits() { return m_edits; }
+    [[nodiscard]] Theme &theme() { return m_theme; }
+    [[nodiscard]] BoardHistory &history() { return m_history; }
+    /// Values that the board changes at once, shared by all pages.
+    [[nodiscard]] LiveModel &live() { return m_live; }
+    [[nodiscard]] Settings &settings() { return m_settings; }
+    [[nodiscard]] EditJournal &journal() { return m_journal; }
+    [[nodiscard]] LinkRecorder &recorder() { return m_recorder; }
+    /// What happened on this link, for the plots.
+    [[nodiscard]] PlotMarks &marks() { return m_marks; }
+    /// Adds a mark at this moment.
+    void mark(PlotMark::Kind kind, const QString &text) { m_linkMarks.add(kind, text); }
+
+    void connectTo(const LinkAddress &address, const QString &family = {});
+    /// Reads everything; edits are kept where the board is the same one.
+    void readBoard();
+    /// Writes what differs between the board and this, verified, with a snapshot before the first write.
+    void write(const Configuration &wanted);
+    /// Stores the values in use in the active profile, with a snapshot of what was stored before. True when
+    /// it was done.
+    QFuture<bool> saveLive();
+    void useProfile(int profile);
+    /// Opens a configuration without a board, to look at and to edit, or a recording as a link. Errors:
+    /// BadFile.
+    Result<void> openFile(const QString &path);
+    /// Understands a configuration file in terms of the board shown. Errors: BadFile.
+    Result<ConfigurationFile> loadFile(const QString &path) const;
+    /// Takes a file's values over as edits, all of them or one profile's. Errors: BadFile, NotConnected.
+    Result<void> applyFile(const QString &path, std::optional<int> from = {}, int to = 0);
+    /// Saves what the pages show, edits included. Errors: BadFile.
+    Result<void> saveFile(const QString &path) const;
+    /// The file that is being edited without a board; empty with one.
+    [[nodiscard]] QString offlineFile() const { return m_client.isConnected() ? QString() : m_offlineFile; }
+    /// Takes a snapshot of the board as it is now, or of the offline configuration.
+    void takeSnapshot();
+
+    /// Performs an action, with a snapshot before it where it writes. What it wants to be confirmed is asked
+    /// each time (offer()); without the answer it ends with Cancelled. Failures are told by problem() unless
+    /// quiet.
+    QFuture<Result<ActionOutcome>> perform(const QString &key, const QVariantMap &arguments,
+                                           bool quiet = false);
+
+    /// The gimbal is a simulated one whose world can be changed.
+    [[nodiscard]] bool isSimulated() const;
+    void changeWorld(const QString &assignment);
+    void setMotors(bool on);
+    /// Fast channels that somebody wants to see; each page has its own wish.
+    void wishTelemetry(const QObject *who, const QList<int> &channels);
+    /// Streams that the operator chose by hand; none: they are arranged for what the pages want to see.
+    void setStreams(const QList<StreamChoice> &streams);
+    [[nodiscard]] const QList<StreamChoice> &streams() const { return m_streams; }
+    /// A span of time that the operator holds still to look at, in seconds since the store's origin.
+    void setHeldSpan(std::optional<std::pair<double, double>> span) { m_heldSpan = span; }
+    [[nodiscard]] std::optional<std::pair<double, double>> heldSpan() const { return m_heldSpan; }
+    /// The wish of all pages together, with these streams.
+    [[nodiscard]] Subscription telemetryWish(const QList<StreamChoice> &streams) const;
+
+    /// The channel's newest value, NaN without one.
+    [[nodiscard]] double latest(int channel) const;
+    [[nodiscard]] const ChannelRoles &roles() const;
+    /// The board shown, or boards like it when none is connected, have an action of that name.
+    [[nodiscard]] bool hasAction(const QString &key) const;
+    /// The tables of that board, or of its family without one.
+    [[nodiscard]] const Device *tables() const;
+    /// The family of the board or file shown; null before the first.
+    [[nodiscard]] const Family *family() const;
+    /// The same, and before the first board or file the one that is most likely to come.
+    [[nodiscard]] const Family *expectedFamily() const;
+    [[nodiscard]] const QString &usualFamily() const { return m_links.usualFamily; }
+    /// Profiles of the board or file shown; 0 without one.
+    [[nodiscard]] int profileCount() const;
+    /// What a dialog offers for configurations of the family shown, and for everything that can be opened.
+    [[nodiscard]] QString configurationFilter() const;
+    [[nodiscard]] QString openFilter() const;
+    /// Values are in use that a restart would lose, for all this program knows.
+    [[nodiscard]] bool isUnstored() const { return m_unstored; }
+    /// True, false, or nothing while telemetry is missing or old.
+    [[nodiscard]] std::optional<bool> motorsRunning() const;
+    [[nodiscard]] std::vector<BoardFault> faults() const;
+    [[nodiscard]] const std::optional<WriteReport> &lastReport() const { return m_writer.lastReport(); }
+    [[nodiscard]] bool isWriting() const { return m_writer.isWriting(); }
+
+signals:
+    /// Something the operator must know.
+    void problem(const ErrorText &text);
+    /// Something that went well.
+    void notice(const QString &text);
+    void offer(const Offer &offer);
+    void boardRead();
+    void unstoredChanged();
+    /// A snapshot was added to the board's history.
+    void snapshotTaken();
+    /// The world around the simulated gimbal was changed: a fault as NAME=VALUE.
+    void worldChanged(const QString &assignment);
+    void writeFinished();
+
+private:
+    void onState(DeviceClient::State state);
+    void offerLeftover(int steps);
+    QFuture<Result<ActionOutcome>> performNow(const QString &key, const QVariantMap &arguments, bool quiet);
+    void applySettings();
+    void setUnstored(bool unstored);
+    void offerWayOut();
+    void updateWish();
+    void followActiveProfile();
+
+    Theme &m_theme;
+    Settings &m_settings;
+    Links m_links;
+    DeviceClient m_client;
+    ConfigurationModel m_configuration;
+    LiveModel m_live;
+    EditStack m_edits;
+    BoardHistory m_history;
+    EditJournal m_journal;
+    LinkRecorder m_recorder;
+    QString m_offlineFile;
+    QHash<const QObject *, QList<int>> m_wishes;
+    QList<StreamChoice> m_streams;
+    std::optional<std::pair<double, double>> m_heldSpan;
+    PlotMarks m_marks;
+    LinkMarks m_linkMarks;
+    BoardWriter m_writer;
+    mutable std::unique_ptr<Device> m_tables;  // of the file's family, while no board is connected
+    mutable QString m_tablesOf;
+    Confirmations m_confirmations;
+    bool m_unstored = false;
+    QString m_unstoredSerial;
+    bool m_wasLost = false;
+    bool m_reading = false;
+    bool m_switchingProfile = false;
+    mutable quint64 m_lastRows = 0;
+    mutable TimePoint m_lastRowsAt{};
+};

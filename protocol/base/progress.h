@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMap>
+#include <QString>
+
+/// How far a job is, for the operator's eyes.
+struct Progress
+{
+    int done = 0;
+    int total = 0;  ///< 0 = unknown
+    QString step;  ///< a key of the step ("read-block"), worded in widgets/
+    QString subject;  ///< what it works on ("PARAMS_3, profile 2")
+    QMap<QString, double> values;  ///< live figures of a procedure, by key
+};

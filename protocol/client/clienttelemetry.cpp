@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the client arranges live data, and takes it in.
+#include "protocol/client/deviceclient_p.h"
+#include "protocol/device/abilities.h"
+
+using namespace Qt::StringLiterals;
+
+void DeviceClient::Private::installFeed()
+{
+    auto fresh = std::make_unique<TelemetryFeed>(
+        store,
+        [board = device](const FrameView &frame) {
+            const RestartNotice *notice = board->restartNotice();
+            return notice && notice->announcesReset(frame);
+        },
+        [this] { back([this] { onResetAnnounced(); }); },
+        [this, board = device](const FrameView &frame) {
+            const StatusWords *words = board->statusWords();
+            if (const QString text = words ? words->messageText(frame) : QString(); !text.isEmpty())
+                back([this, text] { emit q.boardSpoke(text); });
+        });
+    now([this, next = fresh.get(), old = feed.get()] {
+        session->removeListener(old);
+        session->addListener(next);
+        session->setLatestValues(store);
+    });
+    feed = std::move(fresh);
+}
+
+void DeviceClient::Private::requestTelemetry()
+{
+    if (state != State::Connected || telemetryRequested)
+        return;
+    if (address.isReplay()) {
+        startReplay();
+        return;
+    }
+    Subscription wanted = subscription;
+    if (const auto refused = refusal(wanted)) {
+        emit q.telemetryFailed(*refused);
+        if (plan.decoder)
+            return;  // what was arranged before goes on
+        wanted.streams.clear();
+    }
+    // Several subscriptions in one round of the event loop make one request.
+    telemetryRequested = true;
+    // While streams are rearranged, missing samples are nobody's loss.
+    now([feeding = feed.get()] { feeding->setDecoder(nullptr); });
+    q.submit<TelemetryPlan>([wanted, wire = line](Channel &channel, Device &board) {
+         return board.subscribe(channel, wanted, wire);
+     }).then(&q, [this, asked = subscription](const Result<TelemetryPlan> &arranged) {
+        telemetryRequested = false;
+        if (arranged) {
+            takePlan(*arranged, asked);
+            return;
+        }
+        if (arranged.error().code == ErrorCode::Cancelled)
+            requestTelemetry();  // somebody cancelled all jobs; telemetry is still wanted
+        else if (arranged.error().code != ErrorCode::LinkClosed)
+            emit q.telemetryFailed(arranged.error());
+    });
+}
+
+void DeviceClient::Private::takePlan(const TelemetryPlan &arranged, const Subscription &asked)
+{
+    plan = arranged;
+    now([link = session, feeding = feed.get(), arranged] {
+        feeding->setDecoder(arranged.decoder);
+        link->setPoll(arranged.poll, arranged.pollInterval);
+        link->setShutdownFrames(arranged.shutdownFrames);
+    });
+    emit q.telemetryPlanChanged();
+    if (subscription != asked)
+        requestTelemetry();
+}
+
+// Streams that the line cannot carry are not asked for.
+std::optional<Error> DeviceClient::Private::refusal(const Subscription &wanted) const
+{
+    const StreamControl *streams = device->streamControl();
+    if (!streams) {
+        if (wanted.streams.isEmpty())
+            return {};
+        return Error{ErrorCode::InvalidArgument, u"this board has no streams; it is asked for each sample"_s};
+    }
+    const auto budget = streams->streamBudget(wanted, line);
+    if (!budget)
+        return budget.error();
+    return budget->fits() ? std::nullopt : std::optional(budget->refusal());
+}
+
+// A recording has the streams that it has: nobody can be asked for others.
+void DeviceClient::Private::startReplay()
+{
+    if (plan.decoder)
+        return;
+    plan.decoder = device->replayDecoder();
+    plan.streaming = true;
+    now([feeding = feed.get(), decoder = plan.decoder] { feeding->setDecoder(decoder); });
+    replay.begin();
+    emit q.telemetryPlanChanged();
+}
+
+void DeviceClient::subscribe(const Subscription &subscription)
+{
+    if (subscription == d->subscription)
+        return;
+    d->subscription = subscription;
+    d->requestTelemetry();
+}

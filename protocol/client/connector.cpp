@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/client/connector.h"
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+// USB adapters and boards that reset on opening need a moment before they listen.
+constexpr auto kSettle = 20ms;
+
+Progress tryingProgress(int done, int total, const std::optional<LineSettings> &line)
+{
+    Progress progress;
+    progress.done = done;
+    progress.total = total;
+    progress.step = u"probe"_s;
+    if (line)
+        progress.subject = (line->parity == Parity::Even ? u"%1 8E1"_s : u"%1 8N1"_s).arg(line->baud);
+    return progress;
+}
+
+// Rates and parities to try; one empty entry where the link has none.
+QList<std::optional<LineSettings>> linesToTry(const Family &family, const LinkAddress &address, Search search)
+{
+    const bool hasLine
+        = address.kind() == LinkAddress::Kind::Serial || address.kind() == LinkAddress::Kind::Simulator;
+    if (!hasLine || family.lines.isEmpty())
+        return {std::nullopt};
+    QList<std::optional<LineSettings>> lines;
+    for (const LineSettings &line : family.lines) {
+        if (address.baud().value_or(line.baud) == line.baud
+            && address.parity().value_or(line.parity) == line.parity)
+            lines.append(line);
+    }
+    // A rate outside the document's list is the operator's own wish.
+    if (lines.isEmpty()) {
+        const LineSettings &usual = family.lines.first();
+        lines.append(
+            LineSettings{address.baud().value_or(usual.baud), address.parity().value_or(usual.parity)});
+    }
+    if (search == Search::UsualRate)
+        lines.removeIf([usual = lines.first()->baud](const auto &line) { return line->baud != usual; });
+    return lines;
+}
+
+}  // namespace
+
+QString recogniseProtocol(std::span<const Family> known, const QByteArray &heard)
+{
+    for (const Family &family : known) {
+        if (!family.recognise)
+            continue;
+        if (const QString name = family.recognise(heard); !name.isEmpty())
+            return name;
+    }
+    return {};
+}
+
+Result<FoundBoard> findBoard(Channel &channel, const Family &family, Device &device,
+                             std::span<const Family> known, const LinkAddress &address, Search search)
+{
+    const auto lines = linesToTry(family, address, search);
+    for (qsizetype i = 0; i < lines.size(); ++i) {
+        const auto &line = lines[i];
+        channel.progress(tryingProgress(int(i), int(lines.size()), line));
+        if (line) {
+            if (const auto set = channel.setLine(*line); !set)
+                continue;  // this port cannot do that rate; the others may still work
+        }
+        if (const auto slept = channel.sleep(kSettle); !slept)
+            return tl::unexpected(slept.error());
+        const auto answered = device.probe(channel);
+        if (!answered)
+            return tl::unexpected(answered.error());
+        if (!*answered) {
+            // Looked at now: what comes at the next rates would bury it. Whoever speaks at this rate will not
+            // at another.
+            if (const QString other = recogniseProtocol(known, channel.observation().lastBytes);
+                !other.isEmpty())
+                return failure(ErrorCode::WrongProtocol, other);
+            continue;
+        }
+        auto identity = device.identify(channel);
+        if (!identity)
+            return tl::unexpected(identity.error());
+        return FoundBoard{std::move(*identity), line};
+    }
+
+    const LinkObservation seen = channel.observation();
+    if (seen.bytesIn > 0)
+        return failure(
+            ErrorCode::Garbage,
+            u"%1 bytes: %2"_s.arg(seen.bytesIn).arg(QString::fromLatin1(seen.lastBytes.left(16).toHex(' '))));
+    return failure(ErrorCode::Silent, address.toString());
+}
+
+Result<QList<Family>> familiesFor(const QList<Family> &known, const LinkAddress &address,
+                                  const QString &wanted)
+{
+    const LinkAddress::Kind kind = address.kind();
+    QString named = wanted.isEmpty() ? address.option(u"family"_s) : wanted;
+    if (named.isEmpty() && kind == LinkAddress::Kind::Simulator)
+        named = address.target();
+    QList<Family> living;
+    for (const Family &family : known) {
+        if (family.livesOn(kind) && (named.isEmpty() || family.key == named))
+            living.append(family);
+    }
+    if (living.isEmpty())
+        return failure(ErrorCode::InvalidArgument, u"family %1"_s.arg(named));
+    if (!named.isEmpty() || living.size() == 1)
+        return living;
+    QList<Family> asked = living;
+    asked.removeIf([kind](const Family &family) { return !family.mayAskAnybody(kind); });
+    if (!asked.isEmpty())
+        return asked;
+    QStringList keys;
+    for (const Family &family : living)
+        keys.append(family.key);
+    return failure(ErrorCode::InvalidArgument,
+                   u"say which family it is with ?family= and one of %1"_s.arg(keys.join(u", "_s)));
+}

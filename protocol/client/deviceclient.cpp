@@ -1,0 +1,458 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/client/deviceclient.h"
+
+#include "protocol/client/deviceclient_p.h"
+#include "protocol/device/abilities.h"
+#include "protocol/device/steering.h"
+
+#include <QLoggingCategory>
+
+using namespace Qt::StringLiterals;
+
+Q_LOGGING_CATEGORY(logClient, "gimbal.client", QtWarningMsg)
+
+namespace {
+
+constexpr auto kReconnectPause = 500ms;
+constexpr auto kStatisticsPeriod = 250ms;
+// A board that announces its restart still talks for up to a second (document CMD_RESET); we let go before it
+// does.
+constexpr auto kLetGoBeforeReset = 300ms;
+constexpr auto kRestartTime = 1500ms;
+
+// What of a stop plan tells how the board is reached.
+QByteArray wayOf(const StopPlan &plan)
+{
+    QByteArray bytes;
+    for (const StopPlan::Means &means : plan.means) {
+        for (const Request &request : means.requests)
+            bytes += request.bytes;
+    }
+    return bytes;
+}
+
+}  // namespace
+
+DeviceClient::Private::Private(DeviceClient &client, TransportFactory makeTransport, QList<Family> known)
+    : q(client)
+    , families(std::move(known))
+    , session(new Session(std::move(makeTransport)))
+    , worker(new QObject)
+    , replay(
+          [this](const ReplayControl::Job &job) {
+              later([link = session, job] {
+                  if (Replay *recording = link->replay())
+                      job(*recording);
+              });
+          },
+          [this] {
+              if (address.isReplay())
+                  q.connectTo(LinkAddress(address), QString(familyKey));
+          })
+{
+    ioThread.setObjectName(u"gimbal-io"_s);
+    workerThread.setObjectName(u"gimbal-worker"_s);
+    session->addListener(&frames);
+    session->moveToThread(&ioThread);
+    worker->moveToThread(&workerThread);
+    connect(&ioThread, &QThread::finished, session, &QObject::deleteLater);
+    connect(&workerThread, &QThread::finished, worker, &QObject::deleteLater);
+    connect(
+        session, &Session::closed, &q, [this](const Error &why) { onSessionClosed(why); },
+        Qt::QueuedConnection);
+    connect(session, &Session::failsafeActed, &q, &DeviceClient::failsafeActed, Qt::QueuedConnection);
+    ioThread.start(QThread::TimeCriticalPriority);
+    workerThread.start();
+    statisticsTimer.setInterval(kStatisticsPeriod);
+    connect(&statisticsTimer, &QTimer::timeout, &q, [this] { pollStatistics(); });
+}
+
+DeviceClient::DeviceClient(
+    std::function<Result<std::unique_ptr<Transport>>(const LinkAddress &)> makeTransport,
+    QList<Family> families, QObject *parent)
+    : QObject(parent)
+    , d(std::make_unique<Private>(*this, std::move(makeTransport), std::move(families)))
+{
+}
+
+DeviceClient::~DeviceClient()
+{
+    shutDown();
+}
+
+DeviceClient::State DeviceClient::state() const
+{
+    return d->state;
+}
+
+const QList<Family> &DeviceClient::families() const
+{
+    return d->families;
+}
+
+const LinkAddress &DeviceClient::address() const
+{
+    return d->address;
+}
+
+const BoardIdentity &DeviceClient::identity() const
+{
+    return d->identity;
+}
+
+const Device *DeviceClient::device() const
+{
+    return d->device.get();
+}
+
+const ChannelRoles &DeviceClient::roles() const
+{
+    return d->roles;
+}
+
+std::shared_ptr<TelemetryStore> DeviceClient::telemetry() const
+{
+    return d->store;
+}
+
+const TelemetryPlan &DeviceClient::telemetryPlan() const
+{
+    return d->plan;
+}
+
+const LinkStatistics &DeviceClient::statistics() const
+{
+    return d->statistics;
+}
+
+QByteArray DeviceClient::pollBytes() const
+{
+    return d->plan.poll ? d->plan.poll->bytes : QByteArray();
+}
+
+const std::optional<LineSettings> &DeviceClient::line() const
+{
+    return d->line;
+}
+
+bool DeviceClient::isBusy() const
+{
+    return d->jobs > 0;
+}
+
+const FrameLog &DeviceClient::frames() const
+{
+    return d->frames;
+}
+
+ReplayControl &DeviceClient::replay()
+{
+    return d->replay;
+}
+
+void DeviceClient::Private::pollStatistics()
+{
+    later([this] {
+        Replay *recording = session->replay();
+        back([this, counted = session->statistics(),
+              place = recording ? std::optional(recording->state()) : std::nullopt] {
+            statistics = counted;
+            replay.setState(place);
+            emit q.statisticsChanged();
+        });
+    });
+}
+
+void DeviceClient::shutDown()
+{
+    d->shutDown();
+}
+
+void DeviceClient::Private::shutDown()
+{
+    if (!ioThread.isRunning())
+        return;
+    statisticsTimer.stop();
+    session->disconnect(&q);
+    cancelJobs();
+    if (attemptControl)
+        attemptControl->cancel();
+    state = State::Disconnected;  // nothing new is begun
+    closeSession();
+    // The worker may still wait for the I/O thread, so it goes first.
+    workerThread.quit();
+    workerThread.wait();
+    now([this] {
+        session->removeListener(&frames);
+        session->removeListener(feed.get());
+        for (FrameListener *listener : foreign)
+            session->removeListener(listener);
+    });
+    ioThread.quit();
+    ioThread.wait();
+}
+
+void DeviceClient::addListener(FrameListener &listener)
+{
+    if (!d->ioThread.isRunning())
+        return;
+    d->foreign.push_back(&listener);
+    d->now([this, &listener] { d->session->addListener(&listener); });
+}
+
+void DeviceClient::removeListener(FrameListener &listener)
+{
+    if (std::erase(d->foreign, &listener) == 0 || !d->ioThread.isRunning())
+        return;
+    d->now([this, &listener] { d->session->removeListener(&listener); });
+}
+
+void DeviceClient::connectTo(const LinkAddress &address, const QString &family)
+{
+    d->disconnectFromBoard();
+    d->address = address;
+    d->familyKey = family;
+    d->replay.forget();
+    d->startAttempt(State::Connecting, 0ms);
+}
+
+void DeviceClient::disconnectFromBoard()
+{
+    d->disconnectFromBoard();
+}
+
+void DeviceClient::Private::disconnectFromBoard()
+{
+    cancelJobs();
+    if (attemptControl) {
+        attemptControl->cancel();
+        attemptControl.reset();
+    }
+    closeSession();
+    statisticsTimer.stop();
+    line.reset();
+    setState(State::Disconnected);
+}
+
+void DeviceClient::Private::closeSession()
+{
+    {
+        const std::lock_guard lock(urgentMutex);
+        stopPlan.reset();
+    }
+    if (ioThread.isRunning())
+        later([link = session] { link->close({ErrorCode::Cancelled, {}}); });
+}
+
+void DeviceClient::Private::startAttempt(State next, milliseconds delay)
+{
+    const auto asked = familiesFor(families, address, familyKey);
+    if (!asked) {
+        emit q.connectionFailed(asked.error());
+        return;
+    }
+    auto attempt = std::make_shared<Attempt>();
+    attempt->search = std::make_unique<BoardSearch>(
+        BoardSearch::Order{address, *asked, families, line, next == State::Reconnecting, delay});
+    attemptControl = attempt->control;
+    setState(next);
+    QMetaObject::invokeMethod(
+        worker,
+        [this, attempt] {
+            const auto channel = makeChannel(attempt->control, SessionChannel::Link::NotYet);
+            auto found = attempt->search->run(*channel);
+            back([this, attempt, found = std::move(found)] { finishAttempt(attempt, found); });
+        },
+        Qt::QueuedConnection);
+}
+
+void DeviceClient::Private::finishAttempt(const std::shared_ptr<Attempt> &attempt,
+                                          Result<BoardSearch::Found> found)
+{
+    if (attempt->control != attemptControl)
+        return;  // overtaken by another attempt
+    attemptControl.reset();
+    if (!found) {
+        closeSession();
+        setState(State::Disconnected);
+        if (found.error().code != ErrorCode::Cancelled)
+            emit q.connectionFailed(found.error());
+        return;
+    }
+    device = found->candidate.device;
+    familyKey = found->candidate.family.key;  // it stays the one when the link comes back
+    if (address.isReplay())
+        device->setReadOnly();  // what happened cannot be changed
+    identity = device->identity();
+    roles = rolesOf(*device);
+    line = found->board.line;
+    qCInfo(logClient) << "connected to" << identity.model << identity.firmware;
+
+    // A fresh store for a new board; the same board goes on in the same one.
+    if (!store || state != State::Reconnecting)
+        store = std::make_shared<TelemetryStore>(int(device->channels().size()));
+    store->setReplayed(address.isReplay());
+    installFeed();
+    {
+        const std::lock_guard lock(urgentMutex);
+        stopPlan = device->stopPlan();
+    }
+    plan = {};
+    statistics = {};
+    statisticsTimer.start();
+    setState(State::Connected);
+    requestTelemetry();
+}
+
+void DeviceClient::Private::onSessionClosed(const Error &why)
+{
+    if (state != State::Connected)
+        return;
+    emit q.connectionLost(why);
+    // Jobs that waited for this link are told; they must not start on the next one by surprise.
+    cancelJobs();
+    startAttempt(State::Reconnecting, why.code == ErrorCode::Cancelled ? 0ms : kReconnectPause);
+}
+
+void DeviceClient::Private::onResetAnnounced()
+{
+    if (state != State::Connected)
+        return;
+    QTimer::singleShot(kLetGoBeforeReset, &q, [this] {
+        if (state != State::Connected)
+            return;
+        const Error why{ErrorCode::LinkClosed, u"the board restarts"_s};
+        emit q.connectionLost(why);
+        later([link = session, why] { link->close(why); });
+        cancelJobs();
+        startAttempt(State::Reconnecting, kRestartTime);
+    });
+}
+
+void DeviceClient::cancelJobs()
+{
+    d->cancelJobs();
+}
+
+void DeviceClient::Private::cancelJobs()
+{
+    control->cancel();
+    control = std::make_shared<JobControl>();
+    cancelMovingJobs();
+}
+
+void DeviceClient::Private::cancelMovingJobs()
+{
+    const std::lock_guard lock(urgentMutex);
+    for (const auto &moving : std::exchange(movingJobs, {})) {
+        if (const auto job = moving.lock())
+            job->cancel();
+    }
+}
+
+void DeviceClient::cancelMovingJobs()
+{
+    d->cancelMovingJobs();
+}
+
+void DeviceClient::motorsOff()
+{
+    std::optional<StopPlan> wanted;
+    {
+        const std::lock_guard lock(d->urgentMutex);
+        wanted = d->stopPlan;
+    }
+    if (!wanted) {
+        d->back([this] { emit motorsOffFinished(false); });
+        return;
+    }
+    d->later([this, link = d->session, wanted = std::move(*wanted)] {
+        link->stopMotors(wanted, [this](const Result<void> &result) {
+            d->back([this, proven = result.has_value()] { emit motorsOffFinished(proven); });
+        });
+    });
+    d->cancelMovingJobs();
+}
+
+void DeviceClient::setControl(const SteeringSetpoint &setpoint)
+{
+    if (d->state != State::Connected || !d->device->steering())
+        return;
+    d->later([link = d->session, wanted = d->device->steering()->controlFrames(setpoint)] {
+        link->refreshControl(wanted);
+    });
+}
+
+void DeviceClient::releaseControl()
+{
+    if (d->state == State::Connected)
+        d->later([link = d->session] { link->endControl(); });
+}
+
+void DeviceClient::Private::setState(State next)
+{
+    if (std::exchange(state, next) != next)
+        emit q.stateChanged(next);
+}
+
+std::unique_ptr<SessionChannel> DeviceClient::Private::makeChannel(std::shared_ptr<JobControl> job,
+                                                                   SessionChannel::Link link)
+{
+    return std::make_unique<SessionChannel>(
+        *session, std::move(job),
+        SessionChannel::Hooks{
+            [this](const Progress &progress) {
+                back([this, progress] { emit q.progressChanged(progress); });
+            },
+            [this](bool proven) { back([this, proven] { emit q.motorsOffFinished(proven); }); }},
+        link);
+}
+
+void DeviceClient::enqueue(Job job, JobKind kind)
+{
+    if (d->state != State::Connected) {
+        job(nullptr, nullptr, {ErrorCode::NotConnected, {}})();
+        return;
+    }
+    // A moving job has a control of its own, so that stopping it leaves a write alone.
+    auto control = kind == JobKind::Moving ? std::make_shared<JobControl>() : d->control;
+    if (kind == JobKind::Moving) {
+        const std::lock_guard lock(d->urgentMutex);
+        d->movingJobs.push_back(control);
+    }
+    if (++d->jobs == 1)
+        emit busyChanged(true);
+    QMetaObject::invokeMethod(
+        d->worker,
+        [this, control, device = d->device, job = std::move(job)] {
+            const auto channel = d->makeChannel(control, SessionChannel::Link::Open);
+            const bool cancelled = channel->cancelled();
+            const Delivery deliver
+                = job(cancelled ? nullptr : channel.get(), device.get(), {ErrorCode::Cancelled, {}});
+            d->back([this] { d->jobFinished(); });
+            deliver();
+        },
+        Qt::QueuedConnection);
+}
+
+void DeviceClient::Private::jobFinished()
+{
+    if (--jobs == 0)
+        emit q.busyChanged(false);
+    if (state == State::Connected)
+        followWay();
+}
+
+// A job may have changed how the board is spoken to: what is sent without a job follows.
+void DeviceClient::Private::followWay()
+{
+    StopPlan fresh = device->stopPlan();
+    {
+        const std::lock_guard lock(urgentMutex);
+        if (!stopPlan || wayOf(*stopPlan) == wayOf(fresh))
+            return;
+        stopPlan = std::move(fresh);
+    }
+    requestTelemetry();
+}

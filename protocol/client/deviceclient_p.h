@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/client/boardsearch.h"
+#include "protocol/client/deviceclient.h"
+#include "protocol/client/framelog.h"
+#include "protocol/client/replaycontrol.h"
+#include "protocol/session/session.h"
+#include "protocol/telemetry/telemetryfeed.h"
+#include "protocol/telemetry/telemetryplan.h"
+
+#include <QThread>
+
+/// What the client keeps to itself.
+struct DeviceClient::Private
+{
+    struct Attempt
+    {
+        std::shared_ptr<JobControl> control = std::make_shared<JobControl>();
+        std::unique_ptr<BoardSearch> search;
+    };
+
+    Private(DeviceClient &client, TransportFactory makeTransport, QList<Family> known);
+
+    void setState(State next);
+    void startAttempt(State next, milliseconds delay);
+    void finishAttempt(const std::shared_ptr<Attempt> &attempt, Result<BoardSearch::Found> found);
+    void installFeed();
+    void disconnectFromBoard();
+    void onSessionClosed(const Error &why);
+    void onResetAnnounced();
+    void requestTelemetry();
+    void takePlan(const TelemetryPlan &arranged, const Subscription &asked);
+    void startReplay();
+    [[nodiscard]] std::optional<Error> refusal(const Subscription &wanted) const;
+    void pollStatistics();
+    void jobFinished();
+    void followWay();
+    void cancelJobs();
+    void cancelMovingJobs();
+    void closeSession();
+    void shutDown();
+    std::unique_ptr<SessionChannel> makeChannel(std::shared_ptr<JobControl> control,
+                                                SessionChannel::Link link);
+    /// Runs on the I/O thread, later.
+    template <typename F> void later(F &&job)
+    {
+        QMetaObject::invokeMethod(session, std::forward<F>(job), Qt::QueuedConnection);
+    }
+    /// Runs on the I/O thread, now.
+    template <typename F> void now(F &&job)
+    {
+        QMetaObject::invokeMethod(session, std::forward<F>(job), Qt::BlockingQueuedConnection);
+    }
+    /// Runs on the screen's thread, later.
+    template <typename F> void back(F &&job)
+    {
+        QMetaObject::invokeMethod(&q, std::forward<F>(job), Qt::QueuedConnection);
+    }
+
+    DeviceClient &q;
+    QList<Family> families;
+    QThread ioThread;
+    QThread workerThread;
+    Session *session;
+    QObject *worker;
+    FrameLog frames;
+    std::vector<FrameListener *> foreign;  // listeners that others own
+    std::unique_ptr<TelemetryFeed> feed;
+    QTimer statisticsTimer;
+
+    State state = State::Disconnected;
+    LinkAddress address;
+    QString familyKey;
+    std::shared_ptr<Device> device;
+    BoardIdentity identity;
+    ChannelRoles roles;
+    std::optional<LineSettings> line;
+    std::shared_ptr<JobControl> control = std::make_shared<JobControl>();
+    std::shared_ptr<JobControl> attemptControl;
+    std::shared_ptr<TelemetryStore> store;
+    Subscription subscription;
+    TelemetryPlan plan;
+    bool telemetryRequested = false;
+    ReplayControl replay;
+    LinkStatistics statistics;
+    int jobs = 0;
+
+    std::mutex urgentMutex;  // motorsOff() comes from any thread
+    std::optional<StopPlan> stopPlan;
+    std::vector<std::weak_ptr<JobControl>> movingJobs;
+};

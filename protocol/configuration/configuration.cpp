@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/configuration/configuration.h"
+
+using namespace Qt::StringLiterals;
+
+Configuration::Configuration(BoardIdentity identity, std::shared_ptr<const ParameterSet> parameters)
+    : m_identity(std::move(identity))
+    , m_parameters(std::move(parameters))
+{
+}
+
+QString Configuration::profileName(int profile) const
+{
+    const QString name = m_profileNames.value(profile).trimmed();
+    return name.isEmpty() ? u"Profile %1"_s.arg(profile + 1) : name;
+}
+
+bool Configuration::hasOtherNames(const Configuration &other) const
+{
+    const qsizetype count = std::max(m_profileNames.size(), other.m_profileNames.size());
+    for (qsizetype profile = 0; profile < count; ++profile) {
+        if (m_profileNames.value(profile) != other.m_profileNames.value(profile))
+            return true;
+    }
+    return false;
+}
+
+QByteArray Configuration::block(BlockKey key) const
+{
+    const auto it = m_blocks.find(key);
+    return it == m_blocks.end() ? QByteArray() : it->second;
+}
+
+std::optional<double> Configuration::raw(const ParameterSpec &spec, int profile) const
+{
+    const int from = spec.row->scope == Scope::Board ? m_activeProfile : profile;
+    const auto it = m_blocks.find({from, spec.row->block});
+    return it == m_blocks.end() ? std::nullopt : spec.read(it->second);
+}
+
+Result<void> Configuration::setRaw(const ParameterSpec &spec, int profile, double raw)
+{
+    if (spec.row->state)
+        return failure(ErrorCode::ReadOnly, spec.key);
+    if (spec.row->wire != WireType::F32 && std::isfinite(raw) && raw != spec.nearest(raw))
+        return failure(ErrorCode::InvalidArgument, u"%1 counts in whole steps"_s.arg(spec.key));
+    if (!spec.isInRange(raw)) {
+        return failure(
+            ErrorCode::OutOfRange,
+            u"%1 = %2, allowed %3 to %4"_s.arg(spec.key, spec.format(raw), spec.minText(), spec.maxText()));
+    }
+    bool found = false;
+    for (auto &[key, bytes] : m_blocks) {
+        if (key.block == spec.row->block && (spec.row->scope == Scope::Board || key.profile == profile))
+            found |= spec.write(bytes, raw);
+    }
+    if (!found)
+        return failure(ErrorCode::Unsupported, spec.key);
+    return {};
+}
+
+Result<void> Configuration::copyRaw(const ParameterSpec &spec, int profile, const Configuration &from)
+{
+    if (spec.row->state)
+        return failure(ErrorCode::ReadOnly, spec.key);
+    const bool boardWide = spec.row->scope == Scope::Board;
+    const QByteArray source = from.block({boardWide ? from.activeProfile() : profile, spec.row->block});
+    bool found = false;
+    for (auto &[key, bytes] : m_blocks) {
+        if (key.block == spec.row->block && (boardWide || key.profile == profile))
+            found |= spec.copy(bytes, source);
+    }
+    if (!found)
+        return failure(ErrorCode::Unsupported, spec.key);
+    return {};
+}
+
+std::vector<ParameterChange> Configuration::changesTo(const Configuration &other) const
+{
+    std::vector<ParameterChange> changes;
+    if (!m_parameters)
+        return changes;
+    for (const ParameterSpec &spec : m_parameters->all()) {
+        if (spec.row->state)
+            continue;
+        const bool boardWide = spec.row->scope == Scope::Board;
+        for (int profile = 0; profile < m_identity.profileCount; ++profile) {
+            const int which = boardWide ? m_activeProfile : profile;
+            const auto from = raw(spec, which);
+            const auto to = other.raw(spec, which);
+            if (from && to && !sameValue(*from, *to))
+                changes.push_back({&spec, which, *from, *to});
+            if (boardWide)
+                break;
+        }
+    }
+    return changes;
+}
+
+std::vector<DataChange> Configuration::dataChangesTo(const Configuration &other) const
+{
+    std::vector<DataChange> changes;
+    for (const auto &[key, bytes] : m_blocks) {
+        const BlockSpec *spec = m_parameters->block(key.block);
+        const auto it = other.m_blocks.find(key);
+        if (spec && spec->isData() && it != other.m_blocks.end() && it->second != bytes)
+            changes.push_back({spec, key, bytes, it->second});
+    }
+    return changes;
+}

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/base/result.h"
+#include "protocol/configuration/identity.h"
+
+#include <map>
+#include <memory>
+
+/// Which block of which profile.
+struct BlockKey
+{
+    int profile = 0;
+    int block = 0;
+
+    friend auto operator<=>(const BlockKey &, const BlockKey &) = default;
+};
+
+/// A difference between two configurations in one parameter.
+struct ParameterChange
+{
+    const ParameterSpec *spec = nullptr;
+    int profile = 0;  ///< the active profile for board-wide parameters
+    double from = 0;
+    double to = 0;
+};
+
+/// A difference between two configurations in a block without parameters (BlockSpec::data).
+struct DataChange
+{
+    const BlockSpec *spec = nullptr;
+    BlockKey key;
+    QByteArray from;
+    QByteArray to;
+};
+
+/// The values of one board, kept as the raw blocks they came in, so reserved and unknown bytes survive
+/// untouched.
+class Configuration
+{
+public:
+    Configuration() = default;
+    Configuration(BoardIdentity identity, std::shared_ptr<const ParameterSet> parameters);
+
+    [[nodiscard]] bool isEmpty() const { return m_blocks.empty(); }
+    [[nodiscard]] const BoardIdentity &identity() const { return m_identity; }
+    [[nodiscard]] const ParameterSet &parameters() const { return *m_parameters; }
+    [[nodiscard]] const std::shared_ptr<const ParameterSet> &parameterSet() const { return m_parameters; }
+
+    [[nodiscard]] int activeProfile() const { return m_activeProfile; }
+    void setActiveProfile(int profile) { m_activeProfile = profile; }
+    [[nodiscard]] const QStringList &profileNames() const { return m_profileNames; }
+    void setProfileNames(const QStringList &names) { m_profileNames = names; }
+    /// Whether a profile has another name there; no name at all is an empty one.
+    [[nodiscard]] bool hasOtherNames(const Configuration &other) const;
+    /// The name, or "Profile N" (N from 1) where there is none.
+    [[nodiscard]] QString profileName(int profile) const;
+
+    [[nodiscard]] const std::map<BlockKey, QByteArray> &blocks() const { return m_blocks; }
+    [[nodiscard]] QByteArray block(BlockKey key) const;
+    void setBlock(BlockKey key, QByteArray bytes) { m_blocks[key] = std::move(bytes); }
+
+    /// Raw value, NaN for what is no number; empty when the board did not deliver that block.
+    [[nodiscard]] std::optional<double> raw(const ParameterSpec &spec, int profile) const;
+    /// Sets a raw value; a board-wide one is set in every profile's block.
+    /// Errors: OutOfRange (also what is no number), InvalidArgument (a fraction for an integer), Unsupported
+    /// (no such block), ReadOnly (a state value).
+    Result<void> setRaw(const ParameterSpec &spec, int profile, double raw);
+    /// Takes a value over as another configuration of the same parameters holds it: bit by bit, in range and
+    /// a number or not. Errors: Unsupported (one of them has no such block), ReadOnly.
+    Result<void> copyRaw(const ParameterSpec &spec, int profile, const Configuration &from);
+
+    /// All parameters in which the two differ, board-wide ones once. Both must be of one parameter set.
+    [[nodiscard]] std::vector<ParameterChange> changesTo(const Configuration &other) const;
+    /// The same for blocks without parameters, where both have them.
+    [[nodiscard]] std::vector<DataChange> dataChangesTo(const Configuration &other) const;
+
+private:
+    BoardIdentity m_identity;
+    std::shared_ptr<const ParameterSet> m_parameters;
+    std::map<BlockKey, QByteArray> m_blocks;
+    QStringList m_profileNames;
+    int m_activeProfile = 0;
+};

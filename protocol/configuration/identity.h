@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/configuration/parameterspec.h"
+
+#include <QVariantMap>
+
+/// Who the board is and what it can do, found at identification.
+struct BoardIdentity
+{
+    QString family;  ///< "simplebgc"
+    QString model;  ///< "SimpleBGC 3.0"
+    QString firmware;  ///< "2.59b0"
+    int firmwareNumber = 0;  ///< as the family counts it, 2590
+    QString serial;  ///< unique number of this board, hexadecimal; names its history
+    Capabilities capabilities;
+    int profileCount = 1;
+    bool usb = false;  ///< native USB: rate and parity do not matter
+    bool writable = true;  ///< false: firmware unknown to us, everything is shown and nothing written
+    QVariantMap extra;  ///< further facts of the family, by key
+
+    friend bool operator==(const BoardIdentity &, const BoardIdentity &) = default;
+};

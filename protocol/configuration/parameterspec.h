@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/base/axis.h"
+#include "protocol/configuration/blockspec.h"
+
+#include <QByteArray>
+#include <QHash>
+#include <QSet>
+#include <QString>
+#include <QStringList>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+enum class WireType : std::uint8_t { U8, I8, U16, I16, U32, I32, F32 };
+enum class ByteOrder : std::uint8_t { Little, Big };
+enum class ValueKind : std::uint8_t { Number, Choice, Flags, Toggle };
+enum class ViewLevel : std::uint8_t { Basic, Advanced, Expert };
+/// Profile: each profile has its own value. Board: one value, kept in every profile's block.
+enum class Scope : std::uint8_t { Profile, Board };
+/// Red: a wrong value can make a motor run away, overheat it or move the camera where it must not go.
+enum class Risk : std::uint8_t { Normal, Red };
+/// How a raw number becomes the number the operator sees.
+enum class Conversion : std::uint8_t {
+    Linear,  ///< raw * scale + bias
+    Logarithmic,  ///< 5 exp(raw ln 52 / 255) - 5 (SimpleBGC from 2.73.1, errata 3.3)
+};
+
+constexpr int wireSize(WireType type)
+{
+    switch (type) {
+    case WireType::U8:
+    case WireType::I8: return 1;
+    case WireType::U16:
+    case WireType::I16: return 2;
+    default: return 4;
+    }
+}
+
+/// Lowest and highest number that a wire type carries.
+constexpr std::pair<double, double> wireRange(WireType type)
+{
+    switch (type) {
+    case WireType::U8: return {0, 255};
+    case WireType::I8: return {-128, 127};
+    case WireType::U16: return {0, 65535};
+    case WireType::I16: return {-32768, 32767};
+    case WireType::U32: return {0, 4294967295};
+    case WireType::I32: return {-2147483648.0, 2147483647};
+    case WireType::F32: break;
+    }
+    return {std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max()};
+}
+
+/// Whether two raw values are one and the same. A raw value is a double, which carries every 32-bit integer
+/// and every float exactly; NaN stands for a float that is no number, and is the same as any other such.
+inline bool sameValue(double a, double b)
+{
+    return a == b || (std::isnan(a) && std::isnan(b));
+}
+inline bool sameValue(std::optional<double> a, std::optional<double> b)
+{
+    return a.has_value() == b.has_value() && (!a || sameValue(*a, *b));
+}
+
+/// Shortest plain text that toDouble() reads as the very same number: "100000", "0.18", "2e-06".
+[[nodiscard]] QString plainNumber(double value);
+
+/// The bits of a raw value that is a flag word.
+inline quint32 flagBits(double raw)
+{
+    return std::isfinite(raw) ? static_cast<quint32>(static_cast<qint64>(raw)) : 0;
+}
+
+/// One entry of a choice list, or one bit of a flag word (value = bit number).
+struct Choice
+{
+    int value = 0;
+    const char *name = "";
+    int since = 0;  ///< firmware that introduced it; 0 = always there
+    int until = 99999;
+};
+
+/// When a parameter has no effect: while another one has this value. "%a" and "%n" in the key are those of
+/// its own.
+struct NoEffectWhile
+{
+    const char *key = "";
+    int value = 0;
+};
+
+/// The declaration of a parameter: one row of a family's table. A row with several axes or indices stands for
+/// that many parameters, one after the other in the block; "%a" in the key is the axis, "%n" the index
+/// from 1.
+struct ParameterRow
+{
+    const char *key = "";
+    const char *label = "";
+    const char *group = "";
+    const char *help = "";
+    std::uint8_t block = 0;
+    std::uint16_t offset = 0;
+    WireType wire = WireType::U8;
+    ByteOrder order = ByteOrder::Little;
+    std::uint8_t bitShift = 0;
+    std::uint8_t bitCount = 0;  ///< 0 = the whole word; of integers only
+    ValueKind kind = ValueKind::Number;
+    std::uint8_t axes = 1;  ///< 1, 2 (roll, pitch) or 3
+    std::uint8_t axisStride = 0;
+    bool pitchFirst = false;  ///< the axes lie in the order pitch, roll, yaw
+    Axis axis = Axis::None;  ///< for a single value that belongs to one axis
+    std::uint8_t count = 1;
+    std::uint8_t countStride = 0;
+    const char *unit = "";
+    double scale = 1.0;
+    double bias = 0.0;
+    double min = 0;  ///< range in raw numbers
+    double max = 255;
+    int decimals = 0;  ///< on the screen
+    std::array<double, 3> defaults{0, 0, 0};
+    std::span<const Choice> choices{};
+    ViewLevel level = ViewLevel::Advanced;
+    Scope scope = Scope::Profile;
+    Risk risk = Risk::Normal;
+    int since = 0;
+    int until = 99999;
+    const char *capability = "";
+    int adjustable = -1;  ///< number of the live-adjustable variable (of the first axis), -1 = none
+    int adjustableScale = 1;  ///< variable = raw * this
+    int adjustableStride = 1;  ///< from the variable of one axis to that of the next
+    Conversion conversion = Conversion::Linear;
+    bool state = false;  ///< reported by the board, not set by the operator
+    const char *name = "";  ///< what the family's own files call it; "%A" is the axis
+    NoEffectWhile idle{};
+};
+
+using Capabilities = QSet<QString>;
+
+/// One parameter: a row with its axis and index filled in.
+struct ParameterSpec
+{
+    const ParameterRow *row = nullptr;
+    int id = 0;  ///< position in its ParameterSet
+    QString key;  ///< "pid.roll.p": files, command line, diffs
+    Axis axis = Axis::None;
+    int index = 0;  ///< from 1; 0 = the row has no index
+    int offset = 0;
+    int adjustable = -1;
+    double defaultRaw = 0;
+
+    /// The number the operator sees.
+    [[nodiscard]] double toDisplay(double raw) const;
+    /// The raw number nearest to it that the wire type can tell apart, not clamped. Takes what toDisplay()
+    /// gives.
+    [[nodiscard]] double toRaw(double display) const;
+    /// The number nearest to it that the wire type can tell apart: a whole one or a float; not clamped.
+    [[nodiscard]] double nearest(double raw) const;
+    /// False also for what is no number.
+    [[nodiscard]] bool isInRange(double raw) const;
+    [[nodiscard]] double clamped(double raw) const;
+    /// Raw number out of a block, NaN for a float that is none (NaN or infinite); empty when the block is too
+    /// short.
+    [[nodiscard]] std::optional<double> read(const QByteArray &block) const;
+    /// Puts a raw number into a block, leaving every other bit alone. False when the block is too short, or
+    /// the value is no number.
+    bool write(QByteArray &block, double raw) const;
+    /// Takes the very bits over from another block, a number or not. False when one of them is too short.
+    bool copy(QByteArray &block, const QByteArray &from) const;
+    /// Key of the parameter that decides whether this one has an effect; empty: it always has.
+    [[nodiscard]] QString idleKey() const;
+    /// Choices that this firmware has (flag bits likewise).
+    [[nodiscard]] std::vector<Choice> choices(int firmware) const;
+
+    /// Plain text of a value as files and the command line use it: "15", "0.18", "2e-06", "on", "0x0410"; "no
+    /// number" for NaN. Has as many digits as parse() needs to find the very same value.
+    [[nodiscard]] QString format(double raw) const;
+    /// A number for the screen, with the row's decimals.
+    [[nodiscard]] QString rounded(double raw) const;
+    /// Understands what format() writes of a number, and for choices the choice's name. Empty: not
+    /// understood, or nothing that the wire type can carry (NaN, infinite).
+    [[nodiscard]] std::optional<double> parse(const QString &text) const;
+    [[nodiscard]] QString minText() const { return format(row->min); }
+    [[nodiscard]] QString maxText() const { return format(row->max); }
+
+private:
+    [[nodiscard]] std::optional<quint32> word(const QByteArray &block) const;
+    void putWord(QByteArray &block, quint32 word) const;
+};
+
+/// The parameters that one board has: rows expanded and filtered by firmware and capabilities.
+class ParameterSet
+{
+public:
+    ParameterSet(std::span<const ParameterRow> rows, std::span<const BlockSpec> blocks, int firmware,
+                 const Capabilities &capabilities);
+
+    [[nodiscard]] const std::vector<ParameterSpec> &all() const { return m_specs; }
+    [[nodiscard]] const ParameterSpec &at(int id) const { return m_specs[static_cast<std::size_t>(id)]; }
+    [[nodiscard]] const ParameterSpec *find(const QString &key) const;
+    [[nodiscard]] std::span<const BlockSpec> blocks() const { return m_blocks; }
+    [[nodiscard]] const BlockSpec *block(int id) const;
+    /// Group names in table order.
+    [[nodiscard]] const QList<const char *> &groups() const { return m_groups; }
+    [[nodiscard]] int firmware() const { return m_firmware; }
+
+private:
+    std::vector<ParameterSpec> m_specs;
+    std::span<const BlockSpec> m_blocks;
+    QHash<QString, int> m_byKey;
+    QList<const char *> m_groups;
+    int m_firmware;
+};
+
+/// True when rows and reserved ranges cover each byte of a block exactly once (bit fields of one word may
+/// share it, and rows of different firmware ranges may overlap). For static_asserts beside the tables.
+template <std::size_t Size>
+constexpr bool coversBlock(std::span<const ParameterRow> rows, int block,
+                           std::span<const std::pair<int, int>> reserved)
+{
+    std::array<std::uint8_t, Size> whole{};
+    std::array<std::uint8_t, Size> bits{};
+    for (const ParameterRow &row : rows) {
+        if (row.block != block)
+            continue;
+        for (int axis = 0; axis < row.axes; ++axis) {
+            for (int index = 0; index < row.count; ++index) {
+                const int start = row.offset + axis * row.axisStride + index * row.countStride;
+                for (int byte = start; byte < start + wireSize(row.wire); ++byte) {
+                    if (byte < 0 || byte >= int(Size))
+                        return false;
+                    if (row.bitCount)
+                        bits[std::size_t(byte)] = 1;
+                    else if (whole[std::size_t(byte)]++ && row.since == 0 && row.until == 99999)
+                        return false;
+                }
+            }
+        }
+    }
+    for (const auto &[first, count] : reserved) {
+        for (int byte = first; byte < first + count; ++byte) {
+            if (whole[std::size_t(byte)] || bits[std::size_t(byte)])
+                return false;
+            whole[std::size_t(byte)] = 1;
+        }
+    }
+    for (std::size_t byte = 0; byte < Size; ++byte) {
+        if (!whole[byte] && !bits[byte])
+            return false;
+    }
+    return true;
+}
+
+/// True when each row's range fits its wire type and its defaults lie in the range; what is counted or has
+/// bits is an integer.
+constexpr bool rangesFit(std::span<const ParameterRow> rows)
+{
+    const auto isWhole = [](double value) { return double(static_cast<long long>(value)) == value; };
+    for (const ParameterRow &row : rows) {
+        const bool isFloat = row.wire == WireType::F32;
+        if (isFloat
+            && (row.bitCount || row.kind != ValueKind::Number || row.conversion != Conversion::Linear))
+            return false;
+        auto [low, high] = wireRange(row.wire);
+        if (row.kind == ValueKind::Flags && low < 0)
+            return false;
+        if (row.bitShift + row.bitCount > 8 * wireSize(row.wire))
+            return false;
+        if (row.bitCount)
+            high = double((1LL << row.bitCount) - 1);
+        if (!(row.min <= row.max && row.min >= low && row.max <= high))
+            return false;
+        if (!isFloat && !(isWhole(row.min) && isWhole(row.max)))
+            return false;
+        for (int axis = 0; axis < row.axes; ++axis) {
+            const double value = row.defaults[std::size_t(axis)];
+            if (!row.state && !(value >= row.min && value <= row.max && (isFloat || isWhole(value))))
+                return false;
+        }
+    }
+    return true;
+}

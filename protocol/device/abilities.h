@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/analysis/pidshape.h"
+#include "protocol/base/frame.h"
+#include "protocol/base/result.h"
+#include "protocol/configuration/parameterspec.h"
+#include "protocol/device/actionspec.h"
+
+#include <functional>
+
+class Channel;
+class Framer;
+struct LineSettings;
+struct Request;
+struct StreamBudget;
+struct StreamSpec;
+struct Subscription;
+
+// What only some boards can, each as an interface that a device hands out, or does not. A page is listed when
+// the interface that it needs is there.
+
+/// Configurations among which the board can be switched.
+class ProfileAccess
+{
+public:
+    virtual ~ProfileAccess() = default;
+    virtual Result<void> selectProfile(Channel &channel, int profile) = 0;
+    virtual Result<int> activeProfile(Channel &channel) = 0;
+    virtual Result<QStringList> readProfileNames(Channel &channel) = 0;
+    virtual Result<void> writeProfileNames(Channel &channel, const QStringList &names) = 0;
+    /// Longest name in UTF-8 bytes.
+    [[nodiscard]] virtual int profileNameBytes() const = 0;
+};
+
+/// Boards that take a series of Device::writeBlock() as one change, or want to be told when it is complete.
+class WriteBracket
+{
+public:
+    virtual ~WriteBracket() = default;
+    virtual Result<void> beginWrite(Channel &channel) = 0;
+    virtual Result<void> endWrite(Channel &channel) = 0;
+};
+
+/// What is known of a live variable before any board is asked. Values are the board's own numbers; where a
+/// parameter stands behind it (ParameterSpec::adjustable), that tells unit and scale.
+struct AdjustableSpec
+{
+    int id = 0;
+    const char *key = "";
+    const char *label = "";
+    const char *group = "";
+    Axis axis = Axis::None;
+    double min = 0;
+    double max = 255;
+    int since = 0;  ///< firmware that introduced it
+};
+
+/// A variable that the board changes at once, in its volatile memory.
+struct AdjustableValue
+{
+    int id = 0;
+    double value = 0;
+};
+
+/// Variables that the board changes at once, beside what it has stored.
+class LiveAccess
+{
+public:
+    virtual ~LiveAccess() = default;
+    [[nodiscard]] virtual std::span<const AdjustableSpec> adjustables() const = 0;
+    virtual Result<std::vector<AdjustableValue>> readAdjustables(Channel &channel, const QList<int> &ids) = 0;
+    virtual Result<void> writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) = 0;
+    /// The action that stores the values in use.
+    [[nodiscard]] virtual QString storeAction() const = 0;
+};
+
+/// Boards that send by themselves what they are asked for.
+class StreamControl
+{
+public:
+    virtual ~StreamControl() = default;
+    [[nodiscard]] virtual QList<StreamSpec> streams() const = 0;
+    /// Channels that can be had at full rate with this firmware.
+    [[nodiscard]] virtual QList<int> fastChannels() const = 0;
+    /// What a subscription takes of the line, without asking the board. Errors: InvalidArgument (no such
+    /// stream or rate).
+    [[nodiscard]] virtual Result<StreamBudget> streamBudget(const Subscription &subscription,
+                                                            std::optional<LineSettings> line) const = 0;
+};
+
+/// An inner variable of the firmware that can be watched.
+struct DebugVariable
+{
+    QString name;
+    QString type;  ///< "i16", "f32[3]"; "?" for a type we do not know
+    int elements = 1;
+    Axis axis = Axis::None;
+
+    friend bool operator==(const DebugVariable &, const DebugVariable &) = default;
+};
+
+/// Boards that show inner variables of their firmware.
+class InnerVariables
+{
+public:
+    virtual ~InnerVariables() = default;
+    virtual Result<std::vector<DebugVariable>> debugVariables(Channel &channel) = 0;
+    /// Values in the order of debugVariables(), arrays element by element.
+    virtual Result<std::vector<std::vector<double>>> readDebugVariables(Channel &channel) = 0;
+};
+
+/// Boards whose motors are switched on by a command.
+class MotorSwitch
+{
+public:
+    virtual ~MotorSwitch() = default;
+    [[nodiscard]] virtual Request motorsOnRequest() const = 0;
+};
+
+/// A frame in words, for the console.
+struct FrameText
+{
+    QString name;  ///< "READ_PARAMS_3"
+    QString fields;  ///< "profile 1, pid.roll.p 15"
+};
+
+/// A command typed by hand.
+struct RawCommand
+{
+    QString name;
+    QByteArray bytes;  ///< the complete frame
+    ActionRisk risk = ActionRisk::Destroys;
+};
+
+/// Frames in words and words in frames.
+class FrameInspector
+{
+public:
+    virtual ~FrameInspector() = default;
+    /// @param fromBoard its direction; numbers mean other things each way
+    [[nodiscard]] virtual FrameText describeFrame(const FrameView &frame, bool fromBoard) const = 0;
+    /// The same for bytes that left for the board, which may be several frames in one go.
+    [[nodiscard]] virtual FrameText describeSent(QByteArrayView bytes) const = 0;
+    /// True for frames that carry live data, so that a log may leave them out.
+    [[nodiscard]] virtual bool isTelemetryFrame(int id) const = 0;
+    /// A name with payload bytes in hex ("EXECUTE_MENU 0B") or a complete frame in hex. Errors:
+    /// InvalidArgument.
+    [[nodiscard]] virtual Result<RawCommand> parseCommand(const QString &text) const = 0;
+    /// Names that parseCommand() understands.
+    [[nodiscard]] virtual QStringList commandNames() const = 0;
+
+protected:
+    /// What was sent where both directions have the same frames.
+    [[nodiscard]] FrameText describeFrames(QByteArrayView bytes, Framer &framer) const;
+};
+
+/// A fault the board reports: what it is called; cause and cure are worded in widgets/.
+struct BoardFault
+{
+    QString key;  ///< "no-sensor"
+    QString name;  ///< "No IMU"
+    QString meaning;
+    QString cure;
+    bool severe = true;
+};
+
+/// Boards that report faults by themselves (channels with the roles "faults" and "fault_detail").
+class FaultWords
+{
+public:
+    virtual ~FaultWords() = default;
+    [[nodiscard]] virtual std::vector<BoardFault> faults(unsigned bits, unsigned detail) const = 0;
+};
+
+/// Something the board tells of its parts: a name, and words that stand side by side. All of it is in the
+/// tables' catalogue.
+struct BoardFact
+{
+    const char *name = "";
+    std::vector<const char *> words;
+};
+
+/// What the operator should decide when a board was found: a sentence, and the action that changes it.
+struct ConnectOffer
+{
+    const char *text = "";
+    const char *choice = "";  ///< what the button says
+    const char *action = "";
+};
+
+/// Boards that tell in words what they are doing.
+class StatusWords
+{
+public:
+    virtual ~StatusWords() = default;
+    /// What its status words say of its parts. @param latest the newest value of a channel, NaN without one
+    [[nodiscard]] virtual std::vector<BoardFact> facts(const std::function<double(int)> &latest) const = 0;
+    /// The value of the channel with the role "state" in words.
+    [[nodiscard]] virtual QString statusText(int state) const = 0;
+    /// A text that the board sends for the operator's eyes; empty for other frames.
+    [[nodiscard]] virtual QString messageText(const FrameView &frame) const = 0;
+    [[nodiscard]] virtual std::optional<ConnectOffer> connectOffer() const = 0;
+};
+
+/// Where the parameters of one notch filter are: their keys, and the bit that switches it on.
+struct NotchFilter
+{
+    QString frequency;  ///< Hz
+    QString width;  ///< Hz
+    QString depth;  ///< dB, positive takes out
+    QString enabled;
+    int bit = 0;
+};
+
+/// Boards with notch filters.
+class NotchFilters
+{
+public:
+    virtual ~NotchFilters() = default;
+    [[nodiscard]] virtual std::vector<NotchFilter> notchesOf(Axis axis) const = 0;
+};
+
+/// Boards whose three gains are those of a PID with a shape of its own, so that two sliders can stand for
+/// them. Without a state of its own; may outlive the device.
+class GainShape
+{
+public:
+    virtual ~GainShape() = default;
+    [[nodiscard]] virtual PidShape shapeOf(const PidGains &gains) const = 0;
+    /// @param damping 0 to 100 @param stability 0 to 100
+    [[nodiscard]] virtual PidGains gainsFor(double damping, double stability) const = 0;
+    /// Damping and stability that stand for these gains, each 0 to 100.
+    [[nodiscard]] virtual std::pair<double, double> slidersFor(const PidGains &gains) const = 0;
+};
+
+/// Boards that say so before they restart.
+class RestartNotice
+{
+public:
+    virtual ~RestartNotice() = default;
+    [[nodiscard]] virtual bool announcesReset(const FrameView &frame) const = 0;
+};

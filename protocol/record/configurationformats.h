@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/device/family.h"
+#include "protocol/record/configurationfile.h"
+
+/// Configurations of all families in their own format, and in that of a family's original program.
+
+/// Errors: BadFile with what is wrong and where.
+[[nodiscard]] Result<ConfigurationFile> loadConfiguration(const QString &path, const QList<Family> &families);
+/// The ending of the path decides on the format. Errors: BadFile, Unsupported.
+[[nodiscard]] Result<void> saveConfiguration(const QString &path, const Configuration &configuration,
+                                             const QString &reason, const QList<Family> &families);
+[[nodiscard]] const Family *findFamily(const QList<Family> &families, const QString &key);

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/base/clock.h"
+
+#include <QByteArray>
+
+#include <functional>
+
+/// How a family wants to be spoken to.
+struct LinkTiming
+{
+    milliseconds pause{0};  ///< after each command, so that the board's input buffer does not overflow
+    milliseconds controlPeriod{20};  ///< between two set-points of the control stream
+    milliseconds heartbeatPeriod{0};  ///< 0: the board expects none
+    std::function<QByteArray()> heartbeat = {};  ///< the frame to send each period
+    /// After so long without a byte the link counts as lost; 0: the link itself tells (serial, TCP).
+    milliseconds silenceLimit{0};
+};

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/simplebgc/decoder.h"
+
+#include "protocol/simplebgc/framer.h"
+
+#include <algorithm>
+
+namespace sbgc {
+
+namespace {
+
+// Sample times of a stream with stamps hardly ever need arrival: what is missing is known.
+constexpr double kStampedResync = 2.0;
+constexpr double kUnstampedResync = 0.25;
+// A row that comes so much later than it should is drawn with a gap before it.
+constexpr double kGapRows = 3.0;
+constexpr double kLeastGap = 0.05;
+constexpr double kQuiet = 0.05;  // seconds
+
+bool isStatus(int id)
+{
+    return id == number(CommandId::RealtimeData3) || id == number(CommandId::RealtimeData4);
+}
+
+}  // namespace
+
+double streamPeriod(const DataStream &stream)
+{
+    return stream.intervalMs <= 1 ? kCycle : stream.intervalMs / 1000.0;
+}
+
+void SbgcDecoder::expect(const DataStream &stream)
+{
+    std::erase_if(m_flows, [&](const Flow &flow) { return flow.id == stream.command; });
+    if (stream.intervalMs > 0) {
+        const bool custom = stream.command == number(CommandId::RealtimeDataCustom);
+        addFlow(stream.command, streamPeriod(stream), custom ? ByteReader(stream.config).u32() : 0);
+    }
+    shareFields();
+}
+
+void SbgcDecoder::addFlow(int id, double period, quint32 customFlags)
+{
+    Flow flow;
+    flow.id = id;
+    flow.period = period;
+    flow.customFlags = customFlags;
+    m_flows.push_back(std::move(flow));
+}
+
+// A channel that comes in two streams is taken from the faster one; the other would only draw a coarser trace
+// over it.
+void SbgcDecoder::shareFields()
+{
+    std::stable_sort(m_flows.begin(), m_flows.end(), [](const Flow &a, const Flow &b) {
+        return (a.period > 0 ? a.period : 1e9) < (b.period > 0 ? b.period : 1e9);
+    });
+    QList<int> taken;
+    for (Flow &flow : m_flows) {
+        flow.payloadSize = 0;
+        flow.fields.clear();
+        for (const WireField &field : flowFields(flow.id, flow.customFlags)) {
+            flow.payloadSize = std::max(flow.payloadSize, field.offset + fieldSize(field.type));
+            if (!taken.contains(field.channel))
+                flow.fields.push_back(field);
+        }
+        for (const WireField &field : flow.fields)
+            taken.append(field.channel);
+        // A new group: its rows have other columns, and a new beginning in time.
+        flow.group.reset();
+        flow.clock = SampleClock(flow.period, flow.customFlags ? kStampedResync : kUnstampedResync);
+        flow.watch = StreamWatch(flow.period);
+    }
+}
+
+void SbgcDecoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store)
+{
+    if (const double idle = m_heard ? seconds(at - *m_heard) : 0.0; idle >= kQuiet) {
+        m_silence = idle;
+        m_silenceEnd = at;
+    }
+    m_heard = at;
+    const auto find = [&] {
+        return std::find_if(m_flows.begin(), m_flows.end(),
+                            [&](const Flow &flow) { return flow.id == frame.id; });
+    };
+    auto flow = find();
+    if (flow == m_flows.end() && isStatus(frame.id)) {  // an answer to polling
+        addFlow(frame.id, 0.0, 0);
+        shareFields();
+        flow = find();
+    }
+    if (flow != m_flows.end() && !flow->fields.empty()
+        && frame.payload.size() >= std::size_t(flow->payloadSize)) {
+        // The first frame after a silence may have been one of another stream.
+        const bool quiet = flow->heard && *flow->heard < m_silenceEnd;
+        take(*flow, frame, at, store, quiet ? m_silence : 0.0);
+        flow->heard = at;
+    }
+}
+
+void SbgcDecoder::take(Flow &flow, const FrameView &frame, TimePoint at, TelemetryStore &store, double idle)
+{
+    if (!flow.group) {
+        QList<int> channels;
+        for (const WireField &field : flow.fields)
+            channels.append(field.channel);
+        flow.group = store.defineGroup(channels, flow.period);
+        flow.lastTime = store.secondsAt(at);
+    }
+    const double arrival = store.secondsAt(at);
+    double time = arrival;
+    if (flow.period > 0) {
+        const StreamWatch::Finding found = flow.customFlags
+            ? flow.watch.stamped(double(ByteReader(frame.payload).u16()), idle)
+            : flow.watch.unstamped(arrival, idle);
+        // A stream without stamps learns of a silence when its clock has long followed the arrival.
+        const int missing
+            = found.lost + (flow.customFlags ? int(std::lround(found.silence / flow.period)) : 0);
+        time = flow.clock.next(arrival, missing);
+        if (found.lost > 0)
+            store.countLost(quint64(found.lost));
+        if (found.silence > 0 && &flow == &m_flows.front())  // all streams were silent at once
+            store.countSilence(found.silence);
+        if (missing > 0 || time - flow.lastTime > std::max(kLeastGap, kGapRows * flow.period))
+            store.appendGap(*flow.group,
+                            store.origin()
+                                + durationFromSeconds(std::max(flow.lastTime, time - flow.period)));
+    }
+    flow.lastTime = time;
+    m_values.resize(flow.fields.size());
+    for (std::size_t i = 0; i < flow.fields.size(); ++i)
+        m_values[i] = readField(flow.fields[i], frame.payload);
+    store.append(*flow.group, store.origin() + durationFromSeconds(time), m_values);
+}
+
+void SbgcDecoder::sent(QByteArrayView bytes)
+{
+    SbgcFramer framer;
+    framer.feed(asBytes(bytes), [this](const FrameView &frame) {
+        if (frame.id != number(CommandId::DataStreamInterval))
+            return;
+        if (const auto stream = DataStream::decode(frame.payload))
+            expect(*stream);
+    });
+}
+
+}  // namespace sbgc

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/simplebgc/payloads.h"
+#include "protocol/simplebgc/streamwatch.h"
+#include "protocol/simplebgc/telemetrytables.h"
+#include "protocol/telemetry/streams.h"
+
+namespace sbgc {
+
+/// Interval 1 of a stream: the firmware's control loop (errata 3.10).
+inline constexpr double kCycle = 0.0008;
+
+/// Seconds between the frames of a stream, as they are asked for.
+[[nodiscard]] double streamPeriod(const DataStream &stream);
+
+/// Turns real-time frames into rows. It has to be told which streams were asked for, because the frames do
+/// not say; what comes without having been announced (answers to polling) is understood where it can be.
+class SbgcDecoder final : public TelemetryDecoder
+{
+public:
+    void expect(const DataStream &stream);
+    void decode(const FrameView &frame, TimePoint at, TelemetryStore &store) override;
+    void sent(QByteArrayView bytes) override;
+
+private:
+    struct Flow
+    {
+        int id = 0;
+        double period = 0;  // 0: irregular
+        quint32 customFlags = 0;
+        int payloadSize = 0;
+        std::vector<WireField> fields;  // those that no faster flow carries
+        std::shared_ptr<TelemetryGroup> group;
+        SampleClock clock{0};
+        StreamWatch watch{0};
+        double lastTime = 0;
+        std::optional<TimePoint> heard;
+    };
+    void addFlow(int id, double period, quint32 customFlags);
+    void shareFields();
+    void take(Flow &flow, const FrameView &frame, TimePoint at, TelemetryStore &store, double idle);
+
+    std::vector<Flow> m_flows;  // fastest first
+    std::vector<float> m_values;
+    std::optional<TimePoint> m_heard;  // anything whatever
+    double m_silence = 0;  // seconds, the last time that nothing at all came
+    TimePoint m_silenceEnd{};
+};
+
+}  // namespace sbgc

@@ -1,0 +1,399 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/simplebgc/device.h"
+
+#include "protocol/session/channel.h"
+#include "protocol/session/stopplan.h"
+#include "protocol/simplebgc/actions.h"
+#include "protocol/simplebgc/framer.h"
+#include "protocol/simplebgc/parametertables.h"
+#include "protocol/simplebgc/steeringmodes.h"
+#include "protocol/simplebgc/telemetrytables.h"
+#include "protocol/simplebgc/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+using namespace sbgc;
+
+namespace {
+
+constexpr auto kProbeTimeout = 250ms;  // errata 1.6: 200-500 ms
+constexpr auto kWriteTimeout = 1500ms;  // EEPROM write: tens of milliseconds, generously
+constexpr auto kProfileSwitch = 2000ms;
+constexpr int kPauseBetweenLooks = 50;
+constexpr int kActiveProfileOffset = 59;  // of REALTIME_DATA_3
+
+struct BlockCommands
+{
+    CommandId read;
+    CommandId write;
+};
+// clang-format off
+constexpr std::array<BlockCommands, BlockCount> kBlockCommands{{
+    {CommandId::ReadParams3, CommandId::WriteParams3},
+    {CommandId::ReadParamsExt, CommandId::WriteParamsExt},
+    {CommandId::ReadParamsExt2, CommandId::WriteParamsExt2},
+}};
+// clang-format on
+
+// EXECUTE_MENU numbers of "use profile 1..5" (errata 4.1).
+constexpr std::array<int, kProfileCount> kProfileActions{1, 2, 3, 14, 15};
+
+Capabilities capabilitiesOf(const BoardInfo &info)
+{
+    Capabilities capabilities;
+    constexpr std::pair<quint32, const char *> names[]
+        = {{ThreeAxis, "yaw-axis"},        {BatteryMonitor, "battery"},
+           {Encoders, "encoders"},         {BodeTest, "bode"},
+           {Scripting, "scripting"},       {CurrentSensor, "current"},
+           {Magnetometer, "magnetometer"}, {CanPort, "can"}};
+    for (const auto &[bit, name] : names) {
+        if (info.features & bit)
+            capabilities.insert(QLatin1String(name));
+    }
+    if (info.firmware >= 2590)
+        capabilities.insert(u"streams"_s);
+    return capabilities;
+}
+
+std::shared_ptr<const ParameterSet> parametersOf(const BoardIdentity &identity)
+{
+    return std::make_shared<ParameterSet>(parameterRows(), kBlocks, identity.firmwareNumber,
+                                          identity.capabilities);
+}
+
+// Document "Message format" and errata 1.6: both parities, 115200 first; 256000 came later.
+QList<LineSettings> lineCandidates()
+{
+    QList<LineSettings> candidates;
+    for (const Parity parity : {Parity::None, Parity::Even}) {
+        for (const int baud : {115200, 57600, 38400, 19200, 9600, 256000})
+            candidates.append({baud, parity});
+    }
+    return candidates;
+}
+
+}  // namespace
+
+// Until a board is asked, what every board can do.
+SbgcDevice::SbgcDevice()
+    : m_actions(SbgcActions::available({}))
+{
+}
+
+SbgcDevice::~SbgcDevice() = default;
+
+Result<bool> SbgcDevice::probe(Channel &channel)
+{
+    Request request = replyRequest(CommandId::BoardInfo, {}, CommandId::BoardInfo, 18, kVersion);
+    request.timeout = kProbeTimeout;
+    request.retries = 1;
+    // The board that finds a parity by itself may use up the first frame for it.
+    const auto reply = channel.transact(request);
+    if (reply)
+        return true;
+    if (reply.error().code == ErrorCode::Timeout || reply.error().code == ErrorCode::BoardError)
+        return false;
+    return tl::unexpected(reply.error());
+}
+
+Result<BoardIdentity> SbgcDevice::identify(Channel &channel)
+{
+    const auto reply
+        = channel.transact(replyRequest(CommandId::BoardInfo, {}, CommandId::BoardInfo, 18, kVersion));
+    if (!reply)
+        return tl::unexpected(reply.error());
+    const auto info = BoardInfo::decode(asBytes(reply->payload));
+    if (!info)
+        return tl::unexpected(info.error());
+
+    BoardIdentity identity;
+    identity.family = u"simplebgc"_s;
+    identity.model = u"SimpleBGC %1.%2"_s.arg(info->boardVersion / 10).arg(info->boardVersion % 10);
+    identity.firmware = info->firmwareText();
+    identity.firmwareNumber = info->firmware;
+    identity.capabilities = capabilitiesOf(*info);
+    identity.profileCount = kProfileCount;
+    identity.usb = info->usb;
+    identity.writable = info->firmware >= kOldestFirmware && info->firmware <= kNewestFirmware;
+    identity.extra.insert(u"board.version"_s, info->boardVersion);
+    identity.extra.insert(u"debug_mode"_s, info->debugMode);
+    identity.extra.insert(u"features"_s, info->features);
+
+    // Boards without BOARD_INFO_3 still have to be told apart in the history, as well as they can be.
+    identity.serial = u"sbgc-%1-%2"_s.arg(info->boardVersion).arg(info->extraId, 8, 16, QChar(u'0'));
+    const auto more
+        = channel.transact(replyRequest(CommandId::BoardInfo3, {}, CommandId::BoardInfo3, 69, kVersion));
+    if (!more && (more.error().code == ErrorCode::Cancelled || more.error().code == ErrorCode::LinkClosed))
+        return tl::unexpected(more.error());
+    if (more) {
+        if (const auto info3 = BoardInfo3::decode(asBytes(more->payload))) {
+            identity.serial = QString::fromLatin1(info3->deviceId.toHex());
+            identity.extra.insert(u"mcu_id"_s, QString::fromLatin1(info3->mcuId.toHex()));
+            identity.extra.insert(u"eeprom_size"_s, info3->eepromSize);
+        }
+    }
+
+    m_identity = identity;
+    m_parameters = parametersOf(identity);
+    m_steeringModes = steeringModes(identity.firmwareNumber);
+    m_actions = SbgcActions::available(identity);
+    m_streams.clear();
+    if (const auto found = findCustomFields(channel); !found)
+        return tl::unexpected(found.error());
+    return identity;
+}
+
+std::vector<NotchFilter> SbgcDevice::notchesOf(Axis axis) const
+{
+    std::vector<NotchFilter> filters;
+    const QString prefix = u"filter.%1."_s.arg(QLatin1String(axisKey(axis)));
+    for (int n = 0; n < 3; ++n) {
+        const QString notch = prefix + u"notch%1."_s.arg(n + 1);
+        if (m_parameters && m_parameters->find(notch + u"frequency"_s))
+            filters.push_back(
+                {notch + u"frequency"_s, notch + u"width"_s, notch + u"gain"_s, prefix + u"enabled"_s, n});
+    }
+    return filters;
+}
+
+Result<Configuration> SbgcDevice::readConfiguration(Channel &channel)
+{
+    Configuration configuration(m_identity, m_parameters);
+    Progress progress;
+    progress.step = u"read-block"_s;
+    progress.total = kProfileCount * BlockCount + 1;
+    std::array<bool, BlockCount> missing{};
+    for (int profile = 0; profile < kProfileCount; ++profile) {
+        for (int block = 0; block < BlockCount; ++block) {
+            progress.subject = u"%1, profile %2"_s.arg(QLatin1String(kBlocks[block].name)).arg(profile + 1);
+            channel.progress(progress);
+            ++progress.done;
+            if (missing[std::size_t(block)])
+                continue;
+            auto bytes = readBlock(channel, {profile, block});
+            if (bytes) {
+                configuration.setBlock({profile, block}, std::move(*bytes));
+                continue;
+            }
+            // A firmware that does not know an extended block refuses it or stays silent; the rest is still
+            // worth having.
+            const ErrorCode code = bytes.error().code;
+            if (block == Params3 || (code != ErrorCode::Timeout && code != ErrorCode::BoardError))
+                return tl::unexpected(bytes.error());
+            missing[std::size_t(block)] = true;
+        }
+    }
+    const QByteArray first = configuration.block({0, Params3});
+    configuration.setActiveProfile(std::clamp(int(static_cast<quint8>(first.back())), 0, kProfileCount - 1));
+    if (const auto names = readProfileNames(channel))
+        configuration.setProfileNames(*names);
+    else if (names.error().code != ErrorCode::Timeout && names.error().code != ErrorCode::BoardError)
+        return tl::unexpected(names.error());
+    return configuration;
+}
+
+Result<QByteArray> SbgcDevice::readBlock(Channel &channel, BlockKey key)
+{
+    const BlockSpec &block = kBlocks[key.block];
+    const Request request
+        = replyRequest(kBlockCommands[std::size_t(key.block)].read, ByteWriter().u8(key.profile).take(),
+                       kBlockCommands[std::size_t(key.block)].read, block.size, kVersion,
+                       [profile = key.profile](Bytes payload) {
+                           return !payload.empty() && std::to_integer<int>(payload[0]) == profile;
+                       });
+    auto reply = channel.transact(request);
+    if (!reply)
+        return tl::unexpected(reply.error());
+    if (reply->payload.size() < block.size)
+        return failure(ErrorCode::BadReply,
+                       u"%1 with %2 bytes"_s.arg(request.name).arg(reply->payload.size()));
+    return reply->payload;
+}
+
+Result<void> SbgcDevice::writeBlock(Channel &channel, BlockKey key, const QByteArray &bytes)
+{
+    Request request = confirmRequest(kBlockCommands[std::size_t(key.block)].write, bytes, kVersion);
+    request.timeout = kWriteTimeout;
+    // The same bytes once more do no harm, so a lost confirmation may be asked for again.
+    request.idempotent = true;
+    request.retries = 2;
+    const auto reply = channel.transact(request);
+    if (!reply)
+        return tl::unexpected(reply.error());
+    return {};
+}
+
+Result<void> SbgcDevice::beginWrite(Channel &channel)
+{
+    if (m_identity.firmwareNumber < 2704)  // WRITE_PARAMS_SET came with 2.70b4 (errata 3.3)
+        return {};
+    const auto reply
+        = channel.transact(confirmRequest(CommandId::WriteParamsSet, ByteWriter().u8(1).take(), kVersion));
+    return reply ? Result<void>() : tl::unexpected(reply.error());
+}
+
+Result<void> SbgcDevice::endWrite(Channel &channel)
+{
+    if (m_identity.firmwareNumber < 2704)
+        return {};
+    const auto reply
+        = channel.transact(confirmRequest(CommandId::WriteParamsSet, ByteWriter().u8(0).take(), kVersion));
+    return reply ? Result<void>() : tl::unexpected(reply.error());
+}
+
+Result<void> SbgcDevice::selectProfile(Channel &channel, int profile)
+{
+    if (profile < 0 || profile >= kProfileCount)
+        return failure(ErrorCode::InvalidArgument, u"profile %1"_s.arg(profile + 1));
+    const auto reply = channel.transact(confirmRequest(
+        CommandId::ExecuteMenu, ByteWriter().u8(kProfileActions[std::size_t(profile)]).take(), kVersion));
+    if (!reply)
+        return tl::unexpected(reply.error());
+    // The confirmation says that the command was understood; the telemetry says that it was done.
+    for (auto waited = 0ms; waited < kProfileSwitch; waited += milliseconds(kPauseBetweenLooks)) {
+        const auto active = activeProfile(channel);
+        if (!active)
+            return tl::unexpected(active.error());
+        if (*active == profile)
+            return {};
+        if (const auto slept = channel.sleep(milliseconds(kPauseBetweenLooks)); !slept)
+            return slept;
+    }
+    return failure(ErrorCode::Timeout, u"profile %1"_s.arg(profile + 1));
+}
+
+Result<int> SbgcDevice::activeProfile(Channel &channel)
+{
+    const auto reply = channel.transact(
+        replyRequest(CommandId::RealtimeData3, {}, CommandId::RealtimeData3, kRealtime3Size, kVersion));
+    if (!reply)
+        return tl::unexpected(reply.error());
+    if (reply->payload.size() <= kActiveProfileOffset)
+        return failure(ErrorCode::BadReply, u"REALTIME_DATA_3"_s);
+    return static_cast<quint8>(reply->payload[kActiveProfileOffset]);
+}
+
+Result<QStringList> SbgcDevice::readProfileNames(Channel &channel)
+{
+    const auto reply
+        = channel.transact(replyRequest(CommandId::ReadProfileNames, {}, CommandId::ReadProfileNames,
+                                        kProfileCount * kProfileNameSize, kVersion));
+    if (!reply)
+        return tl::unexpected(reply.error());
+    return decodeProfileNames(asBytes(reply->payload));
+}
+
+Result<void> SbgcDevice::writeProfileNames(Channel &channel, const QStringList &names)
+{
+    Request request = confirmRequest(CommandId::WriteProfileNames, encodeProfileNames(names), kVersion);
+    request.timeout = kWriteTimeout;
+    request.idempotent = true;
+    request.retries = 2;
+    const auto reply = channel.transact(request);
+    if (!reply)
+        return tl::unexpected(reply.error());
+    return {};
+}
+
+Result<std::vector<AdjustableValue>> SbgcDevice::readAdjustables(Channel &channel, const QList<int> &ids)
+{
+    std::vector<AdjustableValue> values;
+    for (qsizetype first = 0; first < ids.size(); first += kAdjVarsPerCommand) {
+        const QList<int> part = ids.mid(first, kAdjVarsPerCommand);
+        ByteWriter writer;
+        writer.u8(int(part.size()));
+        for (const int id : part)
+            writer.u8(id);
+        const auto reply
+            = channel.transact(replyRequest(CommandId::GetAdjVarsVal, writer.take(), CommandId::SetAdjVarsVal,
+                                            1 + 5 * int(part.size()), kVersion));
+        if (!reply)
+            return tl::unexpected(reply.error());
+        const auto decoded = decodeAdjVars(asBytes(reply->payload));
+        if (!decoded)
+            return tl::unexpected(decoded.error());
+        for (const AdjVar &var : *decoded)
+            values.push_back({var.id, double(var.value)});
+    }
+    return values;
+}
+
+Result<void> SbgcDevice::writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values)
+{
+    for (std::size_t first = 0; first < values.size(); first += kAdjVarsPerCommand) {
+        std::vector<AdjVar> part;
+        for (std::size_t i = first; i < std::min(values.size(), first + kAdjVarsPerCommand); ++i)
+            part.push_back({values[i].id, static_cast<qint32>(std::llround(values[i].value))});
+        Request request = confirmRequest(CommandId::SetAdjVarsVal, encodeAdjVars(part), kVersion);
+        request.idempotent = true;
+        request.retries = 1;
+        const auto reply = channel.transact(request);
+        if (!reply)
+            return tl::unexpected(reply.error());
+    }
+    return {};
+}
+
+std::span<const ActionSpec> SbgcDevice::actions() const
+{
+    return m_actions;
+}
+
+Result<ActionReply> SbgcDevice::perform(Channel &channel, const QString &key, const QVariantMap &arguments)
+{
+    const auto it = std::find_if(m_actions.begin(), m_actions.end(), [&key](const ActionSpec &action) {
+        return key == QLatin1String(action.key);
+    });
+    if (it == m_actions.end())
+        return failure(ErrorCode::Unsupported, key);
+    if (!m_identity.writable && it->risk != ActionRisk::Safe)
+        return failure(ErrorCode::ReadOnly, m_identity.firmware);
+    return SbgcActions(*this, channel).perform(key, arguments);
+}
+
+std::vector<BoardFault> SbgcDevice::faults(unsigned bits, unsigned detail) const
+{
+    return faultsOf(bits, detail);
+}
+
+bool SbgcDevice::announcesReset(const FrameView &frame) const
+{
+    return frame.id == number(CommandId::Reset) && frame.payload.empty();
+}
+
+StopPlan SbgcDevice::stopPlan() const
+{
+    StopPlan plan;
+    plan.means.push_back({{confirmRequest(CommandId::MotorsOff, {}, kVersion)}});
+    plan.fromAnswer = [](const Frame &) { return Proof::Proven; };
+    return plan;
+}
+
+Request SbgcDevice::motorsOnRequest() const
+{
+    return confirmRequest(CommandId::MotorsOn, {}, kVersion);
+}
+
+Family sbgcFamily()
+{
+    Family family;
+    family.key = u"simplebgc"_s;
+    family.name = u"SimpleBGC 32-bit"_s;
+    family.links = {{LinkAddress::Kind::Serial}, {LinkAddress::Kind::Tcp}};
+    // Document "Message format": 10-20 ms between commands; CMD_CONTROL: 50 Hz or less.
+    family.timing.pause = 10ms;
+    family.timing.controlPeriod = 20ms;
+    family.lines = lineCandidates();
+    family.makeFramer = [] { return std::make_unique<SbgcFramer>(); };
+    family.makeDevice = [] { return std::make_unique<SbgcDevice>(); };
+    family.makeParameters = parametersOf;
+    return family;
+}
+
+QString SbgcDevice::storeAction() const
+{
+    return u"variables.save"_s;
+}

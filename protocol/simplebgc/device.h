@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/device/abilities.h"
+#include "protocol/device/family.h"
+#include "protocol/device/steering.h"
+#include "protocol/session/channel.h"
+#include "protocol/session/controlstream.h"
+#include "protocol/simplebgc/payloads.h"
+#include "protocol/telemetry/telemetryplan.h"
+
+/// SimpleBGC 32-bit over the serial API 2.5x; later firmware where the errata describes it.
+class SbgcDevice final : public Device,
+                         public ProfileAccess,
+                         public WriteBracket,
+                         public LiveAccess,
+                         public InnerVariables,
+                         public StreamControl,
+                         public Steering,
+                         public MotorSwitch,
+                         public FrameInspector,
+                         public FaultWords,
+                         public NotchFilters,
+                         public RestartNotice
+{
+public:
+    /// Firmware numbers this program has tables for; others open read-only.
+    static constexpr int kOldestFirmware = 2400;
+    static constexpr int kNewestFirmware = 2749;
+
+    SbgcDevice();
+    ~SbgcDevice() override;
+
+    Result<bool> probe(Channel &channel) override;
+    Result<BoardIdentity> identify(Channel &channel) override;
+    [[nodiscard]] const BoardIdentity &identity() const override { return m_identity; }
+    void setReadOnly() override { m_identity.writable = false; }
+    [[nodiscard]] std::shared_ptr<const ParameterSet> parameters() const override { return m_parameters; }
+    Result<Configuration> readConfiguration(Channel &channel) override;
+    Result<QByteArray> readBlock(Channel &channel, BlockKey key) override;
+    Result<void> writeBlock(Channel &channel, BlockKey key, const QByteArray &bytes) override;
+    [[nodiscard]] std::span<const ActionSpec> actions() const override;
+    Result<ActionReply> perform(Channel &channel, const QString &key, const QVariantMap &arguments) override;
+    [[nodiscard]] ChannelTable channels() const override;
+    Result<TelemetryPlan> subscribe(Channel &channel, const Subscription &subscription,
+                                    std::optional<LineSettings> line) override;
+    [[nodiscard]] std::shared_ptr<TelemetryDecoder> replayDecoder() const override;
+    [[nodiscard]] StopPlan stopPlan() const override;
+
+    ProfileAccess *profiles() override { return this; }
+    [[nodiscard]] const ProfileAccess *profiles() const override { return this; }
+    Result<void> selectProfile(Channel &channel, int profile) override;
+    Result<int> activeProfile(Channel &channel) override;
+    Result<QStringList> readProfileNames(Channel &channel) override;
+    Result<void> writeProfileNames(Channel &channel, const QStringList &names) override;
+    [[nodiscard]] int profileNameBytes() const override { return sbgc::kProfileNameSize; }
+
+    WriteBracket *writeBracket() override { return this; }
+    Result<void> beginWrite(Channel &channel) override;
+    Result<void> endWrite(Channel &channel) override;
+
+    LiveAccess *live() override { return this; }
+    [[nodiscard]] const LiveAccess *live() const override { return this; }
+    [[nodiscard]] std::span<const AdjustableSpec> adjustables() const override;
+    Result<std::vector<AdjustableValue>> readAdjustables(Channel &channel, const QList<int> &ids) override;
+    Result<void> writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) override;
+    [[nodiscard]] QString storeAction() const override;
+
+    InnerVariables *innerVariables() override { return this; }
+    [[nodiscard]] const InnerVariables *innerVariables() const override { return this; }
+    Result<std::vector<DebugVariable>> debugVariables(Channel &channel) override;
+    Result<std::vector<std::vector<double>>> readDebugVariables(Channel &channel) override;
+
+    /// Null for firmware that has to be polled.
+    [[nodiscard]] const StreamControl *streamControl() const override { return canStream() ? this : nullptr; }
+    [[nodiscard]] QList<StreamSpec> streams() const override;
+    [[nodiscard]] QList<int> fastChannels() const override;
+    [[nodiscard]] Result<StreamBudget> streamBudget(const Subscription &subscription,
+                                                    std::optional<LineSettings> line) const override;
+
+    [[nodiscard]] const Steering *steering() const override { return this; }
+    [[nodiscard]] std::span<const SteeringMode> modes() const override { return m_steeringModes; }
+    [[nodiscard]] std::span<const SteeringSwitch> switches() const override { return {}; }
+    [[nodiscard]] SteeringSetpoint holdingSetpoint(int mode, const LatestValues &latest) const override;
+    [[nodiscard]] ControlFrames controlFrames(const SteeringSetpoint &setpoint) const override;
+
+    [[nodiscard]] const MotorSwitch *motorSwitch() const override { return this; }
+    [[nodiscard]] Request motorsOnRequest() const override;
+
+    [[nodiscard]] const FrameInspector *inspector() const override { return this; }
+    [[nodiscard]] FrameText describeFrame(const FrameView &frame, bool fromBoard) const override;
+    [[nodiscard]] FrameText describeSent(QByteArrayView bytes) const override;
+    [[nodiscard]] bool isTelemetryFrame(int id) const override;
+    [[nodiscard]] Result<RawCommand> parseCommand(const QString &text) const override;
+    [[nodiscard]] QStringList commandNames() const override;
+
+    [[nodiscard]] const FaultWords *faultWords() const override { return this; }
+    [[nodiscard]] std::vector<BoardFault> faults(unsigned bits, unsigned detail) const override;
+
+    [[nodiscard]] const NotchFilters *notchFilters() const override { return this; }
+    [[nodiscard]] std::vector<NotchFilter> notchesOf(Axis axis) const override;
+
+    [[nodiscard]] const RestartNotice *restartNotice() const override { return this; }
+    [[nodiscard]] bool announcesReset(const FrameView &frame) const override;
+
+    /// One axis of CONTROL, as the board understands it.
+    struct AxisControl
+    {
+        int mode = 0;
+        double speed = 0;  ///< degrees per second
+        double angle = 0;  ///< degrees, or the mode's own unit
+    };
+    using Control = std::array<AxisControl, kAxisCount>;
+    /// Each axis may be steered in a mode of its own.
+    [[nodiscard]] ControlFrames controlFrames(const Control &control) const;
+    /// Ranges of a mode of CONTROL with this firmware; nothing where it does not have it.
+    [[nodiscard]] const SteeringMode *steeringMode(int mode) const { return Steering::mode(mode); }
+
+private:
+    friend class SbgcActions;
+
+    [[nodiscard]] bool canStream() const { return m_identity.firmwareNumber >= 2590; }
+    [[nodiscard]] sbgc::ControlCommand encodeControl(const Control &control) const;
+    Result<TelemetryPlan> startPolling(Channel &channel);
+    void stopStreams(Channel &channel);
+    Result<void> findCustomFields(Channel &channel);
+    Result<void> setStream(Channel &channel, const sbgc::DataStream &stream);
+
+    static constexpr int kVersion = 1;  // frame version: never mixed on one connection (errata 1.3)
+    BoardIdentity m_identity;
+    std::shared_ptr<const ParameterSet> m_parameters;
+    std::vector<SteeringMode> m_steeringModes;
+    std::vector<ActionSpec> m_actions;
+    quint32 m_customFlags = 0;  // of CUSTOM, that this firmware answers
+    std::vector<sbgc::DataStream> m_streams;  // registered with the board
+    std::vector<sbgc::DebugVar> m_debugVars;  // as the board declared them; used on the worker thread only
+};
+
+/// The row of this family in the program's table of families.
+[[nodiscard]] Family sbgcFamily();

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/session/channel.h"
+#include "protocol/simplebgc/adjustables.h"
+#include "protocol/simplebgc/device.h"
+#include "protocol/simplebgc/framer.h"
+#include "protocol/simplebgc/frametext.h"
+
+#include <array>
+
+using namespace Qt::StringLiterals;
+using namespace sbgc;
+
+// Looking inside: adjustable variables, debug variables, frames in words.
+
+std::span<const AdjustableSpec> SbgcDevice::adjustables() const
+{
+    return adjustablesOf(m_identity.firmwareNumber);
+}
+
+Result<std::vector<DebugVariable>> SbgcDevice::debugVariables(Channel &channel)
+{
+    std::vector<DebugVar> vars;
+    for (;;) {
+        // From 2.72b0 a long list comes in parts, asked for by start index (errata 3.17).
+        const QByteArray payload = vars.empty() ? QByteArray() : ByteWriter().u8(int(vars.size())).take();
+        const auto reply = channel.transact(
+            replyRequest(CommandId::DebugVarsInfo3, payload, CommandId::DebugVarsInfo3, 255, kVersion));
+        if (!reply)
+            return tl::unexpected(reply.error());
+        const auto part = decodeDebugVarsInfo(asBytes(reply->payload));
+        if (!part)
+            return tl::unexpected(part.error());
+        vars.insert(vars.end(), part->vars.begin(), part->vars.end());
+        if (int(vars.size()) >= part->total || part->vars.empty() || m_identity.firmwareNumber < 2720)
+            break;
+    }
+    m_debugVars = vars;
+    constexpr std::array<const char *, 8> types{"?", "u8", "i8", "u16", "i16", "u32", "i32", "f32"};
+    constexpr std::array<Axis, 4> axes{Axis::None, Axis::Roll, Axis::Pitch, Axis::Yaw};
+    std::vector<DebugVariable> list;
+    for (const DebugVar &var : vars) {
+        DebugVariable variable;
+        variable.name = var.name;
+        variable.type
+            = QLatin1String(types[std::size_t(var.type) < types.size() ? std::size_t(var.type) : 0]);
+        variable.elements = std::max(1, var.count);
+        if (variable.elements > 1)
+            variable.type += u"[%1]"_s.arg(variable.elements);
+        variable.axis = axes[std::size_t(var.axis) < axes.size() ? std::size_t(var.axis) : 0];
+        list.push_back(std::move(variable));
+    }
+    return list;
+}
+
+Result<std::vector<std::vector<double>>> SbgcDevice::readDebugVariables(Channel &channel)
+{
+    if (m_debugVars.empty()) {
+        if (const auto known = debugVariables(channel); !known)
+            return tl::unexpected(known.error());
+    }
+    const auto frame
+        = channel.transact(replyRequest(CommandId::DebugVars3, {}, CommandId::DebugVars3, 255, kVersion));
+    if (!frame)
+        return tl::unexpected(frame.error());
+    return decodeDebugVars(m_debugVars, asBytes(frame->payload));
+}
+
+FrameText SbgcDevice::describeFrame(const FrameView &frame, bool fromBoard) const
+{
+    return sbgc::describeFrame(frame, fromBoard, m_parameters.get());
+}
+
+// Both directions have the same frames.
+FrameText SbgcDevice::describeSent(QByteArrayView bytes) const
+{
+    SbgcFramer framer;
+    return describeFrames(bytes, framer);
+}
+
+bool SbgcDevice::isTelemetryFrame(int id) const
+{
+    return id == number(CommandId::RealtimeData3) || id == number(CommandId::RealtimeData4)
+        || id == number(CommandId::RealtimeDataCustom) || id == number(CommandId::AhrsHelper);
+}
+
+Result<RawCommand> SbgcDevice::parseCommand(const QString &text) const
+{
+    return sbgc::parseCommand(text, kVersion);
+}
+
+QStringList SbgcDevice::commandNames() const
+{
+    return sbgc::commandNames();
+}

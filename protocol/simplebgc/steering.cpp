@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/base/latestvalues.h"
+#include "protocol/session/controlstream.h"
+#include "protocol/simplebgc/commands.h"
+#include "protocol/simplebgc/device.h"
+#include "protocol/simplebgc/steeringmodes.h"
+#include "protocol/simplebgc/telemetrytables.h"
+#include "protocol/simplebgc/units.h"
+
+#include <cmath>
+#include <limits>
+
+using namespace sbgc;
+
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kFullRc = 500.0;  // of mode RC, either way from the middle
+constexpr double kFullFineRc = 16384.0;
+constexpr std::array kLabels{"Roll", "Pitch", "Yaw"};
+constexpr double kRcMiddle = 1500.0;  // as REALTIME_DATA tells the inputs
+
+enum class Kind { Rate, Place, Signal };
+
+struct ModeRow
+{
+    int id;
+    const char *key;
+    const char *label;
+    Kind kind;
+    double reach;  // either way from zero
+    int since;
+};
+// Document CMD_CONTROL, errata 3.9.
+// clang-format off
+constexpr ModeRow kModes[] = {
+    {Speed, "speed", "Speed", Kind::Rate, 4000, 0},
+    {Angle, "angle", "Angle", Kind::Place, 720, 0},
+    {SpeedAngle, "speed-angle", "Speed and angle", Kind::Place, 720, 0},
+    {Rc, "rc", "As RC signal", Kind::Signal, kFullRc, 0},
+    {AngleRelFrame, "angle-frame", "Angle relative to frame", Kind::Place, 720, 0},
+    {RcHighRes, "rc-fine", "As RC signal, fine", Kind::Signal, kFullFineRc, 2662},
+    {AngleShortest, "angle-shortest", "Angle, shortest way", Kind::Place, 720, 2707},
+};
+// clang-format on
+
+SteeringMode modeOf(const ModeRow &row)
+{
+    SteeringMode mode{row.id, row.key, row.label, {}};
+    const bool rate = row.kind == Kind::Rate;
+    const char *unit = rate ? "°/s" : row.kind == Kind::Place ? "°" : "";
+    // The highest count of an angle is one short of two turns.
+    const double max = row.kind == Kind::Place ? row.reach - 0.1 : row.reach;
+    for (std::size_t i = 0; i < kAxes.size(); ++i)
+        mode.inputs.push_back({axisKey(kAxes[i]), kLabels[i], kAxes[i], unit, -row.reach, max, 0.0, rate});
+    if (row.kind == Kind::Place)
+        mode.inputs.push_back({"speed", "Speed", Axis::None, "°/s", 0.0, 4000.0, 20.0, false});
+    return mode;
+}
+
+// What keeps an axis where it is.
+double holdingValue(int mode, std::size_t axis, const LatestValues &latest)
+{
+    const auto value = [&](int first) { return double(latest.latest(first + int(axis))); };
+    switch (mode) {
+    case Speed: return 0.0;
+    case Rc:
+    case RcHighRes: {
+        const double signal = value(RcRoll) - kRcMiddle;  // without a receiver it is far outside
+        if (!(std::abs(signal) <= kFullRc))
+            return kNothing;
+        return mode == Rc ? signal : signal * kFullFineRc / kFullRc;
+    }
+    case AngleRelFrame: return value(RotorRoll);
+    default: return std::isnan(value(TargetRoll)) ? value(ImuRoll) : value(TargetRoll);
+    }
+}
+
+}  // namespace
+
+std::vector<SteeringMode> sbgc::steeringModes(int firmware)
+{
+    std::vector<SteeringMode> modes;
+    for (const ModeRow &row : kModes) {
+        if (firmware >= row.since)
+            modes.push_back(modeOf(row));
+    }
+    return modes;
+}
+
+SteeringSetpoint SbgcDevice::holdingSetpoint(int mode, const LatestValues &latest) const
+{
+    SteeringSetpoint setpoint{mode, {}, {}};
+    const SteeringMode *known = steeringMode(mode);
+    for (std::size_t i = 0; known && i < known->inputs.size(); ++i)
+        setpoint.inputs.push_back(i < kAxes.size() ? holdingValue(mode, i, latest) : known->inputs[i].centre);
+    return setpoint;
+}
+
+ControlCommand SbgcDevice::encodeControl(const Control &control) const
+{
+    ControlCommand command;
+    for (std::size_t axis = 0; axis < command.size(); ++axis) {
+        const AxisControl &wanted = control[axis];
+        const bool isRc = wanted.mode == Rc || wanted.mode == RcHighRes;
+        command[axis].mode = wanted.mode;
+        command[axis].angle = isRc ? toCount16(wanted.angle, 1.0) : angleToCount(wanted.angle);
+        command[axis].speed = toCount16(wanted.speed, kControlSpeedUnit);
+        // Extremely slow motion needs the fine unit (document: 2.59+).
+        if (canStream() && wanted.speed != 0.0 && std::abs(wanted.speed) < 10.0 && !isRc) {
+            command[axis].mode |= ControlHighResSpeed;
+            command[axis].speed = toCount16(wanted.speed, kFineSpeedUnit);
+        }
+    }
+    return command;
+}
+
+ControlFrames SbgcDevice::controlFrames(const Control &control) const
+{
+    const auto frame = [this](const Control &wanted) {
+        const ControlCommand command = encodeControl(wanted);
+        const bool shortForm = m_identity.firmwareNumber < 2555;
+        return encodeFrame(number(CommandId::Control),
+                           shortForm ? encodeControlShort(command) : sbgc::encodeControl(command), kVersion);
+    };
+    Control still = control;
+    for (AxisControl &axis : still) {
+        if (axis.mode != NoControl && axis.mode != Ignore)
+            axis = {Speed, 0.0, 0.0};
+    }
+    // Document, notes on CONTROL: mode NO_CONTROL and all data zero gives control back to RC.
+    return {frame(control), frame(still),
+            encodeFrame(number(CommandId::Control), QByteArray(13, '\0'), kVersion)};
+}
+
+ControlFrames SbgcDevice::controlFrames(const SteeringSetpoint &setpoint) const
+{
+    Control control{};
+    for (std::size_t axis = 0; axis < std::min(kAxes.size(), setpoint.inputs.size()); ++axis) {
+        const double value = setpoint.inputs[axis];
+        if (std::isnan(value))
+            continue;  // nobody moved it: the axis keeps what it does
+        const double speed = setpoint.inputs.size() > kAxes.size() ? setpoint.inputs[kAxes.size()] : 0.0;
+        control[axis] = setpoint.mode == Speed ? AxisControl{Speed, value, 0.0}
+                                               : AxisControl{setpoint.mode, speed, value};
+    }
+    return controlFrames(control);
+}

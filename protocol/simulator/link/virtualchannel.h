@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/session/channel.h"
+#include "protocol/session/linktiming.h"
+#include "protocol/session/transactionqueue.h"
+#include "protocol/simulator/link/simulatedport.h"
+
+#include <set>
+
+/// A channel to a simulated board in virtual time, in one thread: device and procedure code runs in
+/// microseconds. Uses the same framer and the same transaction queue as the real session.
+class VirtualChannel final : public Channel
+{
+public:
+    VirtualChannel(SimulatedPort &port, std::unique_ptr<Framer> framer, LinkTiming timing = {});
+    ~VirtualChannel() override;
+
+    Result<Frame> transact(const Request &request) override;
+    void post(const Request &request) override;
+    Result<void> sleep(milliseconds duration) override;
+    std::unique_ptr<Mailbox> listen(std::function<bool(const FrameView &)> filter) override;
+    Result<void> setLine(const LineSettings &line) override;
+    void steer(const ControlFrames &frames) override { m_control.refresh(frames, now()); }
+    void releaseControl() override { m_control.end(now()); }
+    void stopMotors(const StopPlan &plan) override;
+    void expectSilence(milliseconds duration) override;
+    [[nodiscard]] bool cancelled() const override { return m_cancelAt && now() >= *m_cancelAt; }
+    void progress(const Progress &progress) override;
+    [[nodiscard]] TimePoint now() const override { return TimePoint() + 1h + m_port.now(); }
+    [[nodiscard]] LinkObservation observation() const override;
+
+    /// The job counts as cancelled from then on.
+    void cancelAfter(Duration time) { m_cancelAt = now() + time; }
+    /// Every frame that arrives, claimed or not.
+    void setTap(std::function<void(const FrameView &, TimePoint)> tap) { m_tap = std::move(tap); }
+    /// Where the tap puts telemetry, to see what a stop has done.
+    void setLatestValues(std::shared_ptr<const LatestValues> latest) { m_latest = std::move(latest); }
+    /// How the last stop ended; empty before its end.
+    [[nodiscard]] const std::optional<Result<void>> &stopResult() const { return m_stopped; }
+    /// Plays the operator: hears of every progress while the procedure waits.
+    void setOperator(std::function<void(const Progress &)> person) { m_operator = std::move(person); }
+    [[nodiscard]] const std::vector<Progress> &progressReports() const { return m_progress; }
+    [[nodiscard]] TransactionQueue &queue() { return m_queue; }
+    /// Bytes that went out so far, request after request.
+    [[nodiscard]] qint64 bytesOut() const { return m_bytesOut; }
+
+private:
+    friend class VirtualMailbox;
+    void step();
+    void beat();
+    [[nodiscard]] std::optional<Error> stopped() const;
+    [[nodiscard]] bool isLost() const;
+
+    SimulatedPort &m_port;
+    std::unique_ptr<Framer> m_framer;
+    FrameSink m_sink;
+    TransactionQueue m_queue;
+    LinkTiming m_timing;
+    ControlStream m_control;
+    StopSequence m_stop;
+    std::shared_ptr<const LatestValues> m_latest;
+    std::optional<Result<void>> m_stopped;
+    std::set<class VirtualMailbox *> m_mailboxes;
+    std::function<void(const FrameView &, TimePoint)> m_tap;
+    std::function<void(const Progress &)> m_operator;
+    std::vector<Progress> m_progress;
+    std::optional<TimePoint> m_cancelAt;
+    QByteArray m_lastBytes;
+    quint64 m_bytesIn = 0;
+    qint64 m_bytesOut = 0;
+    TimePoint m_lastArrival{};
+    TimePoint m_nextBeat{};
+    TimePoint m_silentUntil{};  // silence is expected before
+};

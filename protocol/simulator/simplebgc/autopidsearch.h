@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/simulator/world/stabilizer.h"
+
+/// Searches gains on the running plant, as the firmware's automatic tuning does: shakes the target, raises D
+/// until the structure rings, steps back, raises P until it overshoots, steps back, then I. All chosen axes
+/// at once.
+class AutoPidSearch
+{
+public:
+    struct AxisResult
+    {
+        int p = 0;
+        int i = 0;
+        int d = 0;
+        double trackingError = 0;  ///< rms, degrees
+    };
+
+    /// @param gainVsStability 0 (stable) to 255 (strong)
+    AutoPidSearch(std::array<bool, kAxisCount> axes, std::array<AxisResult, kAxisCount> start,
+                  int gainVsStability);
+
+    /// Offset that this cycle adds to an axis's target, in degrees.
+    [[nodiscard]] double stimulus(Axis axis) const;
+    /// One cycle's observation. True when an iteration has ended and results() hold new gains.
+    bool observe(const Stabilizer &stabilizer);
+    [[nodiscard]] const std::array<AxisResult, kAxisCount> &results() const { return m_results; }
+    [[nodiscard]] bool isFinished() const;
+    [[nodiscard]] int iteration() const { return m_iteration; }
+    [[nodiscard]] bool isSelected(Axis axis) const { return m_selected[static_cast<std::size_t>(axis)]; }
+
+private:
+    enum class Phase { Settle, RaiseD, Calm, RaiseP, RaiseI, Done };
+    struct AxisState
+    {
+        Phase phase = Phase::Done;
+        double squares = 0;
+        double ringing = 0;
+        double slow = 0;  // slow part of the gyro signal
+        int samples = 0;
+        double best = 0;
+        double baseline = 0;  // ringing of the first, soft gains
+    };
+    void decide(std::size_t axis);
+
+    std::array<bool, kAxisCount> m_selected;
+    std::array<AxisResult, kAxisCount> m_results;
+    std::array<AxisState, kAxisCount> m_states;
+    double m_backOff;
+    int m_cycle = 0;
+    int m_iteration = 0;
+};

@@ -1,0 +1,405 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/simulator/simplebgc/board.h"
+
+#include "protocol/simplebgc/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+using namespace sbgc;
+
+namespace {
+
+constexpr double kBootTime = 1.2;  // seconds until the firmware listens again
+constexpr qsizetype kInputBuffer = 256;  // errata 7: a whole message is lost when it is full
+constexpr double kCommandTime = 0.0015;  // errata 7: 1-10 ms to an answer
+constexpr double kNominalVoltage = 12.3;
+constexpr double kStillEnough = 8.0;  // deg/s peak to peak that still counts as standing still
+constexpr double kLongestCalibration = 12.0;  // seconds, then it ends without having changed anything
+constexpr double kMissedSteps = 30.0;  // degrees of error
+
+SimulatorOptions complete(SimulatorOptions options)
+{
+    if (options.firmware == 0)
+        options.firmware = 2590;
+    return options;
+}
+
+}  // namespace
+
+SbgcBoard::SbgcBoard(const SimulatorOptions &options)
+    : m_options(complete(options))
+    , m_parameters(parameterRows(), kBlocks, m_options.firmware, {u"yaw-axis"_s, u"battery"_s, u"current"_s})
+    , m_stabilizer(options.seed)
+    , m_names({u"Handheld"_s, u"Studio"_s, u"Vehicle"_s, QString(), QString()})
+{
+    for (int profile = 0; profile < kProfileCount; ++profile)
+        loadDefaults(profile);
+    // The profiles differ, as those of a used board do.
+    store(u"pid.roll.p"_s, 1, 45);
+    store(u"pid.yaw.p"_s, 1, 50);
+    store(u"follow.yaw.speed"_s, 1, 25);
+    store(u"imu.gyro_trust"_s, 2, 190);
+    boot();
+}
+
+SbgcBoard::~SbgcBoard() = default;
+
+void SbgcBoard::loadDefaults(int profile)
+{
+    Block &blocks = m_eeprom[std::size_t(profile)];
+    for (const BlockSpec &block : kBlocks) {
+        // Reserved bytes are not zero on a real board, and must survive a write.
+        QByteArray bytes(block.size, '\0');
+        for (int i = 0; i < block.size; ++i)
+            bytes[i] = static_cast<char>((i * 7 + block.id) & 0x3F);
+        bytes[0] = static_cast<char>(profile);
+        blocks[block.id] = bytes;
+    }
+    for (const ParameterSpec &spec : m_parameters.all()) {
+        if (!spec.row->state || spec.row->bitCount)
+            spec.write(blocks[spec.row->block], spec.defaultRaw);
+    }
+    blocks[Params3][0] = blocks[ParamsExt][0] = blocks[ParamsExt2][0] = static_cast<char>(profile);
+    // The simulated sensor is calibrated by hand, not at each start.
+    if (const ParameterSpec *skip = spec(u"imu.skip_gyro_calibration"_s))
+        skip->write(blocks[Params3], 1);
+}
+
+void SbgcBoard::boot()
+{
+    m_imu = 1;
+    m_streams.clear();
+    m_commands.clear();
+    m_replies.clear();
+    m_queuedBytes = 0;
+    m_calibration = {};
+    m_autoPid.reset();
+    m_emergency = false;
+    m_otherVars = {{37, 0}, {38, 0}, {42, 45}, {43, 45}, {44, 45}};
+    loadProfile(m_active);
+    m_stabilizer.imu().gyroNoise = 0.06;
+    m_stabilizer.setHeld(false);
+    for (const Axis axis : kAxes)
+        m_stabilizer.plant(axis).setAngle(0.0);
+    m_stabilizer.resetEstimate();
+    m_control = {};
+    for (const Axis axis : kAxes)
+        m_stabilizer.setTarget(axis, 0.0);
+    m_stabilizer.setMotorsOn(true);
+}
+
+void SbgcBoard::loadProfile(int profile)
+{
+    m_active = profile;
+    m_ram = m_eeprom[std::size_t(profile)];
+    applyParameters();
+}
+
+int SbgcBoard::stored(const QString &key, int profile) const
+{
+    const ParameterSpec *parameter = spec(key);
+    return int(parameter->read(m_eeprom[std::size_t(profile)][parameter->row->block]).value());
+}
+
+int SbgcBoard::inUse(const QString &key) const
+{
+    const ParameterSpec *parameter = spec(key);
+    return int(parameter->read(m_ram[parameter->row->block]).value());
+}
+
+void SbgcBoard::store(const QString &key, int profile, int raw)
+{
+    const ParameterSpec *parameter = spec(key);
+    for (int i = 0; i < kProfileCount; ++i) {
+        if (i == profile || parameter->row->scope == Scope::Board)
+            parameter->write(m_eeprom[std::size_t(i)][parameter->row->block], raw);
+    }
+    if (profile == m_active || parameter->row->scope == Scope::Board) {
+        parameter->write(m_ram[parameter->row->block], raw);
+        applyParameters();
+    }
+}
+
+double SbgcBoard::value(const QString &key) const
+{
+    const ParameterSpec *parameter = spec(key);
+    return parameter ? parameter->toDisplay(parameter->read(m_ram[parameter->row->block]).value_or(0)) : 0.0;
+}
+
+double SbgcBoard::axisValue(const char *pattern, Axis axis) const
+{
+    return value(QString::fromLatin1(pattern).replace(u"%a"_s, QLatin1String(axisKey(axis))));
+}
+
+void SbgcBoard::applyParameters()
+{
+    for (const Axis axis : kAxes) {
+        AxisGains gains;
+        gains.p = axisValue("pid.%a.p", axis);
+        // The linear scale shows I as hundredths, the logarithmic one in the units of P.
+        gains.i = axisValue("pid.%a.i", axis) * (m_options.firmware >= 2731 ? 1.0 : 100.0);
+        gains.d = axisValue("pid.%a.d", axis);
+        gains.gain = 0.1 + 0.02 * m_otherVars.value(42 + int(axis), 45);
+        gains.power = axisValue("motor.%a.power", axis) / 255.0;
+        gains.inverted = axisValue("motor.%a.invert", axis) != 0.0;
+        gains.poles = int(axisValue("motor.%a.poles", axis));
+        if (axisValue("motor.%a.output", axis) == 0.0)
+            gains.power = 0.0;
+        const int filters = int(axisValue("filter.%a.enabled", axis));
+        gains.lpfHz = filters & 8 ? axisValue("filter.%a.lpf", axis) : 0.0;
+        gains.dLpfHz = axisValue("filter.%a.d_lpf", axis);
+        for (std::size_t n = 0; n < gains.notches.size(); ++n) {
+            if (!(filters & (1 << n)))
+                continue;
+            const QByteArray prefix = "filter.%a.notch" + QByteArray::number(int(n) + 1);
+            gains.notches[n] = {axisValue((prefix + ".frequency").constData(), axis),
+                                axisValue((prefix + ".width").constData(), axis),
+                                axisValue((prefix + ".gain").constData(), axis)};
+        }
+        m_stabilizer.setGains(axis, gains);
+    }
+    m_stabilizer.setGyroTrust(value(u"imu.gyro_trust"_s));
+}
+
+// Board-wide values hold for all profiles: a write to one changes the others too.
+void SbgcBoard::shareBoardValues(int from)
+{
+    for (const ParameterSpec &parameter : m_parameters.all()) {
+        if (parameter.row->scope != Scope::Board || parameter.row->state)
+            continue;
+        const auto raw = parameter.read(m_eeprom[std::size_t(from)][parameter.row->block]);
+        for (Block &blocks : m_eeprom)
+            parameter.write(blocks[parameter.row->block], raw.value_or(0));
+    }
+}
+
+void SbgcBoard::restart(double afterSeconds)
+{
+    m_restartAt = m_now + afterSeconds;
+}
+
+void SbgcBoard::receive(Bytes bytes)
+{
+    if (!isRunning())
+        return;
+    m_framer.feed(bytes, [this](const FrameView &frame) {
+        if (frame.version == 2 && m_options.firmware < 2680)
+            return;  // '$' frames came with 2.68b0 (errata 1.3)
+        if (m_queuedBytes + qsizetype(frame.payload.size()) + 5 > kInputBuffer)
+            return;
+        m_queuedBytes += qsizetype(frame.payload.size()) + 5;
+        m_commands.push_back(Frame(frame));
+    });
+    m_serialErrors = m_framer.statistics().headerErrors + m_framer.statistics().bodyErrors;
+}
+
+void SbgcBoard::cycle()
+{
+    m_now += Stabilizer::kCycle;
+    if (m_bootLeft > 0) {
+        m_bootLeft -= Stabilizer::kCycle;
+        if (m_bootLeft <= 0)
+            boot();
+        return;
+    }
+    if (m_restartAt >= 0 && m_now >= m_restartAt) {
+        m_restartAt = -1;
+        m_bootLeft = kBootTime;
+        m_output.clear();
+        return;
+    }
+    updateFaults();
+    updateTargets();
+    updateAutoPid();
+    m_stabilizer.step();
+    updateCalibration();
+    // The first half second of a calibration leaves no time for anything else (errata 7).
+    const bool silent = m_calibration.left > 0 && m_calibration.total - m_calibration.left < 0.5;
+    if (!silent && !m_commands.empty() && m_now >= m_nextCommandAt) {
+        const Frame frame = std::move(m_commands.front());
+        m_commands.pop_front();
+        m_queuedBytes -= frame.payload.size() + 5;
+        m_nextCommandAt = m_now + kCommandTime;
+        handle(frame);
+    }
+    while (!m_replies.empty() && m_replies.front().at <= m_now) {
+        m_output += m_replies.front().frame;
+        m_replies.pop_front();
+    }
+    if (!silent)
+        sendStreams();
+}
+
+QByteArray SbgcBoard::takeOutput(qsizetype most)
+{
+    const QByteArray out = m_output.left(most);
+    m_output.remove(0, out.size());
+    return out;
+}
+
+void SbgcBoard::updateFaults()
+{
+    const Faults &faults = m_options.faults;
+    m_stabilizer.setImuPresent(!faults.noImu);
+    m_stabilizer.setPose(faults.pose);
+    m_stabilizer.setSwappedMotors(faults.swappedAxes);
+    m_stabilizer.hand().setStrength(isCalibrating() && faults.shake <= 2.0 ? 0.0 : faults.shake);
+    const double volts
+        = (faults.battery > 0 ? faults.battery : kNominalVoltage) - 0.04 * m_stabilizer.current();
+    m_stabilizer.setVoltage(volts);
+    const double motorsOff = value(u"battery.motors_off"_s);
+    if (motorsOff > 0 && volts < motorsOff)
+        m_stabilizer.setMotorsOn(false);
+    if (faults.otherClient >= 0 && m_now >= faults.otherClient && !m_otherClientDone) {
+        m_otherClientDone = true;
+        store(u"pid.roll.p"_s, m_active, std::min(255, stored(u"pid.roll.p"_s, m_active) + 10));
+    }
+    // Emergency stop is an option of the board (GENERAL_FLAGS1 bit 4): it takes a motor that fights for what
+    // it is.
+    const bool guarded = int(value(u"board.flags1"_s)) & 16;
+    if (guarded && m_stabilizer.motorsOn()) {
+        for (const Axis axis : kAxes) {
+            if (std::abs(m_stabilizer.target(axis) - m_stabilizer.estimate(axis)) > 3 * kMissedSteps)
+                m_emergency = true;
+        }
+        if (m_emergency)
+            m_stabilizer.setMotorsOn(false);
+    }
+}
+
+void SbgcBoard::updateTargets()
+{
+    bool arrived = true;
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+        const Axis axis = kAxes[i];
+        const int mode = m_control[i].mode & 0x0F;
+        double target = m_stabilizer.target(axis);
+        if (mode == Speed) {
+            target += m_moveSpeed[i] * Stabilizer::kCycle;
+        } else if (mode == Angle || mode == SpeedAngle || mode == AngleRelFrame || mode == Rc
+                   || mode == AngleShortest || mode == RcHighRes) {
+            const double goal
+                = m_destination[i] + (mode == AngleRelFrame ? m_stabilizer.hand().angle(axis) : 0.0);
+            const double step = std::abs(m_moveSpeed[i]) * Stabilizer::kCycle;
+            target += std::clamp(goal - target, -step, step);
+            arrived &= std::abs(goal - m_stabilizer.estimate(axis)) < 1.0;
+        } else if (axis == Axis::Yaw && value(u"rc.yaw.follow"_s) != 0.0) {
+            const double follow = value(u"follow.yaw.speed"_s) / 60.0;
+            target += (m_stabilizer.hand().angle(axis) - target) * follow * Stabilizer::kCycle;
+        }
+        m_stabilizer.setTarget(axis, target);
+    }
+    if (m_taskRunning && arrived) {
+        m_taskRunning = false;
+        send(CommandId::Confirm, QByteArray("\x43\x01", 2), m_lastVersion);
+    }
+}
+
+void SbgcBoard::updateCalibration()
+{
+    Calibration &calibration = m_calibration;
+    if (calibration.left <= 0)
+        return;
+    SimulatedImu &imu = m_stabilizer.imu();
+    const bool gyro = calibration.command == CommandId::CalibGyro;
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+        const double sample = gyro ? m_stabilizer.rawGyro(kAxes[i]) : m_stabilizer.rawAcc(i);
+        const double motion = m_stabilizer.rawGyro(kAxes[i]);
+        calibration.sum[i] += sample;
+        calibration.low[i] = calibration.samples ? std::min(calibration.low[i], motion) : motion;
+        calibration.high[i] = calibration.samples ? std::max(calibration.high[i], motion) : motion;
+    }
+    ++calibration.samples;
+    calibration.left -= Stabilizer::kCycle;
+    if (calibration.left > 0)
+        return;
+
+    bool still = m_stabilizer.imuPresent();
+    for (std::size_t i = 0; i < kAxisCount; ++i)
+        still &= calibration.high[i] - calibration.low[i] < kStillEnough;
+    if (!still && calibration.total < kLongestCalibration && m_stabilizer.imuPresent()) {
+        // It moved: begin again, like the firmware does, but not for ever.
+        calibration.left = 4.0;
+        calibration.total += 4.0;
+        calibration.sum = {};
+        calibration.samples = 0;
+        return;
+    }
+    if (still) {
+        std::array<double, kAxisCount> mean{};
+        for (std::size_t i = 0; i < kAxisCount; ++i)
+            mean[i] = calibration.sum[i] / calibration.samples;
+        if (gyro)
+            imu.gyroCorrection = mean;
+        else
+            finishAccCalibration(mean);
+    }
+    m_stabilizer.setHeld(false);
+    m_stabilizer.resetEstimate();
+    m_stabilizer.setMotorsOn(calibration.motorsWereOn);
+    send(CommandId::Confirm, QByteArray(1, static_cast<char>(calibration.command)), calibration.version);
+    calibration.left = 0;
+}
+
+// One position levels the sensor; an axis that was seen pointing up and down gets its true zero and scale.
+void SbgcBoard::finishAccCalibration(const std::array<double, kAxisCount> &mean)
+{
+    SimulatedImu &imu = m_stabilizer.imu();
+    std::size_t up = 0;
+    for (std::size_t i = 1; i < kAxisCount; ++i) {
+        if (std::abs(mean[i]) > std::abs(mean[up]))
+            up = i;
+    }
+    m_accLimits[up][mean[up] > 0] = mean[up];
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+        const auto &[low, high] = m_accLimits[i];
+        if (low && high) {
+            imu.accCorrection[i] = (*high + *low) / 2;
+            imu.accScale[i] = (*high - *low) / 2;
+        } else if (up == 2 && mean[up] > 0) {
+            imu.accCorrection[i] = mean[i] - (i == up ? 1.0 : 0.0);
+        }
+    }
+}
+
+void SbgcBoard::updateAutoPid()
+{
+    if (!m_autoPid)
+        return;
+    for (std::size_t i = 0; i < kAxisCount; ++i)
+        m_stabilizer.setTarget(kAxes[i],
+                               m_autoPid->isSelected(kAxes[i]) ? m_autoPid->stimulus(kAxes[i])
+                                                               : m_stabilizer.target(kAxes[i]));
+    if (!m_autoPid->observe(m_stabilizer))
+        return;
+    AutoPidProgress progress;
+    progress.iteration = m_autoPid->iteration();
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+        const QString axis = QLatin1String(axisKey(kAxes[i]));
+        const AutoPidSearch::AxisResult &result = m_autoPid->results()[i];
+        if (m_autoPid->isSelected(kAxes[i])) {
+            for (const auto &[key, raw] :
+                 {std::pair(u"p"_s, result.p), {u"i"_s, result.i}, {u"d"_s, result.d}}) {
+                const ParameterSpec *parameter = spec(u"pid.%1.%2"_s.arg(axis, key));
+                parameter->write(m_ram[parameter->row->block], raw);
+            }
+        }
+        progress.p[i] = inUse(u"pid.%1.p"_s.arg(axis));
+        progress.i[i] = inUse(u"pid.%1.i"_s.arg(axis));
+        progress.d[i] = inUse(u"pid.%1.d"_s.arg(axis));
+        progress.lpf[i] = inUse(u"filter.%1.lpf"_s.arg(axis));
+        progress.trackingError[i] = float(result.trackingError);
+    }
+    applyParameters();
+    if (m_autoPidReports)
+        send(CommandId::AutoPid, progress.encode(), m_autoPidVersion);
+    if (!m_autoPid->isFinished())
+        return;
+    m_autoPid.reset();
+    for (const Axis axis : kAxes)
+        m_stabilizer.setTarget(axis, 0.0);
+    send(CommandId::Confirm, QByteArray(1, static_cast<char>(CommandId::AutoPid)), m_autoPidVersion);
+}

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/simplebgc/framer.h"
+#include "protocol/simplebgc/parametertables.h"
+#include "protocol/simplebgc/payloads.h"
+#include "protocol/simulator/simplebgc/autopidsearch.h"
+#include "protocol/simulator/world/simulatedboard.h"
+#include "protocol/simulator/world/stabilizer.h"
+
+#include <QMap>
+
+#include <deque>
+
+/// A SimpleBGC 32-bit controller on a simulated gimbal: memory per profile, volatile variables, streams,
+/// calibrations, automatic tuning, resets. Behaviour after the document and errata 7.
+class SbgcBoard final : public SimulatedBoard
+{
+public:
+    explicit SbgcBoard(const SimulatorOptions &options);
+    ~SbgcBoard() override;
+
+    void receive(Bytes bytes) override;
+    void cycle() override;
+    QByteArray takeOutput(qsizetype most) override;
+    [[nodiscard]] bool isRunning() const override { return m_bootLeft <= 0; }
+    /// From 2.41 on both parities are taken (document "Message format").
+    [[nodiscard]] std::optional<Parity> onlyParity() const override
+    {
+        return m_options.firmware < 2410 ? std::optional(Parity::Even) : std::nullopt;
+    }
+    [[nodiscard]] StreamCount streamCount() const override { return m_streamCount; }
+    void setFaults(const Faults &faults) override { m_options.faults = faults; }
+
+    // For tests and the demo: the world around the board.
+    Stabilizer &stabilizer() { return m_stabilizer; }
+    [[nodiscard]] int activeProfile() const { return m_active; }
+    /// A stored value, as a fresh start would load it.
+    [[nodiscard]] int stored(const QString &key, int profile) const;
+    /// The value in use.
+    [[nodiscard]] int inUse(const QString &key) const;
+    void store(const QString &key, int profile, int raw);
+    /// Simulated time in seconds.
+    [[nodiscard]] double now() const { return m_now; }
+    [[nodiscard]] bool isCalibrating() const { return m_calibration.left > 0; }
+    [[nodiscard]] const sbgc::ControlCommand &lastControl() const { return m_control; }
+
+private:
+    using Block = std::array<QByteArray, sbgc::BlockCount>;
+
+    // memory (sbgcboard.cpp)
+    void loadDefaults(int profile);
+    void loadProfile(int profile);
+    void applyParameters();
+    void shareBoardValues(int from);
+    [[nodiscard]] double value(const QString &key) const;
+    [[nodiscard]] double axisValue(const char *pattern, Axis axis) const;
+    [[nodiscard]] const ParameterSpec *spec(const QString &key) const { return m_parameters.find(key); }
+    void restart(double afterSeconds);
+    void boot();
+
+    // world (sbgcboard.cpp)
+    void updateFaults();
+    void updateTargets();
+    void updateCalibration();
+    void updateAutoPid();
+
+    // commands (sbgccommands.cpp)
+    void handle(const Frame &frame);
+    bool handleRead(const Frame &frame);
+    bool handleWrite(const Frame &frame);
+    bool handleAction(const Frame &frame);
+    void readParams(const Frame &frame, int block);
+    void writeParams(const Frame &frame, int block);
+    void setAdjVars(const Frame &frame);
+    void getAdjVars(const Frame &frame);
+    void registerStream(const Frame &frame);
+    void control(const Frame &frame);
+    void menu(int action, const Frame &frame);
+    void startCalibration(const Frame &frame);
+    void reply(const Frame &to, sbgc::CommandId id, const QByteArray &payload);
+    void confirm(const Frame &to, const QByteArray &data = {});
+    void refuse(const Frame &to, int code);
+    [[nodiscard]] bool hasSize(const Frame &frame, qsizetype size);
+    [[nodiscard]] QByteArray realtime(bool extended) const;
+    [[nodiscard]] QByteArray realtimeCustom(quint32 flags) const;
+    [[nodiscard]] QByteArray laterFields(quint32 flags) const;
+    [[nodiscard]] double volts() const;
+    /// Gravity and heading in vector form, 24 bytes.
+    [[nodiscard]] QByteArray attitudeVectors() const;
+    [[nodiscard]] sbgc::Angles angles() const;
+    [[nodiscard]] std::vector<std::vector<double>> debugValues() const;
+    void sendStreams();
+    void send(sbgc::CommandId id, const QByteArray &payload, int version, bool isStream = false);
+    [[nodiscard]] std::optional<qint32> adjVar(int id) const;
+    bool setAdjVar(int id, qint32 value);
+
+    struct Stream
+    {
+        sbgc::DataStream request;
+        int version = 1;
+        double next = 0;
+        double interval = 0;
+    };
+    struct Calibration
+    {
+        sbgc::CommandId command{};
+        double left = 0;
+        double total = 0;
+        int action = 1;
+        int version = 1;
+        std::array<double, kAxisCount> sum{};
+        std::array<double, kAxisCount> low{};
+        std::array<double, kAxisCount> high{};
+        int samples = 0;
+        bool motorsWereOn = false;
+    };
+    void finishAccCalibration(const std::array<double, kAxisCount> &mean);
+
+    struct Delayed
+    {
+        double at = 0;
+        QByteArray frame;
+    };
+
+    SimulatorOptions m_options;
+    ParameterSet m_parameters;
+    Stabilizer m_stabilizer;
+    sbgc::SbgcFramer m_framer;
+    std::deque<Frame> m_commands;
+    qsizetype m_queuedBytes = 0;
+    std::deque<Delayed> m_replies;
+    QByteArray m_output;
+    std::array<Block, sbgc::kProfileCount> m_eeprom;
+    Block m_ram;
+    QStringList m_names;
+    QMap<int, qint32> m_otherVars;  // adjustable variables that no parameter stands behind
+    int m_active = 0;
+    int m_imu = 1;
+    double m_now = 0;
+    double m_nextCommandAt = 0;
+    double m_bootLeft = 0;
+    double m_restartAt = -1;
+    double m_voltageOffset = 0;
+    quint64 m_serialErrors = 0;
+    std::vector<Stream> m_streams;
+    StreamCount m_streamCount;
+    Calibration m_calibration;
+    std::array<std::array<std::optional<double>, 2>, kAxisCount>
+        m_accLimits;  // reading with the axis down, up
+    std::unique_ptr<AutoPidSearch> m_autoPid;
+    int m_autoPidVersion = 1;
+    bool m_autoPidReports = false;
+    sbgc::ControlCommand m_control{};
+    std::array<double, kAxisCount> m_moveSpeed{};
+    std::array<double, kAxisCount> m_destination{};
+    bool m_taskRunning = false;
+    int m_lastVersion = 1;
+    bool m_emergency = false;
+    int m_writesSeen = 0;
+    bool m_otherClientDone = false;
+};

@@ -1,0 +1,562 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/simplebgc/choices.h"
+#include "protocol/simplebgc/telemetrytables.h"
+#include "protocol/simplebgc/units.h"
+#include "protocol/simulator/simplebgc/board.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+using namespace sbgc;
+
+namespace {
+
+constexpr double kLatency = 0.0015;  // seconds from command to the first byte of its answer
+constexpr double kWriteLatency = 0.030;  // EEPROM write (errata 7: tens of ms)
+constexpr double kCalibrationTime = 4.0;
+constexpr double kResetNotice = 1.0;  // document CMD_RESET: 1000 ms between notice and restart
+constexpr qsizetype kStreamSpace = 512;  // fuller than this, streams are skipped
+constexpr int kMostStreams = 10;
+constexpr int kUnknownFirmware = 9990;
+constexpr int kBoardVersion = 30;
+
+constexpr int kWrongSize = 1;
+constexpr int kWrongParameters = 2;
+constexpr int kUnknownCommand = 6;
+constexpr int kWrongState = 8;
+constexpr int kNotSupported = 9;
+
+std::vector<DebugVar> debugVariables()
+{
+    return {{u"ERR_ROLL"_s, DebugVar::I16, 1, true, 1},      {u"ERR_PITCH"_s, DebugVar::I16, 2, true, 1},
+            {u"ERR_YAW"_s, DebugVar::I16, 3, true, 1},       {u"MOTOR_OUT"_s, DebugVar::F32, 0, false, 3},
+            {u"CPU_LOAD"_s, DebugVar::U8, 0, false, 1},      {u"IMU_TEMP"_s, DebugVar::I8, 0, false, 1},
+            {u"CYCLE_US"_s, DebugVar::U16, 0, false, 1},     {u"UPTIME_MS"_s, DebugVar::U32, 0, false, 1},
+            {u"YAW_UNWRAPPED"_s, DebugVar::I32, 3, false, 1}};
+}
+
+}  // namespace
+
+void SbgcBoard::send(CommandId id, const QByteArray &payload, int version, bool isStream)
+{
+    if (isStream && m_output.size() > kStreamSpace) {
+        ++m_streamCount.skipped;
+        return;
+    }
+    m_streamCount.sent += isStream;
+    m_output += encodeFrame(number(id), payload, version);
+}
+
+void SbgcBoard::reply(const Frame &to, CommandId id, const QByteArray &payload)
+{
+    m_replies.push_back({m_now + kLatency, encodeFrame(number(id), payload, to.version)});
+}
+
+void SbgcBoard::confirm(const Frame &to, const QByteArray &data)
+{
+    reply(to, CommandId::Confirm, QByteArray(1, static_cast<char>(to.id)) + data);
+}
+
+void SbgcBoard::refuse(const Frame &to, int code)
+{
+    // Old firmware keeps silent about what it does not understand (errata 7).
+    if (m_options.firmware < 2600 && (code == kUnknownCommand || code == kWrongSize))
+        return;
+    reply(to, CommandId::Error, ByteWriter().u8(to.id).u8(code).zeros(4).take());
+}
+
+bool SbgcBoard::hasSize(const Frame &frame, qsizetype size)
+{
+    // Boards in the field take one superfluous byte on commands without parameters (errata 1.4).
+    if (frame.payload.size() == size || (size == 0 && frame.payload.size() == 1))
+        return true;
+    refuse(frame, kWrongSize);
+    return false;
+}
+
+void SbgcBoard::handle(const Frame &frame)
+{
+    m_lastVersion = frame.version;
+    if (handleRead(frame) || handleWrite(frame) || handleAction(frame))
+        return;
+    refuse(frame, kUnknownCommand);
+}
+
+bool SbgcBoard::handleRead(const Frame &frame)
+{
+    const bool streams = m_options.firmware >= 2590;
+    switch (static_cast<CommandId>(frame.id)) {
+    case CommandId::BoardInfo: {
+        BoardInfo info;
+        info.boardVersion = m_options.own.value(u"board"_s, kBoardVersion);
+        info.firmware = m_options.faults.unknownFirmware ? kUnknownFirmware : m_options.firmware;
+        info.features = ThreeAxis | BatteryMonitor | CurrentSensor;
+        info.usb = m_options.usb;
+        reply(frame, CommandId::BoardInfo, info.encode());
+        return true;
+    }
+    case CommandId::BoardInfo3: {
+        BoardInfo3 info;
+        info.deviceId = ByteWriter().bytes("GDSIM").u32(m_options.seed).take();
+        info.mcuId = QByteArray("SIMULATEDMCU");
+        info.eepromSize = 32768;
+        reply(frame, CommandId::BoardInfo3, info.encode());
+        return true;
+    }
+    case CommandId::ReadParams:
+    case CommandId::ReadParams3: readParams(frame, Params3); return true;
+    case CommandId::ReadParamsExt: readParams(frame, ParamsExt); return true;
+    case CommandId::ReadParamsExt2: readParams(frame, ParamsExt2); return true;
+    case CommandId::ReadProfileNames:
+        reply(frame, CommandId::ReadProfileNames, encodeProfileNames(m_names));
+        return true;
+    case CommandId::RealtimeData:
+    case CommandId::RealtimeData3:
+        if (hasSize(frame, 0))
+            reply(frame, CommandId::RealtimeData3, realtime(false));
+        return true;
+    case CommandId::RealtimeData4:
+        if (hasSize(frame, 0))
+            reply(frame, CommandId::RealtimeData4, realtime(true));
+        return true;
+    case CommandId::RealtimeDataCustom:
+        if (!streams)
+            return false;
+        if (hasSize(frame, 10))
+            reply(frame, CommandId::RealtimeDataCustom, realtimeCustom(ByteReader(frame.payload).u32()));
+        return true;
+    case CommandId::GetAngles:
+        if (hasSize(frame, 0))
+            reply(frame, CommandId::GetAngles, encodeAngles(angles()));
+        return true;
+    case CommandId::GetAnglesExt:
+        if (hasSize(frame, 0))
+            reply(frame, CommandId::GetAnglesExt, encodeAnglesExt(angles()));
+        return true;
+    case CommandId::DebugVarsInfo3: {
+        const auto vars = debugVariables();
+        const auto from
+            = std::min<std::size_t>(frame.payload.isEmpty() ? 0 : quint8(frame.payload[0]), vars.size());
+        reply(frame, CommandId::DebugVarsInfo3,
+              encodeDebugVarsInfo(int(vars.size()), std::span(vars).subspan(from)));
+        return true;
+    }
+    case CommandId::DebugVars3:
+        reply(frame, CommandId::DebugVars3, encodeDebugVars(debugVariables(), debugValues()));
+        return true;
+    case CommandId::GetAdjVarsVal: getAdjVars(frame); return true;
+    case CommandId::GetParams3:
+        refuse(frame, kNotSupported);  // "not yet implemented", says the document
+        return true;
+    case CommandId::AhrsHelper: reply(frame, CommandId::AhrsHelper, attitudeVectors()); return true;
+    default: return false;
+    }
+}
+
+bool SbgcBoard::handleWrite(const Frame &frame)
+{
+    switch (static_cast<CommandId>(frame.id)) {
+    case CommandId::WriteParams:
+    case CommandId::WriteParams3: writeParams(frame, Params3); return true;
+    case CommandId::WriteParamsExt: writeParams(frame, ParamsExt); return true;
+    case CommandId::WriteParamsExt2: writeParams(frame, ParamsExt2); return true;
+    case CommandId::WriteParamsSet:
+        if (m_options.firmware < 2704)
+            return false;
+        confirm(frame);
+        return true;
+    case CommandId::WriteProfileNames: {
+        if (!hasSize(frame, kProfileCount * kProfileNameSize))
+            return true;
+        if (const auto names = decodeProfileNames(asBytes(frame.payload)))
+            m_names = *names;
+        confirm(frame);
+        return true;
+    }
+    case CommandId::SetAdjVarsVal: setAdjVars(frame); return true;
+    case CommandId::SaveParams3:
+        m_eeprom[std::size_t(m_active)] = m_ram;
+        shareBoardValues(m_active);
+        m_replies.push_back({m_now + kWriteLatency,
+                             encodeFrame(number(CommandId::Confirm),
+                                         QByteArray(1, static_cast<char>(frame.id)), frame.version)});
+        return true;
+    case CommandId::UseDefaults: {
+        if (!hasSize(frame, 1))
+            return true;
+        const int profile = quint8(frame.payload[0]);
+        if (profile >= kProfileCount && profile != 253) {
+            refuse(frame, kWrongParameters);
+            return true;
+        }
+        for (int i = 0; i < kProfileCount; ++i) {
+            if (i == profile || profile == 253)
+                loadDefaults(i);
+        }
+        confirm(frame);
+        reply(frame, CommandId::Reset, {});
+        restart(kResetNotice);
+        return true;
+    }
+    default: return false;
+    }
+}
+
+bool SbgcBoard::handleAction(const Frame &frame)
+{
+    switch (static_cast<CommandId>(frame.id)) {
+    case CommandId::MotorsOn:
+        if (!m_emergency)
+            m_stabilizer.setMotorsOn(true);
+        confirm(frame);
+        return true;
+    case CommandId::MotorsOff:
+        m_stabilizer.setMotorsOn(false);
+        m_autoPid.reset();
+        m_control = {};
+        confirm(frame);
+        return true;
+    case CommandId::Control: control(frame); return true;
+    case CommandId::ExecuteMenu:
+        if (hasSize(frame, 1))
+            menu(quint8(frame.payload[0]), frame);
+        return true;
+    case CommandId::SelectImu3:
+        // The frame IMU is not there; selecting it is ignored (errata 7).
+        if (!frame.payload.isEmpty() && frame.payload[0] == 1)
+            confirm(frame);
+        return true;
+    case CommandId::CalibGyro:
+    case CommandId::CalibAcc: startCalibration(frame); return true;
+    case CommandId::CalibOffset: confirm(frame); return true;
+    case CommandId::CalibBat:
+        if (!hasSize(frame, 2))
+            return true;
+        m_voltageOffset = ByteReader(frame.payload).u16() * 0.01 - 12.3;
+        confirm(frame);
+        return true;
+    case CommandId::AutoPid: {
+        if (!hasSize(frame, 19))
+            return true;
+        const int flags = quint8(frame.payload[1]);
+        confirm(frame);
+        if (!(flags & 7)) {
+            m_autoPid.reset();
+            return true;
+        }
+        if (quint8(frame.payload[0]) < kProfileCount)
+            loadProfile(quint8(frame.payload[0]));
+        std::array<bool, kAxisCount> axes{};
+        std::array<AutoPidSearch::AxisResult, kAxisCount> start;
+        for (std::size_t i = 0; i < kAxisCount; ++i) {
+            const QString axis = QLatin1String(axisKey(kAxes[i]));
+            axes[i] = flags & (1 << i);
+            start[i] = {inUse(u"pid.%1.p"_s.arg(axis)), inUse(u"pid.%1.i"_s.arg(axis)),
+                        inUse(u"pid.%1.d"_s.arg(axis)), 0.0};
+            if (axes[i] && !(flags & AutoPidKeepCurrent))
+                start[i] = {8, 2, 8, 0.0};
+        }
+        m_autoPid = std::make_unique<AutoPidSearch>(axes, start, quint8(frame.payload[2]));
+        m_autoPidReports = flags & AutoPidReport;
+        m_autoPidVersion = frame.version;
+        m_stabilizer.setMotorsOn(true);
+        return true;
+    }
+    case CommandId::DataStreamInterval:
+        if (m_options.firmware < 2590)
+            return false;
+        registerStream(frame);
+        return true;
+    case CommandId::BeepSound: return m_options.firmware >= 2590;
+    case CommandId::Reset: {
+        double delay = 0;
+        if (frame.payload.size() >= 3) {
+            ByteReader reader(frame.payload);
+            if (reader.u8() & 1)
+                reply(frame, CommandId::Reset, {});
+            delay = reader.u16() * 0.001;
+        }
+        restart(delay + 2 * kLatency);
+        return true;
+    }
+    default: return false;
+    }
+}
+
+void SbgcBoard::readParams(const Frame &frame, int block)
+{
+    if (!hasSize(frame, 1))
+        return;
+    const int asked = quint8(frame.payload[0]);
+    const int profile = asked < kProfileCount ? asked : m_active;
+    QByteArray bytes = profile == m_active ? m_ram[std::size_t(block)]
+                                           : m_eeprom[std::size_t(profile)][std::size_t(block)];
+    bytes[0] = static_cast<char>(profile);
+    if (block == Params3) {
+        bytes[132] = static_cast<char>(m_imu);
+        bytes[133] = static_cast<char>(m_active);
+    }
+    reply(frame, static_cast<CommandId>(frame.id), bytes);
+}
+
+void SbgcBoard::writeParams(const Frame &frame, int block)
+{
+    if (!hasSize(frame, kBlocks[block].size))
+        return;
+    const int asked = quint8(frame.payload[0]);
+    const int profile = asked < kProfileCount ? asked : m_active;
+    QByteArray bytes = frame.payload;
+    ++m_writesSeen;
+    if (m_options.faults.resetOnWrite > 0 && m_writesSeen == m_options.faults.resetOnWrite) {
+        // The supply fails while the memory is being written: half of the block is new, the rest old.
+        const QByteArray old = m_eeprom[std::size_t(profile)][std::size_t(block)];
+        bytes = bytes.left(bytes.size() / 2) + old.mid(bytes.size() / 2);
+        m_eeprom[std::size_t(profile)][std::size_t(block)] = bytes;
+        shareBoardValues(profile);
+        restart(0.0);
+        return;
+    }
+    // The other blocks of the profile that becomes active come from memory; unsaved variables are gone.
+    m_eeprom[std::size_t(profile)][std::size_t(block)] = bytes;
+    shareBoardValues(profile);
+    loadProfile(profile);
+    m_replies.push_back(
+        {m_now + kWriteLatency,
+         encodeFrame(number(CommandId::Confirm), QByteArray(1, static_cast<char>(frame.id)), frame.version)});
+    m_nextCommandAt = m_now + kWriteLatency;
+}
+
+std::optional<qint32> SbgcBoard::adjVar(int id) const
+{
+    if (m_otherVars.contains(id))
+        return m_otherVars.value(id);
+    if (id == 31)
+        return inUse(u"rc.yaw.follow"_s) != 0;
+    for (const ParameterSpec &parameter : m_parameters.all()) {
+        if (parameter.adjustable == id)
+            return parameter.read(m_ram[parameter.row->block]).value_or(0) * parameter.row->adjustableScale;
+    }
+    return {};
+}
+
+bool SbgcBoard::setAdjVar(int id, qint32 wanted)
+{
+    if (m_otherVars.contains(id)) {
+        m_otherVars[id] = wanted;
+        return true;
+    }
+    if (id == 31) {
+        const ParameterSpec *follow = spec(u"rc.yaw.follow"_s);
+        return follow->write(m_ram[Params3], wanted != 0);
+    }
+    for (const ParameterSpec &parameter : m_parameters.all()) {
+        if (parameter.adjustable == id)
+            return parameter.write(m_ram[parameter.row->block],
+                                   parameter.clamped(wanted / parameter.row->adjustableScale));
+    }
+    return false;
+}
+
+void SbgcBoard::setAdjVars(const Frame &frame)
+{
+    const auto vars = decodeAdjVars(asBytes(frame.payload));
+    if (!vars) {
+        refuse(frame, kWrongSize);
+        return;
+    }
+    bool known = true;
+    for (const AdjVar &var : *vars)
+        known &= setAdjVar(var.id, var.value);
+    applyParameters();
+    if (known)
+        confirm(frame);
+    else
+        refuse(frame, kWrongParameters);
+}
+
+void SbgcBoard::getAdjVars(const Frame &frame)
+{
+    ByteReader reader(frame.payload);
+    const int count = reader.u8();
+    std::vector<AdjVar> values;
+    for (int i = 0; i < count; ++i) {
+        const int id = reader.u8();
+        const auto now = adjVar(id);
+        if (!now) {
+            refuse(frame, kWrongParameters);
+            return;
+        }
+        values.push_back({id, *now});
+    }
+    if (!reader.ok() || count == 0 || count > kAdjVarsPerCommand) {
+        refuse(frame, kWrongSize);
+        return;
+    }
+    reply(frame, CommandId::SetAdjVarsVal, encodeAdjVars(values));
+}
+
+void SbgcBoard::registerStream(const Frame &frame)
+{
+    const auto stream = DataStream::decode(asBytes(frame.payload));
+    if (!stream) {
+        refuse(frame, kWrongSize);
+        return;
+    }
+    const auto id = static_cast<CommandId>(stream->command);
+    if (id != CommandId::RealtimeData3 && id != CommandId::RealtimeData4
+        && id != CommandId::RealtimeDataCustom && id != CommandId::AhrsHelper) {
+        refuse(frame, kWrongParameters);
+        return;
+    }
+    const auto same = [&stream](const Stream &known) {
+        return known.request.command == stream->command && known.request.config == stream->config;
+    };
+    std::erase_if(m_streams, same);
+    if (stream->intervalMs > 0) {
+        if (int(m_streams.size()) >= kMostStreams) {
+            refuse(frame, kNotSupported);
+            return;
+        }
+        // Interval 1 means each cycle of 0.8 ms (document DATA_STREAM_INTERVAL).
+        const double interval = stream->intervalMs == 1 ? Stabilizer::kCycle : stream->intervalMs * 0.001;
+        m_streams.push_back({*stream, frame.version, m_now + interval, interval});
+    }
+    confirm(frame);
+}
+
+void SbgcBoard::sendStreams()
+{
+    for (Stream &stream : m_streams) {
+        if (m_now + 1e-9 < stream.next)
+            continue;
+        stream.next += stream.interval;
+        QByteArray payload;
+        const auto id = static_cast<CommandId>(stream.request.command);
+        if (id == CommandId::RealtimeData3 || id == CommandId::RealtimeData4)
+            payload = realtime(id == CommandId::RealtimeData4);
+        else if (id == CommandId::RealtimeDataCustom)
+            payload = realtimeCustom(ByteReader(stream.request.config).u32());
+        else
+            payload = attitudeVectors();
+        send(id, payload, stream.version, true);
+    }
+}
+
+void SbgcBoard::control(const Frame &frame)
+{
+    const auto command = decodeControl(asBytes(frame.payload));
+    if (!command) {
+        refuse(frame, kWrongSize);
+        return;
+    }
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+        const ControlAxis &wanted = (*command)[i];
+        const int mode = wanted.mode & 0x0F;
+        if (mode == Ignore)
+            continue;
+        m_control[i] = wanted;
+        const double unit = wanted.mode & ControlHighResSpeed ? kFineSpeedUnit : kControlSpeedUnit;
+        const double speed = wanted.speed * unit;
+        m_moveSpeed[i]
+            = mode == Speed || wanted.speed != 0 ? speed : std::max(5.0, axisValue("rc.%a.speed", kAxes[i]));
+        m_destination[i] = mode == Rc ? wanted.angle / 500.0 * axisValue("rc.%a.max_angle", kAxes[i])
+            : mode == RcHighRes       ? wanted.angle / 16384.0 * axisValue("rc.%a.max_angle", kAxes[i])
+                                      : wanted.angle * kDegreesPerCount;
+        m_taskRunning |= (wanted.mode & ControlAutoTask) && (mode == Angle || mode == AngleRelFrame);
+    }
+    confirm(frame);
+}
+
+void SbgcBoard::menu(int action, const Frame &frame)
+{
+    static const QMap<int, int> profiles{{1, 0}, {2, 1}, {3, 2}, {14, 3}, {15, 4}};
+    const bool known
+        = std::any_of(std::begin(kMenuActions), std::end(kMenuActions), [&](const Choice &choice) {
+              return choice.value == action && m_options.firmware >= choice.since;
+          });
+    if (!known) {
+        refuse(frame, kWrongParameters);
+        return;
+    }
+    confirm(frame);
+    if (profiles.contains(action)) {
+        loadProfile(profiles.value(action));
+        return;
+    }
+    switch (action) {
+    case 6:
+    case 9: {
+        Frame calibration(number(action == 9 ? CommandId::CalibGyro : CommandId::CalibAcc), {},
+                          frame.version);
+        startCalibration(calibration);
+        break;
+    }
+    case 7:
+        reply(frame, CommandId::Reset, {});
+        restart(kResetNotice);
+        break;
+    case 10: m_stabilizer.setMotorsOn(!m_stabilizer.motorsOn() && !m_emergency); break;
+    case 11: m_stabilizer.setMotorsOn(!m_emergency); break;
+    case 12: m_stabilizer.setMotorsOn(false); break;
+    case 17: m_stabilizer.setTarget(Axis::Pitch, 90.0); break;
+    case 18:
+        for (const Axis axis : kAxes)
+            m_stabilizer.setTarget(axis, 0.0);
+        break;
+    case 34:
+        m_stabilizer.setTarget(Axis::Roll, 0.0);
+        m_stabilizer.setTarget(Axis::Pitch, 0.0);
+        break;
+    case 35: m_stabilizer.setTarget(Axis::Yaw, m_stabilizer.hand().angle(Axis::Yaw)); break;
+    default: break;
+    }
+}
+
+void SbgcBoard::startCalibration(const Frame &frame)
+{
+    const bool extended = frame.payload.size() == 12;
+    if (!extended && !hasSize(frame, 0))
+        return;
+    const int imu = extended ? quint8(frame.payload[0]) : 0;
+    const int action = extended ? quint8(frame.payload[1]) : 1;
+    if (imu > 2 || action < 1 || action > 7) {
+        refuse(frame, kWrongParameters);
+        return;
+    }
+    if (m_calibration.left > 0 || m_autoPid || imu == 2) {
+        refuse(frame, kWrongState);
+        return;
+    }
+    if (extended)
+        confirm(frame);  // at reception; the second one comes at the end (document CALIB_ACC)
+    if (action != 1 && action != 3) {
+        if (action == 2) {
+            m_stabilizer.imu().gyroCorrection = {};
+            m_stabilizer.imu().accCorrection = {};
+            m_stabilizer.imu().accScale = {1.0, 1.0, 1.0};
+            m_accLimits = {};
+        }
+        if (action == 2 || action == 4 || action == 5) {
+            reply(frame, CommandId::Reset, {});
+            restart(kResetNotice);
+        } else {
+            confirm(frame);
+        }
+        return;
+    }
+    m_calibration = {};
+    m_calibration.command = static_cast<CommandId>(frame.id);
+    m_calibration.left = m_calibration.total = kCalibrationTime;
+    m_calibration.action = action;
+    m_calibration.version = frame.version;
+    m_calibration.motorsWereOn = m_stabilizer.motorsOn();
+    m_stabilizer.setMotorsOn(false);
+    // The operator lays the camera down, level; unless he is the one who shakes it.
+    if (m_options.faults.shake <= 2.0 && m_options.faults.pose == 0) {
+        for (const Axis axis : kAxes)
+            m_stabilizer.plant(axis).setAngle(0.0);
+        m_stabilizer.setHeld(true);
+    }
+}

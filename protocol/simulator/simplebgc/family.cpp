@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/simulator/simplebgc/family.h"
+
+#include "protocol/simulator/simplebgc/board.h"
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+// "2.59" is 2590; "2.70b4" is 2704; "2.73.8" is 2738 (document BOARD_INFO).
+Result<int> parseFirmware(const QString &text)
+{
+    const QStringList parts = QString(text).replace(u'b', u'.').split(u'.');
+    bool ok = false;
+    const int number
+        = parts.value(0).toInt(&ok) * 1000 + parts.value(1).toInt() * 10 + parts.value(2).toInt();
+    if (ok && parts.size() >= 2 && parts.value(1).size() == 2 && number >= 2400 && number <= 9999)
+        return number;
+    return failure(ErrorCode::InvalidArgument,
+                   u"firmware needs a version like 2.59, 2.70b4 or 2.73.8, not '%1'"_s.arg(text));
+}
+
+Result<void> readBoard(SimulatorSetup &setup, const QString &text)
+{
+    const auto version = wholeNumber(u"board"_s, text, 10, 99);
+    if (!version)
+        return tl::unexpected(version.error());
+    setup.options.own[u"board"_s] = *version;
+    return {};
+}
+
+Result<void> readParity(SimulatorSetup &setup, const QString &text)
+{
+    if (text != u"none"_s && text != u"even"_s)
+        return failure(ErrorCode::InvalidArgument, u"parity is none or even, not '%1'"_s.arg(text));
+    setup.parity = text == u"even"_s ? Parity::Even : Parity::None;
+    return {};
+}
+
+}  // namespace
+
+SimulatedFamily simulatedSimpleBgc()
+{
+    return {u"simplebgc"_s,
+            {LinkAddress::Kind::Serial, LinkAddress::Kind::Tcp},
+            {u"2.59 (default), 2.40 ... 2.73.8"_s, parseFirmware},
+            {{u"board"_s, u"N"_s, {u"board version times ten, default 30"_s}, readBoard},
+             {u"parity"_s,
+              u"P"_s,
+              {u"none or even. Firmware 2.40 knows only even, later ones take both."_s,
+               u"Linux pseudo-terminals carry no parity: there it changes the timing only"_s},
+              readParity}},
+            [](const SimulatorOptions &options) { return std::make_unique<SbgcBoard>(options); }};
+}

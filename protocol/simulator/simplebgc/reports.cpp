@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the simulated board reports of itself: real-time data, angles, debug variables.
+#include "protocol/simplebgc/telemetrytables.h"
+#include "protocol/simplebgc/units.h"
+#include "protocol/simulator/simplebgc/board.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace Qt::StringLiterals;
+using namespace sbgc;
+
+namespace {
+
+constexpr double kVectorDegrees = std::numbers::pi / 180.0;
+
+// Nobody says which firmware began with which field; here they come in two steps, so that clients meet boards
+// with some.
+quint32 laterCustomFlags(int firmware)
+{
+    constexpr quint32 kFirst = 0x001FFE00;  // bits 9-20
+    constexpr quint32 kSecond = 0x3FE00000;  // bits 21-29
+    return firmware < 2680 ? 0 : firmware < 2730 ? kFirst : kFirst | kSecond;
+}
+
+// Roll about x, pitch about y, yaw about z, turned in the order yaw, pitch, roll.
+template <typename Degrees> std::array<double, 4> attitude(Degrees degrees)
+{
+    const auto half = [&](Axis axis) { return degrees(axis) * kVectorDegrees / 2.0; };
+    const double cr = std::cos(half(Axis::Roll)), sr = std::sin(half(Axis::Roll));
+    const double cp = std::cos(half(Axis::Pitch)), sp = std::sin(half(Axis::Pitch));
+    const double cy = std::cos(half(Axis::Yaw)), sy = std::sin(half(Axis::Yaw));
+    return {cr * cp * cy + sr * sp * sy, sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy,
+            cr * cp * sy - sr * sp * cy};
+}
+
+}  // namespace
+
+double SbgcBoard::volts() const
+{
+    return (m_options.faults.battery > 0 ? m_options.faults.battery : 12.3) + m_voltageOffset
+        - 0.04 * m_stabilizer.current();
+}
+
+QByteArray SbgcBoard::realtime(bool extended) const
+{
+    const Stabilizer &s = m_stabilizer;
+    int errors = 0;
+    if (!s.imuPresent())
+        errors |= 1 << 0;
+    const double volts = this->volts();
+    const double alarm = value(u"battery.alarm"_s);
+    const double motorsOff = value(u"battery.motors_off"_s);
+    if (alarm > 0 && volts < alarm)
+        errors |= 1 << 6;
+    if (motorsOff > 0 && volts < motorsOff)
+        errors |= 1 << 7;
+    bool anyPower = false;
+    for (const Axis axis : kAxes) {
+        anyPower |= axisValue("motor.%a.power", axis) > 0;
+        if (s.motorsOn() && std::abs(s.target(axis) - s.estimate(axis)) > 30.0)
+            errors |= 1 << 9;
+    }
+    if (!anyPower)
+        errors |= 1 << 2;
+    if (m_emergency)
+        errors |= 1 << 11;
+
+    ByteWriter writer;
+    for (std::size_t i = 0; i < kAxisCount; ++i)
+        writer.i16(toCount16(s.acc()[i], kAccUnit)).i16(toCount16(s.gyro(kAxes[i]), kGyroUnit));
+    writer.u16(int(std::min<quint64>(m_serialErrors, 65535))).u16(errors).u8(m_emergency ? 9 : 0).zeros(3);
+    for (int i = 0; i < 4; ++i)
+        writer.i16(1500);
+    writer.i16(0).i16(0);
+    for (const Axis axis : kAxes)
+        writer.i16(angleToCount(s.estimate(axis)));
+    for (const Axis axis : kAxes)
+        writer.i16(angleToCount(s.hand().angle(axis)));
+    for (const Axis axis : kAxes)
+        writer.i16(angleToCount(s.target(axis)));
+    writer.u16(800)
+        .u16(s.imuPresent() ? 0 : 1000)
+        .u8(errors & 0xFF)
+        .u16(int(std::lround(volts * 100.0)))
+        .u8(s.motorsOn())
+        .u8(m_imu)
+        .u8(m_active);
+    for (const Axis axis : kAxes)
+        writer.u8(int(std::lround(s.effort(axis) * 255.0)));
+    if (!extended)
+        return writer.take();
+    for (const Axis axis : kAxes)
+        writer.i16(angleToCount(s.jointAngle(axis)));
+    writer.zeros(1);
+    for (const Axis axis : kAxes)
+        writer.i16(int(std::lround(std::clamp(s.torque(axis), -1.0, 1.0) * 512.0)));
+    writer.u16(int(std::lround(s.current() * 1000.0))).i16(210).i16(-40).i16(380).i8(31).i8(0).u8(2).u8(0);
+    return writer.zeros(36).take();
+}
+
+QByteArray SbgcBoard::realtimeCustom(quint32 flags) const
+{
+    const Stabilizer &s = m_stabilizer;
+    ByteWriter writer;
+    writer.u16(int(std::fmod(m_now * 1000.0, 65536.0)));
+    const auto each = [&writer](auto &&raw) {
+        for (const Axis axis : kAxes)
+            writer.i16(raw(axis));
+    };
+    if (flags & 1)
+        each([&](Axis axis) { return angleToCount(s.estimate(axis)); });
+    if (flags & 2)
+        each([&](Axis axis) { return angleToCount(s.target(axis)); });
+    if (flags & 4)
+        each([&](Axis axis) {
+            const auto i = std::size_t(axis);
+            return (m_control[i].mode & 0x0F) == Speed ? toCount16(m_moveSpeed[i], kGyroUnit) : 0;
+        });
+    if (flags & 8)
+        each([&](Axis axis) { return angleToCount(s.jointAngle(axis)); });
+    if (flags & 16)
+        each([&](Axis axis) { return toCount16(s.gyro(axis), kGyroUnit); });
+    if (flags & 32)
+        writer.zeros(12);
+    if (flags & 64)
+        writer.bytes(attitudeVectors());
+    if (flags & 128) {
+        for (int i = 0; i < 18; ++i)
+            writer.i16(-32768);  // no receiver
+    }
+    if (flags & 256) {
+        for (const double g : s.acc())
+            writer.i16(toCount16(g, kAccUnit));
+    }
+    return writer.bytes(laterFields(flags & laterCustomFlags(m_options.firmware))).take();
+}
+
+// Fields of later firmware. What this gimbal does not have (a fourth motor, scripts, an external IMU, limits)
+// reads zero.
+QByteArray SbgcBoard::laterFields(quint32 flags) const
+{
+    const Stabilizer &s = m_stabilizer;
+    ByteWriter writer;
+    const auto has = [flags](int bit) { return (flags >> bit & 1) != 0; };
+    const auto fine = [&writer](auto &&degrees) {
+        for (const Axis axis : kAxes)
+            writer.i32(qint32(std::lround(degrees(axis) / 360.0 * 1048576.0)));
+    };
+    const auto estimate = [&s](Axis axis) { return s.estimate(axis); };
+    const auto target = [&s](Axis axis) { return s.target(axis); };
+    const auto joint = [&s](Axis axis) { return s.jointAngle(axis); };
+    if (has(9))
+        writer.zeros(8);
+    if (has(10))  // both references are the internal sensors; the main one is present and working
+        writer.u8(0xC9).u8(0).u8(2).zeros(23);
+    if (has(11)) {
+        for (const Axis axis : kAxes) {
+            const auto count = quint32(std::lround(s.jointAngle(axis) / 360.0 * 16777216.0)) & 0xFFFFFF;
+            writer.u16(int(count & 0xFFFF)).u8(int(count >> 16));
+        }
+    }
+    if (has(12)) {
+        for (const Axis axis : kAxes)
+            writer.f32(float(s.estimate(axis) * kVectorDegrees));
+    }
+    if (has(13))
+        writer.zeros(40);
+    if (has(14))
+        writer.zeros(20);
+    if (has(15)) {
+        for (const Axis axis : kAxes) {
+            writer.i16(int(std::lround(std::clamp(s.torque(axis), -1.0, 1.0) * 10000.0)));
+            writer.u16(int(std::lround(s.current() / 3.0 * 1000.0)))
+                .i8(35)
+                .u16(s.motorsOn() ? 4 : 0)
+                .zeros(6);
+        }
+        writer.i8(s.motorsOn() ? 1 : 0)
+            .u16(int(std::lround(volts() * 100.0)))
+            .u16(int(std::lround(s.current() * 1000.0)))
+            .u16(0);
+    }
+    if (has(16)) {
+        for (const Axis axis : kAxes)
+            writer.i16(toCount16(s.gyro(axis), kGyroUnit));  // the frame stands still but for the hand
+    }
+    if (has(17))
+        fine(estimate);
+    if (has(18))
+        fine(target);
+    if (has(19))
+        writer.u16(s.imuPresent() ? 0 : 1000).u16(int(std::min<quint64>(m_serialErrors, 65535))).u16(0).u8(0);
+    if (has(20)) {  // errata 4.4 and 4.6
+        const int calibration = m_calibration.left > 0
+            ? (m_calibration.command == CommandId::CalibAcc ? 4 : 5)
+            : m_autoPid ? 8
+                        : 0;
+        writer.u32(1U << 4).u8(calibration).zeros(8);
+    }
+    if (has(21))
+        writer.write(packQuaternion(attitude(estimate)));
+    if (has(22))
+        writer.write(packQuaternion(attitude(target)));
+    if (has(23))
+        writer.write(packQuaternion(attitude(joint)));
+    if (has(24))
+        writer.zeros(8);
+    if (has(25))
+        writer.zeros(12);
+    if (has(26))
+        writer.zeros(6);
+    if (has(27))
+        writer.zeros(24);
+    if (has(28))
+        fine(joint);
+    if (has(29))
+        writer.zeros(11);
+    return writer.take();
+}
+
+QByteArray SbgcBoard::attitudeVectors() const
+{
+    const double roll = m_stabilizer.estimate(Axis::Roll) * kVectorDegrees;
+    const double pitch = m_stabilizer.estimate(Axis::Pitch) * kVectorDegrees;
+    const double yaw = m_stabilizer.estimate(Axis::Yaw) * kVectorDegrees;
+    ByteWriter writer;
+    writer.f32(float(std::sin(roll)))
+        .f32(float(-std::sin(pitch)))
+        .f32(float(std::cos(roll) * std::cos(pitch)));
+    writer.f32(float(std::sin(yaw))).f32(float(std::cos(yaw))).f32(0.0F);
+    return writer.take();
+}
+
+Angles SbgcBoard::angles() const
+{
+    Angles result;
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+        const bool bySpeed = (m_control[i].mode & 0x0F) == Speed;
+        result[i] = {m_stabilizer.estimate(kAxes[i]), m_stabilizer.target(kAxes[i]),
+                     bySpeed ? m_moveSpeed[i] : 0.0, m_stabilizer.jointAngle(kAxes[i])};
+    }
+    return result;
+}
+
+std::vector<std::vector<double>> SbgcBoard::debugValues() const
+{
+    const Stabilizer &s = m_stabilizer;
+    const auto error = [&s](Axis axis) { return s.target(axis) - s.estimate(axis); };
+    return {{error(Axis::Roll)},
+            {error(Axis::Pitch)},
+            {error(Axis::Yaw)},
+            {s.torque(Axis::Roll), s.torque(Axis::Pitch), s.torque(Axis::Yaw)},
+            {41},
+            {31},
+            {800},
+            {m_now * 1000.0},
+            {s.jointAngle(Axis::Yaw)}};
+}

@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// MAVLink of the simulated STorM32 board (document "Mavlink Communication", errata 6).
+#include "protocol/simulator/storm32/board.h"
+#include "protocol/storm32/mavlinknames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+using namespace Qt::StringLiterals;
+using namespace storm32;
+
+namespace {
+
+constexpr double kRadian = std::numbers::pi / 180.0;
+constexpr double kBeatPeriod = 1.0;
+constexpr double kAttitudePeriod = 0.5;
+constexpr int kUint16 = 3;
+constexpr int kInt16 = 4;
+constexpr int kResultOk = 0;
+constexpr int kResultUnsupported = 3;
+constexpr qsizetype kMostEmbedded = 253;
+constexpr int kMagicRestore = 83;
+
+int byIndex(const QVariantMap &values, const char *name)
+{
+    return values.value(QString::fromLatin1(name)).toInt();
+}
+
+}  // namespace
+
+mavlink::ValueCoding StormBoard::coding() const
+{
+    return m_options.firmware >= 91 ? mavlink::ValueCoding::Bits : mavlink::ValueCoding::Number;
+}
+
+mavlink::Address StormBoard::address() const
+{
+    return {inUse(110) & 0xFF, inUse(111) & 0xFF};
+}
+
+int StormBoard::parameterIndex(const QString &id) const
+{
+    for (int word = 0; word < m_words; ++word) {
+        if (mavlinkName(m_layout, word) == id)
+            return word;
+    }
+    return 0;  // an unknown name is answered with the first parameter
+}
+
+void StormBoard::sendMessage(mavlink::MessageId id, const QVariantMap &values)
+{
+    const auto payload = mavlink::encodeFields(*mavlink::findMessage(mavlink::number(id)), values);
+    if (payload)
+        reply(mavlink::encode(id, *payload, address(), m_sequence++));
+}
+
+void StormBoard::sendParameter(int index)
+{
+    if (index < 0 || index >= m_words)
+        index = 0;
+    const auto it = std::find_if(m_parameters.all().begin(), m_parameters.all().end(),
+                                 [index](const ParameterSpec &spec) { return spec.offset == 2 * index; });
+    const bool isSigned = it != m_parameters.all().end() ? it->row->wire == WireType::I16 : index < 38;
+    sendMessage(mavlink::MessageId::ParamValue,
+                {{u"param_value"_s, mavlink::encodeValue(inUse(index), coding())},
+                 {u"param_count"_s, m_words},
+                 {u"param_index"_s, index},
+                 {u"param_id"_s, mavlinkName(m_layout, index)},
+                 {u"param_type"_s, isSigned ? kInt16 : kUint16}});
+}
+
+void StormBoard::sendParameter2(int index, const mavlink::Address &to)
+{
+    if (index < 0 || index >= m_words)
+        index = 0;
+    sendMessage(mavlink::MessageId::ParamValue2,
+                {{u"param_value"_s, mavlink::encodeValue(inUse(index), coding())},
+                 {u"param_index"_s, index},
+                 {u"param_count"_s, m_words},
+                 {u"target_system"_s, to.system},
+                 {u"target_component"_s, to.component},
+                 {u"param_type"_s, kUint16}});
+}
+
+void StormBoard::message(const mavlink::Packet &packet)
+{
+    const mavlink::Message *known = mavlink::findMessage(packet.id);
+    const auto fields
+        = known ? mavlink::decodeFields(*known, packet.payload) : failure(ErrorCode::Unsupported);
+    if (!fields)
+        return;
+    if (known->id == mavlink::MessageId::Heartbeat) {
+        m_heardBeat = true;
+        return;
+    }
+    // Other targets get nothing, broadcast included.
+    if (mavlink::Address{byIndex(*fields, "target_system"), byIndex(*fields, "target_component")}
+        != address())
+        return;
+    switch (known->id) {
+    case mavlink::MessageId::ParamRequestRead: {
+        const int index = byIndex(*fields, "param_index");
+        sendParameter(index == -1 ? parameterIndex(fields->value(u"param_id"_s).toString()) : index);
+        break;
+    }
+    case mavlink::MessageId::ParamRequestList:
+        for (int word = 0; word < m_words; ++word)
+            sendParameter(word);
+        break;
+    case mavlink::MessageId::ParamSet: {
+        const int index = parameterIndex(fields->value(u"param_id"_s).toString());
+        if (mavlinkName(m_layout, index) == fields->value(u"param_id"_s).toString())
+            set(index, mavlink::decodeValue(fields->value(u"param_value"_s).toFloat(), coding()));
+        sendParameter(index);
+        break;
+    }
+    case mavlink::MessageId::ParamRead2: sendParameter2(byIndex(*fields, "param_index"), packet.from); break;
+    case mavlink::MessageId::ParamSet2: {
+        const int index = byIndex(*fields, "param_index");
+        if (index >= 0 && index < m_words)
+            set(index, mavlink::decodeValue(fields->value(u"param_value"_s).toFloat(), coding()));
+        sendParameter2(index, packet.from);
+        break;
+    }
+    case mavlink::MessageId::CommandLong: {
+        std::array<float, 7> parameters{};
+        for (std::size_t i = 0; i < parameters.size(); ++i)
+            parameters[i] = fields->value(u"param%1"_s.arg(i + 1)).toFloat();
+        const int id = byIndex(*fields, "command");
+        if (id == 1234 && m_options.firmware >= 94) {
+            m_attitudeAsked = true;  // one, instead of an ack
+            break;
+        }
+        const int result = command(id, parameters);
+        sendMessage(mavlink::MessageId::CommandAck, {{u"command"_s, id}, {u"result"_s, result}});
+        break;
+    }
+    case mavlink::MessageId::MountConfigure:
+        if (byIndex(*fields, "mount_mode") == 1)
+            std::ignore = rc(int(Rc::SetPitchRollYaw), QByteArray(6, '\0'));
+        break;
+    case mavlink::MessageId::MountControl: {
+        const unsigned flags = unsigned(byIndex(*fields, "save_position"));
+        std::array<double, 3> values{};
+        for (std::size_t i = 0; i < 3; ++i)
+            values[i] = fields->value(QStringList{u"input_a"_s, u"input_b"_s, u"input_c"_s}[qsizetype(i)])
+                            .toDouble();
+        if (flags & 0x10) {
+            for (std::size_t i = 0; i < 3; ++i)
+                steer(std::array<std::size_t, 3>{1, 0, 2}[i], int(values[i]));
+        } else {
+            mountControl({values[0] / 100.0, values[1] / 100.0, values[2] / 100.0}, flags >> 1 & 7);
+        }
+        break;
+    }
+    case mavlink::MessageId::TargetSpecific:
+        embedded(fields->value(u"specific_payload"_s).toByteArray(), packet.from);
+        break;
+    default: break;  // executed without an answer, or for somebody else
+    }
+}
+
+int StormBoard::command(int id, const std::array<float, 7> &parameters)
+{
+    const auto number = [&parameters](std::size_t i) {
+        return std::isfinite(parameters[i]) ? int(std::clamp(parameters[i], -1e6F, 1e6F)) : 0;
+    };
+    switch (id) {
+    case 180: {  // DO_SET_PARAMETER
+        const int word = number(0);
+        if (word >= 0 && word < m_words)
+            set(word, number(6) == kMagicRestore ? stored(word) : number(1));
+        return kResultOk;
+    }
+    case 183:  // DO_SET_SERVO
+        std::ignore = rc(int(Rc::SetPwmOut), ByteWriter().u16(number(1)).take());
+        return kResultOk;
+    case 203:  // DO_DIGICAM_CONTROL
+    case 220:  // DO_MOUNT_CONTROL_QUAT
+        return kResultOk;
+    case 204:  // DO_MOUNT_CONFIGURE
+        if (number(0) == 1)
+            std::ignore = rc(int(Rc::SetPitchRollYaw), QByteArray(6, '\0'));
+        return kResultOk;
+    case 205: {  // DO_MOUNT_CONTROL
+        const unsigned flags = unsigned(number(5));
+        if (flags & 0x0100) {
+            for (std::size_t i = 0; i < 3; ++i)
+                steer(std::array<std::size_t, 3>{1, 0, 2}[i], number(i));
+        } else {
+            mountControl({double(parameters[0]), double(parameters[1]), double(parameters[2])}, flags & 7);
+        }
+        return kResultOk;
+    }
+    case 245:  // PREFLIGHT_STORAGE
+        if (number(0) == 1)
+            std::ignore = simple(Simple::Store, {});
+        else if (number(0) == 0)
+            std::ignore = simple(Simple::Retrieve, {});
+        return kResultOk;
+    default: return kResultUnsupported;
+    }
+}
+
+// Simple commands come as they are, RC commands as FA, number, payload; answers likewise, without length and
+// checksum for RC.
+void StormBoard::embedded(QByteArrayView content, const mavlink::Address &from)
+{
+    QByteArray answer;
+    if (content.isEmpty()) {
+        return;
+    } else if (std::uint8_t(content[0]) == 0xFA) {
+        if (content.size() < 2)
+            return;
+        const auto [id, payload] = rc(std::uint8_t(content[1]), content.sliced(2));
+        answer = ByteWriter().u8(0xFB).u8(id).bytes(payload).take();
+    } else if (const SimpleCommand *command = findSimple(asBytes(content))) {
+        const auto letters = qsizetype(qstrlen(command->letters));
+        const qsizetype arguments = command->argumentBytes < 0 ? m_ram.size() : command->argumentBytes;
+        const QByteArrayView data = content.sliced(letters);
+        if (data.size() < (arguments ? arguments + 2 : 0))
+            answer = "t";
+        else
+            answer = simple(command->id, data.first(arguments));
+        // 2 + 381 bytes overflow the length byte: what fits behind the overflow arrives (errata 6).
+        if (answer.size() > kMostEmbedded)
+            answer.truncate(((answer.size() + 2) & 0xFF) - 2);
+    } else {
+        answer = "e";
+    }
+    sendMessage(mavlink::MessageId::TargetSpecificAck,
+                {{u"target_system"_s, from.system},
+                 {u"target_component"_s, from.component},
+                 {u"specific_payload"_s, answer}});
+}
+
+// What the board sends by itself.
+void StormBoard::beat()
+{
+    const bool asked = std::exchange(m_attitudeAsked, false);
+    if (inUse(112) == 0 && !asked) {
+        m_nextBeat = m_now;
+        m_nextAttitude = m_now;
+        return;
+    }
+    const int state = this->state();
+    if (inUse(112) != 0 && m_now >= m_nextBeat) {
+        m_nextBeat = m_now + kBeatPeriod;
+        sendMessage(mavlink::MessageId::Heartbeat,
+                    {{u"custom_mode"_s, state},
+                     {u"type"_s, 26},
+                     {u"autopilot"_s, 0x53},
+                     {u"base_mode"_s, state == 6 ? 0x80 : 0},
+                     {u"system_status"_s, state == 6 ? 4 : 1},
+                     {u"mavlink_version"_s, 3}});
+    }
+    if (asked || (inUse(112) == 2 && m_heardBeat && m_now >= m_nextAttitude)) {
+        m_nextAttitude = m_now + kAttitudePeriod;
+        // Pitch up is positive here, yaw and the rates are always zero.
+        sendMessage(mavlink::MessageId::Attitude,
+                    {{u"time_boot_ms"_s, uint((m_now - m_started) * 1000.0)},
+                     {u"roll"_s, float(-m_stabilizer.estimate(Axis::Roll) * kRadian)},
+                     {u"pitch"_s, float(-m_stabilizer.estimate(Axis::Pitch) * kRadian)}});
+    }
+}

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/simulator/world/faults.h"
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct Row
+{
+    const char *name;
+    double min;
+    double max;
+    const char *meaning;
+    std::function<void(Faults &, double)> apply;
+};
+
+const std::vector<Row> &rows()
+{
+    // clang-format off
+    static const std::vector<Row> table{
+        {"lose", 0, 1, "probability that a byte, or a packet of a network, is lost", [](Faults &f, double v) { f.loseByte = v; }},
+        {"flip", 0, 1, "probability that one bit of a byte is wrong", [](Faults &f, double v) { f.flipByte = v; }},
+        {"double", 0, 1, "probability that a byte, or a packet, comes twice", [](Faults &f, double v) { f.doubleByte = v; }},
+        {"delay", 0, 5000, "bytes to the host are held back for up to so many ms",
+         [](Faults &f, double v) { f.delayMs = int(v); }},
+        {"reorder", 0, 1, "probability that a packet of a network is overtaken by the one after it",
+         [](Faults &f, double v) { f.reorder = v; }},
+        {"unplug", 0, 86400, "seconds until the cable is pulled", [](Faults &f, double v) { f.unplugAfter = v; }},
+        {"replug", -1, 86400, "seconds until it is plugged in again, -1 = never",
+         [](Faults &f, double v) { f.replugAfter = v; }},
+        {"reset-on-write", 0, 1000, "the n-th parameter block written resets the board half-way",
+         [](Faults &f, double v) { f.resetOnWrite = int(v); }},
+        {"no-imu", 0, 1, "the motion sensor is missing", [](Faults &f, double v) { f.noImu = v != 0; }},
+        {"battery", 0, 30, "battery voltage", [](Faults &f, double v) { f.battery = v; }},
+        {"unknown-firmware", 0, 1, "reports a version nobody knows",
+         [](Faults &f, double v) { f.unknownFirmware = v != 0; }},
+        {"other-client", 0, 86400, "seconds until another client changes P of roll",
+         [](Faults &f, double v) { f.otherClient = v; }},
+        {"shake", 0, 20, "strength of the hand that holds the gimbal, 0 = tripod",
+         [](Faults &f, double v) { f.shake = v; }},
+        {"swapped-axes", 0, 1, "roll and pitch motors are swapped",
+         [](Faults &f, double v) { f.swappedAxes = v != 0; }},
+        {"pose", 0, 7, "0 in the gimbal; 1-6 the camera lies still with Z, -Z, X, -X, Y, -Y up; 7 tilted 45 degrees down",
+         [](Faults &f, double v) { f.pose = int(v); }},
+        {"mount", 0, 23, "how the sensor sits on the camera, as STorM32 counts orientations",
+         [](Faults &f, double v) { f.mount = int(v); }},
+        {"frame-mount", 0, 23, "how the second sensor sits on the frame", [](Faults &f, double v) { f.frameMount = int(v); }},
+    };
+    // clang-format on
+    return table;
+}
+
+}  // namespace
+
+Result<void> Faults::set(const QString &assignment)
+{
+    const QString name = assignment.section(u'=', 0, 0);
+    QStringList names;
+    for (const Row &row : rows()) {
+        names.append(QLatin1String(row.name));
+        if (name != names.last())
+            continue;
+        bool ok = false;
+        const double value = assignment.section(u'=', 1).toDouble(&ok);
+        if (!ok || !std::isfinite(value) || value < row.min || value > row.max) {
+            return failure(
+                ErrorCode::InvalidArgument,
+                u"%1 needs a number from %2 to %3, not '%4'"_s.arg(name).arg(row.min).arg(row.max).arg(
+                    assignment.section(u'=', 1)));
+        }
+        row.apply(*this, value);
+        return {};
+    }
+    return failure(ErrorCode::InvalidArgument,
+                   u"there is no fault '%1'; there are: %2"_s.arg(name, names.join(u", "_s)));
+}
+
+QStringList Faults::help()
+{
+    QStringList lines;
+    for (const Row &row : rows()) {
+        lines.append(u"%1=%2..%3"_s.arg(QLatin1String(row.name)).arg(row.min).arg(row.max).leftJustified(28)
+                     + QLatin1String(row.meaning));
+    }
+    return lines;
+}

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/simulator/world/stabilizer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+// One unit of P, I and D in deg/s² per degree, per degree second and per deg/s.
+constexpr double kUnitP = 28.0;
+constexpr double kUnitI = 218.0;
+constexpr double kUnitD = 1.5;
+constexpr double kReference = 4000.0;  // deg/s² that the gains are scaled to
+constexpr double kNominalVoltage = 12.3;
+constexpr double kGyroLag = 0.002;  // seconds: the sensor's own low-pass
+constexpr double kIntegralLimit = 0.6;  // of full torque
+constexpr int kTruePoles = 14;
+constexpr int kTilted = 7;  // pose
+
+double degrees(double radians)
+{
+    return radians * 180.0 / std::numbers::pi;
+}
+
+double radians(double degreeValue)
+{
+    return degreeValue * std::numbers::pi / 180.0;
+}
+
+}  // namespace
+
+Biquad Biquad::lowPass(double hz, double sampleRate)
+{
+    Biquad filter;
+    if (hz <= 0.0 || hz >= 0.45 * sampleRate)
+        return filter;
+    const double w = 2.0 * std::numbers::pi * hz / sampleRate;
+    const double alpha = std::sin(w) / std::numbers::sqrt2;
+    const double a0 = 1.0 + alpha;
+    filter.m_b0 = filter.m_b2 = (1.0 - std::cos(w)) / 2.0 / a0;
+    filter.m_b1 = (1.0 - std::cos(w)) / a0;
+    filter.m_a1 = -2.0 * std::cos(w) / a0;
+    filter.m_a2 = (1.0 - alpha) / a0;
+    return filter;
+}
+
+Biquad Biquad::notch(double hz, double width, double depthDb, double sampleRate)
+{
+    Biquad filter;
+    if (hz <= 0.0 || width <= 0.0 || hz >= 0.45 * sampleRate)
+        return filter;
+    // A peaking filter with negative gain; a positive depth takes the band out (errata 3.5: positive =
+    // notch).
+    const double w = 2.0 * std::numbers::pi * hz / sampleRate;
+    const double a = std::pow(10.0, -std::clamp(depthDb, -40.0, 40.0) / 40.0);
+    const double alpha = std::sin(w) * width / (2.0 * hz);
+    const double a0 = 1.0 + alpha / a;
+    filter.m_b0 = (1.0 + alpha * a) / a0;
+    filter.m_b1 = -2.0 * std::cos(w) / a0;
+    filter.m_b2 = (1.0 - alpha * a) / a0;
+    filter.m_a1 = filter.m_b1;
+    filter.m_a2 = (1.0 - alpha / a) / a0;
+    return filter;
+}
+
+double Biquad::process(double input)
+{
+    const double output = m_b0 * input + m_b1 * m_x1 + m_b2 * m_x2 - m_a1 * m_y1 - m_a2 * m_y2;
+    m_x2 = m_x1;
+    m_x1 = input;
+    m_y2 = m_y1;
+    m_y1 = output;
+    return output;
+}
+
+Stabilizer::Stabilizer(unsigned seed)
+    : m_noise(seed * 2 + 1)
+    , m_hand(seed * 2 + 2)
+{
+}
+
+void Stabilizer::setGains(Axis axis, const AxisGains &gains)
+{
+    AxisState &state = m_axes[index(axis)];
+    const AxisGains old = state.gains;
+    state.gains = gains;
+    // Filters keep their memory while only gains move, so live tuning does not click.
+    const bool sameNotches = std::equal(gains.notches.begin(), gains.notches.end(), old.notches.begin(),
+                                        [](const AxisGains::Notch &a, const AxisGains::Notch &b) {
+                                            return a.hz == b.hz && a.width == b.width && a.gainDb == b.gainDb;
+                                        });
+    if (!sameNotches || gains.lpfHz != old.lpfHz) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const AxisGains::Notch &notch = gains.notches[i];
+            state.filters[i] = Biquad::notch(notch.hz, notch.width, notch.gainDb, 1.0 / kCycle);
+        }
+        state.filters[3] = Biquad::lowPass(gains.lpfHz, 1.0 / kCycle);
+    }
+    if (gains.dLpfHz != old.dLpfHz)
+        state.dFilter = Biquad::lowPass(gains.dLpfHz, 1.0 / kCycle);
+}
+
+void Stabilizer::setMotorsOn(bool on)
+{
+    if (on && !m_motorsOn) {
+        for (AxisState &axis : m_axes)
+            axis.integral = axis.command = 0.0;
+    }
+    m_motorsOn = on;
+}
+
+void Stabilizer::resetEstimate()
+{
+    for (AxisState &axis : m_axes) {
+        axis.estimate = axis.plant.angle();
+        axis.integral = 0.0;
+    }
+}
+
+void Stabilizer::step()
+{
+    m_hand.step(kCycle);
+    m_current = 0.12;
+    std::array<double, kAxisCount> torque{};
+    for (std::size_t i = 0; i < m_axes.size(); ++i) {
+        AxisState &axis = m_axes[i];
+        const bool driven = m_motorsOn && m_imuPresent;
+        // The motor acts through the poles it was told to have, and the wrong way round when wrongly
+        // inverted.
+        const double poleFactor
+            = axis.gains.poles <= 0 ? 0.0 : std::min(3.0, double(kTruePoles) / axis.gains.poles);
+        const double limit = axis.gains.power * m_voltage / kNominalVoltage;
+        const double command = driven ? std::clamp(axis.command * poleFactor, -limit, limit) : 0.0;
+        torque[i] = axis.torque = axis.gains.inverted ? -command : command;
+        axis.effort = driven ? axis.gains.power : 0.0;
+        m_current += std::abs(command) * 1.6 + axis.effort * 0.25;
+    }
+    if (m_swapped)
+        std::swap(torque[0], torque[1]);
+    for (std::size_t i = 0; i < m_axes.size(); ++i) {
+        AxisPlant &plant = m_axes[i].plant;
+        if (m_held || m_pose != 0)
+            plant.setAngle(plant.angle());
+        else
+            plant.step(kCycle, torque[i], m_hand.angle(kAxes[i]), m_hand.rate(kAxes[i]));
+    }
+    sense();
+    for (AxisState &axis : m_axes)
+        control(axis);
+}
+
+void Stabilizer::sense()
+{
+    const double roll = radians(m_axes[0].plant.angle());
+    const double pitch = radians(m_axes[1].plant.angle());
+    m_gravity = {std::sin(roll), -std::sin(pitch), std::cos(roll) * std::cos(pitch)};
+    if (m_pose == kTilted) {
+        m_gravity = {0.0, -std::numbers::sqrt2 / 2.0, std::numbers::sqrt2 / 2.0};
+    } else if (m_pose != 0) {
+        constexpr std::array<std::size_t, 3> faceAxis{2, 0, 1};
+        m_gravity = {};
+        m_gravity[faceAxis[std::size_t(m_pose - 1) / 2]] = m_pose % 2 ? 1.0 : -1.0;
+    }
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+        AxisState &axis = m_axes[i];
+        if (!m_imuPresent) {
+            axis.gyro = axis.rawGyro = 0.0;
+            m_acc[i] = m_rawAcc[i] = 0.0;
+            continue;
+        }
+        axis.gyroFiltered += (axis.plant.rate() - axis.gyroFiltered) * kCycle / kGyroLag;
+        axis.rawGyro = axis.gyroFiltered + m_imu.gyroBias[i] + m_noise.gauss(m_imu.gyroNoise);
+        axis.gyro = axis.rawGyro - m_imu.gyroCorrection[i];
+        const double reading
+            = m_gravity[i] * m_imu.accScaleError[i] + m_imu.accError[i] + m_noise.gauss(m_imu.accNoise);
+        m_rawAcc[i] = reading;
+        m_acc[i] = (reading - m_imu.accCorrection[i]) / m_imu.accScale[i];
+    }
+    if (!m_imuPresent)
+        return;
+    misjudge();
+    // Complementary estimate: the gyroscope leads, the accelerometer pulls roll and pitch back. Yaw has no
+    // reference.
+    const double pull = 0.6 * 120.0 / std::max(10.0, m_gyroTrust) * kCycle;
+    const std::array<double, 2> level{degrees(std::asin(std::clamp(m_acc[0], -1.0, 1.0))),
+                                      degrees(std::asin(std::clamp(-m_acc[1], -1.0, 1.0)))};
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+        AxisState &axis = m_axes[i];
+        axis.estimate += axis.gyro * kCycle;
+        if (i < level.size())
+            axis.estimate += (level[i] - axis.estimate) * pull;
+    }
+}
+
+// Vectors as the firmware gets them, by the axes it believes in. Plant axes are right, forward, up for the
+// accelerometer, and turns to the left about forward, down about left, to the right about up.
+void Stabilizer::misjudge()
+{
+    if (m_believed == Rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}})
+        return;
+    const auto turned = [this](const std::array<double, 3> &v) {
+        std::array<double, 3> result{};
+        for (std::size_t row = 0; row < 3; ++row) {
+            for (std::size_t column = 0; column < 3; ++column)
+                result[row] += m_believed[row][column] * v[column];
+        }
+        return result;
+    };
+    const auto acc = turned({m_acc[1], -m_acc[0], m_acc[2]});
+    m_acc = {-acc[1], acc[0], acc[2]};
+    const auto gyro = turned({-m_axes[0].gyro, m_axes[1].gyro, -m_axes[2].gyro});
+    m_axes[0].gyro = -gyro[0];
+    m_axes[1].gyro = gyro[1];
+    m_axes[2].gyro = -gyro[2];
+}
+
+void Stabilizer::control(AxisState &axis)
+{
+    const AxisGains &gains = axis.gains;
+    const double error = axis.target - axis.estimate;
+    const double scale = gains.gain / kReference;
+    if (m_motorsOn && m_imuPresent) {
+        axis.integral = std::clamp(axis.integral + kUnitI * gains.i * scale * error * kCycle, -kIntegralLimit,
+                                   kIntegralLimit);
+    }
+    double output = kUnitP * gains.p * scale * error
+        - kUnitD * gains.d * scale * axis.dFilter.process(axis.gyro) + axis.integral;
+    for (Biquad &filter : axis.filters)
+        output = filter.process(output);
+    axis.command = output;
+}

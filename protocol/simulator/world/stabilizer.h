@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/simulator/world/plant.h"
+
+/// The gains and filters of one axis as the simulated controller uses them.
+struct AxisGains
+{
+    double p = 0;
+    double i = 0;
+    double d = 0;
+    double gain = 1.0;  ///< multiplies all three
+    double power = 0;  ///< 0..1
+    bool inverted = false;  ///< relative to how the motor is wired
+    int poles = 14;
+    double lpfHz = 0;  ///< 0 = off
+    double dLpfHz = 0;
+    struct Notch
+    {
+        double hz = 0, width = 0, gainDb = 0;
+    };
+    std::array<Notch, 3> notches{};
+};
+
+/// Second-order filter section.
+class Biquad
+{
+public:
+    static Biquad lowPass(double hz, double sampleRate);
+    static Biquad notch(double hz, double width, double depthDb, double sampleRate);
+    double process(double input);
+
+private:
+    double m_b0 = 1, m_b1 = 0, m_b2 = 0, m_a1 = 0, m_a2 = 0;
+    double m_x1 = 0, m_x2 = 0, m_y1 = 0, m_y2 = 0;
+};
+
+/// The inertial sensor: noise, a bias that calibration removes, an accelerometer error that calibration
+/// removes.
+struct SimulatedImu
+{
+    std::array<double, kAxisCount> gyroBias{1.7, -2.4, 0.4};  ///< deg/s; yaw has nothing that pulls it back
+    std::array<double, kAxisCount> accError{0.035, -0.028, 0.02};  ///< g
+    std::array<double, kAxisCount> gyroCorrection{};  ///< found by calibration
+    std::array<double, kAxisCount> accScaleError{1.03, 0.975, 1.02};  ///< reading per true g
+    std::array<double, kAxisCount> accCorrection{};
+    std::array<double, kAxisCount> accScale{1.0, 1.0, 1.0};  ///< found by calibration in both directions
+    double gyroNoise = 0.06;  ///< deg/s per sample
+    double accNoise = 0.004;  ///< g
+};
+
+/// The firmware's control loop on the plant: sensors, attitude estimate, PID, filters, limits. One step is
+/// 0.8 ms.
+class Stabilizer
+{
+public:
+    static constexpr double kCycle = 0.0008;
+
+    explicit Stabilizer(unsigned seed);
+
+    void setGains(Axis axis, const AxisGains &gains);
+    void setGyroTrust(double trust) { m_gyroTrust = trust; }
+    void setMotorsOn(bool on);
+    [[nodiscard]] bool motorsOn() const { return m_motorsOn; }
+    void setImuPresent(bool present) { m_imuPresent = present; }
+    [[nodiscard]] bool imuPresent() const { return m_imuPresent; }
+    /// Somebody holds the camera still, or it lies on the table: the sensors see no motion.
+    void setHeld(bool held) { m_held = held; }
+    /// The camera lies still on one of its faces: 1-6 with Z, -Z, X, -X, Y, -Y up; 7 tilted 45 degrees down;
+    /// 0 = in the gimbal.
+    void setPose(int pose) { m_pose = pose; }
+    [[nodiscard]] int pose() const { return m_pose; }
+    /// Gravity as it is, in g, in the camera's axes right, forward and up.
+    [[nodiscard]] const std::array<double, kAxisCount> &gravity() const { return m_gravity; }
+    /// The accelerometer before calibration, in g.
+    [[nodiscard]] double rawAcc(std::size_t axis) const { return m_rawAcc[axis]; }
+    /// What the firmware takes for forward, left and up, in terms of what is: rows of a rotation. It differs
+    /// where the sensor sits otherwise than the firmware was told.
+    using Rotation = std::array<std::array<int, 3>, 3>;
+    void setBelievedAxes(const Rotation &axes) { m_believed = axes; }
+    /// Roll and pitch motors are plugged the wrong way round.
+    void setSwappedMotors(bool swapped) { m_swapped = swapped; }
+    void setVoltage(double volts) { m_voltage = volts; }
+    void step();
+
+    [[nodiscard]] double target(Axis axis) const { return m_axes[index(axis)].target; }
+    void setTarget(Axis axis, double degrees) { m_axes[index(axis)].target = degrees; }
+    /// Attitude as the board believes it.
+    [[nodiscard]] double estimate(Axis axis) const { return m_axes[index(axis)].estimate; }
+    /// Attitude as it is.
+    [[nodiscard]] double trueAngle(Axis axis) const { return m_axes[index(axis)].plant.angle(); }
+    [[nodiscard]] double jointAngle(Axis axis) const { return m_axes[index(axis)].plant.jointAngle(); }
+    [[nodiscard]] double gyro(Axis axis) const { return m_axes[index(axis)].gyro; }
+    [[nodiscard]] double rawGyro(Axis axis) const { return m_axes[index(axis)].rawGyro; }
+    /// Accelerometer, x y z in g, with calibration applied.
+    [[nodiscard]] const std::array<double, kAxisCount> &acc() const { return m_acc; }
+    /// Motor effort 0..1 of full power.
+    [[nodiscard]] double effort(Axis axis) const { return m_axes[index(axis)].effort; }
+    [[nodiscard]] double torque(Axis axis) const { return m_axes[index(axis)].torque; }
+    [[nodiscard]] double current() const { return m_current; }
+    SimulatedImu &imu() { return m_imu; }
+    HandShake &hand() { return m_hand; }
+    [[nodiscard]] const HandShake &hand() const { return m_hand; }
+    AxisPlant &plant(Axis axis) { return m_axes[index(axis)].plant; }
+    /// Takes the true attitude as estimate, as the board does at start.
+    void resetEstimate();
+
+private:
+    struct AxisState
+    {
+        explicit AxisState(Axis axis)
+            : plant(simulatedMechanics(axis))
+        {
+        }
+        AxisPlant plant;
+        AxisGains gains;
+        std::array<Biquad, 4> filters{};
+        Biquad dFilter;
+        double target = 0;
+        double estimate = 0;
+        double integral = 0;
+        double gyro = 0;
+        double rawGyro = 0;
+        double gyroFiltered = 0;
+        double command = 0;  // computed last cycle, acts now: the loop's delay
+        double effort = 0;
+        double torque = 0;
+    };
+    static std::size_t index(Axis axis) { return static_cast<std::size_t>(axis); }
+    void sense();
+    void misjudge();
+    void control(AxisState &axis);
+
+    SimulatedNoise m_noise;
+    HandShake m_hand;
+    SimulatedImu m_imu;
+    std::array<AxisState, kAxisCount> m_axes{AxisState(Axis::Roll), AxisState(Axis::Pitch),
+                                             AxisState(Axis::Yaw)};
+    std::array<double, kAxisCount> m_gravity{0, 0, 1};
+    std::array<double, kAxisCount> m_acc{0, 0, 1};
+    std::array<double, kAxisCount> m_rawAcc{0, 0, 1};
+    Rotation m_believed{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    double m_gyroTrust = 120;
+    double m_voltage = 12.3;
+    double m_current = 0;
+    bool m_motorsOn = false;
+    bool m_imuPresent = true;
+    bool m_held = false;
+    int m_pose = 0;
+    bool m_swapped = false;
+};

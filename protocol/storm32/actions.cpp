@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/storm32/actions.h"
+
+#include "protocol/storm32/procedures.h"
+#include "protocol/storm32/telemetrytables.h"
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+using namespace storm32;
+
+namespace {
+
+constexpr int kHeartbeatWord = 112;
+constexpr auto kSettling = 1500ms;
+
+// clang-format off
+constexpr Choice kPanModes[] = {{0, "as set"}, {1, "hold hold pan"}, {2, "hold hold hold"}, {3, "pan pan pan"}, {4, "pan hold hold"},
+                                {5, "pan hold pan"}, {6, "hold pan pan"}};
+// clang-format on
+constexpr Choice kPanSettings[] = {{0, "default"}, {1, "1"}, {2, "2"}, {3, "3"}};
+constexpr Choice kShots[]
+    = {{0, "off"}, {1, "shutter"}, {2, "shutter-delayed"}, {3, "video-on"}, {4, "video-off"}};
+constexpr Choice kCases[] = {{0, "off"}, {1, "default"}, {2, "1"}, {3, "2"}, {4, "3"}};
+constexpr Choice kRates[] = {{0, "9600"}, {1, "19200"}, {2, "38400"}, {3, "57600"}, {4, "115200"}};
+
+// clang-format off
+constexpr ArgumentSpec kAngles[] = {
+    {.key = "pitch", .label = "Pitch", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°", .defaultText = "0"},
+    {.key = "roll", .label = "Roll", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°", .defaultText = "0"},
+    {.key = "yaw", .label = "Yaw", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°", .defaultText = "0"},
+    {.key = "limited", .label = "Within the limits of the sticks", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
+constexpr ArgumentSpec kPulses[] = {
+    {.key = "pitch", .label = "Pitch (0 = middle)", .min = 0, .max = 2300, .unit = "µs", .defaultText = "0"},
+    {.key = "roll", .label = "Roll (0 = middle)", .min = 0, .max = 2300, .unit = "µs", .defaultText = "0"},
+    {.key = "yaw", .label = "Yaw (0 = middle)", .min = 0, .max = 2300, .unit = "µs", .defaultText = "0"}};
+constexpr ArgumentSpec kPanMode[] = {{.key = "mode", .label = "Pan mode (pitch roll yaw)", .kind = ArgumentKind::Choice, .choices = kPanModes}};
+constexpr ArgumentSpec kPanSetting[] = {{.key = "setting", .label = "Pan mode setting", .kind = ArgumentKind::Choice, .choices = kPanSettings}};
+constexpr ArgumentSpec kStandby[] = {{.key = "on", .label = "Standby", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
+constexpr ArgumentSpec kShot[] = {{.key = "shot", .label = "Shot", .kind = ArgumentKind::Choice, .choices = kShots, .defaultText = "shutter"}};
+constexpr ArgumentSpec kScript[] = {
+    {.key = "script", .label = "Script", .min = 1, .max = 4},
+    {.key = "case", .label = "Case", .kind = ArgumentKind::Choice, .choices = kCases, .defaultText = "default"}};
+constexpr ArgumentSpec kPwm[] = {{.key = "pulse", .label = "Pulse", .min = 700, .max = 2300, .unit = "µs", .defaultText = "1500"}};
+constexpr ArgumentSpec kName[] = {{.key = "name", .label = "Name", .kind = ArgumentKind::Text}};
+constexpr ArgumentSpec kRate[] = {{.key = "rate", .label = "Rate", .kind = ArgumentKind::Choice, .choices = kRates, .defaultText = "115200"}};
+constexpr ArgumentSpec kWord[] = {{.key = "word", .label = "Number of the word", .min = 0, .max = 124}};
+
+constexpr ActionSpec kActions[] = {
+    {.key = "status", .label = "Read status", .help = "State, status bits, bus errors and voltage.", .group = "Read"},
+    {.key = "calibration.read", .label = "Read calibration", .help = "Zeros and scales of both sensors.", .group = "Read"},
+    {.key = "sensors.raw", .label = "Read raw sensors", .help = "Counts of both sensors before calibration.", .group = "Read"},
+    {.key = "motors.on", .label = "Motors on", .help = "Leaves standby.", .group = "Motion", .risk = ActionRisk::Moves},
+    {.key = "motors.off", .label = "Motors off", .help = "Standby: all motors are without current.", .group = "Motion"},
+    {.key = "angle", .label = "Set angles", .help = "Turns the camera to these angles; down, right and left are positive.",
+     .group = "Motion", .risk = ActionRisk::Moves, .arguments = kAngles},
+    {.key = "sticks", .label = "Set stick positions", .help = "Steers like a receiver would.", .group = "Motion",
+     .risk = ActionRisk::Moves, .arguments = kPulses},
+    {.key = "recenter", .label = "Re-center", .help = "Brings the camera back to its middle.", .group = "Motion", .risk = ActionRisk::Moves, .whileSteering = true},
+    {.key = "pan.mode", .label = "Pan mode", .help = "Which axes follow the handle, until it is changed back.", .group = "Motion",
+     .risk = ActionRisk::Moves, .arguments = kPanMode, .whileSteering = true},
+    {.key = "pan.setting", .label = "Pan mode setting", .help = "One of the four that are set up.", .group = "Motion",
+     .risk = ActionRisk::Moves, .arguments = kPanSetting, .whileSteering = true},
+    {.key = "standby", .label = "Standby", .help = "Switches standby on or off.", .group = "Motion", .risk = ActionRisk::Moves,
+     .arguments = kStandby, .whileSteering = true},
+    {.key = "level", .label = "Level", .help = "Levels the gimbal anew.", .group = "Motion", .risk = ActionRisk::Moves},
+    {.key = "camera", .label = "Release the camera", .help = "By infrared, as the camera model is set.", .group = "Functions",
+     .arguments = kShot, .whileSteering = true},
+    {.key = "script", .label = "Run a script", .help = "Chooses the case that a script runs.", .group = "Functions",
+     .risk = ActionRisk::Moves, .arguments = kScript, .whileSteering = true},
+    {.key = "pwm", .label = "PWM output", .help = "Sets the servo output.", .group = "Functions", .risk = ActionRisk::Moves,
+     .arguments = kPwm, .whileSteering = true},
+    {.key = "trim", .label = "Take RC trims", .help = "Takes the sticks' present positions as their middle; in RAM.", .group = "Setup",
+     .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
+    {.key = "directions.take", .label = "Take motor directions", .help = "Copies the directions that were found into the parameters; in RAM.",
+     .group = "Setup", .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
+    {.key = "start.take", .label = "Take start positions, pitch and roll", .help = "Copies where the motors stand now; in RAM.",
+     .group = "Setup", .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
+    {.key = "start.take_yaw", .label = "Take start position, yaw", .help = "Copies where the motor stands now; in RAM.", .group = "Setup",
+     .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
+    {.key = "name", .label = "Name the board", .help = "Up to 16 letters; stored at once.", .group = "Setup", .risk = ActionRisk::Writes,
+     .arguments = kName},
+    {.key = "rate", .label = "Set the serial rate", .help = "Stored at once; takes effect when the board is switched on again.",
+     .group = "Setup", .risk = ActionRisk::Writes, .arguments = kRate},
+    {.key = "heartbeat.off", .label = "Switch the heartbeat off",
+     .help = "Plain commands work again on this port at once. In RAM; store it to keep it.", .group = "Setup", .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
+    {.key = "store", .label = "Store", .help = "Keeps all values in use, scripts included.", .group = "Memory", .risk = ActionRisk::Writes, .memory = MemoryEffect::Stores},
+    {.key = "retrieve", .label = "Retrieve", .help = "Puts the stored values into use again; what was not stored is gone.",
+     .group = "Memory", .risk = ActionRisk::Destroys, .memory = MemoryEffect::Reloads},
+    {.key = "restore", .label = "Restore one value", .help = "Puts the stored value of one parameter into use again.", .group = "Memory",
+     .risk = ActionRisk::Writes, .arguments = kWord, .memory = MemoryEffect::ChangesInUse},
+    {.key = "defaults", .label = "Factory defaults", .help = "Puts the defaults into use; stored values stay until you store.",
+     .group = "Memory", .risk = ActionRisk::Destroys, .memory = MemoryEffect::ChangesInUse},
+    {.key = "erase", .label = "Erase the memory", .help = "The next start begins with defaults. Values in use stay until then.",
+     .group = "Memory", .risk = ActionRisk::Destroys},
+    {.key = "restart", .label = "Restart", .help = "Restarts the controller with the stored values; motors go off meanwhile.",
+     .group = "Board", .risk = ActionRisk::Moves, .memory = MemoryEffect::Reloads},
+    {.key = "reset", .label = "Hardware reset", .help = "Like switching off and on.", .group = "Board", .risk = ActionRisk::Moves, .memory = MemoryEffect::Reloads},
+    {.key = "motors.normal", .label = "Use all motors, restart", .help = "Sets all motors to normal use and restarts: the motors start.", .group = "Board",
+     .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const ActionSpec> StormActions::all()
+{
+    static const std::vector<ActionSpec> both = [] {
+        std::vector<ActionSpec> list(std::begin(kActions), std::end(kActions));
+        const auto procedures = StormProcedures::all();
+        list.insert(list.end(), procedures.begin(), procedures.end());
+        return list;
+    }();
+    return both;
+}
+
+Result<ActionReply> StormActions::simple(Simple id, QByteArrayView arguments)
+{
+    const auto reply = m_channel.transact(m_device.simple(id, arguments));
+    if (!reply)
+        return tl::unexpected(reply.error());
+    return ActionReply{};
+}
+
+Result<ActionReply> StormActions::rc(Rc id, const QVariantMap &values)
+{
+    const RcCommand &command = *findRc(int(id));
+    const auto payload = encodeFields(command.fields, values, command.payloadBytes);
+    if (!payload)
+        return tl::unexpected(payload.error());
+    const auto reply = m_channel.transact(m_device.rc(id, *payload));
+    if (!reply)
+        return tl::unexpected(reply.error());
+    return ActionReply{};
+}
+
+Result<ActionReply> StormActions::status()
+{
+    const auto reply = m_channel.transact(m_device.simple(Simple::Status));
+    if (!reply)
+        return tl::unexpected(reply.error());
+    ByteReader reader(reply->payload);
+    const int state = reader.u16();
+    const int bits = reader.u16();
+    const int more = reader.u16();
+    const int errors = reader.u16();
+    return ActionReply{{u"state"_s, stateName(state, m_device.m_firmware)},
+                       {u"status"_s, u"0x%1"_s.arg(bits, 4, 16, QChar(u'0'))},
+                       {u"status2"_s, u"0x%1"_s.arg(more, 4, 16, QChar(u'0'))},
+                       {u"errors"_s, errors},
+                       {u"voltage"_s, reader.u16() / 1000.0}};
+}
+
+Result<ActionReply> StormActions::calibration()
+{
+    const auto reply = m_channel.transact(m_device.simple(Simple::ReadCalibration));
+    if (!reply)
+        return tl::unexpected(reply.error());
+    ByteReader reader(reply->payload);
+    ActionReply words;
+    for (const char *imu : {"imu", "imu2"}) {
+        for (const char *kind : {"acc.zero", "acc.scale", "gyro.zero"}) {
+            for (const char *axis : {"x", "y", "z"})
+                words.insert(u"%1.%2.%3"_s.arg(QLatin1String(imu), QLatin1String(kind), QLatin1String(axis)),
+                             int(reader.i16()));
+        }
+    }
+    return words;
+}
+
+Result<ActionReply> StormActions::rawSensors()
+{
+    const auto reply = m_channel.transact(m_device.simple(Simple::RawSensors));
+    if (!reply)
+        return tl::unexpected(reply.error());
+    ByteReader reader(reply->payload);
+    ActionReply words;
+    for (const char *imu : {"imu", "imu2"}) {
+        for (const char *kind : {"acc", "gyro"}) {
+            for (const char *axis : {"x", "y", "z"})
+                words.insert(u"%1.%2.%3"_s.arg(QLatin1String(imu), QLatin1String(kind), QLatin1String(axis)),
+                             int(reader.i16()));
+        }
+        words.insert(u"%1.temperature"_s.arg(QLatin1String(imu)),
+                     reader.i16() / 340.0 + 36.53);  // errata 3.9
+    }
+    return words;
+}
+
+// Off, plain commands work again at once: from then on they are used.
+Result<ActionReply> StormActions::setHeartbeat(int mode)
+{
+    const auto done = m_device.writeWord(m_channel, kHeartbeatWord, mode);
+    if (!done)
+        return tl::unexpected(done.error());
+    return ActionReply{};
+}
+
+Result<ActionReply> StormActions::perform(const QString &key, const QVariantMap &arguments)
+{
+    const auto number
+        = [&arguments](const char *name) { return arguments.value(QString::fromLatin1(name)).toInt(); };
+    const auto real = [&arguments](const char *name) {
+        return float(arguments.value(QString::fromLatin1(name)).toDouble());
+    };
+    const auto on
+        = [&arguments](const char *name) { return arguments.value(QString::fromLatin1(name)).toBool(); };
+    if (key == u"status"_s)
+        return status();
+    if (key == u"calibration.read"_s)
+        return calibration();
+    if (key == u"sensors.raw"_s)
+        return rawSensors();
+    if (key == u"motors.on"_s || key == u"motors.off"_s)
+        return rc(Rc::SetStandby, {{u"on"_s, key == u"motors.off"_s}});
+    if (key == u"standby"_s)
+        return rc(Rc::SetStandby, {{u"on"_s, on("on")}});
+    if (key == u"angle"_s) {
+        return rc(Rc::SetAngle,
+                  {{u"pitch"_s, real("pitch")},
+                   {u"roll"_s, real("roll")},
+                   {u"yaw"_s, real("yaw")},
+                   {u"flags"_s, on("limited") ? 7 : 0}});
+    }
+    if (key == u"sticks"_s)
+        return rc(Rc::SetPitchRollYaw,
+                  {{u"pitch"_s, number("pitch")}, {u"roll"_s, number("roll")}, {u"yaw"_s, number("yaw")}});
+    if (key == u"recenter"_s)
+        return rc(Rc::SetPitchRollYaw, {});
+    if (key == u"pan.mode"_s)
+        return rc(Rc::SetPanMode, {{u"mode"_s, number("mode")}});
+    if (key == u"pan.setting"_s)
+        return rc(Rc::ActivePanModeSetting, {{u"setting"_s, number("setting")}});
+    if (key == u"camera"_s)
+        return rc(Rc::DoCamera, {{u"shot"_s, number("shot")}});
+    if (key == u"script"_s)
+        return rc(Rc::SetScriptControl, {{u"script"_s, number("script") - 1}, {u"case"_s, number("case")}});
+    if (key == u"pwm"_s)
+        return rc(Rc::SetPwmOut, {{u"pulse"_s, number("pulse")}});
+    if (key == u"restore"_s)
+        return rc(Rc::RestoreParameter, {{u"index"_s, number("word")}});
+    if (key == u"heartbeat.off"_s)
+        return setHeartbeat(0);
+    if (key == u"name"_s) {
+        const QByteArray name = arguments.value(u"name"_s).toString().toLatin1();
+        if (name.size() > 16)
+            return failure(ErrorCode::InvalidArgument,
+                           u"a name has up to 16 letters, not %1"_s.arg(name.size()));
+        return simple(Simple::SetName, name.leftJustified(16, ' '));
+    }
+    if (key == u"rate"_s)
+        return simple(Simple::SetBaudRate, ByteWriter().u8(number("rate")).u8(0).take());
+    struct Plain
+    {
+        const char *key;
+        Simple id;
+    };
+    // clang-format off
+    static constexpr Plain kPlain[] = {
+        {"level", Simple::Level}, {"trim", Simple::RcTrim}, {"directions.take", Simple::TakeDirections},
+        {"start.take", Simple::TakeStartPositions}, {"start.take_yaw", Simple::TakeYawStartPosition}, {"store", Simple::Store},
+        {"retrieve", Simple::Retrieve}, {"defaults", Simple::Defaults}, {"erase", Simple::EraseEeprom}, {"restart", Simple::Restart},
+        {"reset", Simple::HardReset}, {"motors.normal", Simple::NormalMotors},
+    };
+    // clang-format on
+    for (const Plain &plain : kPlain) {
+        if (key != QLatin1String(plain.key))
+            continue;
+        auto done = simple(plain.id);
+        // Answered at once, done later (errata 3.9, 7): only then can answers be trusted.
+        const bool late = plain.id == Simple::RcTrim || plain.id == Simple::Restart
+            || plain.id == Simple::HardReset || plain.id == Simple::NormalMotors;
+        if (done && late) {
+            if (const auto slept = m_channel.sleep(kSettling); !slept)
+                return tl::unexpected(slept.error());
+        }
+        return done;
+    }
+    return StormProcedures(m_device, m_channel).perform(key, arguments);
+}
+
+std::span<const ActionSpec> StormDevice::actions() const
+{
+    return StormActions::all();
+}
+
+QString StormDevice::storeAction() const
+{
+    return u"store"_s;
+}
+
+Result<ActionReply> StormDevice::perform(Channel &channel, const QString &key, const QVariantMap &arguments)
+{
+    return StormActions(*this, channel).perform(key, arguments);
+}

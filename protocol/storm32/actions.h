@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/storm32/device.h"
+
+/// The actions of the family: simple and RC commands that are neither a parameter nor telemetry (document,
+/// errata 3.9 and 4).
+class StormActions
+{
+public:
+    StormActions(StormDevice &device, Channel &channel)
+        : m_device(device)
+        , m_channel(channel)
+    {
+    }
+
+    [[nodiscard]] static std::span<const ActionSpec> all();
+
+    Result<ActionReply> perform(const QString &key, const QVariantMap &arguments);
+
+private:
+    Result<ActionReply> simple(storm32::Simple id, QByteArrayView arguments = {});
+    /// @param values of the command's fields, see storm32::RcCommand
+    Result<ActionReply> rc(storm32::Rc id, const QVariantMap &values);
+    Result<ActionReply> status();
+    Result<ActionReply> calibration();
+    Result<ActionReply> rawSensors();
+    Result<ActionReply> setHeartbeat(int mode);
+
+    StormDevice &m_device;
+    Channel &m_channel;
+};

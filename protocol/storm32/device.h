@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/device/abilities.h"
+#include "protocol/device/family.h"
+#include "protocol/device/steering.h"
+#include "protocol/session/channel.h"
+#include "protocol/session/controlstream.h"
+#include "protocol/storm32/commands.h"
+#include "protocol/telemetry/telemetryplan.h"
+
+#include <atomic>
+#include <map>
+
+/// STorM32 (o323bgc) with the setup layouts 78, 89 and 95; others open read-only with raw words. A board
+/// whose heartbeat has locked plain commands out of its serial port is reached by embedding them in MAVLink
+/// (errata 6).
+class StormDevice final : public Device,
+                          public WriteBracket,
+                          public LiveAccess,
+                          public Steering,
+                          public MotorSwitch,
+                          public FrameInspector,
+                          public FaultWords,
+                          public StatusWords
+{
+public:
+    StormDevice();
+    ~StormDevice() override;
+
+    Result<bool> probe(Channel &channel) override;
+    Result<BoardIdentity> identify(Channel &channel) override;
+    [[nodiscard]] const BoardIdentity &identity() const override { return m_identity; }
+    void setReadOnly() override { m_identity.writable = false; }
+    [[nodiscard]] std::shared_ptr<const ParameterSet> parameters() const override { return m_parameters; }
+    Result<Configuration> readConfiguration(Channel &channel) override;
+    Result<QByteArray> readBlock(Channel &channel, BlockKey key) override;
+    /// Changes volatile memory; endWrite() stores it.
+    Result<void> writeBlock(Channel &channel, BlockKey key, const QByteArray &bytes) override;
+    [[nodiscard]] std::span<const ActionSpec> actions() const override;
+    Result<ActionReply> perform(Channel &channel, const QString &key, const QVariantMap &arguments) override;
+    [[nodiscard]] ChannelTable channels() const override;
+    Result<TelemetryPlan> subscribe(Channel &channel, const Subscription &subscription,
+                                    std::optional<LineSettings> line) override;
+    [[nodiscard]] std::shared_ptr<TelemetryDecoder> replayDecoder() const override;
+    [[nodiscard]] StopPlan stopPlan() const override;
+
+    /// Nothing opens a write; storing ends it.
+    WriteBracket *writeBracket() override { return this; }
+    Result<void> beginWrite(Channel &) override { return {}; }
+    Result<void> endWrite(Channel &channel) override;
+
+    LiveAccess *live() override { return this; }
+    [[nodiscard]] const LiveAccess *live() const override { return this; }
+    [[nodiscard]] std::span<const AdjustableSpec> adjustables() const override { return m_adjustables; }
+    Result<std::vector<AdjustableValue>> readAdjustables(Channel &channel, const QList<int> &ids) override;
+    Result<void> writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) override;
+    [[nodiscard]] QString storeAction() const override;
+
+    [[nodiscard]] const Steering *steering() const override { return this; }
+    [[nodiscard]] std::span<const SteeringMode> modes() const override;
+    [[nodiscard]] std::span<const SteeringSwitch> switches() const override { return {}; }
+    [[nodiscard]] SteeringSetpoint holdingSetpoint(int mode, const LatestValues &latest) const override;
+    [[nodiscard]] ControlFrames controlFrames(const SteeringSetpoint &setpoint) const override;
+
+    [[nodiscard]] const MotorSwitch *motorSwitch() const override { return this; }
+    [[nodiscard]] Request motorsOnRequest() const override;
+
+    [[nodiscard]] const FrameInspector *inspector() const override { return this; }
+    [[nodiscard]] FrameText describeFrame(const FrameView &frame, bool fromBoard) const override;
+    [[nodiscard]] FrameText describeSent(QByteArrayView bytes) const override;
+    [[nodiscard]] bool isTelemetryFrame(int id) const override;
+    [[nodiscard]] Result<RawCommand> parseCommand(const QString &text) const override;
+    [[nodiscard]] QStringList commandNames() const override;
+
+    [[nodiscard]] const FaultWords *faultWords() const override { return this; }
+    [[nodiscard]] std::vector<BoardFault> faults(unsigned bits, unsigned detail) const override;
+
+    [[nodiscard]] const StatusWords *statusWords() const override { return this; }
+    [[nodiscard]] std::vector<BoardFact> facts(const std::function<double(int)> &latest) const override;
+    [[nodiscard]] QString statusText(int state) const override;
+    [[nodiscard]] QString messageText(const FrameView &frame) const override;
+    [[nodiscard]] std::optional<ConnectOffer> connectOffer() const override;
+
+    [[nodiscard]] std::shared_ptr<const GainShape> gainShape() const override;
+
+    /// Plain commands are locked out: everything goes through MAVLink.
+    [[nodiscard]] bool isEmbedded() const { return m_way >= 0; }
+
+private:
+    friend class StormActions;
+    friend class StormProcedures;
+
+    /// A request as this board can be asked it: plain, or embedded.
+    [[nodiscard]] Request simple(storm32::Simple id, QByteArrayView arguments = {}) const;
+    [[nodiscard]] Request rc(storm32::Rc id, const QByteArray &payload = {}) const;
+    [[nodiscard]] Request standbyRequest(bool standby) const;
+    [[nodiscard]] Request embed(Request plain, QByteArrayView content,
+                                std::optional<storm32::Simple> id) const;
+    Result<QByteArray> readStream(Channel &channel);
+    Result<std::map<int, int>> listParameters(Channel &channel);
+    Result<int> readWord(Channel &channel, int word);
+    Result<void> writeWord(Channel &channel, int word, int raw);
+    Result<void> findWay(Channel &channel, int heartbeat);
+    void learnAddress(const QByteArray &stream);
+
+    BoardIdentity m_identity;
+    std::shared_ptr<const ParameterSet> m_parameters;
+    std::vector<AdjustableSpec> m_adjustables;
+    std::vector<QByteArray> m_adjustableKeys;  // what the specs point to
+    // How the board is reached now: plainly (-1), or embedded at this system and component. The screen asks
+    // for the motors-off request while the worker may change it.
+    std::atomic<int> m_way{-1};
+    int m_address = 71 << 8 | 67;  // where it would be reached
+    int m_firmware = 0;  // 79, 90, 96
+    int m_words = 0;
+    std::optional<std::array<int, 5>> m_yawBefore;  // the input words of yaw while it is aligned
+};
+
+/// The row of this family in the program's table of families.
+[[nodiscard]] Family stormFamily();

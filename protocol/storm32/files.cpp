@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/storm32/files.h"
+
+#include "protocol/base/hexbytes.h"
+#include "protocol/storm32/parametertables.h"
+
+#include <QMap>
+#include <QRegularExpression>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace storm32 {
+
+namespace {
+
+constexpr std::array<int, 3> kLayouts{95, 89, 78};  // the newest of two that fit alike
+constexpr qsizetype kLargestText = 256 * 1024;
+
+struct Entry
+{
+    int raw = 0;
+    QString shown;
+    int line = 0;
+};
+
+struct Entries
+{
+    QMap<QString, Entry> values;
+    QByteArray scripts;
+};
+
+std::shared_ptr<const ParameterSet> parametersOf(int layout)
+{
+    return std::make_shared<ParameterSet>(parameterRows(), blocksOf(layout), layout, Capabilities());
+}
+
+BoardIdentity identityOf(int layout)
+{
+    BoardIdentity identity;
+    identity.family = u"storm32"_s;
+    identity.model = u"STorM32"_s;
+    identity.firmware = u"layout %1"_s.arg(layout);
+    identity.firmwareNumber = layout;
+    return identity;
+}
+
+Result<Entries> parse(const QByteArray &text)
+{
+    static const QRegularExpression kHead(u"^\\s*%\\w+\\s*=\\s*\\(\\s*$"_s);
+    static const QRegularExpression kValue(
+        u"^\\s*'([^']*)'\\s*=>\\s*\\[\\s*(-?\\d+)\\s*,\\s*'([^']*)'\\s*,?\\s*\\]\\s*,?\\s*$"_s);
+    static const QRegularExpression kText(
+        u"^\\s*'([^']*)'\\s*=>\\s*\\[\\s*'([^']*)'\\s*,?\\s*\\]\\s*,?\\s*$"_s);
+    static const QRegularExpression kEnd(u"^\\s*\\)\\s*;\\s*$"_s);
+    if (text.size() > kLargestText)
+        return failure(ErrorCode::BadFile, u"%1 bytes are too many for settings"_s.arg(text.size()));
+    Entries entries;
+    bool open = false;
+    int number = 0;
+    for (const QString &line : QString::fromLatin1(text).split(u'\n')) {
+        ++number;
+        const QString content = line.trimmed();
+        if (content.isEmpty() || content.startsWith(u'#'))
+            continue;
+        if (!open) {
+            if (!kHead.match(content).hasMatch())
+                return failure(
+                    ErrorCode::BadFile,
+                    u"line %1: not the head of a settings file: %2"_s.arg(number).arg(content.left(60)));
+            open = true;
+            continue;
+        }
+        if (kEnd.match(content).hasMatch())
+            return entries;
+        if (const auto value = kValue.match(content); value.hasMatch()) {
+            const int raw = value.captured(2).toInt();
+            if (raw < -32768 || raw > 65535)
+                return failure(ErrorCode::BadFile,
+                               u"line %1: %2 does not fit into a word"_s.arg(number).arg(value.captured(2)));
+            entries.values.insert(value.captured(1).trimmed(), {raw, value.captured(3).trimmed(), number});
+            continue;
+        }
+        const auto named = kText.match(content);
+        if (!named.hasMatch())
+            return failure(ErrorCode::BadFile,
+                           u"line %1 is not understood: %2"_s.arg(number).arg(content.left(60)));
+        if (named.captured(1) != u"Scripts"_s) {
+            entries.values.insert(named.captured(1).trimmed(),
+                                  {-1, named.captured(2), number});  // a text, of no parameter
+            continue;
+        }
+        const auto bytes = bytesFromHex(named.captured(2));
+        if (!bytes || bytes->size() > kScriptArea)
+            return failure(ErrorCode::BadFile,
+                           u"line %1: the scripts are not %2 bytes in hex"_s.arg(number).arg(kScriptArea));
+        entries.scripts = bytes->leftJustified(kScriptArea, char(0xFF));
+    }
+    return failure(ErrorCode::BadFile,
+                   open ? u"the end ');' is missing: the file is cut off"_s : u"the file is empty"_s);
+}
+
+// The number that a choice's text stands for in this layout; the file's own number where the text says
+// nothing.
+int believed(const ParameterSpec &spec, const Entry &entry, int layout)
+{
+    if (spec.row->kind != ValueKind::Choice)
+        return spec.row->wire == WireType::I16 ? int(std::int16_t(entry.raw)) : entry.raw & 0xFFFF;
+    for (const Choice &choice : spec.choices(layout)) {
+        if (entry.shown.compare(QString::fromUtf8(choice.name), Qt::CaseInsensitive) == 0)
+            return choice.value;
+    }
+    return entry.raw;
+}
+
+// How well a layout fits: names it knows, less those that are missing or whose number it does not know.
+// Nothing: no name.
+std::optional<int> fit(const Entries &entries, const ParameterSet &set)
+{
+    int points = 0;
+    bool any = false;
+    for (const ParameterSpec &spec : set.all()) {
+        const auto it = entries.values.find(originalName(spec));
+        if (it == entries.values.end()) {
+            --points;
+            continue;
+        }
+        any = true;
+        points += 2;
+        if (!spec.isInRange(spec.row->wire == WireType::I16 ? int(std::int16_t(it->raw)) : it->raw))
+            --points;
+        if (spec.row->kind != ValueKind::Choice || it->shown.isEmpty())
+            continue;
+        const auto choices = spec.choices(set.firmware());
+        const bool same = std::any_of(choices.begin(), choices.end(), [&](const Choice &choice) {
+            return choice.value == it->raw
+                && it->shown.compare(QString::fromUtf8(choice.name), Qt::CaseInsensitive) == 0;
+        });
+        if (!same)
+            --points;
+    }
+    return any ? std::optional(points) : std::nullopt;
+}
+
+}  // namespace
+
+Result<ForeignSettings> readSettings(const QByteArray &text)
+{
+    const auto entries = parse(text);
+    if (!entries)
+        return tl::unexpected(entries.error());
+    std::shared_ptr<const ParameterSet> best;
+    std::optional<int> points;
+    for (const int layout : kLayouts) {
+        const auto set = parametersOf(layout);
+        if (const auto here = fit(*entries, *set); here && (!points || *here > *points)) {
+            points = here;
+            best = set;
+        }
+    }
+    if (!best)
+        return failure(ErrorCode::BadFile, u"no entry is a parameter of this family"_s);
+    const int layout = best->firmware();
+    ForeignSettings settings;
+    settings.configuration = Configuration(identityOf(layout), best);
+    QByteArray words(2 * wordsOf(layout), '\0');
+    QMap<QString, Entry> left = entries->values;
+    for (const ParameterSpec &spec : best->all()) {
+        const QString name = originalName(spec);
+        const auto it = entries->values.find(name);
+        if (it == entries->values.end())
+            settings.missing.append(name);
+        const double raw = it == entries->values.end() ? spec.defaultRaw : believed(spec, *it, layout);
+        if (!spec.isInRange(raw))
+            return failure(ErrorCode::BadFile,
+                           u"line %1: %2 = %3, allowed %4 to %5"_s.arg(it->line).arg(
+                               name, spec.format(raw), spec.minText(), spec.maxText()));
+        spec.write(words, raw);
+        left.remove(name);
+    }
+    settings.unknown = left.keys();
+    settings.configuration.setBlock({0, Parameters}, words);
+    if (!entries->scripts.isEmpty())
+        settings.configuration.setBlock({0, Scripts}, entries->scripts);
+    return settings;
+}
+
+Result<QByteArray> writeSettings(const Configuration &configuration)
+{
+    if (configuration.isEmpty() || !isKnownLayout(configuration.parameters().firmware()))
+        return failure(ErrorCode::Unsupported, u"only parameters with names can be saved in this file"_s);
+    QByteArray text = "%SettingsHash = (\n";
+    for (const ParameterSpec &spec : configuration.parameters().all()) {
+        const auto raw = configuration.raw(spec, 0);
+        if (!raw)
+            continue;
+        QString shown = spec.format(*raw);
+        for (const Choice &choice : spec.choices(configuration.parameters().firmware())) {
+            if (spec.row->kind == ValueKind::Choice && choice.value == *raw)
+                shown = QString::fromUtf8(choice.name);
+        }
+        if (spec.row->kind != ValueKind::Choice && *spec.row->unit)
+            shown += u' ' + QString::fromUtf8(spec.row->unit);
+        text += u"  '%1' => [ %2 , '%3' ],\n"_s.arg(originalName(spec))
+                    .arg(int(*raw) & 0xFFFF)
+                    .arg(shown)
+                    .toLatin1();
+    }
+    if (const QByteArray scripts = configuration.block({0, Scripts}); !scripts.isEmpty())
+        text += "  'Scripts' => [ '" + scripts.toHex().toUpper() + "' ],\n";
+    return text + ");\n";
+}
+
+Result<SensorCalibration> readCalibration(const QByteArray &text)
+{
+    if (text.size() > kLargestText)
+        return failure(ErrorCode::BadFile, u"%1 bytes are too many for a calibration"_s.arg(text.size()));
+    QMap<QString, QString> lines;
+    for (const QString &line : QString::fromLatin1(text).split(u'\n')) {
+        const qsizetype colon = line.indexOf(u':');
+        if (colon > 0 && !lines.contains(line.left(colon).trimmed()))  // of several records, the first
+            lines.insert(line.left(colon).trimmed(), line.mid(colon + 1).trimmed());
+    }
+    SensorCalibration calibration;
+    const auto number = [&lines](const QString &key) -> Result<int> {
+        bool ok = false;
+        const int value = lines.value(key).toInt(&ok);
+        if (!lines.contains(key))
+            return failure(ErrorCode::BadFile, u"the line %1 is missing"_s.arg(key));
+        if (!ok || value < -32768 || value > 32767)
+            return failure(ErrorCode::BadFile,
+                           u"%1 is not a number of the sensor: %2"_s.arg(key, lines.value(key)));
+        return value;
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const QChar letter = u"XYZ"[axis];
+        const auto zero = number(u"A%1ZERO"_s.arg(letter));
+        const auto scale = number(u"A%1SCALE"_s.arg(letter));
+        for (const auto *value : {&zero, &scale}) {
+            if (!*value)
+                return tl::unexpected(value->error());
+        }
+        if (*scale == 0)
+            return failure(ErrorCode::BadFile, u"A%1SCALE is 0"_s.arg(letter));
+        calibration.zero[axis] = *zero;
+        calibration.scale[axis] = *scale;
+    }
+    calibration.method = lines.value(u"CALIBRATIONMETHOD"_s);
+    calibration.temperature = lines.value(u"TEMPERATURE"_s).section(u' ', 0, 0).toDouble();
+    return calibration;
+}
+
+QByteArray writeCalibration(const SensorCalibration &calibration)
+{
+    QString text = u"IMUNAME: Imu\nIMUTYPE: MPU6050\nIMUSETTINGS: 0\nRECORD#1: 1\n"_s;
+    for (const auto &[values, name] :
+         {std::pair{&calibration.zero, u"ZERO"_s}, {&calibration.scale, u"SCALE"_s}}) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            text += u"A%1%2: %3\n"_s.arg(QChar(u"XYZ"[axis])).arg(name).arg((*values)[axis]);
+    }
+    text += u"CALIBRATIONMETHOD: %1\nTEMPERATURE: %2\nRAW:\n"_s.arg(calibration.method)
+                .arg(calibration.temperature, 0, 'f', 2);
+    return text.toLatin1();
+}
+
+}  // namespace storm32

@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/storm32/procedures.h"
+
+#include "protocol/storm32/parametertables.h"
+
+using namespace Qt::StringLiterals;
+using namespace storm32;
+
+namespace {
+
+constexpr Choice kImus[] = {{1, "Imu"}, {2, "Imu2"}};
+constexpr ArgumentSpec kImu{
+    .key = "imu", .label = "Sensor", .kind = ArgumentKind::Choice, .choices = kImus, .defaultText = "Imu"};
+constexpr ArgumentSpec kAverage[]
+    = {kImu, {.key = "readings", .label = "Readings", .min = 16, .max = 2048, .defaultText = "256"}};
+constexpr ArgumentSpec kCalibrate[] = {
+    kImu, {.key = "store", .label = "Store the result", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
+// clang-format off
+constexpr ArgumentSpec kWrite[] = {kImu,
+    {.key = "zero.x", .label = "Zero X", .min = -32768, .max = 32767}, {.key = "zero.y", .label = "Zero Y", .min = -32768, .max = 32767},
+    {.key = "zero.z", .label = "Zero Z", .min = -32768, .max = 32767}, {.key = "scale.x", .label = "Scale X", .min = 1, .max = 32767},
+    {.key = "scale.y", .label = "Scale Y", .min = 1, .max = 32767}, {.key = "scale.z", .label = "Scale Z", .min = 1, .max = 32767}};
+// clang-format on
+constexpr ArgumentSpec kOffset[]
+    = {{.key = "angle", .label = "Angle", .kind = ArgumentKind::Real, .min = -45, .max = 45, .unit = "°"}};
+constexpr ArgumentSpec kTake[]
+    = {{.key = "take", .label = "Take the position over", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
+// clang-format off
+constexpr ArgumentSpec kTakeMotors[] = {{.key = "directions", .label = "Directions", .kind = ArgumentKind::Toggle, .defaultText = "on"},
+                                        {.key = "positions", .label = "Start positions", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
+constexpr ArgumentSpec kPoles[] = {{.key = "pitch", .label = "Pitch", .min = 12, .max = 28, .defaultText = "14"},
+                                   {.key = "roll", .label = "Roll", .min = 12, .max = 28, .defaultText = "14"},
+                                   {.key = "yaw", .label = "Yaw", .min = 12, .max = 28, .defaultText = "14"}};
+// clang-format on
+constexpr Choice kDirectionChoices[] = {{0, "normal"}, {1, "reversed"}, {2, "auto"}};
+// clang-format off
+constexpr ArgumentSpec kDirections[] = {{.key = "direction", .label = "Direction of all motors", .kind = ArgumentKind::Choice,
+                                         .choices = kDirectionChoices, .defaultText = "auto"}};
+// clang-format on
+
+constexpr ActionSpec kActions[] = {
+    {.key = "sensors.average",
+     .label = "Average of a sensor",
+     .help = "What an accelerometer shows over many readings, in counts.",
+     .group = "Read",
+     .arguments = kAverage,
+     .isProcedure = true},
+    {.key = "stored.compare",
+     .label = "Compare with what is stored",
+     .help = "Reloads what is stored for a moment, puts what is in use back and tells what differs.",
+     .group = "Memory",
+     .risk = ActionRisk::Writes},
+    {.key = "calibrate.level",
+     .label = "Calibrate an accelerometer, one position",
+     .help = "Finds its zeros while it lies still on one face. Do it with the motors off, on USB power.",
+     .group = "Calibration",
+     .risk = ActionRisk::Writes,
+     .arguments = kCalibrate,
+     .isProcedure = true},
+    {.key = "calibrate.six",
+     .label = "Calibrate an accelerometer, six positions",
+     .help = "Finds zeros and scales; each face has to lie up once. Do it with the motors off, on USB power.",
+     .group = "Calibration",
+     .risk = ActionRisk::Writes,
+     .arguments = kCalibrate,
+     .isProcedure = true},
+    {.key = "calibration.write",
+     .label = "Write a calibration",
+     .help = "Zeros and scales of one accelerometer; stored at once.",
+     .group = "Calibration",
+     .risk = ActionRisk::Writes,
+     .arguments = kWrite},
+    {.key = "setup.motors_off",
+     .label = "Set up: disable the motors",
+     .help = "All three motor usages become disabled; in RAM.",
+     .group = "Gimbal configuration",
+     .risk = ActionRisk::Writes,
+     .memory = MemoryEffect::ChangesInUse},
+    {.key = "setup.orientation",
+     .label = "Set up: find the orientation of the sensors",
+     .help = "Hold the camera level, then tilt it 45° down. Sets the orientation of each sensor; in RAM.",
+     .group = "Gimbal configuration",
+     .risk = ActionRisk::Writes,
+     .isProcedure = true,
+     .memory = MemoryEffect::ChangesInUse},
+    {.key = "setup.poles",
+     .label = "Set up: poles of the motors",
+     .help = "Magnets in the bells, even numbers; in RAM.",
+     .group = "Gimbal configuration",
+     .risk = ActionRisk::Writes,
+     .arguments = kPoles,
+     .memory = MemoryEffect::ChangesInUse},
+    {.key = "setup.directions",
+     .label = "Set up: direction of all motors",
+     .help = "Auto lets the board find it at the next start; in RAM.",
+     .group = "Gimbal configuration",
+     .risk = ActionRisk::Writes,
+     .arguments = kDirections,
+     .memory = MemoryEffect::ChangesInUse},
+    {.key = "setup.start",
+     .label = "Set up: enable the motors and start",
+     .help = "Waits for the battery, starts the board and waits until it works normally.",
+     .group = "Gimbal configuration",
+     .risk = ActionRisk::Writes,
+     .isProcedure = true,
+     .memory = MemoryEffect::ChangesInUse},
+    {.key = "setup.take_motors",
+     .label = "Set up: take directions and start positions",
+     .help = "Copies what the board has found and where the motors stand; in RAM.",
+     .group = "Gimbal configuration",
+     .risk = ActionRisk::Writes,
+     .arguments = kTakeMotors,
+     .memory = MemoryEffect::ChangesInUse},
+    {.key = "setup.yaw_begin",
+     .label = "Set up: begin to align yaw",
+     .help = "Steers yaw by its offset only.",
+     .group = "Gimbal configuration",
+     .risk = ActionRisk::Moves,
+     .memory = MemoryEffect::ChangesInUse},
+    {.key = "setup.yaw_move",
+     .label = "Set up: turn yaw",
+     .help = "Turns the camera to this angle.",
+     .group = "Gimbal configuration",
+     .risk = ActionRisk::Moves,
+     .arguments = kOffset,
+     .memory = MemoryEffect::ChangesInUse},
+    {.key = "setup.yaw_end",
+     .label = "Set up: end aligning yaw",
+     .help = "Takes where yaw stands as its start position; in RAM.",
+     .group = "Gimbal configuration",
+     .risk = ActionRisk::Moves,
+     .arguments = kTake,
+     .memory = MemoryEffect::ChangesInUse},
+};
+
+}  // namespace
+
+std::span<const ActionSpec> StormProcedures::all()
+{
+    return kActions;
+}
+
+// No command reads the EEPROM beside the RAM: what is stored is put into use, read, and what was in use put
+// back.
+Result<ActionReply> StormProcedures::compareStored()
+{
+    if (m_device.isEmbedded())
+        return failure(ErrorCode::Unsupported, u"switch the heartbeat off first"_s);
+    const auto inUse = m_device.readStream(m_channel);
+    if (!inUse)
+        return tl::unexpected(inUse.error());
+    const Configuration use = configurationOf(*inUse);
+    // Put back also when loading seems to have failed: only its answer may have been lost.
+    const auto loaded = m_channel.transact(m_device.simple(Simple::Retrieve));
+    const auto stored
+        = loaded ? m_device.readStream(m_channel) : Result<QByteArray>(tl::unexpected(loaded.error()));
+    if (const auto put = m_channel.transact(m_device.simple(Simple::PutParameters, *inUse)); !put)
+        return failure(ErrorCode::NotRestored, inUseText(use, stored) + u"; "_s + put.error().detail);
+    if (!stored)
+        return tl::unexpected(stored.error());
+    ActionReply reply{{u"unstored"_s, *stored != *inUse}};
+    const Configuration kept = configurationOf(*stored);
+    for (const ParameterChange &change : kept.changesTo(use))
+        reply.insert(
+            change.spec->key,
+            u"%1 in use, %2 stored"_s.arg(change.spec->format(change.to), change.spec->format(change.from)));
+    for (const DataChange &change : kept.dataChangesTo(use))
+        reply.insert(QLatin1String(change.spec->data), u"not stored"_s);
+    return reply;
+}
+
+Configuration StormProcedures::configurationOf(const QByteArray &stream) const
+{
+    Configuration configuration(m_device.identity(), m_device.parameters());
+    for (const auto &[block, bytes] : splitStream(stream, m_device.m_words))
+        configuration.setBlock({0, block}, bytes);
+    return configuration;
+}
+
+// What was in use and differs from what is stored, or from the defaults where that is not known.
+QString StormProcedures::inUseText(const Configuration &use, const Result<QByteArray> &stored) const
+{
+    QStringList values;
+    const Configuration kept = stored ? configurationOf(*stored) : use;
+    for (const ParameterSpec &spec : use.parameters().all()) {
+        const auto raw = use.raw(spec, 0);
+        if (raw && !sameValue(*raw, stored ? kept.raw(spec, 0).value_or(*raw) : spec.defaultRaw))
+            values.append(u"%1=%2"_s.arg(spec.key, spec.format(*raw)));
+    }
+    return values.join(u' ');
+}
+
+Result<ActionReply> StormProcedures::perform(const QString &key, const QVariantMap &arguments)
+{
+    const int imu = arguments.value(u"imu"_s).toInt();
+    const auto nothing = [](const Result<void> &done) {
+        return done ? Result<ActionReply>(ActionReply()) : tl::unexpected(done.error());
+    };
+    if (key == u"sensors.average"_s)
+        return averaged(imu, arguments.value(u"readings"_s).toInt());
+    if (key == u"stored.compare"_s)
+        return compareStored();
+    if (key == u"calibrate.level"_s || key == u"calibrate.six"_s)
+        return calibrate(imu, key == u"calibrate.six"_s, arguments.value(u"store"_s).toBool());
+    if (key == u"calibration.write"_s) {
+        AccCalibration calibration;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            calibration.zero[axis]
+                = arguments.value(u"zero.%1"_s.arg(QLatin1String(kSensorAxes[axis]))).toInt();
+            calibration.scale[axis]
+                = arguments.value(u"scale.%1"_s.arg(QLatin1String(kSensorAxes[axis]))).toInt();
+        }
+        return nothing(writeCalibration(imu, calibration));
+    }
+    if (key == u"setup.motors_off"_s)
+        return nothing(disableMotors());
+    if (key == u"setup.orientation"_s)
+        return findOrientation();
+    if (key == u"setup.directions"_s)
+        return nothing(setDirections(arguments.value(u"direction"_s).toInt()));
+    if (key == u"setup.poles"_s)
+        return setPoles({arguments.value(u"pitch"_s).toInt(), arguments.value(u"roll"_s).toInt(),
+                         arguments.value(u"yaw"_s).toInt()});
+    if (key == u"setup.start"_s)
+        return restartAndWait();
+    if (key == u"setup.take_motors"_s)
+        return takeMotors(arguments.value(u"directions"_s).toBool(),
+                          arguments.value(u"positions"_s).toBool());
+    if (key == u"setup.yaw_begin"_s)
+        return beginYaw();
+    if (key == u"setup.yaw_move"_s)
+        return moveYaw(arguments.value(u"angle"_s).toDouble());
+    if (key == u"setup.yaw_end"_s)
+        return endYaw(arguments.value(u"take"_s).toBool());
+    return failure(ErrorCode::Unsupported, key);
+}

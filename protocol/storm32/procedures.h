@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/analysis/accelerometer.h"
+#include "protocol/storm32/device.h"
+
+/// The family's jobs of many steps: calibration of the accelerometers (errata 9.2), the tasks of the gimbal's
+/// configuration (errata 9.3), and what is in use compared with what is stored.
+class StormProcedures
+{
+public:
+    StormProcedures(StormDevice &device, Channel &channel)
+        : m_device(device)
+        , m_channel(channel)
+    {
+    }
+
+    [[nodiscard]] static std::span<const ActionSpec> all();
+    /// Errors of all: NotSeen (what it waited for did not come), BoardError, those of the link.
+    Result<ActionReply> perform(const QString &key, const QVariantMap &arguments);
+
+private:
+    struct Sensor
+    {
+        AccReading acc{};  ///< counts
+        double temperature = 0;  ///< degrees Celsius
+        [[nodiscard]] bool isPresent() const;
+    };
+    struct Average
+    {
+        AccReading acc{};
+        double deviation = 0;  ///< counts: mean of the three axes' mean absolute deviations
+        double temperature = 0;
+        int face = -1;
+    };
+    struct Status
+    {
+        int state = 0;
+        int status = 0;
+        int busErrors = 0;
+    };
+
+    static constexpr std::array<const char *, 3> kSensorAxes{"x", "y", "z"};
+    using Sensors = std::array<Sensor, 2>;  ///< camera, frame; one that is not there shows nothing
+    using Directions = std::array<std::array<int, 3>, 2>;
+
+    // stormcalibration.cpp
+    Result<Sensors> sensors();
+    /// Errors: NotSeen when there is none.
+    Result<Sensor> sensor(int imu);
+    Result<Average> average(int imu, int readings, Progress &progress);
+    /// Waits until one of the wanted faces lies still, then measures it.
+    Result<Average> face(int imu, unsigned wanted, Progress &progress);
+    Result<void> writeCalibration(int imu, const AccCalibration &calibration);
+    [[nodiscard]] double oneG() const;
+    [[nodiscard]] static ActionReply replyOf(const AccCalibration &calibration, double oneG,
+                                             double temperature);
+
+    Result<ActionReply> averaged(int imu, int readings);
+    Result<ActionReply> calibrate(int imu, bool six, bool store);
+
+    // stormsetup.cpp
+    Result<Status> status();
+    Result<void> writeWords(const std::array<int, 3> &words, int raw);
+    Result<void> disableMotors();
+    Result<ActionReply> findOrientation();
+    /// Which axes of the first sensors point up, or forward when up is given, as soon as all are clear for a
+    /// second.
+    Result<Directions> holdAxes(std::size_t count, const Directions *up, milliseconds limit,
+                                Progress &progress);
+    Result<ActionReply> restartAndWait();
+    Result<ActionReply> takeMotors(bool directions, bool positions);
+    Result<void> setDirections(int direction);
+    Result<ActionReply> setPoles(const std::array<int, 3> &poles);
+    Result<ActionReply> beginYaw();
+    Result<ActionReply> moveYaw(double degrees);
+    Result<ActionReply> endYaw(bool take);
+
+    Result<ActionReply> compareStored();
+    [[nodiscard]] Configuration configurationOf(const QByteArray &stream) const;
+    [[nodiscard]] QString inUseText(const Configuration &use, const Result<QByteArray> &stored) const;
+
+    StormDevice &m_device;
+    Channel &m_channel;
+};

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/base/latestvalues.h"
+#include "protocol/session/controlstream.h"
+#include "protocol/storm32/device.h"
+#include "protocol/storm32/telemetrytables.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace storm32;
+
+namespace {
+
+constexpr double kMaxAngle = 720.0;
+constexpr int kLimitedMode = 1;
+constexpr int kPulseMode = 3;  // microseconds from the middle
+constexpr double kMaxPulse = 800.0;
+constexpr double kMiddlePulse = 1500.0;
+constexpr std::array kLabels{"Roll", "Pitch", "Yaw"};
+
+SteeringMode modeOf(int id, const char *key, const char *label, double reach, const char *unit,
+                    double padReach = 0)
+{
+    SteeringMode mode{id, key, label, {}};
+    for (std::size_t i = 0; i < kAxes.size(); ++i)
+        mode.inputs.push_back(
+            {axisKey(kAxes[i]), kLabels[i], kAxes[i], unit, -reach, reach, 0.0, false, padReach});
+    return mode;
+}
+
+}  // namespace
+
+std::span<const SteeringMode> StormDevice::modes() const
+{
+    static const std::vector<SteeringMode> modes{
+        modeOf(kLimitedMode, "angle", "Angle, within the limits of the sticks", 180.0, "°"),
+        modeOf(2, "angle-unlimited", "Angle, without limits", kMaxAngle, "°"),
+        modeOf(kPulseMode, "pulse", "Stick positions", kMaxPulse, "µs", 500.0)};
+    return modes;
+}
+
+// The board tells where the camera is and what its inputs are, but not its targets.
+SteeringSetpoint StormDevice::holdingSetpoint(int mode, const LatestValues &latest) const
+{
+    SteeringSetpoint setpoint{mode, {}, {}};
+    const int first = mode == kPulseMode ? InputRoll : AngleRoll;
+    for (int axis = 0; axis < kAxisCount; ++axis)
+        setpoint.inputs.push_back(double(latest.latest(first + axis)));
+    return setpoint;
+}
+
+// Angles, or stick positions, of all axes go together. Ours are as the board shows them: down, right and left
+// are positive.
+ControlFrames StormDevice::controlFrames(const SteeringSetpoint &setpoint) const
+{
+    constexpr std::array<std::size_t, 3> kPlace{1, 0, 2};  // pitch, roll, yaw
+    const bool pulses = setpoint.mode == kPulseMode;
+    ByteWriter writer;
+    for (const std::size_t axis : kPlace) {
+        const double value = axis < setpoint.inputs.size() ? setpoint.inputs[axis] : std::nan("");
+        if (std::isnan(value))
+            return {};  // no axis can be left out, and nothing is known to put in its place
+        if (pulses)
+            writer.u16(int(std::lround(kMiddlePulse + std::clamp(value, -kMaxPulse, kMaxPulse))));
+        else
+            writer.f32(float(std::clamp(value, -kMaxAngle, kMaxAngle)));
+    }
+    const int flags = setpoint.mode == kLimitedMode ? 7 : 0;
+    const Request request
+        = pulses ? rc(Rc::SetPitchRollYaw, writer.take()) : rc(Rc::SetAngle, writer.u8(flags).u8(0).take());
+    ControlFrames frames;
+    frames.setpoint = request.bytes;
+    frames.stop = request.bytes;  // an angle is held by itself
+    frames.release = request.bytes;  // bringing it back would be a movement that nobody asked for
+    frames.answer = request.answer;  // errata 7: one command at a time
+    return frames;
+}
+
+Request StormDevice::standbyRequest(bool standby) const
+{
+    return rc(Rc::SetStandby, QByteArray(1, standby ? '\1' : '\0'));
+}
+
+StopPlan StormDevice::stopPlan() const
+{
+    StopPlan plan;
+    plan.means.push_back({{standbyRequest(true)}});
+    plan.fromAnswer = [](const Frame &) { return Proof::Proven; };
+    return plan;
+}
+
+Request StormDevice::motorsOnRequest() const
+{
+    return standbyRequest(false);
+}

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the board tells all the time.
+#include "protocol/session/channel.h"
+#include "protocol/storm32/device.h"
+#include "protocol/storm32/telemetrytables.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+using namespace storm32;
+
+namespace {
+
+constexpr auto kPollInterval = 5ms;  // as often as the line allows, one after the other
+
+}  // namespace
+
+ChannelTable StormDevice::channels() const
+{
+    return channelTable();
+}
+
+Result<TelemetryPlan> StormDevice::subscribe(Channel &, const Subscription &subscription,
+                                             std::optional<LineSettings> line)
+{
+    if (!subscription.streams.isEmpty())
+        return failure(ErrorCode::InvalidArgument,
+                       u"this board has no streams; it is asked for each sample"_s);
+    TelemetryPlan plan;
+    plan.poll = simple(Simple::LiveData);
+    plan.poll->retries = 0;
+    plan.pollInterval = kPollInterval;
+    // Each sample takes its question, the board's time to answer and its 67 bytes.
+    const double wire
+        = line ? line->secondsFor(plan.poll->replyBytes + qsizetype(plan.poll->bytes.size())) : 0.0;
+    plan.rate = 1.0 / (std::max(0.01, wire) + 0.003);
+    plan.decoder = std::make_shared<StormDecoder>(m_firmware);
+    return plan;
+}
+
+std::shared_ptr<TelemetryDecoder> StormDevice::replayDecoder() const
+{
+    return std::make_shared<StormDecoder>(m_firmware);
+}
+
+std::vector<BoardFault> StormDevice::faults(unsigned bits, unsigned detail) const
+{
+    return faultsOf(bits, detail);
+}
+
+std::vector<BoardFact> StormDevice::facts(const std::function<double(int)> &latest) const
+{
+    const double status = latest(Status);
+    const double status2 = latest(Status2);
+    const double functions = latest(Functions);
+    if (std::isnan(status) || std::isnan(status2) || std::isnan(functions))
+        return {};
+    return factsOf(unsigned(status), unsigned(status2), unsigned(functions));
+}
+
+QString StormDevice::statusText(int state) const
+{
+    return stateName(state, m_firmware);
+}
+
+QString StormDevice::messageText(const FrameView &frame) const
+{
+    if (frame.id != FrameId::kMavlink + mavlink::number(mavlink::MessageId::StatusText))
+        return {};
+    const auto fields = mavlink::decodeFields(
+        *mavlink::findMessage(mavlink::number(mavlink::MessageId::StatusText)), frame.payload);
+    return fields ? fields->value(u"text"_s).toString().trimmed() : QString();
+}

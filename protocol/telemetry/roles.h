@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/telemetry/channelspec.h"
+
+#include <QList>
+#include <QSet>
+
+#include <array>
+
+/// Finds channels by what they mean, whatever a family calls them (ChannelSpec::role):
+///   attitude.AXIS, target.AXIS, rate.AXIS   angle, wanted angle and turn rate of what is stabilised
+///   acceleration.x/y/z, frame.AXIS          of its sensor; attitude of what it hangs on
+///   motor.N.output, motor.AXIS.output       N from 1
+///   battery, current, temperature, cycle_time, bus_errors
+///   armed, calibrated, outputs              three different things: may be flown, knows level, motors are
+///   driven faults, fault_detail, profile, state    see the device's FaultWords and StatusWords
+class ChannelRoles
+{
+public:
+    ChannelRoles() = default;
+    /// @param capabilities of the board, see ChannelSpec::capability
+    ChannelRoles(ChannelTable table, const QSet<QString> &capabilities);
+
+    // -1 where the board has no such channel.
+    std::array<int, 3> angle{-1, -1, -1};  ///< roll, pitch, yaw
+    std::array<int, 3> target{-1, -1, -1};
+    std::array<int, 3> gyro{-1, -1, -1};
+    std::array<int, 3> acc{-1, -1, -1};  ///< x, y, z
+    std::array<int, 3> frameAngle{-1, -1, -1};
+    std::array<int, 3> motorPower{-1, -1, -1};  ///< of the motor that turns that axis
+    QList<int> motors;  ///< outputs of numbered motors, in their order
+    int battery = -1;
+    int temperature = -1;
+    int current = -1;
+    int outputs = -1;  ///< not 0: the motors are driven
+    int armed = -1;
+    int calibrated = -1;
+    int faults = -1;
+    int faultDetail = -1;
+    int activeProfile = -1;
+    int cycleTime = -1;
+    int busErrors = -1;
+    int state = -1;
+
+    /// The channels of these that exist.
+    [[nodiscard]] static QList<int> present(std::initializer_list<std::array<int, 3>> triples);
+};
+
+/// Position of the channel with that role, or -1.
+[[nodiscard]] int findRole(ChannelTable table, const QSet<QString> &capabilities, const QByteArray &role);

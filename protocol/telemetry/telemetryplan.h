@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/session/request.h"
+#include "protocol/telemetry/streams.h"
+
+/// What was arranged with the board.
+struct TelemetryPlan
+{
+    std::shared_ptr<TelemetryDecoder> decoder;
+    std::optional<Request> poll;  ///< repeat this where the board cannot stream
+    milliseconds pollInterval{50};
+    double rate = 0;  ///< expected rows per second of the fastest stream
+    bool streaming = false;
+    StreamBudget budget;
+    QByteArray shutdownFrames;  ///< frames that end the streams, for leaving
+};

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/telemetry/telemetrystore.h"
+
+/// Where the samples of a trace lie: one channel, or the difference of two that come in the same rows.
+struct TraceSource
+{
+    TrackView track;
+    std::optional<TrackView> minus;
+
+    void refresh();
+    /// First row that is not there yet.
+    [[nodiscard]] std::size_t end() const
+    {
+        return minus ? std::min(track.end(), minus->end()) : track.end();
+    }
+    [[nodiscard]] float value(std::size_t row) const
+    {
+        return minus ? track.value(row) - minus->value(row) : track.value(row);
+    }
+    /// Everything the store has of this trace, oldest first. @param minus channel to subtract, -1 = none
+    static std::vector<TraceSource> find(const TelemetryStore &store, int channel, int minus);
+};

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/composition/composition.h"
+#include "protocol/client/connector.h"
+#include "protocol/device/abilities.h"
+#include "protocol/device/steering.h"
+#include "protocol/session/stopplan.h"
+#include "protocol/simulator/link/virtualchannel.h"
+#include "protocol/telemetry/streams.h"
+#include "protocol/telemetry/telemetryplan.h"
+#include "tests/support/toyfamily/toyboard.h"
+#include "tests/support/toyfamily/toydevice.h"
+
+#include <QTest>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// A board of a family, found on a link.
+struct Board
+{
+    explicit Board(const QString &key)
+    {
+        QList<Family> families = allFamilies();
+        QList<SimulatedFamily> simulated = allSimulatedFamilies();
+        families.append(toyFamily());
+        simulated.append(simulatedToy());
+        const auto is = [&key](const auto &each) { return each.key == key; };
+        const Family family = *std::find_if(families.begin(), families.end(), is);
+        port = std::make_unique<SimulatedPort>(
+            std::find_if(simulated.begin(), simulated.end(), is)->makeBoard({}), SimulatorOptions(),
+            std::optional<LineSettings>());
+        channel = std::make_unique<VirtualChannel>(*port, family.makeFramer(), family.timing);
+        device = family.makeDevice();
+        found = findBoard(*channel, family, *device, families, *LinkAddress::parse(u"sim:"_s + key))
+                    .has_value();
+    }
+
+    std::unique_ptr<SimulatedPort> port;
+    std::unique_ptr<VirtualChannel> channel;
+    std::unique_ptr<Device> device;
+    bool found = false;
+};
+
+}  // namespace
+
+/// What a device hands out answers with something: nothing is overridden only to return nothing.
+class TestAbilities : public QObject
+{
+    Q_OBJECT
+private slots:
+    void everyBoardHas_data() { families(); }
+    void everyBoardHas();
+    void whatIsHandedOutAnswers_data() { families(); }
+    void whatIsHandedOutAnswers();
+    void steeringAnswers_data() { families(); }
+    void steeringAnswers();
+    void eachAbilityIsAbsentSomewhere();
+
+private:
+    static void families()
+    {
+        QTest::addColumn<QString>("family");
+        for (const Family &family : allFamilies())
+            QTest::newRow(qPrintable(family.key)) << family.key;
+        QTest::newRow("toy") << u"toy"_s;
+    }
+    /// The names of what a device hands out.
+    static QSet<QByteArray> abilities(Device &device)
+    {
+        QSet<QByteArray> names;
+        const auto add = [&names](const char *name, bool there) {
+            if (there)
+                names.insert(name);
+        };
+        add("profiles", device.profiles());
+        add("write bracket", device.writeBracket());
+        add("live values", device.live());
+        add("inner variables", device.innerVariables());
+        add("streams", device.streamControl());
+        add("motor switch", device.motorSwitch());
+        add("frame inspector", device.inspector());
+        add("fault words", device.faultWords());
+        add("status words", device.statusWords());
+        add("notch filters", device.notchFilters());
+        add("gain shape", device.gainShape() != nullptr);
+        add("restart notice", device.restartNotice());
+        return names;
+    }
+};
+
+void TestAbilities::everyBoardHas()
+{
+    QFETCH(const QString, family);
+    const Board board(family);
+    QVERIFY(board.found);
+    QVERIFY(!board.device->channels().empty());
+    QVERIFY(!board.device->actions().empty());
+    QVERIFY(!board.device->parameters()->all().empty());
+    const StopPlan plan = board.device->stopPlan();
+    QVERIFY(!plan.means.empty());
+    QVERIFY(plan.fromAnswer || plan.fromTelemetry);
+    for (const StopPlan::Means &means : plan.means)
+        QVERIFY(!means.requests.empty() && means.atMost > 0);
+    QVERIFY(board.device->replayDecoder());
+    const auto configuration = board.device->readConfiguration(*board.channel);
+    QVERIFY(configuration && !configuration->isEmpty());
+    const auto arranged = board.device->subscribe(*board.channel, {}, {});
+    QVERIFY(arranged && arranged->decoder);
+    QVERIFY(arranged->streaming || arranged->poll);
+}
+
+void TestAbilities::whatIsHandedOutAnswers()
+{
+    QFETCH(const QString, family);
+    const Board board(family);
+    QVERIFY(board.found);
+    Device &device = *board.device;
+    Channel &channel = *board.channel;
+    if (ProfileAccess *profiles = device.profiles()) {
+        QVERIFY(device.identity().profileCount > 1);
+        QVERIFY(profiles->activeProfile(channel));
+        QVERIFY(profiles->readProfileNames(channel));
+        QVERIFY(profiles->profileNameBytes() > 0);
+    } else {
+        QCOMPARE(device.identity().profileCount, 1);
+    }
+    if (LiveAccess *live = device.live()) {
+        QVERIFY(!live->adjustables().empty());
+        const auto values = live->readAdjustables(channel, {live->adjustables().front().id});
+        QVERIFY(values && values->size() == 1);
+        QVERIFY(!live->storeAction().isEmpty());
+    }
+    if (InnerVariables *variables = device.innerVariables()) {
+        const auto names = variables->debugVariables(channel);
+        QVERIFY(names && !names->empty());
+    }
+    if (const StreamControl *streams = device.streamControl()) {
+        QVERIFY(!streams->streams().isEmpty());
+        QVERIFY(!streams->fastChannels().isEmpty());
+    }
+    if (const MotorSwitch *motors = device.motorSwitch())
+        QVERIFY(!motors->motorsOnRequest().bytes.isEmpty());
+    if (const FrameInspector *inspector = device.inspector())
+        QVERIFY(!inspector->commandNames().isEmpty());
+    if (const FaultWords *words = device.faultWords()) {
+        QVERIFY(rolesOf(device).faults >= 0);
+        bool any = false;
+        for (unsigned bit = 0; bit < 32; ++bit)
+            any |= !words->faults(1U << bit, 0).empty();
+        QVERIFY(any);
+    }
+    if (const StatusWords *words = device.statusWords()) {
+        QStringList told;
+        for (int state = 0; state < 16; ++state)
+            told.append(words->statusText(state));
+        QVERIFY(!told.join(QString()).isEmpty() || !words->facts([](int) { return 1.0; }).empty());
+    }
+    if (const NotchFilters *notches = device.notchFilters()) {
+        QVERIFY(std::any_of(kAxes.begin(), kAxes.end(),
+                            [notches](Axis axis) { return !notches->notchesOf(axis).empty(); }));
+    }
+    if (const auto shape = device.gainShape()) {
+        const PidGains gains = shape->gainsFor(50, 50);
+        QVERIFY(gains.kp > 0);
+    }
+}
+
+void TestAbilities::steeringAnswers()
+{
+    QFETCH(const QString, family);
+    const Board board(family);
+    QVERIFY(board.found);
+    const Steering *steering = board.device->steering();
+    if (!steering)
+        return;
+    QVERIFY(!steering->modes().empty());
+    const TelemetryStore nothing(int(board.device->channels().size()));
+    for (const SteeringMode &mode : steering->modes()) {
+        QVERIFY2(!mode.inputs.empty(), mode.key);
+        const SteeringSetpoint hold = steering->holdingSetpoint(mode.id, nothing);
+        QCOMPARE(hold.mode, mode.id);
+        QCOMPARE(hold.inputs.size(), mode.inputs.size());
+        SteeringSetpoint centre{mode.id, {}, hold.switches};
+        for (const SteeringInput &input : mode.inputs) {
+            QVERIFY2(input.min < input.max && input.centre >= input.min && input.centre <= input.max,
+                     input.key);
+            centre.inputs.push_back(input.centre);
+        }
+        const ControlFrames frames = steering->controlFrames(centre);
+        QVERIFY2(!frames.setpoint.isEmpty() && !frames.stop.isEmpty(), mode.key);
+    }
+}
+
+// What all boards have belongs to the core.
+void TestAbilities::eachAbilityIsAbsentSomewhere()
+{
+    const Board toy(u"toy"_s);
+    QVERIFY(toy.found);
+    QVERIFY(abilities(*toy.device).isEmpty());
+    QSet<QByteArray> seen;
+    for (const Family &family : allFamilies()) {
+        const Board board(family.key);
+        QVERIFY(board.found);
+        seen += abilities(*board.device);
+    }
+    if (allFamilies().size() > 1)
+        QCOMPARE(seen.size(), 12);  // and each is there somewhere
+}
+
+QTEST_GUILESS_MAIN(TestAbilities)
+#include "tst_abilities.moc"
