@@ -18,7 +18,7 @@ namespace {
 
 constexpr auto kTick = 20ms;  // as often as set-points go out
 constexpr double kTail = 0.3;  // seconds after the end until the last samples are there
-constexpr double kStale = 0.7;  // seconds without new samples: one answer may be lost on a polled line
+constexpr double kStale = 0.4;  // seconds without new samples
 constexpr double kStill = 1.0;  // degrees off target before it begins
 constexpr double kQuiet = 1.0;  // seconds within kStay that show that the camera has arrived
 constexpr double kStay = 0.5;  // degrees

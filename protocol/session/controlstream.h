@@ -16,6 +16,7 @@ struct ControlFrames
     QByteArray release;  ///< give control back to whoever had it before
     /// The board answers each, and wants nothing else before it has; empty: nothing answers.
     AnswerMatcher answer = {};
+    int kind = 0;  ///< as Request::kind: whose answers could be taken for these
     /// What telemetry since the stop proves that the board stands still; the stop is repeated until then.
     /// Empty: one stop is enough.
     std::function<Proof(const LatestValues &, TimePoint since)> stopped = {};
@@ -48,6 +49,7 @@ public:
     [[nodiscard]] bool isActive() const { return m_state != State::Inactive; }
     [[nodiscard]] bool isStreaming() const { return m_state == State::Streaming; }
     [[nodiscard]] const AnswerMatcher &answer() const { return m_frames.answer; }
+    [[nodiscard]] int kind() const { return m_frames.kind; }
     /// How often the dead-man's rule had to act.
     [[nodiscard]] int failsafeCount() const { return m_failsafeCount; }
 

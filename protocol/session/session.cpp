@@ -237,7 +237,8 @@ void Session::onFrame(const FrameView &frame)
 }
 
 // Where each frame is answered it takes its turn: a set-point that finds the last one unanswered is passed
-// over, the next one is newer. What ends the steering is never passed over.
+// over, the next one is newer. So it is while the answer to an earlier one may still come: waiting in the
+// queue it would hold up what is behind it. What ends the steering is never passed over.
 void Session::sendControl(const QByteArray &frame, TimePoint now)
 {
     if (frame.isEmpty())
@@ -246,13 +247,14 @@ void Session::sendControl(const QByteArray &frame, TimePoint now)
         m_queue.sendUnanswered(frame, now);
         return;
     }
-    if (m_control.isStreaming() && m_controlAsked)
+    if (m_control.isStreaming() && (m_controlAsked || m_queue.isHeld(m_control.kind())))
         return;
     m_controlAsked = true;
     Request request;
     request.name = QStringLiteral("control");
     request.bytes = frame;
     request.answer = m_control.answer();
+    request.kind = m_control.kind();
     m_queue.submit(
         std::move(request), [this](const Result<Frame> &) { m_controlAsked = false; }, now);
 }
@@ -270,7 +272,10 @@ void Session::onTick()
     m_stop.advance(now);
     beat(now);
     m_queue.advance(now);
-    if (m_poll && !m_pollRunning && now >= m_nextPoll && m_queue.isReady(now)) {
+    // Polling gives way to requests, but takes turns with set-points: however slowly a board answers, it is
+    // watched while it is steered.
+    const bool mayPoll = m_queue.isReady(now) || (m_controlAsked && m_queue.count() == 1);
+    if (m_poll && !m_pollRunning && now >= m_nextPoll && mayPoll) {
         m_pollRunning = true;
         m_nextPoll = std::max(m_nextPoll + m_pollInterval, now);
         m_queue.submit(

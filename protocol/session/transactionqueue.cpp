@@ -202,7 +202,7 @@ void TransactionQueue::leaveGhost(const Pending &pending, TimePoint now, int ans
         m_ghosts.push_back({pending.request.answer, pending.request.kind, until});
 }
 
-bool TransactionQueue::isHeldByGhost(int kind) const
+bool TransactionQueue::isHeld(int kind) const
 {
     return std::any_of(m_ghosts.begin(), m_ghosts.end(),
                        [kind](const Ghost &ghost) { return ghost.kind == kind; });
@@ -229,7 +229,7 @@ Duration TransactionQueue::timeoutOf(const Request &request) const
 void TransactionQueue::startNext(TimePoint now)
 {
     while (!m_waiting.empty() && !normalInFlight() && m_pauseUntil <= now) {
-        if (isHeldByGhost(m_waiting.front().request.kind))
+        if (isHeld(m_waiting.front().request.kind))
             return;
         Pending pending = std::move(m_waiting.front());
         m_waiting.pop_front();

@@ -46,9 +46,13 @@ public:
     /// Pause after each command (document "Message format": 10-20 ms so the board's input buffer never
     /// overflows).
     void setPause(milliseconds pause) { m_pause = pause; }
-    [[nodiscard]] bool isIdle() const { return m_waiting.empty() && m_inFlight.empty(); }
+    [[nodiscard]] bool isIdle() const { return count() == 0; }
+    /// Requests that were not completed yet.
+    [[nodiscard]] std::size_t count() const { return m_waiting.size() + m_inFlight.size(); }
     /// True when a normal request submitted now would go out at once.
     [[nodiscard]] bool isReady(TimePoint now) const;
+    /// True when a normal request of this kind would wait because an answer to an earlier one may still come.
+    [[nodiscard]] bool isHeld(int kind) const;
     /// Time between the last byte sent and the answer, of the latest answered request.
     [[nodiscard]] std::optional<Duration> roundTrip() const { return m_roundTrip; }
     [[nodiscard]] quint64 timeouts() const { return m_timeouts; }
@@ -78,7 +82,6 @@ private:
     TimePoint account(qint64 bytes, TimePoint now);
     void complete(Pending pending, Result<Frame> result);
     void leaveGhost(const Pending &pending, TimePoint now, int answers);
-    [[nodiscard]] bool isHeldByGhost(int kind) const;
     [[nodiscard]] static bool mayRepeat(const Pending &pending);
     [[nodiscard]] bool normalInFlight() const;
     [[nodiscard]] Duration timeoutOf(const Request &request) const;

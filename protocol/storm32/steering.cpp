@@ -74,6 +74,7 @@ ControlFrames StormDevice::controlFrames(const SteeringSetpoint &setpoint) const
     frames.stop = request.bytes;  // an angle is held by itself
     frames.release = request.bytes;  // bringing it back would be a movement that nobody asked for
     frames.answer = request.answer;  // errata 7: one command at a time
+    frames.kind = request.kind;
     return frames;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/composition/composition.h"
+#include "protocol/base/framelistener.h"
 #include "protocol/client/deviceclient.h"
+#include "protocol/session/channel.h"
 #include "protocol/simplebgc/framer.h"
 #include "protocol/simplebgc/payloads.h"
 #include "protocol/simplebgc/telemetrytables.h"
