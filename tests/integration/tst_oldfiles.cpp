@@ -117,7 +117,14 @@ QMap<QString, QStringList> columns(const QByteArray &csv)
     return found;
 }
 
-// Everything that was in the old value is in the new one; numbers as exact as text carries them.
+/// Decimals that the shortest text of a number has; one at least, as version 0.1 wrote them.
+int decimals(double number)
+{
+    const QString text = QString::number(number, 'f', QLocale::FloatingPointShortest);
+    return std::max(1, int(text.section(u'.', 1).size()));
+}
+
+// Everything that was in the old value is in the new one; numbers as exact as version 0.1 told them.
 bool holds(const QJsonValue &now, const QJsonValue &old)
 {
     if (old.isObject()) {
@@ -137,12 +144,10 @@ bool holds(const QJsonValue &now, const QJsonValue &old)
         return now.isArray() && now.toArray().size() == array.size();
     }
     if (old.isDouble()) {
-        const double tolerance = 1e-6 * std::max(1.0, std::abs(old.toDouble()));
-        const auto isNear = [&](double value) { return std::abs(value - old.toDouble()) <= tolerance; };
-        // Version 0.1 rounded to the decimals of the screen, one at least where the value has a fraction.
+        // Version 0.1 rounded to the decimals of the screen: what is exact now, rounded like that, is the
+        // old.
         return now.isDouble()
-            && (isNear(now.toDouble()) || isNear(std::round(10 * now.toDouble()) / 10)
-                || isNear(std::round(100 * now.toDouble()) / 100));
+            && QString::number(now.toDouble(), 'f', decimals(old.toDouble())).toDouble() == old.toDouble();
     }
     return now == old;
 }
