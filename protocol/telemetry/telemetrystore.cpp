@@ -66,12 +66,14 @@ TrackView::TrackView(std::shared_ptr<const TelemetryGroup> group, int column)
 
 void TrackView::refresh()
 {
-    const std::size_t end = m_group->end();
+    std::size_t end = m_group->end();
     const std::size_t known
         = m_chunks.empty() ? 0 : m_chunks.back()->firstRow + TelemetryGroup::kRowsPerChunk;
     if (end > known || (m_chunks.empty() && end > 0)) {
         const std::lock_guard lock(m_group->m_mutex);
         m_chunks.assign(m_group->m_chunks.begin(), m_group->m_chunks.end());
+        // The writer may have dropped everything up to the end that was seen before.
+        end = m_group->end();
     }
     m_end = end;
     m_begin = m_chunks.empty() ? end : m_chunks.front()->firstRow;
