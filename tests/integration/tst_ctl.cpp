@@ -672,17 +672,19 @@ void TestCtl::stormIsSteeredAndTuned()
     QVERIFY2(refused.exitCode == 1 && refused.err.contains(u"motors are off"_s), qPrintable(refused.err));
     QCOMPARE(ask({u"motors"_s, u"on"_s}).exitCode, 0);
 
+    QString said;
     const auto overshoot = [&] {
         const Run measured = ask({u"--json"_s, u"measure"_s, u"steps"_s, u"yaw"_s});
+        said = measured.err;
         return measured.exitCode == 0 ? measured.json().object().value(u"overshootPercent"_s).toDouble(-1)
                                       : -1.0;
     };
     QTRY_VERIFY_WITH_TIMEOUT(shows(u"state"_s) == 6.0, 30000);
     const double before = overshoot();
-    QVERIFY2(before >= 0, qPrintable(QString::number(before)));
+    QVERIFY2(before >= 0, qPrintable(said));
     QCOMPARE(ask({u"set"_s, u"pid.yaw.d=0.0200"_s, u"--no-save"_s}).exitCode, 0);
     const double lively = overshoot();
-    QVERIFY2(lively > before + 5, qPrintable(u"%1 after %2"_s.arg(lively).arg(before)));
+    QVERIFY2(lively > before + 5, qPrintable(u"%1 after %2, %3"_s.arg(lively).arg(before).arg(said)));
     QCOMPARE(ask({u"set"_s, u"pid.yaw.d=0.0600"_s, u"--no-save"_s}).exitCode, 0);
     QVERIFY(overshoot() < lively - 5);
     QVERIFY(ask({u"do"_s, u"stored.compare"_s}).out.contains(u"0.0600 in use, 0.0500 stored"_s));
