@@ -2244,6 +2244,65 @@
     </message>
 </context>
 <context>
+    <name>Notifications</name>
+    <message>
+        <source>The board says: %1</source>
+        <translation>Das Board meldet: %1</translation>
+    </message>
+    <message>
+        <source>Control was released because the program did not refresh it in time.</source>
+        <translation>Die Steuerung wurde abgegeben, weil das Programm sie nicht rechtzeitig erneuert hat.</translation>
+    </message>
+    <message>
+        <source>Unsaved edits would not survive a crash of the program.</source>
+        <translation>Ungesicherte Änderungen würden einen Absturz des Programms nicht überstehen.</translation>
+    </message>
+    <message>
+        <source>Recording saved to %1 (%2)</source>
+        <translation>Aufzeichnung in %1 gespeichert (%2)</translation>
+    </message>
+    <message>
+        <source>The recording has ended.</source>
+        <translation>Die Aufzeichnung ist zu Ende.</translation>
+    </message>
+    <message>
+        <source>What was recorded before is in the file. Make room, or choose another place.</source>
+        <translation>Was vorher aufgezeichnet wurde, steht in der Datei. Schaffen Sie Platz, oder wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>Connected again.</source>
+        <translation>Wieder verbunden.</translation>
+    </message>
+    <message>
+        <source>This is a recording: everything can be looked at, nothing can be changed.</source>
+        <translation>Das ist eine Aufzeichnung: alles lässt sich ansehen, nichts ändern.</translation>
+    </message>
+    <message>
+        <source> Unsaved changes are kept.</source>
+        <translation> Ungesicherte Änderungen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>Live data could not be started. </source>
+        <translation>Live-Daten ließen sich nicht starten. </translation>
+    </message>
+    <message>
+        <source>Motors are off.</source>
+        <translation>Motoren sind aus.</translation>
+    </message>
+    <message>
+        <source>The board did not confirm that the motors are off.</source>
+        <translation>Das Board hat nicht bestätigt, dass die Motoren aus sind.</translation>
+    </message>
+    <message>
+        <source>They may still be running.</source>
+        <translation>Sie laufen vielleicht noch.</translation>
+    </message>
+    <message>
+        <source>Hold the camera and disconnect the power.</source>
+        <translation>Halten Sie die Kamera und trennen Sie den Strom.</translation>
+    </message>
+</context>
+<context>
     <name>Pages</name>
     <message>
         <source>Dashboard</source>
@@ -10898,42 +10957,6 @@ Auf dem Board: %1</translation>
         <source>%1 °C</source>
         <translation>%1 °C</translation>
     </message>
-    <message>
-        <source>Unsaved edits would not survive a crash of the program.</source>
-        <translation>Ungesicherte Änderungen würden einen Absturz des Programms nicht überstehen.</translation>
-    </message>
-    <message>
-        <source> Unsaved changes are kept.</source>
-        <translation> Ungesicherte Änderungen bleiben erhalten.</translation>
-    </message>
-    <message>
-        <source>Live data could not be started. </source>
-        <translation>Live-Daten ließen sich nicht starten. </translation>
-    </message>
-    <message>
-        <source>Motors are off.</source>
-        <translation>Motoren sind aus.</translation>
-    </message>
-    <message>
-        <source>The board did not confirm that the motors are off.</source>
-        <translation>Das Board hat nicht bestätigt, dass die Motoren aus sind.</translation>
-    </message>
-    <message>
-        <source>They may still be running.</source>
-        <translation>Sie laufen vielleicht noch.</translation>
-    </message>
-    <message>
-        <source>Hold the camera and disconnect the power.</source>
-        <translation>Halten Sie die Kamera und trennen Sie den Strom.</translation>
-    </message>
-    <message>
-        <source>Control was released because the program did not refresh it in time.</source>
-        <translation>Die Steuerung wurde abgegeben, weil das Programm sie nicht rechtzeitig erneuert hat.</translation>
-    </message>
-    <message>
-        <source>Connected again.</source>
-        <translation>Wieder verbunden.</translation>
-    </message>
     <message numerus="yes">
         <source>%n unsaved step(s) of an earlier run belong to this board.</source>
         <translation>
@@ -10984,28 +11007,8 @@ Auf dem Board: %1</translation>
         <translation>Sicherung gemacht.</translation>
     </message>
     <message>
-        <source>Recording saved to %1 (%2)</source>
-        <translation>Aufzeichnung in %1 gespeichert (%2)</translation>
-    </message>
-    <message>
-        <source>The recording has ended.</source>
-        <translation>Die Aufzeichnung ist zu Ende.</translation>
-    </message>
-    <message>
-        <source>What was recorded before is in the file. Make room, or choose another place.</source>
-        <translation>Was vorher aufgezeichnet wurde, steht in der Datei. Schaffen Sie Platz, oder wählen Sie einen anderen Ort.</translation>
-    </message>
-    <message>
-        <source>This is a recording: everything can be looked at, nothing can be changed.</source>
-        <translation>Das ist eine Aufzeichnung: alles lässt sich ansehen, nichts ändern.</translation>
-    </message>
-    <message>
         <source>This is a recording: there are no motors to switch.</source>
         <translation>Das ist eine Aufzeichnung: hier gibt es keine Motoren zu schalten.</translation>
-    </message>
-    <message>
-        <source>The board says: %1</source>
-        <translation>Das Board meldet: %1</translation>
     </message>
     <message numerus="yes">
         <source>%n value(s) are not in the file and got their defaults: %1</source>

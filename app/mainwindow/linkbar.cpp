@@ -141,7 +141,7 @@ void LinkBar::connectOrDisconnect()
         text = m_address->itemData(known).toString();
     const auto address = LinkAddress::parse(text);
     if (!address) {
-        emit m_workspace.problem(describe(address.error()));
+        m_workspace.notifications().report(address.error());
         return;
     }
     m_workspace.connectTo(*address);

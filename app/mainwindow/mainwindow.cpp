@@ -110,9 +110,9 @@ void MainWindow::layoutFrame()
 void MainWindow::connectFrame()
 {
     Workspace *workspace = m_workspace.get();
-    connect(workspace, &Workspace::problem, m_messages, &MessageBar::showProblem);
-    connect(workspace, &Workspace::notice, m_messages, &MessageBar::showNotice);
-    connect(workspace, &Workspace::offer, m_offers, &OfferBar::ask);
+    connect(&workspace->notifications(), &Notifications::problem, m_messages, &MessageBar::showProblem);
+    connect(&workspace->notifications(), &Notifications::notice, m_messages, &MessageBar::showNotice);
+    connect(&workspace->notifications(), &Notifications::offer, m_offers, &OfferBar::ask);
     connect(m_keys, &MotorsKeys::holdStarted, this,
             [this] { m_messages->showNotice(tr("Hold Esc to switch the motors off.")); });
     connect(m_unsavedBar, &UnsavedBar::reviewRequested, this, &MainWindow::review);

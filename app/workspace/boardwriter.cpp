@@ -7,19 +7,20 @@
 using namespace Qt::StringLiterals;
 
 BoardWriter::BoardWriter(DeviceClient &client, ConfigurationModel &configuration, LiveModel &live,
-                         EditStack &edits, const BoardHistory &history)
+                         EditStack &edits, const BoardHistory &history, Notifications &notifications)
     : m_client(client)
     , m_configuration(configuration)
     , m_live(live)
     , m_edits(edits)
     , m_history(history)
+    , m_notifications(notifications)
 {
 }
 
 void BoardWriter::write(const Configuration &wanted)
 {
     if (m_writing) {
-        emit problem(describe({ErrorCode::Busy, {}, 0}));
+        m_notifications.report({ErrorCode::Busy, {}, 0});
         return;
     }
     m_writing = true;
@@ -48,7 +49,7 @@ void BoardWriter::write(const Configuration &wanted)
 void BoardWriter::onReport(const Result<WriteReport> &result)
 {
     if (!result) {
-        emit problem(describe(result.error()));
+        m_notifications.report(result.error());
         if (result.error().code == ErrorCode::Conflict)
             emit conflicted();
         return;
@@ -67,7 +68,7 @@ void BoardWriter::onReport(const Result<WriteReport> &result)
             : tr("%n value(s) written and read back.", nullptr, verified);
         if (!result->snapshotPath.isEmpty())
             text += u' ' + tr("The board as it was is kept in %1").arg(result->snapshotPath);
-        emit notice(text);
+        m_notifications.notify(text);
         return;
     }
     ErrorText text = describe(*result->error);
@@ -91,7 +92,7 @@ void BoardWriter::onReport(const Result<WriteReport> &result)
     for (const WriteLine &line : result->lines)
         names.append(line.spec->key);
     text.detail += u' ' + names.mid(0, 12).join(u", "_s);
-    emit problem(text);
+    m_notifications.report(text);
 }
 
 // After the reconnection the board was read again, so it is known what a broken write left behind: the rest
@@ -127,7 +128,8 @@ void BoardWriter::offerRepair()
         }
     }
     if (missing == 0) {
-        emit notice(tr("The interrupted write was complete: all %1 values are on the board.").arg(landed));
+        m_notifications.notify(
+            tr("The interrupted write was complete: all %1 values are on the board.").arg(landed));
         return;
     }
     Offer question;
@@ -144,7 +146,7 @@ void BoardWriter::offerRepair()
                                      write(undone);
                                  }});
     question.choices.append({tr("Leave it so"), [] {}});
-    emit offer(question);
+    m_notifications.ask(question);
 }
 
 // A written block is loaded by the board at once, stored values and all: what was in use beside it is put

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/workspace/offer.h"
+#include "app/workspace/notifications.h"
 #include "protocol/client/deviceclient.h"
 #include "protocol/configuration/writereport.h"
 #include "protocol/record/boardhistory.h"
 #include "widgets/forms/editstack.h"
-#include "widgets/models/errortext.h"
 #include "widgets/models/livemodel.h"
 
 /// Writes edits to the board, tells the operator how it went, and mends what a broken link left half done.
@@ -16,7 +15,7 @@ class BoardWriter final : public QObject
     Q_OBJECT
 public:
     BoardWriter(DeviceClient &client, ConfigurationModel &configuration, LiveModel &live, EditStack &edits,
-                const BoardHistory &history);
+                const BoardHistory &history, Notifications &notifications);
 
     /// Writes what differs between the board and this, verified, with a snapshot before the first write on
     /// this link.
@@ -36,9 +35,6 @@ signals:
     /// A write has come to its end, one way or the other.
     void finished();
     void snapshotTaken();
-    void problem(const ErrorText &text);
-    void notice(const QString &text);
-    void offer(const Offer &offer);
 
 private:
     void onReport(const Result<WriteReport> &result);
@@ -49,6 +45,7 @@ private:
     LiveModel &m_live;
     EditStack &m_edits;
     const BoardHistory &m_history;
+    Notifications &m_notifications;
     std::optional<WriteReport> m_lastReport;
     std::optional<Configuration> m_wantedAgain;  // becomes edits once an interrupted write is undone
     bool m_backupDone = false;

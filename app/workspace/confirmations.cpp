@@ -8,6 +8,11 @@
 
 using namespace Qt::StringLiterals;
 
+Confirmations::Confirmations(Notifications &notifications)
+    : m_notifications(notifications)
+{
+}
+
 // The button that goes on says what is so.
 QFuture<Confirmations::Outcome> Confirmations::ask(const ActionSpec &action,
                                                    std::function<QFuture<Outcome>()> perform)
@@ -25,7 +30,7 @@ QFuture<Confirmations::Outcome> Confirmations::ask(const ActionSpec &action,
     asked.choices.append({u"%1: %2"_s.arg(tableText(action.confirm), tableText(action.label)), goOn});
     asked.choices.append(
         {tr("Cancel"), [this, question] { answer(question, failure(ErrorCode::Cancelled)); }});
-    emit offer(asked);
+    m_notifications.ask(asked);
     return question->future();
 }
 

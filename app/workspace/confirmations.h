@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/workspace/offer.h"
+#include "app/workspace/notifications.h"
 #include "protocol/procedure/safeaction.h"
 
 #include <QFuture>
@@ -15,19 +15,17 @@ class Confirmations final : public QObject
     Q_OBJECT
 public:
     using Outcome = Result<ActionOutcome>;
-    using QObject::QObject;
 
+    explicit Confirmations(Notifications &notifications);
     /// Performs it once the operator has confirmed; Cancelled without that.
     QFuture<Outcome> ask(const ActionSpec &action, std::function<QFuture<Outcome>()> perform);
     /// Ends open questions with Cancelled: they belonged to another link.
     void forget();
 
-signals:
-    void offer(const Offer &offer);
-
 private:
     using Promise = QPromise<Outcome>;
     void answer(const std::shared_ptr<Promise> &question, const Outcome &outcome);
 
+    Notifications &m_notifications;
     std::vector<std::shared_ptr<Promise>> m_questions;
 };

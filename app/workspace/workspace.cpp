@@ -6,8 +6,6 @@
 #include "widgets/models/parametermodel.h"
 
 #include <QFileInfo>
-#include <QLocale>
-#include <QSet>
 
 #include <algorithm>
 #include <cmath>
@@ -36,27 +34,18 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     , m_links(std::move(links))
     , m_client(m_links.transports, std::move(families))
     , m_live(m_client, m_configuration)
+    , m_notifications(m_client, m_configuration)
+    , m_telemetry(m_client)
     , m_edits(m_configuration)
     , m_journal(m_configuration, m_edits, m_history)
     , m_recorder(m_client)
     , m_linkMarks(m_client, m_configuration, m_live, m_marks)
-    , m_writer(m_client, m_configuration, m_live, m_edits, m_history)
+    , m_writer(m_client, m_configuration, m_live, m_edits, m_history, m_notifications)
+    , m_confirmations(m_notifications)
 {
     connect(&m_journal, &EditJournal::leftoverFound, this, &Workspace::offerLeftover);
-    connect(&m_journal, &EditJournal::failed, this, [this](const Error &error) {
-        ErrorText text = describe(error);
-        text.meaning = tr("Unsaved edits would not survive a crash of the program.");
-        emit problem(text);
-    });
-    connect(&m_recorder, &LinkRecorder::finished, this, [this](const QString &path, qint64 bytes) {
-        emit notice(tr("Recording saved to %1 (%2)").arg(path, QLocale::c().formattedDataSize(bytes)));
-    });
-    connect(&m_recorder, &LinkRecorder::failed, this, [this](const Error &error) {
-        ErrorText text = describe(error);
-        text.what = tr("The recording has ended.");
-        text.cure = tr("What was recorded before is in the file. Make room, or choose another place.");
-        emit problem(text);
-    });
+    m_notifications.follow(m_journal);
+    m_notifications.follow(m_recorder);
     connect(&m_writer, &BoardWriter::completed, this,
             [this] { setUnstored(false); });  // a write ends with storing
     connect(&m_writer, &BoardWriter::conflicted, this, &Workspace::readBoard);
@@ -69,41 +58,8 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     connect(&m_client, &DeviceClient::statisticsChanged, this,
             [this] { m_linkMarks.look(latest(roles().activeProfile), faults()); });
     connect(&m_writer, &BoardWriter::snapshotTaken, this, &Workspace::snapshotTaken);
-    connect(&m_writer, &BoardWriter::problem, this, &Workspace::problem);
-    connect(&m_writer, &BoardWriter::notice, this, &Workspace::notice);
-    connect(&m_writer, &BoardWriter::offer, this, &Workspace::offer);
-    connect(&m_confirmations, &Confirmations::offer, this, &Workspace::offer);
     connect(&m_settings, &Settings::changed, this, &Workspace::applySettings);
     connect(&m_client, &DeviceClient::stateChanged, this, &Workspace::onState);
-    connect(&m_client, &DeviceClient::connectionFailed, this,
-            [this](const Error &error) { emit problem(describe(error)); });
-    connect(&m_client, &DeviceClient::connectionLost, this, [this](const Error &error) {
-        m_wasLost = true;
-        ErrorText text = describe(error);
-        if (m_configuration.changeCount() > 0)
-            text.cure += tr(" Unsaved changes are kept.");
-        emit problem(text);
-    });
-    connect(&m_client, &DeviceClient::telemetryFailed, this, [this](const Error &error) {
-        ErrorText text = describe(error);
-        text.what = tr("Live data could not be started. ") + text.what;
-        emit problem(text);
-    });
-    connect(&m_client, &DeviceClient::motorsOffFinished, this, [this](bool confirmed) {
-        if (confirmed) {
-            emit notice(tr("Motors are off."));
-            return;
-        }
-        emit problem({tr("The board did not confirm that the motors are off."),
-                      tr("They may still be running."),
-                      tr("Hold the camera and disconnect the power."),
-                      {}});
-    });
-    connect(&m_client, &DeviceClient::boardSpoke, this,
-            [this](const QString &text) { emit notice(tr("The board says: %1").arg(text)); });
-    connect(&m_client, &DeviceClient::failsafeActed, this, [this] {
-        emit notice(tr("Control was released because the program did not refresh it in time."));
-    });
     connect(&m_client, &DeviceClient::statisticsChanged, this, &Workspace::followActiveProfile);
 }
 
@@ -135,19 +91,10 @@ void Workspace::onState(DeviceClient::State state)
     m_writer.beginLink();
     m_reading = false;
     m_heldSpan.reset();
-    if (std::exchange(m_wasLost, false))
-        emit notice(tr("Connected again."));
-    if (m_client.address().isReplay())
-        emit notice(tr("This is a recording: everything can be looked at, nothing can be changed."));
-    else if (!m_client.identity().writable)
-        emit problem(describe({ErrorCode::ReadOnly, m_client.identity().firmware, 0}));
     if (m_client.identity().serial != m_unstoredSerial)
         setUnstored(false);  // another board; of the same one nobody knows what it did meanwhile
     offerWayOut();
     applySettings();
-    if (!m_client.device()->streamControl())
-        m_streams.clear();
-    updateWish();
     readBoard();
 }
 
@@ -170,7 +117,7 @@ void Workspace::readBoard()
             if (!answer) {
                 if (answer.error().code != ErrorCode::Cancelled
                     && answer.error().code != ErrorCode::LinkClosed)
-                    emit problem(describe(answer.error()));
+                    m_notifications.report(answer.error());
                 return;
             }
             const bool sameBoard = !m_configuration.isEmpty()
@@ -200,10 +147,10 @@ void Workspace::offerLeftover(int steps)
     question.text = tr("%n unsaved step(s) of an earlier run belong to this board.", nullptr, steps);
     question.choices.append({tr("Restore them"), [this] {
                                  if (!m_journal.restoreLeftover())
-                                     emit notice(tr("Nothing of it fits this board any more."));
+                                     m_notifications.notify(tr("Nothing of it fits this board any more."));
                              }});
     question.choices.append({tr("Throw them away"), [this] { m_journal.dropLeftover(); }});
-    emit offer(question);
+    m_notifications.ask(question);
 }
 
 Result<ConfigurationFile> Workspace::loadFile(const QString &path) const
@@ -227,8 +174,8 @@ Result<void> Workspace::openFile(const QString &path)
     m_offlineFile = path;
     m_configuration.reset(file->configuration);
     if (!file->unknownKeys.isEmpty()) {
-        emit notice(tr("%n entry(s) of the file are unknown and were left out.", nullptr,
-                       int(file->unknownKeys.size())));
+        m_notifications.notify(tr("%n entry(s) of the file are unknown and were left out.", nullptr,
+                                  int(file->unknownKeys.size())));
     }
     return {};
 }
@@ -252,14 +199,14 @@ Result<void> Workspace::applyFile(const QString &path, std::optional<int> from, 
         m_edits.apply(wanted, tr("Load %1").arg(name));
     skipped += file->unknownKeys;
     if (!file->missingKeys.isEmpty()) {
-        emit notice(tr("%n value(s) are not in the file and got their defaults: %1", nullptr,
-                       int(file->missingKeys.size()))
-                        .arg(file->missingKeys.mid(0, 8).join(u", "_s)));
+        m_notifications.notify(tr("%n value(s) are not in the file and got their defaults: %1", nullptr,
+                                  int(file->missingKeys.size()))
+                                   .arg(file->missingKeys.mid(0, 8).join(u", "_s)));
     }
     if (!skipped.isEmpty()) {
-        emit notice(tr("%n value(s) of the file do not fit this board and were left out: %1", nullptr,
-                       int(skipped.size()))
-                        .arg(skipped.mid(0, 8).join(u", "_s)));
+        m_notifications.notify(tr("%n value(s) of the file do not fit this board and were left out: %1",
+                                  nullptr, int(skipped.size()))
+                                   .arg(skipped.mid(0, 8).join(u", "_s)));
     }
     return {};
 }
@@ -273,10 +220,10 @@ void Workspace::takeSnapshot()
 {
     const auto saved = m_history.save(std::as_const(m_configuration).board(), u"by the operator"_s);
     if (!saved) {
-        emit problem(describe(saved.error()));
+        m_notifications.report(saved.error());
         return;
     }
-    emit notice(tr("Snapshot taken."));
+    m_notifications.notify(tr("Snapshot taken."));
     emit snapshotTaken();
 }
 
@@ -309,7 +256,7 @@ QFuture<Result<ActionOutcome>> Workspace::performNow(const QString &key, const Q
             moving ? DeviceClient::JobKind::Moving : DeviceClient::JobKind::Quiet)
         .then(this, [this, quiet, effect](const Result<ActionOutcome> &outcome) {
             if (!outcome && !quiet)
-                emit problem(describe(outcome.error()));
+                m_notifications.report(outcome.error());
             if (outcome && !outcome->snapshotPath.isEmpty())
                 emit snapshotTaken();
             if (outcome && outcome->reply.contains(u"unstored"_s))
@@ -334,7 +281,7 @@ bool Workspace::isSimulated() const
 void Workspace::changeWorld(const QString &assignment)
 {
     if (const auto changed = m_links.changeWorld(m_client.address(), assignment); !changed)
-        emit problem(describe(changed.error()));
+        m_notifications.report(changed.error());
     else
         emit worldChanged(assignment);
 }
@@ -353,7 +300,7 @@ QFuture<bool> Workspace::saveLive()
                     std::ignore = board.setRaw(*spec, board.activeProfile(), value.inUse);
             }
             m_configuration.setBoard(board);
-            emit notice(
+            m_notifications.notify(
                 tr("Stored on the board. The board as it was is kept in %1").arg(saved->snapshotPath));
             readBoard();  // what is stored now is what the board says, not what was meant
             return true;
@@ -377,7 +324,7 @@ void Workspace::useProfile(int profile)
         .then(this, [this, profile](const Result<bool> &done) {
             m_switchingProfile = false;
             if (!done) {
-                emit problem(describe(done.error()));
+                m_notifications.report(done.error());
                 emit m_configuration.activeProfileChanged(m_configuration.board().activeProfile());
                 return;
             }
@@ -389,7 +336,7 @@ void Workspace::useProfile(int profile)
 void Workspace::setMotors(bool on)
 {
     if (m_client.address().isReplay() && m_client.isConnected()) {
-        emit notice(tr("This is a recording: there are no motors to switch."));
+        m_notifications.notify(tr("This is a recording: there are no motors to switch."));
         return;
     }
     if (!on) {
@@ -405,54 +352,8 @@ void Workspace::setMotors(bool on)
         })
         .then(this, [this](const Result<Frame> &done) {
             if (!done)
-                emit problem(describe(done.error()));
+                m_notifications.report(done.error());
         });
-}
-
-void Workspace::wishTelemetry(const QObject *who, const QList<int> &channels)
-{
-    m_wishes.insert(who, channels);
-    updateWish();
-}
-
-void Workspace::setStreams(const QList<StreamChoice> &streams)
-{
-    m_streams = streams;
-    updateWish();
-}
-
-void Workspace::updateWish()
-{
-    if (m_client.device())
-        m_client.subscribe(telemetryWish(m_streams));
-}
-
-Subscription Workspace::telemetryWish(const QList<StreamChoice> &streams) const
-{
-    const StreamControl *control = m_client.device()->streamControl();
-    const QList<int> fast = control ? control->fastChannels() : QList<int>();
-    QSet<int> wanted;
-    for (const QList<int> &channels : std::as_const(m_wishes)) {
-        for (const int channel : channels) {
-            if (fast.contains(channel))
-                wanted.insert(channel);
-        }
-    }
-    Subscription wish;
-    wish.channels = QList<int>(wanted.begin(), wanted.end());
-    std::sort(wish.channels.begin(), wish.channels.end());
-    wish.streams = streams;
-    // A stream of chosen channels carries what the pages want to see; without any it is not needed.
-    const QList<StreamSpec> offered = control ? control->streams() : QList<StreamSpec>();
-    for (const StreamSpec &spec : offered) {
-        for (StreamChoice &stream : wish.streams) {
-            if (stream.key == spec.key && spec.choosesChannels)
-                stream.channels = wish.channels;
-        }
-        if (spec.choosesChannels && wish.channels.isEmpty())
-            wish.streams.removeIf([&](const StreamChoice &stream) { return stream.key == spec.key; });
-    }
-    return wish;
 }
 
 double Workspace::latest(int channel) const
@@ -545,7 +446,7 @@ void Workspace::offerWayOut()
                                  });
                              }});
     question.choices.append({tr("Leave it so"), [] {}});
-    emit offer(question);
+    m_notifications.ask(question);
 }
 
 const ChannelRoles &Workspace::roles() const

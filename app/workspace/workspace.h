@@ -8,22 +8,23 @@
 #include "app/workspace/editjournal.h"
 #include "app/workspace/linkmarks.h"
 #include "app/workspace/linkrecorder.h"
+#include "app/workspace/notifications.h"
 #include "app/workspace/settings.h"
+#include "app/workspace/telemetrysubscriptions.h"
 #include "protocol/client/deviceclient.h"
 #include "protocol/device/abilities.h"
 #include "protocol/device/family.h"
 #include "protocol/procedure/safeaction.h"
-#include "protocol/telemetry/streams.h"
 #include "widgets/forms/editstack.h"
-#include "widgets/models/errortext.h"
 #include "widgets/models/livemodel.h"
 #include "widgets/theme/theme.h"
 
 /// "31 °C" or "88 °F"; empty for NaN.
 [[nodiscard]] QString temperatureText(double celsius, bool fahrenheit);
 
-/// What all pages share: the client, the configuration with its edits, the history of snapshots, the theme.
-/// Turns wishes of the operator into jobs, and their results into model changes and messages.
+/// What all pages share: the client, the configuration with its edits, the history of snapshots, the theme,
+/// what the operator is told, what the board sends. Turns what the operator wants into jobs, and their
+/// results into changes of the models.
 class Workspace final : public QObject
 {
     Q_OBJECT
@@ -46,6 +47,8 @@ public:
     [[nodiscard]] Settings &settings() { return m_settings; }
     [[nodiscard]] EditJournal &journal() { return m_journal; }
     [[nodiscard]] LinkRecorder &recorder() { return m_recorder; }
+    [[nodiscard]] Notifications &notifications() { return m_notifications; }
+    [[nodiscard]] TelemetrySubscriptions &telemetry() { return m_telemetry; }
     /// What happened on this link, for the plots.
     [[nodiscard]] PlotMarks &marks() { return m_marks; }
     /// Adds a mark at this moment.
@@ -75,8 +78,7 @@ public:
     void takeSnapshot();
 
     /// Performs an action, with a snapshot before it where it writes. What it wants to be confirmed is asked
-    /// each time (offer()); without the answer it ends with Cancelled. Failures are told by problem() unless
-    /// quiet.
+    /// each time; without the answer it ends with Cancelled. Failures are reported unless quiet.
     QFuture<Result<ActionOutcome>> perform(const QString &key, const QVariantMap &arguments,
                                            bool quiet = false);
 
@@ -84,16 +86,9 @@ public:
     [[nodiscard]] bool isSimulated() const;
     void changeWorld(const QString &assignment);
     void setMotors(bool on);
-    /// Fast channels that somebody wants to see; each page has its own wish.
-    void wishTelemetry(const QObject *who, const QList<int> &channels);
-    /// Streams that the operator chose by hand; none: they are arranged for what the pages want to see.
-    void setStreams(const QList<StreamChoice> &streams);
-    [[nodiscard]] const QList<StreamChoice> &streams() const { return m_streams; }
     /// A span of time that the operator holds still to look at, in seconds since the store's origin.
     void setHeldSpan(std::optional<std::pair<double, double>> span) { m_heldSpan = span; }
     [[nodiscard]] std::optional<std::pair<double, double>> heldSpan() const { return m_heldSpan; }
-    /// The wish of all pages together, with these streams.
-    [[nodiscard]] Subscription telemetryWish(const QList<StreamChoice> &streams) const;
 
     /// The channel's newest value, NaN without one.
     [[nodiscard]] double latest(int channel) const;
@@ -121,11 +116,6 @@ public:
     [[nodiscard]] bool isWriting() const { return m_writer.isWriting(); }
 
 signals:
-    /// Something the operator must know.
-    void problem(const ErrorText &text);
-    /// Something that went well.
-    void notice(const QString &text);
-    void offer(const Offer &offer);
     void boardRead();
     void unstoredChanged();
     /// A snapshot was added to the board's history.
@@ -141,7 +131,6 @@ private:
     void applySettings();
     void setUnstored(bool unstored);
     void offerWayOut();
-    void updateWish();
     void followActiveProfile();
 
     Theme &m_theme;
@@ -150,13 +139,13 @@ private:
     DeviceClient m_client;
     ConfigurationModel m_configuration;
     LiveModel m_live;
+    Notifications m_notifications;
+    TelemetrySubscriptions m_telemetry;
     EditStack m_edits;
     BoardHistory m_history;
     EditJournal m_journal;
     LinkRecorder m_recorder;
     QString m_offlineFile;
-    QHash<const QObject *, QList<int>> m_wishes;
-    QList<StreamChoice> m_streams;
     std::optional<std::pair<double, double>> m_heldSpan;
     PlotMarks m_marks;
     LinkMarks m_linkMarks;
@@ -166,7 +155,6 @@ private:
     Confirmations m_confirmations;
     bool m_unstored = false;
     QString m_unstoredSerial;
-    bool m_wasLost = false;
     bool m_reading = false;
     bool m_switchingProfile = false;
     mutable quint64 m_lastRows = 0;

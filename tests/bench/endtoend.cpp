@@ -101,7 +101,7 @@ void benchEndToEnd(Report &report, int seconds)
     const quint64 sentBefore = simulator.streams().all;
     Watch watch;
     rig.client().addListener(watch);
-    rig.workspace().setStreams({{u"realtime4"_s, 1250, {}}});
+    rig.workspace().telemetry().setStreams({{u"realtime4"_s, 1250, {}}});
     if (!QTest::qWaitFor([&] { return rig.client().telemetryPlan().rate == 1250.0; }, 5000))
         qFatal("no stream");
     QTest::qWait(1000);

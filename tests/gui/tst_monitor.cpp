@@ -48,7 +48,7 @@ void TestMonitor::scalesStayInsideWhenThePlotsShrink()
     QTRY_VERIFY(monitor->plots().first()->height() > 100);
     const int before = monitor->plots().first()->height();
     // Messages and the unsaved bar take room from the plots, and give it back.
-    emit m_rig->workspace().notice(u"a message"_s);
+    m_rig->workspace().notifications().notify(u"a message"_s);
     m_rig->edit(u"pid.roll.p"_s, 0, 60);
     QTRY_VERIFY(monitor->plots().first()->height() < before);
     for (PlotView *plot : monitor->plots()) {

@@ -284,7 +284,7 @@ void TestStormMotion::stepsAreRefusedWhereNothingHolds()
     workspace().setMotors(false);
     QTRY_VERIFY(!workspace().motorsRunning().value_or(true));
     auto *page = m_rig->page<ResponsePage>();
-    QSignalSpy problems(&workspace(), &Workspace::problem);
+    QSignalSpy problems(&workspace().notifications(), &Notifications::problem);
     QTest::mouseClick(page->armButton(), Qt::LeftButton);
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
     QTRY_VERIFY(!page->isRunning());

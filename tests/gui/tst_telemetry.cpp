@@ -284,7 +284,7 @@ void TestTelemetry::layoutsAreKeptByName()
     // A layout of another kind of board, or a damaged one, is told and harmless.
     m_rig->settings().setPlotLayout(u"foreign"_s,
                                     R"({"plots":[{"channels":["no.such"]},{"channels":7},5],"seconds":"x"})");
-    QSignalSpy told(&m_rig->workspace(), &Workspace::notice);
+    QSignalSpy told(&m_rig->workspace().notifications(), &Notifications::notice);
     page->useLayout(u"foreign"_s);
     QCOMPARE(told.count(), 1);
     QCOMPARE(page->plots().size(), 3);
@@ -335,7 +335,7 @@ void TestTelemetry::streamsByHand()
     page->channels().setTicked(page->channels().ticked() << channel("acc.x"));
     QTRY_VERIFY_WITH_TIMEOUT(
         m_rig->client().telemetryPlan().budget.streams[1].channels.contains(channel("acc.x")), 5000);
-    m_rig->workspace().setStreams({});
+    m_rig->workspace().telemetry().setStreams({});
     QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().telemetryPlan().rate, 1250.0, 5000);
 }
 
@@ -356,8 +356,8 @@ void TestTelemetry::streamsThatDoNotFitAreNotOffered()
     QVERIFY(named<QPushButton>(dialog, u"Use"_s)->isEnabled());
     dialog->reject();
     // The same by code: told with numbers, and what ran goes on.
-    QSignalSpy told(&m_rig->workspace(), &Workspace::problem);
-    m_rig->workspace().setStreams({{u"realtime4"_s, 200, {}}});
+    QSignalSpy told(&m_rig->workspace().notifications(), &Notifications::problem);
+    m_rig->workspace().telemetry().setStreams({{u"realtime4"_s, 200, {}}});
     QTRY_COMPARE(told.count(), 1);
     QCOMPARE(m_rig->client().telemetryPlan().rate, before);
     const quint64 rows = m_rig->client().telemetry()->rows();
@@ -480,7 +480,7 @@ void TestTelemetry::ownMotionIsMeasured()
     // Nothing was steered: nothing can be told, and that is said.
     waitForSamples(9000);
     named<QDoubleSpinBox>(page, u"Duration"_s)->setValue(6);
-    QSignalSpy told(&m_rig->workspace(), &Workspace::problem);
+    QSignalSpy told(&m_rig->workspace().notifications(), &Notifications::problem);
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
     QCOMPARE(told.count(), 1);
     QVERIFY(page->records().empty());
@@ -538,7 +538,7 @@ void TestTelemetry::testsAreGuarded()
     m_rig->client().motorsOff();
     QTRY_VERIFY_WITH_TIMEOUT(!page->isRunning(), 3000);
     QTRY_VERIFY_WITH_TIMEOUT(m_rig->workspace().motorsRunning() == std::optional(false), 5000);
-    QSignalSpy told(&m_rig->workspace(), &Workspace::problem);
+    QSignalSpy told(&m_rig->workspace().notifications(), &Notifications::problem);
     QTest::mouseClick(page->armButton(), Qt::LeftButton);
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
     // The worker refuses it.
@@ -570,7 +570,7 @@ void TestTelemetry::divergenceSwitchesTheMotorsOff()
     // A tight limit: the overshoot of a large step is beyond it.
     named<QDoubleSpinBox>(page, u"Movement"_s)->setValue(10);
     named<QDoubleSpinBox>(page, u"Stop beyond"_s)->setValue(0.5);
-    QSignalSpy told(&m_rig->workspace(), &Workspace::problem);
+    QSignalSpy told(&m_rig->workspace().notifications(), &Notifications::problem);
     QTest::mouseClick(page->armButton(), Qt::LeftButton);
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(!page->isRunning(), 5000);
@@ -601,7 +601,7 @@ void TestTelemetry::responsesAreExchangedAsText()
             file.write(QByteArray::number(input) + ';' + QByteArray::number(state) + '\n');
         }
     }
-    QSignalSpy told(&m_rig->workspace(), &Workspace::notice);
+    QSignalSpy told(&m_rig->workspace().notifications(), &Notifications::notice);
     QVERIFY(page->importCsv(path));
     QCOMPARE(told.count(), 1);  // its rate was assumed
     QCOMPARE(page->records().size(), std::size_t(1));

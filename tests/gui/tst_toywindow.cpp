@@ -214,7 +214,7 @@ void TestToyWindow::documentIsLoadedSavedAndLimited()
     QTRY_VERIFY(says(documents, u"5000"_s));
     QTRY_VERIFY(documents->findChild<QLabel *>(u"error"_s));
     QCOMPARE(std::as_const(model()).edited().block({0, toy::Mission}), before);
-    QSignalSpy problem(&m_rig->workspace(), &Workspace::problem);
+    QSignalSpy problem(&m_rig->workspace().notifications(), &Notifications::problem);
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(QByteArray(5000, 'a'));
     file.close();

@@ -152,7 +152,7 @@ void AutoTunePage::start()
 {
     auto arguments = m_form->arguments();
     if (!arguments) {
-        emit workspace().problem(describe(arguments.error()));
+        workspace().notifications().report(arguments.error());
         return;
     }
     arguments->insert(u"save"_s, false);
@@ -209,12 +209,12 @@ void AutoTunePage::onFinished(const Result<ActionOutcome> &outcome)
             "Nothing was saved. The board may still use what it has found so far, until its next start.");
         text.cure
             = tr("When it is connected again, look at Tuning: “Revert all” puts the stored gains back.");
-        emit workspace().problem(text);
+        workspace().notifications().report(text);
         return;
     }
     // Stopped, or the board gave up: what was in use before comes back.
     if (outcome.error().code != ErrorCode::Cancelled)
-        emit workspace().problem(describe(outcome.error()));
+        workspace().notifications().report(outcome.error());
     revert();
 }
 
@@ -233,7 +233,7 @@ void AutoTunePage::revert()
     m_live.setValues(m_before);
     m_before.clear();
     setState(State::Ready);
-    emit workspace().notice(tr("The gains of before are in use again."));
+    workspace().notifications().notify(tr("The gains of before are in use again."));
 }
 
 void AutoTunePage::fillTable()

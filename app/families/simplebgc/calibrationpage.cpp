@@ -157,7 +157,7 @@ void CalibrationPage::showEvent(QShowEvent *event)
     const ChannelRoles &roles = workspace().roles();
     QList<int> wanted(roles.gyro.begin(), roles.gyro.end());
     wanted.append(QList<int>(roles.acc.begin(), roles.acc.end()));
-    workspace().wishTelemetry(this, wanted);
+    workspace().telemetry().subscribe(this, wanted);
     updateButtons();
     m_timer.start();
 }
@@ -313,7 +313,7 @@ void CalibrationPage::onMeasured(const Result<ActionOutcome> &outcome)
             text.meaning = tr("The board may still finish this measurement by itself within a few seconds.");
             text.cure = tr("Calibrate again when the sensor lies still.");
         }
-        emit workspace().problem(text);
+        workspace().notifications().report(text);
         setStep(Step::Choose);
         return;
     }

@@ -63,7 +63,7 @@ SensorPage::SensorPage(Workspace &workspace, QWidget *parent)
                     u"%1 (*.%2)"_s.arg(family->calibrationFile->name, family->calibrationFile->suffix),
                     [this](const QString &path) {
                         if (const auto loaded = loadFile(path); !loaded)
-                            emit this->workspace().problem(describe(loaded.error()));
+                            this->workspace().notifications().report(loaded.error());
                     });
     });
     connect(m_save, &QPushButton::clicked, this, [this] {
@@ -72,9 +72,9 @@ SensorPage::SensorPage(Workspace &workspace, QWidget *parent)
         askSavePath(tr("Save the calibration"), u"calibration."_s + suffix,
                     u"%1 (*.%2)"_s.arg(family->calibrationFile->name, suffix), [this](const QString &path) {
                         if (const auto saved = saveFile(path); !saved)
-                            emit this->workspace().problem(describe(saved.error()));
+                            this->workspace().notifications().report(saved.error());
                         else
-                            emit this->workspace().notice(tr("Saved to %1").arg(path));
+                            this->workspace().notifications().notify(tr("Saved to %1").arg(path));
                     });
     });
     connect(m_cancel, &QPushButton::clicked, this, [this] {
@@ -268,7 +268,7 @@ void SensorPage::onMeasured(const Result<ActionOutcome> &outcome)
         return;
     if (!outcome) {
         if (outcome.error().code != ErrorCode::Cancelled)
-            emit workspace().problem(describe(outcome.error()));
+            workspace().notifications().report(outcome.error());
         setStep(Step::Choose);
         return;
     }
@@ -344,7 +344,7 @@ void SensorPage::store()
             m_store->setEnabled(true);
             if (!outcome)
                 return;
-            emit workspace().notice(tr("The calibration is stored and read back."));
+            workspace().notifications().notify(tr("The calibration is stored and read back."));
             setStep(Step::Choose);
             m_hands->putBack();
         });

@@ -218,7 +218,7 @@ void ActionsPage::run()
 {
     const auto arguments = m_form->arguments();
     if (!arguments) {
-        emit workspace().problem(describe(arguments.error()));
+        workspace().notifications().report(arguments.error());
         return;
     }
     m_running = true;

@@ -84,16 +84,16 @@ BackupsPage::BackupsPage(Workspace &workspace, QWidget *parent)
     connect(load, &QPushButton::clicked, this, [this] {
         askOpenPath(tr("Load a configuration"), this->workspace().openFilter(), [this](const QString &path) {
             if (const auto done = this->workspace().applyFile(path); !done)
-                emit this->workspace().problem(describe(done.error()));
+                this->workspace().notifications().report(done.error());
         });
     });
     connect(saveAs, &QPushButton::clicked, this, [this] {
         askSavePath(tr("Save the configuration"), u"gimbal.json"_s, this->workspace().configurationFilter(),
                     [this](const QString &path) {
                         if (const auto saved = this->workspace().saveFile(path); !saved)
-                            emit this->workspace().problem(describe(saved.error()));
+                            this->workspace().notifications().report(saved.error());
                         else
-                            emit this->workspace().notice(tr("Saved to %1").arg(path));
+                            this->workspace().notifications().notify(tr("Saved to %1").arg(path));
                     });
     });
     header()->addWidget(load);
@@ -133,7 +133,7 @@ BackupsPage::BackupsPage(Workspace &workspace, QWidget *parent)
     connect(m_take, &QPushButton::clicked, &workspace, &Workspace::takeSnapshot);
     connect(m_restore, &QPushButton::clicked, this, [this] {
         if (const auto done = this->workspace().applyFile(chosenPath()); !done)
-            emit this->workspace().problem(describe(done.error()));
+            this->workspace().notifications().report(done.error());
         showDifferences();
     });
     connect(m_export, &QPushButton::clicked, this, [this] {
@@ -142,9 +142,9 @@ BackupsPage::BackupsPage(Workspace &workspace, QWidget *parent)
                     [this, from](const QString &to) {
                         QFile::remove(to);
                         if (QFile::copy(from, to))
-                            emit this->workspace().notice(tr("Saved to %1").arg(to));
+                            this->workspace().notifications().notify(tr("Saved to %1").arg(to));
                         else
-                            emit this->workspace().problem(describe({ErrorCode::BadFile, to, 0}));
+                            this->workspace().notifications().report({ErrorCode::BadFile, to, 0});
                     });
     });
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &BackupsPage::showDifferences);

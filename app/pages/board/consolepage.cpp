@@ -86,7 +86,7 @@ ConsolePage::ConsolePage(Workspace &workspace, QWidget *parent)
                     [this](const QString &path) {
                         const auto saved = saveText(path);
                         if (!saved)
-                            emit this->workspace().problem(describe(saved.error()));
+                            this->workspace().notifications().report(saved.error());
                     });
     });
     connect(sendButton, &QPushButton::clicked, this, &ConsolePage::send);
@@ -135,12 +135,12 @@ void ConsolePage::send()
 {
     DeviceClient &client = workspace().client();
     if (!client.isConnected()) {
-        emit workspace().problem(describe({ErrorCode::NotConnected, {}, 0}));
+        workspace().notifications().report({ErrorCode::NotConnected, {}, 0});
         return;
     }
     const auto command = client.device()->inspector()->parseCommand(m_input->text());
     if (!command) {
-        emit workspace().problem(describe(command.error()));
+        workspace().notifications().report(command.error());
         return;
     }
     if (command->risk != ActionRisk::Safe && !m_allow->isChecked()) {
@@ -148,7 +148,7 @@ void ConsolePage::send()
         text.what = tr("%1 was not sent.").arg(command->name);
         text.meaning = tr("It can move the camera or change settings.");
         text.cure = tr("Tick “Allow commands that change something” to send it all the same.");
-        emit workspace().problem(text);
+        workspace().notifications().report(text);
         return;
     }
     client
@@ -158,7 +158,7 @@ void ConsolePage::send()
         })
         .then(this, [this](const Result<bool> &sent) {
             if (!sent)
-                emit workspace().problem(describe(sent.error()));
+                workspace().notifications().report(sent.error());
             else
                 m_input->selectAll();
         });

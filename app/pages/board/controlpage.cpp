@@ -217,7 +217,7 @@ void ControlPage::fillFunctions()
             if (const auto arguments = form->arguments())
                 workspace().perform(key, *arguments);
             else
-                emit workspace().problem(describe(arguments.error()));
+                workspace().notifications().report(arguments.error());
         });
     }
     grid->setRowStretch(line, 1);
@@ -454,8 +454,8 @@ void ControlPage::tick()
 {
     if (m_touched.elapsed() > 1000LL * workspace().settings().disarmSeconds() && !m_pad->isHeld()) {
         setArmed(false);
-        emit workspace().notice(tr("Control was disarmed: nothing was moved for %1 s.")
-                                    .arg(workspace().settings().disarmSeconds()));
+        workspace().notifications().notify(tr("Control was disarmed: nothing was moved for %1 s.")
+                                               .arg(workspace().settings().disarmSeconds()));
         return;
     }
     workspace().client().setControl(setpoint());
@@ -493,7 +493,7 @@ void ControlPage::showEvent(QShowEvent *event)
 {
     Page::showEvent(event);
     const ChannelRoles &roles = workspace().roles();
-    workspace().wishTelemetry(this, ChannelRoles::present({roles.angle, roles.target}));
+    workspace().telemetry().subscribe(this, ChannelRoles::present({roles.angle, roles.target}));
     m_refresh.start();
     setArmed(false);
 }

@@ -49,7 +49,7 @@ ShareDialog::ShareDialog(Workspace &workspace, QWidget *parent)
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
     connect(copy, &QPushButton::clicked, this, [this, &workspace] {
         QGuiApplication::clipboard()->setImage(m_image);
-        emit workspace.notice(tr("The picture is in the clipboard."));
+        workspace.notifications().notify(tr("The picture is in the clipboard."));
     });
     connect(saveAs, &QPushButton::clicked, this, [this, &workspace] {
         auto *dialog = new QFileDialog(this, tr("Save the picture"), {}, tr("Pictures (*.png)"));
@@ -59,9 +59,9 @@ ShareDialog::ShareDialog(Workspace &workspace, QWidget *parent)
         dialog->selectFile(u"settings.png"_s);
         connect(dialog, &QFileDialog::fileSelected, this, [this, &workspace](const QString &path) {
             if (const auto saved = save(path); !saved)
-                emit workspace.problem(describe(saved.error()));
+                workspace.notifications().report(saved.error());
             else
-                emit workspace.notice(tr("Saved to %1").arg(path));
+                workspace.notifications().notify(tr("Saved to %1").arg(path));
         });
         dialog->open();
     });

@@ -220,14 +220,14 @@ void DocumentsPage::loadFrom(const QString &path)
     if (!m_shown)
         return;
     if (!file.open(QIODevice::ReadOnly)) {
-        emit workspace().problem(
-            describe({ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()), 0}));
+        workspace().notifications().report(
+            {ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()), 0});
         return;
     }
     const QByteArray bytes = file.read(std::max(m_shown->size, m_shown->maxSize) + 1);
     if (!m_shown->holds(bytes.size()) || !isUtf8(bytes)) {
-        emit workspace().problem(describe(
-            {ErrorCode::BadFile, tr("%1 is too long for this document, or no UTF-8 text").arg(path), 0}));
+        workspace().notifications().report(
+            {ErrorCode::BadFile, tr("%1 is too long for this document, or no UTF-8 text").arg(path), 0});
         return;
     }
     m_takeTimer.stop();
@@ -241,10 +241,10 @@ void DocumentsPage::saveTo(const QString &path)
     const QByteArray bytes = isUtf8(held()) ? typed() : held();
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        emit workspace().problem(
-            describe({ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()), 0}));
+        workspace().notifications().report(
+            {ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()), 0});
     else
-        emit workspace().notice(tr("Saved to %1").arg(path));
+        workspace().notifications().notify(tr("Saved to %1").arg(path));
 }
 
 void DocumentsPage::hideEvent(QHideEvent *event)

@@ -95,7 +95,7 @@ ProfilesPage::ProfilesPage(Workspace &workspace, QWidget *parent)
                            .arg(bytes)
                            .arg(limit);
         text.cure = tr("Choose a shorter one.");
-        emit this->workspace().problem(text);
+        this->workspace().notifications().report(text);
     });
     connect(m_active, &QPushButton::clicked, this, [this] { this->workspace().useProfile(chosen()); });
     connect(m_rename, &QPushButton::clicked, this,
@@ -110,7 +110,7 @@ ProfilesPage::ProfilesPage(Workspace &workspace, QWidget *parent)
     connect(m_loadAll, &QPushButton::clicked, this, [this] {
         askOpenPath(tr("Load all profiles"), tr(kFilter), [this](const QString &path) {
             if (const auto loaded = this->workspace().applyFile(path); !loaded)
-                emit this->workspace().problem(describe(loaded.error()));
+                this->workspace().notifications().report(loaded.error());
         });
     });
     connect(m_save, &QPushButton::clicked, this, [this] {
@@ -171,14 +171,14 @@ void ProfilesPage::updateButtons()
 void ProfilesPage::loadFrom(const QString &path, int from, int to)
 {
     if (const auto loaded = workspace().applyFile(path, from, to); !loaded)
-        emit workspace().problem(describe(loaded.error()));
+        workspace().notifications().report(loaded.error());
 }
 
 void ProfilesPage::loadInto(const QString &path, int profile)
 {
     const auto file = workspace().loadFile(path);
     if (!file) {
-        emit workspace().problem(describe(file.error()));
+        workspace().notifications().report(file.error());
         return;
     }
     auto *dialog = new QDialog(this);
@@ -208,7 +208,7 @@ void ProfilesPage::loadInto(const QString &path, int profile)
 void ProfilesPage::saveTo(const QString &path)
 {
     if (const auto saved = workspace().saveFile(path); !saved)
-        emit workspace().problem(describe(saved.error()));
+        workspace().notifications().report(saved.error());
     else
-        emit workspace().notice(tr("Saved to %1").arg(path));
+        workspace().notifications().notify(tr("Saved to %1").arg(path));
 }

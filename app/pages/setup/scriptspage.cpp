@@ -259,11 +259,11 @@ void ScriptsPage::load()
                 [this](const QString &path) {
                     QFile file(path);
                     if (!file.open(QIODevice::ReadOnly) || file.size() > kLargestText) {
-                        emit workspace().problem(
-                            describe({ErrorCode::BadFile,
-                                      file.isOpen() ? tr("%1 is too large for a script").arg(path)
-                                                    : u"%1: %2"_s.arg(path, file.errorString()),
-                                      0}));
+                        workspace().notifications().report({ErrorCode::BadFile,
+                                                            file.isOpen()
+                                                                ? tr("%1 is too large for a script").arg(path)
+                                                                : u"%1: %2"_s.arg(path, file.errorString()),
+                                                            0});
                         return;
                     }
                     m_editor->setText(QString::fromUtf8(file.readAll()));  // as if it had been typed
@@ -277,9 +277,9 @@ void ScriptsPage::save()
                     QSaveFile file(path);
                     if (!file.open(QIODevice::WriteOnly) || file.write(m_texts.value(m_script).toUtf8()) < 0
                         || !file.commit())
-                        emit workspace().problem(
-                            describe({ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()), 0}));
+                        workspace().notifications().report(
+                            {ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()), 0});
                     else
-                        emit workspace().notice(tr("Saved to %1").arg(path));
+                        workspace().notifications().notify(tr("Saved to %1").arg(path));
                 });
 }

@@ -123,16 +123,16 @@ ResponsePage::ResponsePage(Workspace &workspace, QWidget *parent)
         askOpenPath(tr("Import a measurement"), tr("Text files (*.csv *.txt);;All files (*)"),
                     [this](const QString &path) {
                         if (const auto done = importCsv(path); !done)
-                            emit this->workspace().problem(describe(done.error()));
+                            this->workspace().notifications().report(done.error());
                     });
     });
     connect(m_export, &QPushButton::clicked, this, [this] {
         askSavePath(tr("Export a measurement"), u"response.csv"_s, tr("CSV files (*.csv)"),
                     [this](const QString &path) {
                         if (const auto done = exportCsv(path); done)
-                            emit this->workspace().notice(tr("Measurement saved to %1").arg(path));
+                            this->workspace().notifications().notify(tr("Measurement saved to %1").arg(path));
                         else
-                            emit this->workspace().problem(describe(done.error()));
+                            this->workspace().notifications().report(done.error());
                     });
     });
     connect(&workspace.client(), &DeviceClient::progressChanged, this, [this](const Progress &progress) {
@@ -391,9 +391,9 @@ void ResponsePage::onFailed(const Error &error)
     workspace().mark(error.code == ErrorCode::Diverged ? PlotMark::Kind::Fault : PlotMark::Kind::Note,
                      tr("Test was ended"));
     if (error.code == ErrorCode::Cancelled)
-        emit workspace().notice(tr("The test was ended; control was given back."));
+        workspace().notifications().notify(tr("The test was ended; control was given back."));
     else
-        emit workspace().problem(describe(error));
+        workspace().notifications().report(error);
     setArmed(false);
 }
 
@@ -405,7 +405,7 @@ void ResponsePage::measureOwnMotion()
     const int wanted = roles.target[std::size_t(axis())];
     const auto tracks = store && seen >= 0 ? store->tracks(seen) : std::vector<TrackView>();
     if (tracks.empty() || tracks.back().end() == tracks.back().begin()) {
-        emit workspace().problem(describe({ErrorCode::Unready, {}, 0}));
+        workspace().notifications().report({ErrorCode::Unready, {}, 0});
         return;
     }
     const double end = tracks.back().time(tracks.back().end() - 1);
@@ -424,7 +424,7 @@ void ResponsePage::add(Result<ResponseRecord> record, Axis axis)
         ErrorText text = describe(record.error());
         text.what = tr("The samples tell nothing about how the axis follows.");
         text.cure = tr("Make the movement larger, or give it more time.");
-        emit workspace().problem(text);
+        workspace().notifications().report(text);
         return;
     }
     record->axis = axis;
@@ -579,7 +579,7 @@ Result<void> ResponsePage::importCsv(const QString &path)
         m_way->setCurrentIndex(m_way->findData(int(Way::OwnMotion)));
     add(std::move(record), Axis::None);
     if (samples->rateAssumed)
-        emit workspace().notice(
+        workspace().notifications().notify(
             tr("The file does not tell its rate; %1 samples/s are assumed.").arg(samples->rate));
     return {};
 }
@@ -604,7 +604,7 @@ void ResponsePage::showEvent(QShowEvent *event)
 {
     Page::showEvent(event);
     const ChannelRoles &roles = workspace().roles();
-    workspace().wishTelemetry(this, ChannelRoles::present({roles.angle, roles.target, roles.gyro}));
+    workspace().telemetry().subscribe(this, ChannelRoles::present({roles.angle, roles.target, roles.gyro}));
     offerWays();
     setArmed(false);
 }

@@ -170,7 +170,7 @@ void SpectrumPage::showEvent(QShowEvent *event)
     QList<int> wanted;
     for (const auto &triple : {roles.gyro, roles.angle, roles.target})
         wanted.append(QList<int>(triple.begin(), triple.end()));
-    workspace().wishTelemetry(this, wanted);
+    workspace().telemetry().subscribe(this, wanted);
     offerHeldSpan();
     fillWaterfall();
     refresh();
@@ -430,7 +430,7 @@ void SpectrumPage::askNotch()
         return;
     const auto plan = planNotch(m_lines[std::size_t(row)]);
     if (!plan) {
-        emit workspace().notice(
+        workspace().notifications().notify(
             tr("All notch filters of this axis are in use; change one of them on Parameters."));
         return;
     }

@@ -150,7 +150,7 @@ TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
             return;
         ErrorText text = describe(error);
         text.meaning += tr(" The values in use were asked for again.");
-        emit this->workspace().problem(text);
+        this->workspace().notifications().report(text);
     });
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &TuningPage::onStore);
     m_figureTimer.setInterval(kFigurePeriod);
@@ -281,7 +281,7 @@ void TuningPage::showEvent(QShowEvent *event)
     QList<int> wanted(roles.angle.begin(), roles.angle.end());
     wanted.append(QList<int>(roles.target.begin(), roles.target.end()));
     wanted.append(QList<int>(roles.gyro.begin(), roles.gyro.end()));
-    workspace().wishTelemetry(this, wanted);
+    workspace().telemetry().subscribe(this, wanted);
     m_clock.start();
     m_figureTimer.start();
 }

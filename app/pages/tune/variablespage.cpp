@@ -55,7 +55,7 @@ VariablesPage::VariablesPage(Workspace &workspace, QWidget *parent)
     connect(m_search, &QLineEdit::textChanged, m_table, &FilterTable::setFilter);
     connect(&m_model, &AdjustableModel::failed, this, [this](const Error &error) {
         if (error.code != ErrorCode::LinkClosed && error.code != ErrorCode::Cancelled)
-            emit this->workspace().problem(describe(error));
+            this->workspace().notifications().report(error);
     });
     connect(&m_model, &AdjustableModel::written, &workspace.live(), &LiveModel::read);
     connect(save, &QPushButton::clicked, this, [this] { std::ignore = this->workspace().saveLive(); });

@@ -131,7 +131,7 @@ void DashboardPage::showEvent(QShowEvent *event)
 {
     Page::showEvent(event);
     const ChannelRoles &roles = workspace().roles();
-    workspace().wishTelemetry(this, ChannelRoles::present({roles.angle, roles.target}));
+    workspace().telemetry().subscribe(this, ChannelRoles::present({roles.angle, roles.target}));
     m_timer.start();
 }
 

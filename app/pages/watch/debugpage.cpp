@@ -71,7 +71,7 @@ DebugPage::DebugPage(Workspace &workspace, QWidget *parent)
         if (error.code == ErrorCode::LinkClosed || error.code == ErrorCode::Cancelled)
             return;
         m_pause->setChecked(true);
-        emit this->workspace().problem(describe(error));
+        this->workspace().notifications().report(error);
     });
     connect(&workspace.client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
         if (state == DeviceClient::State::Connected)

@@ -249,7 +249,7 @@ void MonitorPage::showPlots()
     const QList<int> channels = m_stack->channels();
     const QList<int> all = channels + (table().empty() ? QList<int>() : ticked(true));
     m_channels.setTicked(all);
-    workspace().wishTelemetry(this, all);
+    workspace().telemetry().subscribe(this, all);
     refreshArrays();
     m_export->setEnabled(!channels.isEmpty());
 }
@@ -331,14 +331,14 @@ void MonitorPage::saveLayout(const QString &name)
 {
     workspace().settings().setPlotLayout(
         name, PlotLayout{m_stack->layoutPlots(), m_stack->seconds()}.toJson(table()));
-    emit workspace().notice(tr("Layout kept as “%1”.").arg(name));
+    workspace().notifications().notify(tr("Layout kept as “%1”.").arg(name));
 }
 
 void MonitorPage::useLayout(const QString &name)
 {
     const PlotLayout layout = PlotLayout::fromJson(workspace().settings().plotLayout(name), table());
     if (layout.plots.isEmpty()) {
-        emit workspace().notice(tr("This board has none of the channels of “%1”.").arg(name));
+        workspace().notifications().notify(tr("This board has none of the channels of “%1”.").arg(name));
         return;
     }
     m_stack->setPlots(layout.plots);
@@ -395,9 +395,9 @@ void MonitorPage::askExport()
     askSavePath(tr("Save samples"), u"samples.csv"_s, tr("CSV files (*.csv)"), [this](const QString &path) {
         const auto lines = exportCsv(path);
         if (lines)
-            emit workspace().notice(tr("%1 lines saved to %2").arg(*lines).arg(path));
+            workspace().notifications().notify(tr("%1 lines saved to %2").arg(*lines).arg(path));
         else
-            emit workspace().problem(describe(lines.error()));
+            workspace().notifications().report(lines.error());
     });
 }
 
@@ -405,9 +405,9 @@ void MonitorPage::askPicture()
 {
     askSavePath(tr("Save picture"), u"plots.png"_s, tr("Pictures (*.png)"), [this](const QString &path) {
         if (const auto saved = exportPicture(path); saved)
-            emit workspace().notice(tr("Picture saved to %1").arg(path));
+            workspace().notifications().notify(tr("Picture saved to %1").arg(path));
         else
-            emit workspace().problem(describe(saved.error()));
+            workspace().notifications().report(saved.error());
     });
 }
 
@@ -423,7 +423,7 @@ Result<void> MonitorPage::publish(const QString &hostAndPort)
     if (const auto started = publication->start(hostAndPort); !started)
         return started;
     connect(publication.get(), &UdpExport::failed, this,
-            [this](const Error &error) { emit workspace().problem(describe(error)); });
+            [this](const Error &error) { workspace().notifications().report(error); });
     m_publication = std::move(publication);
     m_publishedTo = hostAndPort;
     return {};
@@ -442,10 +442,11 @@ void MonitorPage::askPublish()
     dialog->setTextValue(u"127.0.0.1:%1"_s.arg(UdpExport::kUsualPort));
     connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString &address) {
         if (const auto started = publish(address.trimmed()); started)
-            emit workspace().notice(tr("What is ticked now is sent to %1 until you stop it in the same menu.")
-                                        .arg(address.trimmed()));
+            workspace().notifications().notify(
+                tr("What is ticked now is sent to %1 until you stop it in the same menu.")
+                    .arg(address.trimmed()));
         else
-            emit workspace().problem(describe(started.error()));
+            workspace().notifications().report(started.error());
     });
     dialog->open();
 }
@@ -474,7 +475,7 @@ void MonitorPage::askRecording(const QString &title, Result<void> (LinkRecorder:
     const QString name = QDateTime::currentDateTime().toString(u"yyyyMMdd-HHmmss"_s) + u".gimbalrec"_s;
     askSavePath(title, name, tr("Recordings (*.gimbalrec)"), [this, record](const QString &path) {
         if (const auto done = (workspace().recorder().*record)(path); !done)
-            emit workspace().problem(describe(done.error()));
+            workspace().notifications().report(done.error());
     });
 }
 

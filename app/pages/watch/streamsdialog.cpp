@@ -31,7 +31,7 @@ StreamsDialog::StreamsDialog(Workspace &workspace, QWidget *parent)
     grid->setHorizontalSpacing(Metric::kMargin);
     grid->setVerticalSpacing(Metric::kGap);
     grid->setColumnStretch(2, 1);
-    const QList<StreamChoice> now = workspace.streams();
+    const QList<StreamChoice> now = workspace.telemetry().streams();
     (now.isEmpty() ? m_automatic : m_byHand)->setChecked(true);
     const QList<StreamSpec> offered = workspace.client().device()->streamControl()->streams();
     for (const StreamSpec &spec : offered) {
@@ -70,7 +70,7 @@ StreamsDialog::StreamsDialog(Workspace &workspace, QWidget *parent)
     m_apply->setObjectName(u"primary"_s);
     m_apply->setDefault(true);
     connect(m_apply, &QPushButton::clicked, this, [this] {
-        m_workspace.setStreams(chosen());
+        m_workspace.telemetry().setStreams(chosen());
         accept();
     });
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
@@ -132,7 +132,7 @@ void StreamsDialog::update()
     }
     const bool nothing = byHand && chosen().isEmpty();
     const auto budget = m_workspace.client().device()->streamControl()->streamBudget(
-        m_workspace.telemetryWish(chosen()), m_workspace.client().line());
+        m_workspace.telemetry().with(chosen()), m_workspace.client().line());
     QString text;
     bool fits = !nothing;
     if (nothing) {

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workspace/notifications.h"
+
+#include "app/workspace/editjournal.h"
+#include "app/workspace/linkrecorder.h"
+
+#include <QLocale>
+
+#include <utility>
+
+Notifications::Notifications(DeviceClient &client, const ConfigurationModel &configuration)
+    : m_client(client)
+    , m_configuration(configuration)
+{
+    connect(&m_client, &DeviceClient::stateChanged, this, &Notifications::onState);
+    connect(&m_client, &DeviceClient::connectionFailed, this,
+            qOverload<const Error &>(&Notifications::report));
+    connect(&m_client, &DeviceClient::connectionLost, this, &Notifications::onLost);
+    connect(&m_client, &DeviceClient::telemetryFailed, this, &Notifications::onTelemetryFailed);
+    connect(&m_client, &DeviceClient::motorsOffFinished, this, &Notifications::onMotorsOff);
+    connect(&m_client, &DeviceClient::boardSpoke, this,
+            [this](const QString &text) { notify(tr("The board says: %1").arg(text)); });
+    connect(&m_client, &DeviceClient::failsafeActed, this,
+            [this] { notify(tr("Control was released because the program did not refresh it in time.")); });
+}
+
+void Notifications::report(const ErrorText &text)
+{
+    emit problem(text);
+}
+
+void Notifications::report(const Error &error)
+{
+    emit problem(describe(error));
+}
+
+void Notifications::notify(const QString &text)
+{
+    emit notice(text);
+}
+
+void Notifications::ask(const Offer &question)
+{
+    emit offer(question);
+}
+
+void Notifications::follow(const EditJournal &journal)
+{
+    connect(&journal, &EditJournal::failed, this, [this](const Error &error) {
+        ErrorText text = describe(error);
+        text.meaning = tr("Unsaved edits would not survive a crash of the program.");
+        report(text);
+    });
+}
+
+void Notifications::follow(const LinkRecorder &recorder)
+{
+    connect(&recorder, &LinkRecorder::finished, this, [this](const QString &path, qint64 bytes) {
+        notify(tr("Recording saved to %1 (%2)").arg(path, QLocale::c().formattedDataSize(bytes)));
+    });
+    connect(&recorder, &LinkRecorder::failed, this, [this](const Error &error) {
+        ErrorText text = describe(error);
+        text.what = tr("The recording has ended.");
+        text.cure = tr("What was recorded before is in the file. Make room, or choose another place.");
+        report(text);
+    });
+}
+
+void Notifications::onState(DeviceClient::State state)
+{
+    if (state != DeviceClient::State::Connected)
+        return;
+    if (std::exchange(m_wasLost, false))
+        notify(tr("Connected again."));
+    if (m_client.address().isReplay())
+        notify(tr("This is a recording: everything can be looked at, nothing can be changed."));
+    else if (!m_client.identity().writable)
+        report({ErrorCode::ReadOnly, m_client.identity().firmware, 0});
+}
+
+void Notifications::onLost(const Error &error)
+{
+    m_wasLost = true;
+    ErrorText text = describe(error);
+    if (m_configuration.changeCount() > 0)
+        text.cure += tr(" Unsaved changes are kept.");
+    report(text);
+}
+
+void Notifications::onTelemetryFailed(const Error &error)
+{
+    ErrorText text = describe(error);
+    text.what = tr("Live data could not be started. ") + text.what;
+    report(text);
+}
+
+void Notifications::onMotorsOff(bool confirmed)
+{
+    if (confirmed) {
+        notify(tr("Motors are off."));
+        return;
+    }
+    report({tr("The board did not confirm that the motors are off."),
+            tr("They may still be running."),
+            tr("Hold the camera and disconnect the power."),
+            {}});
+}

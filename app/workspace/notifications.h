@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/workspace/offer.h"
+#include "protocol/client/deviceclient.h"
+#include "widgets/models/configurationmodel.h"
+#include "widgets/models/errortext.h"
+
+class EditJournal;
+class LinkRecorder;
+
+/// What the operator is told and asked, whoever has something to say. News of the link is reported here
+/// without anybody's help.
+class Notifications final : public QObject
+{
+    Q_OBJECT
+public:
+    Notifications(DeviceClient &client, const ConfigurationModel &configuration);
+
+    /// Something the operator must know.
+    void report(const ErrorText &text);
+    void report(const Error &error);
+    /// Something that went well.
+    void notify(const QString &text);
+    void ask(const Offer &question);
+
+    /// Reports what the journal of edits cannot keep.
+    void follow(const EditJournal &journal);
+    /// Reports how recordings end.
+    void follow(const LinkRecorder &recorder);
+
+signals:
+    void problem(const ErrorText &text);
+    void notice(const QString &text);
+    void offer(const Offer &offer);
+
+private:
+    void onState(DeviceClient::State state);
+    void onLost(const Error &error);
+    void onTelemetryFailed(const Error &error);
+    void onMotorsOff(bool confirmed);
+
+    DeviceClient &m_client;
+    const ConfigurationModel &m_configuration;
+    bool m_wasLost = false;
+};
