@@ -51,24 +51,19 @@ int runWholeTour(const QString &folder, const QStringList &more)
     return QApplication::exec();
 }
 
-}  // namespace
-
-int main(int argc, char **argv)
+// Pictures need no screen.
+void allowPicturesWithoutScreen(int argc, char **argv)
 {
-    // Pictures need no screen.
     const bool hasScreen
         = qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY");
     for (int i = 1; i < argc; ++i) {
         if (qstrcmp(argv[i], "--tour") == 0 && !hasScreen && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
             qputenv("QT_QPA_PLATFORM", "offscreen");
     }
-    QApplication application(argc, argv);
-    QApplication::setApplicationName(u"gimbaldesk"_s);
-    QApplication::setApplicationDisplayName(u"GimbalDesk"_s);
-    QApplication::setApplicationVersion(QStringLiteral(GIMBAL_VERSION));
-    QApplication::setDesktopFileName(u"gimbaldesk"_s);
+}
 
-    QCommandLineParser parser;
+void addOptions(QCommandLineParser &parser)
+{
     parser.setApplicationDescription(u"Configure, tune and watch gimbal controllers."_s);
     const QCommandLineOption link(u"link"_s, u"Connect to this address at start."_s, u"address"_s);
     const QCommandLineOption demo(u"demo"_s, u"Connect to a simulated board (of this family)."_s,
@@ -89,85 +84,128 @@ int main(int argc, char **argv)
     parser.addOptions({link, demo, tour, tourAll, everything, page, themeOption, language});
     parser.addHelpOption();
     parser.addVersionOption();
+}
+
+// What is wrong with the options among themselves; empty if nothing.
+QString mistakeIn(const QCommandLineParser &parser)
+{
+    if (!parser.positionalArguments().isEmpty())
+        return u"'%1' is not understood (gimbaldesk --help)"_s.arg(parser.positionalArguments().first());
+    if ((parser.isSet(u"tour-all"_s) || parser.isSet(u"everything"_s)) && !parser.isSet(u"tour"_s))
+        return u"--tour-all and --everything go with --tour DIR"_s;
+    return {};
+}
+
+// The look that was set, and over it the one of the command line. False if that is none.
+bool chooseTheme(Theme &theme, const Settings &settings, const QString &name)
+{
+    if (settings.theme() != Settings::ThemeChoice::System)
+        theme.setMode(settings.theme() == Settings::ThemeChoice::Dark ? Theme::Mode::Dark
+                                                                      : Theme::Mode::Light);
+    if (name == u"light"_s)
+        theme.setMode(Theme::Mode::Light);
+    else if (name == u"dark"_s)
+        theme.setMode(Theme::Mode::Dark);
+    else if (!name.isEmpty())
+        return false;
+    theme.apply();
+    return true;
+}
+
+// What to connect to at start; empty if nothing. Errors: InvalidArgument and what the link says.
+Result<QString> startAddress(const QCommandLineParser &parser)
+{
+    QString address = parser.value(u"link"_s);
+    const bool demo = parser.isSet(u"demo"_s);
+    if (address.isEmpty() && (demo || parser.isSet(u"tour"_s)))
+        address = u"sim:"_s + (demo ? parser.value(u"demo"_s) : allLinks().usualFamily);
+    if (address.isEmpty())
+        return address;
+    const auto parsed = LinkAddress::parse(address);
+    if (!parsed)
+        return tl::unexpected(parsed.error());
+    if (parsed->kind() == LinkAddress::Kind::Simulator) {
+        if (const auto transport = allLinks().transports(*parsed); !transport)
+            return tl::unexpected(transport.error());
+    }
+    return address;
+}
+
+// Takes the pictures and ends the program.
+std::unique_ptr<Tour> beginTour(MainWindow &window, const QCommandLineParser &parser, const Theme &theme,
+                                const QString &language)
+{
+    QString suffix = theme.isDark() ? u"-dark"_s : u"-light"_s;
+    if (window.devicePixelRatioF() > 1.5)
+        suffix += u"@2x"_s;
+    if (!language.isEmpty() && language != u"en"_s)
+        suffix += u'-' + language;
+    auto tour = std::make_unique<Tour>(window, parser.value(u"tour"_s), suffix,
+                                       parser.isSet(u"everything"_s) ? Tour::Extent::Everything
+                                                                     : Tour::Extent::Pages,
+                                       parser.value(u"demo"_s));
+    QObject::connect(tour.get(), &Tour::finished, qApp,
+                     [](const QStringList &pictures, const QString &error) {
+                         QTextStream out(error.isEmpty() ? stdout : stderr);
+                         for (const QString &picture : pictures)
+                             out << picture << "\n";
+                         if (!error.isEmpty())
+                             out << "gimbaldesk: " << error << "\n";
+                         out.flush();
+                         QCoreApplication::exit(error.isEmpty() ? 0 : 1);
+                     });
+    tour->start();
+    return tour;
+}
+
+}  // namespace
+
+int main(int argc, char **argv)
+{
+    allowPicturesWithoutScreen(argc, argv);
+    const QApplication application(argc, argv);
+    QApplication::setApplicationName(u"gimbaldesk"_s);
+    QApplication::setApplicationDisplayName(u"GimbalDesk"_s);
+    QApplication::setApplicationVersion(QStringLiteral(GIMBAL_VERSION));
+    QApplication::setDesktopFileName(u"gimbaldesk"_s);
+
+    QCommandLineParser parser;
+    addOptions(parser);
     if (!parser.parse(withDemoFamily(QApplication::arguments())))
         return wrong(parser.errorText());
     if (parser.isSet(u"help"_s) || parser.isSet(u"version"_s))
         parser.process(withDemoFamily(QApplication::arguments()));
-    if (!parser.positionalArguments().isEmpty())
-        return wrong(
-            u"'%1' is not understood (gimbaldesk --help)"_s.arg(parser.positionalArguments().first()));
-
-    if ((parser.isSet(tourAll) || parser.isSet(everything)) && !parser.isSet(tour))
-        return wrong(u"--tour-all and --everything go with --tour DIR"_s);
-    if (parser.isSet(tourAll))
-        return runWholeTour(parser.value(tour),
-                            parser.isSet(language) ? QStringList{u"--language"_s, parser.value(language)}
-                                                   : QStringList());
+    if (const QString mistake = mistakeIn(parser); !mistake.isEmpty())
+        return wrong(mistake);
+    const QString language = parser.value(u"language"_s);
+    if (parser.isSet(u"tour-all"_s))
+        return runWholeTour(parser.value(u"tour"_s),
+                            parser.isSet(u"language"_s) ? QStringList{u"--language"_s, language}
+                                                        : QStringList());
 
     // Pictures show a program that was never used before.
+    const bool tour = parser.isSet(u"tour"_s);
     QTemporaryDir pristine;
-    if (parser.isSet(tour))
+    if (tour)
         qputenv("XDG_DATA_HOME", pristine.path().toLocal8Bit());
-    Settings settings(parser.isSet(tour) ? pristine.filePath(u"gimbaldesk.ini"_s) : Settings::defaultPath());
-    const QString code = parser.isSet(language) ? parser.value(language) : settings.language();
+    Settings settings(tour ? pristine.filePath(u"gimbaldesk.ini"_s) : Settings::defaultPath());
+    const QString code = parser.isSet(u"language"_s) ? language : settings.language();
     if (!code.isEmpty() && code != u"en"_s && code != u"de"_s)
         return wrong(u"--language is en or de, not '%1'"_s.arg(code));
     Translations translations(code);
     Theme theme;
-    if (settings.theme() != Settings::ThemeChoice::System)
-        theme.setMode(settings.theme() == Settings::ThemeChoice::Dark ? Theme::Mode::Dark
-                                                                      : Theme::Mode::Light);
-    const QString themeName = parser.value(themeOption);
-    if (themeName == u"light"_s)
-        theme.setMode(Theme::Mode::Light);
-    else if (themeName == u"dark"_s)
-        theme.setMode(Theme::Mode::Dark);
-    else if (!themeName.isEmpty())
-        return wrong(u"--theme is light or dark, not '%1'"_s.arg(themeName));
-    theme.apply();
-
-    QString address = parser.value(link);
-    if (parser.isSet(demo) || parser.isSet(tour)) {
-        if (address.isEmpty())
-            address = u"sim:"_s + (parser.isSet(demo) ? parser.value(demo) : allLinks().usualFamily);
-    }
-    if (!address.isEmpty()) {
-        const auto parsed = LinkAddress::parse(address);
-        if (!parsed)
-            return wrong(parsed.error().detail);
-        if (parsed->kind() == LinkAddress::Kind::Simulator) {
-            if (const auto transport = allLinks().transports(*parsed); !transport)
-                return wrong(transport.error().detail);
-        }
-    }
+    if (const QString name = parser.value(u"theme"_s); !chooseTheme(theme, settings, name))
+        return wrong(u"--theme is light or dark, not '%1'"_s.arg(name));
+    const auto address = startAddress(parser);
+    if (!address)
+        return wrong(address.error().detail);
 
     MainWindow window(allLinks(), allFamilies(), theme, settings);
-    if (parser.isSet(page) && !window.showPage(parser.value(page)))
-        return wrong(u"there is no page '%1'"_s.arg(parser.value(page)));
+    if (const QString page = parser.value(u"page"_s); parser.isSet(u"page"_s) && !window.showPage(page))
+        return wrong(u"there is no page '%1'"_s.arg(page));
     window.show();
-    std::unique_ptr<Tour> guide;
-    if (parser.isSet(tour)) {
-        QString suffix = theme.isDark() ? u"-dark"_s : u"-light"_s;
-        if (window.devicePixelRatioF() > 1.5)
-            suffix += u"@2x"_s;
-        if (!code.isEmpty() && code != u"en"_s)
-            suffix += u'-' + code;
-        guide = std::make_unique<Tour>(
-            window, parser.value(tour), suffix,
-            parser.isSet(everything) ? Tour::Extent::Everything : Tour::Extent::Pages, parser.value(demo));
-        QObject::connect(guide.get(), &Tour::finished, &application,
-                         [](const QStringList &pictures, const QString &error) {
-                             QTextStream out(error.isEmpty() ? stdout : stderr);
-                             for (const QString &picture : pictures)
-                                 out << picture << "\n";
-                             if (!error.isEmpty())
-                                 out << "gimbaldesk: " << error << "\n";
-                             out.flush();
-                             QCoreApplication::exit(error.isEmpty() ? 0 : 1);
-                         });
-        guide->start();
-    } else if (!address.isEmpty()) {
-        window.openLink(address);
-    }
+    const auto guide = tour ? beginTour(window, parser, theme, code) : nullptr;
+    if (!tour && !address->isEmpty())
+        window.openLink(*address);
     return QApplication::exec();
 }

@@ -135,7 +135,9 @@ void Tour::addSteps()
     addCalibrationSteps();
     addMotionSteps();
     addTelemetrySteps();
+    addProgramSteps();
     addDialogSteps();
+    addReplaySteps();
     for (qsizetype i = 1; m_family.isEmpty() && i < families.size(); ++i)
         addFamilySteps(families[i].key);
 }
@@ -383,7 +385,7 @@ void Tour::addMotionSteps()
                     false});
 }
 
-void Tour::addDialogSteps()
+void Tour::addProgramSteps()
 {
     m_steps.append({u"actions"_s,
                     [this] {
@@ -413,6 +415,10 @@ void Tour::addDialogSteps()
                     400,
                     {},
                     false});
+}
+
+void Tour::addDialogSteps()
+{
     m_steps.append({u"palette"_s,
                     [this] {
                         m_window.showPage(u"dashboard"_s);
@@ -466,7 +472,11 @@ void Tour::addDialogSteps()
                     100,
                     {},
                     true});
-    // The last minutes, opened as a recording: the board is gone then.
+}
+
+// The last minutes, opened as a recording: the board is gone then.
+void Tour::addReplaySteps()
+{
     const QString file = QDir(m_folder).filePath(u"tour.gimbalrec"_s);
     m_steps.append({{},
                     [this, file] { std::ignore = m_window.workspace().recorder().savePast(file); },

@@ -44,8 +44,16 @@ private:
     void addCalibrationSteps();
     void addTelemetrySteps();
     void addMotionSteps();
+    void addProgramSteps();
     void addDialogSteps();
+    void addReplaySteps();
     void addFamilySteps(const QString &family);
+    void addFamilyWatchSteps(const QString &family);
+    void addFamilyTuningSteps(const QString &family);
+    void addSensorSteps(const QString &family);
+    void addSetupSteps(const QString &family);
+    void addScriptSteps(const QString &family);
+    void addFamilyBoardSteps(const QString &family);
     void begin();
     void poll();
     void fail(const QString &error);

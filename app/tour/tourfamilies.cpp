@@ -18,10 +18,30 @@
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+QString pictureName(const QString &family, const QString &page)
+{
+    return family + u'-' + page;
+}
+
+}  // namespace
+
 void Tour::addFamilySteps(const QString &family)
 {
+    addFamilyWatchSteps(family);
+    addFamilyTuningSteps(family);
+    addSensorSteps(family);
+    addSetupSteps(family);
+    addScriptSteps(family);
+    addFamilyBoardSteps(family);
+    m_steps.append({{}, [this] { m_window.workspace().client().disconnectFromBoard(); }, {}, 100, {}, false});
+}
+
+// Connects to the family's simulated board first.
+void Tour::addFamilyWatchSteps(const QString &family)
+{
     Workspace &workspace = m_window.workspace();
-    const auto name = [family](const QString &page) { return family + u'-' + page; };
     m_steps.append({{},
                     [this, family] {
                         m_window.workspace().client().disconnectFromBoard();
@@ -38,9 +58,9 @@ void Tour::addFamilySteps(const QString &family)
                     3000,
                     {},
                     false});
-    m_steps.append({name(u"dashboard"_s), show(u"dashboard"_s), {}, 2500, {}, false});
-    m_steps.append({name(u"monitor"_s), show(u"monitor"_s), {}, 2500, {}, true});
-    m_steps.append({name(u"parameters"_s),
+    m_steps.append({pictureName(family, u"dashboard"_s), show(u"dashboard"_s), {}, 2500, {}, false});
+    m_steps.append({pictureName(family, u"monitor"_s), show(u"monitor"_s), {}, 2500, {}, true});
+    m_steps.append({pictureName(family, u"parameters"_s),
                     [this] {
                         m_window.showPage(u"parameters"_s);
                         static_cast<ParametersPage *>(m_window.page(u"parameters"_s))
@@ -50,6 +70,10 @@ void Tour::addFamilySteps(const QString &family)
                     500,
                     {},
                     false});
+}
+
+void Tour::addFamilyTuningSteps(const QString &family)
+{
     const auto tuning = [this] { return static_cast<TuningPage *>(m_window.page(u"tuning"_s)); };
     m_steps.append({{},
                     show(u"tuning"_s),
@@ -57,7 +81,7 @@ void Tour::addFamilySteps(const QString &family)
                     1500,
                     {},
                     false});
-    m_steps.append({name(u"tuning"_s),
+    m_steps.append({pictureName(family, u"tuning"_s),
                     [this, tuning] {
                         const ParameterSpec *spec = std::as_const(m_window.workspace().configuration())
                                                         .board()
@@ -70,9 +94,9 @@ void Tour::addFamilySteps(const QString &family)
                     {},
                     false});
     m_steps.append({{}, [tuning] { tuning()->revertButton()->click(); }, {}, 400, {}, false});
-    m_steps.append({name(u"spectrum"_s), show(u"spectrum"_s), {}, 5000, {}, true});
+    m_steps.append({pictureName(family, u"spectrum"_s), show(u"spectrum"_s), {}, 5000, {}, true});
     const auto response = [this] { return static_cast<ResponsePage *>(m_window.page(u"response"_s)); };
-    m_steps.append({name(u"response-armed"_s),
+    m_steps.append({pictureName(family, u"response-armed"_s),
                     [this, response] {
                         m_window.showPage(u"response"_s);
                         response()->armButton()->click();
@@ -81,14 +105,14 @@ void Tour::addFamilySteps(const QString &family)
                     600,
                     {},
                     true});
-    m_steps.append({name(u"response"_s),
+    m_steps.append({pictureName(family, u"response"_s),
                     [response] { response()->startButton()->click(); },
                     [response] { return !response()->records().empty() && !response()->isRunning(); },
                     400,
                     {},
                     true});
-    m_steps.append({name(u"variables"_s), show(u"variables"_s), {}, 900, {}, true});
-    m_steps.append({name(u"control"_s),
+    m_steps.append({pictureName(family, u"variables"_s), show(u"variables"_s), {}, 900, {}, true});
+    m_steps.append({pictureName(family, u"control"_s),
                     [this] {
                         m_window.showPage(u"control"_s);
                         static_cast<ControlPage *>(m_window.page(u"control"_s))->setArmed(true);
@@ -97,8 +121,12 @@ void Tour::addFamilySteps(const QString &family)
                     700,
                     {},
                     false});
+}
+
+void Tour::addSensorSteps(const QString &family)
+{
     const auto sensors = [this] { return static_cast<SensorPage *>(m_window.page(u"sensor"_s)); };
-    m_steps.append({name(u"calibration"_s), show(u"sensor"_s), {}, 500, {}, false});
+    m_steps.append({pictureName(family, u"calibration"_s), show(u"sensor"_s), {}, 500, {}, false});
     m_steps.append({{},
                     [this, sensors] {
                         m_window.workspace().changeWorld(u"pose=1"_s);
@@ -108,7 +136,7 @@ void Tour::addFamilySteps(const QString &family)
                     0,
                     {},
                     true});
-    m_steps.append({name(u"calibration-six"_s),
+    m_steps.append({pictureName(family, u"calibration-six"_s),
                     [this] { m_window.workspace().changeWorld(u"pose=4"_s); },
                     [sensors] { return sensors()->doneCount() == 2; },
                     400,
@@ -126,16 +154,20 @@ void Tour::addFamilySteps(const QString &family)
                         {},
                         true});
     }
-    m_steps.append({name(u"calibration-result"_s),
+    m_steps.append({pictureName(family, u"calibration-result"_s),
                     {},
                     [sensors] { return sensors()->step() == SensorPage::Step::Result; },
                     400,
                     {},
                     true});
     m_steps.append({{}, [this] { m_window.workspace().changeWorld(u"pose=0"_s); }, {}, 200, {}, true});
+}
+
+void Tour::addSetupSteps(const QString &family)
+{
     const auto setup = [this] { return static_cast<SetupPage *>(m_window.page(u"setup"_s)); };
-    m_steps.append({name(u"setup"_s), show(u"setup"_s), {}, 500, {}, false});
-    m_steps.append({name(u"setup-orientation"_s),
+    m_steps.append({pictureName(family, u"setup"_s), show(u"setup"_s), {}, 500, {}, false});
+    m_steps.append({pictureName(family, u"setup-orientation"_s),
                     [this, setup] {
                         m_window.workspace().changeWorld(u"pose=1"_s);
                         setup()->continueButton()->click();
@@ -147,19 +179,19 @@ void Tour::addFamilySteps(const QString &family)
                     500,
                     {},
                     true});
-    m_steps.append({name(u"setup-poles"_s),
+    m_steps.append({pictureName(family, u"setup-poles"_s),
                     [this] { m_window.workspace().changeWorld(u"pose=7"_s); },
                     [setup] { return setup()->step() == SetupPage::Step::Poles; },
                     400,
                     {},
                     true});
-    m_steps.append({name(u"setup-start"_s),
+    m_steps.append({pictureName(family, u"setup-start"_s),
                     [setup] { setup()->continueButton()->click(); },
                     [setup] { return setup()->step() == SetupPage::Step::AskStart; },
                     400,
                     {},
                     true});
-    m_steps.append({name(u"setup-yaw"_s),
+    m_steps.append({pictureName(family, u"setup-yaw"_s),
                     [setup] { setup()->continueButton()->click(); },
                     [setup] {
                         return setup()->step() == SetupPage::Step::AlignYaw
@@ -174,13 +206,17 @@ void Tour::addFamilySteps(const QString &family)
                     0,
                     {},
                     true});
-    m_steps.append({name(u"setup-done"_s),
+    m_steps.append({pictureName(family, u"setup-done"_s),
                     [setup] { setup()->continueButton()->click(); },
                     [setup] { return setup()->step() == SetupPage::Step::Done; },
                     600,
                     {},
                     true});
-    m_steps.append({name(u"scripts"_s),
+}
+
+void Tour::addScriptSteps(const QString &family)
+{
+    m_steps.append({pictureName(family, u"scripts"_s),
                     [this] {
                         m_window.showPage(u"scripts"_s);
                         auto *scripts = static_cast<ScriptsPage *>(m_window.page(u"scripts"_s));
@@ -192,7 +228,7 @@ void Tour::addFamilySteps(const QString &family)
                     900,
                     {},
                     false});
-    m_steps.append({name(u"scripts-wrong"_s),
+    m_steps.append({pictureName(family, u"scripts-wrong"_s),
                     [this] {
                         auto *scripts = static_cast<ScriptsPage *>(m_window.page(u"scripts"_s));
                         scripts->editor()->setText(scripts->editor()->text() + u"  FLY 3\n"_s);
@@ -208,7 +244,12 @@ void Tour::addFamilySteps(const QString &family)
          200,
          {},
          false});
-    m_steps.append({name(u"share"_s),
+}
+
+void Tour::addFamilyBoardSteps(const QString &family)
+{
+    Workspace &workspace = m_window.workspace();
+    m_steps.append({pictureName(family, u"share"_s),
                     [this] {
                         m_window.showPage(u"backups"_s);
                         m_window.page(u"backups"_s)->findChild<QPushButton *>(u"share"_s)->click();
@@ -219,7 +260,7 @@ void Tour::addFamilySteps(const QString &family)
                     true});
     m_steps.append({{}, [this] { m_window.findChild<ShareDialog *>()->reject(); }, {}, 200, {}, true});
     m_steps.append(
-        {name(u"review"_s),
+        {pictureName(family, u"review"_s),
          [this] {
              const ParameterSet &set
                  = std::as_const(m_window.workspace().configuration()).edited().parameters();
@@ -230,7 +271,7 @@ void Tour::addFamilySteps(const QString &family)
          },
          [this] { return m_window.reviewDialog() != nullptr; }, 400,
          [this] { return m_window.reviewDialog(); }, true});
-    m_steps.append({name(u"backups"_s),
+    m_steps.append({pictureName(family, u"backups"_s),
                     [this] {
                         m_window.reviewDialog()->reject();
                         m_window.workspace().edits().discardAll();
@@ -240,8 +281,8 @@ void Tour::addFamilySteps(const QString &family)
                     500,
                     {},
                     true});
-    m_steps.append({name(u"console"_s), show(u"console"_s), {}, 800, {}, true});
-    m_steps.append({name(u"unstored"_s),
+    m_steps.append({pictureName(family, u"console"_s), show(u"console"_s), {}, 800, {}, true});
+    m_steps.append({pictureName(family, u"unstored"_s),
                     [this] {
                         m_window.showPage(u"actions"_s);
                         m_window.workspace().perform(u"directions.take"_s, {});
@@ -250,5 +291,4 @@ void Tour::addFamilySteps(const QString &family)
                     400,
                     {},
                     true});
-    m_steps.append({{}, [this] { m_window.workspace().client().disconnectFromBoard(); }, {}, 100, {}, false});
 }

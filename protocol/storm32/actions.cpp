@@ -251,6 +251,14 @@ Result<ActionReply> StormActions::perform(const QString &key, const QVariantMap 
     }
     if (key == u"rate"_s)
         return simple(Simple::SetBaudRate, ByteWriter().u8(number("rate")).u8(0).take());
+    if (auto done = performSimple(key))
+        return *std::move(done);
+    return StormProcedures(m_device, m_channel).perform(key, arguments);
+}
+
+// Commands without arguments; nothing if the action is none of them.
+std::optional<Result<ActionReply>> StormActions::performSimple(const QString &key)
+{
     struct Plain
     {
         const char *key;
@@ -273,11 +281,11 @@ Result<ActionReply> StormActions::perform(const QString &key, const QVariantMap 
             || plain.id == Simple::HardReset || plain.id == Simple::NormalMotors;
         if (done && late) {
             if (const auto slept = m_channel.sleep(kSettling); !slept)
-                return tl::unexpected(slept.error());
+                return Result<ActionReply>(tl::unexpected(slept.error()));
         }
         return done;
     }
-    return StormProcedures(m_device, m_channel).perform(key, arguments);
+    return {};
 }
 
 std::span<const ActionSpec> StormDevice::actions() const

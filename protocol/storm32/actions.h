@@ -23,6 +23,7 @@ private:
     Result<ActionReply> simple(storm32::Simple id, QByteArrayView arguments = {});
     /// @param values of the command's fields, see storm32::RcCommand
     Result<ActionReply> rc(storm32::Rc id, const QVariantMap &values);
+    std::optional<Result<ActionReply>> performSimple(const QString &key);
     Result<ActionReply> status();
     Result<ActionReply> calibration();
     Result<ActionReply> rawSensors();

@@ -90,6 +90,72 @@ public:
     QByteArray sent;
 };
 
+// Adds rows of messages, and knows which messages have one.
+struct MavlinkRows
+{
+    QSet<int> ids;
+
+    void operator()(const char *name, int id, const mavlink::Address &from, int sequence, const char *values,
+                    const char *wire)
+    {
+        ids.insert(id);
+        QTest::newRow(name) << id << from.system << sequence << valuesOf(values) << hex(wire);
+    }
+};
+
+void addCommandLongs(MavlinkRows &row)
+{
+    row("COMMAND_LONG DO_SET_PARAMETER", 76, kTool, 9,
+        "param1=47, param2=-250, command=180, target_system=71, target_component=67",
+        "fe210952434c00003c4200007ac30000000000000000000000000000000000000000b400474300d263");
+    row("COMMAND_LONG DO_SET_PARAMETER, restore", 76, kTool, 9,
+        "param1=47, param7=83, command=180, target_system=71, target_component=67",
+        "fe210952434c00003c4200000000000000000000000000000000000000000000a642b400474300a41b");
+    row("COMMAND_LONG DO_SET_SERVO", 76, kTool, 9,
+        "param2=1520, command=183, target_system=71, target_component=67",
+        "fe210952434c000000000000be440000000000000000000000000000000000000000b700474300194b");
+    row("COMMAND_LONG DO_DIGICAM_CONTROL", 76, kTool, 9,
+        "param5=1, command=203, target_system=71, target_component=67",
+        "fe210952434c000000000000000000000000000000000000803f0000000000000000cb00474300a5f1");
+    row("COMMAND_LONG DO_MOUNT_CONFIGURE", 76, kTool, 9,
+        "param1=1, command=204, target_system=71, target_component=67",
+        "fe210952434c0000803f000000000000000000000000000000000000000000000000cc004743008fe3");
+    row("COMMAND_LONG DO_MOUNT_CONTROL", 76, kTool, 9,
+        "param1=-10, param2=2.5, param3=45, param6=7, command=205, target_system=71, target_component=67",
+        "fe210952434c000020c1000020400000344200000000000000000000e04000000000cd00474300ee1c");
+    row("COMMAND_LONG DO_MOUNT_CONTROL, pulses", 76, kTool, 9,
+        "param1=1200, param2=1500, param3=1800, param6=256, command=205, target_system=71, "
+        "target_component=67",
+        "fe210952434c000096440080bb440000e14400000000000000000000804300000000cd00474300c9f2");
+    row("COMMAND_LONG DO_MOUNT_CONTROL_QUAT", 76, kTool, 9,
+        "param1=1, command=220, target_system=71, target_component=67",
+        "fe210952434c0000803f000000000000000000000000000000000000000000000000dc004743003fa1");
+    row("COMMAND_LONG PREFLIGHT_STORAGE", 76, kTool, 9,
+        "param1=1, command=245, target_system=71, target_component=67",
+        "fe210952434c0000803f000000000000000000000000000000000000000000000000f5004743002c01");
+    row("COMMAND_LONG REQUEST_ATTITUDE", 76, kTool, 9, "command=1234, target_system=71, target_component=67",
+        "fe210952434c00000000000000000000000000000000000000000000000000000000d204474300ebd1");
+    row("COMMAND_LONG sent again", 76, kTool, 9,
+        "param1=1, param7=83, command=180, target_system=71, target_component=67, confirmation=2",
+        "fe210952434c0000803f00000000000000000000000000000000000000000000a642b40047430278a4");
+}
+
+void addCommandMessages(MavlinkRows &row)
+{
+    row("COMMAND_ACK", 77, kBoard, 5, "command=245, result=3", "fe030547434df5000371f3");
+    row("DIGICAM_CONTROL", 155, kTool, 9,
+        "extra_value=0.5, target_system=71, target_component=67, session=1, zoom_pos=2, zoom_step=-3, "
+        "focus_lock=4, shot=3, "
+        "command_id=6, extra_param=7",
+        "fe0d0952439b0000003f47430102fd040306074969");
+    row("MOUNT_CONFIGURE", 156, kTool, 9,
+        "target_system=71, target_component=67, mount_mode=1, stab_roll=2, stab_pitch=3, stab_yaw=4",
+        "fe060952439c474301020304b2a7");
+    row("MOUNT_CONTROL", 157, kTool, 9,
+        "input_a=-3000, input_b=500, input_c=9000, target_system=71, target_component=67, save_position=14",
+        "fe0f0952439d48f4fffff40100002823000047430e150e");
+}
+
 }  // namespace
 
 /// Every message of STorM32's three command sets against bytes that were worked out by hand from the tables
@@ -360,12 +426,7 @@ void TestStormHex::mavlink_data()
     QTest::addColumn<int>("sequence");
     QTest::addColumn<QVariantMap>("values");
     QTest::addColumn<QByteArray>("wire");
-    QSet<int> rows;
-    const auto row = [&rows](const char *name, int id, const mavlink::Address &from, int sequence,
-                             const char *values, const char *wire) {
-        rows.insert(id);
-        QTest::newRow(name) << id << from.system << sequence << valuesOf(values) << hex(wire);
-    };
+    MavlinkRows row;
     row("HEARTBEAT", 0, kBoard, 5,
         "custom_mode=6, type=26, autopilot=83, base_mode=128, system_status=4, mavlink_version=3",
         "fe0905474300060000001a53800403d161");
@@ -382,51 +443,8 @@ void TestStormHex::mavlink_data()
     row("ATTITUDE", 30, kBoard, 5,
         "time_boot_ms=123456, roll=0.5, pitch=-0.25, yaw=1.5, rollspeed=0, pitchspeed=-0.125, yawspeed=0.75",
         "fe1c0547431e40e201000000003f000080be0000c03f00000000000000be0000403f99fc");
-    row("COMMAND_LONG DO_SET_PARAMETER", 76, kTool, 9,
-        "param1=47, param2=-250, command=180, target_system=71, target_component=67",
-        "fe210952434c00003c4200007ac30000000000000000000000000000000000000000b400474300d263");
-    row("COMMAND_LONG DO_SET_PARAMETER, restore", 76, kTool, 9,
-        "param1=47, param7=83, command=180, target_system=71, target_component=67",
-        "fe210952434c00003c4200000000000000000000000000000000000000000000a642b400474300a41b");
-    row("COMMAND_LONG DO_SET_SERVO", 76, kTool, 9,
-        "param2=1520, command=183, target_system=71, target_component=67",
-        "fe210952434c000000000000be440000000000000000000000000000000000000000b700474300194b");
-    row("COMMAND_LONG DO_DIGICAM_CONTROL", 76, kTool, 9,
-        "param5=1, command=203, target_system=71, target_component=67",
-        "fe210952434c000000000000000000000000000000000000803f0000000000000000cb00474300a5f1");
-    row("COMMAND_LONG DO_MOUNT_CONFIGURE", 76, kTool, 9,
-        "param1=1, command=204, target_system=71, target_component=67",
-        "fe210952434c0000803f000000000000000000000000000000000000000000000000cc004743008fe3");
-    row("COMMAND_LONG DO_MOUNT_CONTROL", 76, kTool, 9,
-        "param1=-10, param2=2.5, param3=45, param6=7, command=205, target_system=71, target_component=67",
-        "fe210952434c000020c1000020400000344200000000000000000000e04000000000cd00474300ee1c");
-    row("COMMAND_LONG DO_MOUNT_CONTROL, pulses", 76, kTool, 9,
-        "param1=1200, param2=1500, param3=1800, param6=256, command=205, target_system=71, "
-        "target_component=67",
-        "fe210952434c000096440080bb440000e14400000000000000000000804300000000cd00474300c9f2");
-    row("COMMAND_LONG DO_MOUNT_CONTROL_QUAT", 76, kTool, 9,
-        "param1=1, command=220, target_system=71, target_component=67",
-        "fe210952434c0000803f000000000000000000000000000000000000000000000000dc004743003fa1");
-    row("COMMAND_LONG PREFLIGHT_STORAGE", 76, kTool, 9,
-        "param1=1, command=245, target_system=71, target_component=67",
-        "fe210952434c0000803f000000000000000000000000000000000000000000000000f5004743002c01");
-    row("COMMAND_LONG REQUEST_ATTITUDE", 76, kTool, 9, "command=1234, target_system=71, target_component=67",
-        "fe210952434c00000000000000000000000000000000000000000000000000000000d204474300ebd1");
-    row("COMMAND_LONG sent again", 76, kTool, 9,
-        "param1=1, param7=83, command=180, target_system=71, target_component=67, confirmation=2",
-        "fe210952434c0000803f00000000000000000000000000000000000000000000a642b40047430278a4");
-    row("COMMAND_ACK", 77, kBoard, 5, "command=245, result=3", "fe030547434df5000371f3");
-    row("DIGICAM_CONTROL", 155, kTool, 9,
-        "extra_value=0.5, target_system=71, target_component=67, session=1, zoom_pos=2, zoom_step=-3, "
-        "focus_lock=4, shot=3, "
-        "command_id=6, extra_param=7",
-        "fe0d0952439b0000003f47430102fd040306074969");
-    row("MOUNT_CONFIGURE", 156, kTool, 9,
-        "target_system=71, target_component=67, mount_mode=1, stab_roll=2, stab_pitch=3, stab_yaw=4",
-        "fe060952439c474301020304b2a7");
-    row("MOUNT_CONTROL", 157, kTool, 9,
-        "input_a=-3000, input_b=500, input_c=9000, target_system=71, target_component=67, save_position=14",
-        "fe0f0952439d48f4fffff40100002823000047430e150e");
+    addCommandLongs(row);
+    addCommandMessages(row);
     row("COMMAND_TARGET_SPECIFIC rc", 234, kTool, 9,
         "target_system=71, target_component=67, specific_payload=fa0ae803", "fe06095243ea4743fa0ae8033c58");
     row("COMMAND_TARGET_SPECIFIC t", 234, kTool, 0,
@@ -447,7 +465,7 @@ void TestStormHex::mavlink_data()
     row("STATUSTEXT", 253, kBoard, 5, "severity=4, text=Battery is weak",
         "fe33054743fd0442617474657279206973207765616b0000000000000000000000000000000000000000000000000000"
         "000000000000000000dcda");
-    QCOMPARE(rows.size(), qsizetype(mavlink::messages().size()));  // each message has one
+    QCOMPARE(row.ids.size(), qsizetype(mavlink::messages().size()));  // each message has one
 }
 
 void TestStormHex::mavlink()

@@ -29,90 +29,8 @@ constexpr std::array<QRgb, 8> kSeriesLight{0xFFA5477E, 0xFF6B7200, 0xFF3F5FBF, 0
 constexpr std::array<QRgb, 8> kSeriesDark{0xFFE08FBE, 0xFFCFD34A, 0xFF95AEFF, 0xFFE9B44C,
                                           0xFF54CBD0, 0xFFC49BF0, 0xFFB6C0CC, 0xFFFF9C94};
 
-double luminance(const QColor &color)
-{
-    const auto channel = [](double value) {
-        return value <= 0.03928 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * channel(color.redF()) + 0.7152 * channel(color.greenF())
-        + 0.0722 * channel(color.blueF());
-}
-
-}  // namespace
-
-Theme::Theme(QObject *parent)
-    : QObject(parent)
-{
-    setMode(Mode::System);
-}
-
-void Theme::setMode(Mode mode)
-{
-    const bool dark = mode == Mode::System ? QGuiApplication::palette().window().color().lightness() < 128
-                                           : mode == Mode::Dark;
-    m_dark = dark;
-    emit changed();
-}
-
-QColor Theme::color(ColorRole role) const
-{
-    return QColor::fromRgb((m_dark ? kDark : kLight)[static_cast<std::size_t>(role)]);
-}
-
-QColor Theme::axisColor(Axis axis) const
-{
-    switch (axis) {
-    case Axis::Roll: return color(ColorRole::AxisRoll);
-    case Axis::Pitch: return color(ColorRole::AxisPitch);
-    case Axis::Yaw: return color(ColorRole::AxisYaw);
-    case Axis::None: break;
-    }
-    return color(ColorRole::Text);
-}
-
-QColor Theme::seriesColor(int index) const
-{
-    const auto &colors = m_dark ? kSeriesDark : kSeriesLight;
-    return QColor::fromRgb(colors[static_cast<std::size_t>(index) % colors.size()]);
-}
-
-double Theme::contrast(const QColor &a, const QColor &b)
-{
-    const double la = luminance(a);
-    const double lb = luminance(b);
-    return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
-}
-
-QPalette Theme::palette() const
-{
-    QPalette palette;
-    const auto set = [&](QPalette::ColorRole role, ColorRole from) { palette.setColor(role, color(from)); };
-    set(QPalette::Window, ColorRole::Background);
-    set(QPalette::WindowText, ColorRole::Text);
-    set(QPalette::Base, ColorRole::Surface);
-    set(QPalette::AlternateBase, ColorRole::Background);
-    set(QPalette::Text, ColorRole::Text);
-    set(QPalette::Button, ColorRole::SurfaceRaised);
-    set(QPalette::ButtonText, ColorRole::Text);
-    set(QPalette::BrightText, ColorRole::Danger);
-    set(QPalette::Highlight, ColorRole::Accent);
-    set(QPalette::HighlightedText, ColorRole::AccentText);
-    set(QPalette::ToolTipBase, ColorRole::Surface);
-    set(QPalette::ToolTipText, ColorRole::Text);
-    set(QPalette::PlaceholderText, ColorRole::Muted);
-    set(QPalette::Link, ColorRole::Accent);
-    set(QPalette::Mid, ColorRole::Border);
-    set(QPalette::Midlight, ColorRole::SurfaceRaised);
-    set(QPalette::Dark, ColorRole::Border);
-    for (const auto role : {QPalette::Text, QPalette::WindowText, QPalette::ButtonText})
-        palette.setColor(QPalette::Disabled, role, color(ColorRole::Muted));
-    return palette;
-}
-
-QString Theme::styleSheet() const
-{
-    // Placeholders @Role; sizes on the 4 px grid.
-    QString sheet = uR"(
+// Placeholders @Role; sizes on the 4 px grid.
+constexpr QStringView kStyleSheet = uR"(
 QToolTip { color: @Text; background: @Surface; border: 1px solid @Border; padding: 4px; }
 QFrame#bar { background: @Surface; border: none; border-bottom: 1px solid @Border; }
 QFrame#statusBar { background: @Surface; border: none; border-top: 1px solid @Border; }
@@ -197,7 +115,91 @@ QTextBrowser:focus, QListView:focus, QTreeView:focus, QTableView:focus { border:
 QSplitter::handle { background: @Background; }
 QProgressBar { border: 1px solid @Border; border-radius: 4px; background: @Background; text-align: center; min-height: 18px; }
 QProgressBar::chunk { background: @Accent; }
-)"_s;
+)";
+
+double luminance(const QColor &color)
+{
+    const auto channel = [](double value) {
+        return value <= 0.03928 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * channel(color.redF()) + 0.7152 * channel(color.greenF())
+        + 0.0722 * channel(color.blueF());
+}
+
+}  // namespace
+
+Theme::Theme(QObject *parent)
+    : QObject(parent)
+{
+    setMode(Mode::System);
+}
+
+void Theme::setMode(Mode mode)
+{
+    const bool dark = mode == Mode::System ? QGuiApplication::palette().window().color().lightness() < 128
+                                           : mode == Mode::Dark;
+    m_dark = dark;
+    emit changed();
+}
+
+QColor Theme::color(ColorRole role) const
+{
+    return QColor::fromRgb((m_dark ? kDark : kLight)[static_cast<std::size_t>(role)]);
+}
+
+QColor Theme::axisColor(Axis axis) const
+{
+    switch (axis) {
+    case Axis::Roll: return color(ColorRole::AxisRoll);
+    case Axis::Pitch: return color(ColorRole::AxisPitch);
+    case Axis::Yaw: return color(ColorRole::AxisYaw);
+    case Axis::None: break;
+    }
+    return color(ColorRole::Text);
+}
+
+QColor Theme::seriesColor(int index) const
+{
+    const auto &colors = m_dark ? kSeriesDark : kSeriesLight;
+    return QColor::fromRgb(colors[static_cast<std::size_t>(index) % colors.size()]);
+}
+
+double Theme::contrast(const QColor &a, const QColor &b)
+{
+    const double la = luminance(a);
+    const double lb = luminance(b);
+    return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+}
+
+QPalette Theme::palette() const
+{
+    QPalette palette;
+    const auto set = [&](QPalette::ColorRole role, ColorRole from) { palette.setColor(role, color(from)); };
+    set(QPalette::Window, ColorRole::Background);
+    set(QPalette::WindowText, ColorRole::Text);
+    set(QPalette::Base, ColorRole::Surface);
+    set(QPalette::AlternateBase, ColorRole::Background);
+    set(QPalette::Text, ColorRole::Text);
+    set(QPalette::Button, ColorRole::SurfaceRaised);
+    set(QPalette::ButtonText, ColorRole::Text);
+    set(QPalette::BrightText, ColorRole::Danger);
+    set(QPalette::Highlight, ColorRole::Accent);
+    set(QPalette::HighlightedText, ColorRole::AccentText);
+    set(QPalette::ToolTipBase, ColorRole::Surface);
+    set(QPalette::ToolTipText, ColorRole::Text);
+    set(QPalette::PlaceholderText, ColorRole::Muted);
+    set(QPalette::Link, ColorRole::Accent);
+    set(QPalette::Mid, ColorRole::Border);
+    set(QPalette::Midlight, ColorRole::SurfaceRaised);
+    set(QPalette::Dark, ColorRole::Border);
+    for (const auto role : {QPalette::Text, QPalette::WindowText, QPalette::ButtonText})
+        palette.setColor(QPalette::Disabled, role, color(ColorRole::Muted));
+    return palette;
+}
+
+QString Theme::styleSheet() const
+{
+    QString sheet = kStyleSheet.toString();
     constexpr std::array<std::pair<const char *, ColorRole>, 16> names{
         {{"@SurfaceRaised", ColorRole::SurfaceRaised},
          {"@Surface", ColorRole::Surface},

@@ -25,6 +25,22 @@ constexpr int kLeastPoles = 12;
 constexpr int kMostPoles = 28;
 constexpr int kUsualPoles = 14;
 
+// The board has something to do as soon as the step begins.
+bool runsAtOnce(SetupPage::Step step)
+{
+    using Step = SetupPage::Step;
+    switch (step) {
+    case Step::MotorsOff:
+    case Step::Orientation:
+    case Step::AutoDirections:
+    case Step::Start:
+    case Step::Take:
+    case Step::AlignYaw:
+    case Step::Finish: return true;
+    default: return false;
+    }
+}
+
 }  // namespace
 
 SetupPage::SetupPage(Workspace &workspace, QWidget *parent)
@@ -233,85 +249,82 @@ void SetupPage::enter(Step step)
     m_report->setVisible(m_report->count() > 0);
     m_polesForm->setVisible(step == Step::Poles);
     m_yawForm->setVisible(step == Step::AlignYaw);
-    m_continue->setText(tr("Continue"));
-    m_continue->setObjectName(u"primary"_s);
-    m_sees->clear();
-    switch (step) {
-    case Step::Choose:
-        m_what->setText(tr("Set the gimbal up after building it, or after changing a motor or a sensor."));
-        m_sees->setText(tr("Tick the tasks. The motors are disabled first; you are told before they start. "
-                           "Nothing is stored before the end, "
-                           "so switching the board off takes everything back."));
-        m_continue->setText(tr("Begin"));
-        break;
-    case Step::MotorsOff:
-        m_what->setText(tr("Disabling the motors."));
-        runStep();
-        break;
-    case Step::Orientation:
-        m_what->setText(tr("Hold the camera level and still."));
-        runStep();
-        break;
-    case Step::Poles: {
-        m_what->setText(tr("How many magnets have the bells of the motors?"));
-        m_sees->setText(tr("Most gimbal motors have 14. A wrong number makes a motor run away."));
-        const ConfigurationModel &model = workspace().configuration();
-        for (std::size_t axis = 0; axis < kAxisCount && !model.isEmpty(); ++axis) {
-            const ParameterSpec *spec = model.board().parameters().find(
-                u"motor.%1.poles"_s.arg(QLatin1String(axisKey(kAxes[axis]))));
-            if (const auto raw = spec ? model.board().raw(*spec, 0) : std::nullopt)
-                m_poles[axis]->setValue(int(*raw));
-        }
-        break;
-    }
-    case Step::AutoDirections:
-        m_what->setText(tr("Setting the motor directions to be found."));
-        runStep();
-        break;
-    case Step::AskStart:
-        m_what->setText(tr("Now the motors start. Put the camera into the gimbal, hold the handle still, and "
-                           "connect the battery."));
-        m_sees->setText(tr("The board levels the camera and turns each motor a little to find its direction. "
-                           "Motors off stops it at any time."));
-        m_continue->setText(tr("Start the motors"));
-        m_continue->setObjectName(u"danger"_s);
-        m_hands->putBack();
-        break;
-    case Step::Start:
-        m_what->setText(tr("The board starts. Keep the handle still."));
-        runStep();
-        break;
-    case Step::Take:
-        m_what->setText(tr("Taking over what the board has found."));
-        runStep();
-        break;
-    case Step::AlignYaw:
-        m_what->setText(tr("Turn the camera until it looks straight ahead."));
+    sayWhatToDo();
+    if (step == Step::Poles)
+        showPoles();
+    if (step == Step::AlignYaw)
         m_yawText->setText(u"0.0°"_s);
-        m_continue->setText(tr("Take this position"));
-        runStep();
-        break;
-    case Step::AskFinish:
-        m_what->setText(tr("Everything is set. Store it, and start the gimbal?"));
-        m_sees->setText(tr("A snapshot of the board as it was is kept. The motors start."));
-        m_continue->setText(tr("Start and store"));
-        m_continue->setObjectName(u"danger"_s);
+    if (step == Step::AskStart || step == Step::AskFinish)
         m_hands->putBack();
-        break;
-    case Step::Finish:
-        m_what->setText(tr("Starting and storing."));
-        runStep();
-        break;
-    case Step::Done:
-        m_what->setText(tr("The gimbal is set up."));
-        m_continue->setText(tr("Begin again"));
+    if (step == Step::Done)
         workspace().readBoard();
-        break;
-    }
+    if (runsAtOnce(step))
+        runStep();
     repolish(m_continue);
     updateState();
     if (isVisible() && m_continue->isEnabled())
         m_continue->setFocus();
+}
+
+// What is to be done in this step, and what the button does.
+void SetupPage::sayWhatToDo()
+{
+    struct Words
+    {
+        QString what;
+        QString sees = {};
+        QString go = {};  // empty: "Continue"
+        bool dangerous = false;  // the motors start
+    };
+    const auto words = [this]() -> Words {
+        switch (m_step) {
+        case Step::Choose:
+            return {tr("Set the gimbal up after building it, or after changing a motor or a sensor."),
+                    tr("Tick the tasks. The motors are disabled first; you are told before they start. "
+                       "Nothing is stored before the end, "
+                       "so switching the board off takes everything back."),
+                    tr("Begin")};
+        case Step::MotorsOff: return {tr("Disabling the motors.")};
+        case Step::Orientation: return {tr("Hold the camera level and still.")};
+        case Step::Poles:
+            return {tr("How many magnets have the bells of the motors?"),
+                    tr("Most gimbal motors have 14. A wrong number makes a motor run away.")};
+        case Step::AutoDirections: return {tr("Setting the motor directions to be found.")};
+        case Step::AskStart:
+            return {tr("Now the motors start. Put the camera into the gimbal, hold the handle still, and "
+                       "connect the battery."),
+                    tr("The board levels the camera and turns each motor a little to find its direction. "
+                       "Motors off stops it at any time."),
+                    tr("Start the motors"), true};
+        case Step::Start: return {tr("The board starts. Keep the handle still.")};
+        case Step::Take: return {tr("Taking over what the board has found.")};
+        case Step::AlignYaw:
+            return {tr("Turn the camera until it looks straight ahead."), {}, tr("Take this position")};
+        case Step::AskFinish:
+            return {tr("Everything is set. Store it, and start the gimbal?"),
+                    tr("A snapshot of the board as it was is kept. The motors start."), tr("Start and store"),
+                    true};
+        case Step::Finish: return {tr("Starting and storing.")};
+        case Step::Done: return {tr("The gimbal is set up."), {}, tr("Begin again")};
+        }
+        return {};
+    }();
+    m_what->setText(words.what);
+    m_sees->setText(words.sees);
+    m_continue->setText(words.go.isEmpty() ? tr("Continue") : words.go);
+    m_continue->setObjectName(words.dangerous ? u"danger"_s : u"primary"_s);
+}
+
+// The numbers of poles that the board has now.
+void SetupPage::showPoles()
+{
+    const ConfigurationModel &model = workspace().configuration();
+    for (std::size_t axis = 0; axis < kAxisCount && !model.isEmpty(); ++axis) {
+        const ParameterSpec *spec
+            = model.board().parameters().find(u"motor.%1.poles"_s.arg(QLatin1String(axisKey(kAxes[axis]))));
+        if (const auto raw = spec ? model.board().raw(*spec, 0) : std::nullopt)
+            m_poles[axis]->setValue(int(*raw));
+    }
 }
 
 void SetupPage::runStep()

@@ -58,6 +58,8 @@ private:
     void begin();
     void next();
     void enter(Step step);
+    void sayWhatToDo();
+    void showPoles();
     void runStep();
     void finished(const Result<ActionOutcome> &outcome);
     void onContinue();

@@ -72,28 +72,32 @@ BackupsPage::BackupsPage(Workspace &workspace, QWidget *parent)
     , m_restore(new QPushButton(tr("Restore as edits")))
     , m_export(new QPushButton(tr("Export…")))
 {
+    makeHeader();
+    makeBody();
+    connectAll();
+}
+
+void BackupsPage::makeHeader()
+{
     m_take->setObjectName(u"primary"_s);
-    m_restore->setToolTip(
-        tr("Put the snapshot's values into the forms; nothing is on the board before you review and write"));
-    m_export->setToolTip(tr("Copy the snapshot to a file of your choice"));
     auto *load = new QPushButton(tr("Load a file…"));
     load->setToolTip(
         tr("Put a file's values into the forms; nothing is on the board before you review and write"));
     auto *saveAs = new QPushButton(tr("Save to a file…"));
     saveAs->setToolTip(tr("Save the values as they are shown, edits included"));
     connect(load, &QPushButton::clicked, this, [this] {
-        askOpenPath(tr("Load a configuration"), this->workspace().openFilter(), [this](const QString &path) {
-            if (const auto done = this->workspace().applyFile(path); !done)
-                this->workspace().notifications().report(done.error());
+        askOpenPath(tr("Load a configuration"), workspace().openFilter(), [this](const QString &path) {
+            if (const auto done = workspace().applyFile(path); !done)
+                workspace().notifications().report(done.error());
         });
     });
     connect(saveAs, &QPushButton::clicked, this, [this] {
-        askSavePath(tr("Save the configuration"), u"gimbal.json"_s, this->workspace().configurationFilter(),
+        askSavePath(tr("Save the configuration"), u"gimbal.json"_s, workspace().configurationFilter(),
                     [this](const QString &path) {
-                        if (const auto saved = this->workspace().saveFile(path); !saved)
-                            this->workspace().notifications().report(saved.error());
+                        if (const auto saved = workspace().saveFile(path); !saved)
+                            workspace().notifications().report(saved.error());
                         else
-                            this->workspace().notifications().notify(tr("Saved to %1").arg(path));
+                            workspace().notifications().notify(tr("Saved to %1").arg(path));
                     });
     });
     header()->addWidget(load);
@@ -101,14 +105,21 @@ BackupsPage::BackupsPage(Workspace &workspace, QWidget *parent)
     share->setObjectName(u"share"_s);
     share->setToolTip(tr("All values as one picture"));
     connect(share, &QPushButton::clicked, this, [this] {
-        if (this->workspace().configuration().isEmpty())
+        if (workspace().configuration().isEmpty())
             return;
-        auto *dialog = new ShareDialog(this->workspace(), this);
+        auto *dialog = new ShareDialog(workspace(), this);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         dialog->open();
     });
     for (QPushButton *button : {load, saveAs, share, m_take})
         header()->addWidget(button);
+}
+
+void BackupsPage::makeBody()
+{
+    m_restore->setToolTip(
+        tr("Put the snapshot's values into the forms; nothing is on the board before you review and write"));
+    m_export->setToolTip(tr("Copy the snapshot to a file of your choice"));
     prepare(m_table, {tr("Taken"), tr("Why"), tr("File")});
     m_table->setAccessibleName(tr("Snapshots of this board"));
     m_table->setColumnWidth(0, 190);
@@ -129,11 +140,14 @@ BackupsPage::BackupsPage(Workspace &workspace, QWidget *parent)
     card->content()->addWidget(m_differences, 1);
     body()->addWidget(m_table, 1);
     body()->addWidget(card, 1);
+}
 
-    connect(m_take, &QPushButton::clicked, &workspace, &Workspace::takeSnapshot);
+void BackupsPage::connectAll()
+{
+    connect(m_take, &QPushButton::clicked, &workspace(), &Workspace::takeSnapshot);
     connect(m_restore, &QPushButton::clicked, this, [this] {
-        if (const auto done = this->workspace().applyFile(chosenPath()); !done)
-            this->workspace().notifications().report(done.error());
+        if (const auto done = workspace().applyFile(chosenPath()); !done)
+            workspace().notifications().report(done.error());
         showDifferences();
     });
     connect(m_export, &QPushButton::clicked, this, [this] {
@@ -142,15 +156,15 @@ BackupsPage::BackupsPage(Workspace &workspace, QWidget *parent)
                     [this, from](const QString &to) {
                         QFile::remove(to);
                         if (QFile::copy(from, to))
-                            this->workspace().notifications().notify(tr("Saved to %1").arg(to));
+                            workspace().notifications().notify(tr("Saved to %1").arg(to));
                         else
-                            this->workspace().notifications().report({ErrorCode::BadFile, to, 0});
+                            workspace().notifications().report({ErrorCode::BadFile, to, 0});
                     });
     });
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &BackupsPage::showDifferences);
-    connect(&workspace, &Workspace::snapshotTaken, this, &BackupsPage::reload);
-    connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &BackupsPage::reload);
-    connect(&workspace.configuration(), &ConfigurationModel::storedChanged, this,
+    connect(&workspace(), &Workspace::snapshotTaken, this, &BackupsPage::reload);
+    connect(&workspace().configuration(), &ConfigurationModel::boardReset, this, &BackupsPage::reload);
+    connect(&workspace().configuration(), &ConfigurationModel::storedChanged, this,
             &BackupsPage::showDifferences);
 }
 

@@ -21,6 +21,9 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
+    void makeHeader();
+    void makeBody();
+    void connectAll();
     void reload();
     void showDifferences();
     [[nodiscard]] QString chosenPath() const;

@@ -53,20 +53,53 @@ ControlPage::ControlPage(Workspace &workspace, QWidget *parent)
     , m_attitude(new AttitudeView(workspace.theme()))
     , m_functions(new Card(tr("Functions")))
 {
+    makeHeader();
+    makeBody();
+    connectAll();
+    for (QWidget *widget : findChildren<QWidget *>())
+        widget->installEventFilter(this);
+    onState();
+}
+
+void ControlPage::makeHeader()
+{
     m_arm->setCheckable(true);
     m_arm->setToolTip(
         tr("While armed the camera moves as you steer. Let go, leave this page or press Esc to end it."));
     m_mode->setAccessibleName(tr("Mode of control"));
+    header()->addWidget(m_mode);
+    header()->addWidget(m_arm);
+}
+
+void ControlPage::makeBody()
+{
+    m_state->setWordWrap(true);
+    auto *now = new Card(tr("Camera"));
+    now->content()->addWidget(m_attitude, 1);
+    m_now->setTextFormat(Qt::RichText);
+    now->content()->addWidget(m_now);
+    auto *right = new QVBoxLayout;
+    right->setSpacing(12);
+    right->addWidget(makeAnglesCard());
+    right->addWidget(now, 1);
+    auto *row = new QHBoxLayout;
+    row->setSpacing(12);
+    row->addWidget(makeSteerCard(), 2);
+    row->addWidget(m_functions, 2);
+    row->addLayout(right, 2);
+    body()->addWidget(m_state);
+    body()->addLayout(row, 1);
+}
+
+Card *ControlPage::makeSteerCard()
+{
     m_pad->setLabels(axisLabel(Axis::Yaw), axisLabel(Axis::Pitch));
     m_roll->setRange(-kSliderSteps, kSliderSteps);
     m_roll->setAccessibleName(axisLabel(Axis::Roll));
     m_speed->setAccessibleName(tr("Speed"));
-    m_speed->setRange(1, workspace.settings().controlSpeedLimit());
+    m_speed->setRange(1, workspace().settings().controlSpeedLimit());
     m_speed->setValue(std::min(20, m_speed->maximum()));
-    m_state->setWordWrap(true);
-    header()->addWidget(m_mode);
-    header()->addWidget(m_arm);
-
+    m_speedText->setText(tr("%1 °/s").arg(m_speed->value()));
     auto *steer = new Card(tr("Steer"));
     steer->content()->addWidget(m_pad, 1);
     QGridLayout *grid = m_inputs;
@@ -84,7 +117,11 @@ ControlPage::ControlPage(Workspace &workspace, QWidget *parent)
     grid->addWidget(m_speedText, 1, 2);
     grid->setColumnStretch(1, 1);
     steer->content()->addLayout(grid);
+    return steer;
+}
 
+Card *ControlPage::makeAnglesCard()
+{
     auto *goal = new Card(tr("Angles to go to"));
     auto *angles = new QGridLayout;
     angles->setHorizontalSpacing(12);
@@ -102,50 +139,19 @@ ControlPage::ControlPage(Workspace &workspace, QWidget *parent)
     angles->addWidget(m_center, 3, 1);
     angles->setColumnStretch(1, 1);
     goal->content()->addLayout(angles);
+    return goal;
+}
 
-    auto *now = new Card(tr("Camera"));
-    now->content()->addWidget(m_attitude, 1);
-    m_now->setTextFormat(Qt::RichText);
-    now->content()->addWidget(m_now);
-    auto *right = new QVBoxLayout;
-    right->setSpacing(12);
-    right->addWidget(goal);
-    right->addWidget(now, 1);
-    auto *row = new QHBoxLayout;
-    row->setSpacing(12);
-    row->addWidget(steer, 2);
-    row->addWidget(m_functions, 2);
-    row->addLayout(right, 2);
-    body()->addWidget(m_state);
-    body()->addLayout(row, 1);
-
+void ControlPage::connectAll()
+{
     const auto touch = [this] { m_touched.start(); };
-    connect(m_pad, &ControlPad::moved, this, [this] {
-        m_touched.start();
-        const SteeringMode *chosen = mode();
-        if (!chosen || !chosen->isPositional() || m_filling)
-            return;
-        // In a mode of places the pad points at them, within half of the range either way.
-        const auto point = [&](std::size_t axis, double share, double usual) {
-            const int input = chosen->inputOf(kAxes[axis]);
-            const double reach = input < 0 ? 0.0 : chosen->inputs[std::size_t(input)].padReach;
-            m_angles[axis]->setValue(share * (reach > 0 ? reach : usual));
-        };
-        point(1, m_pad->value().y(), kPitchReach);
-        point(2, m_pad->value().x(), kYawReach);
-    });
+    connect(m_pad, &ControlPad::moved, this, touch);
+    connect(m_pad, &ControlPad::moved, this, &ControlPage::pointWithPad);
     connect(m_roll, &QSlider::valueChanged, this, touch);
+    connect(m_roll, &QSlider::valueChanged, this, &ControlPage::pointWithRoll);
     connect(m_roll, &QSlider::sliderReleased, this, [this] {
         if (mode() && !mode()->isPositional())
             m_roll->setValue(0);
-    });
-    connect(m_roll, &QSlider::valueChanged, this, [this](int value) {
-        const SteeringMode *chosen = mode();
-        const int input = chosen ? chosen->inputOf(Axis::Roll) : -1;
-        if (input < 0 || !chosen->isPositional() || m_filling)
-            return;
-        const double reach = chosen->inputs[std::size_t(input)].padReach;
-        m_angles[0]->setValue((reach > 0 ? reach : kPitchReach) * value / kSliderSteps);
     });
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
         connect(m_angles[axis], &QDoubleSpinBox::valueChanged, this,
@@ -157,23 +163,14 @@ ControlPage::ControlPage(Workspace &workspace, QWidget *parent)
         m_speedText->setText(tr("%1 °/s").arg(value));
         touch();
     });
-    m_speedText->setText(tr("%1 °/s").arg(m_speed->value()));
-    connect(m_center, &QPushButton::clicked, this, [this] {
-        m_pad->reset();
-        m_roll->setValue(0);
-        for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
-            m_angles[axis]->setValue(0);
-            m_known[axis] = true;
-        }
-        m_touched.start();
-    });
+    connect(m_center, &QPushButton::clicked, this, &ControlPage::center);
     connect(m_arm, &QPushButton::toggled, this, &ControlPage::setArmed);
     connect(m_mode, &QComboBox::currentIndexChanged, this, &ControlPage::onMode);
-    connect(&workspace.client(), &DeviceClient::stateChanged, this, &ControlPage::onState);
-    connect(&workspace.client(), &DeviceClient::motorsOffFinished, this, [this] { setArmed(false); });
-    connect(&workspace.client(), &DeviceClient::failsafeActed, this, [this] { setArmed(false); });
-    connect(&workspace.settings(), &Settings::changed, this,
-            [this] { m_speed->setMaximum(this->workspace().settings().controlSpeedLimit()); });
+    connect(&workspace().client(), &DeviceClient::stateChanged, this, &ControlPage::onState);
+    connect(&workspace().client(), &DeviceClient::motorsOffFinished, this, [this] { setArmed(false); });
+    connect(&workspace().client(), &DeviceClient::failsafeActed, this, [this] { setArmed(false); });
+    connect(&workspace().settings(), &Settings::changed, this,
+            [this] { m_speed->setMaximum(workspace().settings().controlSpeedLimit()); });
     connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
         if (state != Qt::ApplicationActive)
             setArmed(false);
@@ -183,9 +180,42 @@ ControlPage::ControlPage(Workspace &workspace, QWidget *parent)
     connect(&m_send, &QTimer::timeout, this, &ControlPage::tick);
     m_refresh.setInterval(kRefreshPeriod);
     connect(&m_refresh, &QTimer::timeout, this, &ControlPage::updateNow);
-    for (QWidget *widget : findChildren<QWidget *>())
-        widget->installEventFilter(this);
-    onState();
+}
+
+// In a mode of places the pad points at them, within half of the range either way.
+void ControlPage::pointWithPad()
+{
+    const SteeringMode *chosen = mode();
+    if (!chosen || !chosen->isPositional() || m_filling)
+        return;
+    const auto point = [&](std::size_t axis, double share, double usual) {
+        const int input = chosen->inputOf(kAxes[axis]);
+        const double reach = input < 0 ? 0.0 : chosen->inputs[std::size_t(input)].padReach;
+        m_angles[axis]->setValue(share * (reach > 0 ? reach : usual));
+    };
+    point(1, m_pad->value().y(), kPitchReach);
+    point(2, m_pad->value().x(), kYawReach);
+}
+
+void ControlPage::pointWithRoll(int value)
+{
+    const SteeringMode *chosen = mode();
+    const int input = chosen ? chosen->inputOf(Axis::Roll) : -1;
+    if (input < 0 || !chosen->isPositional() || m_filling)
+        return;
+    const double reach = chosen->inputs[std::size_t(input)].padReach;
+    m_angles[0]->setValue((reach > 0 ? reach : kPitchReach) * value / kSliderSteps);
+}
+
+void ControlPage::center()
+{
+    m_pad->reset();
+    m_roll->setValue(0);
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+        m_angles[axis]->setValue(0);
+        m_known[axis] = true;
+    }
+    m_touched.start();
 }
 
 // Actions that belong to steering: each with its fields and a button.

@@ -38,6 +38,14 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    void makeHeader();
+    void makeBody();
+    [[nodiscard]] Card *makeSteerCard();
+    [[nodiscard]] Card *makeAnglesCard();
+    void connectAll();
+    void pointWithPad();
+    void pointWithRoll(int value);
+    void center();
     void onState();
     void onMode();
     void fillFunctions();

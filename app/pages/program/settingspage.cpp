@@ -36,7 +36,15 @@ SettingsPage::SettingsPage(Workspace &workspace, QWidget *parent)
     , m_startLanguage(workspace.settings().language())
     , m_restart(new QLabel(tr("The language changes at the next start.")))
 {
-    Settings &settings = workspace.settings();
+    fillFields();
+    makeBody();
+    connectAll();
+    updateNotes();
+}
+
+void SettingsPage::fillFields()
+{
+    const Settings &settings = workspace().settings();
     m_theme->addItem(tr("As the system"), int(Settings::ThemeChoice::System));
     m_theme->addItem(tr("Light"), int(Settings::ThemeChoice::Light));
     m_theme->addItem(tr("Dark"), int(Settings::ThemeChoice::Dark));
@@ -63,10 +71,13 @@ SettingsPage::SettingsPage(Workspace &workspace, QWidget *parent)
     m_disarm->setSuffix(tr(" s"));
     m_disarm->setValue(settings.disarmSeconds());
     m_offOnQuit->setChecked(settings.motorsOffOnQuit());
+}
+
+void SettingsPage::makeBody()
+{
     m_memory->setObjectName(u"muted"_s);
     m_memory->setWordWrap(true);
     m_restart->setObjectName(u"muted"_s);
-
     auto *holder = new QWidget;
     auto *column = new QVBoxLayout(holder);
     column->setContentsMargins(0, 0, 0, 0);
@@ -121,7 +132,11 @@ SettingsPage::SettingsPage(Workspace &workspace, QWidget *parent)
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(holder);
     body()->addWidget(scroll, 1);
+}
 
+void SettingsPage::connectAll()
+{
+    Settings &settings = workspace().settings();
     connect(m_theme, &QComboBox::activated, this,
             [this, &settings] { settings.setTheme(Settings::ThemeChoice(m_theme->currentData().toInt())); });
     connect(m_language, &QComboBox::activated, this, [this, &settings] {
@@ -144,7 +159,6 @@ SettingsPage::SettingsPage(Workspace &workspace, QWidget *parent)
             [&settings](int value) { settings.setDisarmSeconds(value); });
     connect(m_offOnQuit, &QCheckBox::toggled, this,
             [&settings](bool on) { settings.setMotorsOffOnQuit(on); });
-    updateNotes();
 }
 
 void SettingsPage::updateNotes()

@@ -16,6 +16,9 @@ public:
     explicit SettingsPage(Workspace &workspace, QWidget *parent = nullptr);
 
 private:
+    void fillFields();
+    void makeBody();
+    void connectAll();
     void updateNotes();
 
     QComboBox *m_theme;

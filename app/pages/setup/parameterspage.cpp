@@ -83,6 +83,14 @@ ParametersPage::ParametersPage(Workspace &workspace, QWidget *parent)
     , m_left(new QVBoxLayout)
     , m_row(new QHBoxLayout)
 {
+    makeHeader();
+    makeBody();
+    connectAll();
+    onBoard();
+}
+
+void ParametersPage::makeHeader()
+{
     m_level->addItem(tr("Basic"), int(ViewLevel::Basic));
     m_level->addItem(tr("Advanced"), int(ViewLevel::Advanced));
     m_level->addItem(tr("Expert"), int(ViewLevel::Expert));
@@ -98,7 +106,10 @@ ParametersPage::ParametersPage(Workspace &workspace, QWidget *parent)
                             static_cast<QWidget *>(m_onlyRed), static_cast<QWidget *>(m_asTable),
                             static_cast<QWidget *>(m_level), static_cast<QWidget *>(m_search)})
         header()->addWidget(widget);
+}
 
+void ParametersPage::makeBody()
+{
     m_groups->setAccessibleName(tr("Groups"));
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -128,7 +139,10 @@ ParametersPage::ParametersPage(Workspace &workspace, QWidget *parent)
     m_row->addWidget(m_help);
     body()->addLayout(m_row, 1);
     arrange(false);
+}
 
+void ParametersPage::connectAll()
+{
     connect(m_search, &QLineEdit::textChanged, this, &ParametersPage::refilter);
     connect(m_level, &QComboBox::currentIndexChanged, this, &ParametersPage::refilter);
     for (QPushButton *chip : {m_onlyChanged, m_onlyNonDefault, m_onlyRed})
@@ -147,14 +161,14 @@ ParametersPage::ParametersPage(Workspace &workspace, QWidget *parent)
                     m_help->show(index.data(ParameterModel::IdRole).toInt());
             });
     connect(&m_model, &ParameterModel::editRequested, this, [this](int parameter, double raw) {
-        this->workspace().edits().edit(parameter, this->workspace().configuration().shownProfile(), raw);
+        workspace().edits().edit(parameter, workspace().configuration().shownProfile(), raw);
     });
-    connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &ParametersPage::onBoard);
-    connect(&workspace.configuration(), &ConfigurationModel::valueChanged, this,
+    connect(&workspace().configuration(), &ConfigurationModel::boardReset, this, &ParametersPage::onBoard);
+    connect(&workspace().configuration(), &ConfigurationModel::valueChanged, this,
             &ParametersPage::updateGroupMarks);
-    connect(&workspace.configuration(), &ConfigurationModel::shownProfileChanged, this,
+    connect(&workspace().configuration(), &ConfigurationModel::shownProfileChanged, this,
             &ParametersPage::updateGroupMarks);
-    connect(&workspace.configuration(), &ConfigurationModel::changeCountChanged, this, [this] {
+    connect(&workspace().configuration(), &ConfigurationModel::changeCountChanged, this, [this] {
         updateGroupMarks();
         emit changesChanged();
     });
@@ -162,7 +176,6 @@ ParametersPage::ParametersPage(Workspace &workspace, QWidget *parent)
         m_search->setFocus();
         m_search->selectAll();
     });
-    onBoard();
 }
 
 // A narrow page has no room for three columns: the help card moves below the groups.

@@ -36,6 +36,9 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
+    void makeHeader();
+    void makeBody();
+    void connectAll();
     void arrange(bool narrow);
     void onBoard();
     void refilter();

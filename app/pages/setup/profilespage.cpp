@@ -38,6 +38,24 @@ ProfilesPage::ProfilesPage(Workspace &workspace, QWidget *parent)
     , m_save(new QPushButton(tr("Save to file…")))
     , m_loadAll(new QPushButton(tr("Load all profiles…")))
 {
+    makeHeader();
+    makeBody();
+    connectAll();
+    if (!workspace.configuration().isEmpty())
+        m_table->selectRow(std::as_const(workspace.configuration()).board().activeProfile());
+    updateButtons();
+}
+
+void ProfilesPage::makeHeader()
+{
+    m_loadAll->setToolTip(tr("Take everything in a file over, as one edit that can be undone"));
+    m_save->setToolTip(tr("Save all profiles with their unsaved changes"));
+    header()->addWidget(m_loadAll);
+    header()->addWidget(m_save);
+}
+
+void ProfilesPage::makeBody()
+{
     m_table->setModel(&m_model);
     m_table->setAccessibleName(tr("Profiles"));
     m_table->verticalHeader()->hide();
@@ -62,8 +80,6 @@ ProfilesPage::ProfilesPage(Workspace &workspace, QWidget *parent)
         tr("Take all values of the chosen profile over into another one, as an edit that can be undone"));
     m_load->setToolTip(
         tr("Take one profile of a file over into the chosen profile, as an edit that can be undone"));
-    m_save->setToolTip(tr("Save all profiles with their unsaved changes"));
-    m_loadAll->setToolTip(tr("Take everything in a file over, as one edit that can be undone"));
 
     auto *row = new QHBoxLayout;
     row->setSpacing(Metric::kGap);
@@ -75,8 +91,6 @@ ProfilesPage::ProfilesPage(Workspace &workspace, QWidget *parent)
     row->addSpacing(Metric::kMargin);
     row->addWidget(m_load);
     row->addStretch(1);
-    header()->addWidget(m_loadAll);
-    header()->addWidget(m_save);
     auto *note = new QLabel(
         tr("Copying, renaming and loading are edits: nothing is on the board before you review and write. "
            "Board-wide values (sensors, motors' outputs, ports) belong to no profile and stay."));
@@ -85,9 +99,11 @@ ProfilesPage::ProfilesPage(Workspace &workspace, QWidget *parent)
     body()->addWidget(m_table, 1);
     body()->addLayout(row);
     body()->addWidget(note);
+}
 
-    ConfigurationModel &configuration = workspace.configuration();
-    connect(&m_model, &ProfileModel::renameRequested, &workspace.edits(), &EditStack::rename);
+void ProfilesPage::connectAll()
+{
+    connect(&m_model, &ProfileModel::renameRequested, &workspace().edits(), &EditStack::rename);
     connect(&m_model, &ProfileModel::nameRefused, this, [this](int profile, int bytes, int limit) {
         ErrorText text;
         text.what = tr("The name of profile %1 is too long.").arg(profile + 1);
@@ -95,13 +111,13 @@ ProfilesPage::ProfilesPage(Workspace &workspace, QWidget *parent)
                            .arg(bytes)
                            .arg(limit);
         text.cure = tr("Choose a shorter one.");
-        this->workspace().notifications().report(text);
+        workspace().notifications().report(text);
     });
-    connect(m_active, &QPushButton::clicked, this, [this] { this->workspace().useProfile(chosen()); });
+    connect(m_active, &QPushButton::clicked, this, [this] { workspace().useProfile(chosen()); });
     connect(m_rename, &QPushButton::clicked, this,
             [this] { m_table->edit(m_model.index(chosen(), ProfileModel::NameColumn)); });
     connect(m_copy, &QPushButton::clicked, this,
-            [this] { this->workspace().edits().copyProfile(chosen(), m_target->currentData().toInt()); });
+            [this] { workspace().edits().copyProfile(chosen(), m_target->currentData().toInt()); });
     connect(m_load, &QPushButton::clicked, this, [this] {
         const int profile = chosen();
         askOpenPath(tr("Load a profile"), tr(kFilter),
@@ -109,8 +125,8 @@ ProfilesPage::ProfilesPage(Workspace &workspace, QWidget *parent)
     });
     connect(m_loadAll, &QPushButton::clicked, this, [this] {
         askOpenPath(tr("Load all profiles"), tr(kFilter), [this](const QString &path) {
-            if (const auto loaded = this->workspace().applyFile(path); !loaded)
-                this->workspace().notifications().report(loaded.error());
+            if (const auto loaded = workspace().applyFile(path); !loaded)
+                workspace().notifications().report(loaded.error());
         });
     });
     connect(m_save, &QPushButton::clicked, this, [this] {
@@ -120,19 +136,17 @@ ProfilesPage::ProfilesPage(Workspace &workspace, QWidget *parent)
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &ProfilesPage::updateButtons);
     connect(&m_model, &QAbstractItemModel::modelReset, this, [this] {
-        const ConfigurationModel &shown = this->workspace().configuration();
-        const Device *device = this->workspace().client().device();
+        const ConfigurationModel &shown = workspace().configuration();
+        const Device *device = workspace().client().device();
         if (const ProfileAccess *profiles = device ? device->profiles() : nullptr)
             m_model.setNameLimit(profiles->profileNameBytes());
         if (!shown.isEmpty())
             m_table->selectRow(shown.board().activeProfile());
     });
     connect(&m_model, &QAbstractItemModel::dataChanged, this, &ProfilesPage::updateButtons);
-    connect(&workspace.client(), &DeviceClient::stateChanged, this, &ProfilesPage::updateButtons);
-    connect(&configuration, &ConfigurationModel::changeCountChanged, this, &Page::changesChanged);
-    if (!configuration.isEmpty())
-        m_table->selectRow(std::as_const(configuration).board().activeProfile());
-    updateButtons();
+    connect(&workspace().client(), &DeviceClient::stateChanged, this, &ProfilesPage::updateButtons);
+    connect(&workspace().configuration(), &ConfigurationModel::changeCountChanged, this,
+            &Page::changesChanged);
 }
 
 int ProfilesPage::chosen() const

@@ -25,6 +25,9 @@ public:
     [[nodiscard]] int chosen() const;
 
 private:
+    void makeHeader();
+    void makeBody();
+    void connectAll();
     void updateButtons();
     void loadFrom(const QString &path, int from, int to);
 

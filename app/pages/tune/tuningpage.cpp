@@ -58,6 +58,15 @@ TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
                         tr("Store the values in use in the active profile; a snapshot is taken first")))
     , m_state(new QLabel)
 {
+    makeHeader();
+    makeBody();
+    connectAll();
+    rebuild();
+    onStore();
+}
+
+void TuningPage::makeHeader()
+{
     auto *sets = new QButtonGroup(this);
     for (QPushButton *button : {m_a, m_b}) {
         button->setCheckable(true);
@@ -68,7 +77,10 @@ TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
     m_state->setObjectName(u"muted"_s);
     for (QPushButton *button : {m_a, m_b, m_copy, m_revert, m_save})
         header()->addWidget(button);
+}
 
+void TuningPage::makeBody()
+{
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setMinimumWidth(kControlsWidth);
@@ -78,14 +90,27 @@ TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
     rightLayout->setContentsMargins(0, 0, 0, 0);
     rightLayout->setSpacing(12);
     for (int i = 0; i < 2; ++i) {
-        auto *plot = new PlotView(workspace.theme());
+        auto *plot = new PlotView(workspace().theme());
         plot->setMinimumHeight(90);
         plot->setWindow(kPlotWindow);
         plot->setAccessibleName(i == 0 ? tr("Angle error") : tr("Gyroscope"));
         rightLayout->addWidget(plot, 1);
-        plot->setMarks(&workspace.marks());
+        plot->setMarks(&workspace().marks());
         m_plots.append(plot);
     }
+    rightLayout->addWidget(makeFigures());
+    auto *split = new QHBoxLayout;
+    split->setSpacing(12);
+    split->addWidget(m_scroll);
+    split->addWidget(right, 1);
+    body()->addWidget(m_state);
+    body()->addLayout(split, 1);
+    m_clock.setPlots(m_plots);
+}
+
+// The angle error in figures, now and before.
+QWidget *TuningPage::makeFigures()
+{
     auto *figures = new Card(tr("Angle error, last %1 s").arg(kFigureSpan));
     auto *grid = new QGridLayout;
     grid->setHorizontalSpacing(12);
@@ -112,16 +137,12 @@ TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
     grid->setColumnStretch(0, 1);
     figures->content()->addLayout(grid);
     figures->content()->addWidget(keep, 0, Qt::AlignRight);
-    rightLayout->addWidget(figures);
-    auto *split = new QHBoxLayout;
-    split->setSpacing(12);
-    split->addWidget(m_scroll);
-    split->addWidget(right, 1);
-    body()->addWidget(m_state);
-    body()->addLayout(split, 1);
-    m_clock.setPlots(m_plots);
-
     connect(keep, &QPushButton::clicked, this, &TuningPage::keepFigures);
+    return figures;
+}
+
+void TuningPage::connectAll()
+{
     connect(m_a, &QPushButton::clicked, this, [this] {
         keepFigures();
         m_live.useSlot(LiveModel::Slot::A);
@@ -150,13 +171,11 @@ TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
             return;
         ErrorText text = describe(error);
         text.meaning += tr(" The values in use were asked for again.");
-        this->workspace().notifications().report(text);
+        workspace().notifications().report(text);
     });
-    connect(&workspace.client(), &DeviceClient::stateChanged, this, &TuningPage::onStore);
+    connect(&workspace().client(), &DeviceClient::stateChanged, this, &TuningPage::onStore);
     m_figureTimer.setInterval(kFigurePeriod);
     connect(&m_figureTimer, &QTimer::timeout, this, &TuningPage::updateFigures);
-    rebuild();
-    onStore();
 }
 
 QWidget *TuningPage::makeControls()

@@ -37,6 +37,10 @@ protected:
     void hideEvent(QHideEvent *event) override;
 
 private:
+    void makeHeader();
+    void makeBody();
+    [[nodiscard]] QWidget *makeFigures();
+    void connectAll();
     void rebuild();
     void onStore();
     void updateState();

@@ -52,6 +52,15 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     , m_recordMenu(new QMenu(m_record))
     , m_note(new ElidedLabel)
 {
+    makeHeader();
+    makeBody();
+    connectAll();
+    if (workspace.client().isConnected())
+        onStore();
+}
+
+void MonitorPage::makeHeader()
+{
     for (const double seconds : kWindows)
         m_window->addItem(seconds < 120 ? tr("%1 s").arg(seconds) : tr("%1 min").arg(seconds / 60), seconds);
     m_window->setCurrentIndex(kDefaultWindow);
@@ -78,8 +87,8 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     m_recordMenu->addAction(tr("Save the last minutes…"), this,
                             [this] { askRecording(tr("Save the last minutes"), &LinkRecorder::savePast); });
     m_record->setToolTip(tr("Everything on the link goes into a file that can be opened like the board"));
-    connect(m_record, &QPushButton::clicked, this, [this] { this->workspace().recorder().stop(); });
-    connect(&workspace.recorder(), &LinkRecorder::recordingChanged, this, &MonitorPage::updateRecord);
+    connect(m_record, &QPushButton::clicked, this, [this] { workspace().recorder().stop(); });
+    connect(&workspace().recorder(), &LinkRecorder::recordingChanged, this, &MonitorPage::updateRecord);
     updateRecord();
     auto *exports = new QMenu(m_export);
     exports->addAction(tr("Samples as CSV…"), this, &MonitorPage::askExport);
@@ -94,7 +103,10 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     m_export->setToolTip(tr("Save what is seen"));
     auto *space = new QShortcut(Qt::Key_Space, m_stack, m_pause, &QPushButton::toggle);
     space->setContext(Qt::WidgetWithChildrenShortcut);
+}
 
+void MonitorPage::makeBody()
+{
     m_tree->setModel(&m_channels);
     m_tree->setAccessibleName(tr("Telemetry channels"));
     m_tree->setToolTip(tr("Tick a channel, or drag it into a plot"));
@@ -123,12 +135,15 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
     split->addWidget(right);
     split->setStretchFactor(1, 1);
     split->setSizes({330, 900});
-    split->restoreState(workspace.settings().layout(u"monitor"_s));
+    split->restoreState(workspace().settings().layout(u"monitor"_s));
     connect(split, &QSplitter::splitterMoved, this,
-            [this, split] { this->workspace().settings().setLayout(u"monitor"_s, split->saveState()); });
+            [this, split] { workspace().settings().setLayout(u"monitor"_s, split->saveState()); });
     body()->addWidget(split, 1);
+}
 
-    m_stack->setMarks(&workspace.marks());
+void MonitorPage::connectAll()
+{
+    m_stack->setMarks(&workspace().marks());
     m_stack->setSeconds(m_window->currentData().toDouble());
     m_valueTimer.setInterval(kValuePeriod);
     connect(&m_valueTimer, &QTimer::timeout, this, [this] {
@@ -146,13 +161,11 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
         m_pause->setText(paused ? tr("Continue") : tr("Pause"));
         m_stack->setPaused(paused);
     });
-    connect(&workspace.client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
+    connect(&workspace().client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
         updateRecord();
         if (state == DeviceClient::State::Connected)
             onStore();
     });
-    if (workspace.client().isConnected())
-        onStore();
 }
 
 ChannelTable MonitorPage::table() const

@@ -47,6 +47,9 @@ protected:
     void hideEvent(QHideEvent *event) override;
 
 private:
+    void makeHeader();
+    void makeBody();
+    void connectAll();
     void onStore();
     void onTicks();
     void onPlotsEdited();
