@@ -18,7 +18,8 @@ public:
     enum class Extent { Pages, Everything };
 
     /// Pictures go to this folder, which is made if need be; their names end in the suffix.
-    /// @param family only with a board of that family; empty: everything with the first, then what others add
+    /// @param family only with a board of that family; empty: with one of each that the program was built
+    /// with
     Tour(MainWindow &window, QString folder, QString suffix, Extent extent, QString family = {},
          QObject *parent = nullptr);
 
@@ -40,6 +41,8 @@ private:
         bool everythingOnly = false;
     };
     void addSteps();
+    void addStepsOf(const QString &family);
+    void addSimpleBgcSteps();
     void addEditSteps();
     void addCalibrationSteps();
     void addTelemetrySteps();

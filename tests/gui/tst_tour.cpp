@@ -9,15 +9,15 @@
 
 using namespace Qt::StringLiterals;
 
-/// The picture tour with a board of another family (that of the first is in tst_mainwindow).
+/// The picture tour with a STorM32 board (that with a SimpleBGC board is in tst_mainwindow).
 class TestTour : public QObject
 {
     Q_OBJECT
 private slots:
-    void otherFamilyHasEveryPicture();
+    void storm32HasEveryPicture();
 };
 
-void TestTour::otherFamilyHasEveryPicture()
+void TestTour::storm32HasEveryPicture()
 {
     WindowRig rig;
     const QString folder = rig.filePath(u"tour"_s);

@@ -3,16 +3,30 @@
 // The channel of production and its stand-in of the tests keep the same promises.
 #include "app/composition/composition.h"
 #include "protocol/session/sessionchannel.h"
+#include "protocol/simulator/link/simulatorsetup.h"
+#include "protocol/simulator/link/virtualchannel.h"
+#if GIMBAL_WITH_SIMPLEBGC
 #include "protocol/simplebgc/commands.h"
-#include "tests/support/virtualboard.h"
+#endif
+#if GIMBAL_WITH_STORM32
+#include "protocol/storm32/commands.h"
+#endif
 
 #include <QTest>
 #include <QThread>
 
-using namespace sbgc;
+#include <algorithm>
+
 using namespace Qt::StringLiterals;
 
 namespace {
+
+Family familyNamed(const QString &key)
+{
+    const QList<Family> families = allFamilies();
+    return *std::find_if(families.begin(), families.end(),
+                         [&key](const Family &each) { return each.key == key; });
+}
 
 /// A channel to a simulated board whose cable can be pulled and whose job can be cancelled.
 class Bench
@@ -27,19 +41,26 @@ public:
 class VirtualBench final : public Bench
 {
 public:
-    Channel &channel() override { return m_board.channel; }
-    void pullCable() override { std::ignore = m_board.port.change(u"unplug=0"_s); }
-    void cancel() override { m_board.channel.cancelAfter(0s); }
+    explicit VirtualBench(const Family &family)
+        : m_port(findSimulatedFamily(allSimulatedFamilies(), family.key)->makeBoard({}), {}, {})
+        , m_channel(m_port, family.makeFramer(), family.timing)
+    {
+    }
+    Channel &channel() override { return m_channel; }
+    void pullCable() override { std::ignore = m_port.change(u"unplug=0"_s); }
+    void cancel() override { m_channel.cancelAfter(0s); }
 
 private:
-    VirtualBoard m_board;
+    SimulatedPort m_port;
+    VirtualChannel m_channel;
 };
 
 class SessionBench final : public Bench
 {
 public:
-    SessionBench()
-        : m_links(allLinks())
+    explicit SessionBench(const Family &family)
+        : m_address(LinkAddress::parse(u"sim:%1?seed=77"_s.arg(family.key)).value())
+        , m_links(allLinks())
         , m_session(new Session(m_links.transports))
     {
         m_session->moveToThread(&m_thread);
@@ -48,7 +69,6 @@ public:
         m_channel = std::make_unique<SessionChannel>(*m_session, m_control,
                                                      SessionChannel::Hooks{[](const Progress &) {}, {}},
                                                      SessionChannel::Link::NotYet);
-        const Family family = sbgcFamily();
         if (!m_channel->open(m_address, family.makeFramer(), family.timing))
             qFatal("no link");
     }
@@ -63,7 +83,7 @@ public:
     void cancel() override { m_control->cancel(); }
 
 private:
-    const LinkAddress m_address = LinkAddress::parse(u"sim:simplebgc?seed=77"_s).value();
+    const LinkAddress m_address;
     Links m_links;
     QThread m_thread;
     Session *m_session;
@@ -71,9 +91,18 @@ private:
     std::unique_ptr<SessionChannel> m_channel;
 };
 
-Request boardInfo()
+/// A question that every board of this family answers.
+Request question(const QString &family)
 {
-    return replyRequest(CommandId::BoardInfo, {}, CommandId::BoardInfo, 18, 1);
+#if GIMBAL_WITH_SIMPLEBGC
+    if (family == u"simplebgc"_s)
+        return sbgc::replyRequest(sbgc::CommandId::BoardInfo, {}, sbgc::CommandId::BoardInfo, 18, 1);
+#endif
+#if GIMBAL_WITH_STORM32
+    if (family == u"storm32"_s)
+        return storm32::simpleRequest(storm32::Simple::Version);
+#endif
+    qFatal("no question for %s", qPrintable(family));
 }
 
 }  // namespace
@@ -92,23 +121,32 @@ private slots:
 private:
     static void kinds()
     {
+        QTest::addColumn<QString>("family");
         QTest::addColumn<bool>("production");
-        QTest::newRow("session") << true;
-        QTest::newRow("virtual") << false;
+        for (const Family &family : allFamilies()) {
+            QTest::addRow("session, %s", qPrintable(family.key)) << family.key << true;
+            QTest::addRow("virtual, %s", qPrintable(family.key)) << family.key << false;
+        }
     }
     static std::unique_ptr<Bench> make()
     {
+        QFETCH(QString, family);
         QFETCH(bool, production);
         if (production)
-            return std::make_unique<SessionBench>();
-        return std::make_unique<VirtualBench>();
+            return std::make_unique<SessionBench>(familyNamed(family));
+        return std::make_unique<VirtualBench>(familyNamed(family));
+    }
+    static Request askBoard()
+    {
+        QFETCH(QString, family);
+        return question(family);
     }
 };
 
 void TestChannels::transactsAndWaits()
 {
     const auto bench = make();
-    QVERIFY(bench->channel().transact(boardInfo()));
+    QVERIFY(bench->channel().transact(askBoard()));
     const TimePoint before = bench->channel().now();
     QVERIFY(bench->channel().sleep(120ms));
     QVERIFY(bench->channel().now() - before >= 120ms);
@@ -119,7 +157,7 @@ void TestChannels::transactsAndWaits()
 void TestChannels::everyWaitEndsWithTheLink()
 {
     const auto bench = make();
-    QVERIFY(bench->channel().transact(boardInfo()));
+    QVERIFY(bench->channel().transact(askBoard()));
     const auto mailbox = bench->channel().listen([](const FrameView &) { return false; });
     bench->pullCable();
     const TimePoint before = bench->channel().now();
@@ -128,20 +166,20 @@ void TestChannels::everyWaitEndsWithTheLink()
     QCOMPARE(slept.error().code, ErrorCode::LinkClosed);
     QVERIFY(bench->channel().now() - before < 30s);
     QCOMPARE(bench->channel().sleep(10ms).error().code, ErrorCode::LinkClosed);  // and stays so
-    QCOMPARE(bench->channel().transact(boardInfo()).error().code, ErrorCode::LinkClosed);
+    QCOMPARE(bench->channel().transact(askBoard()).error().code, ErrorCode::LinkClosed);
     QCOMPARE(mailbox->next(60s).error().code, ErrorCode::LinkClosed);
 }
 
 void TestChannels::everyWaitEndsWithTheJob()
 {
     const auto bench = make();
-    QVERIFY(bench->channel().transact(boardInfo()));
+    QVERIFY(bench->channel().transact(askBoard()));
     const auto mailbox = bench->channel().listen([](const FrameView &) { return false; });
     QVERIFY(!bench->channel().cancelled());
     bench->cancel();
     QVERIFY(bench->channel().cancelled());
     QCOMPARE(bench->channel().sleep(60s).error().code, ErrorCode::Cancelled);
-    QCOMPARE(bench->channel().transact(boardInfo()).error().code, ErrorCode::Cancelled);
+    QCOMPARE(bench->channel().transact(askBoard()).error().code, ErrorCode::Cancelled);
     QCOMPARE(mailbox->next(60s).error().code, ErrorCode::Cancelled);
 }
 

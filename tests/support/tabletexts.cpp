@@ -3,14 +3,18 @@
 //
 // Prints every text of the tables as a line that lupdate understands: tables hold plain literals, translated
 // in the context "Tables" where they are shown.
+#if GIMBAL_WITH_SIMPLEBGC
 #include "protocol/simplebgc/actions.h"
 #include "protocol/simplebgc/adjustables.h"
 #include "protocol/simplebgc/parametertables.h"
 #include "protocol/simplebgc/telemetrytables.h"
+#include "tests/support/virtualboard.h"
+#endif
+#if GIMBAL_WITH_STORM32
 #include "protocol/storm32/device.h"
 #include "protocol/storm32/parametertables.h"
 #include "protocol/storm32/telemetrytables.h"
-#include "tests/support/virtualboard.h"
+#endif
 
 #include <QMap>
 #include <QTextStream>
@@ -69,11 +73,9 @@ private:
     QMap<QString, int> m_texts;
 };
 
-}  // namespace
-
-int main()
+#if GIMBAL_WITH_SIMPLEBGC
+bool addSimpleBgc(Texts &texts)
 {
-    Texts texts;
     for (const ParameterRow &row : sbgc::parameterRows()) {
         for (const char *text : {row.label, row.group, row.help})
             texts.add(text);
@@ -97,12 +99,17 @@ int main()
     options.firmware = SbgcDevice::kNewestFirmware;
     VirtualBoard board(options);
     if (!board.identify())
-        return 1;
+        return false;
     texts.add(board.device.actions());
     for (const SteeringMode &mode : board.device.modes())
         texts.add(mode.label);
-    for (const char *axis : {"Roll", "Pitch", "Yaw"})
-        texts.add(axis);
+    return true;
+}
+#endif
+
+#if GIMBAL_WITH_STORM32
+void addStorm32(Texts &texts)
+{
     for (const auto rows : {storm32::parameterRows(), storm32::rawRows(95)}) {
         for (const ParameterRow &row : rows) {
             for (const char *text : {row.label, row.group, row.help})
@@ -122,6 +129,23 @@ int main()
     texts.add(storm.actions());
     for (const SteeringMode &mode : storm.modes())
         texts.add(mode.label);
+}
+#endif
+
+}  // namespace
+
+int main()
+{
+    Texts texts;
+#if GIMBAL_WITH_SIMPLEBGC
+    if (!addSimpleBgc(texts))
+        return 1;
+#endif
+#if GIMBAL_WITH_STORM32
+    addStorm32(texts);
+#endif
+    for (const char *axis : {"Roll", "Pitch", "Yaw"})
+        texts.add(axis);
     texts.print();
     return 0;
 }

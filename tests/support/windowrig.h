@@ -43,9 +43,10 @@ public:
         m_window.reset();
     }
 
-    bool open(const QString &address = QStringLiteral("sim:simplebgc"))
+    /// @param address by default a simulated board of the first family
+    bool open(const QString &address = {})
     {
-        m_window->openLink(address);
+        m_window->openLink(address.isEmpty() ? QStringLiteral("sim:") + m_families.first().key : address);
         return QTest::qWaitFor([this] { return client().isConnected() && !model().isEmpty(); }, 15000);
     }
     /// Waits until so many more seconds of samples have come from the board.

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/composition/composition.h"
 #include "protocol/client/connector.h"
 #include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/simplebgc/units.h"
-#include "protocol/storm32/device.h"
 #include "tests/support/virtualboard.h"
 
 #include <QTest>
@@ -33,8 +33,7 @@ QVariantMap argumentsFor(const SbgcDevice &device, const char *key, const QMap<Q
 
 Result<FoundBoard> find(VirtualBoard &bench, const LinkAddress &address)
 {
-    const QList<Family> known{sbgcFamily(), stormFamily()};
-    return findBoard(bench.channel, bench.family, bench.device, known, address);
+    return findBoard(bench.channel, bench.family, bench.device, allFamilies(), address);
 }
 
 Request fireAndForget(const QByteArray &bytes)
@@ -216,11 +215,13 @@ void TestSbgcDevice::explainsSilenceGarbageAndForeigners()
     garbage.port.board().receive(asBytes(encodeFrame(85, DataStream{25, 20, QByteArray(8, '\0')}.encode())));
     QCOMPARE(find(garbage, address).error().code, ErrorCode::Garbage);
 
-    const QList<Family> known{sbgcFamily(), stormFamily()};
+    const QList<Family> known = allFamilies();
+#if GIMBAL_WITH_STORM32
     // Two MAVLink heartbeats, one behind the other; a STorM32 answering every byte with e.
     const QByteArray heartbeat = hex("FE 09 00 01 01 00 00 00 00 00 1A 03 00 04 03 12 34");
     QCOMPARE(recogniseProtocol(known, heartbeat + heartbeat), u"MAVLink"_s);
     QCOMPARE(recogniseProtocol(known, "eeeee"), u"STorM32"_s);
+#endif
     QCOMPARE(recogniseProtocol(known, hex("3E 56 00")), QString());
 }
 

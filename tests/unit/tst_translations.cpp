@@ -12,6 +12,13 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+// Of the families that the program was built with.
+#if GIMBAL_WITH_SIMPLEBGC
+constexpr int kMinTableTexts = 900;
+#else
+constexpr int kMinTableTexts = 450;
+#endif
+
 struct Message
 {
     QString context;
@@ -131,7 +138,7 @@ void TestTranslations::everyTableTextIsThere()
         QVERIFY2(known.contains(source), qPrintable(source + u" (run translations/update)"_s));
         ++count;
     }
-    QVERIFY(count > 900);
+    QVERIFY(count > kMinTableTexts);
 }
 
 void TestTranslations::everyHelpTextHasBothLanguages()

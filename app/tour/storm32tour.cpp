@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tour's steps with a board of another family: the pages that only it has, and how the others fill
-// themselves.
+// The tour's steps with a STorM32 board: the pages that only it has, and how the others fill themselves.
+#if GIMBAL_WITH_STORM32
 #include "app/families/storm32/sensorpage.h"
 #include "app/families/storm32/setuppage.h"
 #include "app/mainwindow/mainwindow.h"
@@ -292,3 +292,4 @@ void Tour::addFamilyBoardSteps(const QString &family)
                     {},
                     true});
 }
+#endif
