@@ -39,6 +39,7 @@ enum class ErrorCode {
     NotProven,  ///< commands were sent, and nothing the board tells proves that they took effect
     Busy,  ///< another job of the same kind is running
 };
+inline constexpr std::size_t kErrorCodes = std::size_t(ErrorCode::Busy) + 1;
 
 /// An error as a value: a code, details for experts and, for BoardError, the board's own number.
 struct Error

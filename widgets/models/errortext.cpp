@@ -4,6 +4,8 @@
 
 #include <QCoreApplication>
 
+#include <array>
+
 using namespace Qt::StringLiterals;
 
 namespace {
@@ -13,6 +15,142 @@ class Words
 {
     Q_DECLARE_TR_FUNCTIONS(ErrorText)
 };
+
+/// What the operator reads of one code.
+struct ErrorRow
+{
+    ErrorCode code;
+    const char *what;
+    const char *meaning = nullptr;  ///< for the gimbal
+    const char *cure = nullptr;
+};
+
+// clang-format off
+constexpr auto kErrors = std::to_array<ErrorRow>({
+    {ErrorCode::Cancelled,
+     QT_TRANSLATE_NOOP("ErrorText", "Cancelled.")},
+    {ErrorCode::Timeout,
+     QT_TRANSLATE_NOOP("ErrorText", "The board did not answer in time."),
+     QT_TRANSLATE_NOOP("ErrorText", "It may be busy, restarting, or the cable may be disturbed."),
+     QT_TRANSLATE_NOOP("ErrorText", "Try again; if it stays so, check cable and power.")},
+    {ErrorCode::LinkClosed,
+     QT_TRANSLATE_NOOP("ErrorText", "The link to the board broke."),
+     QT_TRANSLATE_NOOP("ErrorText", "The board keeps doing what it did."),
+     QT_TRANSLATE_NOOP("ErrorText", "Check cable and power; the program connects again by itself.")},
+    {ErrorCode::PortNotFound,
+     QT_TRANSLATE_NOOP("ErrorText", "There is no such port."),
+     QT_TRANSLATE_NOOP("ErrorText", "The adapter is not plugged in, or it has another name now."),
+     QT_TRANSLATE_NOOP("ErrorText", "Plug it in and choose it from the list.")},
+    {ErrorCode::NoPermission,
+     QT_TRANSLATE_NOOP("ErrorText", "You may not open this port."),
+     QT_TRANSLATE_NOOP("ErrorText", "On Linux, serial ports belong to the group dialout."),
+     QT_TRANSLATE_NOOP("ErrorText", "Run “sudo usermod -aG dialout $USER”, then log in anew.")},
+    {ErrorCode::PortBusy,
+     QT_TRANSLATE_NOOP("ErrorText", "Another program holds this port."),
+     QT_TRANSLATE_NOOP("ErrorText", "Only one program can talk to a board at a time."),
+     QT_TRANSLATE_NOOP("ErrorText", "Close the other program (ModemManager is a usual suspect), then connect again.")},
+    {ErrorCode::HostUnreachable,
+     QT_TRANSLATE_NOOP("ErrorText", "Nothing answers at this network address."),
+     nullptr,
+     QT_TRANSLATE_NOOP("ErrorText", "Check address and port, and that the bridge or simulator is running.")},
+    {ErrorCode::Silent,
+     QT_TRANSLATE_NOOP("ErrorText", "The port is open, but no board answers."),
+     QT_TRANSLATE_NOOP("ErrorText", "All rates and parities were tried."),
+     QT_TRANSLATE_NOOP("ErrorText", "Check that the board has power, that RX and TX are crossed, and that this is the right port.")},
+    {ErrorCode::Garbage,
+     QT_TRANSLATE_NOOP("ErrorText", "Bytes arrive, but they make no sense."),
+     QT_TRANSLATE_NOOP("ErrorText", "The rate is unknown, the cable is disturbed, or it is another kind of device."),
+     QT_TRANSLATE_NOOP("ErrorText", "Check cable and ground, and that this is the gimbal's port.")},
+    {ErrorCode::WrongProtocol,
+     QT_TRANSLATE_NOOP("ErrorText", "This device speaks another protocol."),
+     QT_TRANSLATE_NOOP("ErrorText", "It is not a board of the chosen family."),
+     QT_TRANSLATE_NOOP("ErrorText", "Choose the right family, or another port.")},
+    {ErrorCode::ReadOnly,
+     QT_TRANSLATE_NOOP("ErrorText", "This board is open for reading only."),
+     QT_TRANSLATE_NOOP("ErrorText", "It is a recording, or its firmware or this value must not be written by this version of the program."),
+     QT_TRANSLATE_NOOP("ErrorText", "Connect the board itself, update the program, or change the value with the board maker's tool.")},
+    {ErrorCode::Damaged,
+     QT_TRANSLATE_NOOP("ErrorText", "The command reached the board damaged."),
+     QT_TRANSLATE_NOOP("ErrorText", "The board threw it away, also when it was repeated; nothing was changed by it."),
+     QT_TRANSLATE_NOOP("ErrorText", "The line is disturbed: check cable, ground and rate, then try again.")},
+    {ErrorCode::BoardError,
+     QT_TRANSLATE_NOOP("ErrorText", "The board refused."),
+     QT_TRANSLATE_NOOP("ErrorText", "Nothing was changed by this command.")},
+    {ErrorCode::BadReply,
+     QT_TRANSLATE_NOOP("ErrorText", "The board's answer is not what its document promises."),
+     nullptr,
+     QT_TRANSLATE_NOOP("ErrorText", "Try again; if it stays so, the firmware is not supported.")},
+    {ErrorCode::InvalidArgument,
+     QT_TRANSLATE_NOOP("ErrorText", "That does not make sense.")},
+    {ErrorCode::OutOfRange,
+     QT_TRANSLATE_NOOP("ErrorText", "The value is outside its range."),
+     QT_TRANSLATE_NOOP("ErrorText", "Nothing was changed.")},
+    {ErrorCode::Unsupported,
+     QT_TRANSLATE_NOOP("ErrorText", "This board cannot do that.")},
+    {ErrorCode::Conflict,
+     QT_TRANSLATE_NOOP("ErrorText", "Somebody else changed the board since it was read."),
+     QT_TRANSLATE_NOOP("ErrorText", "Nothing was written."),
+     QT_TRANSLATE_NOOP("ErrorText", "Read the board again, look at the differences, then write.")},
+    {ErrorCode::VerifyFailed,
+     QT_TRANSLATE_NOOP("ErrorText", "The board does not hold what was written."),
+     QT_TRANSLATE_NOOP("ErrorText", "The old values were put back as far as the board let us."),
+     QT_TRANSLATE_NOOP("ErrorText", "Look at the report; try again, or restore the snapshot.")},
+    {ErrorCode::BadFile,
+     QT_TRANSLATE_NOOP("ErrorText", "The file cannot be used.")},
+    {ErrorCode::NotConnected,
+     QT_TRANSLATE_NOOP("ErrorText", "No board is connected."),
+     nullptr,
+     QT_TRANSLATE_NOOP("ErrorText", "Connect one, or try the simulated gimbal.")},
+    {ErrorCode::NoBackup,
+     QT_TRANSLATE_NOOP("ErrorText", "No safety copy could be made."),
+     QT_TRANSLATE_NOOP("ErrorText", "Therefore nothing was changed."),
+     QT_TRANSLATE_NOOP("ErrorText", "Check that the disk has space and that the folder may be written.")},
+    {ErrorCode::TooMuch,
+     QT_TRANSLATE_NOOP("ErrorText", "The line cannot carry so much."),
+     QT_TRANSLATE_NOOP("ErrorText", "Samples would be lost; nothing was changed."),
+     QT_TRANSLATE_NOOP("ErrorText", "Ask for fewer channels, a lower rate, or set a faster serial speed.")},
+    {ErrorCode::Unready,
+     QT_TRANSLATE_NOOP("ErrorText", "The test could not be made."),
+     QT_TRANSLATE_NOOP("ErrorText", "The camera has to be held by running motors, and live data has to come."),
+     QT_TRANSLATE_NOOP("ErrorText", "Switch the motors on, let the camera settle, then try again.")},
+    {ErrorCode::ConditionUnmet,
+     QT_TRANSLATE_NOOP("ErrorText", "The board is not in the state that this action needs."),
+     QT_TRANSLATE_NOOP("ErrorText", "Nothing was sent to it."),
+     QT_TRANSLATE_NOOP("ErrorText", "The details say what has to be so first.")},
+    {ErrorCode::NotSeen,
+     QT_TRANSLATE_NOOP("ErrorText", "What was waited for did not come."),
+     QT_TRANSLATE_NOOP("ErrorText", "This step was given up; nothing was stored."),
+     QT_TRANSLATE_NOOP("ErrorText", "The details say what was missing. Put it right and do the step again.")},
+    {ErrorCode::NotRestored,
+     QT_TRANSLATE_NOOP("ErrorText", "The values that were in use could not be put back."),
+     QT_TRANSLATE_NOOP("ErrorText", "The board uses its stored values now; nothing that is stored was changed."),
+     QT_TRANSLATE_NOOP("ErrorText", "The details list what was in use. Set it again if you want to keep it.")},
+    {ErrorCode::Diverged,
+     QT_TRANSLATE_NOOP("ErrorText", "The axis did not follow; the motors were switched off."),
+     QT_TRANSLATE_NOOP("ErrorText", "It moved further than the test allows."),
+     QT_TRANSLATE_NOOP("ErrorText", "Lower the gains or make the movement smaller, then switch the motors on again.")},
+    {ErrorCode::NotProven,
+     QT_TRANSLATE_NOOP("ErrorText", "The board did not confirm that the motors are off."),
+     QT_TRANSLATE_NOOP("ErrorText", "They may still be running."),
+     QT_TRANSLATE_NOOP("ErrorText", "Hold the camera and disconnect the power.")},
+    {ErrorCode::Busy,
+     QT_TRANSLATE_NOOP("ErrorText", "Another job is still running."),
+     nullptr,
+     QT_TRANSLATE_NOOP("ErrorText", "Wait for it or cancel it.")},
+});
+// clang-format on
+
+constexpr bool everyCodeHasItsRow()
+{
+    if (kErrors.size() != kErrorCodes)
+        return false;
+    for (std::size_t i = 0; i < kErrors.size(); ++i) {
+        if (std::size_t(kErrors[i].code) != i)
+            return false;
+    }
+    return true;
+}
+static_assert(everyCodeHasItsRow(), "one row for each code, in the order of ErrorCode");
 
 }  // namespace
 
@@ -31,146 +169,9 @@ QString ErrorText::oneLine() const
 
 ErrorText describe(const Error &error)
 {
-    ErrorText text;
-    text.detail = error.detail;
-    switch (error.code) {
-    case ErrorCode::Cancelled: text.what = Words::tr("Cancelled."); break;
-    case ErrorCode::Timeout:
-        text.what = Words::tr("The board did not answer in time.");
-        text.meaning = Words::tr("It may be busy, restarting, or the cable may be disturbed.");
-        text.cure = Words::tr("Try again; if it stays so, check cable and power.");
-        break;
-    case ErrorCode::LinkClosed:
-        text.what = Words::tr("The link to the board broke.");
-        text.meaning = Words::tr("The board keeps doing what it did.");
-        text.cure = Words::tr("Check cable and power; the program connects again by itself.");
-        break;
-    case ErrorCode::PortNotFound:
-        text.what = Words::tr("There is no such port.");
-        text.meaning = Words::tr("The adapter is not plugged in, or it has another name now.");
-        text.cure = Words::tr("Plug it in and choose it from the list.");
-        break;
-    case ErrorCode::NoPermission:
-        text.what = Words::tr("You may not open this port.");
-        text.meaning = Words::tr("On Linux, serial ports belong to the group dialout.");
-        text.cure = Words::tr("Run “sudo usermod -aG dialout $USER”, then log in anew.");
-        break;
-    case ErrorCode::PortBusy:
-        text.what = Words::tr("Another program holds this port.");
-        text.meaning = Words::tr("Only one program can talk to a board at a time.");
-        text.cure
-            = Words::tr("Close the other program (ModemManager is a usual suspect), then connect again.");
-        break;
-    case ErrorCode::HostUnreachable:
-        text.what = Words::tr("Nothing answers at this network address.");
-        text.cure = Words::tr("Check address and port, and that the bridge or simulator is running.");
-        break;
-    case ErrorCode::Silent:
-        text.what = Words::tr("The port is open, but no board answers.");
-        text.meaning = Words::tr("All rates and parities were tried.");
-        text.cure = Words::tr(
-            "Check that the board has power, that RX and TX are crossed, and that this is the right port.");
-        break;
-    case ErrorCode::Garbage:
-        text.what = Words::tr("Bytes arrive, but they make no sense.");
-        text.meaning
-            = Words::tr("The rate is unknown, the cable is disturbed, or it is another kind of device.");
-        text.cure = Words::tr("Check cable and ground, and that this is the gimbal's port.");
-        break;
-    case ErrorCode::WrongProtocol:
-        text.what = Words::tr("This device speaks another protocol.");
-        text.meaning = Words::tr("It is not a board of the chosen family.");
-        text.cure = Words::tr("Choose the right family, or another port.");
-        break;
-    case ErrorCode::ReadOnly:
-        text.what = Words::tr("This board is open for reading only.");
-        text.meaning = Words::tr("It is a recording, or its firmware or this value must not be written by "
-                                 "this version of the program.");
-        text.cure = Words::tr(
-            "Connect the board itself, update the program, or change the value with the board maker's tool.");
-        break;
-    case ErrorCode::Damaged:
-        text.what = Words::tr("The command reached the board damaged.");
-        text.meaning
-            = Words::tr("The board threw it away, also when it was repeated; nothing was changed by it.");
-        text.cure = Words::tr("The line is disturbed: check cable, ground and rate, then try again.");
-        break;
-    case ErrorCode::BoardError:
-        text.what = Words::tr("The board refused.");
-        text.meaning = Words::tr("Nothing was changed by this command.");
-        break;
-    case ErrorCode::BadReply:
-        text.what = Words::tr("The board's answer is not what its document promises.");
-        text.cure = Words::tr("Try again; if it stays so, the firmware is not supported.");
-        break;
-    case ErrorCode::InvalidArgument: text.what = Words::tr("That does not make sense."); break;
-    case ErrorCode::OutOfRange:
-        text.what = Words::tr("The value is outside its range.");
-        text.meaning = Words::tr("Nothing was changed.");
-        break;
-    case ErrorCode::Unsupported: text.what = Words::tr("This board cannot do that."); break;
-    case ErrorCode::Conflict:
-        text.what = Words::tr("Somebody else changed the board since it was read.");
-        text.meaning = Words::tr("Nothing was written.");
-        text.cure = Words::tr("Read the board again, look at the differences, then write.");
-        break;
-    case ErrorCode::VerifyFailed:
-        text.what = Words::tr("The board does not hold what was written.");
-        text.meaning = Words::tr("The old values were put back as far as the board let us.");
-        text.cure = Words::tr("Look at the report; try again, or restore the snapshot.");
-        break;
-    case ErrorCode::BadFile: text.what = Words::tr("The file cannot be used."); break;
-    case ErrorCode::NotConnected:
-        text.what = Words::tr("No board is connected.");
-        text.cure = Words::tr("Connect one, or try the simulated gimbal.");
-        break;
-    case ErrorCode::NoBackup:
-        text.what = Words::tr("No safety copy could be made.");
-        text.meaning = Words::tr("Therefore nothing was changed.");
-        text.cure = Words::tr("Check that the disk has space and that the folder may be written.");
-        break;
-    case ErrorCode::TooMuch:
-        text.what = Words::tr("The line cannot carry so much.");
-        text.meaning = Words::tr("Samples would be lost; nothing was changed.");
-        text.cure = Words::tr("Ask for fewer channels, a lower rate, or set a faster serial speed.");
-        break;
-    case ErrorCode::Unready:
-        text.what = Words::tr("The test could not be made.");
-        text.meaning = Words::tr("The camera has to be held by running motors, and live data has to come.");
-        text.cure = Words::tr("Switch the motors on, let the camera settle, then try again.");
-        break;
-    case ErrorCode::ConditionUnmet:
-        text.what = Words::tr("The board is not in the state that this action needs.");
-        text.meaning = Words::tr("Nothing was sent to it.");
-        text.cure = Words::tr("The details say what has to be so first.");
-        break;
-    case ErrorCode::NotSeen:
-        text.what = Words::tr("What was waited for did not come.");
-        text.meaning = Words::tr("This step was given up; nothing was stored.");
-        text.cure = Words::tr("The details say what was missing. Put it right and do the step again.");
-        break;
-    case ErrorCode::NotRestored:
-        text.what = Words::tr("The values that were in use could not be put back.");
-        text.meaning = Words::tr("The board uses its stored values now; nothing that is stored was changed.");
-        text.cure = Words::tr("The details list what was in use. Set it again if you want to keep it.");
-        break;
-    case ErrorCode::Diverged:
-        text.what = Words::tr("The axis did not follow; the motors were switched off.");
-        text.meaning = Words::tr("It moved further than the test allows.");
-        text.cure
-            = Words::tr("Lower the gains or make the movement smaller, then switch the motors on again.");
-        break;
-    case ErrorCode::NotProven:
-        text.what = Words::tr("The board did not confirm that the motors are off.");
-        text.meaning = Words::tr("They may still be running.");
-        text.cure = Words::tr("Hold the camera and disconnect the power.");
-        break;
-    case ErrorCode::Busy:
-        text.what = Words::tr("Another job is still running.");
-        text.cure = Words::tr("Wait for it or cancel it.");
-        break;
-    }
-    return text;
+    const ErrorRow &row = kErrors.at(std::size_t(error.code));
+    const auto words = [](const char *text) { return text ? Words::tr(text) : QString(); };
+    return {words(row.what), words(row.meaning), words(row.cure), error.detail};
 }
 
 QString describe(const Progress &progress)
