@@ -2229,6 +2229,57 @@
     </message>
 </context>
 <context>
+    <name>MovementForm</name>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> Hz</source>
+        <translation> Hz</translation>
+    </message>
+    <message>
+        <source>How far the axis is moved; as small as still can be told from its noise</source>
+        <translation>Wie weit die Achse bewegt wird; so klein, wie es sich von ihrem Rauschen noch unterscheidet</translation>
+    </message>
+    <message>
+        <source>Further than this beyond the movement itself, and the motors are switched off</source>
+        <translation>Geht es weiter als so viel über die Bewegung hinaus, werden die Motoren ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Movement</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Sprünge</translation>
+    </message>
+    <message>
+        <source>Rest between</source>
+        <translation>Ruhe dazwischen</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Stop beyond</source>
+        <translation>Abbruch ab</translation>
+    </message>
+</context>
+<context>
     <name>Navigation</name>
     <message>
         <source>Pages</source>
@@ -2788,6 +2839,53 @@
     </message>
 </context>
 <context>
+    <name>ResponseCharts</name>
+    <message>
+        <source>Step response</source>
+        <translation>Sprungantwort</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Coherence</source>
+        <translation>Kohärenz</translation>
+    </message>
+    <message>
+        <source>Arm, then Start: the axis steps to and fro, and here is how it arrives.</source>
+        <translation>Scharf schalten, dann Start: die Achse springt hin und her, und hier steht, wie sie ankommt.</translation>
+    </message>
+    <message>
+        <source>Arm, then Start: the axis sways ever faster, and here is how it follows.</source>
+        <translation>Scharf schalten, dann Start: die Achse schwingt immer schneller, und hier steht, wie sie folgt.</translation>
+    </message>
+    <message>
+        <source>%g ms</source>
+        <translation>%g ms</translation>
+    </message>
+    <message>
+        <source>Share of the way</source>
+        <translation>Anteil des Weges</translation>
+    </message>
+    <message>
+        <source>%g Hz</source>
+        <translation>%g Hz</translation>
+    </message>
+    <message>
+        <source>Gain, dB</source>
+        <translation>Verstärkung, dB</translation>
+    </message>
+    <message>
+        <source>Phase, °</source>
+        <translation>Phase, °</translation>
+    </message>
+</context>
+<context>
     <name>ResponsePage</name>
     <message>
         <source>%1 ms</source>
@@ -2804,22 +2902,6 @@
     <message>
         <source>Start</source>
         <translation>Start</translation>
-    </message>
-    <message>
-        <source>Step response</source>
-        <translation>Sprungantwort</translation>
-    </message>
-    <message>
-        <source>Gain</source>
-        <translation>Verstärkung</translation>
-    </message>
-    <message>
-        <source>Phase</source>
-        <translation>Phase</translation>
-    </message>
-    <message>
-        <source>Coherence</source>
-        <translation>Kohärenz</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -2882,64 +2964,12 @@
         <translation>Messung in %1 gespeichert</translation>
     </message>
     <message>
-        <source>Arm, then Start: the axis steps to and fro, and here is how it arrives.</source>
-        <translation>Scharf schalten, dann Start: die Achse springt hin und her, und hier steht, wie sie ankommt.</translation>
-    </message>
-    <message>
-        <source>Arm, then Start: the axis sways ever faster, and here is how it follows.</source>
-        <translation>Scharf schalten, dann Start: die Achse schwingt immer schneller, und hier steht, wie sie folgt.</translation>
-    </message>
-    <message>
         <source>Measurements</source>
         <translation>Messungen</translation>
     </message>
     <message>
         <source>Movement</source>
         <translation>Bewegung</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>How far the axis is moved; as small as still can be told from its noise</source>
-        <translation>Wie weit die Achse bewegt wird; so klein, wie es sich von ihrem Rauschen noch unterscheidet</translation>
-    </message>
-    <message>
-        <source> s</source>
-        <translation> s</translation>
-    </message>
-    <message>
-        <source> Hz</source>
-        <translation> Hz</translation>
-    </message>
-    <message>
-        <source>Further than this beyond the movement itself, and the motors are switched off</source>
-        <translation>Geht es weiter als so viel über die Bewegung hinaus, werden die Motoren ausgeschaltet</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Sprünge</translation>
-    </message>
-    <message>
-        <source>Rest between</source>
-        <translation>Ruhe dazwischen</translation>
-    </message>
-    <message>
-        <source>From</source>
-        <translation>Von</translation>
-    </message>
-    <message>
-        <source>To</source>
-        <translation>Bis</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Dauer</translation>
-    </message>
-    <message>
-        <source>Stop beyond</source>
-        <translation>Abbruch ab</translation>
     </message>
     <message>
         <source>Progress of the test</source>
@@ -3048,26 +3078,6 @@
     <message>
         <source>%1 Hz</source>
         <translation>%1 Hz</translation>
-    </message>
-    <message>
-        <source>%g ms</source>
-        <translation>%g ms</translation>
-    </message>
-    <message>
-        <source>Share of the way</source>
-        <translation>Anteil des Weges</translation>
-    </message>
-    <message>
-        <source>%g Hz</source>
-        <translation>%g Hz</translation>
-    </message>
-    <message>
-        <source>Gain, dB</source>
-        <translation>Verstärkung, dB</translation>
-    </message>
-    <message>
-        <source>Phase, °</source>
-        <translation>Phase, °</translation>
     </message>
     <message>
         <source>The file does not tell its rate; %1 samples/s are assumed.</source>

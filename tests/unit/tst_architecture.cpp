@@ -104,9 +104,7 @@ const QStringList &knownRings()
 // Longer than kMaxLines until they are parted.
 const QStringList &longFiles()
 {
-    static const QStringList list{
-        u"app/pages/tune/responsepage.cpp"_s,
-    };
+    static const QStringList list{};
     return list;
 }
 

@@ -2,22 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/tune/responsepage.h"
 
+#include "app/pages/tune/movementform.h"
+#include "app/pages/tune/responsecharts.h"
 #include "protocol/record/responsecsv.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/views/card.h"
 
 #include <QComboBox>
 #include <QDateTime>
-#include <QDoubleSpinBox>
 #include <QFileInfo>
-#include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSaveFile>
-#include <QSpinBox>
-#include <QStackedWidget>
 #include <QStandardItemModel>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -40,32 +38,18 @@ QString msText(std::optional<double> seconds)
     return seconds ? ResponsePage::tr("%1 ms").arg(*seconds * 1000.0, 0, 'f', 0) : u"–"_s;
 }
 
-QDoubleSpinBox *makeField(double low, double high, double value, int decimals, const QString &suffix)
-{
-    auto *field = new QDoubleSpinBox;
-    field->setRange(low, high);
-    field->setDecimals(decimals);
-    field->setSingleStep(decimals ? 0.1 : 1);
-    field->setValue(value);
-    field->setSuffix(suffix);
-    return field;
-}
-
 }  // namespace
 
 ResponsePage::ResponsePage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"response"_s, tr("Response"), parent)
     , m_way(new QComboBox)
     , m_axis(new QComboBox)
+    , m_movement(new MovementForm)
     , m_state(new QLabel)
     , m_arm(new QPushButton(tr("Arm")))
     , m_start(new QPushButton(tr("Start")))
     , m_progress(new QProgressBar)
-    , m_pictures(new QStackedWidget)
-    , m_steps(new CurveChart(workspace.theme(), tr("Step response")))
-    , m_gain(new CurveChart(workspace.theme(), tr("Gain")))
-    , m_phase(new CurveChart(workspace.theme(), tr("Phase")))
-    , m_coherence(new CurveChart(workspace.theme(), tr("Coherence")))
+    , m_charts(new ResponseCharts(workspace.theme()))
     , m_model(new QStandardItemModel(this))
     , m_table(new QTableView)
     , m_remove(new QPushButton(tr("Remove")))
@@ -92,7 +76,7 @@ ResponsePage::ResponsePage(Workspace &workspace, QWidget *parent)
 
     auto *left = new QVBoxLayout;
     left->setSpacing(Metric::kGroupGap);
-    makePictures(left);
+    makeResults(left);
     auto *right = new QVBoxLayout;
     makeMovementCard(right);
     right->addStretch(1);
@@ -116,8 +100,7 @@ ResponsePage::ResponsePage(Workspace &workspace, QWidget *parent)
             return;
         m_records[*place].shown = item->checkState() == Qt::Checked;
         m_records[*place].name = item->text();
-        drawSteps();
-        drawBode();
+        m_charts->setRecords(m_records);
     });
     connect(import, &QPushButton::clicked, this, [this] {
         askOpenPath(tr("Import a measurement"), tr("Text files (*.csv *.txt);;All files (*)"),
@@ -148,21 +131,9 @@ ResponsePage::ResponsePage(Workspace &workspace, QWidget *parent)
     onWay();
 }
 
-void ResponsePage::makePictures(QVBoxLayout *column)
+void ResponsePage::makeResults(QVBoxLayout *column)
 {
-    auto *bode = new QWidget;
-    auto *charts = new QVBoxLayout(bode);
-    charts->setContentsMargins(0, 0, 0, 0);
-    charts->setSpacing(2);
-    charts->addWidget(m_gain, 4);
-    charts->addWidget(m_phase, 4);
-    charts->addWidget(m_coherence, 3);
-    m_coherence->setMinimumHeight(110);
-    m_steps->setHint(tr("Arm, then Start: the axis steps to and fro, and here is how it arrives."));
-    m_gain->setHint(tr("Arm, then Start: the axis sways ever faster, and here is how it follows."));
-    m_pictures->addWidget(m_steps);
-    m_pictures->addWidget(bode);
-    column->addWidget(m_pictures, 3);
+    column->addWidget(m_charts, 3);
     auto *card = new Card(tr("Measurements"));
     m_table->setAccessibleName(tr("Measurements"));
     m_table->verticalHeader()->hide();
@@ -185,32 +156,7 @@ void ResponsePage::makeMovementCard(QVBoxLayout *column)
 {
     auto *card = new Card(tr("Movement"));
     card->setFixedWidth(kMovementWidth);
-    m_degrees = makeField(0.2, MotionTestPlan::kMaxDegrees, 2, 1, tr("°"));
-    m_degrees->setToolTip(tr("How far the axis is moved; as small as still can be told from its noise"));
-    m_count = new QSpinBox;
-    m_count->setRange(2, 40);
-    m_count->setValue(6);
-    m_count->setSingleStep(2);
-    m_rest = makeField(0.3, 5, 1, 1, tr(" s"));
-    m_from = makeField(0.1, 20, 0.5, 1, tr(" Hz"));
-    m_to = makeField(1, 20, 15, 1, tr(" Hz"));
-    m_seconds = makeField(5, 120, 20, 0, tr(" s"));
-    m_limit = makeField(0.5, 20, 4, 1, tr("°"));
-    m_limit->setToolTip(tr("Further than this beyond the movement itself, and the motors are switched off"));
-    m_form = new QFormLayout;
-    m_form->addRow(tr("Movement"), m_degrees);
-    m_form->addRow(tr("Steps"), m_count);
-    m_form->addRow(tr("Rest between"), m_rest);
-    m_form->addRow(tr("From"), m_from);
-    m_form->addRow(tr("To"), m_to);
-    m_form->addRow(tr("Duration"), m_seconds);
-    m_form->addRow(tr("Stop beyond"), m_limit);
-    for (QWidget *field :
-         {static_cast<QWidget *>(m_degrees), static_cast<QWidget *>(m_count), static_cast<QWidget *>(m_rest),
-          static_cast<QWidget *>(m_from), static_cast<QWidget *>(m_to), static_cast<QWidget *>(m_seconds),
-          static_cast<QWidget *>(m_limit)})
-        field->setAccessibleName(static_cast<QLabel *>(m_form->labelForField(field))->text());
-    card->content()->addLayout(m_form);
+    card->content()->addLayout(m_movement);
     m_state->setWordWrap(true);
     card->content()->addWidget(m_state);
     m_progress->setRange(0, 100);
@@ -264,37 +210,22 @@ ResponseRecord::Kind ResponsePage::kind() const
     return way() == Way::Steps ? ResponseRecord::Kind::Steps : ResponseRecord::Kind::Frequency;
 }
 
-MotionTestPlan ResponsePage::plan() const
+std::optional<MotionTestPlan::Kind> ResponsePage::testKind() const
 {
-    MotionTestPlan plan;
-    plan.kind = way() == Way::Steps ? MotionTestPlan::Kind::Steps : MotionTestPlan::Kind::Sweep;
-    plan.axis = axis();
-    plan.degrees = m_degrees->value();
-    plan.steps = m_count->value();
-    plan.rest = m_rest->value();
-    plan.fromHz = m_from->value();
-    plan.toHz = m_to->value();
-    plan.sweepSeconds = m_seconds->value();
-    plan.limit = m_limit->value();
-    return plan;
+    switch (way()) {
+    case Way::Steps: return MotionTestPlan::Kind::Steps;
+    case Way::Sweep: return MotionTestPlan::Kind::Sweep;
+    case Way::OwnMotion: break;
+    }
+    return {};
 }
 
 void ResponsePage::onWay()
 {
     const Way now = way();
-    const auto show = [this](QWidget *field, bool visible) {
-        field->setVisible(visible);
-        m_form->labelForField(field)->setVisible(visible);
-    };
-    show(m_degrees, now != Way::OwnMotion);
-    show(m_count, now == Way::Steps);
-    show(m_rest, now == Way::Steps);
-    show(m_from, now == Way::Sweep);
-    show(m_to, now == Way::Sweep);
-    show(m_seconds, now != Way::Steps);
-    show(m_limit, now != Way::OwnMotion);
+    m_movement->showFor(testKind());
     m_arm->setVisible(now != Way::OwnMotion);
-    m_pictures->setCurrentIndex(now == Way::Steps ? 0 : 1);
+    m_charts->showKind(kind());
     setArmed(false);
     showRecords();
 }
@@ -317,11 +248,11 @@ void ResponsePage::setArmed(bool armed)
     else if (m_running)
         m_state->setText(tr("The axis is being moved. Keep your hands off the camera."));
     else if (armed && tellsTargets())
-        m_state->setText(tr("Armed: Start moves the axis by %1°. Keep clear.").arg(m_degrees->value()));
+        m_state->setText(tr("Armed: Start moves the axis by %1°. Keep clear.").arg(m_movement->degrees()));
     else if (armed)
         m_state->setText(
             tr("Armed: Start brings the camera to its middle, then moves the axis by %1°. Keep clear.")
-                .arg(m_degrees->value()));
+                .arg(m_movement->degrees()));
     else
         m_state->setText(tr("Not armed: nothing moves. The motors must run and hold the camera."));
     m_state->setObjectName(armed || m_running ? u"warning"_s : u"muted"_s);
@@ -348,7 +279,8 @@ void ResponsePage::start()
         workspace().client().cancelMovingJobs();
         return;
     }
-    if (way() == Way::OwnMotion) {
+    const auto test = testKind();
+    if (!test) {
         measureOwnMotion();
         return;
     }
@@ -358,8 +290,8 @@ void ResponsePage::start()
     workspace()
         .client()
         .submit<MotionTestResult>(
-            [wanted = plan(), telemetry = workspace().client().telemetry()](Channel &channel,
-                                                                            Device &device) {
+            [wanted = m_movement->plan(*test, axis()),
+             telemetry = workspace().client().telemetry()](Channel &channel, Device &device) {
                 return measureMotion(channel, device, *telemetry, wanted);
             },
             DeviceClient::JobKind::Moving)
@@ -409,8 +341,8 @@ void ResponsePage::measureOwnMotion()
         return;
     }
     const double end = tracks.back().time(tracks.back().end() - 1);
-    const auto target = uniformSamples(*store, wanted, -1, end - m_seconds->value(), end);
-    const auto angle = uniformSamples(*store, seen, -1, end - m_seconds->value(), end);
+    const auto target = uniformSamples(*store, wanted, -1, end - m_movement->seconds(), end);
+    const auto angle = uniformSamples(*store, seen, -1, end - m_movement->seconds(), end);
     if (!target || !angle) {
         add(tl::unexpected(target ? angle.error() : target.error()), axis());
         return;
@@ -493,71 +425,8 @@ void ResponsePage::showRecords()
         m_model->appendRow(items);
     }
     m_filling = false;
-    drawSteps();
-    drawBode();
+    m_charts->setRecords(m_records);
     updateButtons();
-}
-
-void ResponsePage::drawSteps()
-{
-    QList<ChartCurve> curves;
-    double last = 1000.0;
-    double high = 1.4;
-    bool newest = true;
-    for (std::size_t i = m_records.size(); i-- > 0;) {
-        const ResponseRecord &record = m_records[i];
-        if (record.kind != ResponseRecord::Kind::Steps || !record.shown)
-            continue;
-        curves.append(stepCurves(record, int(i), std::exchange(newest, false)));
-        last = std::max(curves.size() == 1 ? 0.0 : last,
-                        1000.0 * double(record.steps.mean.size()) / record.rate);
-        for (const float value : record.steps.mean)
-            high = std::max(high, std::ceil(double(value) * 5.0 + 0.5) / 5.0);
-    }
-    m_steps->setScales(
-        {{}, 0, std::ceil(last / 100.0) * 100.0, false, tr("%g ms"), 0},
-        {tr("Share of the way"), -0.2, high, false, u"%.1f"_s, int(std::lround((high + 0.2) / 0.2))});
-    m_steps->setCurves(curves);
-}
-
-void ResponsePage::drawBode()
-{
-    QList<ChartCurve> gain;
-    QList<ChartCurve> phase;
-    QList<ChartCurve> coherence;
-    double highest = 10;
-    double lowPhase = -180;
-    double lowGain = -20;
-    double highGain = 10;
-    bool newest = true;
-    for (std::size_t i = m_records.size(); i-- > 0;) {
-        const ResponseRecord &record = m_records[i];
-        if (record.kind != ResponseRecord::Kind::Frequency || !record.shown)
-            continue;
-        const bool first = std::exchange(newest, false);
-        gain.append(bodeCurve(record, BodePart::Gain, int(i), first));
-        phase.append(bodeCurve(record, BodePart::Phase, int(i), first));
-        coherence.append(bodeCurve(record, BodePart::Coherence, int(i), first));
-        highest = std::max(highest, record.toHz);
-        for (const QPointF &point : gain.last().points) {
-            lowGain = std::min(lowGain, std::floor(point.y() / 10.0) * 10.0);
-            highGain = std::max(highGain, std::ceil(point.y() / 10.0) * 10.0);
-        }
-        for (const QPointF &point : phase.last().points)
-            lowPhase = std::min(lowPhase, std::floor(point.y() / 90.0) * 90.0);
-    }
-    lowGain = std::max(lowGain, -60.0);
-    lowPhase = std::max(lowPhase, -540.0);
-    const ChartScale hertz{{}, 0.3, highest, true, tr("%g Hz"), 0};
-    m_gain->setScales(
-        hertz,
-        {tr("Gain, dB"), lowGain, highGain, false, u"%.0f"_s, int(std::lround((highGain - lowGain) / 10.0))});
-    m_phase->setScales(
-        hertz, {tr("Phase, °"), lowPhase, 90, false, u"%.0f"_s, int(std::lround((90 - lowPhase) / 90.0))});
-    m_coherence->setScales(hertz, {tr("Coherence"), 0, 1, false, u"%.1f"_s, 2});
-    m_gain->setCurves(gain);
-    m_phase->setCurves(phase);
-    m_coherence->setCurves(coherence);
 }
 
 Result<void> ResponsePage::importCsv(const QString &path)

@@ -8,15 +8,13 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
+class MovementForm;
 class QComboBox;
-class QDoubleSpinBox;
-class QFormLayout;
 class QProgressBar;
 class QPushButton;
-class QSpinBox;
-class QStackedWidget;
 class QStandardItemModel;
 class QTableView;
+class ResponseCharts;
 
 /// How an axis follows: a guarded small step, a sweep, or the motion there was anyway; the measurements side
 /// by side.
@@ -46,7 +44,7 @@ protected:
 
 private:
     void makeMovementCard(QVBoxLayout *column);
-    void makePictures(QVBoxLayout *column);
+    void makeResults(QVBoxLayout *column);
     void offerWays();
     void onWay();
     void setArmed(bool armed);
@@ -57,14 +55,13 @@ private:
     void add(Result<ResponseRecord> record, Axis axis);
     void removeChosen();
     void showRecords();
-    void drawSteps();
-    void drawBode();
     void updateButtons();
     [[nodiscard]] bool tellsTargets() const;
     [[nodiscard]] Way way() const;
     [[nodiscard]] Axis axis() const;
     [[nodiscard]] ResponseRecord::Kind kind() const;
-    [[nodiscard]] MotionTestPlan plan() const;
+    /// The test that moves the axis; none for the motion there was anyway.
+    [[nodiscard]] std::optional<MotionTestPlan::Kind> testKind() const;
     /// Which record a row of the table shows.
     [[nodiscard]] std::optional<std::size_t> recordAt(int row) const;
 
@@ -72,23 +69,12 @@ private:
     std::vector<ResponseRecord> m_records;  // oldest first
     QComboBox *m_way;
     QComboBox *m_axis;
-    QDoubleSpinBox *m_degrees;
-    QSpinBox *m_count;
-    QDoubleSpinBox *m_rest;
-    QDoubleSpinBox *m_from;
-    QDoubleSpinBox *m_to;
-    QDoubleSpinBox *m_seconds;
-    QDoubleSpinBox *m_limit;
-    QFormLayout *m_form;
+    MovementForm *m_movement;
     QLabel *m_state;
     QPushButton *m_arm;
     QPushButton *m_start;
     QProgressBar *m_progress;
-    QStackedWidget *m_pictures;
-    CurveChart *m_steps;
-    CurveChart *m_gain;
-    CurveChart *m_phase;
-    CurveChart *m_coherence;
+    ResponseCharts *m_charts;
     QStandardItemModel *m_model;
     QTableView *m_table;
     QPushButton *m_remove;
