@@ -9,27 +9,28 @@
 using namespace Qt::StringLiterals;
 
 AdjustableModel::AdjustableModel(DeviceClient &client, QObject *parent)
-    : QAbstractTableModel(parent)
+    : TableModel(
+        {tr("No."), tr("Variable"), tr("Group"), tr("In use"), tr("Meaning"), tr("Range"), tr("Key")}, parent)
     , m_client(client)
 {
 }
 
 void AdjustableModel::reset()
 {
-    beginResetModel();
-    const LiveAccess *live = m_client.device() ? m_client.device()->live() : nullptr;
-    m_specs = live ? live->adjustables() : std::span<const AdjustableSpec>();
-    m_parameters = m_client.device() ? m_client.device()->parameters() : nullptr;
-    m_values.assign(m_specs.size(), {});
-    m_behind.assign(m_specs.size(), nullptr);
-    m_asking = false;
-    for (std::size_t row = 0; row < m_specs.size(); ++row) {
-        for (const ParameterSpec &spec : m_parameters->all()) {
-            if (spec.adjustable == m_specs[row].id)
-                m_behind[row] = &spec;
+    resetWith([this] {
+        const LiveAccess *live = m_client.device() ? m_client.device()->live() : nullptr;
+        m_specs = live ? live->adjustables() : std::span<const AdjustableSpec>();
+        m_parameters = m_client.device() ? m_client.device()->parameters() : nullptr;
+        m_values.assign(m_specs.size(), {});
+        m_behind.assign(m_specs.size(), nullptr);
+        m_asking = false;
+        for (std::size_t row = 0; row < m_specs.size(); ++row) {
+            for (const ParameterSpec &spec : m_parameters->all()) {
+                if (spec.adjustable == m_specs[row].id)
+                    m_behind[row] = &spec;
+            }
         }
-    }
-    endResetModel();
+    });
 }
 
 void AdjustableModel::refresh()
@@ -66,16 +67,6 @@ void AdjustableModel::refresh()
             if (first >= 0)
                 emit dataChanged(index(first, ValueColumn), index(last, MeaningColumn));
         });
-}
-
-int AdjustableModel::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : int(m_specs.size());
-}
-
-int AdjustableModel::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
 }
 
 bool AdjustableModel::isFloat(int row) const
@@ -160,25 +151,9 @@ bool AdjustableModel::setData(const QModelIndex &index, const QVariant &value, i
 
 Qt::ItemFlags AdjustableModel::flags(const QModelIndex &index) const
 {
-    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    Qt::ItemFlags flags = TableModel::flags(index);
     if (index.isValid() && index.column() == ValueColumn && m_client.isConnected()
         && m_client.identity().writable)
         flags |= Qt::ItemIsEditable;
     return flags;
-}
-
-QVariant AdjustableModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case NumberColumn: return tr("No.");
-    case NameColumn: return tr("Variable");
-    case GroupColumn: return tr("Group");
-    case ValueColumn: return tr("In use");
-    case MeaningColumn: return tr("Meaning");
-    case RangeColumn: return tr("Range");
-    case KeyColumn: return tr("Key");
-    default: return {};
-    }
 }

@@ -4,11 +4,10 @@
 
 #include "protocol/client/deviceclient.h"
 #include "protocol/device/abilities.h"
-
-#include <QAbstractTableModel>
+#include "widgets/models/tablemodel.h"
 
 /// All live-adjustable variables of a board with the values in use, by the board's own numbers.
-class AdjustableModel final : public QAbstractTableModel
+class AdjustableModel final : public TableModel
 {
     Q_OBJECT
 public:
@@ -31,12 +30,9 @@ public:
     /// Asks the board for all values; a question still open is not asked twice.
     void refresh();
 
-    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
     bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 signals:
     void failed(const Error &error);
@@ -44,6 +40,7 @@ signals:
     void written(int id, double value);
 
 private:
+    [[nodiscard]] int rows() const override { return int(m_specs.size()); }
     /// Whole numbers, unless the parameter behind it is a float.
     [[nodiscard]] bool isFloat(int row) const;
     [[nodiscard]] QString meaning(int row) const;

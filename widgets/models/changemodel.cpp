@@ -12,7 +12,7 @@
 using namespace Qt::StringLiterals;
 
 ChangeModel::ChangeModel(Configuration board, Configuration edited, QObject *parent)
-    : QAbstractTableModel(parent)
+    : TableModel({tr("Parameter"), tr("Profile"), tr("On the board"), tr("New")}, parent)
     , m_board(std::move(board))
     , m_edited(std::move(edited))
 {
@@ -26,16 +26,6 @@ ChangeModel::ChangeModel(Configuration board, Configuration edited, QObject *par
         if (m_board.profileNames().value(profile) != m_edited.profileNames().value(profile))
             m_rows.push_back({{nullptr, profile, 0, 0}, {}, true});
     }
-}
-
-int ChangeModel::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : int(m_rows.size());
-}
-
-int ChangeModel::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
 }
 
 QVariant ChangeModel::data(const QModelIndex &index, int role) const
@@ -91,7 +81,7 @@ bool ChangeModel::setData(const QModelIndex &index, const QVariant &value, int r
 
 Qt::ItemFlags ChangeModel::flags(const QModelIndex &index) const
 {
-    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    Qt::ItemFlags flags = TableModel::flags(index);
     if (index.isValid() && index.column() == NameColumn)
         flags |= Qt::ItemIsUserCheckable;
     return flags;
@@ -101,15 +91,7 @@ QVariant ChangeModel::headerData(int section, Qt::Orientation orientation, int r
 {
     if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && section >= BoardColumn)
         return QVariant(Qt::AlignRight | Qt::AlignVCenter);
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case NameColumn: return tr("Parameter");
-    case ProfileColumn: return tr("Profile");
-    case BoardColumn: return tr("On the board");
-    case EditedColumn: return tr("New");
-    default: return {};
-    }
+    return TableModel::headerData(section, orientation, role);
 }
 
 int ChangeModel::tickedCount() const

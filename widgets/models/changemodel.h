@@ -3,11 +3,10 @@
 #pragma once
 
 #include "protocol/configuration/configuration.h"
-
-#include <QAbstractTableModel>
+#include "widgets/models/tablemodel.h"
 
 /// The differences that are about to be written, red class first, each one with a tick.
-class ChangeModel final : public QAbstractTableModel
+class ChangeModel final : public TableModel
 {
     Q_OBJECT
 public:
@@ -16,8 +15,6 @@ public:
 
     ChangeModel(Configuration board, Configuration edited, QObject *parent = nullptr);
 
-    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
     bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
@@ -35,6 +32,7 @@ signals:
     void ticksChanged();
 
 private:
+    [[nodiscard]] int rows() const override { return int(m_rows.size()); }
     struct Row
     {
         ParameterChange change;  // spec is null for a profile's name, and for data

@@ -26,18 +26,18 @@ struct DebugRead
 }  // namespace
 
 DebugModel::DebugModel(DeviceClient &client, QObject *parent)
-    : QAbstractTableModel(parent)
+    : TableModel({tr("Variable"), tr("Type"), tr("Axis"), tr("Now"), tr("Lowest"), tr("Highest")}, parent)
     , m_client(client)
 {
 }
 
 void DebugModel::reset()
 {
-    beginResetModel();
-    m_rows.clear();
-    m_listed = m_asking = false;
-    ++m_generation;
-    endResetModel();
+    resetWith([this] {
+        m_rows.clear();
+        m_listed = m_asking = false;
+        ++m_generation;
+    });
 }
 
 void DebugModel::refresh()
@@ -70,7 +70,7 @@ void DebugModel::refresh()
                 return;
             }
             if (!m_listed)
-                setVariables(read->variables);
+                resetWith([&] { setVariables(read->variables); });
             setValues(read->values, read->at);
             emit refreshed();
         });
@@ -78,7 +78,6 @@ void DebugModel::refresh()
 
 void DebugModel::setVariables(const std::vector<DebugVariable> &variables)
 {
-    beginResetModel();
     m_rows.clear();
     for (const DebugVariable &variable : variables) {
         for (int element = 0; element < variable.elements; ++element) {
@@ -103,7 +102,6 @@ void DebugModel::setVariables(const std::vector<DebugVariable> &variables)
     m_store = std::make_shared<TelemetryStore>(int(m_rows.size()));
     m_group = m_store->defineGroup(channels, 0.0);
     m_listed = true;
-    endResetModel();
 }
 
 void DebugModel::setValues(const std::vector<std::vector<double>> &values, TimePoint time)
@@ -123,31 +121,19 @@ void DebugModel::setValues(const std::vector<std::vector<double>> &values, TimeP
     }
     if (m_group)
         m_store->append(*m_group, time, sample);
-    if (!m_rows.empty())
-        emit dataChanged(index(0, ValueColumn), index(int(m_rows.size()) - 1, HighColumn), {Qt::DisplayRole});
+    tellAllChanged(ValueColumn, HighColumn, {Qt::DisplayRole});
 }
 
 void DebugModel::clearBounds()
 {
     for (Row &row : m_rows)
         row.low = row.high = row.value;
-    if (!m_rows.empty())
-        emit dataChanged(index(0, ValueColumn), index(int(m_rows.size()) - 1, HighColumn), {Qt::DisplayRole});
+    tellAllChanged(ValueColumn, HighColumn, {Qt::DisplayRole});
 }
 
 QString DebugModel::name(int row) const
 {
     return m_rows[std::size_t(row)].name;
-}
-
-int DebugModel::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : int(m_rows.size());
-}
-
-int DebugModel::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
 }
 
 QVariant DebugModel::data(const QModelIndex &index, int role) const
@@ -166,21 +152,6 @@ QVariant DebugModel::data(const QModelIndex &index, int role) const
     case ValueColumn: return valueText(row.value);
     case LowColumn: return valueText(row.low);
     case HighColumn: return valueText(row.high);
-    default: return {};
-    }
-}
-
-QVariant DebugModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case NameColumn: return tr("Variable");
-    case TypeColumn: return tr("Type");
-    case AxisColumn: return tr("Axis");
-    case ValueColumn: return tr("Now");
-    case LowColumn: return tr("Lowest");
-    case HighColumn: return tr("Highest");
     default: return {};
     }
 }

@@ -5,11 +5,10 @@
 #include "protocol/client/deviceclient.h"
 #include "protocol/device/abilities.h"
 #include "protocol/telemetry/telemetrystore.h"
-
-#include <QAbstractTableModel>
+#include "widgets/models/tablemodel.h"
 
 /// The firmware's debug variables with their values as they come, kept in a store of their own for plots.
-class DebugModel final : public QAbstractTableModel
+class DebugModel final : public TableModel
 {
     Q_OBJECT
 public:
@@ -22,10 +21,7 @@ public:
     /// Forgets lowest and highest values.
     void clearBounds();
 
-    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
     [[nodiscard]] QString name(int row) const;
     /// The variables as channels: a row's number is its channel. Both are new after a reset of the model.
@@ -37,6 +33,7 @@ signals:
     void failed(const Error &error);
 
 private:
+    [[nodiscard]] int rows() const override { return int(m_rows.size()); }
     struct Row
     {
         QString name;

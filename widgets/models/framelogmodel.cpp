@@ -5,7 +5,7 @@
 using namespace Qt::StringLiterals;
 
 FrameLogModel::FrameLogModel(DeviceClient &client, QObject *parent)
-    : QAbstractTableModel(parent)
+    : TableModel({tr("Seconds"), tr("Direction"), tr("Frame"), tr("Fields"), tr("Bytes")}, parent)
     , m_client(client)
 {
 }
@@ -49,9 +49,7 @@ void FrameLogModel::refresh()
 void FrameLogModel::clear()
 {
     m_seen = m_client.frames().newest();
-    beginResetModel();
-    m_rows.clear();
-    endResetModel();
+    resetWith([this] { m_rows.clear(); });
 }
 
 const FrameText &FrameLogModel::textOf(const Row &row) const
@@ -88,16 +86,6 @@ QString FrameLogModel::text() const
     return all;
 }
 
-int FrameLogModel::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : int(m_rows.size());
-}
-
-int FrameLogModel::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
-}
-
 QVariant FrameLogModel::data(const QModelIndex &index, int role) const
 {
     if (!index.isValid())
@@ -119,20 +107,6 @@ QVariant FrameLogModel::data(const QModelIndex &index, int role) const
     case NameColumn: return textOf(row).name;
     case FieldsColumn: return textOf(row).fields;
     case BytesColumn: return QString::fromLatin1(row.frame.bytes.toHex(' '));
-    default: return {};
-    }
-}
-
-QVariant FrameLogModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case TimeColumn: return tr("Seconds");
-    case DirectionColumn: return tr("Direction");
-    case NameColumn: return tr("Frame");
-    case FieldsColumn: return tr("Fields");
-    case BytesColumn: return tr("Bytes");
     default: return {};
     }
 }

@@ -5,13 +5,12 @@
 #include "protocol/client/deviceclient.h"
 #include "protocol/client/framelog.h"
 #include "protocol/device/abilities.h"
-
-#include <QAbstractTableModel>
+#include "widgets/models/tablemodel.h"
 
 #include <deque>
 
 /// Frames in and out as rows, decoded when they are looked at. Keeps the newest kCapacity.
-class FrameLogModel final : public QAbstractTableModel
+class FrameLogModel final : public TableModel
 {
     Q_OBJECT
 public:
@@ -28,12 +27,10 @@ public:
     /// All rows as text, one line each.
     [[nodiscard]] QString text() const;
 
-    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    [[nodiscard]] int rows() const override { return int(m_rows.size()); }
     struct Row
     {
         LoggedFrame frame;

@@ -100,14 +100,14 @@ QString parameterSearchText(const ParameterSpec &spec)
 }
 
 ParameterModel::ParameterModel(ConfigurationModel &configuration, QObject *parent)
-    : QAbstractTableModel(parent)
+    : TableModel(
+        {tr("Parameter"), tr("Value"), tr("Unit"), tr("On the board"), tr("Default"), tr("Range"), tr("Key")},
+        parent)
     , m_configuration(configuration)
 {
     connect(&m_configuration, &ConfigurationModel::boardReset, this, &ParameterModel::reset);
-    connect(&m_configuration, &ConfigurationModel::shownProfileChanged, this, [this] {
-        if (m_rows > 0)
-            emit dataChanged(index(0, 0), index(m_rows - 1, ColumnCount - 1));
-    });
+    connect(&m_configuration, &ConfigurationModel::shownProfileChanged, this,
+            [this] { tellAllChanged(0, ColumnCount - 1); });
     connect(&m_configuration, &ConfigurationModel::valueChanged, this, [this](int parameter) {
         if (parameter < m_rows)
             emit dataChanged(index(parameter, 0), index(parameter, ColumnCount - 1));
@@ -117,24 +117,14 @@ ParameterModel::ParameterModel(ConfigurationModel &configuration, QObject *paren
 
 void ParameterModel::reset()
 {
-    beginResetModel();
-    m_rows = m_configuration.isEmpty() ? 0 : int(m_configuration.board().parameters().all().size());
-    endResetModel();
+    resetWith([this] {
+        m_rows = m_configuration.isEmpty() ? 0 : int(m_configuration.board().parameters().all().size());
+    });
 }
 
 const ParameterSpec &ParameterModel::specAt(int row) const
 {
     return m_configuration.edited().parameters().at(row);
-}
-
-int ParameterModel::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : m_rows;
-}
-
-int ParameterModel::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
 }
 
 QVariant ParameterModel::data(const QModelIndex &index, int role) const
@@ -191,24 +181,8 @@ bool ParameterModel::setData(const QModelIndex &index, const QVariant &value, in
 
 Qt::ItemFlags ParameterModel::flags(const QModelIndex &index) const
 {
-    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    Qt::ItemFlags flags = TableModel::flags(index);
     if (index.isValid() && index.column() == ValueColumn && !specAt(index.row()).row->state)
         flags |= Qt::ItemIsEditable;
     return flags;
-}
-
-QVariant ParameterModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case NameColumn: return tr("Parameter");
-    case ValueColumn: return tr("Value");
-    case UnitColumn: return tr("Unit");
-    case BoardColumn: return tr("On the board");
-    case DefaultColumn: return tr("Default");
-    case RangeColumn: return tr("Range");
-    case KeyColumn: return tr("Key");
-    default: return {};
-    }
 }

@@ -3,11 +3,10 @@
 #pragma once
 
 #include "widgets/models/configurationmodel.h"
-
-#include <QAbstractTableModel>
+#include "widgets/models/tablemodel.h"
 
 /// All parameters of the shown profile as rows.
-class ParameterModel final : public QAbstractTableModel
+class ParameterModel final : public TableModel
 {
     Q_OBJECT
 public:
@@ -33,18 +32,16 @@ public:
 
     explicit ParameterModel(ConfigurationModel &configuration, QObject *parent = nullptr);
 
-    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
     bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 signals:
     /// Somebody typed a value; whoever owns the undo stack makes an edit of it.
     void editRequested(int parameter, double raw);
 
 private:
+    [[nodiscard]] int rows() const override { return m_rows; }
     [[nodiscard]] const ParameterSpec &specAt(int row) const;
     void reset();
 

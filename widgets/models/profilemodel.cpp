@@ -7,19 +7,15 @@
 #include <utility>
 
 ProfileModel::ProfileModel(ConfigurationModel &configuration, QObject *parent)
-    : QAbstractTableModel(parent)
+    : TableModel({tr("No."), tr("Name"), tr("State"), tr("Changes"), tr("Against the active profile")},
+                 parent)
     , m_configuration(configuration)
 {
-    const auto reset = [this] {
-        beginResetModel();
-        refresh();
-        endResetModel();
-    };
-    connect(&configuration, &ConfigurationModel::boardReset, this, reset);
+    connect(&configuration, &ConfigurationModel::boardReset, this,
+            [this] { resetWith([this] { refresh(); }); });
     const auto changed = [this] {
         refresh();
-        if (rowCount() > 0)
-            emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+        tellAllChanged(0, ColumnCount - 1);
     };
     connect(&configuration, &ConfigurationModel::profileNamesChanged, this, changed);
     connect(&configuration, &ConfigurationModel::activeProfileChanged, this, changed);
@@ -52,16 +48,6 @@ int ProfileModel::differences(int profile) const
             count += !sameValue(edited.raw(spec, profile), edited.raw(spec, edited.activeProfile()));
     }
     return count;
-}
-
-int ProfileModel::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : int(m_changes.size());
-}
-
-int ProfileModel::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
 }
 
 QVariant ProfileModel::data(const QModelIndex &index, int role) const
@@ -111,22 +97,8 @@ bool ProfileModel::setData(const QModelIndex &index, const QVariant &value, int 
 
 Qt::ItemFlags ProfileModel::flags(const QModelIndex &index) const
 {
-    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    Qt::ItemFlags flags = TableModel::flags(index);
     if (index.isValid() && index.column() == NameColumn)
         flags |= Qt::ItemIsEditable;
     return flags;
-}
-
-QVariant ProfileModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case NumberColumn: return tr("No.");
-    case NameColumn: return tr("Name");
-    case StateColumn: return tr("State");
-    case ChangesColumn: return tr("Changes");
-    case DifferenceColumn: return tr("Against the active profile");
-    default: return {};
-    }
 }

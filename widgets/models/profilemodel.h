@@ -3,11 +3,10 @@
 #pragma once
 
 #include "widgets/models/configurationmodel.h"
-
-#include <QAbstractTableModel>
+#include "widgets/models/tablemodel.h"
 
 /// The profiles of a board as rows: number, name, state, unsaved changes, difference to the active one.
-class ProfileModel final : public QAbstractTableModel
+class ProfileModel final : public TableModel
 {
     Q_OBJECT
 public:
@@ -17,12 +16,9 @@ public:
     /// Longest name in UTF-8 bytes; longer ones are refused.
     void setNameLimit(int bytes) { m_nameLimit = bytes; }
 
-    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
     bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 signals:
     /// Somebody typed a name; whoever owns the undo stack makes an edit of it.
@@ -30,6 +26,7 @@ signals:
     void nameRefused(int profile, int bytes, int limit);
 
 private:
+    [[nodiscard]] int rows() const override { return int(m_changes.size()); }
     void refresh();
     [[nodiscard]] int differences(int profile) const;
 

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QStringList>
+
+/// A table with a title over each column. It counts rows and columns; the cells are the model's own.
+class TableModel : public QAbstractTableModel
+{
+    Q_OBJECT
+public:
+    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const final;
+    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const final;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+protected:
+    /// @param titles of the columns, in their order
+    TableModel(QStringList titles, QObject *parent);
+
+    [[nodiscard]] virtual int rows() const = 0;
+    /// Fills the table anew; views forget what they knew of it.
+    template <typename Fill> void resetWith(Fill fill)
+    {
+        beginResetModel();
+        fill();
+        endResetModel();
+    }
+    /// Tells that cells of all rows have changed, from one column to another.
+    void tellAllChanged(int firstColumn, int lastColumn, const QList<int> &roles = {});
+
+private:
+    QStringList m_titles;
+};
