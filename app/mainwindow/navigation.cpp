@@ -83,12 +83,6 @@ void Navigation::setMarked(const QString &key, bool marked)
     found->setData(Qt::AccessibleTextRole, marked ? tr("%1, with unsaved changes").arg(title) : title);
 }
 
-bool Navigation::isMarked(const QString &key) const
-{
-    const QListWidgetItem *found = itemOf(key);
-    return found && found->data(kMarkRole).toBool();
-}
-
 void Navigation::setOffered(const QString &key, bool offered)
 {
     if (QListWidgetItem *found = itemOf(key); found && found->isHidden() == offered) {

@@ -20,7 +20,6 @@ public:
     [[nodiscard]] bool isOffered(const QString &key) const;
     /// The page that Ctrl and this number (from 1) show: they count what is listed. Empty if there is none.
     [[nodiscard]] QString pageOfNumber(int number) const;
-    [[nodiscard]] bool isMarked(const QString &key) const;
 
 signals:
     void pageChosen(const QString &key);

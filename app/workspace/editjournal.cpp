@@ -96,12 +96,6 @@ void EditJournal::keepUndecided()
     std::ignore = m_history.save(kept, u"unsaved edits of an earlier run"_s);
 }
 
-void EditJournal::abandon()
-{
-    m_timer.stop();
-    m_timer.disconnect();
-}
-
 void EditJournal::write()
 {
     m_timer.stop();

@@ -17,15 +17,11 @@ public:
                 QObject *parent = nullptr);
     ~EditJournal() override;
 
-    /// Edits of the board now shown that an earlier run has left, if any and if nothing was edited since.
-    [[nodiscard]] bool hasLeftover() const { return m_leftover.has_value(); }
-    /// Puts them back on the stack. False if none of them fits this board.
+    /// Puts the edits that an earlier run has left back on the stack. False if none of them fits this board.
     bool restoreLeftover();
     void dropLeftover();
     /// Writes now what is waiting to be written.
     void flush();
-    /// Writes nothing any more, as if the program were gone. For tests.
-    void abandon();
 
 signals:
     /// The board now shown has edits from an earlier run.

@@ -153,7 +153,7 @@ void TestPages::profileRenamedCopiedAndWritten()
     QTest::keyClick(editor, Qt::Key_Return);
     QTRY_COMPARE(m_rig->model().edited().profileName(1), u"Wedding"_s);
     QVERIFY(page->hasChanges());
-    QVERIFY(window().navigation()->isMarked(u"profiles"_s));
+    QVERIFY(isMarked(window(), u"Profiles"_s));
 
     page->table()->selectRow(0);
     named<QComboBox>(page, u"Profile to copy onto"_s)
@@ -170,7 +170,7 @@ void TestPages::profileRenamedCopiedAndWritten()
     QCOMPARE(m_rig->raw(u"pid.roll.p"_s, 1), 61);
     QCOMPARE(std::as_const(m_rig->model()).board().profileName(1), u"Wedding"_s);
     QCOMPARE(m_rig->model().changeCount(), 0);
-    QVERIFY(!window().navigation()->isMarked(u"profiles"_s));
+    QVERIFY(!isMarked(window(), u"Profiles"_s));
 }
 
 void TestPages::profileNameTooLongIsRefused()
@@ -249,7 +249,7 @@ void TestPages::liveSliderIsHeardAtOnceAndForgotten()
     QTRY_VERIFY(page->live().isSettled());
     QCOMPARE(inUse(0), after);
     QVERIFY(page->hasChanges());
-    QVERIFY(window().navigation()->isMarked(u"tuning"_s));
+    QVERIFY(isMarked(window(), u"Tuning"_s));
     // With Shift by single counts.
     QTest::keyClick(slider, Qt::Key_Left, Qt::ShiftModifier);
     QCOMPARE(slider->value(), after - 1);

@@ -153,7 +153,6 @@ void TestTraces::scaleStandsStillWhereItWasPut()
 {
     ValueScale scale;
     scale.fix(0.011, 0.029);
-    QVERIFY(scale.isFixed());
     QVERIFY(scale.low() <= 0.011 && scale.high() >= 0.029 && scale.high() - scale.low() < 0.04);
     QVERIFY(!scale.fit(-100, 100));
     scale.release();

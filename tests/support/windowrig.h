@@ -4,11 +4,20 @@
 
 #include "app/composition/composition.h"
 #include "app/mainwindow/mainwindow.h"
+#include "app/mainwindow/navigation.h"
 #include "app/mainwindow/pagetable.h"
 #include "tests/support/boardtime.h"
 
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <filesystem>
+
+/// Whether the navigation marks this page as one with unsaved changes.
+inline bool isMarked(const MainWindow &window, const QString &title)
+{
+    return !window.navigation()->findItems(title + QStringLiteral("  •"), Qt::MatchExactly).isEmpty();
+}
 
 /// The real window on a simulated board, with folders of its own for settings and history.
 class WindowRig
@@ -36,11 +45,17 @@ public:
             qFatal("no window");
         m_window->activateWindow();
     }
-    /// The program is gone from one moment to the next: nothing is written any more.
+    /// The program is gone from one moment to the next: what is on the disk stays as it is now.
     void crash()
     {
-        m_window->workspace().journal().abandon();
+        namespace fs = std::filesystem;
+        const fs::path history = BoardHistory::defaultRoot().toStdString();
+        const fs::path kept = filePath(QStringLiteral("kept")).toStdString();
+        fs::remove_all(kept);
+        fs::copy(history, kept, fs::copy_options::recursive);
         m_window.reset();
+        fs::remove_all(history);
+        fs::rename(kept, history);
     }
 
     /// @param address by default a simulated board of the first family

@@ -52,7 +52,6 @@ public:
     void setHint(const QString &text);
     void setLabels(const QList<ChartLabel> &labels);
     [[nodiscard]] const QList<ChartCurve> &curves() const { return m_curves; }
-    [[nodiscard]] const QList<ChartLabel> &labels() const { return m_labels; }
     [[nodiscard]] const ChartScale &xScale() const { return m_x; }
     [[nodiscard]] const ChartScale &yScale() const { return m_y; }
 

@@ -74,11 +74,6 @@ void IterationChart::addPoint(const QString &name, Axis axis, int step, double v
     m_values->applyNiceNumbers();
 }
 
-int IterationChart::pointCount(const QString &name) const
-{
-    return m_lines.contains(name) ? m_lines[name].series->count() : 0;
-}
-
 void IterationChart::applyTheme()
 {
     const QColor muted = m_theme.color(ColorRole::Muted);

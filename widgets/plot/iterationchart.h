@@ -20,7 +20,6 @@ public:
     /// Adds a point to a curve; an unknown name makes a new curve. Steps that were there already are
     /// replaced.
     void addPoint(const QString &name, Axis axis, int step, double value, Qt::PenStyle style = Qt::SolidLine);
-    [[nodiscard]] int pointCount(const QString &name) const;
 
 private:
     void applyTheme();

@@ -421,14 +421,10 @@ void PlotView::updateRateText()
     if (text == m_rateText)
         return;
     m_rateText = text;
+    setAccessibleDescription(text);
     m_still = QPixmap();
     layOut();
     viewport()->update();
-}
-
-QString PlotView::rateText() const
-{
-    return m_rateText;
 }
 
 int PlotView::usefulRate() const

@@ -72,8 +72,6 @@ public:
     [[nodiscard]] std::optional<double> referenceTime() const { return m_reference; }
     /// Values at the cursor, and how much they differ from those at the reference.
     [[nodiscard]] QStringList cursorTexts() const;
-    /// Samples per second and the frequency up to which the picture tells the truth.
-    [[nodiscard]] QString rateText() const;
     /// Value axes follow the traces again after a box was drawn.
     void autoScale();
     /// The range of a value axis. @param axis from 0, the left one
@@ -152,7 +150,7 @@ private:
     std::optional<double> m_cursor;
     std::optional<double> m_reference;
     QPixmap m_still;  // axes, grid and legend; empty: to be drawn anew
-    QString m_rateText;
+    QString m_rateText;  // samples per second and the frequency up to which the picture tells the truth
     QElapsedTimer m_rateTimer;
     QElapsedTimer m_fitTimer;
     Drag m_drag = Drag::None;

@@ -41,11 +41,6 @@ SpectrumChart::SpectrumChart(const Theme &theme, QWidget *parent)
     setScales({{}, kLowest, 1000, true, u"%g Hz"_s}, {tr("dB"), -80, 0, false, u"%.0f"_s, 4});
 }
 
-double SpectrumChart::highestFrequency() const
-{
-    return curves().isEmpty() ? 0.0 : xScale().high;
-}
-
 double SpectrumChart::levelOf(const Spectrum &spectrum, std::size_t bin) const
 {
     return m_scale.amplitude ? spectrum.toneRms(bin) : decibel(spectrum.density[bin]);

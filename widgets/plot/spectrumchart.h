@@ -33,9 +33,6 @@ public:
                     const SpectrumScale &scale = {});
     /// Words at the highest peaks of a spectrum.
     void setPeaks(const std::vector<std::pair<const Spectrum *, SpectrumPeak>> &peaks);
-    /// Highest frequency on the scale, 0 without a curve.
-    [[nodiscard]] double highestFrequency() const;
-    [[nodiscard]] int curveCount() const { return int(curves().size()); }
 
 private:
     [[nodiscard]] double levelOf(const Spectrum &spectrum, std::size_t bin) const;

@@ -19,7 +19,6 @@ public:
     /// Stands still at this range, rounded outwards, until release().
     void fix(double low, double high);
     void release() { m_fixed = false; }
-    [[nodiscard]] bool isFixed() const { return m_fixed; }
 
 private:
     double m_low = -1;

@@ -124,6 +124,7 @@ QWidget *CalibrationPage::makeWizard()
     auto *card = new Card({});
     setHeadline(*m_what);
     m_sees->setWordWrap(true);
+    m_result->setObjectName(u"result"_s);
     m_result->setWordWrap(true);
     m_result->setAlignment(Qt::AlignTop);
     m_result->setTextFormat(Qt::RichText);

@@ -28,7 +28,6 @@ public:
     [[nodiscard]] QPushButton *continueButton() const { return m_continue; }
     [[nodiscard]] QPushButton *cancelButton() const { return m_cancel; }
     [[nodiscard]] QPushButton *backButton() const { return m_back; }
-    [[nodiscard]] QLabel *resultLabel() const { return m_result; }
     /// The sensor has been still for long enough and lies as it should.
     [[nodiscard]] bool isSatisfied() const { return m_satisfied; }
     /// Positions that are done.

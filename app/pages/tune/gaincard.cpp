@@ -135,8 +135,3 @@ void GainCard::refresh(std::size_t axis)
                            .arg(shape.damping, 0, 'f', 2)
                            .arg(shape.delayMs, 0, 'f', 1));
 }
-
-QString GainCard::shapeText(Axis axis) const
-{
-    return m_rows[std::size_t(axis)].shape->text();
-}

@@ -21,9 +21,6 @@ public:
 
     /// The parameters of another board; null for none.
     void setParameters(std::shared_ptr<const ParameterSet> set);
-    [[nodiscard]] QSlider *dampingSlider(Axis axis) const { return m_rows[std::size_t(axis)].damping; }
-    [[nodiscard]] QSlider *stabilitySlider(Axis axis) const { return m_rows[std::size_t(axis)].stability; }
-    [[nodiscard]] QString shapeText(Axis axis) const;
 
 private:
     struct Row

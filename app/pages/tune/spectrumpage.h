@@ -34,7 +34,6 @@ public:
     [[nodiscard]] QMenu *viewMenu() const { return m_viewMenu; }
     [[nodiscard]] QPushButton *pauseButton() const { return m_pause; }
     /// The question that is asked before a notch becomes an edit; null while none is.
-    [[nodiscard]] QMessageBox *notchQuestion() const { return m_question; }
 
 protected:
     void showEvent(QShowEvent *event) override;

@@ -28,8 +28,6 @@ public:
     {
         return slot == LiveModel::Slot::A ? m_a : m_b;
     }
-    /// Two sliders for three gains; null where the board's gains are of another kind.
-    [[nodiscard]] GainCard *gains() const { return m_gains; }
     [[nodiscard]] const QList<PlotView *> &plots() const { return m_plots; }
 
 protected:
@@ -57,7 +55,7 @@ private:
     LiveModel &m_live;
     QScrollArea *m_scroll;
     QHash<int, LiveSlider *> m_controls;
-    GainCard *m_gains = nullptr;
+    GainCard *m_gains = nullptr;  // null where the board's gains are of another kind
     QPushButton *m_a;
     QPushButton *m_b;
     QPushButton *m_copy;
