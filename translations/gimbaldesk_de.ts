@@ -1229,10 +1229,6 @@
         <source>%1 is too long for this document, or no UTF-8 text</source>
         <translation>%1 ist zu lang für dieses Dokument oder kein UTF-8-Text</translation>
     </message>
-    <message>
-        <source>Saved to %1</source>
-        <translation>In %1 gespeichert</translation>
-    </message>
 </context>
 <context>
     <name>EditStack</name>
@@ -2352,6 +2348,10 @@
         <source>Hold the camera and disconnect the power.</source>
         <translation>Halten Sie die Kamera und trennen Sie den Strom.</translation>
     </message>
+    <message>
+        <source>Saved to %1</source>
+        <translation>Gespeichert in %1</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -2798,10 +2798,6 @@
         <source>Load</source>
         <translation>Laden</translation>
     </message>
-    <message>
-        <source>Saved to %1</source>
-        <translation>Gespeichert in %1</translation>
-    </message>
 </context>
 <context>
     <name>ReplayBar</name>
@@ -3241,10 +3237,6 @@
         <translation>Skript sichern</translation>
     </message>
     <message>
-        <source>Saved to %1</source>
-        <translation>Gesichert in %1</translation>
-    </message>
-    <message>
         <source>Script %1, line %2: %3</source>
         <translation>Skript %1, Zeile %2: %3</translation>
     </message>
@@ -3313,10 +3305,6 @@
     <message>
         <source>Save the calibration</source>
         <translation>Kalibrierung sichern</translation>
-    </message>
-    <message>
-        <source>Saved to %1</source>
-        <translation>Gesichert in %1</translation>
     </message>
     <message>
         <source>⚠ Take the battery off and work on USB power alone, so that the motors cannot move. Nothing is stored before you have seen the result.</source>
@@ -3852,10 +3840,6 @@
     <message>
         <source>Pictures (*.png)</source>
         <translation>Bilder (*.png)</translation>
-    </message>
-    <message>
-        <source>Saved to %1</source>
-        <translation>Gesichert in %1</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,11 @@
 
 #include <utility>
 
+bool isEndOfLink(const Error &error)
+{
+    return error.code == ErrorCode::LinkClosed || error.code == ErrorCode::Cancelled;
+}
+
 Notifications::Notifications(DeviceClient &client, const ConfigurationModel &configuration)
     : m_client(client)
     , m_configuration(configuration)
@@ -38,6 +43,14 @@ void Notifications::report(const Error &error)
 void Notifications::notify(const QString &text)
 {
     emit notice(text);
+}
+
+void Notifications::reportSaved(const Result<void> &saved, const QString &path)
+{
+    if (saved)
+        notify(tr("Saved to %1").arg(path));
+    else
+        report(saved.error());
 }
 
 void Notifications::ask(const Offer &question)

@@ -10,6 +10,9 @@
 class EditJournal;
 class LinkRecorder;
 
+/// The link has ended or the request was withdrawn: no news for whoever asked without being told to.
+[[nodiscard]] bool isEndOfLink(const Error &error);
+
 /// What the operator is told and asked, whoever has something to say. News of the link is reported here
 /// without anybody's help.
 class Notifications final : public QObject
@@ -23,6 +26,8 @@ public:
     void report(const Error &error);
     /// Something that went well.
     void notify(const QString &text);
+    /// How saving a file went.
+    void reportSaved(const Result<void> &saved, const QString &path);
     void ask(const Offer &question);
 
     /// Reports what the journal of edits cannot keep.

@@ -58,3 +58,29 @@ void Page::askOpenPath(const QString &title, const QString &filter,
     connect(dialog, &QFileDialog::fileSelected, this, chosen);
     dialog->open();
 }
+
+void Page::refreshWhileShown(std::chrono::milliseconds interval, std::function<void()> refresh,
+                             std::function<bool()> isPaused)
+{
+    m_refresh = std::move(refresh);
+    m_refreshTimer.setInterval(interval);
+    connect(&m_refreshTimer, &QTimer::timeout, this, [this, isPaused = std::move(isPaused)] {
+        if (!isPaused())
+            m_refresh();
+    });
+}
+
+void Page::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    if (!m_refresh)
+        return;
+    m_refresh();
+    m_refreshTimer.start();
+}
+
+void Page::hideEvent(QHideEvent *event)
+{
+    QWidget::hideEvent(event);
+    m_refreshTimer.stop();
+}

@@ -4,8 +4,10 @@
 
 #include "app/workspace/workspace.h"
 
+#include <QTimer>
 #include <QWidget>
 
+#include <chrono>
 #include <functional>
 
 class QHBoxLayout;
@@ -39,10 +41,19 @@ protected:
     void askOpenPath(const QString &title, const QString &filter,
                      const std::function<void(const QString &)> &chosen);
 
+    /// Does this when the page comes into view, and again at this interval as long as it is seen and not
+    /// paused.
+    void refreshWhileShown(std::chrono::milliseconds interval, std::function<void()> refresh,
+                           std::function<bool()> isPaused);
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
 private:
     Workspace &m_workspace;
     QString m_key;
     QString m_title;
     QVBoxLayout *m_body;
     QHBoxLayout *m_header;
+    QTimer m_refreshTimer;
+    std::function<void()> m_refresh;
 };

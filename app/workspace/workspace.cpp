@@ -115,8 +115,7 @@ void Workspace::readBoard()
         .then(this, [this](const Result<Configuration> &answer) {
             m_reading = false;
             if (!answer) {
-                if (answer.error().code != ErrorCode::Cancelled
-                    && answer.error().code != ErrorCode::LinkClosed)
+                if (!isEndOfLink(answer.error()))
                     m_notifications.report(answer.error());
                 return;
             }

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/forms/filtertable.h"
 
+#include "widgets/theme/tablelook.h"
+
 #include <QHeaderView>
+#include <QLineEdit>
+#include <QShortcut>
 #include <QSortFilterProxyModel>
 
 #include <algorithm>
@@ -48,17 +52,22 @@ FilterTable::FilterTable(QAbstractItemModel &model, int searchRole, QWidget *par
 {
     m_proxy->setSourceModel(&model);
     setModel(m_proxy);
-    verticalHeader()->hide();
+    setSelectableRows(*this);
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 10);
-    setShowGrid(false);
-    setTabKeyNavigation(false);
     setAlternatingRowColors(true);
-    setSelectionBehavior(QAbstractItemView::SelectRows);
-    setSelectionMode(QAbstractItemView::SingleSelection);
     setWordWrap(false);
     horizontalHeader()->setStretchLastSection(true);
-    horizontalHeader()->setHighlightSections(false);
-    horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+}
+
+QLineEdit *FilterTable::makeFilterField(const QString &placeholder, const QString &name, QWidget *page)
+{
+    auto *field = new QLineEdit;
+    field->setPlaceholderText(placeholder);
+    field->setAccessibleName(name);
+    field->setClearButtonEnabled(true);
+    connect(field, &QLineEdit::textChanged, this, &FilterTable::setFilter);
+    new QShortcut(QKeySequence::Find, page, [field] { field->setFocus(); });
+    return field;
 }
 
 void FilterTable::setFilter(const QString &words)

@@ -15,6 +15,8 @@ public:
     /// @param searchRole role with lower-case text to look in
     FilterTable(QAbstractItemModel &model, int searchRole, QWidget *parent = nullptr);
 
+    /// A field that filters the table; Ctrl+F anywhere on the page goes there.
+    [[nodiscard]] QLineEdit *makeFilterField(const QString &placeholder, const QString &name, QWidget *page);
     /// Shows only rows that hold all of these words.
     void setFilter(const QString &words);
     [[nodiscard]] bool isEditing() const { return state() == EditingState; }

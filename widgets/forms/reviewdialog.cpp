@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/forms/reviewdialog.h"
 
+#include "widgets/theme/tablelook.h"
 #include "widgets/theme/theme.h"
 
 #include <QHBoxLayout>
@@ -29,12 +30,10 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     intro->setWordWrap(true);
     m_table->setModel(&m_changes);
     m_table->setAccessibleName(tr("Changes to write"));
-    m_table->verticalHeader()->hide();
+    setPlainRows(*m_table);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setShowGrid(false);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_table->setTabKeyNavigation(false);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(ChangeModel::NameColumn, QHeaderView::Stretch);
     m_risk->setObjectName(u"warning"_s);

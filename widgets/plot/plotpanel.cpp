@@ -4,6 +4,7 @@
 
 #include "widgets/models/channelmodel.h"
 #include "widgets/models/parametermodel.h"
+#include "widgets/theme/tablelook.h"
 
 #include <QHeaderView>
 #include <QMenu>
@@ -50,9 +51,7 @@ PlotPanel::PlotPanel(const Theme &theme, QWidget *parent)
     m_figures->setHorizontalHeaderLabels(
         {tr("Channel"), tr("Mean"), tr("RMS"), tr("Peak to peak"), tr("Samples/s")});
     m_figures->setAccessibleName(tr("Figures of the visible span"));
-    m_figures->verticalHeader()->hide();
-    m_figures->setShowGrid(false);
-    m_figures->setTabKeyNavigation(false);
+    setPlainRows(*m_figures);
     m_figures->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_figures->setSelectionMode(QAbstractItemView::NoSelection);
     m_figures->horizontalHeader()->setHighlightSections(false);

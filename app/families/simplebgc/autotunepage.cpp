@@ -5,6 +5,7 @@
 #include "widgets/forms/argumentform.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/plot/iterationchart.h"
+#include "widgets/theme/tablelook.h"
 #include "widgets/theme/theme.h"
 #include "widgets/views/card.h"
 
@@ -59,10 +60,8 @@ AutoTunePage::AutoTunePage(Workspace &workspace, QWidget *parent)
     m_table->setColumnCount(4);
     m_table->setHorizontalHeaderLabels({tr("Parameter"), tr("Before"), tr("Now"), tr("Change")});
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_table->verticalHeader()->hide();
+    setPlainRows(*m_table);
     m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + 8);
-    m_table->setShowGrid(false);
-    m_table->setTabKeyNavigation(false);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);

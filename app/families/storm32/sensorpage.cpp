@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/families/storm32/sensorpage.h"
 
+#include "app/workspace/files.h"
 #include "app/workspace/wizardparts.h"
 #include "widgets/views/sensorcube.h"
 
@@ -11,7 +12,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -71,10 +71,7 @@ SensorPage::SensorPage(Workspace &workspace, QWidget *parent)
         const QString suffix = family->calibrationFile->suffix;
         askSavePath(tr("Save the calibration"), u"calibration."_s + suffix,
                     u"%1 (*.%2)"_s.arg(family->calibrationFile->name, suffix), [this](const QString &path) {
-                        if (const auto saved = saveFile(path); !saved)
-                            this->workspace().notifications().report(saved.error());
-                        else
-                            this->workspace().notifications().notify(tr("Saved to %1").arg(path));
+                        this->workspace().notifications().reportSaved(saveFile(path), path);
                     });
     });
     connect(m_cancel, &QPushButton::clicked, this, [this] {
@@ -373,9 +370,5 @@ Result<void> SensorPage::saveFile(const QString &path) const
     const Family *family = workspace().family();
     if (!family || !family->calibrationFile)
         return failure(ErrorCode::NotConnected);
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(family->calibrationFile->write(m_calibration)) < 0
-        || !file.commit())
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
-    return {};
+    return writeFile(path, family->calibrationFile->write(m_calibration));
 }

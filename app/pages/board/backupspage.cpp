@@ -4,6 +4,7 @@
 
 #include "app/pages/board/sharedialog.h"
 #include "widgets/models/parametermodel.h"
+#include "widgets/theme/tablelook.h"
 #include "widgets/views/card.h"
 
 #include <QFile>
@@ -27,16 +28,10 @@ void prepare(QTableWidget *table, const QStringList &heads)
 {
     table->setColumnCount(int(heads.size()));
     table->setHorizontalHeaderLabels(heads);
-    table->verticalHeader()->hide();
-    table->setShowGrid(false);
-    table->setTabKeyNavigation(false);
+    setSelectableRows(*table);
     table->setAlternatingRowColors(true);
-    table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table->setSelectionMode(QAbstractItemView::SingleSelection);
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table->horizontalHeader()->setStretchLastSection(true);
-    table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    table->horizontalHeader()->setHighlightSections(false);
 }
 
 // Reasons are stored in English, the language of files.
@@ -94,10 +89,7 @@ void BackupsPage::makeHeader()
     connect(saveAs, &QPushButton::clicked, this, [this] {
         askSavePath(tr("Save the configuration"), u"gimbal.json"_s, workspace().configurationFilter(),
                     [this](const QString &path) {
-                        if (const auto saved = workspace().saveFile(path); !saved)
-                            workspace().notifications().report(saved.error());
-                        else
-                            workspace().notifications().notify(tr("Saved to %1").arg(path));
+                        workspace().notifications().reportSaved(workspace().saveFile(path), path);
                     });
     });
     header()->addWidget(load);

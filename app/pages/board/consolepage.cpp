@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/board/consolepage.h"
 
+#include "app/workspace/files.h"
 #include "protocol/procedure/safeaction.h"
 #include "widgets/forms/filtertable.h"
 
@@ -12,9 +13,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QScrollBar>
-#include <QShortcut>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
@@ -30,16 +29,13 @@ ConsolePage::ConsolePage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"console"_s, tr("Console"), parent)
     , m_model(workspace.client())
     , m_table(new FilterTable(m_model, FrameLogModel::SearchRole))
-    , m_filter(new QLineEdit)
+    , m_filter(m_table->makeFilterField(tr("Filter (Ctrl+F)"), tr("Filter frames"), this))
     , m_streams(new QCheckBox(tr("Live data too")))
     , m_pause(new QPushButton(tr("Pause")))
     , m_details(new QTextBrowser)
     , m_input(new QLineEdit)
     , m_allow(new QCheckBox(tr("Allow commands that change something")))
 {
-    m_filter->setPlaceholderText(tr("Filter (Ctrl+F)"));
-    m_filter->setAccessibleName(tr("Filter frames"));
-    m_filter->setClearButtonEnabled(true);
     m_filter->setMinimumWidth(160);
     m_streams->setToolTip(tr("Show the frames of streamed live data as well"));
     m_pause->setCheckable(true);
@@ -76,7 +72,6 @@ ConsolePage::ConsolePage(Workspace &workspace, QWidget *parent)
     m_table->setColumnWidth(FrameLogModel::NameColumn, 190);
     m_table->setColumnWidth(FrameLogModel::FieldsColumn, 380);
 
-    connect(m_filter, &QLineEdit::textChanged, m_table, &FilterTable::setFilter);
     connect(m_streams, &QCheckBox::toggled, this, [this](bool on) { m_model.setShowsStreams(on); });
     connect(m_pause, &QPushButton::toggled, this,
             [this](bool on) { m_pause->setText(on ? tr("Continue") : tr("Pause")); });
@@ -105,9 +100,8 @@ ConsolePage::ConsolePage(Workspace &workspace, QWidget *parent)
         completer->setCaseSensitivity(Qt::CaseInsensitive);
         m_input->setCompleter(completer);
     });
-    m_timer.setInterval(kPeriod);
-    connect(&m_timer, &QTimer::timeout, this, &ConsolePage::refresh);
-    new QShortcut(QKeySequence::Find, this, [this] { m_filter->setFocus(); });
+    refreshWhileShown(
+        kPeriod, [this] { refresh(); }, [this] { return m_pause->isChecked(); });
 }
 
 void ConsolePage::refresh()
@@ -166,22 +160,5 @@ void ConsolePage::send()
 
 Result<void> ConsolePage::saveText(const QString &path) const
 {
-    QSaveFile file(path);
-    const QByteArray text = m_model.text().toUtf8();
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
-    return {};
-}
-
-void ConsolePage::showEvent(QShowEvent *event)
-{
-    Page::showEvent(event);
-    refresh();
-    m_timer.start();
-}
-
-void ConsolePage::hideEvent(QHideEvent *event)
-{
-    Page::hideEvent(event);
-    m_timer.stop();
+    return writeFile(path, m_model.text().toUtf8());
 }

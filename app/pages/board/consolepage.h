@@ -5,8 +5,6 @@
 #include "app/workspace/page.h"
 #include "widgets/models/framelogmodel.h"
 
-#include <QTimer>
-
 class FilterTable;
 class QCheckBox;
 class QLineEdit;
@@ -26,10 +24,6 @@ public:
     /// Errors: BadFile.
     Result<void> saveText(const QString &path) const;
 
-protected:
-    void showEvent(QShowEvent *event) override;
-    void hideEvent(QHideEvent *event) override;
-
 private:
     void refresh();
     void showDetails(const QModelIndex &shown);
@@ -42,6 +36,5 @@ private:
     QTextBrowser *m_details;
     QLineEdit *m_input;
     QCheckBox *m_allow;
-    QTimer m_timer;
     bool m_follow = true;
 };

@@ -58,10 +58,7 @@ ShareDialog::ShareDialog(Workspace &workspace, QWidget *parent)
         dialog->setDefaultSuffix(u"png"_s);
         dialog->selectFile(u"settings.png"_s);
         connect(dialog, &QFileDialog::fileSelected, this, [this, &workspace](const QString &path) {
-            if (const auto saved = save(path); !saved)
-                workspace.notifications().report(saved.error());
-            else
-                workspace.notifications().notify(tr("Saved to %1").arg(path));
+            workspace.notifications().reportSaved(save(path), path);
         });
         dialog->open();
     });

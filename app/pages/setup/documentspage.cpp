@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/setup/documentspage.h"
 
+#include "app/workspace/files.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QFile>
@@ -12,7 +13,6 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QVBoxLayout>
 
 using namespace Qt::StringLiterals;
@@ -239,12 +239,7 @@ void DocumentsPage::saveTo(const QString &path)
 {
     take();
     const QByteArray bytes = isUtf8(held()) ? typed() : held();
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        workspace().notifications().report(
-            {ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()), 0});
-    else
-        workspace().notifications().notify(tr("Saved to %1").arg(path));
+    workspace().notifications().reportSaved(writeFile(path, bytes), path);
 }
 
 void DocumentsPage::hideEvent(QHideEvent *event)

@@ -5,6 +5,7 @@
 #include "widgets/forms/helpcard.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/valueeditor.h"
+#include "widgets/theme/tablelook.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -123,9 +124,7 @@ void ParametersPage::makeBody()
     m_proxy->setSourceModel(&m_model);
     m_table->setModel(m_proxy);
     m_table->setAccessibleName(tr("All parameters"));
-    m_table->verticalHeader()->hide();
-    m_table->setShowGrid(false);
-    m_table->setTabKeyNavigation(false);
+    setPlainRows(*m_table);
     m_table->setAlternatingRowColors(true);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->horizontalHeader()->setStretchLastSection(true);

@@ -3,6 +3,7 @@
 #include "app/pages/setup/profilespage.h"
 
 #include "widgets/models/parametermodel.h"
+#include "widgets/theme/tablelook.h"
 #include "widgets/views/card.h"
 
 #include <QComboBox>
@@ -58,15 +59,9 @@ void ProfilesPage::makeBody()
 {
     m_table->setModel(&m_model);
     m_table->setAccessibleName(tr("Profiles"));
-    m_table->verticalHeader()->hide();
+    setSelectableRows(*m_table);
     m_table->verticalHeader()->setDefaultSectionSize(36);
-    m_table->setShowGrid(false);
-    m_table->setTabKeyNavigation(false);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
-    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->setColumnWidth(ProfileModel::NumberColumn, 56);
     m_table->setColumnWidth(ProfileModel::NameColumn, 260);
@@ -221,8 +216,5 @@ void ProfilesPage::loadInto(const QString &path, int profile)
 
 void ProfilesPage::saveTo(const QString &path)
 {
-    if (const auto saved = workspace().saveFile(path); !saved)
-        workspace().notifications().report(saved.error());
-    else
-        workspace().notifications().notify(tr("Saved to %1").arg(path));
+    workspace().notifications().reportSaved(workspace().saveFile(path), path);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/setup/scriptspage.h"
 
+#include "app/workspace/files.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/views/card.h"
@@ -14,7 +15,6 @@
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QVBoxLayout>
 
 using namespace Qt::StringLiterals;
@@ -274,12 +274,7 @@ void ScriptsPage::save()
 {
     askSavePath(tr("Save the script"), u"script%1.%2"_s.arg(m_script + 1).arg(language()->suffix()),
                 tr("Scripts (*.%1)").arg(language()->suffix()), [this](const QString &path) {
-                    QSaveFile file(path);
-                    if (!file.open(QIODevice::WriteOnly) || file.write(m_texts.value(m_script).toUtf8()) < 0
-                        || !file.commit())
-                        workspace().notifications().report(
-                            {ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()), 0});
-                    else
-                        workspace().notifications().notify(tr("Saved to %1").arg(path));
+                    workspace().notifications().reportSaved(writeFile(path, m_texts.value(m_script).toUtf8()),
+                                                            path);
                 });
 }

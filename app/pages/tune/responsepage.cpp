@@ -6,6 +6,7 @@
 #include "app/pages/tune/responsecharts.h"
 #include "protocol/record/responsecsv.h"
 #include "widgets/models/parametermodel.h"
+#include "widgets/theme/tablelook.h"
 #include "widgets/views/card.h"
 
 #include <QComboBox>
@@ -136,13 +137,7 @@ void ResponsePage::makeResults(QVBoxLayout *column)
     column->addWidget(m_charts, 3);
     auto *card = new Card(tr("Measurements"));
     m_table->setAccessibleName(tr("Measurements"));
-    m_table->verticalHeader()->hide();
-    m_table->setShowGrid(false);
-    m_table->setTabKeyNavigation(false);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_table->horizontalHeader()->setHighlightSections(false);
+    setSelectableRows(*m_table);
     m_table->setMinimumHeight(110);
     card->content()->addWidget(m_table, 1);
     auto *buttons = new QHBoxLayout;

@@ -6,6 +6,7 @@
 #include "protocol/telemetry/uniformsamples.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/plot/waterfallview.h"
+#include "widgets/theme/tablelook.h"
 #include "widgets/views/card.h"
 
 #include <QActionGroup>
@@ -50,14 +51,8 @@ QTableWidget *makeTable(const QStringList &titles, const QString &name)
     auto *table = new QTableWidget(0, int(titles.size()));
     table->setHorizontalHeaderLabels(titles);
     table->setAccessibleName(name);
-    table->verticalHeader()->hide();
-    table->setShowGrid(false);
-    table->setTabKeyNavigation(false);
+    setSelectableRows(*table);
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table->setSelectionMode(QAbstractItemView::SingleSelection);
-    table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    table->horizontalHeader()->setHighlightSections(false);
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     return table;
 }

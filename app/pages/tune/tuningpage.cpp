@@ -167,7 +167,7 @@ void TuningPage::connectAll()
     });
     connect(&m_live, &LiveModel::slotChanged, this, &TuningPage::updateState);
     connect(&m_live, &LiveModel::failed, this, [this](const Error &error) {
-        if (error.code == ErrorCode::LinkClosed || error.code == ErrorCode::Cancelled)
+        if (isEndOfLink(error))
             return;
         ErrorText text = describe(error);
         text.meaning += tr(" The values in use were asked for again.");

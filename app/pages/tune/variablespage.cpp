@@ -9,7 +9,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QShortcut>
 #include <QVBoxLayout>
 
 #include <tuple>
@@ -26,7 +25,7 @@ VariablesPage::VariablesPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"variables"_s, tr("Adjustable variables"), parent)
     , m_model(workspace.client())
     , m_table(new FilterTable(m_model, AdjustableModel::SearchRole))
-    , m_search(new QLineEdit)
+    , m_search(m_table->makeFilterField(tr("Search (Ctrl+F)"), tr("Search variables"), this))
     , m_live(new QCheckBox(tr("Keep reading")))
     , m_note(new QLabel)
 {
@@ -35,9 +34,6 @@ VariablesPage::VariablesPage(Workspace &workspace, QWidget *parent)
     m_note->setText(
         tr("A value set here takes effect at once and is forgotten at the next start unless it is saved. "
            "Numbers are the board's own; the meaning stands beside them."));
-    m_search->setPlaceholderText(tr("Search (Ctrl+F)"));
-    m_search->setAccessibleName(tr("Search variables"));
-    m_search->setClearButtonEnabled(true);
     m_search->setMinimumWidth(180);
     m_live->setChecked(true);
     m_live->setToolTip(tr("Shows changes that the radio, a menu or another program makes"));
@@ -52,20 +48,16 @@ VariablesPage::VariablesPage(Workspace &workspace, QWidget *parent)
     body()->addWidget(m_note);
     body()->addWidget(m_table, 1);
 
-    connect(m_search, &QLineEdit::textChanged, m_table, &FilterTable::setFilter);
     connect(&m_model, &AdjustableModel::failed, this, [this](const Error &error) {
-        if (error.code != ErrorCode::LinkClosed && error.code != ErrorCode::Cancelled)
+        if (!isEndOfLink(error))
             this->workspace().notifications().report(error);
     });
     connect(&m_model, &AdjustableModel::written, &workspace.live(), &LiveModel::read);
     connect(save, &QPushButton::clicked, this, [this] { std::ignore = this->workspace().saveLive(); });
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &VariablesPage::onState);
-    m_timer.setInterval(kPeriod);
-    connect(&m_timer, &QTimer::timeout, this, [this] {
-        if (m_live->isChecked() && !m_table->isEditing())
-            m_model.refresh();
-    });
-    new QShortcut(QKeySequence::Find, this, [this] { m_search->setFocus(); });
+    refreshWhileShown(
+        kPeriod, [this] { m_model.refresh(); },
+        [this] { return !m_live->isChecked() || m_table->isEditing(); });
     onState();
 }
 
@@ -81,17 +73,4 @@ void VariablesPage::onState()
     m_table->setColumnWidth(AdjustableModel::ValueColumn, 100);
     m_table->setColumnWidth(AdjustableModel::MeaningColumn, 230);
     m_table->setColumnWidth(AdjustableModel::RangeColumn, 130);
-}
-
-void VariablesPage::showEvent(QShowEvent *event)
-{
-    Page::showEvent(event);
-    m_model.refresh();
-    m_timer.start();
-}
-
-void VariablesPage::hideEvent(QHideEvent *event)
-{
-    Page::hideEvent(event);
-    m_timer.stop();
 }

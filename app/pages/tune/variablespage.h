@@ -5,8 +5,6 @@
 #include "app/workspace/page.h"
 #include "widgets/models/adjustablemodel.h"
 
-#include <QTimer>
-
 class FilterTable;
 class QCheckBox;
 class QLineEdit;
@@ -21,10 +19,6 @@ public:
     [[nodiscard]] AdjustableModel &model() { return m_model; }
     [[nodiscard]] FilterTable *table() const { return m_table; }
 
-protected:
-    void showEvent(QShowEvent *event) override;
-    void hideEvent(QHideEvent *event) override;
-
 private:
     void onState();
 
@@ -33,5 +27,4 @@ private:
     QLineEdit *m_search;
     QCheckBox *m_live;
     QLabel *m_note;
-    QTimer m_timer;
 };

@@ -3,6 +3,7 @@
 #include "app/pages/watch/debugpage.h"
 
 #include "widgets/plot/plotstack.h"
+#include "widgets/theme/tablelook.h"
 
 #include <QHeaderView>
 #include <QLabel>
@@ -36,9 +37,7 @@ DebugPage::DebugPage(Workspace &workspace, QWidget *parent)
     header()->addWidget(m_pause);
     m_table->setModel(&m_model);
     m_table->setAccessibleName(tr("Debug variables"));
-    m_table->verticalHeader()->hide();
-    m_table->setShowGrid(false);
-    m_table->setTabKeyNavigation(false);
+    setPlainRows(*m_table);
     m_table->setAlternatingRowColors(true);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -68,7 +67,7 @@ DebugPage::DebugPage(Workspace &workspace, QWidget *parent)
             m_table->selectRow(0);
     });
     connect(&m_model, &DebugModel::failed, this, [this](const Error &error) {
-        if (error.code == ErrorCode::LinkClosed || error.code == ErrorCode::Cancelled)
+        if (isEndOfLink(error))
             return;
         m_pause->setChecked(true);
         this->workspace().notifications().report(error);
@@ -77,11 +76,8 @@ DebugPage::DebugPage(Workspace &workspace, QWidget *parent)
         if (state == DeviceClient::State::Connected)
             m_model.reset();
     });
-    m_timer.setInterval(kPeriod);
-    connect(&m_timer, &QTimer::timeout, this, [this] {
-        if (!m_pause->isChecked())
-            m_model.refresh();
-    });
+    refreshWhileShown(
+        kPeriod, [this] { m_model.refresh(); }, [this] { return m_pause->isChecked(); });
 }
 
 // All of them in one plot, each with its own scale: nothing is known of their units.
@@ -96,17 +92,4 @@ void DebugPage::showCurves()
     m_plots->setSource(m_model.table(), m_model.store());
     if (!channels.isEmpty())
         m_plots->setPlots({{channels, channels.size() > 1, false}});
-}
-
-void DebugPage::showEvent(QShowEvent *event)
-{
-    Page::showEvent(event);
-    m_model.refresh();
-    m_timer.start();
-}
-
-void DebugPage::hideEvent(QHideEvent *event)
-{
-    Page::hideEvent(event);
-    m_timer.stop();
 }

@@ -5,8 +5,6 @@
 #include "app/workspace/page.h"
 #include "widgets/models/debugmodel.h"
 
-#include <QTimer>
-
 class QPushButton;
 class QTableView;
 class PlotStack;
@@ -23,10 +21,6 @@ public:
     /// The chosen variables over time.
     [[nodiscard]] PlotStack *plots() const { return m_plots; }
 
-protected:
-    void showEvent(QShowEvent *event) override;
-    void hideEvent(QHideEvent *event) override;
-
 private:
     void showCurves();
 
@@ -34,5 +28,4 @@ private:
     QTableView *m_table;
     PlotStack *m_plots;
     QPushButton *m_pause;
-    QTimer m_timer;
 };
