@@ -51,7 +51,7 @@ int runWholeTour(const QString &folder, const QStringList &more)
     return QApplication::exec();
 }
 
-// Pictures need no screen.
+// Pictures can be taken without a screen.
 void allowPicturesWithoutScreen(int argc, char **argv)
 {
     const bool hasScreen
@@ -86,7 +86,7 @@ void addOptions(QCommandLineParser &parser)
     parser.addVersionOption();
 }
 
-// What is wrong with the options among themselves; empty if nothing.
+// What is wrong with the command line; empty if nothing.
 QString mistakeIn(const QCommandLineParser &parser)
 {
     if (!parser.positionalArguments().isEmpty())
@@ -96,7 +96,7 @@ QString mistakeIn(const QCommandLineParser &parser)
     return {};
 }
 
-// The look that was set, and over it the one of the command line. False if that is none.
+// The theme from the settings, overridden by the one on the command line. False if there is no such theme.
 bool chooseTheme(Theme &theme, const Settings &settings, const QString &name)
 {
     if (settings.theme() != Settings::ThemeChoice::System)
@@ -112,7 +112,7 @@ bool chooseTheme(Theme &theme, const Settings &settings, const QString &name)
     return true;
 }
 
-// What to connect to at start; empty if nothing. Errors: InvalidArgument and what the link says.
+// What to connect to at start; empty for nothing. Errors: InvalidArgument and those of the link.
 Result<QString> startAddress(const QCommandLineParser &parser)
 {
     QString address = parser.value(u"link"_s);
@@ -131,7 +131,7 @@ Result<QString> startAddress(const QCommandLineParser &parser)
     return address;
 }
 
-// Takes the pictures and ends the program.
+// Takes the pictures, then ends the program.
 std::unique_ptr<Tour> beginTour(MainWindow &window, const QCommandLineParser &parser, const Theme &theme,
                                 const QString &language)
 {
@@ -183,7 +183,7 @@ int main(int argc, char **argv)
                             parser.isSet(u"language"_s) ? QStringList{u"--language"_s, language}
                                                         : QStringList());
 
-    // Pictures show a program that was never used before.
+    // Pictures show the program as it is before first use.
     const bool tour = parser.isSet(u"tour"_s);
     QTemporaryDir pristine;
     if (tour)

@@ -215,7 +215,7 @@ protected:
     QStringList given() const override { return arguments(); }
 };
 
-/// Off is the stop that always works: the board's stop plan, carried out until something proves it.
+/// Off always works: it runs the board's stop plan until something confirms that the motors have stopped.
 class MotorsCommand final : public Command
 {
 public:
@@ -296,7 +296,7 @@ public:
         const QList<int> channels = named->isEmpty() ? usualChannels(device) : *named;
         CommandOutcome outcome;
         QJsonArray list;
-        // The line sets no limit on USB.
+        // Over USB the line imposes no limit.
         const std::vector<int> lines
             = device.identity().usb ? std::vector<int>{0} : std::vector<int>{115200, 256000, 921600};
         outcome.text = u"%1 %2 %3"_s.arg(u"stream"_s, -12).arg(u""_s, -22).arg(u"bytes"_s, 6);

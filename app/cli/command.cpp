@@ -104,7 +104,7 @@ void BoardCommand::start(DeviceClient &client)
         submit();
 }
 
-// Live data is arranged by the client as soon as a board is found.
+// The client arranges live data as soon as a board is found.
 void BoardCommand::awaitTelemetry(const QList<int> &channels)
 {
     const TimePoint begun = Clock::now();
@@ -126,7 +126,7 @@ void BoardCommand::submit()
         ->submit<CommandOutcome>([this](Channel &channel, Device &device) { return run(channel, device); },
                                  moves() ? DeviceClient::JobKind::Moving : DeviceClient::JobKind::Quiet)
         .then(this, [this](const Result<CommandOutcome> &outcome) {
-            // A moving job posts its "stop" as the last thing; the link stays open until it is out.
+            // A moving job posts its "stop" last; the link stays open until that has been sent.
             QTimer::singleShot(outcome ? 0 : 100, this, [this, outcome] { emit finished(outcome); });
         });
 }

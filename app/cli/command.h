@@ -16,7 +16,7 @@
 
 #include <memory>
 
-/// What every command gets from the program around it.
+/// What the program provides to every command.
 struct CommandContext
 {
     QList<Family> families;
@@ -29,21 +29,21 @@ struct CommandContext
 struct CommandOption
 {
     QString name;
-    QString value;  ///< what stands for the value in the help: "N"
+    QString value;  ///< placeholder for the value in the help: "N"
     QString help;
-    /// Called once for each time the option was given. Errors: InvalidArgument.
+    /// Called once per occurrence of the option. Errors: InvalidArgument.
     std::function<Result<void>(const QString &text)> take;
 
     /// As it stands in a usage line: "[--profile N]".
     [[nodiscard]] QString usage() const;
 };
 
-/// What a command produced: one JSON document and the same as text.
+/// The output of a command: a JSON document, and the same as text.
 struct CommandOutcome
 {
     QJsonValue json;
     QString text;
-    QString note;  ///< for people only, on stderr: where the snapshot went, how it went
+    QString note;  ///< for people only, on stderr: where the snapshot was saved, how the command went
     int exitCode = 0;
 
     friend bool operator==(const CommandOutcome &, const CommandOutcome &) = default;
@@ -72,17 +72,17 @@ public:
     /// What follows "gimbalctl" on a line that could be typed.
     [[nodiscard]] virtual const char *example() const = 0;
     [[nodiscard]] virtual QList<CommandOption> options() { return {}; }
-    /// What is wrong with the arguments, empty if nothing. Called after the options were taken.
+    /// What is wrong with the arguments; empty if they are valid. Called once the options have been set.
     [[nodiscard]] virtual QString check() const { return {}; }
 
     [[nodiscard]] virtual bool needsBoard() const { return true; }
-    /// Before the client connects, for those that want to hear everything.
+    /// Called before the client connects, for commands that must not miss anything.
     virtual void prepare(DeviceClient &) { }
     /// A board is connected; finished() or failed() follows.
     virtual void start(DeviceClient &client) = 0;
-    /// Instead of start(), where no board is needed.
+    /// Called instead of start() where no board is needed.
     virtual void startWithoutBoard() { emit finished(failure(ErrorCode::NotConnected)); }
-    /// Ctrl-C: whatever moves is stopped, and the end is told as always.
+    /// Ctrl-C: stops whatever moves; the end is reported as usual.
     virtual void stop() = 0;
 
     /// Name, words and options.
@@ -120,8 +120,8 @@ public:
 protected:
     /// A moving job is cancelled when the motors are switched off.
     [[nodiscard]] virtual bool moves() const { return false; }
-    /// Channels that have to tell something new before it runs. They are waited for two seconds; without them
-    /// it runs all the same, and sees that nothing tells.
+    /// Channels that must have a new value before it runs. It waits for them for two seconds, then runs all
+    /// the same and finds them without values.
     [[nodiscard]] virtual QList<int> awaits(const Device &) const { return {}; }
     virtual Result<CommandOutcome> run(Channel &channel, Device &device) = 0;
     /// The newest telemetry of the board.
@@ -181,13 +181,13 @@ template <typename... Each> [[nodiscard]] Commands makeCommands(const CommandCon
 
 /// The channels with these keys. Errors: InvalidArgument.
 [[nodiscard]] Result<QList<int>> findChannels(ChannelTable table, const QStringList &keys);
-/// What a person looks at first: angles, targets and gyros.
+/// The channels of most interest: angles, targets and gyroscopes.
 [[nodiscard]] QList<int> usualChannels(const Device &device);
 /// What a motion test found. Errors: InvalidArgument (the samples tell nothing).
 [[nodiscard]] Result<CommandOutcome> describeMotion(const MotionTestResult &result);
-/// A value with its unit as a person reads it.
+/// A value with its unit, for people.
 [[nodiscard]] QString valueText(const ParameterSpec &spec, double raw);
-/// The text, or null for what is no number.
+/// The text of the value, or null for NaN.
 [[nodiscard]] QJsonValue valueJson(const ParameterSpec &spec, double raw);
 [[nodiscard]] QJsonObject changeJson(const ParameterChange &change);
 /// Lines "profile  key  old -> new".
@@ -195,6 +195,6 @@ template <typename... Each> [[nodiscard]] Commands makeCommands(const CommandCon
                                  const std::vector<ParameterChange> &changes);
 /// Lines for the blocks that differ as a whole.
 [[nodiscard]] QString dataText(const std::vector<DataChange> &changes);
-/// Writes and tells how it went. The exit code is 1 unless everything was verified.
+/// Writes and reports the result. The exit code is 1 unless everything was verified.
 Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Configuration &base,
                                       const Configuration &edited, const BoardHistory &history);

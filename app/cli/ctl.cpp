@@ -103,7 +103,7 @@ Command *Ctl::findCommand(const QString &name) const
     return it == m_commands.end() ? nullptr : it->get();
 }
 
-// All commands' options at once: which of the words is the command can be told only then.
+// The options of all commands at once: only with them can the command be told from the values of options.
 void Ctl::addOptions(QCommandLineParser &parser) const
 {
     parser.addOption(QCommandLineOption(QStringList{u"h"_s, u"help"_s}));
@@ -194,7 +194,7 @@ std::optional<int> Ctl::start(const QStringList &arguments)
     if (!parser.isSet(u"link"_s))
         return wrong(u"%1 needs --link ADDRESS"_s.arg(QLatin1String(m_command->name())));
     const QString family = parser.value(u"family"_s);
-    // Without one it is found out who answers.
+    // Without one, the search finds out which family answers.
     if (parser.isSet(u"family"_s)
         && std::none_of(m_context.families.begin(), m_context.families.end(),
                         [&family](const Family &each) { return each.key == family; })) {

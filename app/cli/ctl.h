@@ -9,12 +9,13 @@
 
 class QCommandLineParser;
 
-/// gimbalctl: finds the command, connects, runs it, prints, ends with an honest exit code.
+/// gimbalctl: finds the command, connects, runs it, prints the result and ends with an exit code that
+/// reflects it.
 class Ctl final : public QObject
 {
     Q_OBJECT
 public:
-    /// @param families which boards it knows; @param links what it reaches them by
+    /// @param families the boards it knows; @param links how it reaches them
     Ctl(QList<Family> families, Links links, QObject *parent = nullptr);
     ~Ctl() override;
 

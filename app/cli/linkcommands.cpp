@@ -13,7 +13,7 @@ namespace {
 constexpr double kLongest = 1e6;  // seconds
 constexpr auto kWatchPeriod = 250ms;
 
-/// A command that lets telemetry run, for some time or until it is interrupted.
+/// A command that runs telemetry for some time, or until interrupted.
 class StreamingCommand : public Command
 {
 public:
@@ -165,8 +165,8 @@ public:
     }
 
 protected:
-    // First everything is read, so that the recording can be opened like the board itself; then the streams
-    // run.
+    // Everything is read first, so that the recording can be opened like the board itself; then the streams
+    // start.
     void begin(const QList<int> &channels) override
     {
         auto task = RecordingTask::start(m_recorder, arguments().first(),

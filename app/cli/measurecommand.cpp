@@ -15,7 +15,7 @@ namespace {
 constexpr auto kTelemetryLead = 1500ms;  // telemetry first: a test begins only when the axis can be seen
 constexpr auto kLastWords = 300ms;  // "stop" and "release" go out before the link is closed
 
-/// "steps pitch degrees=3": how an axis follows, measured by moving it a little.
+/// "steps pitch degrees=3": measures how an axis follows by moving it a little.
 Result<MotionTestPlan> motionPlan(const QStringList &words)
 {
     MotionTestPlan plan;

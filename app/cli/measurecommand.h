@@ -4,7 +4,7 @@
 
 #include "app/cli/command.h"
 
-/// Moves an axis a little and tells how it follows.
+/// Moves an axis a little and reports how it follows.
 class MeasureCommand final : public Command
 {
     Q_OBJECT

@@ -71,7 +71,7 @@ Result<QList<int>> channelsOf(const Opened &opened, const QStringList &keys)
     return channels;
 }
 
-// As fine as the samples allow, but not finer than half a hertz.
+// As fine a resolution as the samples allow, but no finer than half a hertz.
 SpectrumOptions averaging(std::size_t samples, double rate)
 {
     int length = 64;

@@ -25,7 +25,7 @@ constexpr int kHelpIndent = 20;
 
 using Port = std::unique_ptr<SimulatedPort>;
 
-/// A way to offer a simulated board: the kinds of link that the option stands for.
+/// A way to offer a simulated board, and the option that selects it.
 struct HostKind
 {
     const char *option;
@@ -104,7 +104,7 @@ QStringList Sim::keys() const
     return keys;
 }
 
-// What all families say in the same words is said once.
+// What is the same for all families is printed once.
 QString Sim::optionsText() const
 {
     QStringList names;

@@ -9,7 +9,7 @@
 
 class QCommandLineParser;
 
-/// gimbalsim: makes a simulated board, offers it to the world, and changes its world on request.
+/// gimbalsim: creates a simulated board, offers it on a link, and injects faults on request.
 class Sim final : public QObject
 {
     Q_OBJECT

@@ -126,7 +126,8 @@ void TelemetryPrinter::finish()
     m_out.flush();
     const auto store = m_client.telemetry();
     QString note = u"%1 rows, %2 lost"_s.arg(m_rows).arg(store ? store->lost() : 0);
-    if (const double rate = m_client.telemetryPlan().rate; rate > 0)  // a recording has the rate that it has
+    if (const double rate = m_client.telemetryPlan().rate;
+        rate > 0)  // the rate of a recording cannot be chosen
         note += u", %1 rows/s arranged"_s.arg(rate, 0, 'f', 0);
     const StreamBudget &budget = m_client.telemetryPlan().budget;
     if (budget.capacity > 0) {

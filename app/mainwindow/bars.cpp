@@ -22,7 +22,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr auto kNoticeTime = 8s;
-constexpr qint64 kBadTimeMs = 10000;  // a loss colours the link's dot for so long
+constexpr qint64 kBadTimeMs = 10000;  // how long a loss colours the link's dot
 
 }  // namespace
 
@@ -225,7 +225,7 @@ void UnsavedBar::refresh()
     const QString offline = m_workspace.offlineFile();
     m_saveFile->setVisible(!model.isEmpty() && !m_workspace.client().isConnected());
     m_saveFile->setToolTip(offline);
-    // Once written, what could be redone is only reached by its key; the bar is for what is unsaved.
+    // After a write, redoing is possible only by its shortcut; the bar is for unsaved changes.
     setVisible(count > 0 || (stack.canRedo() && !m_written));
 }
 
@@ -342,7 +342,7 @@ void StatusStrip::refresh()
         text += u" · "_s + tr("%1 damaged").arg(damaged);
     if (link.roundTrip)
         text += u" · "_s + tr("%1 ms").arg(seconds(*link.roundTrip) * 1000, 0, 'f', 1);
-    // The colour tells of now; the numbers tell of the whole connection.
+    // The colour shows the present state; the numbers cover the whole connection.
     if (damaged + lost != m_lastBad) {
         m_lastBad = damaged + lost;
         m_badAt.start();

@@ -21,7 +21,7 @@ class MessageBar final : public QFrame
 public:
     explicit MessageBar(QWidget *parent = nullptr);
     void showProblem(const ErrorText &text);
-    /// Goes away by itself.
+    /// Disappears by itself.
     void showNotice(const QString &text);
     [[nodiscard]] QString text() const;
 
@@ -58,7 +58,7 @@ private:
     QList<QPushButton *> m_buttons;
 };
 
-/// Only there while something is unsaved.
+/// Shown only while something is unsaved.
 class UnsavedBar final : public QFrame
 {
     Q_OBJECT
@@ -83,7 +83,7 @@ private:
     QPushButton *m_write;
 };
 
-/// Only there while the board uses values that it has not stored.
+/// Shown only while the board uses values that it has not stored.
 class UnstoredBar final : public QFrame
 {
     Q_OBJECT

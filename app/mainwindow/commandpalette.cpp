@@ -55,7 +55,7 @@ void CommandPalette::refilter()
         return std::all_of(words.begin(), words.end(),
                            [&entry](const QString &word) { return entry.search.contains(word); });
     };
-    // What begins with the words comes before what holds them somewhere.
+    // Entries that begin with the words come before those that merely contain them.
     const QString start = m_input->text().trimmed().toLower();
     for (const bool beginning : {true, false}) {
         for (qsizetype i = 0; i < m_entries.size() && m_list->count() < kMostShown; ++i) {

@@ -9,7 +9,7 @@
 class QLineEdit;
 class QListWidget;
 
-/// Something that can be gone to or done from the palette.
+/// Something that can be shown or done from the palette.
 struct PaletteEntry
 {
     QString kind;  ///< "Page", "Parameter", "Channel", "Action"

@@ -200,11 +200,11 @@ void LinkBar::updateProfiles()
 
 void LinkBar::updateMotors()
 {
-    // A recording has no motors.
+    // There are no motors in a recording.
     const bool connected = m_workspace.client().isConnected() && !m_workspace.client().address().isReplay();
     const auto running = m_workspace.motorsRunning();
-    // Unknown counts as running: the button must stop them then.
-    // So does a board without a command that switches them on: there the button only ever stops.
+    // An unknown state counts as running: the button must be able to stop them.
+    // So does a board without a command to switch them on: there the button can only stop.
     const Device *device = m_workspace.client().device();
     const bool canSwitchOn = !connected || (device && device->motorSwitch());
     m_offNext = !running || *running || !canSwitchOn;

@@ -11,7 +11,7 @@ class QComboBox;
 class QLabel;
 class QPushButton;
 
-/// The top of the window: where the board is, who it is, which profile it uses, and the motors button.
+/// The top of the window: the link, the board's identity, its profile, and the motors button.
 class LinkBar final : public QFrame
 {
     Q_OBJECT

@@ -68,7 +68,7 @@ MainWindow::MainWindow(Links links, QList<Family> families, Theme &theme, Settin
 MainWindow::~MainWindow()
 {
     m_workspace->shutDown();
-    // Dialogs and pages refer to the workspace, which goes first otherwise.
+    // Dialogs and pages refer to the workspace, which would otherwise be destroyed first.
     delete m_review;
     delete m_palette;
     delete m_keys;
@@ -189,7 +189,7 @@ void MainWindow::openFile(const QString &path)
 void MainWindow::askOpenFile()
 {
     if (m_workspace->client().isConnected()) {
-        showPage(u"backups"_s);  // with a board, a file is something to compare with and to load
+        showPage(u"backups"_s);  // with a board, the file is compared with it and loaded as edits
         return;
     }
     auto *dialog = new QFileDialog(this, tr("Open a configuration or a recording"),
@@ -227,7 +227,7 @@ Page *MainWindow::page(const QString &key)
         Page *made = entry.make(*m_workspace);
         m_pages.insert(key, made);
         m_stack->addWidget(made);
-        // Rows measured before the style was there would keep their height.
+        // Rows measured before the style sheet applied would keep their height.
         for (auto *view : made->findChildren<QAbstractItemView *>()) {
             view->ensurePolished();
             view->doItemsLayout();
@@ -255,7 +255,7 @@ void MainWindow::updateOffered()
         showPage(QLatin1String(pageTable().front().key));
 }
 
-// Pages come alive with the first board or file; until then there is one card that says how to begin.
+// Pages are shown with the first board or file; until then, one card says how to begin.
 void MainWindow::updateStart()
 {
     const QString key = m_navigation->currentPage();

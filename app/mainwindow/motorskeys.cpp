@@ -44,8 +44,8 @@ bool MotorsKeys::eventFilter(QObject *watched, QEvent *event)
         event->accept();
         return press && watched->isWidgetType();
     }
-    // Esc keeps its meaning everywhere; held on, it stops the motors as well. A window that closes meanwhile
-    // does not matter.
+    // Esc keeps its meaning everywhere; held down, it also stops the motors, even if its window closes
+    // meanwhile.
     if (key->key() == Qt::Key_Escape && release)
         m_letGo.start();
     else if (key->key() == Qt::Key_Escape && press)

@@ -14,7 +14,7 @@ public:
     explicit MotorsKeys(Workspace &workspace, QObject *parent = nullptr);
 
 signals:
-    /// Esc is down and will act after so many milliseconds.
+    /// Esc is down and will act after this many milliseconds.
     void holdStarted(int ms);
     void holdEnded();
 

@@ -44,7 +44,7 @@ ReplayBar::ReplayBar(Workspace &workspace, QWidget *parent)
     m_place->setAccessibleName(tr("Place in the recording"));
     m_place->setPageStep(int(10 * kStepsPerSecond));
     m_place->setSingleStep(int(kStepsPerSecond));
-    m_place->setTracking(false);  // a place is gone to when the slider is let go
+    m_place->setTracking(false);  // playback moves when the slider is released
     for (const double speed : kSpeeds)
         m_speed->addItem(tr("%1×").arg(speed), speed);
     m_speed->setCurrentIndex(2);
@@ -68,7 +68,7 @@ ReplayBar::ReplayBar(Workspace &workspace, QWidget *parent)
             [this] { m_workspace.client().replay().setSpeed(m_speed->currentData().toDouble()); });
     DeviceClient &client = workspace.client();
     connect(&client, &DeviceClient::statisticsChanged, this, &ReplayBar::showState);
-    // Queued: going back opens the recording anew, and the bar must not go away and come back meanwhile.
+    // Queued: seeking backwards reopens the recording, and the bar must not disappear and reappear meanwhile.
     connect(
         &client, &DeviceClient::stateChanged, this,
         [this] {

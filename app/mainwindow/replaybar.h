@@ -11,7 +11,7 @@ class QLabel;
 class QPushButton;
 class QSlider;
 
-/// While a recording is open: where it stands, to pause it, to go elsewhere, to change its speed.
+/// Controls of an open recording: position, pause, speed.
 class ReplayBar final : public QFrame
 {
     Q_OBJECT

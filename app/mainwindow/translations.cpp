@@ -11,7 +11,7 @@ using namespace Qt::StringLiterals;
 Translations::Translations(const QString &code)
 {
     const QLocale locale = code.isEmpty() ? QLocale::system() : QLocale(code);
-    // Numbers are written one way everywhere: on the screen, in files and on the command line.
+    // Numbers have the same format everywhere: on the screen, in files and on the command line.
     QLocale::setDefault(QLocale::c());
     if (m_english.load(u":/translations/gimbaldesk_en.qm"_s))
         QCoreApplication::installTranslator(&m_english);

@@ -4,7 +4,7 @@
 
 #include <QTranslator>
 
-/// The catalogues of one language, installed for as long as this lives: the program's own and Qt's.
+/// The catalogues of one language, the program's and Qt's, installed for the lifetime of this object.
 class Translations
 {
 public:

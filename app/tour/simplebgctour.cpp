@@ -436,7 +436,7 @@ void Tour::addDialogSteps()
                     true});
 }
 
-// The last minutes, opened as a recording: the board is gone then.
+// Opens the last minutes as a recording; the board is disconnected for that.
 void Tour::addReplaySteps()
 {
     const QString file = QDir(m_folder).filePath(u"tour.gimbalrec"_s);

@@ -92,7 +92,7 @@ void Tour::poll()
     if (step.ready) {
         if (!step.ready())
             return;
-        // From here on only time counts.
+        // From here on, only the time to settle matters.
         m_steps[m_at].ready = {};
         m_since.start();
         return;

@@ -10,7 +10,7 @@
 
 class MainWindow;
 
-/// Visits pages, wizard steps and dialogs with a living simulated board and writes one PNG of each.
+/// Visits pages, wizard steps and dialogs with a running simulated board and saves a PNG of each.
 class Tour final : public QObject
 {
     Q_OBJECT
@@ -23,7 +23,7 @@ public:
     Tour(MainWindow &window, QString folder, QString suffix, Extent extent, QString family = {},
          QObject *parent = nullptr);
 
-    /// Goes through all steps by itself once the board has been read.
+    /// Runs all steps once the board has been read.
     void start();
 
 signals:

@@ -5,7 +5,7 @@
 #include <QObject>
 #include <QProcess>
 
-/// The whole tour in every look: runs this program once for each theme and scale, one after the other.
+/// The whole tour in every appearance: runs this program once per theme and scale, one after the other.
 class TourRunner final : public QObject
 {
     Q_OBJECT

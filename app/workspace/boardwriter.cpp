@@ -38,7 +38,7 @@ void BoardWriter::write(const Configuration &wanted)
             m_writing = false;
             onReport(result);
             restoreLive(live);
-            // What was wanted is not lost: it is unsaved again.
+            // The wanted values are not lost: they become unsaved edits again.
             if (const auto again = std::exchange(m_wantedAgain, std::nullopt);
                 again && result && result->isComplete())
                 m_edits.apply(*again, tr("Changes of the interrupted write"));
@@ -95,8 +95,8 @@ void BoardWriter::onReport(const Result<WriteReport> &result)
     m_notifications.report(text);
 }
 
-// After the reconnection the board was read again, so it is known what a broken write left behind: the rest
-// can be written, or what got through can be put back. Either way it is an ordinary verified write.
+// The board has been read again after reconnecting, so the state left by the interrupted write is known: the
+// rest can be written, or what was written can be undone. Either is an ordinary verified write.
 void BoardWriter::offerRepair()
 {
     if (!std::exchange(m_interrupted, false))
@@ -149,7 +149,7 @@ void BoardWriter::offerRepair()
     m_notifications.ask(question);
 }
 
-// A written block is loaded by the board at once, stored values and all: what was in use beside it is put
+// The board loads a written block at once, including its stored values: live values that it replaced are put
 // into use again.
 void BoardWriter::restoreLive(const LiveValues &before)
 {

@@ -9,7 +9,7 @@
 #include "widgets/forms/editstack.h"
 #include "widgets/models/livemodel.h"
 
-/// Writes edits to the board, tells the operator how it went, and mends what a broken link left half done.
+/// Writes edits to the board, reports the result, and repairs writes that a lost link has interrupted.
 class BoardWriter final : public QObject
 {
     Q_OBJECT
@@ -22,9 +22,10 @@ public:
     void write(const Configuration &wanted);
     [[nodiscard]] bool isWriting() const { return m_writing; }
     [[nodiscard]] const std::optional<WriteReport> &lastReport() const { return m_lastReport; }
-    /// Another board, or one that may have been changed meanwhile: the next write makes its own safety copy.
+    /// The board is another one, or may have been changed meanwhile: the next write takes a snapshot of its
+    /// own.
     void beginLink() { m_backupDone = false; }
-    /// The board was read: if a write had broken off before, asks what to do about it.
+    /// Called after the board was read: if a write was interrupted before, asks what to do about it.
     void offerRepair();
 
 signals:
@@ -32,7 +33,7 @@ signals:
     void completed();
     /// The board was changed by somebody else; nothing was written.
     void conflicted();
-    /// A write has come to its end, one way or the other.
+    /// A write has ended, successfully or not.
     void finished();
     void snapshotTaken();
 

@@ -13,7 +13,7 @@ Confirmations::Confirmations(Notifications &notifications)
 {
 }
 
-// The button that goes on says what is so.
+// The text of the button that proceeds states what is being confirmed.
 QFuture<Confirmations::Outcome> Confirmations::ask(const ActionSpec &action,
                                                    std::function<QFuture<Outcome>()> perform)
 {
@@ -22,7 +22,7 @@ QFuture<Confirmations::Outcome> Confirmations::ask(const ActionSpec &action,
     m_questions.push_back(question);
     const auto goOn = [this, question, perform = std::move(perform)] {
         if (std::find(m_questions.begin(), m_questions.end(), question) == m_questions.end())
-            return;  // forgotten meanwhile
+            return;  // cancelled meanwhile
         perform().then(this, [this, question](const Outcome &outcome) { answer(question, outcome); });
     };
     Offer asked;

@@ -11,7 +11,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-// Long enough for one drag of a slider to be one write, short enough that a crash takes no thought with it.
+// Long enough to make one write of one drag of a slider, short enough to lose next to nothing in a crash.
 constexpr int kDelayMs = 150;
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
@@ -70,8 +70,8 @@ void EditJournal::flush()
         write();
 }
 
-// New edits take the place of an earlier run's that nobody has decided about; those become a snapshot
-// instead.
+// New edits replace those of an earlier run that the operator has not decided about; these are kept as a
+// snapshot.
 void EditJournal::keepUndecided()
 {
     const auto leftover = std::exchange(m_leftover, std::nullopt);
@@ -102,7 +102,7 @@ void EditJournal::write()
     if (m_configuration.isEmpty())
         return;
     if (m_configuration.changeCount() == 0) {
-        // What an earlier run left stays until the operator has decided about it.
+        // Edits left by an earlier run are kept until the operator has decided about them.
         if (m_hasFile && !m_leftover)
             m_history.dropUnsaved(m_serial);
         m_hasFile = false;

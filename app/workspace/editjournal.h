@@ -20,7 +20,7 @@ public:
     /// Puts the edits that an earlier run has left back on the stack. False if none of them fits this board.
     bool restoreLeftover();
     void dropLeftover();
-    /// Writes now what is waiting to be written.
+    /// Writes pending edits now.
     void flush();
 
 signals:

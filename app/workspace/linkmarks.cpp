@@ -56,7 +56,7 @@ void LinkMarks::onState(DeviceClient::State state)
     if (state != DeviceClient::State::Connected)
         return;
     if (const void *store = m_client.telemetry().get(); store != std::exchange(m_store, store)) {
-        m_marks.clear();  // another board, another time line
+        m_marks.clear();  // another board: times start anew
         m_faults.clear();
         m_profile = -1;
         m_silences = 0;

@@ -12,8 +12,8 @@
 
 struct WriteReport;
 
-/// Puts what happens on the link beside the data: connection lost and found, profile switched, values
-/// written, faults of the board, silences.
+/// Marks events on the link in the plots: connection lost and restored, profile switched, values written,
+/// faults of the board, gaps in the data.
 class LinkMarks final : public QObject
 {
     Q_OBJECT
@@ -25,7 +25,7 @@ public:
     void add(PlotMark::Kind kind, const QString &text);
     void addWritten(const WriteReport &report);
     void addWorld(const QString &assignment);
-    /// What telemetry itself tells, to be called a few times a second.
+    /// Looks for events in the telemetry itself; called a few times a second.
     /// @param profile the active one, NaN while it is not known
     void look(double profile, const std::vector<BoardFault> &faults);
 

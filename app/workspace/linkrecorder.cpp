@@ -16,7 +16,7 @@ LinkRecorder::LinkRecorder(DeviceClient &client, QObject *parent)
 {
     m_client.addListener(m_recorder);
     connect(&m_client, &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
-        // The same board may come back and its recording goes on; another one has nothing to do with it.
+        // If the same board returns, the recording continues; it is never continued with another.
         if (state == DeviceClient::State::Disconnected)
             stop();
         if (state == DeviceClient::State::Connecting)

@@ -7,7 +7,7 @@
 
 #include <QThreadPool>
 
-/// Always holds the last minutes of the link, and writes recordings of it.
+/// Keeps the last minutes of the link in memory at all times, and writes recordings.
 class LinkRecorder final : public QObject
 {
     Q_OBJECT
@@ -33,7 +33,7 @@ signals:
     void recordingChanged(bool recording);
     /// A recording is complete.
     void finished(const QString &path, qint64 bytes);
-    /// The disk refused; what was written before stays good.
+    /// Writing failed; what was written before remains valid.
     void failed(const Error &error);
 
 private:
@@ -44,5 +44,5 @@ private:
     std::unique_ptr<RecordingTask> m_task;
     QString m_path;
     QTimer m_watch;
-    QThreadPool m_writers;  // the last bytes go to the disk without anybody waiting
+    QThreadPool m_writers;  // writes the last bytes without blocking
 };

@@ -13,8 +13,7 @@ class LinkRecorder;
 /// The link has ended or the request was withdrawn: no news for whoever asked without being told to.
 [[nodiscard]] bool isEndOfLink(const Error &error);
 
-/// What the operator is told and asked, whoever has something to say. News of the link is reported here
-/// without anybody's help.
+/// Messages and questions to the operator. Events of the link are reported by this class itself.
 class Notifications final : public QObject
 {
     Q_OBJECT
@@ -30,7 +29,7 @@ public:
     void reportSaved(const Result<void> &saved, const QString &path);
     void ask(const Offer &question);
 
-    /// Reports what the journal of edits cannot keep.
+    /// Reports when the journal of edits cannot be written.
     void follow(const EditJournal &journal);
     /// Reports how recordings end.
     void follow(const LinkRecorder &recorder);

@@ -7,7 +7,7 @@
 
 #include <functional>
 
-/// A question to the operator with the answers to choose from, shown without stopping anything.
+/// A question to the operator with answers to choose from; it blocks nothing.
 struct Offer
 {
     struct Choice

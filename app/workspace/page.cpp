@@ -41,7 +41,7 @@ void Page::askSavePath(const QString &title, const QString &name, const QString 
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QFileInfo(name).suffix());
     dialog->selectFile(name);
-    // "Settings (*.cfg)" asks for that ending.
+    // "Settings (*.cfg)" sets the suffix "cfg".
     connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString &chosenFilter) {
         dialog->setDefaultSuffix(chosenFilter.section(u"*."_s, 1).chopped(1));
     });

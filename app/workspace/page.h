@@ -35,7 +35,7 @@ protected:
     [[nodiscard]] QVBoxLayout *body() const { return m_body; }
     /// Space in the header, right of the title.
     [[nodiscard]] QHBoxLayout *header() const { return m_header; }
-    /// Asks for a file without stopping anything; calls back when one was chosen.
+    /// Asks for a file without blocking; calls back once one was chosen.
     void askSavePath(const QString &title, const QString &name, const QString &filter,
                      const std::function<void(const QString &)> &chosen);
     void askOpenPath(const QString &title, const QString &filter,

@@ -40,7 +40,7 @@ void Settings::set(const QString &key, const QVariant &value)
     emit changed();
 }
 
-// The file may have been edited by hand: a number is never out of its range.
+// The file may have been edited by hand, so numbers are clamped to their range.
 int Settings::number(const QString &key, int standard, int low, int high) const
 {
     bool ok = false;

@@ -33,10 +33,10 @@ public:
     /// Highest speed that the control page sends, degrees per second, 1 to 360.
     [[nodiscard]] int controlSpeedLimit() const;
     void setControlSpeedLimit(int degreesPerSecond) { set(kSpeedLimit, degreesPerSecond); }
-    /// Seconds without a movement of the operator's hand until control is disarmed, 2 to 120.
+    /// Seconds without input by the operator until control is disarmed, 2 to 120.
     [[nodiscard]] int disarmSeconds() const;
     void setDisarmSeconds(int seconds) { set(kDisarm, seconds); }
-    /// Motors go off when the program is closed while connected.
+    /// Whether closing the program while connected switches the motors off.
     [[nodiscard]] bool motorsOffOnQuit() const { return m_file.value(kMotorsOffOnQuit, false).toBool(); }
     void setMotorsOffOnQuit(bool on) { set(kMotorsOffOnQuit, on); }
 

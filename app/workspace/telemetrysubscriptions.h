@@ -7,7 +7,8 @@
 
 #include <QHash>
 
-/// What the board sends: the channels of all pages together, in streams arranged for them or chosen by hand.
+/// What the board is asked to send: the channels of all pages together, in streams arranged for them or
+/// chosen by hand.
 class TelemetrySubscriptions final : public QObject
 {
     Q_OBJECT

@@ -22,7 +22,7 @@ inline constexpr int kSensorFaces = 6;
 
 /// The instruction of a step: larger, wrapped.
 void setHeadline(QLabel &label);
-/// A bar whose meaning the text beside it tells; 0 to 100.
+/// A progress bar that the text beside it explains; 0 to 100.
 void setQuiet(QProgressBar &bar, const QString &accessibleName);
 
 /// A card with the picture of a lying sensor, what the method is for and its button, added to the row.
@@ -39,7 +39,7 @@ public:
     void setDone(unsigned done);
 };
 
-/// What the operator's hands do with a simulated camera; hidden with a real board.
+/// Places a simulated camera by hand; hidden with a real board.
 class SimulatedHands final : public Card
 {
     Q_OBJECT

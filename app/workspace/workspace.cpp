@@ -14,7 +14,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-// Older than this, telemetry says nothing about now.
+// Telemetry older than this says nothing about the present.
 constexpr auto kStale = 1500ms;
 
 }  // namespace
@@ -92,7 +92,7 @@ void Workspace::onState(DeviceClient::State state)
     m_reading = false;
     m_heldSpan.reset();
     if (m_client.identity().serial != m_unstoredSerial)
-        setUnstored(false);  // another board; of the same one nobody knows what it did meanwhile
+        setUnstored(false);  // another board; what the same one did meanwhile is not known
     offerWayOut();
     applySettings();
     readBoard();
@@ -141,7 +141,7 @@ void Workspace::write(const Configuration &wanted)
 void Workspace::offerLeftover(int steps)
 {
     if (m_client.isConnected() && !m_client.identity().writable)
-        return;  // they wait for the board itself
+        return;  // they are kept until the board itself is connected
     Offer question;
     question.text = tr("%n unsaved step(s) of an earlier run belong to this board.", nullptr, steps);
     question.choices.append({tr("Restore them"), [this] {
@@ -262,7 +262,7 @@ QFuture<Result<ActionOutcome>> Workspace::performNow(const QString &key, const Q
                 setUnstored(outcome->reply.value(u"unstored"_s).toBool());
             else if (outcome && effect != MemoryEffect::None)
                 setUnstored(effect == MemoryEffect::ChangesInUse);
-            // What was set live is gone, also when only the answer was lost.
+            // Live values are lost, even if only the reply went missing.
             if (effect == MemoryEffect::Reloads && m_client.isConnected()) {
                 m_live.forget();
                 m_live.read();
@@ -301,7 +301,7 @@ QFuture<bool> Workspace::saveLive()
             m_configuration.setBoard(board);
             m_notifications.notify(
                 tr("Stored on the board. The board as it was is kept in %1").arg(saved->snapshotPath));
-            readBoard();  // what is stored now is what the board says, not what was meant
+            readBoard();  // what is stored is what the board reports, not what was intended
             return true;
         });
 }
@@ -429,7 +429,7 @@ void Workspace::setUnstored(bool unstored)
     emit unstoredChanged();
 }
 
-// A board that can be reached only by a detour, and what ends that.
+// Some boards can be reached only indirectly; offers what restores the direct connection.
 void Workspace::offerWayOut()
 {
     const StatusWords *words = m_client.device()->statusWords();
@@ -441,7 +441,7 @@ void Workspace::offerWayOut()
     question.choices.append({tableText(way->choice), [this, key = QString::fromLatin1(way->action)] {
                                  perform(key, {}).then(this, [this](const Result<ActionOutcome> &done) {
                                      if (done)
-                                         readBoard();  // scripts as well, now
+                                         readBoard();  // now including scripts
                                  });
                              }});
     question.choices.append({tr("Leave it so"), [] {}});
@@ -482,7 +482,7 @@ std::vector<BoardFault> Workspace::faults() const
     return words->faults(unsigned(bits), std::isnan(detail) ? 0U : unsigned(detail));
 }
 
-// The profile can be changed by a menu button, a radio or another program as well.
+// A menu button, a radio or another program can change the profile as well.
 void Workspace::followActiveProfile()
 {
     const double active = latest(roles().activeProfile);

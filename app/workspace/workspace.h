@@ -32,7 +32,7 @@ public:
     Workspace(Links links, QList<Family> families, Theme &theme, Settings &settings,
               QObject *parent = nullptr);
     ~Workspace() override;
-    /// Ends the link and keeps what is unsaved; before pages are taken down.
+    /// Ends the link and saves unsaved edits; to be called before pages are destroyed.
     void shutDown();
 
     [[nodiscard]] DeviceClient &client() { return m_client; }
@@ -86,7 +86,7 @@ public:
     [[nodiscard]] bool isSimulated() const;
     void changeWorld(const QString &assignment);
     void setMotors(bool on);
-    /// A span of time that the operator holds still to look at, in seconds since the store's origin.
+    /// The span of time in a paused plot, in seconds since the store's origin.
     void setHeldSpan(std::optional<std::pair<double, double>> span) { m_heldSpan = span; }
     [[nodiscard]] std::optional<std::pair<double, double>> heldSpan() const { return m_heldSpan; }
 
@@ -99,7 +99,7 @@ public:
     [[nodiscard]] const Device *tables() const;
     /// The family of the board or file shown; null before the first.
     [[nodiscard]] const Family *family() const;
-    /// The same, and before the first board or file the one that is most likely to come.
+    /// The same; before the first board or file, the most likely family.
     [[nodiscard]] const Family *expectedFamily() const;
     [[nodiscard]] const QString &usualFamily() const { return m_links.usualFamily; }
     /// Profiles of the board or file shown; 0 without one.

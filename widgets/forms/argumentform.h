@@ -11,7 +11,7 @@ class ArgumentForm final : public QWidget
 {
     Q_OBJECT
 public:
-    /// @param hidden arguments that the caller fills in himself
+    /// @param hidden arguments that the caller supplies
     explicit ArgumentForm(const ActionSpec &action, const QStringList &hidden = {},
                           QWidget *parent = nullptr);
 

@@ -56,7 +56,7 @@ public:
 
     [[nodiscard]] QJsonObject toJson() const override
     {
-        // What is no number becomes null.
+        // NaN and infinity become null.
         return {{u"key"_s, m_key}, {u"profile"_s, m_profile}, {u"from"_s, m_old}, {u"to"_s, m_new}};
     }
 
@@ -191,8 +191,8 @@ bool EditStack::canHold(const ParameterSpec &spec, int profile, double raw) cons
     return spec.isInRange(raw) || sameValue(m_configuration.boardValue(spec, profile), raw);
 }
 
-// Unlike edit(): values that a board or a file holds are taken as they are, even outside the documented
-// range. What is no number can only be gone back to.
+// Unlike edit(): values from a board or a file are accepted as they are, even outside the documented range.
+// NaN can only be restored, not set.
 void EditStack::push(const ParameterChange &change)
 {
     if (std::isnan(change.to) && !canHold(*change.spec, change.profile, change.to))

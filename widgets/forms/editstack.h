@@ -14,8 +14,8 @@ class EditStack final : public QObject
 public:
     explicit EditStack(ConfigurationModel &configuration, QObject *parent = nullptr);
 
-    /// Changes a value; steps on the same value within one second become one edit. Out of range or no number:
-    /// refused, false, unless it goes back to what the board holds.
+    /// Changes a value; steps on the same value within one second become one edit. A value out of range or
+    /// NaN is refused (false), unless it restores what the board holds.
     bool edit(int parameter, int profile, double raw);
     void rename(int profile, const QString &name);
     /// Changes a block without parameters as a whole.

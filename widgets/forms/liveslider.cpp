@@ -84,7 +84,7 @@ void LiveSlider::show(std::optional<double> value, std::optional<double> stored)
 
 bool LiveSlider::eventFilter(QObject *watched, QEvent *event)
 {
-    // The wheel scrolls the page unless the slider has been chosen on purpose.
+    // The wheel scrolls the page unless the slider has the focus.
     if (event->type() == QEvent::Wheel) {
         auto *wheel = static_cast<QWheelEvent *>(event);
         if (!m_slider->hasFocus()) {

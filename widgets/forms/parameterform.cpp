@@ -67,7 +67,7 @@ void ParameterForm::resizeEvent(QResizeEvent *event)
 void ParameterForm::rebuild()
 {
     m_columns = columnsFor(width());
-    // A new arrangement must not take the field from under the operator's hands.
+    // Rearranging must not take away the field that the operator is using.
     int focused = -1;
     for (auto it = m_editors.begin(); it != m_editors.end(); ++it) {
         if (it.value()->control()->hasFocus())

@@ -25,7 +25,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// A number box that thinks in raw counts: each step is one count of the wire, or of a float one unit of the
+/// A number box that works in raw counts: each step is one count on the wire, or for a float one unit of the
 /// last decimal.
 class NumberBox final : public QDoubleSpinBox
 {
@@ -46,8 +46,8 @@ public:
     }
 
 protected:
-    // A click chooses the whole number, as Tab does, and so does the program's pointing at it: what is typed
-    // next replaces it instead of being refused as too large.
+    // A click selects the whole number, as Tab does, and so does focus set by the program: what is typed next
+    // replaces it instead of being refused as too large.
     void focusInEvent(QFocusEvent *event) override
     {
         QDoubleSpinBox::focusInEvent(event);
@@ -206,7 +206,7 @@ void ValueEditor::setIdle(const QString &reason)
     repolish(m_control);
 }
 
-// What is no number stands below the range as a word; whatever is typed takes its place.
+// NaN is shown as a word below the range; whatever is typed replaces it.
 void ValueEditor::showNumber(double raw)
 {
     double low = m_spec.toDisplay(m_spec.row->min);
@@ -267,7 +267,7 @@ bool ValueEditor::eventFilter(QObject *watched, QEvent *event)
             return true;
         }
     }
-    // The wheel scrolls the page unless the control has been chosen on purpose.
+    // The wheel scrolls the page unless the control has the focus.
     if (event->type() == QEvent::Wheel && !m_control->hasFocus()) {
         event->ignore();
         return true;

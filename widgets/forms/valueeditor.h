@@ -25,7 +25,7 @@ public:
     [[nodiscard]] const ParameterSpec &spec() const { return m_spec; }
     /// Shows a value and what the board has; empty = the board did not deliver it.
     void show(std::optional<double> value, std::optional<double> onBoard);
-    /// Why it has no effect now; it can be edited all the same, to be ready when it has.
+    /// Why it has no effect now; it can be edited all the same, for when it has.
     void setIdle(const QString &reason);
     /// The control that takes keys.
     [[nodiscard]] QWidget *control() const { return m_control; }

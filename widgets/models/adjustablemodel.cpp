@@ -144,7 +144,7 @@ bool AdjustableModel::setData(const QModelIndex &index, const QVariant &value, i
                 emit failed(done.error());
             else
                 emit written(id, wanted);
-            refresh();  // what the board made of it
+            refresh();  // the value that the board accepted
         });
     return true;
 }

@@ -27,7 +27,7 @@ public:
 
     /// Another board (or none).
     void reset();
-    /// Asks the board for all values; a question still open is not asked twice.
+    /// Asks the board for all values, unless a request is still pending.
     void refresh();
 
     [[nodiscard]] QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;

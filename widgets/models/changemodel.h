@@ -39,7 +39,7 @@ private:
         DataChange data = {};  // spec is null for everything else
         bool ticked = true;
     };
-    Configuration m_board;  // copies: a reconnection must not pull the values from under a review
+    Configuration m_board;  // copies: reconnecting must not change the values during a review
     Configuration m_edited;
     std::vector<Row> m_rows;
 };

@@ -9,7 +9,7 @@
 
 class QMimeData;
 
-/// A measured value with so many decimals; what rounds to zero has no sign.
+/// A measured value with this many decimals; values that round to zero have no sign.
 [[nodiscard]] QString measuredText(double value, int decimals);
 
 /// Telemetry channels in groups, each with a tick and its live value.
@@ -19,7 +19,7 @@ class ChannelModel final : public QAbstractItemModel
 public:
     enum Column { NameColumn, ValueColumn, UnitColumn, ColumnCount };
     enum Role { ChannelRole = Qt::UserRole };
-    /// Channels on their way to a plot.
+    /// MIME type of channels dragged to a plot.
     static const QString kMimeType;
 
     explicit ChannelModel(QObject *parent = nullptr);
@@ -27,7 +27,7 @@ public:
     void reset(ChannelTable table, std::shared_ptr<const TelemetryStore> store);
     [[nodiscard]] QList<int> ticked() const;
     void setTicked(const QList<int> &channels);
-    /// Takes notice of new values; one dataChanged for each group. At most 10 times a second.
+    /// Picks up new values, with one dataChanged per group. At most 10 times a second.
     void refresh();
 
     [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex &parent = {}) const override;

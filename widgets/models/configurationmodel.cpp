@@ -15,7 +15,7 @@ ConfigurationModel::ConfigurationModel(QObject *parent)
 
 void ConfigurationModel::reset(Configuration board)
 {
-    // Whoever shows the old board lets go of its parameters when told; until then they must live.
+    // Views of the old board refer to its parameters until they are notified; until then these must live.
     const auto keep = m_board.parameterSet();
     m_board = std::move(board);
     m_edited = m_board;

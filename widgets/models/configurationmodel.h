@@ -6,8 +6,8 @@
 
 #include <QObject>
 
-/// What the board holds and what the operator wants: two configurations of one board, and the signals
-/// between. Dirty is a comparison, never a flag.
+/// What the board holds and what the operator wants: two configurations of one board, with signals for their
+/// changes. Dirty is a comparison, never a flag.
 class ConfigurationModel final : public QObject
 {
     Q_OBJECT
@@ -18,9 +18,9 @@ public:
     [[nodiscard]] const Configuration &board() const { return m_board; }
     [[nodiscard]] const Configuration &edited() const { return m_edited; }
 
-    /// A new board, or the same one read anew with all edits given up.
+    /// A new board, or the same one read again, discarding all edits.
     void reset(Configuration board);
-    /// The same board read anew: edits are kept, as far as they still differ. False if it is another board.
+    /// The same board read again: edits are kept where they still differ. False if it is another board.
     bool rebase(Configuration board);
     /// After a write: what is on the board now; edits that were not written stay edits.
     void setBoard(const Configuration &board);

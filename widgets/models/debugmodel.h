@@ -16,9 +16,10 @@ public:
     explicit DebugModel(DeviceClient &client, QObject *parent = nullptr);
 
     void reset();
-    /// Asks for all values; the list of variables first, if it is not known. Not twice at a time.
+    /// Asks for all values, and first for the list of variables if it is unknown; unless a request is
+    /// pending.
     void refresh();
-    /// Forgets lowest and highest values.
+    /// Resets lowest and highest values.
     void clearBounds();
 
     [[nodiscard]] QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;

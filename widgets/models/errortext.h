@@ -11,7 +11,7 @@ struct ErrorText
     QString what;
     QString meaning;
     QString cure;
-    QString detail;  ///< the system's or the board's own words, for a supporter
+    QString detail;  ///< the system's or the board's own message, for support
 
     /// All of it in one paragraph.
     [[nodiscard]] QString oneLine() const;

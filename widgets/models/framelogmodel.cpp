@@ -19,8 +19,8 @@ void FrameLogModel::refresh()
     if (!m_origin)
         m_origin = fresh.front().at;
     if (!m_showsStreams) {
-        // Live data is what comes from the board again and again, asked for by the program or by nobody;
-        // errors and notices are not.
+        // Live data are frames that the board sends repeatedly, polled or unsolicited; not errors and
+        // notices.
         const FrameInspector *inspector = m_client.device() ? m_client.device()->inspector() : nullptr;
         std::erase_if(fresh, [inspector, poll = m_client.pollBytes()](const LoggedFrame &frame) {
             if (!frame.fromBoard)

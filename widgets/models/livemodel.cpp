@@ -157,7 +157,7 @@ void LiveModel::setValues(const QHash<int, double> &values)
         const double raw = spec(it.key()).clamped(it.value());
         if (!std::isfinite(raw))
             continue;
-        // Written in any case: what is believed to be in use may be old by now.
+        // Always written: the value assumed to be in use may be outdated.
         put(it.key(), raw);
         m_wanted.insert(it.key(), raw);
     }
@@ -207,7 +207,7 @@ void LiveModel::flush()
                 return;
             m_writing = false;
             if (!done) {
-                // What is in use is not known any more: ask.
+                // The values in use are no longer known, so they are read.
                 m_wanted.clear();
                 m_sent.clear();
                 emit failed(done.error());
@@ -227,7 +227,7 @@ void LiveModel::revert()
         const auto kept = stored(parameter);
         if (!kept || !value(parameter))
             continue;
-        // Also what looks unchanged: a value still on its way must not win.
+        // Also values that look unchanged: a value still in flight must not win.
         if (m_writing && *value(parameter) == *kept)
             m_wanted.insert(parameter, *kept);
         put(parameter, *kept);

@@ -21,7 +21,7 @@ public:
 
     /// Ids of the parameters that can be changed live on this board, in table order.
     [[nodiscard]] const QList<int> &parameters() const { return m_parameters; }
-    /// In use now; empty until the board has said so.
+    /// The value in use; empty until the board has reported it.
     [[nodiscard]] std::optional<double> value(int parameter) const;
     /// Raw values that can be set live, which may be fewer than can be stored.
     [[nodiscard]] std::pair<double, double> range(int parameter) const;
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] bool isChanged(int parameter) const;
     /// How many values in use are not stored.
     [[nodiscard]] int changeCount() const { return m_changeCount; }
-    /// All that was asked for has reached the board.
+    /// All requested values have reached the board.
     [[nodiscard]] bool isSettled() const { return m_wanted.isEmpty() && !m_writing; }
 
     /// Asks the board what is in use.
@@ -41,7 +41,7 @@ public:
     void setValues(const QHash<int, double> &values);
     /// Values in use that are not stored.
     [[nodiscard]] LiveValues unsaved() const;
-    /// Everything back to what is stored, ahead of changes still waiting.
+    /// Restores all stored values, ahead of pending changes.
     void revert();
 
     [[nodiscard]] Slot slot() const { return m_slot; }

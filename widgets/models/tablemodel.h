@@ -5,7 +5,8 @@
 #include <QAbstractTableModel>
 #include <QStringList>
 
-/// A table with a title over each column. It counts rows and columns; the cells are the model's own.
+/// A table with a title above each column. It provides rows, columns and titles; derived models provide the
+/// cells.
 class TableModel : public QAbstractTableModel
 {
     Q_OBJECT
@@ -19,14 +20,14 @@ protected:
     TableModel(QStringList titles, QObject *parent);
 
     [[nodiscard]] virtual int rows() const = 0;
-    /// Fills the table anew; views forget what they knew of it.
+    /// Refills the table within a model reset.
     template <typename Fill> void resetWith(Fill fill)
     {
         beginResetModel();
         fill();
         endResetModel();
     }
-    /// Tells that cells of all rows have changed, from one column to another.
+    /// Reports a change in all rows, from one column to another.
     void tellAllChanged(int firstColumn, int lastColumn, const QList<int> &roles = {});
 
 private:

@@ -67,7 +67,7 @@ QAbstractAxis *CurveChart::makeAxis(const ChartScale &scale, Qt::Alignment side,
     } else {
         auto *linear = static_cast<QValueAxis *>(old);
         linear->setLabelFormat(scale.labelFormat);
-        // Moved by a hair, so that rounding to decimals leaves 0 and not -0.
+        // Moved by a tiny amount, so that rounding yields 0 and not -0.
         const double hair = scale.labelFormat.contains(u'f') ? 1e-9 * (scale.high - scale.low) : 0.0;
         linear->setRange(scale.low + hair, scale.high + hair);
         if (scale.steps > 0)
@@ -138,7 +138,7 @@ void CurveChart::layOut()
     const double top = chart()->legend()->isVisible() ? kLegend : kTop;
     chart()->setPlotArea(
         {kLeft, top, std::max(10.0, width() - kLeft - kRight), std::max(10.0, height() - top - kBottom)});
-    // Attached to the chart, the legend would keep what room it found when it was hidden.
+    // Attached to the chart, the legend would keep the size it had while hidden.
     chart()->legend()->setGeometry(kLeft, 4, std::max(10.0, width() - kLeft - kRight), kLegend - 8);
     chart()->legend()->update();
 }
@@ -172,7 +172,7 @@ void CurveChart::applyTheme()
     layOut();
     const auto markers = chart()->legend()->markers();
     for (QLegendMarker *marker : markers) {
-        marker->setPen(QPen(Qt::transparent));  // no pen at all would bring the style's own back
+        marker->setPen(QPen(Qt::transparent));  // without any pen, the style's default would return
         marker->setVisible(!marker->series()->name().isEmpty());
     }
     viewport()->update();

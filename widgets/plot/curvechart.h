@@ -48,7 +48,7 @@ public:
 
     void setScales(const ChartScale &x, const ChartScale &y);
     void setCurves(const QList<ChartCurve> &curves);
-    /// What to do while there is nothing to see.
+    /// What to do, shown while there are no curves.
     void setHint(const QString &text);
     void setLabels(const QList<ChartLabel> &labels);
     [[nodiscard]] const QList<ChartCurve> &curves() const { return m_curves; }

@@ -89,5 +89,5 @@ void IterationChart::applyTheme()
         line.series->setPen(QPen(m_theme.axisColor(line.axis), 2, line.style));
     const auto markers = chart()->legend()->markers();
     for (QLegendMarker *marker : markers)
-        marker->setPen(QPen(Qt::transparent));  // no pen at all would bring the style's own back
+        marker->setPen(QPen(Qt::transparent));  // without any pen, the style's default would return
 }

@@ -7,7 +7,7 @@
 
 class PlotView;
 
-/// The one frame timer of a page's plots. Runs only while told to, and slows down when frames take too long.
+/// The one frame timer of a page's plots. Runs only while started, and slows down when frames take too long.
 class PlotClock final : public QObject
 {
     Q_OBJECT

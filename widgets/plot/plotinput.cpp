@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the operator does to a plot with mouse, keys and dragged channels.
+// Input to a plot: mouse, keys and dragged channels.
 #include "widgets/models/channelmodel.h"
 #include "widgets/plot/plotview.h"
 

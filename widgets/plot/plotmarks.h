@@ -17,7 +17,7 @@ struct PlotMark
     QString text;
 };
 
-/// What happened while the data came, in order of time.
+/// Events during data acquisition, in order of time.
 class PlotMarks final : public QObject
 {
     Q_OBJECT

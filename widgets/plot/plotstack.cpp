@@ -26,7 +26,7 @@ PlotStack::PlotStack(const Theme &theme, QWidget *parent)
 
 void PlotStack::setSource(ChannelTable table, std::shared_ptr<const TelemetryStore> store)
 {
-    if (store != m_store) {  // another time line: its lines would stand at times that mean nothing
+    if (store != m_store) {  // another time line: its marks would stand at meaningless times
         for (PlotPanel *panel : m_panels) {
             panel->view()->setCursorTime({});
             panel->view()->setReferenceTime({});
@@ -130,7 +130,7 @@ PlotPanel *PlotStack::makePanel()
         for (PlotPanel *each : m_panels)
             each->view()->setReferenceTime(time);
     });
-    // What changes the panels is done once the event that asked for it is over.
+    // Panels are changed only after the event that requested it has been handled.
     connect(
         view, &PlotView::channelsDropped, this,
         [this, place](const QList<int> &dropped) { addChannels(place(), dropped); }, Qt::QueuedConnection);

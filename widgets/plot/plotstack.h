@@ -27,7 +27,7 @@ public:
     [[nodiscard]] QList<int> channels() const;
     /// Shows just these channels: new ones join a plot of their unit, others leave theirs.
     void setChannels(const QList<int> &channels);
-    /// Puts channels into one plot; into a new one below when there is no such plot.
+    /// Puts channels into one plot, or into a new one below if there is no such plot.
     void addChannels(qsizetype plot, const QList<int> &channels);
 
     void setSeconds(double seconds);

@@ -33,7 +33,7 @@ constexpr double kRightAxis = 64;
 constexpr double kBottom = 30;
 constexpr std::size_t kMostAxes = 6;  // more would leave no room for the picture
 constexpr qint64 kRateTextMs = 500;
-constexpr qint64 kFitMs = 80;  // sooner than an eye sees that a trace leaves the picture
+constexpr qint64 kFitMs = 80;  // before anyone notices that a trace leaves the plot
 
 }  // namespace
 
@@ -42,7 +42,7 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
     , m_theme(theme)
     , m_timeAxis(new QValueAxis(this))
 {
-    QChart *plot = chart();  // the view's own; one set over it would leave this one behind
+    QChart *plot = chart();  // the view's own; replacing it would leak this one
     plot->setAnimationOptions(QChart::NoAnimation);
     plot->setBackgroundVisible(false);
     plot->setBackgroundRoundness(0);
@@ -246,7 +246,7 @@ void PlotView::applyTheme()
     }
     const auto markers = chart()->legend()->markers();
     for (QLegendMarker *marker : markers)
-        marker->setPen(QPen(Qt::transparent));  // no pen at all would bring the style's own back
+        marker->setPen(QPen(Qt::transparent));  // without any pen, the style's default would return
     updateView();
     m_traces.invalidate();
     viewport()->update();
@@ -302,7 +302,8 @@ void PlotView::setReferenceTime(std::optional<double> time)
 
 void PlotView::applyScale(const ValueAxis &axis)
 {
-    // As many decimals as the steps need; moved by a hair, so that rounding leaves 0 and not -0 or 3e-17.
+    // As many decimals as the steps need; moved by a tiny amount, so that rounding yields 0 and not -0 or
+    // 3e-17.
     const double step = (axis.scale.high() - axis.scale.low()) / axis.scale.steps();
     const int decimals = std::clamp(int(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
     axis.axis->setLabelFormat(u"%.%1f"_s.arg(decimals));
@@ -343,8 +344,7 @@ void PlotView::layOut()
     const double right = kRight + kRightAxis * std::max(m_rightRoom, rightAxes());
     const double room = std::max(10.0, width() - kLeft - right);
     chart()->setPlotArea({kLeft, kTop, room, std::max(10.0, height() - kTop - kBottom)});
-    // The legend stays where the room for it is; attached to the chart it keeps what room it found when it
-    // was hidden.
+    // The legend is placed by hand; attached to the chart, it would keep the size it had while hidden.
     const double rate = m_rateText.isEmpty() ? 0.0 : QFontMetricsF(font()).horizontalAdvance(m_rateText) + 8;
     chart()->legend()->setGeometry(kLeft, 2, std::max(10.0, width() - kLeft - kRight - rate), kTop - 4);
     chart()->legend()->update();
@@ -390,7 +390,7 @@ void PlotView::fitScales()
         updateView();
 }
 
-// What the streams behind the traces are worth: nothing above half their rate is known.
+// What the streams behind the traces can show: nothing above half their rate.
 void PlotView::updateRateText()
 {
     double slowest = 0;

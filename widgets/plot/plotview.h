@@ -72,7 +72,7 @@ public:
     [[nodiscard]] std::optional<double> referenceTime() const { return m_reference; }
     /// Values at the cursor, and how much they differ from those at the reference.
     [[nodiscard]] QStringList cursorTexts() const;
-    /// Value axes follow the traces again after a box was drawn.
+    /// Lets value axes follow the traces again after zooming to a box.
     void autoScale();
     /// The range of a value axis. @param axis from 0, the left one
     [[nodiscard]] const ValueScale &scale(std::size_t axis) const { return m_axes[axis].scale; }
@@ -150,7 +150,7 @@ private:
     std::optional<double> m_cursor;
     std::optional<double> m_reference;
     QPixmap m_still;  // axes, grid and legend; empty: to be drawn anew
-    QString m_rateText;  // samples per second and the frequency up to which the picture tells the truth
+    QString m_rateText;  // samples per second, and the highest frequency that they can show
     QElapsedTimer m_rateTimer;
     QElapsedTimer m_fitTimer;
     Drag m_drag = Drag::None;

@@ -73,7 +73,7 @@ SpanMeter::Figures SpanMeter::measure(double from, double to)
             }
             row = next;
         }
-        // What retention has dropped is not asked for again.
+        // Data dropped by retention is not requested again.
         m_known.erase(m_known.lower_bound({place, 0}),
                       m_known.lower_bound({place, source.track.begin() / kChunk}));
     }

@@ -6,8 +6,8 @@
 
 #include <map>
 
-/// Figures of one trace over a span of time that moves on. What was summed up once is kept, so that ten
-/// minutes cost no more than the newest second.
+/// Statistics of one trace over a moving span of time. Partial sums are kept, so that ten minutes cost no
+/// more than the newest second.
 class SpanMeter
 {
 public:

@@ -9,7 +9,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double kLowest = 1.0;  // Hz: what is slower is steering and drift
+constexpr double kLowest = 1.0;  // Hz: anything slower is steering or drift
 constexpr double kPointsPerOctave = 48.0;
 constexpr double kPointsLinear = 400.0;
 constexpr double kLeastDecibel = -160.0;
@@ -21,7 +21,7 @@ double decibel(double density)
     return std::max(kLeastDecibel, 10.0 * std::log10(std::max(density, 1e-30)));
 }
 
-// The next of 1, 2, 5 times a power of ten, so that the scale does not dance with the noise.
+// The next of 1, 2, 5 times a power of ten, so that the scale does not jitter with the noise.
 double roundUp(double value)
 {
     const double power = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-9))));

@@ -11,7 +11,7 @@ struct SpectrumCurve
     QString name;
     Axis axis = Axis::None;
     Spectrum spectrum;
-    bool earlier = false;  ///< kept to compare with: drawn faint
+    bool earlier = false;  ///< kept for comparison: drawn faintly
 };
 
 /// How spectra are drawn.
@@ -31,7 +31,7 @@ public:
     /// @param unit of the samples
     void setSpectra(const std::vector<SpectrumCurve> &spectra, const QString &unit,
                     const SpectrumScale &scale = {});
-    /// Words at the highest peaks of a spectrum.
+    /// Labels at the highest peaks of a spectrum.
     void setPeaks(const std::vector<std::pair<const Spectrum *, SpectrumPeak>> &peaks);
 
 private:

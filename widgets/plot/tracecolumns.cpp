@@ -136,7 +136,7 @@ void TraceColumns::extend(qint64 column, float value)
 {
     if (column < m_first || column > m_limit || column <= m_newest - qint64(m_spans.size()))
         return;
-    // Columns that were jumped over are empty, not what stood there one turn of the ring ago.
+    // Skipped columns are empty; they must not keep contents from the previous turn of the ring.
     for (qint64 fresh = std::max(m_newest + 1, column - qint64(m_spans.size()) + 1); fresh <= column; ++fresh)
         m_spans[slot(fresh)] = Span();
     m_newest = std::max(m_newest, column);

@@ -125,7 +125,7 @@ void TraceImage::drawColumns(qint64 first, qint64 last)
 {
     if (m_ring.isNull())
         return;
-    // The ground, with the horizontal lines of the grid; the vertical ones do not scroll.
+    // The background, with the horizontal grid lines; the vertical ones do not scroll.
     const QRgb surface = m_ground.surface.rgb();
     const QRgb grid = m_ground.grid.rgb();
     for (qint64 column = first; column <= last; ++column) {

@@ -73,7 +73,7 @@ bool ValueScale::fit(double lowest, double highest)
             return false;
     }
     m_shrinkTimer.invalidate();
-    // A value that hardly moves stands in the middle, not on the edge.
+    // A nearly constant value is centred instead of touching an edge.
     const double room = std::max(0.0, (kSmallest / 2 - (highest - lowest)) / 2);
     const RoundRange range = roundRange(lowest - room, highest + room, kSmallest, kAir);
     if (range.low == m_low && range.high == m_high)

@@ -4,8 +4,7 @@
 
 #include <QElapsedTimer>
 
-/// The range of a value axis: follows the traces with hysteresis and round steps, or stands still where it
-/// was put.
+/// The range of a value axis: follows the traces with hysteresis and round steps, or stays fixed.
 class ValueScale
 {
 public:
@@ -14,9 +13,9 @@ public:
     /// Parts between the labels.
     [[nodiscard]] int steps() const { return m_steps; }
 
-    /// Follows what is to be seen: grows at once, shrinks after a while. True if the range changed.
+    /// Follows the visible values: grows at once, shrinks after a while. True if the range changed.
     bool fit(double lowest, double highest);
-    /// Stands still at this range, rounded outwards, until release().
+    /// Fixes this range, rounded outwards, until release().
     void fix(double low, double high);
     void release() { m_fixed = false; }
 

@@ -17,7 +17,7 @@ constexpr int kTop = 12;
 constexpr int kRight = 84;
 constexpr int kBottom = 30;
 constexpr float kRange = 60.0F;  // decibels from dark to bright
-constexpr float kStep = 10.0F;  // the bright end moves by so much, so that colours do not dance
+constexpr float kStep = 10.0F;  // the bright end moves in steps, so that colours do not flicker
 
 // Dark violet over teal to yellow: even steps of brightness, told apart by colour-blind eyes.
 // clang-format off

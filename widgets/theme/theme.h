@@ -63,7 +63,7 @@ private:
     bool m_dark = false;
 };
 
-/// Makes the style sheet look again at a widget whose name or properties have changed.
+/// Reapplies the style sheet to a widget whose name or properties have changed.
 void repolish(QWidget *widget);
 
 /// Grid of the whole screen in logical pixels.

@@ -7,7 +7,7 @@
 class QLabel;
 class QVBoxLayout;
 
-/// A framed block with a heading: the building stone of pages.
+/// A framed block with a heading: the building block of pages.
 class Card : public QFrame
 {
     Q_OBJECT

@@ -126,7 +126,7 @@ void ControlPad::keyReleaseEvent(QKeyEvent *event)
 
 void ControlPad::focusOutEvent(QFocusEvent *event)
 {
-    // A key let go elsewhere must not keep pushing.
+    // A key released elsewhere must not keep pushing.
     m_keys.clear();
     if (m_springs && !m_mouse)
         setValue({});

@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-/// A pad for two axes: the knob follows mouse or arrow keys and springs back when let go. Values from -1 to
+/// A pad for two axes: the knob follows mouse or arrow keys and springs back when released. Values from -1 to
 /// 1, right and up are positive.
 class ControlPad final : public QWidget
 {

@@ -4,8 +4,7 @@
 
 #include <QLabel>
 
-/// One line of text that gives way where there is little room: its end is left out, and the tool tip has all
-/// of it.
+/// One line of text that is elided where room is short; the tool tip shows all of it.
 class ElidedLabel final : public QLabel
 {
     Q_OBJECT

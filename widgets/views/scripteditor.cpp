@@ -121,7 +121,7 @@ ScriptEditor::ScriptEditor(Theme &theme, QWidget *parent)
 
 ScriptEditor::~ScriptEditor()
 {
-    setLexer(nullptr);  // it goes with the children, after this class
+    setLexer(nullptr);  // it is destroyed with the children, after this class
 }
 
 void ScriptEditor::applyTheme()

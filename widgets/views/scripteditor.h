@@ -19,7 +19,7 @@ public:
 
     /// Words of the language; names in quotes are completed too.
     void setWords(const QStringList &words);
-    /// Marks a line (from 1) and says beneath it what is wrong there; 0 takes the mark away.
+    /// Marks a line (from 1) and shows the mistake beneath it; 0 removes the mark.
     void showMistake(int line, const QString &text);
 
 protected:

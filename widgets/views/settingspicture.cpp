@@ -107,7 +107,7 @@ QImage settingsPicture(const Configuration &configuration, int profile, const Th
     int column = 0;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const Line &each = lines[i];
-        // A heading does not stand alone at the foot of a column.
+        // No heading at the bottom of a column without its rows.
         if (line >= perColumn || (each.isHeading && line >= perColumn - 1)) {
             line = 0;
             ++column;

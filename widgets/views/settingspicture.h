@@ -7,7 +7,7 @@
 
 #include <QImage>
 
-/// All values of one profile on one picture, group by group, to be shown to somebody else; what differs from
+/// All values of one profile as one picture, group by group, to share; what differs from
 /// the default is bold. @param scale device pixels per pixel
 [[nodiscard]] QImage settingsPicture(const Configuration &configuration, int profile, const Theme &theme,
                                      double scale);

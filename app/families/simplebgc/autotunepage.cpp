@@ -93,12 +93,12 @@ void AutoTunePage::onState()
     const DeviceClient &client = workspace().client();
     const ActionSpec *action = client.isConnected() ? findAction(client.device(), kAction) : nullptr;
     if (action && !m_form) {
-        // Saving is decided when the result is there, not before.
+        // Whether to save is decided once the result is known, not before.
         m_form = new ArgumentForm(*action, {u"save"_s});
         m_ask->content()->insertWidget(1, m_form);
     }
     if (!client.isConnected() && m_state == State::Finished)
-        m_before.clear();  // the board may have restarted: what it uses now is asked anew
+        m_before.clear();  // the board may have restarted: the values in use are read again
     if (m_state == State::Finished && m_before.isEmpty())
         m_state = State::Ready;
     setState(m_state);
@@ -211,7 +211,7 @@ void AutoTunePage::onFinished(const Result<ActionOutcome> &outcome)
         workspace().notifications().report(text);
         return;
     }
-    // Stopped, or the board gave up: what was in use before comes back.
+    // Stopped, or the board gave up: the previous values are put back into use.
     if (outcome.error().code != ErrorCode::Cancelled)
         workspace().notifications().report(outcome.error());
     revert();

@@ -22,7 +22,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr auto kLookPeriod = 100ms;
-constexpr double kStillSpan = 1.0;  // seconds that must be still
+constexpr double kStillSpan = 1.0;  // seconds without motion before a measurement
 constexpr double kStillEnough = 0.8;  // deg/s, standard deviation of the shakiest axis
 constexpr double kFaceUp = 0.8;  // g on the axis that points up
 constexpr double kFaceSide = 0.35;  // g at most on the others
@@ -128,7 +128,7 @@ QWidget *CalibrationPage::makeWizard()
     m_result->setWordWrap(true);
     m_result->setAlignment(Qt::AlignTop);
     m_result->setTextFormat(Qt::RichText);
-    setQuiet(*m_stillness, tr("Stillness"));  // the sentence above says it
+    setQuiet(*m_stillness, tr("Stillness"));  // the sentence above gives the meaning
     setQuiet(*m_progress, tr("Progress of the measurement"));
     m_continue->setObjectName(u"primary"_s);
     auto *middle = new QHBoxLayout;
@@ -264,7 +264,7 @@ void CalibrationPage::look()
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double deviation
                 = spanStatistics(*store, roles.gyro[axis], -1, now - kStillSpan, now).aroundMean().rms;
-            // A sensor without samples is not still.
+            // Without samples, a sensor does not count as still.
             m_motion = std::isnan(deviation) ? deviation : std::max(m_motion, deviation);
             acc[axis] = spanStatistics(*store, roles.acc[axis], -1, now - kStillSpan / 2, now).mean;
             if (std::isnan(m_motion))
@@ -326,7 +326,7 @@ void CalibrationPage::onMeasured(const Result<ActionOutcome> &outcome)
     m_quality.level = level;
     m_done |= 1U << m_measuring;
     if (m_kind == Kind::SixPositions && doneCount() < kSensorFaces) {
-        setStep(Step::Place);  // only with all six known does an error say how good the calibration is
+        setStep(Step::Place);  // the error says something about the calibration only once all six are known
         return;
     }
     showResult();

@@ -202,7 +202,7 @@ void ActionsPage::updateRun()
 {
     const bool connected = workspace().client().isConnected();
     const bool red = m_action && m_action->risk == ActionRisk::Destroys;
-    // The button says what will happen; nothing else asks.
+    // The button's text says what will happen; there is no further question.
     m_run->setText(!m_action ? tr("Run")
                        : red ? tr("%1: overwrite settings").arg(tableText(m_action->label))
                              : tableText(m_action->label));

@@ -32,7 +32,7 @@ namespace {
 constexpr auto kSendPeriod = 50ms;  // well below the dead-man's 250 ms
 constexpr auto kRefreshPeriod = 100ms;
 constexpr int kSliderSteps = 100;
-constexpr double kPitchReach = 45.0;  // where the rim of the pad points, unless the family says otherwise
+constexpr double kPitchReach = 45.0;  // angle at the rim of the pad, unless the family specifies another
 constexpr double kYawReach = 90.0;
 
 }  // namespace
@@ -182,7 +182,7 @@ void ControlPage::connectAll()
     connect(&m_refresh, &QTimer::timeout, this, &ControlPage::updateNow);
 }
 
-// In a mode of places the pad points at them, within half of the range either way.
+// In a positional mode the pad sets angles, within half of the range either way.
 void ControlPage::pointWithPad()
 {
     const SteeringMode *chosen = mode();
@@ -234,7 +234,7 @@ void ControlPage::fillFunctions()
             continue;
         auto *form = new ArgumentForm(action);
         auto *button = new QPushButton(tableText(action.label));
-        // One field needs no name beside the button's; a tick does.
+        // A single field needs no label beside the button's text; a check box does.
         if (action.arguments.size() == 1 && action.arguments.front().kind != ArgumentKind::Toggle) {
             for (QLabel *label : form->findChildren<QLabel *>())
                 label->hide();
@@ -319,7 +319,7 @@ void ControlPage::onMode()
     m_speed->setEnabled(turns || (chosen && chosen->find("speed") >= 0));
 }
 
-// The fields of places to go to, as this mode has them.
+// The fields for target angles that this mode has.
 void ControlPage::showTargets(const SteeringMode *chosen)
 {
     m_filling = true;
@@ -340,7 +340,7 @@ void ControlPage::showTargets(const SteeringMode *chosen)
     m_filling = false;
 }
 
-// Inputs that turn no axis, and switches: a row each.
+// One row for each input that turns no axis, and for each switch.
 void ControlPage::fillInputs()
 {
     for (QWidget *widget : std::exchange(m_rows, {}))
@@ -430,7 +430,7 @@ void ControlPage::setArmed(bool on)
     repolish(m_state);
 }
 
-// What is to be held is where everything is now, so that arming moves nothing.
+// The targets start at the present position, so that arming moves nothing.
 void ControlPage::takeHold()
 {
     const SteeringMode *chosen = mode();

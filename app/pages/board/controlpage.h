@@ -17,8 +17,8 @@ class QGridLayout;
 class QPushButton;
 class QSlider;
 
-/// Steering by hand: a pad for two axes, a slider for the third, every mode the board has. Armed on purpose;
-/// lets go by itself.
+/// Steering by hand: a pad for two axes, a slider for the third, every mode the board has. It must be armed,
+/// and disarms by itself.
 class ControlPage final : public Page
 {
     Q_OBJECT
@@ -66,7 +66,8 @@ private:
     QLabel *m_rollLabel;
     std::array<QDoubleSpinBox *, kAxisCount> m_angles{};
     std::array<QLabel *, kAxisCount> m_angleLabels{};
-    // Where an axis is steered to is known: told by the board, or chosen. What is not known is left alone.
+    // Whether the target of an axis is known, from the board or the operator. An axis without one is left
+    // alone.
     std::array<bool, kAxisCount> m_known{};
     QGridLayout *m_inputs;  // of the steer card
     std::vector<QWidget *> m_rows;  // of what follows
@@ -77,7 +78,7 @@ private:
     QLabel *m_state;
     QLabel *m_now;
     AttitudeView *m_attitude;
-    Card *m_functions;  // what else is at hand while steering
+    Card *m_functions;  // other actions offered while steering
     QTimer m_send;
     QTimer m_refresh;
     QElapsedTimer m_touched;  // since the operator last moved something

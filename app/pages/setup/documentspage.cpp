@@ -19,7 +19,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr auto kTakeDelay = 300ms;  // since the last key: what was typed is one step then
+constexpr auto kTakeDelay = 300ms;  // after the last key, what was typed becomes one step
 constexpr int kListWidth = 180;
 
 bool isUtf8(const QByteArray &bytes)
@@ -117,7 +117,7 @@ QByteArray DocumentsPage::held() const
                    : QByteArray();
 }
 
-// Lines end as they ended before.
+// Line endings are kept.
 QByteArray DocumentsPage::typed() const
 {
     QByteArray text = m_editor->toPlainText().toUtf8();
@@ -157,7 +157,7 @@ void DocumentsPage::reload()
 void DocumentsPage::showDocument()
 {
     if (m_takeTimer.isActive())
-        return;  // it is being typed, and becomes an edit soon
+        return;  // still being typed; it becomes an edit shortly
     const QByteArray bytes = held();
     if (typed() != bytes) {
         m_filling = true;
@@ -249,7 +249,7 @@ void DocumentsPage::hideEvent(QHideEvent *event)
         take();
 }
 
-// The editor would keep the keys of undoing for itself.
+// Otherwise the editor would consume the shortcuts of undo and redo.
 bool DocumentsPage::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() == QEvent::FocusOut && m_takeTimer.isActive())

@@ -121,7 +121,7 @@ void GainCard::refresh(std::size_t axis)
     }
     const auto [damping, stability] = m_shape->slidersFor(*gains);
     m_filling = true;
-    // While it is moved a slider stays where the hand is, whatever rounding makes of it.
+    // While dragged, a slider stays under the pointer, whatever rounding makes of its value.
     if (!row.damping->isSliderDown())
         row.damping->setValue(int(std::lround(damping)));
     if (!row.stability->isSliderDown())

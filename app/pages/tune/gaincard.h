@@ -11,8 +11,8 @@
 class QLabel;
 class QSlider;
 
-/// Two sliders for each axis, damping and stability, instead of three gains, with what the gains in use make
-/// of the loop.
+/// Two sliders per axis, damping and stability, in place of three gains, and the loop that results from the
+/// gains in use.
 class GainCard final : public Card
 {
     Q_OBJECT

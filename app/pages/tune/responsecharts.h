@@ -9,7 +9,7 @@
 class CurveChart;
 class Theme;
 
-/// The measurements as pictures: step responses over each other, or a Bode plot.
+/// Charts of the measurements: overlaid step responses, or a Bode plot.
 class ResponseCharts final : public QStackedWidget
 {
     Q_OBJECT

@@ -174,7 +174,8 @@ bool ResponsePage::tellsTargets() const
     return !device || ::tellsTargets(*device);
 }
 
-// A board that does not tell its targets can be seen to step; its margins cannot be told from the line's.
+// Without targets from the board, steps can be measured; margins cannot, because the link's delay would count
+// as the board's.
 void ResponsePage::offerWays()
 {
     const bool told = tellsTargets();
@@ -477,6 +478,6 @@ void ResponsePage::hideEvent(QHideEvent *event)
 {
     Page::hideEvent(event);
     if (m_running)
-        workspace().client().cancelMovingJobs();  // nobody looks any more
+        workspace().client().cancelMovingJobs();  // nobody is watching any more
     setArmed(false);
 }

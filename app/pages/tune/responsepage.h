@@ -16,8 +16,8 @@ class QStandardItemModel;
 class QTableView;
 class ResponseCharts;
 
-/// How an axis follows: a guarded small step, a sweep, or the motion there was anyway; the measurements side
-/// by side.
+/// How an axis follows, measured by small guarded steps, by a sweep, or from motion that has already
+/// happened; with the measurements side by side.
 class ResponsePage final : public Page
 {
     Q_OBJECT
@@ -60,7 +60,7 @@ private:
     [[nodiscard]] Way way() const;
     [[nodiscard]] Axis axis() const;
     [[nodiscard]] ResponseRecord::Kind kind() const;
-    /// The test that moves the axis; none for the motion there was anyway.
+    /// The test that moves the axis; none to measure motion that has already happened.
     [[nodiscard]] std::optional<MotionTestPlan::Kind> testKind() const;
     /// Which record a row of the table shows.
     [[nodiscard]] std::optional<std::size_t> recordAt(int row) const;

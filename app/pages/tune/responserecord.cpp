@@ -9,12 +9,12 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double kRunShare = 0.95;  // of the rest between steps: the next one must not come in
+constexpr double kRunShare = 0.95;  // of the rest between steps, so that the next step is not included
 constexpr int kMostPoints = 400;
 constexpr double kCoherence = 0.7;
 constexpr double kFinest = 0.3;  // Hz from bin to bin
 constexpr double kEarlier = 0.45;
-constexpr double kPhaseGap = 300;  // degrees: a jump like that is the edge of the scale, not the system
+constexpr double kPhaseGap = 300;  // degrees: a larger jump is a wrap-around, not the system
 
 }  // namespace
 
@@ -93,7 +93,7 @@ ChartCurve bodeCurve(const ResponseRecord &record, BodePart part, int color, boo
         if (hz > record.toHz)
             break;
         if (part != BodePart::Coherence && record.closed.coherence[bin] < kCoherence)
-            continue;  // not drawn as truth
+            continue;  // too uncertain to be drawn
         double value = record.closed.coherence[bin];
         if (part == BodePart::Gain)
             value = record.closed.gainDb(bin);

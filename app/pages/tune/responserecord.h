@@ -7,7 +7,7 @@
 #include "protocol/procedure/motiontest.h"
 #include "widgets/plot/curvechart.h"
 
-/// One measurement of how an axis follows: the samples of both sides and what was found in them.
+/// One measurement of how an axis follows: target and angle samples, and the results.
 struct ResponseRecord
 {
     enum class Kind { Steps, Frequency };
@@ -26,7 +26,7 @@ struct ResponseRecord
     // Frequency.
     FrequencyResponse closed;
     Margins margins;
-    double toHz = 0;  ///< nothing above was asked of the axis
+    double toHz = 0;  ///< highest frequency in the target
 };
 
 /// Finds steps in a motion test. Errors: InvalidArgument (there is no step to measure).

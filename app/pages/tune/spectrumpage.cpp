@@ -37,7 +37,7 @@ constexpr double kCostShare = 0.7;  // of the notch's frequency: nearer it, the 
 constexpr double kWaterfallSpan = 1.0;  // seconds in one column
 constexpr double kSlowest = 5.0;  // Hz: below it nothing is a vibration
 
-// As fine as the span allows with eight segments or more to average.
+// The finest resolution that leaves at least eight segments to average.
 int segmentLength(const UniformSamples &samples)
 {
     int length = 64;
@@ -178,7 +178,7 @@ void SpectrumPage::hideEvent(QHideEvent *event)
     m_timer.stop();
 }
 
-// How it is drawn: few want to change it, so it does not take room in the header.
+// Display options: rarely changed, so they take no room in the header.
 void SpectrumPage::makeViewMenu()
 {
     m_view->setMenu(m_viewMenu);
@@ -222,7 +222,7 @@ void SpectrumPage::makeViewMenu()
              {tr("Rectangular: sharpest, leaks"), [this] { m_window = WindowShape::Rectangular; }}});
 }
 
-// A span that the operator holds still on the Monitor can be measured here, and compared with another one.
+// A span held still on the Monitor page can be measured here and compared with another.
 void SpectrumPage::offerHeldSpan()
 {
     const int last = int(kSpans.size());
@@ -283,7 +283,7 @@ void SpectrumPage::refresh()
         m_note->setText(tr("%1 samples/s, lines of %2 Hz, %n average(s)", nullptr, result->segments)
                             .arg(result->rate, 0, 'f', 0)
                             .arg(result->resolution, 0, 'g', 2));
-        if (samples->polled)  // no filter stands before what is asked for one by one
+        if (samples->polled)  // polled values have not passed an anti-aliasing filter
             m_note->setText(tr("%1; what is faster than %2 Hz shows up lower")
                                 .arg(m_note->text())
                                 .arg(result->rate / 2, 0, 'f', 0));
@@ -318,7 +318,7 @@ void SpectrumPage::addWaterfall()
     addColumn(spanOf(*workspace().client().telemetry(), waterfallChannel()).second);
 }
 
-// What has been kept is there at once.
+// Show at once what is already in memory.
 void SpectrumPage::fillWaterfall()
 {
     m_waterfall->clear();
@@ -340,7 +340,7 @@ int SpectrumPage::waterfallChannel() const
                                     : roles.angle[std::size_t(m_waterfallAxis)];
 }
 
-// A second alone, so that a column shows what happened then.
+// One second only, so that each column shows its own moment.
 void SpectrumPage::addColumn(double end)
 {
     const auto store = workspace().client().telemetry();
@@ -429,7 +429,7 @@ void SpectrumPage::askNotch()
             tr("All notch filters of this axis are in use; change one of them on Parameters."));
         return;
     }
-    // What it costs, before anything is changed: the lag at frequencies where a loop crosses over.
+    // The cost of the notch before anything is changed: its phase lag at typical crossover frequencies.
     QStringList costs;
     for (const double hz : kCostHz) {
         if (hz < plan->shape.hz * kCostShare)

@@ -19,8 +19,7 @@ class QMenu;
 class QStackedWidget;
 class WaterfallView;
 
-/// What shakes and how much is left of it: spectra of the last seconds, their peaks, the error in three
-/// bands.
+/// Vibration and what remains of it: spectra of the last seconds, their peaks, and the error in three bands.
 class SpectrumPage final : public Page
 {
     Q_OBJECT

@@ -228,7 +228,7 @@ QWidget *TuningPage::makeControls()
         connect(control, &LiveSlider::edited, this, [this, control, parameter](double raw) {
             m_live.setValue(parameter, raw);
             control->show(m_live.value(parameter),
-                          m_live.stored(parameter));  // what came of it, within its range
+                          m_live.stored(parameter));  // the result, limited to its range
         });
         m_controls.insert(parameter, control);
         control->show(m_live.value(parameter), m_live.stored(parameter));
@@ -254,7 +254,7 @@ void TuningPage::rebuild()
         return;
     }
     m_controls.clear();
-    // The old controls refer to the old set: they go first.
+    // The old controls refer to the old set, so they are removed first.
     delete m_scroll->takeWidget();
     m_gains = nullptr;
     m_set = set;
@@ -280,7 +280,7 @@ void TuningPage::onStore()
     QList<Curve> errors;
     QList<Curve> gyros;
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-        // A board that does not tell its targets shows the angles themselves.
+        // Without targets from the board, the angles themselves are shown.
         if (roles.target[axis] >= 0)
             errors.append(
                 {roles.target[axis], roles.angle[axis], tr("Error, %1").arg(axisLabel(kAxes[axis]))});
@@ -347,7 +347,7 @@ void TuningPage::updateFigures()
         SpanStatistics span = spanStatistics(*store, told ? roles.target[axis] : roles.angle[axis],
                                              told ? roles.angle[axis] : -1, now - kFigureSpan, now);
         if (!told)
-            span = span.aroundMean();  // without a target, how far it strays from where it is held
+            span = span.aroundMean();  // without a target, the deviation from the mean
         m_now[axis] = {span.rms, span.peak};
         auto &cells = m_cells[axis];
         cells[0]->setText(figure(span.rms));

@@ -13,7 +13,8 @@ class QGridLayout;
 class QPushButton;
 class QScrollArea;
 
-/// Gains and filters as live controls beside what they do: two sets to compare, a way back, holding figures.
+/// Gains and filters as live controls beside plots of their effect: two sets to compare, revert, and figures
+/// of the holding error.
 class TuningPage final : public Page
 {
     Q_OBJECT

@@ -9,7 +9,7 @@ class FilterTable;
 class QCheckBox;
 class QLineEdit;
 
-/// All live-adjustable variables: what is in use, and setting it.
+/// All live-adjustable variables: shows and sets the values in use.
 class VariablesPage final : public Page
 {
     Q_OBJECT

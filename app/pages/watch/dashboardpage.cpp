@@ -75,7 +75,7 @@ DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
     scroll->setWidget(state);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 
-    // The columns divide their height each in its own way: what is said of the board takes all that the
+    // Each column divides its height differently: the messages about the board get all the room that the
     // voltage leaves.
     const auto column = [](QWidget *upper, int share, QWidget *lower, int rest) {
         auto *layout = new QVBoxLayout;

@@ -80,7 +80,7 @@ DebugPage::DebugPage(Workspace &workspace, QWidget *parent)
         kPeriod, [this] { m_model.refresh(); }, [this] { return m_pause->isChecked(); });
 }
 
-// All of them in one plot, each with its own scale: nothing is known of their units.
+// All in one plot, each with its own scale, because their units are unknown.
 void DebugPage::showCurves()
 {
     QList<int> channels;

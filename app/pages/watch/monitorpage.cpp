@@ -215,7 +215,7 @@ QList<int> MonitorPage::ticked(bool arrays) const
     return channels;
 }
 
-// An array has no place in a plot over time: the newest one is shown whole.
+// An array cannot be plotted over time; the newest one is shown in full.
 void MonitorPage::refreshArrays()
 {
     const QList<int> arrays = table().empty() ? QList<int>() : ticked(true);
@@ -256,7 +256,7 @@ void MonitorPage::onPlotsEdited()
     showPlots();
 }
 
-// Ticks, wishes and buttons follow the plots.
+// Ticks, subscriptions and buttons follow the plots.
 void MonitorPage::showPlots()
 {
     const QList<int> channels = m_stack->channels();
@@ -267,7 +267,7 @@ void MonitorPage::showPlots()
     m_export->setEnabled(!channels.isEmpty());
 }
 
-// Where a channel goes can be said without a mouse: the menu key on it.
+// A channel can be put into a plot without a mouse, by the menu key.
 void MonitorPage::showChannelMenu(const QPoint &at)
 {
     QList<int> channels;
@@ -500,7 +500,8 @@ void MonitorPage::updateNote()
         m_note->setFullText({});
         return;
     }
-    QStringList parts{tr("%1 lost").arg(store->lost())};  // what matters first: the end may be left out
+    QStringList parts{
+        tr("%1 lost").arg(store->lost())};  // the most important part first: the end may be elided
     if (store->silences() > 0)
         parts.append(tr("silent for %1 s").arg(store->silentSeconds(), 0, 'f', 1));
     if (const LinkRecorder &recorder = workspace().recorder(); recorder.isRecording())

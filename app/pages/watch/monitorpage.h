@@ -30,15 +30,15 @@ public:
     /// Seconds shown.
     [[nodiscard]] double window() const { return m_stack->seconds(); }
     [[nodiscard]] QPushButton *streamsButton() const { return m_streams; }
-    /// Saves what is seen of the ticked channels. Errors: BadFile.
+    /// Saves the visible span of the ticked channels. Errors: BadFile.
     Result<qint64> exportCsv(const QString &path);
     /// Saves the plots as they look, at twice the size. Errors: BadFile.
     Result<void> exportPicture(const QString &path) const;
-    /// Sends what is ticked on as JSON over UDP; an empty address ends it. Errors: InvalidArgument,
+    /// Forwards the ticked channels as JSON over UDP; an empty address stops it. Errors: InvalidArgument,
     /// NotConnected.
     Result<void> publish(const QString &hostAndPort);
     [[nodiscard]] const UdpExport *publication() const { return m_publication.get(); }
-    /// Keeps which plots there are and what they show under a name; shows what was kept.
+    /// Saves the arrangement of plots under a name; restores a saved one.
     void saveLayout(const QString &name);
     void useLayout(const QString &name);
 
@@ -73,7 +73,7 @@ private:
     ChannelModel m_channels;
     QTreeView *m_tree;
     PlotStack *m_stack;
-    CurveChart *m_arrayChart;  // the newest of each array that is ticked, a spectrum say
+    CurveChart *m_arrayChart;  // the newest value of each ticked array, such as a spectrum
     QLabel *m_empty;
     QComboBox *m_window;
     QPushButton *m_layout;

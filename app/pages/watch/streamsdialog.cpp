@@ -174,7 +174,7 @@ void StreamsDialog::update()
     m_verdict->setObjectName(fits ? u"muted"_s : u"warning"_s);
     repolish(m_verdict);
     m_apply->setEnabled(fits);
-    if (isVisible()) {  // grows with its texts, which its own least width keeps the layout from doing
+    if (isVisible()) {  // grows with its texts, which its minimum width would otherwise prevent
         layout()->activate();
         resize(size().expandedTo(layout()->totalMinimumSize()));
     }

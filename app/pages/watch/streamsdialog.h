@@ -13,7 +13,7 @@ class QProgressBar;
 class QPushButton;
 class QRadioButton;
 
-/// Which streams the board sends and how often, and what that takes of the line.
+/// Which streams the board sends and how often, and the share of the link that this takes.
 class StreamsDialog final : public QDialog
 {
     Q_OBJECT
