@@ -32,7 +32,7 @@ QStringList withDemoFamily(QStringList arguments)
         return arguments;
     const QString next = arguments.value(at + 1);
     const bool named = !next.isEmpty() && !next.startsWith(u'-');
-    arguments[at] = u"--demo="_s + (named ? next : allLinks().usualFamily);
+    arguments[at] = u"--demo="_s + (named ? next : allLinks().defaultFamily);
     if (named)
         arguments.removeAt(at + 1);
     return arguments;
@@ -118,7 +118,7 @@ Result<QString> startAddress(const QCommandLineParser &parser)
     QString address = parser.value(u"link"_s);
     const bool demo = parser.isSet(u"demo"_s);
     if (address.isEmpty() && (demo || parser.isSet(u"tour"_s)))
-        address = u"sim:"_s + (demo ? parser.value(u"demo"_s) : allLinks().usualFamily);
+        address = u"sim:"_s + (demo ? parser.value(u"demo"_s) : allLinks().defaultFamily);
     if (address.isEmpty())
         return address;
     const auto parsed = LinkAddress::parse(address);

@@ -293,7 +293,7 @@ public:
         const auto named = findChannels(device.channels(), m_channels);
         if (!named)
             return tl::unexpected(named.error());
-        const QList<int> channels = named->isEmpty() ? usualChannels(device) : *named;
+        const QList<int> channels = named->isEmpty() ? defaultChannels(device) : *named;
         CommandOutcome outcome;
         QJsonArray list;
         // Over USB the line imposes no limit.

@@ -28,7 +28,7 @@ QString stateText(WriteState state)
 
 }  // namespace
 
-QList<int> usualChannels(const Device &device)
+QList<int> defaultChannels(const Device &device)
 {
     const ChannelRoles roles = rolesOf(device);
     return ChannelRoles::present({roles.angle, roles.target, roles.gyro});

@@ -182,7 +182,7 @@ template <typename... Each> [[nodiscard]] Commands makeCommands(const CommandCon
 /// The channels with these keys. Errors: InvalidArgument.
 [[nodiscard]] Result<QList<int>> findChannels(ChannelTable table, const QStringList &keys);
 /// The channels of most interest: angles, targets and gyroscopes.
-[[nodiscard]] QList<int> usualChannels(const Device &device);
+[[nodiscard]] QList<int> defaultChannels(const Device &device);
 /// What a motion test found. Errors: InvalidArgument (the samples tell nothing).
 [[nodiscard]] Result<CommandOutcome> describeMotion(const MotionTestResult &result);
 /// A value with its unit, for people.

@@ -39,24 +39,24 @@ public:
         }
         connect(&client, &DeviceClient::telemetryFailed, this,
                 [this](const Error &error) { emit finished(tl::unexpected(error)); });
-        begin(named->isEmpty() ? usualChannels(*device) : *named);
+        begin(named->isEmpty() ? defaultChannels(*device) : *named);
     }
 
 protected:
     virtual void begin(const QList<int> &channels) = 0;
     [[nodiscard]] DeviceClient &client() const { return *m_client; }
     [[nodiscard]] double duration() const { return m_seconds; }
-    [[nodiscard]] Subscription wishFor(const QList<int> &channels) const
+    [[nodiscard]] Subscription subscriptionFor(const QList<int> &channels) const
     {
-        Subscription wish{channels, 0, m_streams};
-        for (StreamChoice &stream : wish.streams)
+        Subscription subscription{channels, 0, m_streams};
+        for (StreamChoice &stream : subscription.streams)
             stream.channels = channels;
-        return wish;
+        return subscription;
     }
     /// Asks for telemetry, and for stop() after the time that was given.
     void stream(const QList<int> &channels)
     {
-        client().subscribe(wishFor(channels));
+        client().subscribe(subscriptionFor(channels));
         if (m_seconds > 0)
             QTimer::singleShot(milliseconds(qint64(m_seconds * 1000)), this, [this] { stop(); });
     }
@@ -108,8 +108,8 @@ public:
 protected:
     void begin(const QList<int> &channels) override
     {
-        m_printer = std::make_unique<TelemetryPrinter>(client(), channels, wishFor(channels), duration(),
-                                                       speaksJson());
+        m_printer = std::make_unique<TelemetryPrinter>(client(), channels, subscriptionFor(channels),
+                                                       duration(), speaksJson());
         connect(m_printer.get(), &TelemetryPrinter::finished, this, [this](const QString &note) {
             CommandOutcome outcome;
             outcome.json = m_printer->json();

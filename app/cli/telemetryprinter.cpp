@@ -14,11 +14,11 @@ constexpr auto kDrainPeriod = 50ms;
 
 }  // namespace
 
-TelemetryPrinter::TelemetryPrinter(DeviceClient &client, QList<int> channels, Subscription wish,
+TelemetryPrinter::TelemetryPrinter(DeviceClient &client, QList<int> channels, Subscription subscription,
                                    double seconds, bool asJson)
     : m_client(client)
     , m_channels(std::move(channels))
-    , m_wish(std::move(wish))
+    , m_subscription(std::move(subscription))
     , m_seconds(seconds)
     , m_asJson(asJson)
     , m_tracks(std::size_t(m_channels.size()))
@@ -29,7 +29,7 @@ TelemetryPrinter::TelemetryPrinter(DeviceClient &client, QList<int> channels, Su
 
 void TelemetryPrinter::start()
 {
-    m_client.subscribe(m_wish);
+    m_client.subscribe(m_subscription);
     m_timer.start();
 }
 
@@ -42,7 +42,7 @@ void TelemetryPrinter::drain()
     if (store->generation() != m_generation) {
         m_generation = store->generation();
         const int lead = m_lead;
-        std::size_t mostRows = 0;
+        std::size_t maxRows = 0;
         for (std::size_t i = 0; i < m_tracks.size(); ++i) {
             auto tracks = store->tracks(m_channels[qsizetype(i)]);
             m_tracks[i].reset();
@@ -52,10 +52,10 @@ void TelemetryPrinter::drain()
             // The fastest stream sets the pace: the one with the shortest period, else the fuller one.
             const double period = m_tracks[i]->period();
             if (m_lead < 0 || (period > 0 && m_tracks[std::size_t(m_lead)]->period() <= 0)
-                || (period <= 0 && m_tracks[i]->end() > mostRows
+                || (period <= 0 && m_tracks[i]->end() > maxRows
                     && m_tracks[std::size_t(m_lead)]->period() <= 0))
                 m_lead = int(i);
-            mostRows = std::max(mostRows, m_tracks[i]->end());
+            maxRows = std::max(maxRows, m_tracks[i]->end());
         }
         if (m_lead != lead && m_lead >= 0)
             m_next = m_tracks[std::size_t(m_lead)]->begin();

@@ -19,7 +19,7 @@ class TelemetryPrinter final : public QObject
     Q_OBJECT
 public:
     /// @param channels columns; @param wish what to ask the board for
-    TelemetryPrinter(DeviceClient &client, QList<int> channels, Subscription wish, double seconds,
+    TelemetryPrinter(DeviceClient &client, QList<int> channels, Subscription subscription, double seconds,
                      bool asJson);
 
     void start();
@@ -37,7 +37,7 @@ private:
 
     DeviceClient &m_client;
     QList<int> m_channels;
-    Subscription m_wish;
+    Subscription m_subscription;
     double m_seconds;
     bool m_asJson;
     QTextStream m_out{stdout};

@@ -19,10 +19,10 @@ QList<Family> allFamilies()
 {
     QList<Family> families;
 #if GIMBAL_WITH_SIMPLEBGC
-    families.append(sbgcFamily());
+    families.append(simplebgc::family());
 #endif
 #if GIMBAL_WITH_STORM32
-    families.append(stormFamily());
+    families.append(storm32::family());
 #endif
     return families;
 }
@@ -31,10 +31,10 @@ QList<SimulatedFamily> allSimulatedFamilies()
 {
     QList<SimulatedFamily> families;
 #if GIMBAL_WITH_SIMPLEBGC
-    families.append(simulatedSimpleBgc());
+    families.append(simplebgc::simulatedFamily());
 #endif
 #if GIMBAL_WITH_STORM32
-    families.append(simulatedStorm32());
+    families.append(storm32::simulatedFamily());
 #endif
     return families;
 }
@@ -43,7 +43,7 @@ Links allLinks()
 {
     const SimulatedGimbals simulated(allSimulatedFamilies());
     Links links;
-    links.usualFamily = allFamilies().first().key;
+    links.defaultFamily = allFamilies().first().key;
     links.transports = [simulated](const LinkAddress &address) {
         switch (address.kind()) {
         case LinkAddress::Kind::Simulator: return simulated.connectTo(address);

@@ -8,7 +8,7 @@
 struct Links
 {
     /// The family whose pages are shown before the first board, and whose simulated board is the demo.
-    QString usualFamily;
+    QString defaultFamily;
     TransportFactory transports;
     /// A fault as NAME=VALUE for a `sim:` address that was connected to. Errors: InvalidArgument,
     /// NotConnected.

@@ -15,7 +15,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kMostShown = 60;
+constexpr int kMaxShown = 60;
 constexpr int kIndexRole = Qt::UserRole;
 
 }  // namespace
@@ -58,7 +58,7 @@ void CommandPalette::refilter()
     // Entries that begin with the words come before those that merely contain them.
     const QString start = m_input->text().trimmed().toLower();
     for (const bool beginning : {true, false}) {
-        for (qsizetype i = 0; i < m_entries.size() && m_list->count() < kMostShown; ++i) {
+        for (qsizetype i = 0; i < m_entries.size() && m_list->count() < kMaxShown; ++i) {
             const PaletteEntry &entry = m_entries[i];
             if (entry.text.toLower().startsWith(start) != beginning || !matches(entry))
                 continue;

@@ -124,7 +124,7 @@ void MainWindow::connectFrame()
     connect(m_start, &StartPage::fileRequested, this, &MainWindow::askOpenFile);
     connect(m_start, &StartPage::leftoverRequested, this, &MainWindow::openFile);
     connect(m_start, &StartPage::demoRequested, this,
-            [this] { openLink(u"sim:"_s + m_workspace->usualFamily()); });
+            [this] { openLink(u"sim:"_s + m_workspace->defaultFamily()); });
     connect(m_navigation, &Navigation::pageChosen, this, &MainWindow::updateStart);
     connect(&workspace->configuration(), &ConfigurationModel::boardReset, this, &MainWindow::updateStart);
     connect(&workspace->configuration(), &ConfigurationModel::boardReset, this, &MainWindow::updateOffered);

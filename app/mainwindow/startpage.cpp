@@ -18,7 +18,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kMostLeftovers = 3;
+constexpr int kMaxLeftovers = 3;
 
 }  // namespace
 
@@ -85,7 +85,7 @@ void StartPage::setLeftovers(const QStringList &bases)
     auto *title = new QLabel(tr("Unsaved changes of an earlier run:"));
     title->setObjectName(u"changed"_s);
     m_leftovers->addWidget(title);
-    for (const QString &base : bases.mid(0, kMostLeftovers)) {
+    for (const QString &base : bases.mid(0, kMaxLeftovers)) {
         const QString serial = QFileInfo(base).dir().dirName() == u"unsaved"_s
             ? QFileInfo(QFileInfo(base).path()).dir().dirName()
             : QFileInfo(base).baseName();

@@ -383,7 +383,7 @@ const Family *Workspace::expectedFamily() const
 {
     if (const Family *shown = family())
         return shown;
-    return findFamily(m_client.families(), m_links.usualFamily);
+    return findFamily(m_client.families(), m_links.defaultFamily);
 }
 
 const Device *Workspace::tables() const

@@ -101,7 +101,7 @@ public:
     [[nodiscard]] const Family *family() const;
     /// The same; before the first board or file, the most likely family.
     [[nodiscard]] const Family *expectedFamily() const;
-    [[nodiscard]] const QString &usualFamily() const { return m_links.usualFamily; }
+    [[nodiscard]] const QString &defaultFamily() const { return m_links.defaultFamily; }
     /// Profiles of the board or file shown; 0 without one.
     [[nodiscard]] int profileCount() const;
     /// What a dialog offers for configurations of the family shown, and for everything that can be opened.

@@ -65,11 +65,11 @@ bool isPlausible(const AccCalibration &calibration, double oneG)
 {
     // Errata 9.2: sensors whose range is 4 g (8192 counts), and 2 g.
     const bool wide = oneG < 10000;
-    const int mostZero = wide ? 3500 : 7000;
-    const int least = wide ? 7500 : 15000;
-    const int most = wide ? 8900 : 17500;
+    const int maxZero = wide ? 3500 : 7000;
+    const int min = wide ? 7500 : 15000;
+    const int max = wide ? 8900 : 17500;
     return std::all_of(calibration.zero.begin(), calibration.zero.end(),
-                       [mostZero](int zero) { return std::abs(zero) <= mostZero; })
+                       [maxZero](int zero) { return std::abs(zero) <= maxZero; })
         && std::all_of(calibration.scale.begin(), calibration.scale.end(),
-                       [=](int scale) { return scale >= least && scale <= most; });
+                       [=](int scale) { return scale >= min && scale <= max; });
 }

@@ -74,16 +74,16 @@ Result<Spectrum> spectrum(std::span<const float> samples, double rate, const Spe
     return result;
 }
 
-std::vector<SpectrumPeak> findPeaks(const Spectrum &spectrum, int most, double lowest, double height)
+std::vector<SpectrumPeak> findPeaks(const Spectrum &spectrum, int maxCount, double lowest, double height)
 {
     std::vector<SpectrumPeak> peaks;
     const std::vector<double> &density = spectrum.density;
     std::vector<double> around;
     // What lies far below the strongest line is its own leakage through the window.
-    const double least
+    const double minHeight
         = density.empty() ? 0.0 : *std::max_element(density.begin(), density.end()) * kDynamicRange;
     for (std::size_t bin = 2; bin + 2 < density.size(); ++bin) {
-        if (spectrum.frequency(bin) < lowest || density[bin] < least)
+        if (spectrum.frequency(bin) < lowest || density[bin] < minHeight)
             continue;
         if (density[bin] < density[bin - 1] || density[bin] <= density[bin + 1]
             || density[bin] < density[bin - 2] || density[bin] < density[bin + 2])
@@ -116,7 +116,7 @@ std::vector<SpectrumPeak> findPeaks(const Spectrum &spectrum, int most, double l
     }
     std::sort(peaks.begin(), peaks.end(),
               [](const SpectrumPeak &a, const SpectrumPeak &b) { return a.rms > b.rms; });
-    if (peaks.size() > std::size_t(std::max(0, most)))
-        peaks.resize(std::size_t(std::max(0, most)));
+    if (peaks.size() > std::size_t(std::max(0, maxCount)))
+        peaks.resize(std::size_t(std::max(0, maxCount)));
     return peaks;
 }

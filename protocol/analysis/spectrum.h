@@ -41,5 +41,5 @@ struct SpectrumPeak
 
 /// The lines of a spectrum, greatest first. @param lowest Hz below which nothing counts; @param height dB
 /// above the median of the surrounding octave
-[[nodiscard]] std::vector<SpectrumPeak> findPeaks(const Spectrum &spectrum, int most = 5, double lowest = 2.0,
-                                                  double height = 9.0);
+[[nodiscard]] std::vector<SpectrumPeak> findPeaks(const Spectrum &spectrum, int maxCount = 5,
+                                                  double lowest = 2.0, double height = 9.0);

@@ -61,9 +61,9 @@ Result<StepMetrics> stepMetrics(std::span<const float> response, double rate, do
         return failure(ErrorCode::InvalidArgument, u"the samples end where they began: no step to measure"_s);
 
     const auto start = reached(response, rate, from, way, 0.1);
-    const auto most = reached(response, rate, from, way, 0.9);
-    if (start && most)
-        metrics.riseSeconds = *most - *start;
+    const auto end = reached(response, rate, from, way, 0.9);
+    if (start && end)
+        metrics.riseSeconds = *end - *start;
     double furthest = 0.0;
     std::size_t lastOutside = 0;
     bool outside = false;

@@ -69,7 +69,7 @@ std::uint16_t crc16Mcrf4xx(Bytes bytes, std::uint16_t crc)
     return reflectedCrc(kCcittTables, bytes, crc);
 }
 
-std::uint16_t crc16Sbgc(Bytes bytes)
+std::uint16_t crc16ArcReversed(Bytes bytes)
 {
     unsigned crc = crc16Arc(bytes);
     crc = ((crc & 0x5555) << 1) | ((crc >> 1) & 0x5555);

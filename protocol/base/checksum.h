@@ -12,7 +12,7 @@
 
 /// The CRC of SimpleBGC frame version 2: CRC-16/ARC with its 16 bits reversed (errata 1.2).
 /// "123456789" gives 0xBCDD.
-[[nodiscard]] std::uint16_t crc16Sbgc(Bytes bytes);
+[[nodiscard]] std::uint16_t crc16ArcReversed(Bytes bytes);
 
 /// CRC-16/MCRF4XX (polynomial 0x1021 reflected, start 0xFFFF, nothing at the end), which MAVLink calls X.25
 /// and STorM32 uses everywhere (STorM32 errata 2). "123456789" gives 0x6F91; over data and its own two bytes,

@@ -42,12 +42,11 @@ template <typename T> Result<void> append(ByteWriter &writer, const NamedField &
     if (!ok)
         return failure(ErrorCode::InvalidArgument,
                        u"%1: '%2' is no whole number"_s.arg(nameOf(field), value.toString()));
-    constexpr qlonglong least = std::numeric_limits<T>::min();
-    constexpr qlonglong most = std::numeric_limits<T>::max();
-    if (number < least || number > most)
-        return failure(
-            ErrorCode::OutOfRange,
-            u"%1: %2 is not within %3 .. %4"_s.arg(nameOf(field)).arg(number).arg(least).arg(most));
+    constexpr qlonglong min = std::numeric_limits<T>::min();
+    constexpr qlonglong max = std::numeric_limits<T>::max();
+    if (number < min || number > max)
+        return failure(ErrorCode::OutOfRange,
+                       u"%1: %2 is not within %3 .. %4"_s.arg(nameOf(field)).arg(number).arg(min).arg(max));
     writer.write(T(number));
     return {};
 }

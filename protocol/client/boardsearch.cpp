@@ -39,11 +39,11 @@ Result<BoardSearch::Found> BoardSearch::ask(const Candidate &candidate, SessionC
 
 // On a serial line each family is asked at its usual rate before any other rate is tried: a board that cannot
 // answer the first one's question is found in two seconds instead of after all its rates.
-Result<BoardSearch::Found> BoardSearch::askAtUsualRates(SessionChannel &channel)
+Result<BoardSearch::Found> BoardSearch::askAtDefaultRates(SessionChannel &channel)
 {
     Result<Found> found = failure(ErrorCode::Silent);
     for (const Candidate &candidate : m_candidates) {
-        found = ask(candidate, channel, false, Search::UsualRate);
+        found = ask(candidate, channel, false, Search::DefaultRate);
         if (found || !isNotHere(found.error().code))
             return found;
     }
@@ -58,7 +58,7 @@ Result<BoardSearch::Found> BoardSearch::once(SessionChannel &channel, bool useKn
     const bool searches = m_candidates.size() > 1 && address.kind() == LinkAddress::Kind::Serial
         && !address.baud() && !(useKnownLine && m_order.knownLine);
     if (searches) {
-        auto found = askAtUsualRates(channel);
+        auto found = askAtDefaultRates(channel);
         if (found || !isNotHere(found.error().code))
             return found;
     }

@@ -39,7 +39,7 @@ private:
     Result<Found> ask(const Candidate &candidate, SessionChannel &channel, bool useKnownLine,
                       Search search = Search::AllRates);
     Result<Found> once(SessionChannel &channel, bool useKnownLine);
-    Result<Found> askAtUsualRates(SessionChannel &channel);
+    Result<Found> askAtDefaultRates(SessionChannel &channel);
 
     Order m_order;
     std::vector<Candidate> m_candidates;

@@ -37,12 +37,13 @@ QList<std::optional<LineSettings>> linesToTry(const Family &family, const LinkAd
     }
     // A rate outside the document's list is the operator's own wish.
     if (lines.isEmpty()) {
-        const LineSettings &usual = family.lines.first();
-        lines.append(
-            LineSettings{address.baud().value_or(usual.baud), address.parity().value_or(usual.parity)});
+        const LineSettings &preferred = family.lines.first();
+        lines.append(LineSettings{address.baud().value_or(preferred.baud),
+                                  address.parity().value_or(preferred.parity)});
     }
-    if (search == Search::UsualRate)
-        lines.removeIf([usual = lines.first()->baud](const auto &line) { return line->baud != usual; });
+    if (search == Search::DefaultRate)
+        lines.removeIf(
+            [preferred = lines.first()->baud](const auto &line) { return line->baud != preferred; });
     return lines;
 }
 

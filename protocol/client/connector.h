@@ -13,7 +13,7 @@ struct FoundBoard
 };
 
 /// How far to look on a serial line whose settings nobody has told.
-enum class Search { UsualRate, AllRates };
+enum class Search { DefaultRate, AllRates };
 
 /// Finds rate and parity on an open link and identifies the board. Says what it tries through
 /// Channel::progress. Only the given settings are tried where the address names them.

@@ -214,9 +214,9 @@ std::optional<double> ParameterSpec::parse(const QString &text) const
     return {};
 }
 
-QString ParameterSpec::idleKey() const
+QString ParameterSpec::inactiveKey() const
 {
-    return *row->idle.key ? expandKey(row->idle.key, axis, index) : QString();
+    return *row->inactive.key ? expandKey(row->inactive.key, axis, index) : QString();
 }
 
 ParameterSet::ParameterSet(std::span<const ParameterRow> rows, std::span<const BlockSpec> blocks,

@@ -137,7 +137,7 @@ struct ParameterRow
     Conversion conversion = Conversion::Linear;
     bool state = false;  ///< reported by the board, not set by the operator
     const char *name = "";  ///< what the family's own files call it; "%A" is the axis
-    NoEffectWhile idle{};
+    NoEffectWhile inactive{};
 };
 
 using Capabilities = QSet<QString>;
@@ -173,7 +173,7 @@ struct ParameterSpec
     /// Takes the very bits over from another block, a number or not. False when one of them is too short.
     bool copy(QByteArray &block, const QByteArray &from) const;
     /// Key of the parameter that decides whether this one has an effect; empty: it always has.
-    [[nodiscard]] QString idleKey() const;
+    [[nodiscard]] QString inactiveKey() const;
     /// Choices that this firmware has (flag bits likewise).
     [[nodiscard]] std::vector<Choice> choices(int firmware) const;
 

@@ -19,10 +19,10 @@
 class Recorder final : public FrameListener
 {
 public:
-    static constexpr qsizetype kMostBytes = 192'000'000;
+    static constexpr qsizetype kMaxBytes = 192'000'000;
 
     /// @param seconds how much is held; @param bytes upper limit of the memory for it
-    explicit Recorder(double seconds = 600, qsizetype bytes = kMostBytes);
+    explicit Recorder(double seconds = 600, qsizetype bytes = kMaxBytes);
 
     void bytesReceived(QByteArrayView bytes, TimePoint at) override;
     void bytesSent(QByteArrayView bytes, TimePoint at) override;

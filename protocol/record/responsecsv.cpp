@@ -9,8 +9,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double kUsualRate = 1250.0;
-constexpr std::size_t kMost = 10'000'000;
+constexpr double kDefaultRate = 1250.0;
+constexpr std::size_t kMax = 10'000'000;
 
 std::optional<float> number(QByteArrayView text)
 {
@@ -36,7 +36,7 @@ Result<void> writeResponseCsv(QIODevice &file, std::span<const float> in, std::s
 Result<ResponseSamples> readResponseCsv(const QByteArray &text)
 {
     ResponseSamples samples;
-    samples.rate = kUsualRate;
+    samples.rate = kDefaultRate;
     samples.rateAssumed = true;
     qsizetype begin = 0;
     for (int line = 1; begin < text.size(); ++line) {
@@ -70,8 +70,8 @@ Result<ResponseSamples> readResponseCsv(const QByteArray &text)
                            u"line %1 is not two numbers: %2"_s.arg(line).arg(
                                QString::fromUtf8(row.first(std::min<qsizetype>(40, row.size())))));
         }
-        if (samples.in.size() == kMost)
-            return failure(ErrorCode::BadFile, u"more than %1 lines"_s.arg(kMost));
+        if (samples.in.size() == kMax)
+            return failure(ErrorCode::BadFile, u"more than %1 lines"_s.arg(kMax));
         samples.in.push_back(*in);
         samples.out.push_back(*out);
     }

@@ -32,11 +32,12 @@ Result<void> UdpExport::start(const QString &hostAndPort)
     const qsizetype colon = hostAndPort.lastIndexOf(u':');
     const QString host = colon < 0 ? hostAndPort : hostAndPort.left(colon);
     bool ok = true;
-    const uint port = colon < 0 ? uint(kUsualPort) : hostAndPort.mid(colon + 1).toUInt(&ok);
+    const uint port = colon < 0 ? uint(kDefaultPort) : hostAndPort.mid(colon + 1).toUInt(&ok);
     const QString numeric = host.compare(u"localhost"_s, Qt::CaseInsensitive) == 0 ? u"127.0.0.1"_s : host;
     if (!ok || port == 0 || port > 65535 || !m_host.setAddress(numeric)) {
-        return failure(ErrorCode::InvalidArgument,
-                       u"'%1' is no address; it looks like 127.0.0.1:%2"_s.arg(hostAndPort).arg(kUsualPort));
+        return failure(
+            ErrorCode::InvalidArgument,
+            u"'%1' is no address; it looks like 127.0.0.1:%2"_s.arg(hostAndPort).arg(kDefaultPort));
     }
     m_port = quint16(port);
     m_first = true;

@@ -17,7 +17,7 @@ class UdpExport final : public QObject
     Q_OBJECT
 public:
     /// Where PlotJuggler listens unless it is told otherwise.
-    static constexpr quint16 kUsualPort = 9870;
+    static constexpr quint16 kDefaultPort = 9870;
 
     /// @param channels columns of the table to send
     UdpExport(ChannelTable table, std::shared_ptr<const TelemetryStore> store, QList<int> channels,
@@ -51,7 +51,7 @@ private:
     QList<int> m_channels;
     QUdpSocket m_socket;
     QHostAddress m_host;
-    quint16 m_port = kUsualPort;
+    quint16 m_port = kDefaultPort;
     QTimer m_timer;
     int m_generation = -1;
     bool m_first = true;

@@ -43,7 +43,7 @@ void StopSequence::take(Proof proof)
 void StopSequence::advance(TimePoint now)
 {
     while (m_active && now >= m_nextSend) {
-        while (m_means < m_plan.means.size() && m_rounds >= m_plan.means[m_means].atMost) {
+        while (m_means < m_plan.means.size() && m_rounds >= m_plan.means[m_means].maxRounds) {
             ++m_means;
             m_rounds = 0;
         }

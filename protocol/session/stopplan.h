@@ -20,7 +20,7 @@ struct StopPlan
     {
         std::vector<Request> requests;
         milliseconds every{100};
-        int atMost = 5;  ///< rounds, then the next means is tried
+        int maxRounds = 5;  ///< rounds, then the next means is tried
     };
     std::vector<Means> means;  ///< in order
     /// What an answer to one of the requests proves; empty: nothing.

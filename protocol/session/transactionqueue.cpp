@@ -57,7 +57,7 @@ void TransactionQueue::cancel(Id id)
     if (const auto it = std::find_if(m_inFlight.begin(), m_inFlight.end(), isIt); it != m_inFlight.end()) {
         Pending pending = std::move(*it);
         m_inFlight.erase(it);
-        leaveGhost(pending, pending.leftAt, pending.sends - pending.refused);
+        expectStaleReply(pending, pending.leftAt, pending.sends - pending.refused);
         complete(std::move(pending), failure(ErrorCode::Cancelled));
     }
 }
@@ -67,7 +67,7 @@ void TransactionQueue::cancelAll(const Error &why)
     // Completions may submit anew; those requests belong to the next round.
     auto waiting = std::exchange(m_waiting, {});
     auto inFlight = std::exchange(m_inFlight, {});
-    m_ghosts.clear();
+    m_staleReplies.clear();
     m_untaken = 0;
     m_lineFreeAt = {};
     m_pauseUntil = {};
@@ -91,15 +91,15 @@ bool TransactionQueue::frameArrived(const FrameView &frame, TimePoint now)
         Pending pending = std::move(*it);
         m_inFlight.erase(it);
         m_roundTrip = std::max(Duration::zero(), now - pending.sentAt);
-        leaveGhost(pending, now, pending.sends - pending.refused - 1);
+        expectStaleReply(pending, now, pending.sends - pending.refused - 1);
         complete(std::move(pending), std::move(*answer));
         startNext(now);
         return true;
     }
-    for (auto it = m_ghosts.begin(); it != m_ghosts.end(); ++it) {
+    for (auto it = m_staleReplies.begin(); it != m_staleReplies.end(); ++it) {
         if (!it->answer(frame))
             continue;
-        m_ghosts.erase(it);
+        m_staleReplies.erase(it);
         startNext(now);
         return true;
     }
@@ -125,7 +125,7 @@ void TransactionQueue::bytesTaken(qint64 count, TimePoint now)
 
 void TransactionQueue::advance(TimePoint now)
 {
-    std::erase_if(m_ghosts, [now](const Ghost &ghost) { return ghost.until <= now; });
+    std::erase_if(m_staleReplies, [now](const StaleReply &stale) { return stale.until <= now; });
     for (std::size_t i = 0; i < m_inFlight.size();) {
         Pending &pending = m_inFlight[i];
         if (m_untaken > 0 && !pending.hasLeft)
@@ -142,7 +142,7 @@ void TransactionQueue::advance(TimePoint now)
         ++m_timeouts;
         Pending late = std::move(pending);
         m_inFlight.erase(m_inFlight.begin() + static_cast<std::ptrdiff_t>(i));
-        leaveGhost(late, now, late.sends - late.refused);
+        expectStaleReply(late, now, late.sends - late.refused);
         const QString name = late.request.name;
         complete(std::move(late), failure(ErrorCode::Timeout, name));
         i = 0;  // the completion may have changed the list
@@ -156,8 +156,8 @@ std::optional<TimePoint> TransactionQueue::nextDeadline(TimePoint now) const
     const auto consider = [&next](TimePoint time) { next = next ? std::min(*next, time) : time; };
     for (const Pending &pending : m_inFlight)
         consider(pending.deadline);
-    for (const Ghost &ghost : m_ghosts)
-        consider(ghost.until);
+    for (const StaleReply &stale : m_staleReplies)
+        consider(stale.until);
     if (!m_waiting.empty() && !normalInFlight())
         consider(std::max(now, m_pauseUntil));
     return next;
@@ -193,19 +193,19 @@ void TransactionQueue::complete(Pending pending, Result<Frame> result)
         pending.completion(std::move(result));
 }
 
-void TransactionQueue::leaveGhost(const Pending &pending, TimePoint now, int answers)
+void TransactionQueue::expectStaleReply(const Pending &pending, TimePoint now, int answers)
 {
     if (!pending.request.answer)
         return;
     const TimePoint until = now + std::max<Duration>(kLateAnswerWindow, timeoutOf(pending.request));
     for (int i = 0; i < answers; ++i)
-        m_ghosts.push_back({pending.request.answer, pending.request.kind, until});
+        m_staleReplies.push_back({pending.request.answer, pending.request.kind, until});
 }
 
 bool TransactionQueue::isHeld(int kind) const
 {
-    return std::any_of(m_ghosts.begin(), m_ghosts.end(),
-                       [kind](const Ghost &ghost) { return ghost.kind == kind; });
+    return std::any_of(m_staleReplies.begin(), m_staleReplies.end(),
+                       [kind](const StaleReply &stale) { return stale.kind == kind; });
 }
 
 bool TransactionQueue::mayRepeat(const Pending &pending)

@@ -71,7 +71,7 @@ private:
         TimePoint leftAt{};  // when the last byte has left for certain, for the timeout
         TimePoint deadline{};
     };
-    struct Ghost  // an answer that may still come to nobody
+    struct StaleReply  // an answer that may still come to nobody
     {
         AnswerMatcher answer;
         int kind = 0;
@@ -81,7 +81,7 @@ private:
     void send(Pending &pending, TimePoint now);
     TimePoint account(qint64 bytes, TimePoint now);
     void complete(Pending pending, Result<Frame> result);
-    void leaveGhost(const Pending &pending, TimePoint now, int answers);
+    void expectStaleReply(const Pending &pending, TimePoint now, int answers);
     [[nodiscard]] static bool mayRepeat(const Pending &pending);
     [[nodiscard]] bool normalInFlight() const;
     [[nodiscard]] Duration timeoutOf(const Request &request) const;
@@ -92,7 +92,7 @@ private:
     milliseconds m_pause = 10ms;
     std::deque<Pending> m_waiting;
     std::vector<Pending> m_inFlight;
-    std::vector<Ghost> m_ghosts;
+    std::vector<StaleReply> m_staleReplies;
     Id m_lastId = 0;
     TimePoint m_lineFreeAt{};
     TimePoint m_pauseUntil{};

@@ -10,7 +10,8 @@
 #include <cmath>
 
 using namespace Qt::StringLiterals;
-using namespace sbgc;
+
+namespace simplebgc {
 
 namespace {
 
@@ -149,30 +150,30 @@ Result<QList<int>> parseNumbers(const QString &text, int min, int max)
 }  // namespace
 
 // clang-format off
-const SbgcActions::Entry SbgcActions::kHandlers[] = {
-    {"angles", &SbgcActions::readAngles},
-    {"debug.list", &SbgcActions::listDebugVariables},
-    {"debug.read", &SbgcActions::readDebugVariables},
-    {"variables.read", &SbgcActions::readVariables},
-    {"beep", &SbgcActions::beep},
-    {"motors.on", &SbgcActions::motorsOn},
-    {"motors.off", &SbgcActions::motorsOff},
-    {"menu", &SbgcActions::menu},
-    {"steer", &SbgcActions::steer},
-    {"profile.select", &SbgcActions::selectProfile},
-    {"variables.write", &SbgcActions::writeVariable},
-    {"variables.save", &SbgcActions::saveVariables},
-    {"calibrate.gyro", &SbgcActions::calibrateGyro},
-    {"calibrate.acc", &SbgcActions::calibrateAcc},
-    {"calibrate.battery", &SbgcActions::calibrateBattery},
-    {"calibrate.offset", &SbgcActions::calibrateOffset},
-    {"autotune", &SbgcActions::autoTune},
-    {"reset", &SbgcActions::reset},
-    {"defaults", &SbgcActions::useDefaults},
+const Actions::Entry Actions::kHandlers[] = {
+    {"angles", &Actions::readAngles},
+    {"debug.list", &Actions::listDebugVariables},
+    {"debug.read", &Actions::readDebugVariables},
+    {"variables.read", &Actions::readVariables},
+    {"beep", &Actions::beep},
+    {"motors.on", &Actions::motorsOn},
+    {"motors.off", &Actions::motorsOff},
+    {"menu", &Actions::menu},
+    {"steer", &Actions::steer},
+    {"profile.select", &Actions::selectProfile},
+    {"variables.write", &Actions::writeVariable},
+    {"variables.save", &Actions::saveVariables},
+    {"calibrate.gyro", &Actions::calibrateGyro},
+    {"calibrate.acc", &Actions::calibrateAcc},
+    {"calibrate.battery", &Actions::calibrateBattery},
+    {"calibrate.offset", &Actions::calibrateOffset},
+    {"autotune", &Actions::autoTune},
+    {"reset", &Actions::reset},
+    {"defaults", &Actions::useDefaults},
 };
 // clang-format on
 
-std::vector<ActionSpec> SbgcActions::available(const BoardIdentity &identity)
+std::vector<ActionSpec> Actions::available(const BoardIdentity &identity)
 {
     std::vector<ActionSpec> list;
     for (const ActionSpec &action : kActions) {
@@ -185,7 +186,7 @@ std::vector<ActionSpec> SbgcActions::available(const BoardIdentity &identity)
     return list;
 }
 
-Result<ActionReply> SbgcActions::perform(const QString &key, const QVariantMap &arguments)
+Result<ActionReply> Actions::perform(const QString &key, const QVariantMap &arguments)
 {
     for (const Entry &entry : kHandlers) {
         if (key == QLatin1String(entry.key))
@@ -194,18 +195,18 @@ Result<ActionReply> SbgcActions::perform(const QString &key, const QVariantMap &
     return failure(ErrorCode::Unsupported, key);
 }
 
-Result<ActionReply> SbgcActions::confirm(CommandId id, const QByteArray &payload)
+Result<ActionReply> Actions::confirm(CommandId id, const QByteArray &payload)
 {
-    const auto reply = m_channel.transact(confirmRequest(id, payload, SbgcDevice::kVersion));
+    const auto reply = m_channel.transact(confirmRequest(id, payload, Device::kVersion));
     if (!reply)
         return tl::unexpected(reply.error());
     return ActionReply{};
 }
 
-Result<ActionReply> SbgcActions::readAngles(const QVariantMap &)
+Result<ActionReply> Actions::readAngles(const QVariantMap &)
 {
     const auto plain = m_channel.transact(
-        replyRequest(CommandId::GetAngles, {}, CommandId::GetAngles, 18, SbgcDevice::kVersion));
+        replyRequest(CommandId::GetAngles, {}, CommandId::GetAngles, 18, Device::kVersion));
     if (!plain)
         return tl::unexpected(plain.error());
     const auto angles = decodeAngles(asBytes(plain->payload));
@@ -220,7 +221,7 @@ Result<ActionReply> SbgcActions::readAngles(const QVariantMap &)
     // The motor angles come with a later command (document revision 0.6); boards without it are read all the
     // same.
     Request request
-        = replyRequest(CommandId::GetAnglesExt, {}, CommandId::GetAnglesExt, 54, SbgcDevice::kVersion);
+        = replyRequest(CommandId::GetAnglesExt, {}, CommandId::GetAnglesExt, 54, Device::kVersion);
     request.retries = 1;
     if (const auto extended = m_channel.transact(request)) {
         if (const auto more = decodeAnglesExt(asBytes(extended->payload))) {
@@ -231,7 +232,7 @@ Result<ActionReply> SbgcActions::readAngles(const QVariantMap &)
     return reply;
 }
 
-Result<ActionReply> SbgcActions::listDebugVariables(const QVariantMap &)
+Result<ActionReply> Actions::listDebugVariables(const QVariantMap &)
 {
     const auto vars = m_device.debugVariables(m_channel);
     if (!vars)
@@ -242,7 +243,7 @@ Result<ActionReply> SbgcActions::listDebugVariables(const QVariantMap &)
     return reply;
 }
 
-Result<ActionReply> SbgcActions::readDebugVariables(const QVariantMap &)
+Result<ActionReply> Actions::readDebugVariables(const QVariantMap &)
 {
     const auto vars = m_device.debugVariables(m_channel);
     if (!vars)
@@ -260,25 +261,25 @@ Result<ActionReply> SbgcActions::readDebugVariables(const QVariantMap &)
     return reply;
 }
 
-Result<ActionReply> SbgcActions::motorsOn(const QVariantMap &)
+Result<ActionReply> Actions::motorsOn(const QVariantMap &)
 {
     return confirm(CommandId::MotorsOn);
 }
 
-Result<ActionReply> SbgcActions::motorsOff(const QVariantMap &)
+Result<ActionReply> Actions::motorsOff(const QVariantMap &)
 {
-    const auto reply = m_channel.transact(confirmRequest(CommandId::MotorsOff, {}, SbgcDevice::kVersion));
+    const auto reply = m_channel.transact(confirmRequest(CommandId::MotorsOff, {}, Device::kVersion));
     if (!reply)
         return tl::unexpected(reply.error());
     return ActionReply{};
 }
 
-Result<ActionReply> SbgcActions::menu(const QVariantMap &arguments)
+Result<ActionReply> Actions::menu(const QVariantMap &arguments)
 {
     return confirm(CommandId::ExecuteMenu, ByteWriter().u8(arguments.value(u"command"_s).toInt()).take());
 }
 
-Result<ActionReply> SbgcActions::selectProfile(const QVariantMap &arguments)
+Result<ActionReply> Actions::selectProfile(const QVariantMap &arguments)
 {
     const auto done = m_device.selectProfile(m_channel, arguments.value(u"profile"_s).toInt() - 1);
     if (!done)
@@ -286,11 +287,11 @@ Result<ActionReply> SbgcActions::selectProfile(const QVariantMap &arguments)
     return ActionReply{};
 }
 
-Result<ActionReply> SbgcActions::steer(const QVariantMap &arguments)
+Result<ActionReply> Actions::steer(const QVariantMap &arguments)
 {
     const int mode = arguments.value(u"mode"_s).toInt();
     const double speed = arguments.value(u"speed"_s).toDouble();
-    SbgcDevice::Control setpoint{};
+    Device::Control setpoint{};
     bool any = false;
     for (std::size_t axis = 0; axis < setpoint.size(); ++axis) {
         const QVariant wanted = arguments.value(kAxisNames[axis]);
@@ -299,8 +300,8 @@ Result<ActionReply> SbgcActions::steer(const QVariantMap &arguments)
         any = true;
         // In speed mode the axis value is the speed itself.
         const double value = wanted.toDouble();
-        setpoint[axis] = mode == Speed ? SbgcDevice::AxisControl{mode, value, 0.0}
-                                       : SbgcDevice::AxisControl{mode, speed, value};
+        setpoint[axis]
+            = mode == Speed ? Device::AxisControl{mode, value, 0.0} : Device::AxisControl{mode, speed, value};
     }
     if (!any)
         return failure(ErrorCode::InvalidArgument, u"steer needs roll=, pitch= or yaw="_s);
@@ -334,30 +335,30 @@ Result<ActionReply> SbgcActions::steer(const QVariantMap &arguments)
     return readAngles({});
 }
 
-Result<ActionReply> SbgcActions::beep(const QVariantMap &arguments)
+Result<ActionReply> Actions::beep(const QVariantMap &arguments)
 {
     constexpr int kMelody = 32768;
-    constexpr int kMostNotes = 30;
+    constexpr int kMaxNotes = 30;
     const int sound = arguments.value(u"sound"_s).toInt();
     QList<int> notes;
     if (sound == kMelody) {
         const auto parsed = parseNumbers(arguments.value(u"notes"_s).toString(), 554, 21000);
         if (!parsed)
             return tl::unexpected(parsed.error());
-        if (parsed->size() > kMostNotes)
-            return failure(ErrorCode::InvalidArgument, u"a melody has at most %1 notes"_s.arg(kMostNotes));
+        if (parsed->size() > kMaxNotes)
+            return failure(ErrorCode::InvalidArgument, u"a melody has at most %1 notes"_s.arg(kMaxNotes));
         notes = *parsed;
     }
     const int length = std::max(1, arguments.value(u"length"_s).toInt() / 8);
     const auto sent = m_channel.transact(silentRequest(
         CommandId::BeepSound, encodeBeep(sound, length, arguments.value(u"decay"_s).toInt(), notes),
-        SbgcDevice::kVersion));
+        Device::kVersion));
     if (!sent)
         return tl::unexpected(sent.error());
     return ActionReply{};
 }
 
-Result<ActionReply> SbgcActions::readVariables(const QVariantMap &arguments)
+Result<ActionReply> Actions::readVariables(const QVariantMap &arguments)
 {
     const auto ids = parseNumbers(arguments.value(u"ids"_s).toString(), 0, 255);
     if (!ids)
@@ -371,7 +372,7 @@ Result<ActionReply> SbgcActions::readVariables(const QVariantMap &arguments)
     return reply;
 }
 
-Result<ActionReply> SbgcActions::writeVariable(const QVariantMap &arguments)
+Result<ActionReply> Actions::writeVariable(const QVariantMap &arguments)
 {
     const auto done = m_device.writeAdjustables(
         m_channel, {{arguments.value(u"id"_s).toInt(), arguments.value(u"value"_s).toDouble()}});
@@ -380,9 +381,9 @@ Result<ActionReply> SbgcActions::writeVariable(const QVariantMap &arguments)
     return ActionReply{};
 }
 
-Result<ActionReply> SbgcActions::saveVariables(const QVariantMap &)
+Result<ActionReply> Actions::saveVariables(const QVariantMap &)
 {
-    Request request = confirmRequest(CommandId::SaveParams3, {}, SbgcDevice::kVersion);
+    Request request = confirmRequest(CommandId::SaveParams3, {}, Device::kVersion);
     request.timeout = 1500ms;
     const auto reply = m_channel.transact(request);
     if (!reply)
@@ -390,11 +391,11 @@ Result<ActionReply> SbgcActions::saveVariables(const QVariantMap &)
     return ActionReply{};
 }
 
-Result<ActionReply> SbgcActions::reset(const QVariantMap &arguments)
+Result<ActionReply> Actions::reset(const QVariantMap &arguments)
 {
     Request request
         = replyRequest(CommandId::Reset, ByteWriter().u8(1).u16(arguments.value(u"delay"_s).toInt()).take(),
-                       CommandId::Reset, 0, SbgcDevice::kVersion);
+                       CommandId::Reset, 0, Device::kVersion);
     request.idempotent = false;
     const auto notice = m_channel.transact(request);
     if (!notice)
@@ -402,14 +403,15 @@ Result<ActionReply> SbgcActions::reset(const QVariantMap &arguments)
     return ActionReply{};
 }
 
-Result<ActionReply> SbgcActions::useDefaults(const QVariantMap &arguments)
+Result<ActionReply> Actions::useDefaults(const QVariantMap &arguments)
 {
-    Request request
-        = confirmRequest(CommandId::UseDefaults, ByteWriter().u8(arguments.value(u"what"_s).toInt()).take(),
-                         SbgcDevice::kVersion);
+    Request request = confirmRequest(
+        CommandId::UseDefaults, ByteWriter().u8(arguments.value(u"what"_s).toInt()).take(), Device::kVersion);
     request.timeout = 3000ms;
     const auto reply = m_channel.transact(request);
     if (!reply)
         return tl::unexpected(reply.error());
     return ActionReply{};
 }
+
+}  // namespace simplebgc

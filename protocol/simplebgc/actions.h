@@ -4,12 +4,14 @@
 
 #include "protocol/simplebgc/device.h"
 
+namespace simplebgc {
+
 /// The actions of the family: everything of the serial API that is neither a parameter nor telemetry, as
 /// table and code.
-class SbgcActions
+class Actions
 {
 public:
-    SbgcActions(SbgcDevice &device, Channel &channel)
+    Actions(Device &device, Channel &channel)
         : m_device(device)
         , m_channel(channel)
     {
@@ -21,7 +23,7 @@ public:
     Result<ActionReply> perform(const QString &key, const QVariantMap &arguments);
 
 private:
-    using Handler = Result<ActionReply> (SbgcActions::*)(const QVariantMap &);
+    using Handler = Result<ActionReply> (Actions::*)(const QVariantMap &);
     struct Entry
     {
         const char *key;
@@ -29,7 +31,7 @@ private:
     };
     static const Entry kHandlers[];
 
-    Result<ActionReply> confirm(sbgc::CommandId id, const QByteArray &payload = {});
+    Result<ActionReply> confirm(CommandId id, const QByteArray &payload = {});
 
     Result<ActionReply> readAngles(const QVariantMap &arguments);
     Result<ActionReply> listDebugVariables(const QVariantMap &arguments);
@@ -51,7 +53,7 @@ private:
     Result<ActionReply> reset(const QVariantMap &arguments);
     Result<ActionReply> useDefaults(const QVariantMap &arguments);
 
-    Result<ActionReply> calibrate(sbgc::CommandId id, const QVariantMap &arguments);
+    Result<ActionReply> calibrate(CommandId id, const QVariantMap &arguments);
     struct Stillness
     {
         double gyroBias = 0;
@@ -60,9 +62,11 @@ private:
     };
     Result<Stillness> measureStillness();
 
-    SbgcDevice &m_device;
+    Device &m_device;
     Channel &m_channel;
 };
 
 /// Faults behind SYSTEM_ERROR and SYSTEM_SUB_ERROR, with their causes and cures.
 [[nodiscard]] std::vector<BoardFault> faultsOf(unsigned bits, unsigned detail);
+
+}  // namespace simplebgc

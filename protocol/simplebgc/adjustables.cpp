@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace sbgc {
+namespace simplebgc {
 
 namespace {
 
@@ -136,4 +136,4 @@ std::span<const AdjustableSpec> adjustablesOf(int firmware)
     return {std::begin(kAdjustables), end};
 }
 
-}  // namespace sbgc
+}  // namespace simplebgc

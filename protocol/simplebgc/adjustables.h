@@ -4,9 +4,9 @@
 
 #include "protocol/device/abilities.h"
 
-namespace sbgc {
+namespace simplebgc {
 
 /// The live-adjustable variables that a firmware has, by number (errata 5).
 [[nodiscard]] std::span<const AdjustableSpec> adjustablesOf(int firmware);
 
-}  // namespace sbgc
+}  // namespace simplebgc

@@ -9,7 +9,8 @@
 #include <cmath>
 
 using namespace Qt::StringLiterals;
-using namespace sbgc;
+
+namespace simplebgc {
 
 namespace {
 
@@ -24,17 +25,17 @@ const QString kAxisNames[] = {u"roll"_s, u"pitch"_s, u"yaw"_s};
 
 }  // namespace
 
-Result<ActionReply> SbgcActions::calibrateGyro(const QVariantMap &arguments)
+Result<ActionReply> Actions::calibrateGyro(const QVariantMap &arguments)
 {
     return calibrate(CommandId::CalibGyro, arguments);
 }
 
-Result<ActionReply> SbgcActions::calibrateAcc(const QVariantMap &arguments)
+Result<ActionReply> Actions::calibrateAcc(const QVariantMap &arguments)
 {
     return calibrate(CommandId::CalibAcc, arguments);
 }
 
-Result<ActionReply> SbgcActions::calibrate(CommandId id, const QVariantMap &arguments)
+Result<ActionReply> Actions::calibrate(CommandId id, const QVariantMap &arguments)
 {
     const bool simple = arguments.value(u"form"_s).toInt() == 1;
     const QByteArray payload = simple
@@ -52,7 +53,7 @@ Result<ActionReply> SbgcActions::calibrate(CommandId id, const QVariantMap &argu
     // Both confirmations are kept from before the command goes out (errata 7: at reception and at the end).
     const auto confirmations
         = m_channel.listen([id](const FrameView &frame) { return isConfirmOf(frame, id); });
-    const auto accepted = m_channel.transact(confirmRequest(id, payload, SbgcDevice::kVersion));
+    const auto accepted = m_channel.transact(confirmRequest(id, payload, Device::kVersion));
     if (!accepted && !(simple && accepted.error().code == ErrorCode::Timeout))
         return tl::unexpected(accepted.error());
 
@@ -89,7 +90,7 @@ Result<ActionReply> SbgcActions::calibrate(CommandId id, const QVariantMap &argu
     return reply;
 }
 
-Result<SbgcActions::Stillness> SbgcActions::measureStillness()
+Result<Actions::Stillness> Actions::measureStillness()
 {
     // Mean and spread of the calibrated sensors: what calibration is there to improve.
     std::array<double, 3> sum{};
@@ -97,7 +98,7 @@ Result<SbgcActions::Stillness> SbgcActions::measureStillness()
     double gravity = 0;
     for (int sample = 0; sample < kStillnessSamples; ++sample) {
         const auto frame = m_channel.transact(replyRequest(
-            CommandId::RealtimeData3, {}, CommandId::RealtimeData3, kRealtime3Size, SbgcDevice::kVersion));
+            CommandId::RealtimeData3, {}, CommandId::RealtimeData3, kRealtime3Size, Device::kVersion));
         if (!frame)
             return tl::unexpected(frame.error());
         std::array<double, 3> acc{};
@@ -129,15 +130,15 @@ Result<SbgcActions::Stillness> SbgcActions::measureStillness()
     return stillness;
 }
 
-Result<ActionReply> SbgcActions::calibrateBattery(const QVariantMap &arguments)
+Result<ActionReply> Actions::calibrateBattery(const QVariantMap &arguments)
 {
     const int centivolts = int(std::lround(arguments.value(u"voltage"_s).toDouble() * 100.0));
     return confirm(CommandId::CalibBat, ByteWriter().u16(centivolts).take());
 }
 
-Result<ActionReply> SbgcActions::calibrateOffset(const QVariantMap &)
+Result<ActionReply> Actions::calibrateOffset(const QVariantMap &)
 {
-    Request request = confirmRequest(CommandId::CalibOffset, {}, SbgcDevice::kVersion);
+    Request request = confirmRequest(CommandId::CalibOffset, {}, Device::kVersion);
     request.timeout = 5000ms;
     const auto reply = m_channel.transact(request);
     if (!reply)
@@ -145,7 +146,7 @@ Result<ActionReply> SbgcActions::calibrateOffset(const QVariantMap &)
     return ActionReply{};
 }
 
-Result<ActionReply> SbgcActions::autoTune(const QVariantMap &arguments)
+Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
 {
     int flags = AutoPidReport;
     for (int axis = 0; axis < 3; ++axis) {
@@ -177,7 +178,7 @@ Result<ActionReply> SbgcActions::autoTune(const QVariantMap &arguments)
         return frame.id == number(CommandId::AutoPid) || isConfirmOf(frame, CommandId::AutoPid);
     });
     const auto accepted
-        = m_channel.transact(confirmRequest(CommandId::AutoPid, payload(flags), SbgcDevice::kVersion));
+        = m_channel.transact(confirmRequest(CommandId::AutoPid, payload(flags), Device::kVersion));
     if (!accepted)
         return tl::unexpected(accepted.error());
 
@@ -189,7 +190,7 @@ Result<ActionReply> SbgcActions::autoTune(const QVariantMap &arguments)
         const auto report = reports->next(kAutoPidSilence);
         if (!report || m_channel.now() - started > kAutoPidLimit) {
             // Whatever ends the wait, the board must not go on shaking the camera.
-            m_channel.post(confirmRequest(CommandId::AutoPid, payload(0), SbgcDevice::kVersion));
+            m_channel.post(confirmRequest(CommandId::AutoPid, payload(0), Device::kVersion));
             return tl::unexpected(report ? Error{ErrorCode::Timeout, u"AUTO_PID"_s, 0} : report.error());
         }
         if (report->id != number(CommandId::AutoPid))
@@ -220,3 +221,5 @@ Result<ActionReply> SbgcActions::autoTune(const QVariantMap &arguments)
     reply.insert(u"profile"_s, profile + 1);
     return reply;
 }
+
+}  // namespace simplebgc

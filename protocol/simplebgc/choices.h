@@ -7,7 +7,7 @@
 #include <array>
 
 /// Choice lists shared by the parameter tables (document "Variables description and range", errata 4).
-namespace sbgc {
+namespace simplebgc {
 
 // clang-format off
 inline constexpr Choice kMenuActions[] = {
@@ -97,4 +97,4 @@ inline constexpr Choice kSerialSpeeds[] = {{0, "115200"}, {1, "57600"}, {2, "384
 // clang-format on
 inline constexpr Choice kPorts[] = {{0, "Off"}, {1, "UART1"}, {2, "RC serial"}, {3, "UART2"}, {4, "USB"}};
 
-}  // namespace sbgc
+}  // namespace simplebgc

@@ -8,7 +8,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace sbgc {
+namespace simplebgc {
 
 namespace {
 
@@ -77,7 +77,7 @@ QByteArray encodeFrame(int id, QByteArrayView payload, int version)
     writer.u8(version == 2 ? '$' : '>').u8(id).u8(size).u8((id + size) & 0xFF).bytes(payload);
     QByteArray frame = writer.take();
     if (version == 2) {
-        const std::uint16_t crc = crc16Sbgc(asBytes(frame).subspan(1));
+        const std::uint16_t crc = crc16ArcReversed(asBytes(frame).subspan(1));
         frame.append(static_cast<char>(crc & 0xFF)).append(static_cast<char>(crc >> 8));
         return frame;
     }
@@ -148,4 +148,4 @@ QString errorCodeText(int code)
     return u"error %1"_s.arg(code);
 }
 
-}  // namespace sbgc
+}  // namespace simplebgc

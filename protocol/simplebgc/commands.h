@@ -4,7 +4,7 @@
 
 #include "protocol/session/request.h"
 
-namespace sbgc {
+namespace simplebgc {
 
 /// Command numbers (document "Command ID definitions", errata 2). Incoming and outgoing share numbers: 67 is
 /// CONTROL towards the board and CONFIRM from it.
@@ -82,4 +82,4 @@ constexpr int number(CommandId id)
 /// What an ERROR code means, in the document's words (errata 3.18): "wrong payload size".
 [[nodiscard]] QString errorCodeText(int code);
 
-}  // namespace sbgc
+}  // namespace simplebgc

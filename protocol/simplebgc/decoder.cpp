@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sbgc {
+namespace simplebgc {
 
 namespace {
 
@@ -15,7 +15,7 @@ constexpr double kStampedResync = 2.0;
 constexpr double kUnstampedResync = 0.25;
 // A row that comes so much later than it should is drawn with a gap before it.
 constexpr double kGapRows = 3.0;
-constexpr double kLeastGap = 0.05;
+constexpr double kMinGap = 0.05;
 constexpr double kQuiet = 0.05;  // seconds
 
 bool isStatus(int id)
@@ -30,7 +30,7 @@ double streamPeriod(const DataStream &stream)
     return stream.intervalMs <= 1 ? kCycle : stream.intervalMs / 1000.0;
 }
 
-void SbgcDecoder::expect(const DataStream &stream)
+void Decoder::expect(const DataStream &stream)
 {
     std::erase_if(m_flows, [&](const Flow &flow) { return flow.id == stream.command; });
     if (stream.intervalMs > 0) {
@@ -40,7 +40,7 @@ void SbgcDecoder::expect(const DataStream &stream)
     shareFields();
 }
 
-void SbgcDecoder::addFlow(int id, double period, quint32 customFlags)
+void Decoder::addFlow(int id, double period, quint32 customFlags)
 {
     Flow flow;
     flow.id = id;
@@ -51,7 +51,7 @@ void SbgcDecoder::addFlow(int id, double period, quint32 customFlags)
 
 // A channel that comes in two streams is taken from the faster one; the other would only draw a coarser trace
 // over it.
-void SbgcDecoder::shareFields()
+void Decoder::shareFields()
 {
     std::stable_sort(m_flows.begin(), m_flows.end(), [](const Flow &a, const Flow &b) {
         return (a.period > 0 ? a.period : 1e9) < (b.period > 0 ? b.period : 1e9);
@@ -74,10 +74,10 @@ void SbgcDecoder::shareFields()
     }
 }
 
-void SbgcDecoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store)
+void Decoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store)
 {
-    if (const double idle = m_heard ? seconds(at - *m_heard) : 0.0; idle >= kQuiet) {
-        m_silence = idle;
+    if (const double silence = m_heard ? seconds(at - *m_heard) : 0.0; silence >= kQuiet) {
+        m_silence = silence;
         m_silenceEnd = at;
     }
     m_heard = at;
@@ -100,7 +100,7 @@ void SbgcDecoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &s
     }
 }
 
-void SbgcDecoder::take(Flow &flow, const FrameView &frame, TimePoint at, TelemetryStore &store, double idle)
+void Decoder::take(Flow &flow, const FrameView &frame, TimePoint at, TelemetryStore &store, double silence)
 {
     if (!flow.group) {
         QList<int> channels;
@@ -113,8 +113,8 @@ void SbgcDecoder::take(Flow &flow, const FrameView &frame, TimePoint at, Telemet
     double time = arrival;
     if (flow.period > 0) {
         const StreamWatch::Finding found = flow.customFlags
-            ? flow.watch.stamped(double(ByteReader(frame.payload).u16()), idle)
-            : flow.watch.unstamped(arrival, idle);
+            ? flow.watch.stamped(double(ByteReader(frame.payload).u16()), silence)
+            : flow.watch.unstamped(arrival, silence);
         // A stream without stamps learns of a silence when its clock has long followed the arrival.
         const int missing
             = found.lost + (flow.customFlags ? int(std::lround(found.silence / flow.period)) : 0);
@@ -123,7 +123,7 @@ void SbgcDecoder::take(Flow &flow, const FrameView &frame, TimePoint at, Telemet
             store.countLost(quint64(found.lost));
         if (found.silence > 0 && &flow == &m_flows.front())  // all streams were silent at once
             store.countSilence(found.silence);
-        if (missing > 0 || time - flow.lastTime > std::max(kLeastGap, kGapRows * flow.period))
+        if (missing > 0 || time - flow.lastTime > std::max(kMinGap, kGapRows * flow.period))
             store.appendGap(*flow.group,
                             store.origin()
                                 + durationFromSeconds(std::max(flow.lastTime, time - flow.period)));
@@ -135,9 +135,9 @@ void SbgcDecoder::take(Flow &flow, const FrameView &frame, TimePoint at, Telemet
     store.append(*flow.group, store.origin() + durationFromSeconds(time), m_values);
 }
 
-void SbgcDecoder::sent(QByteArrayView bytes)
+void Decoder::sent(QByteArrayView bytes)
 {
-    SbgcFramer framer;
+    Framer framer;
     framer.feed(asBytes(bytes), [this](const FrameView &frame) {
         if (frame.id != number(CommandId::DataStreamInterval))
             return;
@@ -146,4 +146,4 @@ void SbgcDecoder::sent(QByteArrayView bytes)
     });
 }
 
-}  // namespace sbgc
+}  // namespace simplebgc

@@ -7,7 +7,7 @@
 #include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/telemetry/streams.h"
 
-namespace sbgc {
+namespace simplebgc {
 
 /// Interval 1 of a stream: the firmware's control loop (errata 3.10).
 inline constexpr double kCycle = 0.0008;
@@ -17,7 +17,7 @@ inline constexpr double kCycle = 0.0008;
 
 /// Turns real-time frames into rows. It has to be told which streams were asked for, because the frames do
 /// not say; what comes without having been announced (answers to polling) is understood where it can be.
-class SbgcDecoder final : public TelemetryDecoder
+class Decoder final : public TelemetryDecoder
 {
 public:
     void expect(const DataStream &stream);
@@ -40,7 +40,7 @@ private:
     };
     void addFlow(int id, double period, quint32 customFlags);
     void shareFields();
-    void take(Flow &flow, const FrameView &frame, TimePoint at, TelemetryStore &store, double idle);
+    void take(Flow &flow, const FrameView &frame, TimePoint at, TelemetryStore &store, double silence);
 
     std::vector<Flow> m_flows;  // fastest first
     std::vector<float> m_values;
@@ -49,4 +49,4 @@ private:
     TimePoint m_silenceEnd{};
 };
 
-}  // namespace sbgc
+}  // namespace simplebgc

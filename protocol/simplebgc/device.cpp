@@ -15,7 +15,8 @@
 #include <cmath>
 
 using namespace Qt::StringLiterals;
-using namespace sbgc;
+
+namespace simplebgc {
 
 namespace {
 
@@ -78,14 +79,14 @@ QList<LineSettings> lineCandidates()
 }  // namespace
 
 // Until a board is asked, what every board can do.
-SbgcDevice::SbgcDevice()
-    : m_actions(SbgcActions::available({}))
+Device::Device()
+    : m_actions(Actions::available({}))
 {
 }
 
-SbgcDevice::~SbgcDevice() = default;
+Device::~Device() = default;
 
-Result<bool> SbgcDevice::probe(Channel &channel)
+Result<bool> Device::probe(Channel &channel)
 {
     Request request = replyRequest(CommandId::BoardInfo, {}, CommandId::BoardInfo, 18, kVersion);
     request.timeout = kProbeTimeout;
@@ -99,7 +100,7 @@ Result<bool> SbgcDevice::probe(Channel &channel)
     return tl::unexpected(reply.error());
 }
 
-Result<BoardIdentity> SbgcDevice::identify(Channel &channel)
+Result<BoardIdentity> Device::identify(Channel &channel)
 {
     const auto reply
         = channel.transact(replyRequest(CommandId::BoardInfo, {}, CommandId::BoardInfo, 18, kVersion));
@@ -139,14 +140,14 @@ Result<BoardIdentity> SbgcDevice::identify(Channel &channel)
     m_identity = identity;
     m_parameters = parametersOf(identity);
     m_steeringModes = steeringModes(identity.firmwareNumber);
-    m_actions = SbgcActions::available(identity);
+    m_actions = Actions::available(identity);
     m_streams.clear();
     if (const auto found = findCustomFields(channel); !found)
         return tl::unexpected(found.error());
     return identity;
 }
 
-std::vector<NotchFilter> SbgcDevice::notchesOf(Axis axis) const
+std::vector<NotchFilter> Device::notchesOf(Axis axis) const
 {
     std::vector<NotchFilter> filters;
     const QString prefix = u"filter.%1."_s.arg(QLatin1String(axisKey(axis)));
@@ -159,7 +160,7 @@ std::vector<NotchFilter> SbgcDevice::notchesOf(Axis axis) const
     return filters;
 }
 
-Result<Configuration> SbgcDevice::readConfiguration(Channel &channel)
+Result<Configuration> Device::readConfiguration(Channel &channel)
 {
     Configuration configuration(m_identity, m_parameters);
     Progress progress;
@@ -195,7 +196,7 @@ Result<Configuration> SbgcDevice::readConfiguration(Channel &channel)
     return configuration;
 }
 
-Result<QByteArray> SbgcDevice::readBlock(Channel &channel, BlockKey key)
+Result<QByteArray> Device::readBlock(Channel &channel, BlockKey key)
 {
     const BlockSpec &block = kBlocks[key.block];
     const Request request
@@ -213,7 +214,7 @@ Result<QByteArray> SbgcDevice::readBlock(Channel &channel, BlockKey key)
     return reply->payload;
 }
 
-Result<void> SbgcDevice::writeBlock(Channel &channel, BlockKey key, const QByteArray &bytes)
+Result<void> Device::writeBlock(Channel &channel, BlockKey key, const QByteArray &bytes)
 {
     Request request = confirmRequest(kBlockCommands[std::size_t(key.block)].write, bytes, kVersion);
     request.timeout = kWriteTimeout;
@@ -226,7 +227,7 @@ Result<void> SbgcDevice::writeBlock(Channel &channel, BlockKey key, const QByteA
     return {};
 }
 
-Result<void> SbgcDevice::beginWrite(Channel &channel)
+Result<void> Device::beginWrite(Channel &channel)
 {
     if (m_identity.firmwareNumber < 2704)  // WRITE_PARAMS_SET came with 2.70b4 (errata 3.3)
         return {};
@@ -235,7 +236,7 @@ Result<void> SbgcDevice::beginWrite(Channel &channel)
     return reply ? Result<void>() : tl::unexpected(reply.error());
 }
 
-Result<void> SbgcDevice::endWrite(Channel &channel)
+Result<void> Device::endWrite(Channel &channel)
 {
     if (m_identity.firmwareNumber < 2704)
         return {};
@@ -244,7 +245,7 @@ Result<void> SbgcDevice::endWrite(Channel &channel)
     return reply ? Result<void>() : tl::unexpected(reply.error());
 }
 
-Result<void> SbgcDevice::selectProfile(Channel &channel, int profile)
+Result<void> Device::selectProfile(Channel &channel, int profile)
 {
     if (profile < 0 || profile >= kProfileCount)
         return failure(ErrorCode::InvalidArgument, u"profile %1"_s.arg(profile + 1));
@@ -265,7 +266,7 @@ Result<void> SbgcDevice::selectProfile(Channel &channel, int profile)
     return failure(ErrorCode::Timeout, u"profile %1"_s.arg(profile + 1));
 }
 
-Result<int> SbgcDevice::activeProfile(Channel &channel)
+Result<int> Device::activeProfile(Channel &channel)
 {
     const auto reply = channel.transact(
         replyRequest(CommandId::RealtimeData3, {}, CommandId::RealtimeData3, kRealtime3Size, kVersion));
@@ -276,7 +277,7 @@ Result<int> SbgcDevice::activeProfile(Channel &channel)
     return static_cast<quint8>(reply->payload[kActiveProfileOffset]);
 }
 
-Result<QStringList> SbgcDevice::readProfileNames(Channel &channel)
+Result<QStringList> Device::readProfileNames(Channel &channel)
 {
     const auto reply
         = channel.transact(replyRequest(CommandId::ReadProfileNames, {}, CommandId::ReadProfileNames,
@@ -286,7 +287,7 @@ Result<QStringList> SbgcDevice::readProfileNames(Channel &channel)
     return decodeProfileNames(asBytes(reply->payload));
 }
 
-Result<void> SbgcDevice::writeProfileNames(Channel &channel, const QStringList &names)
+Result<void> Device::writeProfileNames(Channel &channel, const QStringList &names)
 {
     Request request = confirmRequest(CommandId::WriteProfileNames, encodeProfileNames(names), kVersion);
     request.timeout = kWriteTimeout;
@@ -298,7 +299,7 @@ Result<void> SbgcDevice::writeProfileNames(Channel &channel, const QStringList &
     return {};
 }
 
-Result<std::vector<AdjustableValue>> SbgcDevice::readAdjustables(Channel &channel, const QList<int> &ids)
+Result<std::vector<AdjustableValue>> Device::readAdjustables(Channel &channel, const QList<int> &ids)
 {
     std::vector<AdjustableValue> values;
     for (qsizetype first = 0; first < ids.size(); first += kAdjVarsPerCommand) {
@@ -321,7 +322,7 @@ Result<std::vector<AdjustableValue>> SbgcDevice::readAdjustables(Channel &channe
     return values;
 }
 
-Result<void> SbgcDevice::writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values)
+Result<void> Device::writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values)
 {
     for (std::size_t first = 0; first < values.size(); first += kAdjVarsPerCommand) {
         std::vector<AdjVar> part;
@@ -337,12 +338,12 @@ Result<void> SbgcDevice::writeAdjustables(Channel &channel, const std::vector<Ad
     return {};
 }
 
-std::span<const ActionSpec> SbgcDevice::actions() const
+std::span<const ActionSpec> Device::actions() const
 {
     return m_actions;
 }
 
-Result<ActionReply> SbgcDevice::perform(Channel &channel, const QString &key, const QVariantMap &arguments)
+Result<ActionReply> Device::perform(Channel &channel, const QString &key, const QVariantMap &arguments)
 {
     const auto it = std::find_if(m_actions.begin(), m_actions.end(), [&key](const ActionSpec &action) {
         return key == QLatin1String(action.key);
@@ -351,20 +352,20 @@ Result<ActionReply> SbgcDevice::perform(Channel &channel, const QString &key, co
         return failure(ErrorCode::Unsupported, key);
     if (!m_identity.writable && it->risk != ActionRisk::Safe)
         return failure(ErrorCode::ReadOnly, m_identity.firmware);
-    return SbgcActions(*this, channel).perform(key, arguments);
+    return Actions(*this, channel).perform(key, arguments);
 }
 
-std::vector<BoardFault> SbgcDevice::faults(unsigned bits, unsigned detail) const
+std::vector<BoardFault> Device::faults(unsigned bits, unsigned detail) const
 {
     return faultsOf(bits, detail);
 }
 
-bool SbgcDevice::announcesReset(const FrameView &frame) const
+bool Device::announcesReset(const FrameView &frame) const
 {
     return frame.id == number(CommandId::Reset) && frame.payload.empty();
 }
 
-StopPlan SbgcDevice::stopPlan() const
+StopPlan Device::stopPlan() const
 {
     StopPlan plan;
     plan.means.push_back({{confirmRequest(CommandId::MotorsOff, {}, kVersion)}});
@@ -372,12 +373,12 @@ StopPlan SbgcDevice::stopPlan() const
     return plan;
 }
 
-Request SbgcDevice::motorsOnRequest() const
+Request Device::motorsOnRequest() const
 {
     return confirmRequest(CommandId::MotorsOn, {}, kVersion);
 }
 
-Family sbgcFamily()
+Family family()
 {
     Family family;
     family.key = u"simplebgc"_s;
@@ -387,13 +388,15 @@ Family sbgcFamily()
     family.timing.pause = 10ms;
     family.timing.controlPeriod = 20ms;
     family.lines = lineCandidates();
-    family.makeFramer = [] { return std::make_unique<SbgcFramer>(); };
-    family.makeDevice = [] { return std::make_unique<SbgcDevice>(); };
+    family.makeFramer = [] { return std::make_unique<Framer>(); };
+    family.makeDevice = [] { return std::make_unique<Device>(); };
     family.makeParameters = parametersOf;
     return family;
 }
 
-QString SbgcDevice::storeAction() const
+QString Device::storeAction() const
 {
     return u"variables.save"_s;
 }
+
+}  // namespace simplebgc

@@ -10,27 +10,29 @@
 #include "protocol/simplebgc/payloads.h"
 #include "protocol/telemetry/telemetryplan.h"
 
+namespace simplebgc {
+
 /// SimpleBGC 32-bit over the serial API 2.5x; later firmware where the errata describes it.
-class SbgcDevice final : public Device,
-                         public ProfileAccess,
-                         public WriteBracket,
-                         public LiveAccess,
-                         public InnerVariables,
-                         public StreamControl,
-                         public Steering,
-                         public MotorSwitch,
-                         public FrameInspector,
-                         public FaultWords,
-                         public NotchFilters,
-                         public RestartNotice
+class Device final : public ::Device,
+                     public ProfileAccess,
+                     public WriteBracket,
+                     public LiveAccess,
+                     public InnerVariables,
+                     public StreamControl,
+                     public Steering,
+                     public MotorSwitch,
+                     public FrameInspector,
+                     public FaultWords,
+                     public NotchFilters,
+                     public RestartNotice
 {
 public:
     /// Firmware numbers this program has tables for; others open read-only.
     static constexpr int kOldestFirmware = 2400;
     static constexpr int kNewestFirmware = 2749;
 
-    SbgcDevice();
-    ~SbgcDevice() override;
+    Device();
+    ~Device() override;
 
     Result<bool> probe(Channel &channel) override;
     Result<BoardIdentity> identify(Channel &channel) override;
@@ -54,7 +56,7 @@ public:
     Result<int> activeProfile(Channel &channel) override;
     Result<QStringList> readProfileNames(Channel &channel) override;
     Result<void> writeProfileNames(Channel &channel, const QStringList &names) override;
-    [[nodiscard]] int profileNameBytes() const override { return sbgc::kProfileNameSize; }
+    [[nodiscard]] int profileNameBytes() const override { return kProfileNameSize; }
 
     WriteBracket *writeBracket() override { return this; }
     Result<void> beginWrite(Channel &channel) override;
@@ -118,14 +120,14 @@ public:
     [[nodiscard]] const SteeringMode *steeringMode(int mode) const { return Steering::mode(mode); }
 
 private:
-    friend class SbgcActions;
+    friend class Actions;
 
     [[nodiscard]] bool canStream() const { return m_identity.firmwareNumber >= 2590; }
-    [[nodiscard]] sbgc::ControlCommand encodeControl(const Control &control) const;
+    [[nodiscard]] ControlCommand encodeControl(const Control &control) const;
     Result<TelemetryPlan> startPolling(Channel &channel);
     void stopStreams(Channel &channel);
     Result<void> findCustomFields(Channel &channel);
-    Result<void> setStream(Channel &channel, const sbgc::DataStream &stream);
+    Result<void> setStream(Channel &channel, const DataStream &stream);
 
     static constexpr int kVersion = 1;  // frame version: never mixed on one connection (errata 1.3)
     BoardIdentity m_identity;
@@ -133,9 +135,11 @@ private:
     std::vector<SteeringMode> m_steeringModes;
     std::vector<ActionSpec> m_actions;
     quint32 m_customFlags = 0;  // of CUSTOM, that this firmware answers
-    std::vector<sbgc::DataStream> m_streams;  // registered with the board
-    std::vector<sbgc::DebugVar> m_debugVars;  // as the board declared them; used on the worker thread only
+    std::vector<DataStream> m_streams;  // registered with the board
+    std::vector<DebugVar> m_debugVars;  // as the board declared them; used on the worker thread only
 };
 
 /// The row of this family in the program's table of families.
-[[nodiscard]] Family sbgcFamily();
+[[nodiscard]] Family family();
+
+}  // namespace simplebgc

@@ -4,6 +4,8 @@
 
 using namespace Qt::StringLiterals;
 
+namespace simplebgc {
+
 std::vector<BoardFault> faultsOf(unsigned bits, unsigned detail)
 {
     struct Row
@@ -71,3 +73,5 @@ std::vector<BoardFault> faultsOf(unsigned bits, unsigned detail)
     }
     return faults;
 }
+
+}  // namespace simplebgc

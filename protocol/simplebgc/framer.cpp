@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace sbgc {
+namespace simplebgc {
 
 namespace {
 
@@ -17,7 +17,7 @@ constexpr std::size_t kHeader = 4;
 
 }  // namespace
 
-void SbgcFramer::feed(Bytes bytes, const FrameSink &sink)
+void Framer::feed(Bytes bytes, const FrameSink &sink)
 {
     // Complete what was begun before: top up the buffer until it holds no unfinished frame from the old
     // bytes.
@@ -44,7 +44,7 @@ void SbgcFramer::feed(Bytes bytes, const FrameSink &sink)
     m_kept = rest.size();
 }
 
-void SbgcFramer::flush(const FrameSink &sink)
+void Framer::flush(const FrameSink &sink)
 {
     const std::size_t kept = std::exchange(m_kept, 0);
     scan(Bytes(m_buffer).first(kept), true, sink);
@@ -52,7 +52,7 @@ void SbgcFramer::flush(const FrameSink &sink)
 
 // Delivers all complete frames; returns how many bytes are dealt with. What remains is the beginning of a
 // frame, shorter than the longest one. With last set nothing remains: an incomplete frame counts as damaged.
-std::size_t SbgcFramer::scan(Bytes bytes, bool last, const FrameSink &sink)
+std::size_t Framer::scan(Bytes bytes, bool last, const FrameSink &sink)
 {
     std::size_t at = 0;
     const std::size_t size = bytes.size();
@@ -85,7 +85,7 @@ std::size_t SbgcFramer::scan(Bytes bytes, bool last, const FrameSink &sink)
         if (size - at >= total) {
             const Bytes payload = bytes.subspan(at + kHeader, length);
             const auto trailer = std::to_integer<unsigned>(bytes[at + kHeader + length]);
-            intact = crc ? crc16Sbgc(bytes.subspan(at + 1, kHeader - 1 + length))
+            intact = crc ? crc16ArcReversed(bytes.subspan(at + 1, kHeader - 1 + length))
                     == (trailer | std::to_integer<unsigned>(bytes[at + total - 1]) << 8)
                          : sum8(payload) == trailer;
         } else if (!last) {
@@ -105,4 +105,4 @@ std::size_t SbgcFramer::scan(Bytes bytes, bool last, const FrameSink &sink)
     return at;
 }
 
-}  // namespace sbgc
+}  // namespace simplebgc

@@ -6,12 +6,12 @@
 
 #include <array>
 
-namespace sbgc {
+namespace simplebgc {
 
 /// Finds SimpleBGC frames of both versions (document "Message format", errata 1.1-1.4). After a bad header or
 /// body it re-scans from the byte after the start byte, because 0x3E and 0x24 occur freely inside payloads.
 /// Never allocates.
-class SbgcFramer final : public Framer
+class Framer final : public ::Framer
 {
 public:
     void feed(Bytes bytes, const FrameSink &sink) override;
@@ -29,4 +29,4 @@ private:
     std::size_t m_kept = 0;
 };
 
-}  // namespace sbgc
+}  // namespace simplebgc

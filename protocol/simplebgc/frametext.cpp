@@ -15,7 +15,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace sbgc {
+namespace simplebgc {
 
 namespace {
 
@@ -291,7 +291,7 @@ Result<RawCommand> parseCommand(const QString &text, int version)
 
     if (const auto whole = bytesFromHex(trimmed)) {
         std::optional<Frame> found;
-        SbgcFramer framer;
+        Framer framer;
         const FrameSink sink = [&found](const FrameView &frame) { found = Frame(frame); };
         framer.feed(asBytes(*whole), sink);
         framer.flush(sink);
@@ -318,4 +318,4 @@ Result<RawCommand> parseCommand(const QString &text, int version)
     return failure(ErrorCode::InvalidArgument, u"there is no command '%1'"_s.arg(name));
 }
 
-}  // namespace sbgc
+}  // namespace simplebgc

@@ -4,7 +4,7 @@
 
 #include "protocol/device/abilities.h"
 
-namespace sbgc {
+namespace simplebgc {
 
 /// A frame in words: the command's name and the fields that are known. @param parameters names the values of
 /// parameter blocks, may be null
@@ -16,4 +16,4 @@ namespace sbgc {
 /// Commands that can be sent by name.
 [[nodiscard]] QStringList commandNames();
 
-}  // namespace sbgc
+}  // namespace simplebgc

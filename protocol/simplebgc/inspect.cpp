@@ -9,16 +9,17 @@
 #include <array>
 
 using namespace Qt::StringLiterals;
-using namespace sbgc;
+
+namespace simplebgc {
 
 // Looking inside: adjustable variables, debug variables, frames in words.
 
-std::span<const AdjustableSpec> SbgcDevice::adjustables() const
+std::span<const AdjustableSpec> Device::adjustables() const
 {
     return adjustablesOf(m_identity.firmwareNumber);
 }
 
-Result<std::vector<DebugVariable>> SbgcDevice::debugVariables(Channel &channel)
+Result<std::vector<DebugVariable>> Device::debugVariables(Channel &channel)
 {
     std::vector<DebugVar> vars;
     for (;;) {
@@ -53,7 +54,7 @@ Result<std::vector<DebugVariable>> SbgcDevice::debugVariables(Channel &channel)
     return list;
 }
 
-Result<std::vector<std::vector<double>>> SbgcDevice::readDebugVariables(Channel &channel)
+Result<std::vector<std::vector<double>>> Device::readDebugVariables(Channel &channel)
 {
     if (m_debugVars.empty()) {
         if (const auto known = debugVariables(channel); !known)
@@ -66,30 +67,32 @@ Result<std::vector<std::vector<double>>> SbgcDevice::readDebugVariables(Channel 
     return decodeDebugVars(m_debugVars, asBytes(frame->payload));
 }
 
-FrameText SbgcDevice::describeFrame(const FrameView &frame, bool fromBoard) const
+FrameText Device::describeFrame(const FrameView &frame, bool fromBoard) const
 {
-    return sbgc::describeFrame(frame, fromBoard, m_parameters.get());
+    return simplebgc::describeFrame(frame, fromBoard, m_parameters.get());
 }
 
 // Both directions have the same frames.
-FrameText SbgcDevice::describeSent(QByteArrayView bytes) const
+FrameText Device::describeSent(QByteArrayView bytes) const
 {
-    SbgcFramer framer;
+    Framer framer;
     return describeFrames(bytes, framer);
 }
 
-bool SbgcDevice::isTelemetryFrame(int id) const
+bool Device::isTelemetryFrame(int id) const
 {
     return id == number(CommandId::RealtimeData3) || id == number(CommandId::RealtimeData4)
         || id == number(CommandId::RealtimeDataCustom) || id == number(CommandId::AhrsHelper);
 }
 
-Result<RawCommand> SbgcDevice::parseCommand(const QString &text) const
+Result<RawCommand> Device::parseCommand(const QString &text) const
 {
-    return sbgc::parseCommand(text, kVersion);
+    return simplebgc::parseCommand(text, kVersion);
 }
 
-QStringList SbgcDevice::commandNames() const
+QStringList Device::commandNames() const
 {
-    return sbgc::commandNames();
+    return simplebgc::commandNames();
 }
+
+}  // namespace simplebgc

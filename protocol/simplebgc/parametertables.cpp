@@ -4,7 +4,7 @@
 
 #include "protocol/simplebgc/choices.h"
 
-namespace sbgc {
+namespace simplebgc {
 
 std::span<const ParameterRow> parameterRows()
 {
@@ -27,4 +27,4 @@ std::span<const Choice> signalSources()
     return kSignalSources;
 }
 
-}  // namespace sbgc
+}  // namespace simplebgc

@@ -4,7 +4,7 @@
 
 #include "protocol/configuration/parameterspec.h"
 
-namespace sbgc {
+namespace simplebgc {
 
 /// The blocks of a SimpleBGC configuration and the commands that carry them.
 enum Block : std::uint8_t { Params3, ParamsExt, ParamsExt2, BlockCount };
@@ -36,4 +36,4 @@ inline constexpr BlockSpec kBlocks[] = {
 [[nodiscard]] std::span<const ParameterRow> paramsExtRows();
 [[nodiscard]] std::span<const ParameterRow> paramsExt2Rows();
 
-}  // namespace sbgc
+}  // namespace simplebgc

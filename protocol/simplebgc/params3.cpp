@@ -3,7 +3,7 @@
 #include "protocol/simplebgc/choices.h"
 #include "protocol/simplebgc/parametertables.h"
 
-namespace sbgc {
+namespace simplebgc {
 
 namespace {
 
@@ -362,4 +362,4 @@ std::span<const ParameterRow> params3Rows()
     return kRows;
 }
 
-}  // namespace sbgc
+}  // namespace simplebgc

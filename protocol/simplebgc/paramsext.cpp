@@ -3,7 +3,7 @@
 #include "protocol/simplebgc/choices.h"
 #include "protocol/simplebgc/parametertables.h"
 
-namespace sbgc {
+namespace simplebgc {
 
 namespace {
 
@@ -155,4 +155,4 @@ std::span<const ParameterRow> paramsExtRows()
     return kRows;
 }
 
-}  // namespace sbgc
+}  // namespace simplebgc

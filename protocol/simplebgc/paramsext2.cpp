@@ -3,7 +3,7 @@
 #include "protocol/simplebgc/choices.h"
 #include "protocol/simplebgc/parametertables.h"
 
-namespace sbgc {
+namespace simplebgc {
 
 namespace {
 
@@ -288,4 +288,4 @@ std::span<const ParameterRow> paramsExt2Rows()
     return kRows;
 }
 
-}  // namespace sbgc
+}  // namespace simplebgc

@@ -8,7 +8,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace sbgc {
+namespace simplebgc {
 
 namespace {
 
@@ -401,4 +401,4 @@ QByteArray encodeBeep(int mode, int noteLength, int decay, const QList<int> &not
     return writer.take();
 }
 
-}  // namespace sbgc
+}  // namespace simplebgc

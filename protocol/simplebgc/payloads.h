@@ -12,7 +12,7 @@
 
 /// Payloads of the serial API as plain structs, both directions (errata 3). Decoders take the part they know
 /// and ignore what later firmware adds; a payload that is too short is BadReply.
-namespace sbgc {
+namespace simplebgc {
 
 /// Reply of BOARD_INFO (errata 3.1).
 struct BoardInfo
@@ -187,4 +187,4 @@ struct DataStream
 /// BEEP_SOUND (errata 3.20): 12 bytes and two per note.
 [[nodiscard]] QByteArray encodeBeep(int mode, int noteLength, int decay, const QList<int> &notes);
 
-}  // namespace sbgc
+}  // namespace simplebgc

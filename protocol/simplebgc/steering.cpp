@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-using namespace sbgc;
+namespace simplebgc {
 
 namespace {
 
@@ -79,7 +79,7 @@ double holdingValue(int mode, std::size_t axis, const LatestValues &latest)
 
 }  // namespace
 
-std::vector<SteeringMode> sbgc::steeringModes(int firmware)
+std::vector<SteeringMode> steeringModes(int firmware)
 {
     std::vector<SteeringMode> modes;
     for (const ModeRow &row : kModes) {
@@ -89,7 +89,7 @@ std::vector<SteeringMode> sbgc::steeringModes(int firmware)
     return modes;
 }
 
-SteeringSetpoint SbgcDevice::holdingSetpoint(int mode, const LatestValues &latest) const
+SteeringSetpoint Device::holdingSetpoint(int mode, const LatestValues &latest) const
 {
     SteeringSetpoint setpoint{mode, {}, {}};
     const SteeringMode *known = steeringMode(mode);
@@ -98,7 +98,7 @@ SteeringSetpoint SbgcDevice::holdingSetpoint(int mode, const LatestValues &lates
     return setpoint;
 }
 
-ControlCommand SbgcDevice::encodeControl(const Control &control) const
+ControlCommand Device::encodeControl(const Control &control) const
 {
     ControlCommand command;
     for (std::size_t axis = 0; axis < command.size(); ++axis) {
@@ -116,13 +116,14 @@ ControlCommand SbgcDevice::encodeControl(const Control &control) const
     return command;
 }
 
-ControlFrames SbgcDevice::controlFrames(const Control &control) const
+ControlFrames Device::controlFrames(const Control &control) const
 {
     const auto frame = [this](const Control &wanted) {
         const ControlCommand command = encodeControl(wanted);
         const bool shortForm = m_identity.firmwareNumber < 2555;
         return encodeFrame(number(CommandId::Control),
-                           shortForm ? encodeControlShort(command) : sbgc::encodeControl(command), kVersion);
+                           shortForm ? encodeControlShort(command) : simplebgc::encodeControl(command),
+                           kVersion);
     };
     Control still = control;
     for (AxisControl &axis : still) {
@@ -134,7 +135,7 @@ ControlFrames SbgcDevice::controlFrames(const Control &control) const
             encodeFrame(number(CommandId::Control), QByteArray(13, '\0'), kVersion)};
 }
 
-ControlFrames SbgcDevice::controlFrames(const SteeringSetpoint &setpoint) const
+ControlFrames Device::controlFrames(const SteeringSetpoint &setpoint) const
 {
     Control control{};
     for (std::size_t axis = 0; axis < std::min(kAxes.size(), setpoint.inputs.size()); ++axis) {
@@ -147,3 +148,5 @@ ControlFrames SbgcDevice::controlFrames(const SteeringSetpoint &setpoint) const
     }
     return controlFrames(control);
 }
+
+}  // namespace simplebgc

@@ -4,9 +4,9 @@
 
 #include "protocol/device/steering.h"
 
-namespace sbgc {
+namespace simplebgc {
 
 /// The modes of CONTROL that this firmware has.
 [[nodiscard]] std::vector<SteeringMode> steeringModes(int firmware);
 
-}  // namespace sbgc
+}  // namespace simplebgc

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace sbgc {
+namespace simplebgc {
 
 namespace {
 
@@ -23,10 +23,10 @@ constexpr double kDrift = 0.2;  // share of a slow change that is the two clocks
 
 }  // namespace
 
-StreamWatch::Finding StreamWatch::judge(int missing, double idle) const
+StreamWatch::Finding StreamWatch::judge(int missing, double silence) const
 {
     const double gap = missing * m_period;
-    if (missing > 0 && gap >= kSilence && idle >= 0.8 * gap)
+    if (missing > 0 && gap >= kSilence && silence >= 0.8 * gap)
         return {0, gap};
     return {std::max(0, missing), 0};
 }
@@ -34,7 +34,7 @@ StreamWatch::Finding StreamWatch::judge(int missing, double idle) const
 // The board's millisecond stamp against the counted time: what it is ahead was lost on the way. A whole
 // millisecond is longer than the shortest period, so a single lost frame shows only in the mean over some
 // frames; a longer gap at once.
-StreamWatch::Finding StreamWatch::stamped(double stamp, double idle)
+StreamWatch::Finding StreamWatch::stamped(double stamp, double silence)
 {
     const double period = m_period * 1000.0;
     double step = m_seen == 0 ? 0.0 : stamp - m_lastStamp;
@@ -67,7 +67,7 @@ StreamWatch::Finding StreamWatch::stamped(double stamp, double idle)
     m_mean -= missing * period;
     if (missing > 1)
         m_mean = 0.0;
-    const Finding finding = judge(missing, idle);
+    const Finding finding = judge(missing, silence);
     if (finding.silence > 0) {  // how many frames that would have been is known to about one: begin anew
         m_board = m_counted = m_base = m_mean = 0.0;
         m_seen = 1;
@@ -75,40 +75,40 @@ StreamWatch::Finding StreamWatch::stamped(double stamp, double idle)
     return finding;
 }
 
-StreamWatch::Finding StreamWatch::unstamped(double arrival, double idle)
+StreamWatch::Finding StreamWatch::unstamped(double arrival, double silence)
 {
     if (m_seen++ == 0) {
         m_first = arrival;
         m_expected = 0;
-        m_leastLate = 0;
+        m_minLate = 0;
         m_blockEnds = std::max(kBlock, kFramesPerBlock * m_period);
         return {};
     }
     m_expected += m_period;
     const double late = arrival - m_first - m_expected;
-    m_leastLate = std::min(m_leastLate, late);
-    m_longestIdle = std::max(m_longestIdle, idle);
+    m_minLate = std::min(m_minLate, late);
+    m_maxSilence = std::max(m_maxSilence, silence);
     if (arrival - m_first < m_blockEnds)
         return {};
     // A reader that was busy hands over late frames, but the last of them on time: the least late one counts.
     Finding finding;
-    if (!m_usual) {
-        m_usual = m_leastLate;
+    if (!m_expectedLate) {
+        m_expectedLate = m_minLate;
     } else {
-        const double grown = m_leastLate - *m_usual;
+        const double grown = m_minLate - *m_expectedLate;
         const int missing = int(std::lround(grown / m_period));
         if (missing > 0 && grown > 0.6 * m_period) {
             m_expected += missing * m_period;
-            m_usual = m_leastLate - missing * m_period;
-            finding = judge(missing, std::max(m_longestIdle, m_idleBefore));
+            m_expectedLate = m_minLate - missing * m_period;
+            finding = judge(missing, std::max(m_maxSilence, m_silenceBefore));
         } else {
-            m_usual = grown < 0 ? m_leastLate : *m_usual + kDrift * grown;
+            m_expectedLate = grown < 0 ? m_minLate : *m_expectedLate + kDrift * grown;
         }
     }
     m_blockEnds = arrival - m_first + std::max(kBlock, kFramesPerBlock * m_period);
-    m_leastLate = std::numeric_limits<double>::infinity();
-    m_idleBefore = std::exchange(m_longestIdle, 0.0);
+    m_minLate = std::numeric_limits<double>::infinity();
+    m_silenceBefore = std::exchange(m_maxSilence, 0.0);
     return finding;
 }
 
-}  // namespace sbgc
+}  // namespace simplebgc

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace sbgc {
+namespace simplebgc {
 
 /// Finds the frames of one stream that never arrived, and tells them from late ones and from a board that was
 /// silent.
@@ -24,13 +24,13 @@ public:
     }
 
     /// A frame with the board's own clock in milliseconds (it wraps at 65 536).
-    /// @param idle seconds since anything whatever came from the board
-    Finding stamped(double stamp, double idle);
+    /// @param silence seconds since anything whatever came from the board
+    Finding stamped(double stamp, double silence);
     /// A frame that arrived at that time (seconds); it carries no clock, so loss shows only over some frames.
-    Finding unstamped(double arrival, double idle);
+    Finding unstamped(double arrival, double silence);
 
 private:
-    [[nodiscard]] Finding judge(int missing, double idle) const;
+    [[nodiscard]] Finding judge(int missing, double silence) const;
 
     double m_period;
     int m_seen = 0;
@@ -43,11 +43,11 @@ private:
     // By arrival: how late the punctual ones are tells what is missing.
     double m_first = 0;
     double m_expected = 0;  // frames times period since the first
-    double m_leastLate = 0;  // of this block
-    double m_longestIdle = 0;
-    double m_idleBefore = 0;  // of the block before: a silence shows in the block after it
+    double m_minLate = 0;  // of this block
+    double m_maxSilence = 0;
+    double m_silenceBefore = 0;  // of the block before: a silence shows in the block after it
     double m_blockEnds = 0;
-    std::optional<double> m_usual;
+    std::optional<double> m_expectedLate;
 };
 
-}  // namespace sbgc
+}  // namespace simplebgc

@@ -9,7 +9,8 @@
 #include <cmath>
 
 using namespace Qt::StringLiterals;
-using namespace sbgc;
+
+namespace simplebgc {
 
 namespace {
 
@@ -81,16 +82,16 @@ DataStream streamFor(const StreamUse &use, quint32 known)
 }
 
 // Without a choice by hand: the fast channels as fast as they go, the status beside them.
-QList<StreamChoice> arranged(const Subscription &wish, quint32 known)
+QList<StreamChoice> arranged(const Subscription &subscription, quint32 known)
 {
-    if (!(customFlagsFor(wish.channels) & known))
+    if (!(customFlagsFor(subscription.channels) & known))
         return {{kStatusKey, kStatusAloneRate, {}}};
-    return {{kStatusKey, kStatusRate, {}}, {kCustomKey, wish.rate, wish.channels}};
+    return {{kStatusKey, kStatusRate, {}}, {kCustomKey, subscription.rate, subscription.channels}};
 }
 
 }  // namespace
 
-ChannelTable SbgcDevice::channels() const
+ChannelTable Device::channels() const
 {
     return channelTable(m_identity.firmwareNumber);
 }
@@ -98,7 +99,7 @@ ChannelTable SbgcDevice::channels() const
 // Which of the later fields of CUSTOM this firmware has. One that it does not know adds nothing to the
 // answer, and nobody says which firmware began with which, so the board is asked: for several at once, and
 // one by one where some are missing.
-Result<void> SbgcDevice::findCustomFields(Channel &channel)
+Result<void> Device::findCustomFields(Channel &channel)
 {
     m_customFlags = kFirstCustomFlags;
     if (m_identity.firmwareNumber < kLaterCustomFirmware)
@@ -117,7 +118,7 @@ Result<void> SbgcDevice::findCustomFields(Channel &channel)
         const quint32 flag = 1U << field.bit;
         if (flag & kFirstCustomFlags)
             continue;
-        if (customSize(several.back() | flag) > kMostPayload)
+        if (customSize(several.back() | flag) > kMaxPayload)
             several.push_back(0);
         several.back() |= flag;
     }
@@ -140,7 +141,7 @@ Result<void> SbgcDevice::findCustomFields(Channel &channel)
     return {};
 }
 
-QList<int> SbgcDevice::fastChannels() const
+QList<int> Device::fastChannels() const
 {
     QList<int> channels;
     if (!canStream())
@@ -150,7 +151,7 @@ QList<int> SbgcDevice::fastChannels() const
     return channels;
 }
 
-Result<void> SbgcDevice::setStream(Channel &channel, const DataStream &stream)
+Result<void> Device::setStream(Channel &channel, const DataStream &stream)
 {
     Request request = confirmRequest(CommandId::DataStreamInterval, stream.encode(), kVersion);
     request.idempotent = true;
@@ -168,7 +169,7 @@ Result<void> SbgcDevice::setStream(Channel &channel, const DataStream &stream)
 }
 
 // Firmware without streams: REALTIME_DATA_4 if it is known, else _3, as often as the line allows.
-Result<TelemetryPlan> SbgcDevice::startPolling(Channel &channel)
+Result<TelemetryPlan> Device::startPolling(Channel &channel)
 {
     const auto extended = channel.transact(
         replyRequest(CommandId::RealtimeData4, {}, CommandId::RealtimeData4, kRealtime4Size, kVersion));
@@ -181,11 +182,11 @@ Result<TelemetryPlan> SbgcDevice::startPolling(Channel &channel)
     plan.poll->retries = 0;
     plan.pollInterval = kPollInterval;
     plan.rate = 1000.0 / double(kPollInterval.count());
-    plan.decoder = std::make_shared<SbgcDecoder>();
+    plan.decoder = std::make_shared<Decoder>();
     return plan;
 }
 
-QList<StreamSpec> SbgcDevice::streams() const
+QList<StreamSpec> Device::streams() const
 {
     QList<StreamSpec> specs;
     if (!canStream())
@@ -197,14 +198,15 @@ QList<StreamSpec> SbgcDevice::streams() const
     return specs;
 }
 
-Result<StreamBudget> SbgcDevice::streamBudget(const Subscription &wish,
-                                              std::optional<LineSettings> line) const
+Result<StreamBudget> Device::streamBudget(const Subscription &subscription,
+                                          std::optional<LineSettings> line) const
 {
     StreamBudget budget;
-    if (!canStream() && wish.streams.isEmpty())
+    if (!canStream() && subscription.streams.isEmpty())
         return budget;  // polled: each sample is asked for
     budget.capacity = m_identity.usb ? kUsbBytes : line ? 1.0 / line->secondsFor(1) : 0.0;
-    const QList<StreamChoice> wanted = wish.streams.isEmpty() ? arranged(wish, m_customFlags) : wish.streams;
+    const QList<StreamChoice> wanted
+        = subscription.streams.isEmpty() ? arranged(subscription, m_customFlags) : subscription.streams;
     for (const StreamChoice &stream : wanted) {
         const StreamKind *kind = findKind(stream.key);
         if (!kind || !canStream())
@@ -216,11 +218,11 @@ Result<StreamBudget> SbgcDevice::streamBudget(const Subscription &wish,
         if (stream.key == kCustomKey && !flags)
             return failure(ErrorCode::InvalidArgument,
                            u"%1 without a channel that the board can send"_s.arg(stream.key));
-        if (customSize(flags) > kMostPayload) {
+        if (customSize(flags) > kMaxPayload) {
             return failure(ErrorCode::TooMuch,
                            u"%1 of %2 bytes, %3 fit into a frame"_s.arg(stream.key)
                                .arg(customSize(flags))
-                               .arg(kMostPayload));
+                               .arg(kMaxPayload));
         }
         const auto same = [&](const StreamUse &use) { return use.key == stream.key; };
         if (std::any_of(budget.streams.begin(), budget.streams.end(), same))
@@ -245,16 +247,16 @@ Result<StreamBudget> SbgcDevice::streamBudget(const Subscription &wish,
     return budget;
 }
 
-Result<TelemetryPlan> SbgcDevice::subscribe(Channel &channel, const Subscription &wish,
-                                            std::optional<LineSettings> line)
+Result<TelemetryPlan> Device::subscribe(Channel &channel, const Subscription &subscription,
+                                        std::optional<LineSettings> line)
 {
     if (!canStream()) {
-        if (!wish.streams.isEmpty())
+        if (!subscription.streams.isEmpty())
             return failure(ErrorCode::InvalidArgument,
                            u"this firmware has no streams; it is asked for each sample"_s);
         return startPolling(channel);
     }
-    auto budget = streamBudget(wish, line);
+    auto budget = streamBudget(subscription, line);
     if (!budget)
         return tl::unexpected(budget.error());
     if (!budget->fits())
@@ -262,14 +264,14 @@ Result<TelemetryPlan> SbgcDevice::subscribe(Channel &channel, const Subscription
     stopStreams(channel);
     TelemetryPlan plan;
     plan.streaming = true;
-    auto decoder = std::make_shared<SbgcDecoder>();
+    auto decoder = std::make_shared<Decoder>();
     for (const StreamUse &use : budget->streams) {
         const DataStream stream = streamFor(use, m_customFlags);
         const auto set = setStream(channel, stream);
         if (!set) {
             // All streams of the board may be taken by somebody else, or this build has none.
             const ErrorCode code = set.error().code;
-            if (m_streams.empty() && wish.streams.isEmpty()
+            if (m_streams.empty() && subscription.streams.isEmpty()
                 && (code == ErrorCode::BoardError || code == ErrorCode::Timeout))
                 return startPolling(channel);
             stopStreams(channel);
@@ -287,12 +289,12 @@ Result<TelemetryPlan> SbgcDevice::subscribe(Channel &channel, const Subscription
     return plan;
 }
 
-std::shared_ptr<TelemetryDecoder> SbgcDevice::replayDecoder() const
+std::shared_ptr<TelemetryDecoder> Device::replayDecoder() const
 {
-    return std::make_shared<SbgcDecoder>();
+    return std::make_shared<Decoder>();
 }
 
-void SbgcDevice::stopStreams(Channel &channel)
+void Device::stopStreams(Channel &channel)
 {
     for (DataStream stream : std::exchange(m_streams, {})) {
         stream.intervalMs = 0;
@@ -302,3 +304,5 @@ void SbgcDevice::stopStreams(Channel &channel)
         channel.transact(request);
     }
 }
+
+}  // namespace simplebgc

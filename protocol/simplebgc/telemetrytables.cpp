@@ -13,7 +13,7 @@
 #include <limits>
 #include <numbers>
 
-namespace sbgc {
+namespace simplebgc {
 
 namespace {
 
@@ -482,4 +482,4 @@ float readField(const WireField &field, std::span<const std::byte> payload)
     return static_cast<float>(value * field.scale);
 }
 
-}  // namespace sbgc
+}  // namespace simplebgc

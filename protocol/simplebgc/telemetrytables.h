@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace sbgc {
+namespace simplebgc {
 
 /// Telemetry channels of the family; the number is the position in channelTable().
 // clang-format off
@@ -58,7 +58,7 @@ inline constexpr quint32 kFirstCustomFlags = 0x1FF;
 /// The first firmware that may have more.
 inline constexpr int kLaterCustomFirmware = 2610;
 /// What a frame can carry at the most.
-inline constexpr int kMostPayload = 255;
+inline constexpr int kMaxPayload = 255;
 
 /// Where a channel's raw number stands in a payload and how it becomes a physical one.
 struct WireField
@@ -121,4 +121,4 @@ struct CustomField
 /// The physical value of a field, NaN when the payload is too short.
 [[nodiscard]] float readField(const WireField &field, std::span<const std::byte> payload);
 
-}  // namespace sbgc
+}  // namespace simplebgc

@@ -6,7 +6,7 @@
 #include <cmath>
 
 /// Raw and physical units of the serial API (errata 0).
-namespace sbgc {
+namespace simplebgc {
 
 inline constexpr double kDegreesPerCount = 360.0 / 16384.0;  ///< 14-bit angle
 inline constexpr double kControlSpeedUnit = 0.1220740379;  ///< deg/s, CONTROL and GET_ANGLES
@@ -27,4 +27,4 @@ inline int angleToCount(double degrees)
     return static_cast<int>(((count + 32768) % 65536 + 65536) % 65536 - 32768);
 }
 
-}  // namespace sbgc
+}  // namespace simplebgc

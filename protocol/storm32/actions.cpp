@@ -8,7 +8,8 @@
 #include <algorithm>
 
 using namespace Qt::StringLiterals;
-using namespace storm32;
+
+namespace storm32 {
 
 namespace {
 
@@ -104,18 +105,18 @@ constexpr ActionSpec kActions[] = {
 
 }  // namespace
 
-std::span<const ActionSpec> StormActions::all()
+std::span<const ActionSpec> Actions::all()
 {
     static const std::vector<ActionSpec> both = [] {
         std::vector<ActionSpec> list(std::begin(kActions), std::end(kActions));
-        const auto procedures = StormProcedures::all();
+        const auto procedures = Procedures::all();
         list.insert(list.end(), procedures.begin(), procedures.end());
         return list;
     }();
     return both;
 }
 
-Result<ActionReply> StormActions::simple(Simple id, QByteArrayView arguments)
+Result<ActionReply> Actions::simple(Simple id, QByteArrayView arguments)
 {
     const auto reply = m_channel.transact(m_device.simple(id, arguments));
     if (!reply)
@@ -123,7 +124,7 @@ Result<ActionReply> StormActions::simple(Simple id, QByteArrayView arguments)
     return ActionReply{};
 }
 
-Result<ActionReply> StormActions::rc(Rc id, const QVariantMap &values)
+Result<ActionReply> Actions::rc(Rc id, const QVariantMap &values)
 {
     const RcCommand &command = *findRc(int(id));
     const auto payload = encodeFields(command.fields, values, command.payloadBytes);
@@ -135,7 +136,7 @@ Result<ActionReply> StormActions::rc(Rc id, const QVariantMap &values)
     return ActionReply{};
 }
 
-Result<ActionReply> StormActions::status()
+Result<ActionReply> Actions::status()
 {
     const auto reply = m_channel.transact(m_device.simple(Simple::Status));
     if (!reply)
@@ -152,7 +153,7 @@ Result<ActionReply> StormActions::status()
                        {u"voltage"_s, reader.u16() / 1000.0}};
 }
 
-Result<ActionReply> StormActions::calibration()
+Result<ActionReply> Actions::calibration()
 {
     const auto reply = m_channel.transact(m_device.simple(Simple::ReadCalibration));
     if (!reply)
@@ -169,7 +170,7 @@ Result<ActionReply> StormActions::calibration()
     return words;
 }
 
-Result<ActionReply> StormActions::rawSensors()
+Result<ActionReply> Actions::rawSensors()
 {
     const auto reply = m_channel.transact(m_device.simple(Simple::RawSensors));
     if (!reply)
@@ -189,7 +190,7 @@ Result<ActionReply> StormActions::rawSensors()
 }
 
 // Off, plain commands work again at once: from then on they are used.
-Result<ActionReply> StormActions::setHeartbeat(int mode)
+Result<ActionReply> Actions::setHeartbeat(int mode)
 {
     const auto done = m_device.writeWord(m_channel, kHeartbeatWord, mode);
     if (!done)
@@ -197,7 +198,7 @@ Result<ActionReply> StormActions::setHeartbeat(int mode)
     return ActionReply{};
 }
 
-Result<ActionReply> StormActions::perform(const QString &key, const QVariantMap &arguments)
+Result<ActionReply> Actions::perform(const QString &key, const QVariantMap &arguments)
 {
     const auto number
         = [&arguments](const char *name) { return arguments.value(QString::fromLatin1(name)).toInt(); };
@@ -253,11 +254,11 @@ Result<ActionReply> StormActions::perform(const QString &key, const QVariantMap 
         return simple(Simple::SetBaudRate, ByteWriter().u8(number("rate")).u8(0).take());
     if (auto done = performSimple(key))
         return *std::move(done);
-    return StormProcedures(m_device, m_channel).perform(key, arguments);
+    return Procedures(m_device, m_channel).perform(key, arguments);
 }
 
 // Commands without arguments; nothing if the action is none of them.
-std::optional<Result<ActionReply>> StormActions::performSimple(const QString &key)
+std::optional<Result<ActionReply>> Actions::performSimple(const QString &key)
 {
     struct Plain
     {
@@ -288,17 +289,19 @@ std::optional<Result<ActionReply>> StormActions::performSimple(const QString &ke
     return {};
 }
 
-std::span<const ActionSpec> StormDevice::actions() const
+std::span<const ActionSpec> Device::actions() const
 {
-    return StormActions::all();
+    return Actions::all();
 }
 
-QString StormDevice::storeAction() const
+QString Device::storeAction() const
 {
     return u"store"_s;
 }
 
-Result<ActionReply> StormDevice::perform(Channel &channel, const QString &key, const QVariantMap &arguments)
+Result<ActionReply> Device::perform(Channel &channel, const QString &key, const QVariantMap &arguments)
 {
-    return StormActions(*this, channel).perform(key, arguments);
+    return Actions(*this, channel).perform(key, arguments);
 }
+
+}  // namespace storm32

@@ -4,12 +4,14 @@
 
 #include "protocol/storm32/device.h"
 
+namespace storm32 {
+
 /// The actions of the family: simple and RC commands that are neither a parameter nor telemetry (document,
 /// errata 3.9 and 4).
-class StormActions
+class Actions
 {
 public:
-    StormActions(StormDevice &device, Channel &channel)
+    Actions(Device &device, Channel &channel)
         : m_device(device)
         , m_channel(channel)
     {
@@ -20,15 +22,17 @@ public:
     Result<ActionReply> perform(const QString &key, const QVariantMap &arguments);
 
 private:
-    Result<ActionReply> simple(storm32::Simple id, QByteArrayView arguments = {});
-    /// @param values of the command's fields, see storm32::RcCommand
-    Result<ActionReply> rc(storm32::Rc id, const QVariantMap &values);
+    Result<ActionReply> simple(Simple id, QByteArrayView arguments = {});
+    /// @param values of the command's fields, see RcCommand
+    Result<ActionReply> rc(Rc id, const QVariantMap &values);
     std::optional<Result<ActionReply>> performSimple(const QString &key);
     Result<ActionReply> status();
     Result<ActionReply> calibration();
     Result<ActionReply> rawSensors();
     Result<ActionReply> setHeartbeat(int mode);
 
-    StormDevice &m_device;
+    Device &m_device;
     Channel &m_channel;
 };
+
+}  // namespace storm32

@@ -6,7 +6,8 @@
 #include <cmath>
 
 using namespace Qt::StringLiterals;
-using namespace storm32;
+
+namespace storm32 {
 
 namespace {
 
@@ -14,21 +15,21 @@ constexpr int kReadings = 256;
 constexpr int kBatch = 16;  // readings that are looked at together while waiting
 constexpr double kStillShare = 0.012;  // of 1 g: deviation of a sensor that lies still, noise included
 constexpr auto kPlaceLimit = 120s;  // for one face
-constexpr double kLeastVector = 100;  // counts; less, and there is no sensor (errata 9.3)
+constexpr double kMinVector = 100;  // counts; less, and there is no sensor (errata 9.3)
 
 }  // namespace
 
-bool StormProcedures::Sensor::isPresent() const
+bool Procedures::Sensor::isPresent() const
 {
-    return std::hypot(acc[0], acc[1], acc[2]) >= kLeastVector;
+    return std::hypot(acc[0], acc[1], acc[2]) >= kMinVector;
 }
 
-double StormProcedures::oneG() const
+double Procedures::oneG() const
 {
     return m_device.m_firmware >= 94 ? 8192.0 : 16384.0;  // errata 3.9
 }
 
-Result<StormProcedures::Sensors> StormProcedures::sensors()
+Result<Procedures::Sensors> Procedures::sensors()
 {
     const auto reply = m_channel.transact(m_device.simple(Simple::RawSensors));
     if (!reply)
@@ -47,7 +48,7 @@ Result<StormProcedures::Sensors> StormProcedures::sensors()
     return sensors;
 }
 
-Result<StormProcedures::Sensor> StormProcedures::sensor(int imu)
+Result<Procedures::Sensor> Procedures::sensor(int imu)
 {
     const auto both = sensors();
     if (!both)
@@ -58,7 +59,7 @@ Result<StormProcedures::Sensor> StormProcedures::sensor(int imu)
     return sensor;
 }
 
-Result<StormProcedures::Average> StormProcedures::average(int imu, int readings, Progress &progress)
+Result<Procedures::Average> Procedures::average(int imu, int readings, Progress &progress)
 {
     std::vector<Sensor> all;
     Average result;
@@ -82,7 +83,7 @@ Result<StormProcedures::Average> StormProcedures::average(int imu, int readings,
     return result;
 }
 
-Result<StormProcedures::Average> StormProcedures::face(int imu, unsigned wanted, Progress &progress)
+Result<Procedures::Average> Procedures::face(int imu, unsigned wanted, Progress &progress)
 {
     const TimePoint until = m_channel.now() + kPlaceLimit;
     int still = 0;
@@ -116,7 +117,7 @@ Result<StormProcedures::Average> StormProcedures::face(int imu, unsigned wanted,
     return failure(ErrorCode::NotSeen, u"no further face lay still for %1 s"_s.arg(seconds(kPlaceLimit)));
 }
 
-ActionReply StormProcedures::replyOf(const AccCalibration &calibration, double oneG, double temperature)
+ActionReply Procedures::replyOf(const AccCalibration &calibration, double oneG, double temperature)
 {
     ActionReply reply;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -130,7 +131,7 @@ ActionReply StormProcedures::replyOf(const AccCalibration &calibration, double o
     return reply;
 }
 
-Result<ActionReply> StormProcedures::averaged(int imu, int readings)
+Result<ActionReply> Procedures::averaged(int imu, int readings)
 {
     Progress progress;
     progress.step = u"calibrate"_s;
@@ -147,7 +148,7 @@ Result<ActionReply> StormProcedures::averaged(int imu, int readings)
                        {u"face"_s, result->face}};
 }
 
-Result<ActionReply> StormProcedures::calibrate(int imu, bool six, bool store)
+Result<ActionReply> Procedures::calibrate(int imu, bool six, bool store)
 {
     Progress progress;
     progress.total = six ? kAccFaces : 1;
@@ -188,7 +189,7 @@ Result<ActionReply> StormProcedures::calibrate(int imu, bool six, bool store)
 }
 
 // Words of the sensor only, by its selector; read back and compared.
-Result<void> StormProcedures::writeCalibration(int imu, const AccCalibration &calibration)
+Result<void> Procedures::writeCalibration(int imu, const AccCalibration &calibration)
 {
     const int first = imu == 2 ? 9 : 0;
     ByteWriter writer;
@@ -213,3 +214,5 @@ Result<void> StormProcedures::writeCalibration(int imu, const AccCalibration &ca
     }
     return {};
 }
+
+}  // namespace storm32

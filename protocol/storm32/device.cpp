@@ -16,7 +16,8 @@
 #include <cmath>
 
 using namespace Qt::StringLiterals;
-using namespace storm32;
+
+namespace storm32 {
 
 namespace {
 
@@ -30,7 +31,7 @@ constexpr qsizetype kLong = 100;  // bytes
 // Who we are on MAVLink: the address of the errata's examples.
 constexpr mavlink::Address kOwn{82, 67};
 constexpr int kPlain = -1;  // of m_way
-constexpr int kUsualAddress = 71 << 8 | 67;  // errata 6
+constexpr int kDefaultAddress = 71 << 8 | 67;  // errata 6
 constexpr int kHeartbeatWord = 112;
 constexpr int kSystemWord = 110;  // and the component behind it
 
@@ -86,12 +87,12 @@ std::shared_ptr<const ParameterSet> parametersOf(const BoardIdentity &identity)
 
 }  // namespace
 
-StormDevice::StormDevice() = default;
-StormDevice::~StormDevice() = default;
+Device::Device() = default;
+Device::~Device() = default;
 
 // The same request through MAVLink: simple commands as they are, RC commands without length and checksum
 // (errata 6).
-Request StormDevice::embed(Request plain, QByteArrayView content, std::optional<Simple> id) const
+Request Device::embed(Request plain, QByteArrayView content, std::optional<Simple> id) const
 {
     const mavlink::Message *message
         = mavlink::findMessage(mavlink::number(mavlink::MessageId::TargetSpecific));
@@ -118,7 +119,7 @@ Request StormDevice::embed(Request plain, QByteArrayView content, std::optional<
     return request;
 }
 
-Request StormDevice::simple(Simple id, QByteArrayView arguments) const
+Request Device::simple(Simple id, QByteArrayView arguments) const
 {
     Request request = simpleRequest(id, arguments);
     request.timeout = isStoring(id) ? milliseconds(kStoring) : milliseconds(kAnswer);
@@ -128,7 +129,7 @@ Request StormDevice::simple(Simple id, QByteArrayView arguments) const
     return isEmbedded() ? embed(request, request.bytes, id) : request;
 }
 
-Request StormDevice::rc(Rc id, const QByteArray &payload) const
+Request Device::rc(Rc id, const QByteArray &payload) const
 {
     Request request = rcRequest(id, payload);
     request.timeout = kAnswer;
@@ -140,7 +141,7 @@ Request StormDevice::rc(Rc id, const QByteArray &payload) const
 
 // First plainly, then by the way that a heartbeat leaves open. Neither harms a board of another family:
 // SimpleBGC passes over bytes that begin no frame of its own.
-Result<bool> StormDevice::probe(Channel &channel)
+Result<bool> Device::probe(Channel &channel)
 {
     // A board with other numbers than the usual ones tells them in its heartbeat, which may be heard on
     // another thread.
@@ -167,7 +168,7 @@ Result<bool> StormDevice::probe(Channel &channel)
     auto found = answers();
     if (!found || *found)
         return found;
-    m_way = kUsualAddress;
+    m_way = kDefaultAddress;
     found = answers();
     if (!found || *found)
         return found;
@@ -186,11 +187,11 @@ Result<bool> StormDevice::probe(Channel &channel)
     return false;
 }
 
-Result<BoardIdentity> StormDevice::identify(Channel &channel)
+Result<BoardIdentity> Device::identify(Channel &channel)
 {
     auto reply = channel.transact(simple(Simple::Version));
     if (!reply && reply.error().code == ErrorCode::Timeout && !isEmbedded()) {
-        m_way = kUsualAddress;  // on a link without a rate nobody has probed yet
+        m_way = kDefaultAddress;  // on a link without a rate nobody has probed yet
         reply = channel.transact(simple(Simple::Version));
     }
     if (!reply)
@@ -247,7 +248,7 @@ Result<BoardIdentity> StormDevice::identify(Channel &channel)
     return identity;
 }
 
-Result<int> StormDevice::readWord(Channel &channel, int word)
+Result<int> Device::readWord(Channel &channel, int word)
 {
     const auto reply = channel.transact(rc(Rc::GetParameter, ByteWriter().u16(word).take()));
     if (!reply)
@@ -260,7 +261,7 @@ Result<int> StormDevice::readWord(Channel &channel, int word)
 
 // The firmware takes these frames whatever their checksum says (errata 4), so a value is only written when it
 // reads back.
-Result<void> StormDevice::writeWord(Channel &channel, int word, int raw)
+Result<void> Device::writeWord(Channel &channel, int word, int raw)
 {
     const int wanted = raw & 0xFFFF;
     int found = -1;
@@ -283,7 +284,7 @@ Result<void> StormDevice::writeWord(Channel &channel, int word, int raw)
 
 // Writing the heartbeat's word locks plain commands out of a UART at once, or lets them in again (errata 6).
 // USB answers everything all the time, so it is looked at and not concluded.
-Result<void> StormDevice::findWay(Channel &channel, int heartbeat)
+Result<void> Device::findWay(Channel &channel, int heartbeat)
 {
     const auto answers = [&] {
         Request request = simple(Simple::Test);
@@ -301,7 +302,7 @@ Result<void> StormDevice::findWay(Channel &channel, int heartbeat)
 
 // Words and, where they can be had, scripts. Embedded, `g` does not fit into a frame: MAVLink's own list
 // takes its place.
-Result<QByteArray> StormDevice::readStream(Channel &channel)
+Result<QByteArray> Device::readStream(Channel &channel)
 {
     if (!isEmbedded()) {
         const auto reply = channel.transact(simple(Simple::GetParameters));
@@ -332,7 +333,7 @@ Result<QByteArray> StormDevice::readStream(Channel &channel)
 
 // All parameters in one go, as far as they come through; the value's coding depends on the firmware (errata
 // 6).
-Result<std::map<int, int>> StormDevice::listParameters(Channel &channel)
+Result<std::map<int, int>> Device::listParameters(Channel &channel)
 {
     std::map<int, int> words;
     const auto coding = m_firmware >= 91 ? mavlink::ValueCoding::Bits : mavlink::ValueCoding::Number;
@@ -365,7 +366,7 @@ Result<std::map<int, int>> StormDevice::listParameters(Channel &channel)
     return words;
 }
 
-Result<Configuration> StormDevice::readConfiguration(Channel &channel)
+Result<Configuration> Device::readConfiguration(Channel &channel)
 {
     Progress progress;
     progress.step = u"read-block"_s;
@@ -384,7 +385,7 @@ Result<Configuration> StormDevice::readConfiguration(Channel &channel)
     return configuration;
 }
 
-Result<QByteArray> StormDevice::readBlock(Channel &channel, BlockKey key)
+Result<QByteArray> Device::readBlock(Channel &channel, BlockKey key)
 {
     const auto stream = readStream(channel);
     if (!stream)
@@ -396,7 +397,7 @@ Result<QByteArray> StormDevice::readBlock(Channel &channel, BlockKey key)
     return failure(ErrorCode::Unsupported, u"scripts cannot be read while the heartbeat is on"_s);
 }
 
-Result<void> StormDevice::writeBlock(Channel &channel, BlockKey key, const QByteArray &bytes)
+Result<void> Device::writeBlock(Channel &channel, BlockKey key, const QByteArray &bytes)
 {
     // What is not ours is sent back as it was: read, overlay, write (errata 3.4).
     auto stream = readStream(channel);
@@ -428,7 +429,7 @@ Result<void> StormDevice::writeBlock(Channel &channel, BlockKey key, const QByte
 }
 
 // Under which numbers the board would be reached through MAVLink.
-void StormDevice::learnAddress(const QByteArray &stream)
+void Device::learnAddress(const QByteArray &stream)
 {
     if (!isKnownLayout(m_identity.firmwareNumber))
         return;
@@ -437,7 +438,7 @@ void StormDevice::learnAddress(const QByteArray &stream)
     m_address = system << 8 | (reader.u16() & 0xFF);
 }
 
-Result<void> StormDevice::endWrite(Channel &channel)
+Result<void> Device::endWrite(Channel &channel)
 {
     const auto reply = channel.transact(simple(Simple::Store));
     if (!reply)
@@ -445,7 +446,7 @@ Result<void> StormDevice::endWrite(Channel &channel)
     return {};
 }
 
-Result<std::vector<AdjustableValue>> StormDevice::readAdjustables(Channel &channel, const QList<int> &ids)
+Result<std::vector<AdjustableValue>> Device::readAdjustables(Channel &channel, const QList<int> &ids)
 {
     std::vector<AdjustableValue> values;
     for (const int id : ids) {
@@ -457,7 +458,7 @@ Result<std::vector<AdjustableValue>> StormDevice::readAdjustables(Channel &chann
     return values;
 }
 
-Result<void> StormDevice::writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values)
+Result<void> Device::writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values)
 {
     for (const AdjustableValue &value : values) {
         const auto known = std::find_if(m_adjustables.begin(), m_adjustables.end(),
@@ -475,7 +476,7 @@ Result<void> StormDevice::writeAdjustables(Channel &channel, const std::vector<A
     return {};
 }
 
-std::optional<ConnectOffer> StormDevice::connectOffer() const
+std::optional<ConnectOffer> Device::connectOffer() const
 {
     if (!isEmbedded())
         return {};
@@ -522,7 +523,7 @@ QString recognise(const QByteArray &bytes)
 }
 
 // Errata 9.1.
-class StormGainShape final : public GainShape
+class PidGainShape final : public GainShape
 {
 public:
     [[nodiscard]] PidShape shapeOf(const PidGains &gains) const override { return ::shapeOf(gains); }
@@ -538,12 +539,12 @@ public:
 
 }  // namespace
 
-std::shared_ptr<const GainShape> StormDevice::gainShape() const
+std::shared_ptr<const GainShape> Device::gainShape() const
 {
-    return std::make_shared<StormGainShape>();
+    return std::make_shared<PidGainShape>();
 }
 
-Family stormFamily()
+Family family()
 {
     Family family;
     family.key = u"storm32"_s;
@@ -556,8 +557,8 @@ Family stormFamily()
     // Errata 1: no parity, no detection by the board; the default first.
     for (const int baud : {115200, 57600, 38400, 19200, 9600})
         family.lines.append({baud, Parity::None});
-    family.makeFramer = [] { return std::make_unique<StormFramer>(); };
-    family.makeDevice = [] { return std::make_unique<StormDevice>(); };
+    family.makeFramer = [] { return std::make_unique<Framer>(); };
+    family.makeDevice = [] { return std::make_unique<Device>(); };
     family.makeParameters = parametersOf;
     family.recognise = recognise;
     family.scripts = scriptLanguage();
@@ -566,3 +567,5 @@ Family stormFamily()
         = CalibrationFile{u"cal"_s, u"STorM32 calibration"_s, readCalibration, writeCalibration};
     return family;
 }
+
+}  // namespace storm32

@@ -13,21 +13,23 @@
 #include <atomic>
 #include <map>
 
+namespace storm32 {
+
 /// STorM32 (o323bgc) with the setup layouts 78, 89 and 95; others open read-only with raw words. A board
 /// whose heartbeat has locked plain commands out of its serial port is reached by embedding them in MAVLink
 /// (errata 6).
-class StormDevice final : public Device,
-                          public WriteBracket,
-                          public LiveAccess,
-                          public Steering,
-                          public MotorSwitch,
-                          public FrameInspector,
-                          public FaultWords,
-                          public StatusWords
+class Device final : public ::Device,
+                     public WriteBracket,
+                     public LiveAccess,
+                     public Steering,
+                     public MotorSwitch,
+                     public FrameInspector,
+                     public FaultWords,
+                     public StatusWords
 {
 public:
-    StormDevice();
-    ~StormDevice() override;
+    Device();
+    ~Device() override;
 
     Result<bool> probe(Channel &channel) override;
     Result<BoardIdentity> identify(Channel &channel) override;
@@ -89,15 +91,14 @@ public:
     [[nodiscard]] bool isEmbedded() const { return m_way >= 0; }
 
 private:
-    friend class StormActions;
-    friend class StormProcedures;
+    friend class Actions;
+    friend class Procedures;
 
     /// A request as this board can be asked it: plain, or embedded.
-    [[nodiscard]] Request simple(storm32::Simple id, QByteArrayView arguments = {}) const;
-    [[nodiscard]] Request rc(storm32::Rc id, const QByteArray &payload = {}) const;
+    [[nodiscard]] Request simple(Simple id, QByteArrayView arguments = {}) const;
+    [[nodiscard]] Request rc(Rc id, const QByteArray &payload = {}) const;
     [[nodiscard]] Request standbyRequest(bool standby) const;
-    [[nodiscard]] Request embed(Request plain, QByteArrayView content,
-                                std::optional<storm32::Simple> id) const;
+    [[nodiscard]] Request embed(Request plain, QByteArrayView content, std::optional<Simple> id) const;
     Result<QByteArray> readStream(Channel &channel);
     Result<std::map<int, int>> listParameters(Channel &channel);
     Result<int> readWord(Channel &channel, int word);
@@ -119,4 +120,6 @@ private:
 };
 
 /// The row of this family in the program's table of families.
-[[nodiscard]] Family stormFamily();
+[[nodiscard]] Family family();
+
+}  // namespace storm32

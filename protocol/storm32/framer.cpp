@@ -17,7 +17,7 @@ constexpr std::byte kRcQuestion{0xFA};
 constexpr std::byte kRcAnswer{0xFB};
 constexpr std::size_t kRcOverhead = 5;
 // More than any answer: what is longer is noise.
-constexpr qsizetype kMostKept = 1024;
+constexpr qsizetype kMaxKept = 1024;
 
 bool isLetter(std::byte byte)
 {
@@ -27,7 +27,7 @@ bool isLetter(std::byte byte)
 
 }  // namespace
 
-void StormFramer::sent(Bytes bytes)
+void Framer::sent(Bytes bytes)
 {
     const SimpleCommand *command = findSimple(bytes);
     m_rcAsked = !command && !bytes.empty() && bytes[0] == kRcQuestion;
@@ -38,28 +38,28 @@ void StormFramer::sent(Bytes bytes)
     m_asked = command->replyWords[0] ? command : nullptr;
 }
 
-void StormFramer::feed(Bytes bytes, const FrameSink &sink)
+void Framer::feed(Bytes bytes, const FrameSink &sink)
 {
     m_buffer.append(reinterpret_cast<const char *>(bytes.data()), qsizetype(bytes.size()));
     scan(false, sink);
-    if (m_buffer.size() > kMostKept)
-        skip(std::size_t(m_buffer.size() - kMostKept));
+    if (m_buffer.size() > kMaxKept)
+        skip(std::size_t(m_buffer.size() - kMaxKept));
 }
 
-void StormFramer::flush(const FrameSink &sink)
+void Framer::flush(const FrameSink &sink)
 {
     scan(true, sink);
     skip(std::size_t(m_buffer.size()));
 }
 
-void StormFramer::skip(std::size_t count)
+void Framer::skip(std::size_t count)
 {
     m_statistics.skippedBytes += count;
     m_buffer.remove(0, qsizetype(count));
 }
 
 // Hands out everything complete. @param last nothing more will come
-void StormFramer::scan(bool last, const FrameSink &sink)
+void Framer::scan(bool last, const FrameSink &sink)
 {
     while (!m_buffer.isEmpty()) {
         const Bytes all = asBytes(m_buffer);
@@ -96,7 +96,7 @@ void StormFramer::scan(bool last, const FrameSink &sink)
     }
 }
 
-StormFramer::Sighting StormFramer::sight(Bytes bytes) const
+Framer::Sighting Framer::sight(Bytes bytes) const
 {
     if (m_asked) {
         const Sighting data = sightData(bytes);
@@ -131,7 +131,7 @@ StormFramer::Sighting StormFramer::sight(Bytes bytes) const
 }
 
 // The data of the command that was asked, in each length that some firmware answers.
-StormFramer::Sighting StormFramer::sightData(Bytes bytes) const
+Framer::Sighting Framer::sightData(Bytes bytes) const
 {
     Sighting result;
     for (const int words : m_asked->replyWords) {

@@ -11,7 +11,7 @@ namespace storm32 {
 /// and MAVLink. The data of a simple command has no start of its own, so the framer listens to what is asked
 /// (errata 3.1: count bytes, then look at the closing letter and the checksum). An error letter instead of
 /// data is known by the silence behind it.
-class StormFramer final : public Framer
+class Framer final : public ::Framer
 {
 public:
     void feed(Bytes bytes, const FrameSink &sink) override;

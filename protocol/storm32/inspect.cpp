@@ -12,7 +12,8 @@
 #include <algorithm>
 
 using namespace Qt::StringLiterals;
-using namespace storm32;
+
+namespace storm32 {
 
 namespace {
 
@@ -193,7 +194,7 @@ Result<QByteArray> payloadByNames(const RcCommand &command, const QString &argum
 
 }  // namespace
 
-FrameText StormDevice::describeFrame(const FrameView &frame, bool fromBoard) const
+FrameText Device::describeFrame(const FrameView &frame, bool fromBoard) const
 {
     if (frame.id >= FrameId::kMavlink) {
         const mavlink::Message *message = mavlink::findMessage(frame.id - FrameId::kMavlink);
@@ -219,7 +220,7 @@ FrameText StormDevice::describeFrame(const FrameView &frame, bool fromBoard) con
     }
 }
 
-FrameText StormDevice::describeSent(QByteArrayView bytes) const
+FrameText Device::describeSent(QByteArrayView bytes) const
 {
     if (bytes.isEmpty())
         return {u"?"_s, {}};
@@ -238,14 +239,14 @@ FrameText StormDevice::describeSent(QByteArrayView bytes) const
     return {u"?"_s, hexOf(bytes)};
 }
 
-bool StormDevice::isTelemetryFrame(int id) const
+bool Device::isTelemetryFrame(int id) const
 {
     return id == FrameId::kSimple + int(Simple::LiveData) || id == FrameId::kRc + int(Rc::GetData)
         || id == kMavlinkBeat || id == FrameId::kMavlink + mavlink::number(mavlink::MessageId::Attitude);
 }
 
 // "d", "xs", "GETPARAMETER 2F00", "SETANGLE pitch=10 yaw=-5" or the whole of a frame in hex.
-Result<RawCommand> StormDevice::parseCommand(const QString &text) const
+Result<RawCommand> Device::parseCommand(const QString &text) const
 {
     const QString trimmed = text.trimmed();
     if (trimmed.isEmpty())
@@ -293,7 +294,7 @@ Result<RawCommand> StormDevice::parseCommand(const QString &text) const
                    u"these bytes are not one complete frame with valid checksums"_s);
 }
 
-QStringList StormDevice::commandNames() const
+QStringList Device::commandNames() const
 {
     QStringList names;
     for (const SimpleCommand &command : simpleCommands())
@@ -302,3 +303,5 @@ QStringList StormDevice::commandNames() const
         names.append(QString::fromLatin1(command.name));
     return names;
 }
+
+}  // namespace storm32

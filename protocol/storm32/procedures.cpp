@@ -5,7 +5,8 @@
 #include "protocol/storm32/parametertables.h"
 
 using namespace Qt::StringLiterals;
-using namespace storm32;
+
+namespace storm32 {
 
 namespace {
 
@@ -136,14 +137,14 @@ constexpr ActionSpec kActions[] = {
 
 }  // namespace
 
-std::span<const ActionSpec> StormProcedures::all()
+std::span<const ActionSpec> Procedures::all()
 {
     return kActions;
 }
 
 // No command reads the EEPROM beside the RAM: what is stored is put into use, read, and what was in use put
 // back.
-Result<ActionReply> StormProcedures::compareStored()
+Result<ActionReply> Procedures::compareStored()
 {
     if (m_device.isEmbedded())
         return failure(ErrorCode::Unsupported, u"switch the heartbeat off first"_s);
@@ -170,7 +171,7 @@ Result<ActionReply> StormProcedures::compareStored()
     return reply;
 }
 
-Configuration StormProcedures::configurationOf(const QByteArray &stream) const
+Configuration Procedures::configurationOf(const QByteArray &stream) const
 {
     Configuration configuration(m_device.identity(), m_device.parameters());
     for (const auto &[block, bytes] : splitStream(stream, m_device.m_words))
@@ -179,7 +180,7 @@ Configuration StormProcedures::configurationOf(const QByteArray &stream) const
 }
 
 // What was in use and differs from what is stored, or from the defaults where that is not known.
-QString StormProcedures::inUseText(const Configuration &use, const Result<QByteArray> &stored) const
+QString Procedures::inUseText(const Configuration &use, const Result<QByteArray> &stored) const
 {
     QStringList values;
     const Configuration kept = stored ? configurationOf(*stored) : use;
@@ -191,7 +192,7 @@ QString StormProcedures::inUseText(const Configuration &use, const Result<QByteA
     return values.join(u' ');
 }
 
-Result<ActionReply> StormProcedures::perform(const QString &key, const QVariantMap &arguments)
+Result<ActionReply> Procedures::perform(const QString &key, const QVariantMap &arguments)
 {
     const int imu = arguments.value(u"imu"_s).toInt();
     const auto nothing = [](const Result<void> &done) {
@@ -235,3 +236,5 @@ Result<ActionReply> StormProcedures::perform(const QString &key, const QVariantM
         return endYaw(arguments.value(u"take"_s).toBool());
     return failure(ErrorCode::Unsupported, key);
 }
+
+}  // namespace storm32

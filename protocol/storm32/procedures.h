@@ -5,12 +5,14 @@
 #include "protocol/analysis/accelerometer.h"
 #include "protocol/storm32/device.h"
 
+namespace storm32 {
+
 /// The family's jobs of many steps: calibration of the accelerometers (errata 9.2), the tasks of the gimbal's
 /// configuration (errata 9.3), and what is in use compared with what is stored.
-class StormProcedures
+class Procedures
 {
 public:
-    StormProcedures(StormDevice &device, Channel &channel)
+    Procedures(Device &device, Channel &channel)
         : m_device(device)
         , m_channel(channel)
     {
@@ -45,7 +47,7 @@ private:
     using Sensors = std::array<Sensor, 2>;  ///< camera, frame; one that is not there shows nothing
     using Directions = std::array<std::array<int, 3>, 2>;
 
-    // stormcalibration.cpp
+    // calibration.cpp
     Result<Sensors> sensors();
     /// Errors: NotSeen when there is none.
     Result<Sensor> sensor(int imu);
@@ -60,7 +62,7 @@ private:
     Result<ActionReply> averaged(int imu, int readings);
     Result<ActionReply> calibrate(int imu, bool six, bool store);
 
-    // stormsetup.cpp
+    // setup.cpp
     Result<Status> status();
     Result<void> writeWords(const std::array<int, 3> &words, int raw);
     Result<void> disableMotors();
@@ -81,6 +83,8 @@ private:
     [[nodiscard]] Configuration configurationOf(const QByteArray &stream) const;
     [[nodiscard]] QString inUseText(const Configuration &use, const Result<QByteArray> &stored) const;
 
-    StormDevice &m_device;
+    Device &m_device;
     Channel &m_channel;
 };
+
+}  // namespace storm32

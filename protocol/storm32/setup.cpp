@@ -10,7 +10,8 @@
 #include <cmath>
 
 using namespace Qt::StringLiterals;
-using namespace storm32;
+
+namespace storm32 {
 
 namespace {
 
@@ -27,8 +28,8 @@ constexpr auto kStartLimit = 40s;
 constexpr auto kRestarting = 1s;
 constexpr auto kStatusPeriod = 100ms;
 constexpr auto kNormalFor = 1s;
-constexpr int kMostBusErrors = 10;
-constexpr int kMostBadAnswers = 10;
+constexpr int kMaxBusErrors = 10;
+constexpr int kMaxBadAnswers = 10;
 constexpr int kNormalState = 6;
 constexpr int kUsageDisabled = 3;
 
@@ -75,7 +76,7 @@ Direction directionOf(const AccReading &reading, const Direction *up)
 
 }  // namespace
 
-Result<StormProcedures::Status> StormProcedures::status()
+Result<Procedures::Status> Procedures::status()
 {
     const auto reply = m_channel.transact(m_device.simple(Simple::Status));
     if (!reply)
@@ -89,7 +90,7 @@ Result<StormProcedures::Status> StormProcedures::status()
     return status;
 }
 
-Result<void> StormProcedures::writeWords(const std::array<int, 3> &words, int raw)
+Result<void> Procedures::writeWords(const std::array<int, 3> &words, int raw)
 {
     for (const int word : words) {
         if (const auto done = m_device.writeWord(m_channel, word, raw); !done)
@@ -98,13 +99,13 @@ Result<void> StormProcedures::writeWords(const std::array<int, 3> &words, int ra
     return {};
 }
 
-Result<void> StormProcedures::disableMotors()
+Result<void> Procedures::disableMotors()
 {
     return writeWords(kUsageWords, kUsageDisabled);
 }
 
-Result<StormProcedures::Directions> StormProcedures::holdAxes(std::size_t count, const Directions *up,
-                                                              milliseconds limit, Progress &progress)
+Result<Procedures::Directions> Procedures::holdAxes(std::size_t count, const Directions *up,
+                                                    milliseconds limit, Progress &progress)
 {
     const TimePoint until = m_channel.now() + limit;
     std::array<AccReading, 2> smooth{};
@@ -145,7 +146,7 @@ Result<StormProcedures::Directions> StormProcedures::holdAxes(std::size_t count,
                       : u"no axis of the sensor pointed up for one second"_s);
 }
 
-Result<ActionReply> StormProcedures::findOrientation()
+Result<ActionReply> Procedures::findOrientation()
 {
     const auto before = status();
     if (!before)
@@ -187,7 +188,7 @@ Result<ActionReply> StormProcedures::findOrientation()
     return reply;
 }
 
-Result<ActionReply> StormProcedures::restartAndWait()
+Result<ActionReply> Procedures::restartAndWait()
 {
     Progress progress;
     progress.total = 2;
@@ -229,14 +230,14 @@ Result<ActionReply> StormProcedures::restartAndWait()
         const auto now = status();
         const bool tolerable = now || now.error().code == ErrorCode::Timeout
             || now.error().code == ErrorCode::Damaged || now.error().code == ErrorCode::BoardError;
-        if (!tolerable || (!now && ++bad > kMostBadAnswers))
+        if (!tolerable || (!now && ++bad > kMaxBadAnswers))
             return tl::unexpected(now.error());
         if (now) {
             if (now->status & kLevelFailed)
                 return failure(ErrorCode::NotSeen, u"the board could not level: hold the camera still"_s);
             if (!(now->status & kImuPresent))
                 return failure(ErrorCode::NotSeen, u"the sensor was lost"_s);
-            if (now->busErrors > kMostBusErrors)
+            if (now->busErrors > kMaxBusErrors)
                 return failure(ErrorCode::NotSeen, u"%1 errors on the sensor's bus"_s.arg(now->busErrors));
             if (!std::exchange(restored, true)) {
                 const auto after = m_device.readStream(m_channel);
@@ -263,7 +264,7 @@ Result<ActionReply> StormProcedures::restartAndWait()
     return failure(ErrorCode::NotSeen, u"the board did not reach normal working"_s);
 }
 
-Result<ActionReply> StormProcedures::takeMotors(bool directions, bool positions)
+Result<ActionReply> Procedures::takeMotors(bool directions, bool positions)
 {
     for (const auto &[id, wanted] :
          {std::pair{Simple::TakeDirections, directions}, {Simple::TakeStartPositions, positions}}) {
@@ -292,12 +293,12 @@ Result<ActionReply> StormProcedures::takeMotors(bool directions, bool positions)
     return reply;
 }
 
-Result<void> StormProcedures::setDirections(int direction)
+Result<void> Procedures::setDirections(int direction)
 {
     return writeWords(kDirectionWords, direction);
 }
 
-Result<ActionReply> StormProcedures::setPoles(const std::array<int, 3> &poles)
+Result<ActionReply> Procedures::setPoles(const std::array<int, 3> &poles)
 {
     for (std::size_t axis = 0; axis < poles.size(); ++axis) {
         if (poles[axis] % 2 != 0)
@@ -311,7 +312,7 @@ Result<ActionReply> StormProcedures::setPoles(const std::array<int, 3> &poles)
     return ActionReply{};
 }
 
-Result<ActionReply> StormProcedures::beginYaw()
+Result<ActionReply> Procedures::beginYaw()
 {
     if (!m_device.m_yawBefore) {
         std::array<int, 5> before{};
@@ -330,7 +331,7 @@ Result<ActionReply> StormProcedures::beginYaw()
     return ActionReply{};
 }
 
-Result<ActionReply> StormProcedures::moveYaw(double degrees)
+Result<ActionReply> Procedures::moveYaw(double degrees)
 {
     if (!m_device.m_yawBefore)
         return failure(ErrorCode::InvalidArgument, u"begin to align yaw first"_s);
@@ -340,7 +341,7 @@ Result<ActionReply> StormProcedures::moveYaw(double degrees)
     return ActionReply{};
 }
 
-Result<ActionReply> StormProcedures::endYaw(bool take)
+Result<ActionReply> Procedures::endYaw(bool take)
 {
     if (!m_device.m_yawBefore)
         return failure(ErrorCode::InvalidArgument, u"begin to align yaw first"_s);
@@ -360,3 +361,5 @@ Result<ActionReply> StormProcedures::endYaw(bool take)
     m_device.m_yawBefore.reset();
     return reply;
 }
+
+}  // namespace storm32

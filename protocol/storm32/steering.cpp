@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace storm32;
+namespace storm32 {
 
 namespace {
 
@@ -31,7 +31,7 @@ SteeringMode modeOf(int id, const char *key, const char *label, double reach, co
 
 }  // namespace
 
-std::span<const SteeringMode> StormDevice::modes() const
+std::span<const SteeringMode> Device::modes() const
 {
     static const std::vector<SteeringMode> modes{
         modeOf(kLimitedMode, "angle", "Angle, within the limits of the sticks", 180.0, "°"),
@@ -41,7 +41,7 @@ std::span<const SteeringMode> StormDevice::modes() const
 }
 
 // The board tells where the camera is and what its inputs are, but not its targets.
-SteeringSetpoint StormDevice::holdingSetpoint(int mode, const LatestValues &latest) const
+SteeringSetpoint Device::holdingSetpoint(int mode, const LatestValues &latest) const
 {
     SteeringSetpoint setpoint{mode, {}, {}};
     const int first = mode == kPulseMode ? InputRoll : AngleRoll;
@@ -52,7 +52,7 @@ SteeringSetpoint StormDevice::holdingSetpoint(int mode, const LatestValues &late
 
 // Angles, or stick positions, of all axes go together. Ours are as the board shows them: down, right and left
 // are positive.
-ControlFrames StormDevice::controlFrames(const SteeringSetpoint &setpoint) const
+ControlFrames Device::controlFrames(const SteeringSetpoint &setpoint) const
 {
     constexpr std::array<std::size_t, 3> kPlace{1, 0, 2};  // pitch, roll, yaw
     const bool pulses = setpoint.mode == kPulseMode;
@@ -78,12 +78,12 @@ ControlFrames StormDevice::controlFrames(const SteeringSetpoint &setpoint) const
     return frames;
 }
 
-Request StormDevice::standbyRequest(bool standby) const
+Request Device::standbyRequest(bool standby) const
 {
     return rc(Rc::SetStandby, QByteArray(1, standby ? '\1' : '\0'));
 }
 
-StopPlan StormDevice::stopPlan() const
+StopPlan Device::stopPlan() const
 {
     StopPlan plan;
     plan.means.push_back({{standbyRequest(true)}});
@@ -91,7 +91,9 @@ StopPlan StormDevice::stopPlan() const
     return plan;
 }
 
-Request StormDevice::motorsOnRequest() const
+Request Device::motorsOnRequest() const
 {
     return standbyRequest(false);
 }
+
+}  // namespace storm32

@@ -9,7 +9,8 @@
 #include <cmath>
 
 using namespace Qt::StringLiterals;
-using namespace storm32;
+
+namespace storm32 {
 
 namespace {
 
@@ -17,13 +18,13 @@ constexpr auto kPollInterval = 5ms;  // as often as the line allows, one after t
 
 }  // namespace
 
-ChannelTable StormDevice::channels() const
+ChannelTable Device::channels() const
 {
     return channelTable();
 }
 
-Result<TelemetryPlan> StormDevice::subscribe(Channel &, const Subscription &subscription,
-                                             std::optional<LineSettings> line)
+Result<TelemetryPlan> Device::subscribe(Channel &, const Subscription &subscription,
+                                        std::optional<LineSettings> line)
 {
     if (!subscription.streams.isEmpty())
         return failure(ErrorCode::InvalidArgument,
@@ -36,21 +37,21 @@ Result<TelemetryPlan> StormDevice::subscribe(Channel &, const Subscription &subs
     const double wire
         = line ? line->secondsFor(plan.poll->replyBytes + qsizetype(plan.poll->bytes.size())) : 0.0;
     plan.rate = 1.0 / (std::max(0.01, wire) + 0.003);
-    plan.decoder = std::make_shared<StormDecoder>(m_firmware);
+    plan.decoder = std::make_shared<Decoder>(m_firmware);
     return plan;
 }
 
-std::shared_ptr<TelemetryDecoder> StormDevice::replayDecoder() const
+std::shared_ptr<TelemetryDecoder> Device::replayDecoder() const
 {
-    return std::make_shared<StormDecoder>(m_firmware);
+    return std::make_shared<Decoder>(m_firmware);
 }
 
-std::vector<BoardFault> StormDevice::faults(unsigned bits, unsigned detail) const
+std::vector<BoardFault> Device::faults(unsigned bits, unsigned detail) const
 {
     return faultsOf(bits, detail);
 }
 
-std::vector<BoardFact> StormDevice::facts(const std::function<double(int)> &latest) const
+std::vector<BoardFact> Device::facts(const std::function<double(int)> &latest) const
 {
     const double status = latest(Status);
     const double status2 = latest(Status2);
@@ -60,12 +61,12 @@ std::vector<BoardFact> StormDevice::facts(const std::function<double(int)> &late
     return factsOf(unsigned(status), unsigned(status2), unsigned(functions));
 }
 
-QString StormDevice::statusText(int state) const
+QString Device::statusText(int state) const
 {
     return stateName(state, m_firmware);
 }
 
-QString StormDevice::messageText(const FrameView &frame) const
+QString Device::messageText(const FrameView &frame) const
 {
     if (frame.id != FrameId::kMavlink + mavlink::number(mavlink::MessageId::StatusText))
         return {};
@@ -73,3 +74,5 @@ QString StormDevice::messageText(const FrameView &frame) const
         *mavlink::findMessage(mavlink::number(mavlink::MessageId::StatusText)), frame.payload);
     return fields ? fields->value(u"text"_s).toString().trimmed() : QString();
 }
+
+}  // namespace storm32

@@ -224,7 +224,7 @@ std::vector<BoardFault> faultsOf(unsigned bits, unsigned)
     return faults;
 }
 
-double StormDecoder::timeOf(int stamp, double arrival)
+double Decoder::timeOf(int stamp, double arrival)
 {
     if (!m_scales.clock)
         return arrival;
@@ -239,7 +239,7 @@ double StormDecoder::timeOf(int stamp, double arrival)
     return m_boardTime + m_offset;
 }
 
-void StormDecoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store)
+void Decoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store)
 {
     Bytes data = frame.payload;
     if (frame.id == FrameId::kRc + int(Rc::GetData) && data.size() == 66)

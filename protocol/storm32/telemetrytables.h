@@ -68,10 +68,10 @@ struct LiveScales
 [[nodiscard]] std::vector<BoardFault> faultsOf(unsigned bits, unsigned state);
 
 /// Turns answers to `d`, GETDATA and to embedded `d` into rows.
-class StormDecoder final : public TelemetryDecoder
+class Decoder final : public TelemetryDecoder
 {
 public:
-    explicit StormDecoder(int firmware)
+    explicit Decoder(int firmware)
         : m_scales(firmware)
     {
     }

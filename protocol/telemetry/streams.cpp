@@ -6,15 +6,15 @@ using namespace Qt::StringLiterals;
 
 Result<StreamChoice> parseStreamChoice(const QString &text)
 {
-    StreamChoice wish;
-    wish.key = text.section(u'@', 0, 0).trimmed();
+    StreamChoice choice;
+    choice.key = text.section(u'@', 0, 0).trimmed();
     bool ok = true;
     if (text.contains(u'@'))
-        wish.rate = text.section(u'@', 1).toDouble(&ok);
-    if (wish.key.isEmpty() || !ok || !(wish.rate >= 0 && wish.rate <= 1e5))
+        choice.rate = text.section(u'@', 1).toDouble(&ok);
+    if (choice.key.isEmpty() || !ok || !(choice.rate >= 0 && choice.rate <= 1e5))
         return failure(ErrorCode::InvalidArgument,
                        u"'%1' is no stream; it looks like realtime4@100"_s.arg(text));
-    return wish;
+    return choice;
 }
 
 Error StreamBudget::refusal() const

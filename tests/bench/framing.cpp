@@ -83,7 +83,7 @@ void benchFraming(Report &report)
         QByteArray payload(124, '\0');
         for (char &byte : payload)
             byte = static_cast<char>(random());
-        stream += sbgc::encodeFrame(25, payload, 2);
+        stream += simplebgc::encodeFrame(25, payload, 2);
     }
     constexpr qsizetype kChunk = 4096;
     constexpr qsizetype kFrame = 130;
@@ -91,7 +91,7 @@ void benchFraming(Report &report)
     std::vector<double> plain;
     for (int run = 0; run < 9; ++run) {
         QElapsedTimer timer;
-        sbgc::SbgcFramer framer;
+        simplebgc::Framer framer;
         quint64 frames = 0;
         const FrameSink sink = [&frames](const FrameView &) { ++frames; };
         timer.start();
@@ -121,7 +121,7 @@ void benchFraming(Report &report)
             else
                 damaged[at + qsizetype(random() % quint64(kFrame))] ^= static_cast<char>(1 + random() % 255);
         }
-        sbgc::SbgcFramer framer;
+        simplebgc::Framer framer;
         quint64 found = 0;
         quint64 wrong = 0;
         qsizetype next = 0;

@@ -20,7 +20,7 @@
 #include <thread>
 
 using namespace Qt::StringLiterals;
-using namespace sbgc;
+using namespace simplebgc;
 
 namespace {
 
@@ -76,7 +76,7 @@ public:
 
 private:
     QSerialPort m_port;
-    SbgcFramer m_framer;
+    simplebgc::Framer m_framer;
 };
 
 std::unique_ptr<DeviceClient> connectClient(const QString &address)
@@ -123,7 +123,7 @@ void benchLoss(Report &report, const QString &path)
     blockHalf();
     const double rate = double(counter.frames - before) / (double(timer.elapsed()) / 1000.0);
     auto stopped = client->submit<bool>(
-        [bytes = client->telemetryPlan().shutdownFrames](Channel &channel, Device &) -> Result<bool> {
+        [bytes = client->telemetryPlan().shutdownFrames](Channel &channel, ::Device &) -> Result<bool> {
             Request request;
             request.bytes = bytes;
             channel.post(request);
@@ -171,22 +171,22 @@ void benchLatency(Report &report, const QString &path)
     auto client = connectClient(simulator.address());
     process(500ms);
     screen.start(33);
-    auto job
-        = client->submit<std::vector<double>>([=](Channel &channel, Device &) -> Result<std::vector<double>> {
-              std::vector<double> ms;
-              const TimePoint start = Clock::now();
-              for (int i = 1; i <= kRequests; ++i) {
-                  const TimePoint due = start + kDue * i;
-                  if (const auto wait = std::chrono::ceil<milliseconds>(due - Clock::now()); wait > 0ms)
-                      std::ignore = channel.sleep(wait);
-                  const auto reply
-                      = channel.transact(replyRequest(CommandId::BoardInfo, {}, CommandId::BoardInfo, 18, 1));
-                  if (!reply)
-                      return tl::unexpected(reply.error());
-                  ms.push_back(seconds(Clock::now() - due) * 1000.0);
-              }
-              return ms;
-          });
+    auto job = client->submit<std::vector<double>>(
+        [=](Channel &channel, ::Device &) -> Result<std::vector<double>> {
+            std::vector<double> ms;
+            const TimePoint start = Clock::now();
+            for (int i = 1; i <= kRequests; ++i) {
+                const TimePoint due = start + kDue * i;
+                if (const auto wait = std::chrono::ceil<milliseconds>(due - Clock::now()); wait > 0ms)
+                    std::ignore = channel.sleep(wait);
+                const auto reply
+                    = channel.transact(replyRequest(CommandId::BoardInfo, {}, CommandId::BoardInfo, 18, 1));
+                if (!reply)
+                    return tl::unexpected(reply.error());
+                ms.push_back(seconds(Clock::now() - due) * 1000.0);
+            }
+            return ms;
+        });
     std::ignore = QTest::qWaitFor([&] { return job.isFinished(); }, 20000);
     screen.stop();
     if (!job.result())
@@ -207,7 +207,7 @@ void benchMotorsOff(Report &report, const QString &path)
     auto client = connectClient(simulator.address());
     client->addListener(counter);
     process(500ms);
-    auto job = client->submit<int>([](Channel &channel, Device &device) -> Result<int> {
+    auto job = client->submit<int>([](Channel &channel, ::Device &device) -> Result<int> {
         for (int i = 0; i < 60; ++i) {
             if (const auto read = device.readConfiguration(channel); !read)
                 return tl::unexpected(read.error());

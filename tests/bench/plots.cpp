@@ -21,15 +21,15 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kMostSeries = 24;
+constexpr int kMaxSeries = 24;
 constexpr double kRate = 1250.0;
 constexpr int kFrames = 60;
 constexpr int kColumns = 1200;
 
-const std::array<ChannelSpec, kMostSeries> &table()
+const std::array<ChannelSpec, kMaxSeries> &table()
 {
-    static const std::array<ChannelSpec, kMostSeries> specs = [] {
-        std::array<ChannelSpec, kMostSeries> made;
+    static const std::array<ChannelSpec, kMaxSeries> specs = [] {
+        std::array<ChannelSpec, kMaxSeries> made;
         made.fill({"bench", "bench", "bench", "", 0, Axis::None, -1, 1});
         return made;
     }();
@@ -51,7 +51,7 @@ struct Feed
     }
     void run(int rows)
     {
-        std::array<float, kMostSeries> row{};
+        std::array<float, kMaxSeries> row{};
         for (int i = 0; i < rows; ++i, ++next) {
             for (int s = 0; s < count; ++s)
                 row[std::size_t(s)]

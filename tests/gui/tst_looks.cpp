@@ -25,7 +25,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kMostTabs = 400;
+constexpr int kMaxTabs = 400;
 
 QString pathOf(const QWidget *widget)
 {
@@ -192,7 +192,7 @@ void TestLooks::keyboardReachesEverything()
     QSet<QWidget *> visited;
     QWidget *first = QApplication::focusWidget();
     QVERIFY(first);
-    for (int i = 0; i < kMostTabs; ++i) {
+    for (int i = 0; i < kMaxTabs; ++i) {
         QWidget *focus = QApplication::focusWidget();
         QVERIFY2(focus, "the focus went nowhere");
         visited.insert(focus);

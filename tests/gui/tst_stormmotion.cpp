@@ -255,9 +255,12 @@ void TestStormMotion::stepsAreMeasuredWithoutToldTargets()
     QVERIFY(std::abs(workspace().latest(yaw)) < 1.0);
     QVERIFY(usual.steps.metrics.riseSeconds);
     AxisGains gains;
-    gains.p = m_rig->spec(u"pid.yaw.p"_s).toDisplay(m_rig->raw(u"pid.yaw.p"_s)) * StormBoard::kUnitP;
-    gains.i = m_rig->spec(u"pid.yaw.i"_s).toDisplay(m_rig->raw(u"pid.yaw.i"_s)) * StormBoard::kUnitI;
-    gains.d = m_rig->spec(u"pid.yaw.d"_s).toDisplay(m_rig->raw(u"pid.yaw.d"_s)) * StormBoard::kUnitD;
+    gains.p
+        = m_rig->spec(u"pid.yaw.p"_s).toDisplay(m_rig->raw(u"pid.yaw.p"_s)) * storm32::SimulatedBoard::kUnitP;
+    gains.i
+        = m_rig->spec(u"pid.yaw.i"_s).toDisplay(m_rig->raw(u"pid.yaw.i"_s)) * storm32::SimulatedBoard::kUnitI;
+    gains.d
+        = m_rig->spec(u"pid.yaw.d"_s).toDisplay(m_rig->raw(u"pid.yaw.d"_s)) * storm32::SimulatedBoard::kUnitD;
     gains.dLpfHz = 1000.0 / (2.0 * std::numbers::pi * 1.5);
     const auto wanted
         = stepMetrics(LoopMath{simulatedMechanics(Axis::Yaw), gains}.step(1250, 0.95), 1250, 0, 1);

@@ -96,7 +96,8 @@ Request question(const QString &family)
 {
 #if GIMBAL_WITH_SIMPLEBGC
     if (family == u"simplebgc"_s)
-        return sbgc::replyRequest(sbgc::CommandId::BoardInfo, {}, sbgc::CommandId::BoardInfo, 18, 1);
+        return simplebgc::replyRequest(simplebgc::CommandId::BoardInfo, {}, simplebgc::CommandId::BoardInfo,
+                                       18, 1);
 #endif
 #if GIMBAL_WITH_STORM32
     if (family == u"storm32"_s)

@@ -101,7 +101,7 @@ private:
         m_port = server.serverPort();
         std::unique_ptr<QTcpSocket> client;
         QTcpSocket board;
-        const auto framer = sbgcFamily().makeFramer();
+        const auto framer = simplebgc::family().makeFramer();
         const FrameSink sink = [this](const FrameView &frame) {
             const std::lock_guard lock(m_mutex);
             m_seen[frame.id] = Clock::now();

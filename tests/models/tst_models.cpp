@@ -267,7 +267,7 @@ void TestModels::channelModel()
 {
     ChannelModel model;
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-    const SbgcDevice device;
+    const simplebgc::Device device;
     auto store = std::make_shared<TelemetryStore>(int(device.channels().size()));
     model.reset(device.channels(), store);
     QVERIFY(model.rowCount() > 5);

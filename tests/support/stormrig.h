@@ -21,11 +21,11 @@ struct StormRig
 {
     explicit StormRig(const SimulatorOptions &o = stormOptions(96), std::optional<LineSettings> line = {})
         : options(o)
-        , port(std::make_unique<StormBoard>(o), o, line)
+        , port(std::make_unique<storm32::SimulatedBoard>(o), o, line)
         , channel(port, family.makeFramer(), family.timing)
     {
     }
-    StormBoard &board() { return static_cast<StormBoard &>(port.board()); }
+    storm32::SimulatedBoard &board() { return static_cast<storm32::SimulatedBoard &>(port.board()); }
     /// The board's heartbeat has locked plain commands out of its UART.
     void lockOut() { board().set(112, 1); }
     /// The world around the board changes.
@@ -47,8 +47,8 @@ struct StormRig
     }
 
     SimulatorOptions options;
-    const Family family = stormFamily();
-    StormDevice device;
+    const Family family = storm32::family();
+    storm32::Device device;
     SimulatedPort port;
     VirtualChannel channel;
 };

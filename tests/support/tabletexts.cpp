@@ -76,27 +76,27 @@ private:
 #if GIMBAL_WITH_SIMPLEBGC
 bool addSimpleBgc(Texts &texts)
 {
-    for (const ParameterRow &row : sbgc::parameterRows()) {
+    for (const ParameterRow &row : simplebgc::parameterRows()) {
         for (const char *text : {row.label, row.group, row.help})
             texts.add(text);
         texts.add(row.choices);
     }
-    for (const ChannelSpec &channel : sbgc::channelTable()) {
+    for (const ChannelSpec &channel : simplebgc::channelTable()) {
         texts.add(channel.label);
         texts.add(channel.group);
     }
-    for (const AdjustableSpec &variable : sbgc::adjustablesOf(99999)) {
+    for (const AdjustableSpec &variable : simplebgc::adjustablesOf(99999)) {
         texts.add(variable.label);
         texts.add(variable.group);
     }
     for (unsigned bit = 0; bit < 16; ++bit) {
         for (unsigned detail = 0; detail < 64; ++detail) {
-            for (const BoardFault &fault : faultsOf(1U << bit, detail))
+            for (const BoardFault &fault : simplebgc::faultsOf(1U << bit, detail))
                 texts.add(fault);
         }
     }
     SimulatorOptions options;
-    options.firmware = SbgcDevice::kNewestFirmware;
+    options.firmware = simplebgc::Device::kNewestFirmware;
     VirtualBoard board(options);
     if (!board.identify())
         return false;
@@ -125,7 +125,7 @@ void addStorm32(Texts &texts)
         for (const BoardFault &fault : storm32::faultsOf(bits, 6))
             texts.add(fault);
     }
-    const StormDevice storm;
+    const storm32::Device storm;
     texts.add(storm.actions());
     for (const SteeringMode &mode : storm.modes())
         texts.add(mode.label);

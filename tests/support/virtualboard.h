@@ -11,17 +11,17 @@
 struct VirtualBoard
 {
     explicit VirtualBoard(const SimulatorOptions &options = {}, std::optional<LineSettings> line = {})
-        : port(std::make_unique<SbgcBoard>(options), options, line)
+        : port(std::make_unique<simplebgc::SimulatedBoard>(options), options, line)
         , channel(port, family.makeFramer(), family.timing)
     {
     }
 
-    SbgcBoard &board() { return static_cast<SbgcBoard &>(port.board()); }
+    simplebgc::SimulatedBoard &board() { return static_cast<simplebgc::SimulatedBoard &>(port.board()); }
     /// Identifies the board; most of the device's tables exist only afterwards.
     bool identify() { return device.identify(channel).has_value(); }
 
-    const Family family = sbgcFamily();
-    SbgcDevice device;
+    const Family family = simplebgc::family();
+    simplebgc::Device device;
     SimulatedPort port;
     VirtualChannel channel;
 };

@@ -102,7 +102,7 @@ void TestAbilities::everyBoardHas()
     QVERIFY(!plan.means.empty());
     QVERIFY(plan.fromAnswer || plan.fromTelemetry);
     for (const StopPlan::Means &means : plan.means)
-        QVERIFY(!means.requests.empty() && means.atMost > 0);
+        QVERIFY(!means.requests.empty() && means.maxRounds > 0);
     QVERIFY(board.device->replayDecoder());
     const auto configuration = board.device->readConfiguration(*board.channel);
     QVERIFY(configuration && !configuration->isEmpty());

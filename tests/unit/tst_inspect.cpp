@@ -14,7 +14,7 @@
 #include <cmath>
 
 using namespace Qt::StringLiterals;
-using namespace sbgc;
+using namespace simplebgc;
 
 namespace {
 
@@ -210,7 +210,7 @@ void TestInspect::sixPositionsFindZeroAndScale()
 {
     VirtualBoard bench{SimulatorOptions()};
     QVERIFY(bench.identify());
-    SbgcBoard &simulated = bench.board();
+    simplebgc::SimulatedBoard &simulated = bench.board();
     double worst = 0;
     for (int pose = 1; pose <= 6; ++pose) {
         QVERIFY(bench.port.change(u"pose=%1"_s.arg(pose)));
@@ -238,7 +238,7 @@ void TestInspect::aShakenSensorIsNotCalibrated()
     options.faults.shake = 8;
     VirtualBoard bench(options);
     QVERIFY(bench.identify());
-    SbgcBoard &simulated = bench.board();
+    simplebgc::SimulatedBoard &simulated = bench.board();
     const auto before = simulated.stabilizer().imu().gyroCorrection;
     const auto done
         = bench.device.perform(bench.channel, u"calibrate.gyro"_s, {{u"imu"_s, 0}, {u"action"_s, 1}});

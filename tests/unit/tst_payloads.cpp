@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-using namespace sbgc;
+using namespace simplebgc;
 using namespace Qt::StringLiterals;
 
 /// Every message against bytes worked out from the document and the errata by hand.

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-using namespace sbgc;
+using namespace simplebgc;
 using namespace Qt::StringLiterals;
 
 namespace {

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-using namespace sbgc;
+using namespace simplebgc;
 using namespace Qt::StringLiterals;
 
 namespace {
@@ -22,7 +22,8 @@ SimulatorOptions options(int firmware)
     return o;
 }
 
-QVariantMap argumentsFor(const SbgcDevice &device, const char *key, const QMap<QString, QString> &texts = {})
+QVariantMap argumentsFor(const simplebgc::Device &device, const char *key,
+                         const QMap<QString, QString> &texts = {})
 {
     for (const ActionSpec &action : device.actions()) {
         if (qstrcmp(action.key, key) == 0)
@@ -496,7 +497,7 @@ void TestSbgcDevice::everyControlModeIsEncoded()
     QCOMPARE(old.device.modes().size(), std::size_t(5));
     QCOMPARE(now.device.modes().size(), std::size_t(7));
     for (const int still : {int(NoControl), int(Ignore)}) {
-        SbgcDevice::Control control{};
+        simplebgc::Device::Control control{};
         control[1].mode = still;
         const auto command
             = decodeControl(asBytes(now.device.controlFrames(control).setpoint).subspan(4, 15));
@@ -523,7 +524,7 @@ void TestSbgcDevice::everyControlModeIsEncoded()
         QCOMPARE(frames.release, encodeFrame(67, QByteArray(13, '\0')));
     }
     // Slow motion uses the fine unit where the firmware has it; before 2.55b5 all axes share one mode byte.
-    SbgcDevice::Control slow{};
+    simplebgc::Device::Control slow{};
     slow[2] = {Speed, 0.5, 0};
     const auto fine = decodeControl(asBytes(now.device.controlFrames(slow).setpoint).subspan(4, 15));
     QCOMPARE((*fine)[2].mode, int(Speed) | int(ControlHighResSpeed));
@@ -791,11 +792,11 @@ void TestSbgcDevice::laterFieldsAreFoundByAsking()
     QVERIFY(bench.identify());
     QVERIFY2(firmware >= 2610 ? asked >= 2 && asked < 30 : asked == 0, qPrintable(QString::number(asked)));
     QList<int> wanted;
-    for (const sbgc::WireField &field : sbgc::customLayout(flags))
+    for (const simplebgc::WireField &field : simplebgc::customLayout(flags))
         wanted.append(field.channel);
     QCOMPARE(bench.device.fastChannels(), wanted);
     // What the firmware does not have is not asked for, and said.
-    const auto budget = bench.device.streamBudget({{}, 0, {{u"custom"_s, 100, {sbgc::FrameQuatX}}}}, {});
+    const auto budget = bench.device.streamBudget({{}, 0, {{u"custom"_s, 100, {simplebgc::FrameQuatX}}}}, {});
     QCOMPARE(bool(budget), firmware >= 2730);
     if (!budget)
         QCOMPARE(budget.error().code, ErrorCode::InvalidArgument);
@@ -807,7 +808,7 @@ void TestSbgcDevice::eachFlagOfCustomDelivers()
     o.firmware = 2739;
     VirtualBoard bench(o);
     QVERIFY(bench.identify());
-    for (const sbgc::CustomField &field : sbgc::customFields()) {
+    for (const simplebgc::CustomField &field : simplebgc::customFields()) {
         const int channel = field.fields.front().channel;
         const QByteArray key = bench.device.channels()[std::size_t(channel)].key;
         const auto plan = bench.device.subscribe(bench.channel, {{}, 0, {{u"custom"_s, 250, {channel}}}}, {});
@@ -816,7 +817,7 @@ void TestSbgcDevice::eachFlagOfCustomDelivers()
         bench.channel.setTap(
             [&](const FrameView &frame, TimePoint at) { plan->decoder->decode(frame, at, store); });
         std::ignore = bench.channel.sleep(200ms);
-        for (const sbgc::WireField &wire : field.fields) {
+        for (const simplebgc::WireField &wire : field.fields) {
             QVERIFY2(store.tracks(wire.channel).size() == 1 && store.tracks(wire.channel)[0].end() > 40, key);
             QVERIFY2(!std::isnan(store.latest(wire.channel)), key);
         }
@@ -824,7 +825,8 @@ void TestSbgcDevice::eachFlagOfCustomDelivers()
         bench.channel.setTap({});
     }
     // Different codings of one angle agree.
-    const QList<int> same{sbgc::ImuPitch, sbgc::ImuRadPitch, sbgc::Imu20Pitch, sbgc::ImuQuatW};
+    const QList<int> same{simplebgc::ImuPitch, simplebgc::ImuRadPitch, simplebgc::Imu20Pitch,
+                          simplebgc::ImuQuatW};
     const auto plan = bench.device.subscribe(bench.channel, {same, 0, {}}, {});
     QVERIFY(plan);
     TelemetryStore store(int(bench.device.channels().size()));
@@ -833,9 +835,10 @@ void TestSbgcDevice::eachFlagOfCustomDelivers()
     bench.board().stabilizer().setTarget(Axis::Pitch, 20);
     std::ignore = bench.channel.sleep(2s);
     const auto latest = [&](int channel) { return double(store.latest(channel)); };
-    QVERIFY2(std::abs(latest(sbgc::ImuPitch)) > 1, qPrintable(QString::number(latest(sbgc::ImuPitch))));
-    QVERIFY(std::abs(latest(sbgc::ImuPitch) - latest(sbgc::ImuRadPitch)) < 0.012);
-    QVERIFY(std::abs(latest(sbgc::Imu20Pitch) - latest(sbgc::ImuRadPitch)) < 0.0004);
+    QVERIFY2(std::abs(latest(simplebgc::ImuPitch)) > 1,
+             qPrintable(QString::number(latest(simplebgc::ImuPitch))));
+    QVERIFY(std::abs(latest(simplebgc::ImuPitch) - latest(simplebgc::ImuRadPitch)) < 0.012);
+    QVERIFY(std::abs(latest(simplebgc::Imu20Pitch) - latest(simplebgc::ImuRadPitch)) < 0.0004);
     bench.channel.setTap({});
     // More than a frame can carry is refused before anything is sent.
     const auto most = bench.device.subscribe(bench.channel, {bench.device.fastChannels(), 0, {}}, {});

@@ -33,7 +33,8 @@ int s16(const QByteArray &bytes, int at)
 struct ByteClient
 {
     explicit ByteClient(int firmware = 96, bool uart = true, bool strict = false)
-        : port(std::make_unique<StormBoard>(options(firmware, uart, strict)), options(firmware, uart, strict),
+        : port(std::make_unique<storm32::SimulatedBoard>(options(firmware, uart, strict)),
+               options(firmware, uart, strict),
                uart ? std::optional(LineSettings{115200, Parity::None}) : std::nullopt)
     {
     }
@@ -45,7 +46,7 @@ struct ByteClient
         o.own[u"strict"_s] = strict;
         return o;
     }
-    StormBoard &board() { return static_cast<StormBoard &>(port.board()); }
+    storm32::SimulatedBoard &board() { return static_cast<storm32::SimulatedBoard &>(port.board()); }
     QByteArray wait(milliseconds time)
     {
         QByteArray heard;

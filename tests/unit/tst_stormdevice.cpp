@@ -26,14 +26,14 @@ LinkAddress serialAddress()
     return LinkAddress::parse(u"serial:/dev/ttyTest"_s).value();
 }
 
-Result<FoundBoard> find(Channel &channel, Device &device)
+Result<FoundBoard> find(Channel &channel, ::Device &device)
 {
     const QList<Family> known = allFamilies();
-    const Family &asked = dynamic_cast<StormDevice *>(&device) ? known.last() : known.first();
+    const Family &asked = dynamic_cast<storm32::Device *>(&device) ? known.last() : known.first();
     return findBoard(channel, asked, device, known, serialAddress());
 }
 
-Request offRequest(const StormDevice &device)
+Request offRequest(const storm32::Device &device)
 {
     return device.stopPlan().means.at(0).requests.at(0);
 }
@@ -126,22 +126,22 @@ void TestStormDevice::familiesAreToldApart()
     {  // our questions to a SimpleBGC board
         SimulatorOptions o;
         o.usb = false;
-        SimulatedPort port(std::make_unique<SbgcBoard>(o), o, kLine);
-        auto &board = static_cast<SbgcBoard &>(port.board());
-        StormDevice device;
-        VirtualChannel channel(port, stormFamily().makeFramer(), stormFamily().timing);
+        SimulatedPort port(std::make_unique<simplebgc::SimulatedBoard>(o), o, kLine);
+        auto &board = static_cast<simplebgc::SimulatedBoard &>(port.board());
+        storm32::Device device;
+        VirtualChannel channel(port, storm32::family().makeFramer(), storm32::family().timing);
         const int before = board.stored(u"pid.roll.p"_s, 0);
         QVERIFY(!find(channel, device));
         QCOMPARE(board.stored(u"pid.roll.p"_s, 0), before);
         QVERIFY(board.stabilizer().motorsOn());
-        SbgcDevice right;
-        VirtualChannel again(port, sbgcFamily().makeFramer(), sbgcFamily().timing);
+        simplebgc::Device right;
+        VirtualChannel again(port, simplebgc::family().makeFramer(), simplebgc::family().timing);
         QVERIFY(find(again, right));
     }
     {  // theirs to a STorM32 board
         StormRig rig(stormOptions(96, false), kLine);
-        SbgcDevice wrong;
-        VirtualChannel channel(rig.port, sbgcFamily().makeFramer(), sbgcFamily().timing);
+        simplebgc::Device wrong;
+        VirtualChannel channel(rig.port, simplebgc::family().makeFramer(), simplebgc::family().timing);
         const auto found = find(channel, wrong);
         QVERIFY(!found);
         QVERIFY2(found.error().code == ErrorCode::WrongProtocol, qPrintable(found.error().detail));
@@ -234,8 +234,8 @@ void TestStormDevice::lockedOutBoardIsReached()
         // One action, and plain commands work again.
         QVERIFY(rig.device.perform(rig.channel, u"heartbeat.off"_s, {}));
         QCOMPARE(rig.board().inUse(112), 0);
-        StormDevice plain;
-        VirtualChannel channel(rig.port, stormFamily().makeFramer(), stormFamily().timing);
+        storm32::Device plain;
+        VirtualChannel channel(rig.port, storm32::family().makeFramer(), storm32::family().timing);
         QVERIFY(find(channel, plain));
         QVERIFY(!plain.isEmbedded());
     }
@@ -320,7 +320,7 @@ void TestStormDevice::textsAreHandedOn()
     const mavlink::Message *message = mavlink::findMessage(mavlink::number(mavlink::MessageId::StatusText));
     const QByteArray payload
         = mavlink::encodeFields(*message, {{u"severity"_s, 4}, {u"text"_s, u"Battery is weak"_s}}).value();
-    const StormDevice device;
+    const storm32::Device device;
     const FrameView frame{
         FrameId::kMavlink + mavlink::number(mavlink::MessageId::StatusText), asBytes(payload), {}};
     QCOMPARE(device.messageText(frame), u"Battery is weak"_s);
@@ -520,7 +520,7 @@ void TestStormDevice::framesAreWorded()
 {
     StormRig rig;
     QVERIFY(rig.device.identify(rig.channel));
-    const StormDevice &device = rig.device;
+    const storm32::Device &device = rig.device;
     QCOMPARE(device.describeSent("xs").name, u"xs"_s);
     QCOMPARE(device.describeSent("xs").fields, u"store"_s);
     const FrameText set = device.describeSent(encodeRc(4, QByteArray::fromHex("2f0006ff")));

@@ -53,7 +53,7 @@ QVariantMap asText(const QVariantMap &decoded, const QVariantMap &named)
 // All frames in these bytes, behind what was asked.
 QList<std::pair<int, QByteArray>> hear(const QByteArray &asked, const QByteArray &bytes)
 {
-    StormFramer framer;
+    storm32::Framer framer;
     framer.sent(asBytes(asked));
     QList<std::pair<int, QByteArray>> heard;
     const auto sink = [&heard](const FrameView &frame) {
@@ -413,7 +413,7 @@ void TestStormHex::actionsSendThem()
     QFETCH(QString, action);
     QFETCH(QVariantMap, arguments);
     QFETCH(QByteArray, wire);
-    StormDevice device;
+    storm32::Device device;
     DeafChannel channel;
     QCOMPARE(device.perform(channel, action, arguments).error().code, ErrorCode::Timeout);
     QCOMPARE(channel.sent.toHex(), wire.toHex());

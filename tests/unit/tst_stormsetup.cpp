@@ -19,7 +19,7 @@ namespace {
 
 std::shared_ptr<const ParameterSet> parametersOf(const BoardIdentity &identity)
 {
-    return stormFamily().makeParameters(identity);
+    return storm32::family().makeParameters(identity);
 }
 
 Configuration readBoard(StormRig &rig)
@@ -471,7 +471,7 @@ void TestStormSetup::scriptsAreWrittenLikeValues()
     StormRig rig;
     QVERIFY(rig.device.identify(rig.channel));
     const Configuration base = readBoard(rig);
-    const auto language = stormFamily().scripts;
+    const auto language = storm32::family().scripts;
     const auto code
         = language->compile(base, {u"WAIT 5\nDORECENTER"_s, u""_s, u""_s, u"SET \"Pitch P\" 500"_s});
     QVERIFY(code);
@@ -506,8 +506,8 @@ void TestStormSetup::scriptsChangedByOthersAreAConflict()
     const Configuration base = readBoard(rig);
     Configuration edited = base;
     Configuration others = base;
-    edited.setBlock({0, Scripts}, stormFamily().scripts->compile(base, {u"WAIT 5"_s}).value());
-    others.setBlock({0, Scripts}, stormFamily().scripts->compile(base, {u"WAIT 6"_s}).value());
+    edited.setBlock({0, Scripts}, storm32::family().scripts->compile(base, {u"WAIT 5"_s}).value());
+    others.setBlock({0, Scripts}, storm32::family().scripts->compile(base, {u"WAIT 6"_s}).value());
     QVERIFY(writeConfiguration(rig.channel, rig.device, base, others, {&history, false, {}}));
     const auto report = writeConfiguration(rig.channel, rig.device, base, edited, {&history, false, {}});
     QVERIFY(!report);
@@ -521,7 +521,7 @@ void TestStormSetup::scriptsOfABackupComeBack()
     QVERIFY(rig.device.identify(rig.channel));
     const Configuration empty = readBoard(rig);
     Configuration saved = empty;
-    saved.setBlock({0, Scripts}, stormFamily().scripts->compile(empty, {u"WAIT 5"_s}).value());
+    saved.setBlock({0, Scripts}, storm32::family().scripts->compile(empty, {u"WAIT 5"_s}).value());
     const auto file = ConfigurationFile::fromJson(ConfigurationFile::toJson(saved, {}, {}), parametersOf);
     QVERIFY(file);
     QStringList skipped;
@@ -550,7 +550,7 @@ void TestStormSetup::settingsFileComesBack()
     Configuration board = readBoard(rig);
     QVERIFY(board.setRaw(*board.parameters().find(u"motor.pitch.offset"_s), 0, -250));
     QVERIFY(board.setRaw(*board.parameters().find(u"pan.mode.setting1"_s), 0, 3));
-    board.setBlock({0, Scripts}, stormFamily().scripts->compile(board, {u"WAIT 5"_s}).value());
+    board.setBlock({0, Scripts}, storm32::family().scripts->compile(board, {u"WAIT 5"_s}).value());
     const auto text = writeSettings(board);
     QVERIFY(text);
     QVERIFY(text->startsWith("%SettingsHash = (\n"));

@@ -25,7 +25,7 @@ struct Heard
 };
 
 // Feeds in pieces of so many bytes and, at the end, lets it be silent.
-QList<Heard> hear(StormFramer &framer, const QByteArray &bytes, int piece = 1)
+QList<Heard> hear(storm32::Framer &framer, const QByteArray &bytes, int piece = 1)
 {
     QList<Heard> heard;
     const auto sink = [&heard](const FrameView &frame) {
@@ -147,7 +147,7 @@ void TestStormWire::answersAreFound()
     const QByteArray reply = encodeReply(data);
     QCOMPARE(reply.size(), 2 * words + 3);
     for (const int piece : {1, 3, 64, 1000}) {
-        StormFramer framer;
+        storm32::Framer framer;
         framer.sent(asBytes(encodeSimple(Simple(asked))));
         QCOMPARE(hear(framer, reply, piece), (QList<Heard>{{FrameId::kSimple + asked, data}}));
         QCOMPARE(framer.statistics().frames, quint64(1));
@@ -161,7 +161,7 @@ void TestStormWire::dataMayHoldAnything()
     for (const QByteArray &filler :
          {QByteArray("o"), QByteArray("etco"), hex("fb019600622e"), hex("fe0300"), hex("fa000131e1")}) {
         const QByteArray data = filler.repeated(70).left(64);
-        StormFramer framer;
+        storm32::Framer framer;
         framer.sent(asBytes("d"));
         // A whole frame of the other set at the very beginning cannot be told from one; elsewhere it can.
         const QByteArray safe = hex("0600") + data.left(62);
@@ -173,7 +173,7 @@ void TestStormWire::dataMayHoldAnything()
 void TestStormWire::errorLettersInsteadOfData()
 {
     for (const char letter : {'e', 't', 'c'}) {
-        StormFramer framer;
+        storm32::Framer framer;
         framer.sent(asBytes("g"));
         QList<int> ids;
         const auto sink = [&ids](const FrameView &frame) { ids.append(frame.id); };
@@ -185,7 +185,7 @@ void TestStormWire::errorLettersInsteadOfData()
     }
     // Without a question for data a letter is one at once, and several are several (errata 3.1: five bytes,
     // five letters).
-    StormFramer framer;
+    storm32::Framer framer;
     framer.sent(asBytes("t"));
     QList<int> ids;
     framer.feed(asBytes("oeeee"), [&ids](const FrameView &frame) { ids.append(frame.id); });
@@ -195,7 +195,7 @@ void TestStormWire::errorLettersInsteadOfData()
 void TestStormWire::staleBytesBelongToNobody()
 {
     const QByteArray data(10, 'x');
-    StormFramer framer;
+    storm32::Framer framer;
     framer.sent(asBytes("d"));
     QList<Heard> heard = hear(framer, encodeReply(QByteArray(64, 'y')).left(40), 7);
     QVERIFY(heard.isEmpty());
@@ -308,7 +308,7 @@ void TestStormWire::damageIsNeverTakenForAFrame()
     std::mt19937 random(11);
     int wrong = 0;
     for (int round = 0; round < 3000; ++round) {
-        StormFramer framer;
+        storm32::Framer framer;
         framer.sent(asBytes("d"));
         QByteArray data(64, '\0');
         for (char &byte : data)

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-using namespace sbgc;
+using namespace simplebgc;
 using namespace Qt::StringLiterals;
 
 class TestTables : public QObject

@@ -9,7 +9,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-using namespace sbgc;
+using namespace simplebgc;
 using namespace Qt::StringLiterals;
 
 namespace {
@@ -37,7 +37,7 @@ struct Bench
         options.history = &history;
         return writeConfiguration(virtualBoard.channel, virtualBoard.device, base, edited, options);
     }
-    SbgcBoard &board() { return virtualBoard.board(); }
+    simplebgc::SimulatedBoard &board() { return virtualBoard.board(); }
 
     QTemporaryDir dir;
     VirtualBoard virtualBoard;

@@ -37,7 +37,7 @@ ParameterForm::ParameterForm(ConfigurationModel &configuration, EditStack &edits
         refresh(parameter);
         const QString key = m_configuration.edited().parameters().at(parameter).key;
         for (auto it = m_editors.begin(); it != m_editors.end(); ++it) {
-            if (m_set->at(it.key()).idleKey() == key)
+            if (m_set->at(it.key()).inactiveKey() == key)
                 refresh(it.key());
         }
     });

@@ -84,12 +84,12 @@ QString parameterRangeText(const ParameterSpec &spec)
 
 QString idleReason(const ConfigurationModel &configuration, const ParameterSpec &spec, int profile)
 {
-    const QString key = spec.idleKey();
+    const QString key = spec.inactiveKey();
     const ParameterSpec *other = key.isEmpty() ? nullptr : configuration.edited().parameters().find(key);
-    if (!other || !sameValue(configuration.value(*other, profile), spec.row->idle.value))
+    if (!other || !sameValue(configuration.value(*other, profile), spec.row->inactive.value))
         return {};
     return QCoreApplication::translate("Tables", "No effect while “%1” is “%2”.")
-        .arg(parameterLabel(*other), parameterValueText(*other, spec.row->idle.value));
+        .arg(parameterLabel(*other), parameterValueText(*other, spec.row->inactive.value));
 }
 
 QString parameterSearchText(const ParameterSpec &spec)

@@ -17,7 +17,7 @@
 namespace {
 
 constexpr double kClick = 4;  // pixels: less is no drag
-constexpr double kLeastBox = 6;  // pixels
+constexpr double kMinBox = 6;  // pixels
 
 }  // namespace
 
@@ -83,10 +83,10 @@ void PlotView::mouseDoubleClickEvent(QMouseEvent *event)
 void PlotView::zoomToBox(const QRectF &box)
 {
     viewport()->update();
-    if (box.width() < kLeastBox)
+    if (box.width() < kMinBox)
         return;
     const QRectF area = chart()->plotArea();
-    if (box.height() >= kLeastBox) {
+    if (box.height() >= kMinBox) {
         for (ValueAxis &axis : m_axes) {
             const double span = axis.scale.high() - axis.scale.low();
             const double high = axis.scale.high() - (box.top() - area.top()) / area.height() * span;

@@ -7,7 +7,7 @@
 
 namespace {
 
-constexpr std::size_t kMost = 2000;  // older ones go
+constexpr std::size_t kMax = 2000;  // older ones go
 
 bool earlier(const PlotMark &mark, double time)
 {
@@ -21,7 +21,7 @@ void PlotMarks::add(PlotMark mark)
     const auto place = std::upper_bound(m_marks.begin(), m_marks.end(), mark.time,
                                         [](double time, const PlotMark &other) { return time < other.time; });
     m_marks.insert(place, std::move(mark));
-    if (m_marks.size() > kMost)
+    if (m_marks.size() > kMax)
         m_marks.erase(m_marks.begin());
     emit changed();
 }

@@ -18,7 +18,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kMostRows = 6;  // of figures; more scroll
+constexpr int kMaxRows = 6;  // of figures; more scroll
 enum Column { Name, Mean, Rms, PeakToPeak, Rate, ColumnCount };
 
 }  // namespace
@@ -92,7 +92,7 @@ void PlotPanel::setFiguresVisible(bool visible)
     m_figures->setVisible(visible && !m_channels.isEmpty());
     m_figures->ensurePolished();
     const int row = m_figures->verticalHeader()->defaultSectionSize();
-    const int rows = std::min<int>(kMostRows, m_figures->rowCount());
+    const int rows = std::min<int>(kMaxRows, m_figures->rowCount());
     m_figures->setFixedHeight(m_figures->horizontalHeader()->sizeHint().height() + rows * row + 4);
     refreshFigures();
 }

@@ -23,7 +23,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kMostFrames = 60;
+constexpr int kMaxFrames = 60;
 constexpr int kTimeSteps = 5;  // parts between the labels of the time axis
 // Room for labels and legend around the plot area.
 constexpr double kLeft = 76;
@@ -31,7 +31,7 @@ constexpr double kTop = 34;
 constexpr double kRight = 20;
 constexpr double kRightAxis = 64;
 constexpr double kBottom = 30;
-constexpr std::size_t kMostAxes = 6;  // more would leave no room for the picture
+constexpr std::size_t kMaxAxes = 6;  // more would leave no room for the picture
 constexpr qint64 kRateTextMs = 500;
 constexpr qint64 kFitMs = 80;  // before anyone notices that a trace leaves the plot
 
@@ -147,8 +147,8 @@ void PlotView::makeAxes()
         const QString unit = QString::fromUtf8(m_table[std::size_t(m_curves[i].channel)].unit);
         const QString key = m_ownScales ? QString::number(i) : unit;
         qsizetype place = keys.indexOf(key);
-        if (place < 0 && axes.size() == kMostAxes) {
-            place = qsizetype(kMostAxes) - 1;
+        if (place < 0 && axes.size() == kMaxAxes) {
+            place = qsizetype(kMaxAxes) - 1;
             axes.back().unit = u"…"_s;  // its numbers are of several kinds
         }
         if (place < 0) {
@@ -320,7 +320,7 @@ void PlotView::autoScale()
 
 void PlotView::updateView()
 {
-    std::array<TraceImage::Range, kMostAxes> ranges;
+    std::array<TraceImage::Range, kMaxAxes> ranges;
     for (std::size_t i = 0; i < m_axes.size(); ++i)
         ranges[i] = {m_axes[i].scale.low(), m_axes[i].scale.high()};
     const TraceImage::Ground ground{m_theme.color(ColorRole::Surface),
@@ -430,7 +430,7 @@ void PlotView::updateRateText()
 int PlotView::usefulRate() const
 {
     const double pixelsPerSecond = chart()->plotArea().width() * devicePixelRatioF() / m_window;
-    return std::clamp(int(std::ceil(pixelsPerSecond)), 10, kMostFrames);
+    return std::clamp(int(std::ceil(pixelsPerSecond)), 10, kMaxFrames);
 }
 
 double PlotView::timeAt(double x) const

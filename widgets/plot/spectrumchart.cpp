@@ -12,13 +12,13 @@ namespace {
 constexpr double kLowest = 1.0;  // Hz: anything slower is steering or drift
 constexpr double kPointsPerOctave = 48.0;
 constexpr double kPointsLinear = 400.0;
-constexpr double kLeastDecibel = -160.0;
+constexpr double kMinDecibel = -160.0;
 constexpr double kStep = 20.0;  // dB between lines of the grid
 constexpr double kEarlier = 0.35;
 
 double decibel(double density)
 {
-    return std::max(kLeastDecibel, 10.0 * std::log10(std::max(density, 1e-30)));
+    return std::max(kMinDecibel, 10.0 * std::log10(std::max(density, 1e-30)));
 }
 
 // The next of 1, 2, 5 times a power of ten, so that the scale does not jitter with the noise.
@@ -73,7 +73,7 @@ void SpectrumChart::setSpectra(const std::vector<SpectrumCurve> &spectra, const 
     m_scale = scale;
     QList<ChartCurve> drawn;
     double low = 0.0;
-    double high = scale.amplitude ? 0.0 : kLeastDecibel;
+    double high = scale.amplitude ? 0.0 : kMinDecibel;
     double highest = 10.0;
     for (std::size_t i = 0; i < spectra.size(); ++i) {
         ChartCurve curve;

@@ -31,7 +31,7 @@ constexpr double kGoodBias = 0.1;
 constexpr double kFairBias = 0.5;
 constexpr double kGoodLevel = 0.012;
 constexpr double kFairLevel = 0.04;
-constexpr int kUsualSeconds = 6;
+constexpr int kDefaultSeconds = 6;
 
 QString rating(double value, double good, double fair)
 {
@@ -227,7 +227,7 @@ void CalibrationPage::setStep(Step step)
         m_progress->setValue(0);
         m_what->setText(
             tr("Measuring. Leave it absolutely still for about %1 seconds; the motors are off meanwhile.")
-                .arg(kUsualSeconds));
+                .arg(kDefaultSeconds));
         m_sees->setText(tr("If it is moved, the board begins again."));
     }
     if (step != Step::Choose && isVisible())

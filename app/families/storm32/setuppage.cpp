@@ -19,11 +19,11 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double kMostYaw = 45.0;
+constexpr double kMaxYaw = 45.0;
 constexpr int kTasksWidth = 300;
-constexpr int kLeastPoles = 12;
-constexpr int kMostPoles = 28;
-constexpr int kUsualPoles = 14;
+constexpr int kMinPoles = 12;
+constexpr int kMaxPoles = 28;
+constexpr int kDefaultPoles = 14;
 
 // The board has something to do as soon as the step begins.
 bool runsAtOnce(SetupPage::Step step)
@@ -109,9 +109,9 @@ QWidget *SetupPage::makeGuide()
     poles->setHorizontalSpacing(12);
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         m_poles[axis] = new QSpinBox;
-        m_poles[axis]->setRange(kLeastPoles, kMostPoles);
+        m_poles[axis]->setRange(kMinPoles, kMaxPoles);
         m_poles[axis]->setSingleStep(2);
-        m_poles[axis]->setValue(kUsualPoles);
+        m_poles[axis]->setValue(kDefaultPoles);
         m_poles[axis]->setAccessibleName(tr("Poles, %1").arg(axisLabel(kAxes[axis])));
         auto *label = new QLabel(axisLabel(kAxes[axis]));
         label->setBuddy(m_poles[axis]);
@@ -410,7 +410,7 @@ void SetupPage::finished(const Result<ActionOutcome> &outcome)
         break;
     case Step::AlignYaw:
         if (!std::exchange(m_yawBegun, true)) {
-            m_sees->setText(tr("The buttons turn it within %1° either way.").arg(kMostYaw));
+            m_sees->setText(tr("The buttons turn it within %1° either way.").arg(kMaxYaw));
             updateState();
             m_continue->setFocus();
             return;
@@ -463,7 +463,7 @@ void SetupPage::cancel()
 
 void SetupPage::moveYaw(double by)
 {
-    m_yaw = std::clamp(m_yaw + by, -kMostYaw, kMostYaw);
+    m_yaw = std::clamp(m_yaw + by, -kMaxYaw, kMaxYaw);
     m_yawText->setText(u"%1°"_s.arg(std::abs(m_yaw) < 0.05 ? 0.0 : m_yaw, 0, 'f', 1));
     workspace().perform(u"setup.yaw_move"_s, {{u"angle"_s, m_yaw}});
 }

@@ -21,8 +21,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kMostShown = 60;  // snapshots listed; older ones stay on the disk
-constexpr int kMostDifferences = 500;
+constexpr int kMaxShown = 60;  // snapshots listed; older ones stay on the disk
+constexpr int kMaxDifferences = 500;
 
 void prepare(QTableWidget *table, const QStringList &heads)
 {
@@ -183,7 +183,7 @@ void BackupsPage::reload()
     m_take->setEnabled(!model.isEmpty());
     const QStringList paths
         = model.isEmpty() ? QStringList() : workspace().history().snapshots(model.board().identity().serial);
-    for (const QString &path : paths.mid(0, kMostShown)) {
+    for (const QString &path : paths.mid(0, kMaxShown)) {
         const int row = m_table->rowCount();
         m_table->insertRow(row);
         const QDateTime time = BoardHistory::timeOf(path).toLocalTime();
@@ -238,7 +238,7 @@ void BackupsPage::showDifferences()
     m_summary->setText(text);
     for (const ParameterChange &change : changes) {
         const int row = m_differences->rowCount();
-        if (row >= kMostDifferences)
+        if (row >= kMaxDifferences)
             break;
         m_differences->insertRow(row);
         const bool boardWide = change.spec->row->scope == Scope::Board;

@@ -168,5 +168,5 @@ void SettingsPage::updateNotes()
                          "itself, for recordings, "
                          "take up to %2 MB more.")
                           .arg(m_retention->value() * kBytesPerMinute / 1e6, 0, 'f', 0)
-                          .arg(double(Recorder::kMostBytes) / 1e6, 0, 'f', 0));
+                          .arg(double(Recorder::kMaxBytes) / 1e6, 0, 'f', 0));
 }

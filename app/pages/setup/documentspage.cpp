@@ -198,13 +198,13 @@ void DocumentsPage::showState()
         name = "warning";
     } else {
         const qsizetype size = typed().size();
-        const int most = std::max(m_shown->size, m_shown->maxSize);
+        const int max = std::max(m_shown->size, m_shown->maxSize);
         text = m_shown->holds(size)
-            ? tr("%1 of %2 bytes").arg(size).arg(most)
+            ? tr("%1 of %2 bytes").arg(size).arg(max)
             : tr("%1 bytes, and the board takes %2 to %3: this is not kept as an edit.")
                   .arg(size)
                   .arg(m_shown->size)
-                  .arg(most);
+                  .arg(max);
         if (m_shown->effect == WriteEffect::Restarts)
             text += u' ' + tr("The board restarts when it is written.");
         name = m_shown->holds(size) ? "muted" : "error";

@@ -28,7 +28,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kMostRecords = 12;
+constexpr int kMaxRecords = 12;
 constexpr double kOwnFromHz = 0.3;
 constexpr double kOwnToHz = 40.0;
 constexpr qint64 kBiggestFile = 400'000'000;
@@ -359,7 +359,7 @@ void ResponsePage::add(Result<ResponseRecord> record, Axis axis)
     if (record->name.isEmpty())
         record->name = u"%1 %2"_s.arg(axisLabel(axis), QDateTime::currentDateTime().toString(u"HH:mm:ss"_s));
     m_records.push_back(std::move(*record));
-    if (m_records.size() > kMostRecords)
+    if (m_records.size() > kMaxRecords)
         m_records.erase(m_records.begin());
     showRecords();
 }

@@ -10,7 +10,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr double kRunShare = 0.95;  // of the rest between steps, so that the next step is not included
-constexpr int kMostPoints = 400;
+constexpr int kMaxPoints = 400;
 constexpr double kCoherence = 0.7;
 constexpr double kFinest = 0.3;  // Hz from bin to bin
 constexpr double kEarlier = 0.45;
@@ -61,7 +61,7 @@ QList<ChartCurve> stepCurves(const ResponseRecord &record, int color, bool newes
     QList<ChartCurve> curves;
     const auto points = [&record](const std::vector<float> &samples) {
         QList<QPointF> list;
-        const std::size_t step = std::max<std::size_t>(1, samples.size() / kMostPoints);
+        const std::size_t step = std::max<std::size_t>(1, samples.size() / kMaxPoints);
         for (std::size_t i = 0; i < samples.size(); i += step)
             list.append({1000.0 * double(i) / record.rate, double(samples[i])});
         return list;

@@ -31,7 +31,7 @@ constexpr int kDefaultSpan = 1;
 constexpr int kPeaks = 3;  // of each axis
 constexpr double kFinest = 0.5;  // Hz
 constexpr double kNotchDepthDb = 20.0;
-constexpr double kLeastNotchWidth = 0.25;  // of its frequency
+constexpr double kMinNotchWidth = 0.25;  // of its frequency
 constexpr std::array<double, 3> kCostHz{5, 10, 20};
 constexpr double kCostShare = 0.7;  // of the notch's frequency: nearer it, the lag says little
 constexpr double kWaterfallSpan = 1.0;  // seconds in one column
@@ -409,8 +409,7 @@ std::optional<SpectrumPage::NotchPlan> SpectrumPage::planNotch(const Line &line)
         // A resonance wanders with temperature and load: twice its width, a quarter of its frequency at
         // least.
         plan.shape.hz = put(*frequency, line.peak.frequency);
-        plan.shape.width
-            = put(*width, std::max(2.0 * line.peak.width, line.peak.frequency * kLeastNotchWidth));
+        plan.shape.width = put(*width, std::max(2.0 * line.peak.width, line.peak.frequency * kMinNotchWidth));
         plan.shape.depthDb = put(*depth, kNotchDepthDb);
         plan.wanted.setRaw(*enabled, profile, flagBits(*bits) | (1U << filter.bit));
         return plan;

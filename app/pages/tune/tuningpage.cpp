@@ -30,7 +30,7 @@ constexpr auto kFigurePeriod = 250ms;
 constexpr double kFigureSpan = 3.0;  // seconds that the figures look back
 constexpr double kPlotWindow = 10.0;
 constexpr int kControlsWidth = 404;
-constexpr int kControlsMost = 520;
+constexpr int kMaxControlsWidth = 520;
 
 QPushButton *makeButton(const QString &text, const QString &tip)
 {
@@ -84,7 +84,7 @@ void TuningPage::makeBody()
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setMinimumWidth(kControlsWidth);
-    m_scroll->setMaximumWidth(kControlsMost);
+    m_scroll->setMaximumWidth(kMaxControlsWidth);
     auto *right = new QWidget;
     auto *rightLayout = new QVBoxLayout(right);
     rightLayout->setContentsMargins(0, 0, 0, 0);

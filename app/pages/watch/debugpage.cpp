@@ -19,7 +19,7 @@ namespace {
 
 constexpr auto kPeriod = 100ms;
 constexpr double kSeconds = 30;
-constexpr qsizetype kMostCurves = 6;
+constexpr qsizetype kMaxCurves = 6;
 
 }  // namespace
 
@@ -85,7 +85,7 @@ void DebugPage::showCurves()
 {
     QList<int> channels;
     const QModelIndexList rows = m_table->selectionModel()->selectedRows();
-    for (const QModelIndex &row : rows.first(std::min<qsizetype>(rows.size(), kMostCurves)))
+    for (const QModelIndex &row : rows.first(std::min<qsizetype>(rows.size(), kMaxCurves)))
         channels.append(row.row());
     std::sort(channels.begin(), channels.end());
     m_plots->setPlots({});

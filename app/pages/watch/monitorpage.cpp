@@ -452,7 +452,7 @@ void MonitorPage::askPublish()
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Send to PlotJuggler"));
     dialog->setLabelText(tr("Address of its UDP server (JSON)"));
-    dialog->setTextValue(u"127.0.0.1:%1"_s.arg(UdpExport::kUsualPort));
+    dialog->setTextValue(u"127.0.0.1:%1"_s.arg(UdpExport::kDefaultPort));
     connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString &address) {
         if (const auto started = publish(address.trimmed()); started)
             workspace().notifications().notify(

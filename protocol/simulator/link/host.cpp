@@ -8,7 +8,7 @@ namespace {
 
 constexpr auto kTick = 2ms;
 // After a pause of the whole machine the simulation does not try to catch up more than this.
-constexpr qint64 kMostCatchUpNs = 500'000'000;
+constexpr qint64 kMaxCatchUpNs = 500'000'000;
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void SimulatorHost::onTick()
 {
     poll();
     const qint64 elapsed = m_clock.nsecsElapsed();
-    m_simulatedNs = std::max(m_simulatedNs, elapsed - kMostCatchUpNs);
+    m_simulatedNs = std::max(m_simulatedNs, elapsed - kMaxCatchUpNs);
     m_port->advance(std::chrono::nanoseconds(elapsed - m_simulatedNs));
     m_simulatedNs = elapsed;
     if (m_plugged == m_port->isGone()) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace simplebgc {
+
 namespace {
 
 constexpr int kCyclesPerIteration = 750;  // 0.6 s
@@ -15,7 +17,7 @@ constexpr double kRingingFactor = 2.2;  // against the soft gains' own
 constexpr double kRingingFloor = 6.0;  // deg/s rms
 constexpr int kSoftP = 20;
 constexpr int kSoftD = 15;
-constexpr double kMostPForD = 2.0;  // more P than this needs more damping than there is
+constexpr double kMaxPForD = 2.0;  // more P than this needs more damping than there is
 constexpr int kLongest = 60;  // iterations
 
 int grown(int value, double factor)
@@ -114,7 +116,7 @@ void AutoPidSearch::decide(std::size_t axis)
             break;
         }
         // Enough when it rings, or when more P makes the error clearly larger: it overshoots.
-        if (!rings && result.p < kMostPForD * result.d && result.trackingError < state.best * 1.15) {
+        if (!rings && result.p < kMaxPForD * result.d && result.trackingError < state.best * 1.15) {
             state.best = std::min(state.best, result.trackingError);
             result.p = grown(result.p, 1.3);
             break;
@@ -142,3 +144,5 @@ bool AutoPidSearch::isFinished() const
     return std::all_of(m_states.begin(), m_states.end(),
                        [](const AxisState &state) { return state.phase == Phase::Done; });
 }
+
+}  // namespace simplebgc

@@ -4,6 +4,8 @@
 
 #include "protocol/simulator/world/stabilizer.h"
 
+namespace simplebgc {
+
 /// Searches gains on the running plant, as the firmware's automatic tuning does: shakes the target, raises D
 /// until the structure rings, steps back, raises P until it overshoots, steps back, then I. All chosen axes
 /// at once.
@@ -52,3 +54,5 @@ private:
     int m_cycle = 0;
     int m_iteration = 0;
 };
+
+}  // namespace simplebgc

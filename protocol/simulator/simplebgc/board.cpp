@@ -8,7 +8,8 @@
 #include <cmath>
 
 using namespace Qt::StringLiterals;
-using namespace sbgc;
+
+namespace simplebgc {
 
 namespace {
 
@@ -29,7 +30,7 @@ SimulatorOptions complete(SimulatorOptions options)
 
 }  // namespace
 
-SbgcBoard::SbgcBoard(const SimulatorOptions &options)
+SimulatedBoard::SimulatedBoard(const SimulatorOptions &options)
     : m_options(complete(options))
     , m_parameters(parameterRows(), kBlocks, m_options.firmware, {u"yaw-axis"_s, u"battery"_s, u"current"_s})
     , m_stabilizer(options.seed)
@@ -45,9 +46,9 @@ SbgcBoard::SbgcBoard(const SimulatorOptions &options)
     boot();
 }
 
-SbgcBoard::~SbgcBoard() = default;
+SimulatedBoard::~SimulatedBoard() = default;
 
-void SbgcBoard::loadDefaults(int profile)
+void SimulatedBoard::loadDefaults(int profile)
 {
     Block &blocks = m_eeprom[std::size_t(profile)];
     for (const BlockSpec &block : kBlocks) {
@@ -68,7 +69,7 @@ void SbgcBoard::loadDefaults(int profile)
         skip->write(blocks[Params3], 1);
 }
 
-void SbgcBoard::boot()
+void SimulatedBoard::boot()
 {
     m_imu = 1;
     m_streams.clear();
@@ -91,26 +92,26 @@ void SbgcBoard::boot()
     m_stabilizer.setMotorsOn(true);
 }
 
-void SbgcBoard::loadProfile(int profile)
+void SimulatedBoard::loadProfile(int profile)
 {
     m_active = profile;
     m_ram = m_eeprom[std::size_t(profile)];
     applyParameters();
 }
 
-int SbgcBoard::stored(const QString &key, int profile) const
+int SimulatedBoard::stored(const QString &key, int profile) const
 {
     const ParameterSpec *parameter = spec(key);
     return int(parameter->read(m_eeprom[std::size_t(profile)][parameter->row->block]).value());
 }
 
-int SbgcBoard::inUse(const QString &key) const
+int SimulatedBoard::inUse(const QString &key) const
 {
     const ParameterSpec *parameter = spec(key);
     return int(parameter->read(m_ram[parameter->row->block]).value());
 }
 
-void SbgcBoard::store(const QString &key, int profile, int raw)
+void SimulatedBoard::store(const QString &key, int profile, int raw)
 {
     const ParameterSpec *parameter = spec(key);
     for (int i = 0; i < kProfileCount; ++i) {
@@ -123,18 +124,18 @@ void SbgcBoard::store(const QString &key, int profile, int raw)
     }
 }
 
-double SbgcBoard::value(const QString &key) const
+double SimulatedBoard::value(const QString &key) const
 {
     const ParameterSpec *parameter = spec(key);
     return parameter ? parameter->toDisplay(parameter->read(m_ram[parameter->row->block]).value_or(0)) : 0.0;
 }
 
-double SbgcBoard::axisValue(const char *pattern, Axis axis) const
+double SimulatedBoard::axisValue(const char *pattern, Axis axis) const
 {
     return value(QString::fromLatin1(pattern).replace(u"%a"_s, QLatin1String(axisKey(axis))));
 }
 
-void SbgcBoard::applyParameters()
+void SimulatedBoard::applyParameters()
 {
     for (const Axis axis : kAxes) {
         AxisGains gains;
@@ -165,7 +166,7 @@ void SbgcBoard::applyParameters()
 }
 
 // Board-wide values hold for all profiles: a write to one changes the others too.
-void SbgcBoard::shareBoardValues(int from)
+void SimulatedBoard::shareBoardValues(int from)
 {
     for (const ParameterSpec &parameter : m_parameters.all()) {
         if (parameter.row->scope != Scope::Board || parameter.row->state)
@@ -176,12 +177,12 @@ void SbgcBoard::shareBoardValues(int from)
     }
 }
 
-void SbgcBoard::restart(double afterSeconds)
+void SimulatedBoard::restart(double afterSeconds)
 {
     m_restartAt = m_now + afterSeconds;
 }
 
-void SbgcBoard::receive(Bytes bytes)
+void SimulatedBoard::receive(Bytes bytes)
 {
     if (!isRunning())
         return;
@@ -196,7 +197,7 @@ void SbgcBoard::receive(Bytes bytes)
     m_serialErrors = m_framer.statistics().headerErrors + m_framer.statistics().bodyErrors;
 }
 
-void SbgcBoard::cycle()
+void SimulatedBoard::cycle()
 {
     m_now += Stabilizer::kCycle;
     if (m_bootLeft > 0) {
@@ -233,14 +234,14 @@ void SbgcBoard::cycle()
         sendStreams();
 }
 
-QByteArray SbgcBoard::takeOutput(qsizetype most)
+QByteArray SimulatedBoard::takeOutput(qsizetype max)
 {
-    const QByteArray out = m_output.left(most);
+    const QByteArray out = m_output.left(max);
     m_output.remove(0, out.size());
     return out;
 }
 
-void SbgcBoard::updateFaults()
+void SimulatedBoard::updateFaults()
 {
     const Faults &faults = m_options.faults;
     m_stabilizer.setImuPresent(!faults.noImu);
@@ -270,7 +271,7 @@ void SbgcBoard::updateFaults()
     }
 }
 
-void SbgcBoard::updateTargets()
+void SimulatedBoard::updateTargets()
 {
     bool arrived = true;
     for (std::size_t i = 0; i < kAxisCount; ++i) {
@@ -298,7 +299,7 @@ void SbgcBoard::updateTargets()
     }
 }
 
-void SbgcBoard::updateCalibration()
+void SimulatedBoard::updateCalibration()
 {
     Calibration &calibration = m_calibration;
     if (calibration.left <= 0)
@@ -345,7 +346,7 @@ void SbgcBoard::updateCalibration()
 }
 
 // One position levels the sensor; an axis that was seen pointing up and down gets its true zero and scale.
-void SbgcBoard::finishAccCalibration(const std::array<double, kAxisCount> &mean)
+void SimulatedBoard::finishAccCalibration(const std::array<double, kAxisCount> &mean)
 {
     SimulatedImu &imu = m_stabilizer.imu();
     std::size_t up = 0;
@@ -365,7 +366,7 @@ void SbgcBoard::finishAccCalibration(const std::array<double, kAxisCount> &mean)
     }
 }
 
-void SbgcBoard::updateAutoPid()
+void SimulatedBoard::updateAutoPid()
 {
     if (!m_autoPid)
         return;
@@ -403,3 +404,5 @@ void SbgcBoard::updateAutoPid()
         m_stabilizer.setTarget(axis, 0.0);
     send(CommandId::Confirm, QByteArray(1, static_cast<char>(CommandId::AutoPid)), m_autoPidVersion);
 }
+
+}  // namespace simplebgc

@@ -13,17 +13,19 @@
 
 #include <deque>
 
+namespace simplebgc {
+
 /// A SimpleBGC 32-bit controller on a simulated gimbal: memory per profile, volatile variables, streams,
 /// calibrations, automatic tuning, resets. Behaviour after the document and errata 7.
-class SbgcBoard final : public SimulatedBoard
+class SimulatedBoard final : public ::SimulatedBoard
 {
 public:
-    explicit SbgcBoard(const SimulatorOptions &options);
-    ~SbgcBoard() override;
+    explicit SimulatedBoard(const SimulatorOptions &options);
+    ~SimulatedBoard() override;
 
     void receive(Bytes bytes) override;
     void cycle() override;
-    QByteArray takeOutput(qsizetype most) override;
+    QByteArray takeOutput(qsizetype max) override;
     [[nodiscard]] bool isRunning() const override { return m_bootLeft <= 0; }
     /// From 2.41 on both parities are taken (document "Message format").
     [[nodiscard]] std::optional<Parity> onlyParity() const override
@@ -44,12 +46,12 @@ public:
     /// Simulated time in seconds.
     [[nodiscard]] double now() const { return m_now; }
     [[nodiscard]] bool isCalibrating() const { return m_calibration.left > 0; }
-    [[nodiscard]] const sbgc::ControlCommand &lastControl() const { return m_control; }
+    [[nodiscard]] const ControlCommand &lastControl() const { return m_control; }
 
 private:
-    using Block = std::array<QByteArray, sbgc::BlockCount>;
+    using Block = std::array<QByteArray, BlockCount>;
 
-    // memory (sbgcboard.cpp)
+    // memory (board.cpp)
     void loadDefaults(int profile);
     void loadProfile(int profile);
     void applyParameters();
@@ -60,13 +62,13 @@ private:
     void restart(double afterSeconds);
     void boot();
 
-    // world (sbgcboard.cpp)
+    // world (board.cpp)
     void updateFaults();
     void updateTargets();
     void updateCalibration();
     void updateAutoPid();
 
-    // commands (sbgccommands.cpp)
+    // commands (commands.cpp)
     void handle(const Frame &frame);
     bool handleRead(const Frame &frame);
     bool handleWrite(const Frame &frame);
@@ -79,7 +81,7 @@ private:
     void control(const Frame &frame);
     void menu(int action, const Frame &frame);
     void startCalibration(const Frame &frame);
-    void reply(const Frame &to, sbgc::CommandId id, const QByteArray &payload);
+    void reply(const Frame &to, CommandId id, const QByteArray &payload);
     void confirm(const Frame &to, const QByteArray &data = {});
     void refuse(const Frame &to, int code);
     [[nodiscard]] bool hasSize(const Frame &frame, qsizetype size);
@@ -89,23 +91,23 @@ private:
     [[nodiscard]] double volts() const;
     /// Gravity and heading in vector form, 24 bytes.
     [[nodiscard]] QByteArray attitudeVectors() const;
-    [[nodiscard]] sbgc::Angles angles() const;
+    [[nodiscard]] Angles angles() const;
     [[nodiscard]] std::vector<std::vector<double>> debugValues() const;
     void sendStreams();
-    void send(sbgc::CommandId id, const QByteArray &payload, int version, bool isStream = false);
+    void send(CommandId id, const QByteArray &payload, int version, bool isStream = false);
     [[nodiscard]] std::optional<qint32> adjVar(int id) const;
     bool setAdjVar(int id, qint32 value);
 
     struct Stream
     {
-        sbgc::DataStream request;
+        DataStream request;
         int version = 1;
         double next = 0;
         double interval = 0;
     };
     struct Calibration
     {
-        sbgc::CommandId command{};
+        CommandId command{};
         double left = 0;
         double total = 0;
         int action = 1;
@@ -127,12 +129,12 @@ private:
     SimulatorOptions m_options;
     ParameterSet m_parameters;
     Stabilizer m_stabilizer;
-    sbgc::SbgcFramer m_framer;
+    Framer m_framer;
     std::deque<Frame> m_commands;
     qsizetype m_queuedBytes = 0;
     std::deque<Delayed> m_replies;
     QByteArray m_output;
-    std::array<Block, sbgc::kProfileCount> m_eeprom;
+    std::array<Block, kProfileCount> m_eeprom;
     Block m_ram;
     QStringList m_names;
     QMap<int, qint32> m_otherVars;  // adjustable variables that no parameter stands behind
@@ -152,7 +154,7 @@ private:
     std::unique_ptr<AutoPidSearch> m_autoPid;
     int m_autoPidVersion = 1;
     bool m_autoPidReports = false;
-    sbgc::ControlCommand m_control{};
+    ControlCommand m_control{};
     std::array<double, kAxisCount> m_moveSpeed{};
     std::array<double, kAxisCount> m_destination{};
     bool m_taskRunning = false;
@@ -161,3 +163,5 @@ private:
     int m_writesSeen = 0;
     bool m_otherClientDone = false;
 };
+
+}  // namespace simplebgc

@@ -9,7 +9,8 @@
 #include <cmath>
 
 using namespace Qt::StringLiterals;
-using namespace sbgc;
+
+namespace simplebgc {
 
 namespace {
 
@@ -18,7 +19,7 @@ constexpr double kWriteLatency = 0.030;  // EEPROM write (errata 7: tens of ms)
 constexpr double kCalibrationTime = 4.0;
 constexpr double kResetNotice = 1.0;  // document CMD_RESET: 1000 ms between notice and restart
 constexpr qsizetype kStreamSpace = 512;  // fuller than this, streams are skipped
-constexpr int kMostStreams = 10;
+constexpr int kMaxStreams = 10;
 constexpr int kUnknownFirmware = 9990;
 constexpr int kBoardVersion = 30;
 
@@ -39,7 +40,7 @@ std::vector<DebugVar> debugVariables()
 
 }  // namespace
 
-void SbgcBoard::send(CommandId id, const QByteArray &payload, int version, bool isStream)
+void SimulatedBoard::send(CommandId id, const QByteArray &payload, int version, bool isStream)
 {
     if (isStream && m_output.size() > kStreamSpace) {
         ++m_streamCount.skipped;
@@ -49,17 +50,17 @@ void SbgcBoard::send(CommandId id, const QByteArray &payload, int version, bool 
     m_output += encodeFrame(number(id), payload, version);
 }
 
-void SbgcBoard::reply(const Frame &to, CommandId id, const QByteArray &payload)
+void SimulatedBoard::reply(const Frame &to, CommandId id, const QByteArray &payload)
 {
     m_replies.push_back({m_now + kLatency, encodeFrame(number(id), payload, to.version)});
 }
 
-void SbgcBoard::confirm(const Frame &to, const QByteArray &data)
+void SimulatedBoard::confirm(const Frame &to, const QByteArray &data)
 {
     reply(to, CommandId::Confirm, QByteArray(1, static_cast<char>(to.id)) + data);
 }
 
-void SbgcBoard::refuse(const Frame &to, int code)
+void SimulatedBoard::refuse(const Frame &to, int code)
 {
     // Old firmware keeps silent about what it does not understand (errata 7).
     if (m_options.firmware < 2600 && (code == kUnknownCommand || code == kWrongSize))
@@ -67,7 +68,7 @@ void SbgcBoard::refuse(const Frame &to, int code)
     reply(to, CommandId::Error, ByteWriter().u8(to.id).u8(code).zeros(4).take());
 }
 
-bool SbgcBoard::hasSize(const Frame &frame, qsizetype size)
+bool SimulatedBoard::hasSize(const Frame &frame, qsizetype size)
 {
     // Boards in the field take one superfluous byte on commands without parameters (errata 1.4).
     if (frame.payload.size() == size || (size == 0 && frame.payload.size() == 1))
@@ -76,7 +77,7 @@ bool SbgcBoard::hasSize(const Frame &frame, qsizetype size)
     return false;
 }
 
-void SbgcBoard::handle(const Frame &frame)
+void SimulatedBoard::handle(const Frame &frame)
 {
     m_lastVersion = frame.version;
     if (handleRead(frame) || handleWrite(frame) || handleAction(frame))
@@ -84,7 +85,7 @@ void SbgcBoard::handle(const Frame &frame)
     refuse(frame, kUnknownCommand);
 }
 
-bool SbgcBoard::handleRead(const Frame &frame)
+bool SimulatedBoard::handleRead(const Frame &frame)
 {
     const bool streams = m_options.firmware >= 2590;
     switch (static_cast<CommandId>(frame.id)) {
@@ -155,7 +156,7 @@ bool SbgcBoard::handleRead(const Frame &frame)
     }
 }
 
-bool SbgcBoard::handleWrite(const Frame &frame)
+bool SimulatedBoard::handleWrite(const Frame &frame)
 {
     switch (static_cast<CommandId>(frame.id)) {
     case CommandId::WriteParams:
@@ -204,7 +205,7 @@ bool SbgcBoard::handleWrite(const Frame &frame)
     }
 }
 
-bool SbgcBoard::handleAction(const Frame &frame)
+bool SimulatedBoard::handleAction(const Frame &frame)
 {
     switch (static_cast<CommandId>(frame.id)) {
     case CommandId::MotorsOn:
@@ -285,7 +286,7 @@ bool SbgcBoard::handleAction(const Frame &frame)
     }
 }
 
-void SbgcBoard::readParams(const Frame &frame, int block)
+void SimulatedBoard::readParams(const Frame &frame, int block)
 {
     if (!hasSize(frame, 1))
         return;
@@ -301,7 +302,7 @@ void SbgcBoard::readParams(const Frame &frame, int block)
     reply(frame, static_cast<CommandId>(frame.id), bytes);
 }
 
-void SbgcBoard::writeParams(const Frame &frame, int block)
+void SimulatedBoard::writeParams(const Frame &frame, int block)
 {
     if (!hasSize(frame, kBlocks[block].size))
         return;
@@ -328,7 +329,7 @@ void SbgcBoard::writeParams(const Frame &frame, int block)
     m_nextCommandAt = m_now + kWriteLatency;
 }
 
-std::optional<qint32> SbgcBoard::adjVar(int id) const
+std::optional<qint32> SimulatedBoard::adjVar(int id) const
 {
     if (m_otherVars.contains(id))
         return m_otherVars.value(id);
@@ -341,7 +342,7 @@ std::optional<qint32> SbgcBoard::adjVar(int id) const
     return {};
 }
 
-bool SbgcBoard::setAdjVar(int id, qint32 wanted)
+bool SimulatedBoard::setAdjVar(int id, qint32 wanted)
 {
     if (m_otherVars.contains(id)) {
         m_otherVars[id] = wanted;
@@ -359,7 +360,7 @@ bool SbgcBoard::setAdjVar(int id, qint32 wanted)
     return false;
 }
 
-void SbgcBoard::setAdjVars(const Frame &frame)
+void SimulatedBoard::setAdjVars(const Frame &frame)
 {
     const auto vars = decodeAdjVars(asBytes(frame.payload));
     if (!vars) {
@@ -376,7 +377,7 @@ void SbgcBoard::setAdjVars(const Frame &frame)
         refuse(frame, kWrongParameters);
 }
 
-void SbgcBoard::getAdjVars(const Frame &frame)
+void SimulatedBoard::getAdjVars(const Frame &frame)
 {
     ByteReader reader(frame.payload);
     const int count = reader.u8();
@@ -397,7 +398,7 @@ void SbgcBoard::getAdjVars(const Frame &frame)
     reply(frame, CommandId::SetAdjVarsVal, encodeAdjVars(values));
 }
 
-void SbgcBoard::registerStream(const Frame &frame)
+void SimulatedBoard::registerStream(const Frame &frame)
 {
     const auto stream = DataStream::decode(asBytes(frame.payload));
     if (!stream) {
@@ -415,7 +416,7 @@ void SbgcBoard::registerStream(const Frame &frame)
     };
     std::erase_if(m_streams, same);
     if (stream->intervalMs > 0) {
-        if (int(m_streams.size()) >= kMostStreams) {
+        if (int(m_streams.size()) >= kMaxStreams) {
             refuse(frame, kNotSupported);
             return;
         }
@@ -426,7 +427,7 @@ void SbgcBoard::registerStream(const Frame &frame)
     confirm(frame);
 }
 
-void SbgcBoard::sendStreams()
+void SimulatedBoard::sendStreams()
 {
     for (Stream &stream : m_streams) {
         if (m_now + 1e-9 < stream.next)
@@ -444,7 +445,7 @@ void SbgcBoard::sendStreams()
     }
 }
 
-void SbgcBoard::control(const Frame &frame)
+void SimulatedBoard::control(const Frame &frame)
 {
     const auto command = decodeControl(asBytes(frame.payload));
     if (!command) {
@@ -469,7 +470,7 @@ void SbgcBoard::control(const Frame &frame)
     confirm(frame);
 }
 
-void SbgcBoard::menu(int action, const Frame &frame)
+void SimulatedBoard::menu(int action, const Frame &frame)
 {
     static const QMap<int, int> profiles{{1, 0}, {2, 1}, {3, 2}, {14, 3}, {15, 4}};
     const bool known
@@ -514,7 +515,7 @@ void SbgcBoard::menu(int action, const Frame &frame)
     }
 }
 
-void SbgcBoard::startCalibration(const Frame &frame)
+void SimulatedBoard::startCalibration(const Frame &frame)
 {
     const bool extended = frame.payload.size() == 12;
     if (!extended && !hasSize(frame, 0))
@@ -560,3 +561,5 @@ void SbgcBoard::startCalibration(const Frame &frame)
         m_stabilizer.setHeld(true);
     }
 }
+
+}  // namespace simplebgc

@@ -6,6 +6,8 @@
 
 using namespace Qt::StringLiterals;
 
+namespace simplebgc {
+
 namespace {
 
 // "2.59" is 2590; "2.70b4" is 2704; "2.73.8" is 2738 (document BOARD_INFO).
@@ -40,7 +42,7 @@ Result<void> readParity(SimulatorSetup &setup, const QString &text)
 
 }  // namespace
 
-SimulatedFamily simulatedSimpleBgc()
+SimulatedFamily simulatedFamily()
 {
     return {u"simplebgc"_s,
             {LinkAddress::Kind::Serial, LinkAddress::Kind::Tcp},
@@ -51,5 +53,7 @@ SimulatedFamily simulatedSimpleBgc()
               {u"none or even. Firmware 2.40 knows only even, later ones take both."_s,
                u"Linux pseudo-terminals carry no parity: there it changes the timing only"_s},
               readParity}},
-            [](const SimulatorOptions &options) { return std::make_unique<SbgcBoard>(options); }};
+            [](const SimulatorOptions &options) { return std::make_unique<SimulatedBoard>(options); }};
 }
+
+}  // namespace simplebgc

@@ -4,5 +4,9 @@
 
 #include "protocol/simulator/world/simulatedfamily.h"
 
+namespace simplebgc {
+
 /// The simulated SimpleBGC boards.
-[[nodiscard]] SimulatedFamily simulatedSimpleBgc();
+[[nodiscard]] SimulatedFamily simulatedFamily();
+
+}  // namespace simplebgc

@@ -10,7 +10,8 @@
 #include <numbers>
 
 using namespace Qt::StringLiterals;
-using namespace sbgc;
+
+namespace simplebgc {
 
 namespace {
 
@@ -38,13 +39,13 @@ template <typename Degrees> std::array<double, 4> attitude(Degrees degrees)
 
 }  // namespace
 
-double SbgcBoard::volts() const
+double SimulatedBoard::volts() const
 {
     return (m_options.faults.battery > 0 ? m_options.faults.battery : 12.3) + m_voltageOffset
         - 0.04 * m_stabilizer.current();
 }
 
-QByteArray SbgcBoard::realtime(bool extended) const
+QByteArray SimulatedBoard::realtime(bool extended) const
 {
     const Stabilizer &s = m_stabilizer;
     int errors = 0;
@@ -101,7 +102,7 @@ QByteArray SbgcBoard::realtime(bool extended) const
     return writer.zeros(36).take();
 }
 
-QByteArray SbgcBoard::realtimeCustom(quint32 flags) const
+QByteArray SimulatedBoard::realtimeCustom(quint32 flags) const
 {
     const Stabilizer &s = m_stabilizer;
     ByteWriter writer;
@@ -140,7 +141,7 @@ QByteArray SbgcBoard::realtimeCustom(quint32 flags) const
 
 // Fields of later firmware. What this gimbal does not have (a fourth motor, scripts, an external IMU, limits)
 // reads zero.
-QByteArray SbgcBoard::laterFields(quint32 flags) const
+QByteArray SimulatedBoard::laterFields(quint32 flags) const
 {
     const Stabilizer &s = m_stabilizer;
     ByteWriter writer;
@@ -221,7 +222,7 @@ QByteArray SbgcBoard::laterFields(quint32 flags) const
     return writer.take();
 }
 
-QByteArray SbgcBoard::attitudeVectors() const
+QByteArray SimulatedBoard::attitudeVectors() const
 {
     const double roll = m_stabilizer.estimate(Axis::Roll) * kVectorDegrees;
     const double pitch = m_stabilizer.estimate(Axis::Pitch) * kVectorDegrees;
@@ -234,7 +235,7 @@ QByteArray SbgcBoard::attitudeVectors() const
     return writer.take();
 }
 
-Angles SbgcBoard::angles() const
+Angles SimulatedBoard::angles() const
 {
     Angles result;
     for (std::size_t i = 0; i < kAxisCount; ++i) {
@@ -245,7 +246,7 @@ Angles SbgcBoard::angles() const
     return result;
 }
 
-std::vector<std::vector<double>> SbgcBoard::debugValues() const
+std::vector<std::vector<double>> SimulatedBoard::debugValues() const
 {
     const Stabilizer &s = m_stabilizer;
     const auto error = [&s](Axis axis) { return s.target(axis) - s.estimate(axis); };
@@ -259,3 +260,5 @@ std::vector<std::vector<double>> SbgcBoard::debugValues() const
             {m_now * 1000.0},
             {s.jointAngle(Axis::Yaw)}};
 }
+
+}  // namespace simplebgc

@@ -8,7 +8,8 @@
 #include <cmath>
 
 using namespace Qt::StringLiterals;
-using namespace storm32;
+
+namespace storm32 {
 
 namespace {
 
@@ -38,7 +39,7 @@ SimulatorOptions complete(SimulatorOptions options)
 
 }  // namespace
 
-StormBoard::StormBoard(const SimulatorOptions &options)
+SimulatedBoard::SimulatedBoard(const SimulatorOptions &options)
     : m_options(complete(options))
     , m_layout(layoutOf(m_options.firmware))
     , m_words(wordsOf(m_layout))
@@ -67,33 +68,33 @@ StormBoard::StormBoard(const SimulatorOptions &options)
     m_started = -kRunningFor;
 }
 
-StormBoard::~StormBoard() = default;
+SimulatedBoard::~SimulatedBoard() = default;
 
-int StormBoard::wordOf(const QByteArray &stream, int word)
+int SimulatedBoard::wordOf(const QByteArray &stream, int word)
 {
     return std::uint8_t(stream[2 * word]) | std::uint8_t(stream[2 * word + 1]) << 8;
 }
 
-void StormBoard::set(int word, int raw)
+void SimulatedBoard::set(int word, int raw)
 {
     m_ram[2 * word] = char(raw & 0xFF);
     m_ram[2 * word + 1] = char(raw >> 8 & 0xFF);
     applyParameters();
 }
 
-double StormBoard::value(const QString &key) const
+double SimulatedBoard::value(const QString &key) const
 {
     const ParameterSpec *spec = m_parameters.find(key);
     return spec ? spec->toDisplay(spec->read(m_ram).value_or(0)) : 0.0;
 }
 
-double StormBoard::axisValue(const char *pattern, Axis axis) const
+double SimulatedBoard::axisValue(const char *pattern, Axis axis) const
 {
     return value(QString::fromLatin1(pattern).replace(u"%a"_s, QLatin1String(axisKey(axis))));
 }
 
 // What a freshly erased board says (errata 11, "fw").
-QByteArray StormBoard::factoryStream() const
+QByteArray SimulatedBoard::factoryStream() const
 {
     QByteArray stream(2 * m_words + kScriptArea, '\0');
     stream.replace(2 * m_words, kScriptArea, QByteArray(kScriptArea, char(0xFF)));
@@ -111,7 +112,7 @@ QByteArray StormBoard::factoryStream() const
     return stream;
 }
 
-void StormBoard::applyParameters()
+void SimulatedBoard::applyParameters()
 {
     for (const Axis axis : kAxes) {
         AxisGains gains;
@@ -145,7 +146,7 @@ void StormBoard::applyParameters()
 
 // Words of Cr: zeros and scales of the accelerometer, zeros of the gyroscope, in the sensor's axes forward,
 // left, up.
-void StormBoard::applyCalibration()
+void SimulatedBoard::applyCalibration()
 {
     const double one = oneG();
     SimulatedImu &imu = m_stabilizer.imu();
@@ -167,7 +168,7 @@ void StormBoard::applyCalibration()
     }
 }
 
-void StormBoard::setFaults(const Faults &faults)
+void SimulatedBoard::setFaults(const Faults &faults)
 {
     m_options.faults = faults;
     applyCalibration();
@@ -175,7 +176,7 @@ void StormBoard::setFaults(const Faults &faults)
 }
 
 // The program begins anew; what was in use is kept or loaded again.
-void StormBoard::restart(Memory memory)
+void SimulatedBoard::restart(Memory memory)
 {
     m_started = m_now;
     m_relevelUntil = 0;
@@ -197,7 +198,7 @@ void StormBoard::restart(Memory memory)
     applyParameters();
 }
 
-int StormBoard::state() const
+int SimulatedBoard::state() const
 {
     if (m_standby)
         return m_options.firmware >= 95 ? 99 : 7;
@@ -221,13 +222,13 @@ int StormBoard::state() const
     return 6;
 }
 
-double StormBoard::volts() const
+double SimulatedBoard::volts() const
 {
     return (m_options.faults.battery > 0 ? m_options.faults.battery : kNominalVoltage)
         - 0.04 * m_stabilizer.current();
 }
 
-bool StormBoard::isPanning(Axis axis) const
+bool SimulatedBoard::isPanning(Axis axis) const
 {
     // Modes by axis: pitch, roll, yaw follow the handle (errata 11, PANM).
     static constexpr std::array<std::array<bool, 3>, 7> kModes{{
@@ -246,7 +247,7 @@ bool StormBoard::isPanning(Axis axis) const
     return kModes[std::size_t(mode)][place[std::size_t(axis)]];
 }
 
-void StormBoard::updateWorld()
+void SimulatedBoard::updateWorld()
 {
     const Faults &faults = m_options.faults;
     m_stabilizer.setImuPresent(!faults.noImu);
@@ -261,7 +262,7 @@ void StormBoard::updateWorld()
     m_stabilizer.setMotorsOn(!m_standby && (now >= 4 && now <= 6));
 }
 
-void StormBoard::updateTargets()
+void SimulatedBoard::updateTargets()
 {
     for (std::size_t i = 0; i < kAxisCount; ++i) {
         const Axis axis = kAxes[i];
@@ -281,13 +282,13 @@ void StormBoard::updateTargets()
     }
 }
 
-void StormBoard::receive(Bytes bytes)
+void SimulatedBoard::receive(Bytes bytes)
 {
     m_input.append(reinterpret_cast<const char *>(bytes.data()), qsizetype(bytes.size()));
     m_lastByteAt = m_now;
 }
 
-void StormBoard::cycle()
+void SimulatedBoard::cycle()
 {
     m_now += Stabilizer::kCycle;
     updateWorld();
@@ -301,9 +302,11 @@ void StormBoard::cycle()
     }
 }
 
-QByteArray StormBoard::takeOutput(qsizetype most)
+QByteArray SimulatedBoard::takeOutput(qsizetype max)
 {
-    const QByteArray out = m_output.left(most);
+    const QByteArray out = m_output.left(max);
     m_output.remove(0, out.size());
     return out;
 }
+
+}  // namespace storm32

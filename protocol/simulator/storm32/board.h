@@ -11,10 +11,12 @@
 
 #include <deque>
 
+namespace storm32 {
+
 /// A STorM32 controller on a simulated gimbal: its three command sets byte by byte after the errata, EEPROM
 /// beside RAM, the states of its start, the heartbeat that locks plain commands out. What the firmware does
 /// not check is not checked here either, unless the strict option asks for it.
-class StormBoard final : public SimulatedBoard
+class SimulatedBoard final : public ::SimulatedBoard
 {
 public:
     /// One unit of Kp, Ki and Kd in the units of the plant's controller: the factory's gains hold the
@@ -23,12 +25,12 @@ public:
     static constexpr double kUnitI = 0.13;
     static constexpr double kUnitD = 600.0;
 
-    explicit StormBoard(const SimulatorOptions &options);
-    ~StormBoard() override;
+    explicit SimulatedBoard(const SimulatorOptions &options);
+    ~SimulatedBoard() override;
 
     void receive(Bytes bytes) override;
     void cycle() override;
-    QByteArray takeOutput(qsizetype most) override;
+    QByteArray takeOutput(qsizetype max) override;
     [[nodiscard]] bool isRunning() const override
     {
         return true;
@@ -46,7 +48,7 @@ public:
     [[nodiscard]] double now() const { return m_now; }
 
 private:
-    // memory and world (stormboard.cpp)
+    // memory and world (board.cpp)
     [[nodiscard]] static int wordOf(const QByteArray &stream, int word);
     [[nodiscard]] double value(const QString &key) const;
     [[nodiscard]] double axisValue(const char *pattern, Axis axis) const;
@@ -60,7 +62,7 @@ private:
     [[nodiscard]] double volts() const;
     [[nodiscard]] bool isPanning(Axis axis) const;
 
-    // what it reports (stormreports.cpp)
+    // what it reports (reports.cpp)
     [[nodiscard]] QByteArray versionData() const;
     [[nodiscard]] std::array<int, 32> liveWords() const;
     [[nodiscard]] QByteArray liveData(int words) const;
@@ -80,11 +82,11 @@ private:
     [[nodiscard]] int status() const;
     [[nodiscard]] int status2() const;
 
-    // commands (stormcommands.cpp)
+    // commands (commands.cpp)
     bool serve();
     [[nodiscard]] bool isLockedOut() const;
     /// The answer to a complete simple command.
-    QByteArray simple(storm32::Simple id, QByteArrayView arguments);
+    QByteArray simple(Simple id, QByteArrayView arguments);
     /// The answer's number and payload.
     std::pair<int, QByteArray> rc(int id, QByteArrayView payload);
     void takeStartPositions(std::initializer_list<Axis> axes);
@@ -94,7 +96,7 @@ private:
     void usePanSetting(int setting);
     void reply(const QByteArray &bytes);
 
-    // MAVLink (stormmavlink.cpp)
+    // MAVLink (mavlink.cpp)
     void message(const mavlink::Packet &packet);
     void sendMessage(mavlink::MessageId id, const QVariantMap &values);
     void sendParameter(int index);
@@ -140,7 +142,7 @@ private:
     std::array<double, kAxisCount> m_moved{};  // where the speed limit has got to
     std::array<double, kAxisCount> m_pan{};  // what following has added
     std::optional<int> m_panMode;
-    std::array<int, storm32::kScriptCount> m_scriptCase{};
+    std::array<int, kScriptCount> m_scriptCase{};
     int m_pwmOut = 0;
     int m_sequence = 0;
     double m_nextBeat = 0;
@@ -148,3 +150,5 @@ private:
     bool m_attitudeAsked = false;
     bool m_heardBeat = false;
 };
+
+}  // namespace storm32

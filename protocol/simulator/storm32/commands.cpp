@@ -8,15 +8,16 @@
 #include <cmath>
 
 using namespace Qt::StringLiterals;
-using namespace storm32;
+
+namespace storm32 {
 
 namespace {
 
 constexpr double kControlCycle = 0.0015;  // one command is finished in each
 constexpr double kInterByte = 0.1;  // then `t`
 constexpr double kMemoryWrite = 0.7;  // seconds; nothing else is served meanwhile
-constexpr int kLeastPulse = 700;
-constexpr int kMostPulse = 2300;
+constexpr int kMinPulse = 700;
+constexpr int kMaxPulse = 2300;
 constexpr int kMiddle = 1500;
 constexpr int kAckUnknown = 3;
 constexpr int kAckChecksum = 151;
@@ -35,19 +36,19 @@ int u16At(QByteArrayView bytes, qsizetype at)
 
 }  // namespace
 
-bool StormBoard::isLockedOut() const
+bool SimulatedBoard::isLockedOut() const
 {
     return !m_options.usb && inUse(112) != 0;  // USB keeps answering everything (errata 6)
 }
 
-void StormBoard::reply(const QByteArray &bytes)
+void SimulatedBoard::reply(const QByteArray &bytes)
 {
     const double at = std::max(m_busyUntil, m_now) + 0.001 + 0.004 * m_latency.uniform();
     m_replies.push_back({m_replies.empty() ? at : std::max(at, m_replies.back().at), bytes});
 }
 
 // Takes one complete command from what came in. False when there is none.
-bool StormBoard::serve()
+bool SimulatedBoard::serve()
 {
     if (m_input.isEmpty())
         return false;
@@ -120,7 +121,7 @@ bool StormBoard::serve()
     return used(total);
 }
 
-QByteArray StormBoard::simple(Simple id, QByteArrayView arguments)
+QByteArray SimulatedBoard::simple(Simple id, QByteArrayView arguments)
 {
     const QByteArray ok("o");
     switch (id) {
@@ -192,7 +193,7 @@ QByteArray StormBoard::simple(Simple id, QByteArrayView arguments)
     return "e";
 }
 
-void StormBoard::takeStartPositions(std::initializer_list<Axis> axes)
+void SimulatedBoard::takeStartPositions(std::initializer_list<Axis> axes)
 {
     for (const Axis axis : axes) {
         // 1008 steps are one turn of the magnetic field: seven of them are one of the bell.
@@ -203,7 +204,7 @@ void StormBoard::takeStartPositions(std::initializer_list<Axis> axes)
 }
 
 // What is written, and where in the calibration: the selector names one part, or several.
-QByteArray StormBoard::writeCalibration(QByteArrayView arguments)
+QByteArray SimulatedBoard::writeCalibration(QByteArrayView arguments)
 {
     const int selector = u16At(arguments, 0);
     if (selector == 0 || selector > 7)
@@ -228,20 +229,20 @@ QByteArray StormBoard::writeCalibration(QByteArrayView arguments)
 }
 
 // Pulses outside the range are ignored, 0 re-centers. @param axis as in kAxes
-bool StormBoard::steer(std::size_t axis, int pulse)
+bool SimulatedBoard::steer(std::size_t axis, int pulse)
 {
     if (pulse == 0) {
         m_pulse[axis] = 0;
         m_setAngle[axis] = 0;
         return true;
     }
-    if (pulse < kLeastPulse || pulse > kMostPulse)
+    if (pulse < kMinPulse || pulse > kMaxPulse)
         return false;
     m_pulse[axis] = pulse - kMiddle;
     return true;
 }
 
-std::pair<int, QByteArray> StormBoard::rc(int id, QByteArrayView payload)
+std::pair<int, QByteArray> SimulatedBoard::rc(int id, QByteArrayView payload)
 {
     const auto ack = [](int code) { return std::pair{int(Rc::Ack), QByteArray(1, char(code))}; };
     const RcCommand *known = findRc(id);
@@ -294,7 +295,7 @@ std::pair<int, QByteArray> StormBoard::rc(int id, QByteArrayView payload)
         return ack(0);
     }
     case Rc::SetPwmOut:
-        if (u16At(payload, 0) < kLeastPulse || u16At(payload, 0) > kMostPulse)
+        if (u16At(payload, 0) < kMinPulse || u16At(payload, 0) > kMaxPulse)
             return ack(kAckRange);
         m_pwmOut = u16At(payload, 0);
         return ack(0);
@@ -313,7 +314,7 @@ std::pair<int, QByteArray> StormBoard::rc(int id, QByteArrayView payload)
 }
 
 // 1 hold hold pan, 2 hold hold hold, 3 pan pan pan, 4 pan hold hold, 5 pan hold pan, 6 hold pan pan.
-void StormBoard::setPanMode(int mode)
+void SimulatedBoard::setPanMode(int mode)
 {
     if (mode == 0)
         m_panMode.reset();
@@ -321,7 +322,7 @@ void StormBoard::setPanMode(int mode)
         m_panMode = mode - 1;
 }
 
-void StormBoard::usePanSetting(int setting)
+void SimulatedBoard::usePanSetting(int setting)
 {
     static constexpr std::array<const char *, 4> kSettings{"pan.mode.default", "pan.mode.setting1",
                                                            "pan.mode.setting2", "pan.mode.setting3"};
@@ -330,7 +331,7 @@ void StormBoard::usePanSetting(int setting)
 }
 
 // Angles pitch, roll, yaw. Flags 1, 2, 4: limited to the range of the sticks (errata 4).
-void StormBoard::mountControl(const std::array<double, 3> &values, unsigned flags)
+void SimulatedBoard::mountControl(const std::array<double, 3> &values, unsigned flags)
 {
     static constexpr std::array<std::size_t, 3> kPlace{1, 0, 2};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -344,3 +345,5 @@ void StormBoard::mountControl(const std::array<double, 3> &values, unsigned flag
             : std::clamp(values[i], -720.0, 720.0);
     }
 }
+
+}  // namespace storm32

@@ -6,6 +6,8 @@
 
 using namespace Qt::StringLiterals;
 
+namespace storm32 {
+
 namespace {
 
 // Versions of the simulated board, each with its layout (errata 5).
@@ -26,7 +28,7 @@ Result<void> readStrict(SimulatorSetup &setup, const QString &text)
 
 }  // namespace
 
-SimulatedFamily simulatedStorm32()
+SimulatedFamily simulatedFamily()
 {
     return {u"storm32"_s,
             {LinkAddress::Kind::Serial, LinkAddress::Kind::Tcp},
@@ -35,5 +37,7 @@ SimulatedFamily simulatedStorm32()
               u"1"_s,
               {u"refuse frames that the real firmware lets pass, to test a client"_s},
               readStrict}},
-            [](const SimulatorOptions &options) { return std::make_unique<StormBoard>(options); }};
+            [](const SimulatorOptions &options) { return std::make_unique<SimulatedBoard>(options); }};
 }
+
+}  // namespace storm32

@@ -4,5 +4,9 @@
 
 #include "protocol/simulator/world/simulatedfamily.h"
 
+namespace storm32 {
+
 /// The simulated STorM32 boards.
-[[nodiscard]] SimulatedFamily simulatedStorm32();
+[[nodiscard]] SimulatedFamily simulatedFamily();
+
+}  // namespace storm32

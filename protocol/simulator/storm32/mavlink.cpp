@@ -10,7 +10,8 @@
 #include <utility>
 
 using namespace Qt::StringLiterals;
-using namespace storm32;
+
+namespace storm32 {
 
 namespace {
 
@@ -21,7 +22,7 @@ constexpr int kUint16 = 3;
 constexpr int kInt16 = 4;
 constexpr int kResultOk = 0;
 constexpr int kResultUnsupported = 3;
-constexpr qsizetype kMostEmbedded = 253;
+constexpr qsizetype kMaxEmbedded = 253;
 constexpr int kMagicRestore = 83;
 
 int byIndex(const QVariantMap &values, const char *name)
@@ -31,17 +32,17 @@ int byIndex(const QVariantMap &values, const char *name)
 
 }  // namespace
 
-mavlink::ValueCoding StormBoard::coding() const
+mavlink::ValueCoding SimulatedBoard::coding() const
 {
     return m_options.firmware >= 91 ? mavlink::ValueCoding::Bits : mavlink::ValueCoding::Number;
 }
 
-mavlink::Address StormBoard::address() const
+mavlink::Address SimulatedBoard::address() const
 {
     return {inUse(110) & 0xFF, inUse(111) & 0xFF};
 }
 
-int StormBoard::parameterIndex(const QString &id) const
+int SimulatedBoard::parameterIndex(const QString &id) const
 {
     for (int word = 0; word < m_words; ++word) {
         if (mavlinkName(m_layout, word) == id)
@@ -50,14 +51,14 @@ int StormBoard::parameterIndex(const QString &id) const
     return 0;  // an unknown name is answered with the first parameter
 }
 
-void StormBoard::sendMessage(mavlink::MessageId id, const QVariantMap &values)
+void SimulatedBoard::sendMessage(mavlink::MessageId id, const QVariantMap &values)
 {
     const auto payload = mavlink::encodeFields(*mavlink::findMessage(mavlink::number(id)), values);
     if (payload)
         reply(mavlink::encode(id, *payload, address(), m_sequence++));
 }
 
-void StormBoard::sendParameter(int index)
+void SimulatedBoard::sendParameter(int index)
 {
     if (index < 0 || index >= m_words)
         index = 0;
@@ -72,7 +73,7 @@ void StormBoard::sendParameter(int index)
                  {u"param_type"_s, isSigned ? kInt16 : kUint16}});
 }
 
-void StormBoard::sendParameter2(int index, const mavlink::Address &to)
+void SimulatedBoard::sendParameter2(int index, const mavlink::Address &to)
 {
     if (index < 0 || index >= m_words)
         index = 0;
@@ -85,7 +86,7 @@ void StormBoard::sendParameter2(int index, const mavlink::Address &to)
                  {u"param_type"_s, kUint16}});
 }
 
-void StormBoard::message(const mavlink::Packet &packet)
+void SimulatedBoard::message(const mavlink::Packet &packet)
 {
     const mavlink::Message *known = mavlink::findMessage(packet.id);
     const auto fields
@@ -163,7 +164,7 @@ void StormBoard::message(const mavlink::Packet &packet)
     }
 }
 
-int StormBoard::command(int id, const std::array<float, 7> &parameters)
+int SimulatedBoard::command(int id, const std::array<float, 7> &parameters)
 {
     const auto number = [&parameters](std::size_t i) {
         return std::isfinite(parameters[i]) ? int(std::clamp(parameters[i], -1e6F, 1e6F)) : 0;
@@ -207,7 +208,7 @@ int StormBoard::command(int id, const std::array<float, 7> &parameters)
 
 // Simple commands come as they are, RC commands as FA, number, payload; answers likewise, without length and
 // checksum for RC.
-void StormBoard::embedded(QByteArrayView content, const mavlink::Address &from)
+void SimulatedBoard::embedded(QByteArrayView content, const mavlink::Address &from)
 {
     QByteArray answer;
     if (content.isEmpty()) {
@@ -226,7 +227,7 @@ void StormBoard::embedded(QByteArrayView content, const mavlink::Address &from)
         else
             answer = simple(command->id, data.first(arguments));
         // 2 + 381 bytes overflow the length byte: what fits behind the overflow arrives (errata 6).
-        if (answer.size() > kMostEmbedded)
+        if (answer.size() > kMaxEmbedded)
             answer.truncate(((answer.size() + 2) & 0xFF) - 2);
     } else {
         answer = "e";
@@ -238,7 +239,7 @@ void StormBoard::embedded(QByteArrayView content, const mavlink::Address &from)
 }
 
 // What the board sends by itself.
-void StormBoard::beat()
+void SimulatedBoard::beat()
 {
     const bool asked = std::exchange(m_attitudeAsked, false);
     if (inUse(112) == 0 && !asked) {
@@ -266,3 +267,5 @@ void StormBoard::beat()
                      {u"pitch"_s, float(-m_stabilizer.estimate(Axis::Pitch) * kRadian)}});
     }
 }
+
+}  // namespace storm32

@@ -9,7 +9,8 @@
 #include <numbers>
 
 using namespace Qt::StringLiterals;
-using namespace storm32;
+
+namespace storm32 {
 
 namespace {
 
@@ -49,7 +50,7 @@ std::array<double, 3> inSensor(const std::array<double, 3> &body, int mount)
 
 }  // namespace
 
-QByteArray StormBoard::versionData() const
+QByteArray SimulatedBoard::versionData() const
 {
     const bool unknown = m_options.faults.unknownFirmware;  // one whose layout nobody has a table for
     const QByteArray version = unknown ? "v2.20" : "v0." + QByteArray::number(m_options.firmware);
@@ -63,7 +64,7 @@ QByteArray StormBoard::versionData() const
         .take();
 }
 
-int StormBoard::status() const
+int SimulatedBoard::status() const
 {
     int bits = 0x0008;  // battery connected
     if (m_stabilizer.imuPresent())
@@ -76,7 +77,7 @@ int StormBoard::status() const
     return bits;
 }
 
-int StormBoard::status2() const
+int SimulatedBoard::status2() const
 {
     int bits = 0;
     constexpr std::array<int, kAxisCount> kPanBits{0x4000, 0x2000, 0x8000};
@@ -93,7 +94,7 @@ int StormBoard::status2() const
 }
 
 // The 32 words of `d`. Angles come pitch, roll, yaw; positive is down, right and left.
-std::array<int, 32> StormBoard::liveWords() const
+std::array<int, 32> SimulatedBoard::liveWords() const
 {
     const Stabilizer &s = m_stabilizer;
     const bool later = m_options.firmware >= 93;
@@ -146,7 +147,7 @@ std::array<int, 32> StormBoard::liveWords() const
     return words;
 }
 
-QByteArray StormBoard::liveData(int words) const
+QByteArray SimulatedBoard::liveData(int words) const
 {
     const auto live = liveWords();
     ByteWriter writer;
@@ -156,7 +157,7 @@ QByteArray StormBoard::liveData(int words) const
 }
 
 // Fields in bit order; the packed function word is always the last one (errata 4).
-QByteArray StormBoard::liveFields(int mask) const
+QByteArray SimulatedBoard::liveFields(int mask) const
 {
     struct Field
     {
@@ -191,7 +192,7 @@ QByteArray StormBoard::liveFields(int mask) const
 }
 
 // In the operator's hand; with the camera out of the gimbal or tilted by hand, the frame goes with it.
-StormBoard::Vector StormBoard::frameGravity() const
+SimulatedBoard::Vector SimulatedBoard::frameGravity() const
 {
     if (m_stabilizer.pose() != 0) {
         const auto &g = m_stabilizer.gravity();
@@ -202,7 +203,7 @@ StormBoard::Vector StormBoard::frameGravity() const
     return {-std::sin(pitch), std::cos(pitch) * std::sin(roll), std::cos(pitch) * std::cos(roll)};
 }
 
-StormBoard::Vector StormBoard::frameReading() const
+SimulatedBoard::Vector SimulatedBoard::frameReading() const
 {
     Vector reading = inSensor(frameGravity(), m_options.faults.frameMount);
     for (std::size_t i = 0; i < 3; ++i)
@@ -210,7 +211,7 @@ StormBoard::Vector StormBoard::frameReading() const
     return reading;
 }
 
-StormBoard::Vector StormBoard::frameAngles() const
+SimulatedBoard::Vector SimulatedBoard::frameAngles() const
 {
     Vector own = frameReading();
     for (std::size_t i = 0; i < 3; ++i) {
@@ -231,7 +232,7 @@ StormBoard::Vector StormBoard::frameAngles() const
 
 // Counts before calibration, in the sensors' own axes: acceleration, turning, temperature of the camera's,
 // then of the frame's.
-QByteArray StormBoard::rawSensors()
+QByteArray SimulatedBoard::rawSensors()
 {
     const Stabilizer &s = m_stabilizer;
     if (!s.imuPresent())
@@ -263,3 +264,5 @@ QByteArray StormBoard::rawSensors()
     put(turn, kCountsPerDegree);
     return writer.i16(temperature).take();
 }
+
+}  // namespace storm32

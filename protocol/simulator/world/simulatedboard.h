@@ -26,7 +26,7 @@ public:
     virtual void cycle() = 0;
     /// Takes at most so many bytes out of the output buffer; from a board that works in packets the next
     /// packet, empty when there is none left.
-    virtual QByteArray takeOutput(qsizetype most) = 0;
+    virtual QByteArray takeOutput(qsizetype max) = 0;
     /// False while the controller restarts and, on native USB, is gone from the bus.
     [[nodiscard]] virtual bool isRunning() const = 0;
     /// The only parity that its UART understands; nothing: it finds out which one the host uses.

@@ -17,7 +17,7 @@ public:
     [[nodiscard]] bool isPacketBased() const override { return true; }
     void receive(Bytes bytes) override;
     void cycle() override;
-    QByteArray takeOutput(qsizetype most) override;
+    QByteArray takeOutput(qsizetype max) override;
     /// False while it restarts.
     [[nodiscard]] bool isRunning() const override { return m_time < m_downAt || m_time >= m_awakeAt; }
     void setFaults(const Faults &) override { }

@@ -16,7 +16,7 @@ Links toyLinks()
 {
     const SimulatedGimbals simulated({simulatedToy()});
     Links links;
-    links.usualFamily = toyFamily().key;
+    links.defaultFamily = toyFamily().key;
     links.transports = [simulated](const LinkAddress &address) {
         return address.kind() == LinkAddress::Kind::Simulator ? simulated.connectTo(address)
                                                               : makeSystemTransport(address);

@@ -13,12 +13,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     const auto count = [&inFrames](const FrameView &frame) {
         inFrames += frame.payload.size() + (frame.version == 2 ? 6 : 5);
     };
-    sbgc::SbgcFramer whole;
+    simplebgc::Framer whole;
     whole.feed(bytes, count);
     whole.flush(count);
     if (inFrames + whole.statistics().skippedBytes != size)
         std::abort();
-    sbgc::SbgcFramer pieces;
+    simplebgc::Framer pieces;
     const std::size_t chunk = size ? 1 + data[0] % 64 : 1;
     const auto ignore = [](const FrameView &) {};
     for (std::size_t at = 0; at < size; at += chunk)

@@ -9,25 +9,25 @@
 // Commands with any payload against the simulated board; its answers through every decoder of ours.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
-    SbgcBoard board(SimulatorOptions{});
-    sbgc::SbgcFramer framer;
+    simplebgc::SimulatedBoard board(SimulatorOptions{});
+    simplebgc::Framer framer;
     const auto decode = [](const FrameView &frame) {
-        std::ignore = sbgc::BoardInfo::decode(frame.payload);
-        std::ignore = sbgc::decodeAngles(frame.payload);
-        std::ignore = sbgc::decodeAdjVars(frame.payload);
-        std::ignore = sbgc::AutoPidProgress::decode(frame.payload);
-        std::ignore = sbgc::DataStream::decode(frame.payload);
-        if (const auto vars = sbgc::decodeDebugVarsInfo(frame.payload))
-            std::ignore = sbgc::decodeDebugVars(vars->vars, frame.payload);
-        for (const sbgc::WireField &field : sbgc::realtimeFields())
-            std::ignore = sbgc::readField(field, frame.payload);
+        std::ignore = simplebgc::BoardInfo::decode(frame.payload);
+        std::ignore = simplebgc::decodeAngles(frame.payload);
+        std::ignore = simplebgc::decodeAdjVars(frame.payload);
+        std::ignore = simplebgc::AutoPidProgress::decode(frame.payload);
+        std::ignore = simplebgc::DataStream::decode(frame.payload);
+        if (const auto vars = simplebgc::decodeDebugVarsInfo(frame.payload))
+            std::ignore = simplebgc::decodeDebugVars(vars->vars, frame.payload);
+        for (const simplebgc::WireField &field : simplebgc::realtimeFields())
+            std::ignore = simplebgc::readField(field, frame.payload);
     };
     while (size >= 2) {
         const int id = std::max<int>(1, data[0]);
         const std::size_t length = std::min<std::size_t>(data[1], size - 2);
         const QByteArray payload(reinterpret_cast<const char *>(data + 2), qsizetype(length));
         decode({id, asBytes(payload), 1});
-        board.receive(asBytes(sbgc::encodeFrame(id, payload)));
+        board.receive(asBytes(simplebgc::encodeFrame(id, payload)));
         data += 2 + length;
         size -= 2 + length;
         for (int i = 0; i < 60; ++i)

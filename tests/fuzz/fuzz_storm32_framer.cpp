@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     const std::size_t chunk = 1 + data[0] % 97;
     const unsigned question = data[1];
     std::size_t inFrames = 0;
-    static const StormDevice device;
+    static const storm32::Device device;
     const auto count = [&inFrames](const FrameView &frame) {
         inFrames += frame.raw.size();
         if (frame.payload.size() > frame.raw.size())
@@ -26,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         std::ignore = device.describeFrame(frame, true);
         std::ignore = device.describeFrame(frame, false);
     };
-    storm32::StormFramer framer;
+    storm32::Framer framer;
     std::size_t round = 0;
     for (std::size_t at = 0; at < bytes.size(); at += chunk, ++round) {
         if (round % 5 == 0) {

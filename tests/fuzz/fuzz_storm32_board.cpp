@@ -19,8 +19,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     SimulatorOptions options;
     options.firmware = kFirmwares[data[0] % kFirmwares.size()];
     options.usb = data[0] & 0x80;
-    StormBoard board(options);
-    StormFramer framer;
+    storm32::SimulatedBoard board(options);
+    storm32::Framer framer;
     const auto look = [](const FrameView &frame) {
         if (const mavlink::Message *message = mavlink::findMessage(frame.id - FrameId::kMavlink))
             std::ignore = mavlink::decodeFields(*message, frame.payload);
