@@ -40,6 +40,9 @@ public:
         m_window.reset();
         m_settings = std::make_unique<Settings>(filePath(QStringLiteral("settings.ini")));
         m_window = std::make_unique<MainWindow>(m_links, m_families, m_theme, *m_settings);
+        // What the operator was told stands beside a failure.
+        QObject::connect(&workspace().notifications(), &Notifications::problem, m_window.get(),
+                         [](const ErrorText &text) { qInfo().noquote() << "told:" << text.oneLine(); });
         m_window->show();
         if (!QTest::qWaitForWindowExposed(m_window.get()))
             qFatal("no window");
