@@ -62,6 +62,7 @@ void TestStorm::onlyFittingPagesAreOffered()
 #else
     QVERIFY(!pages.isOffered(u"calibration"_s) && pages.isOffered(u"sensor"_s));
 #endif
+    QVERIFY(pages.isOffered(u"response"_s) && pages.isOffered(u"control"_s));
     QVERIFY(openStorm());
     for (const char *there :
          {"dashboard", "parameters", "setup", "sensor", "scripts", "tuning", "control", "backups"})
