@@ -18,6 +18,7 @@
 #include <QTcpServer>
 #include <QTcpSocket>
 #include <QTemporaryDir>
+#include <QTimer>
 
 #include <algorithm>
 #include <atomic>
@@ -92,6 +93,8 @@ public:
         const std::lock_guard lock(m_mutex);
         return m_counts[id];
     }
+    /// The client's side of the link breaks; it may connect again.
+    void dropLink() { m_drop = true; }
 
 private:
     void run()
@@ -116,6 +119,10 @@ private:
                     client.reset(server.nextPendingConnection());
                 continue;
             }
+            if (m_drop.exchange(false)) {
+                client.reset();
+                continue;
+            }
             if (client->waitForReadyRead(1)) {
                 const QByteArray bytes = client->readAll();
                 framer->feed(asBytes(bytes), sink);
@@ -132,6 +139,7 @@ private:
     quint16 m_simulatorPort;
     std::atomic<quint16> m_port = 0;
     std::atomic<bool> m_stop = false;
+    std::atomic<bool> m_drop = false;
     std::mutex m_mutex;
     std::map<int, TimePoint> m_seen;
     std::map<int, int> m_counts;
@@ -169,6 +177,7 @@ private slots:
     void motorsOffIsFastWhileEverythingIsBusy();
     void motorsOffIsRepeatedUntilConfirmed();
     void deadManStopsWhenTheScreenIsBlocked();
+    void failsafeIsToldOncePerLink();
     void motorsOffCancelsAMovingJob();
     void cancelledJobsEndAtOnce();
     void telemetryGoesOnWhileTheScreenIsBlocked();
@@ -480,6 +489,48 @@ void TestLinks::deadManStopsWhenTheScreenIsBlocked()
     QVERIFY(boardGoesOn(*client, 0.5));
     QVERIFY(std::abs(angles()->value(u"target.yaw"_s).toDouble() - first->value(u"target.yaw"_s).toDouble())
             < 0.1);
+}
+
+// How often the rule acted is counted for each link: a new one has nothing to tell.
+void TestLinks::failsafeIsToldOncePerLink()
+{
+    SimProcess simulator({u"--tcp"_s, u"0"_s});
+    WireTap tap(portOf(simulator));
+    auto client = makeClient();
+    QVERIFY(connectTo(*client, tap.address()));
+    QSignalSpy acted(client.get(), &DeviceClient::failsafeActed);
+    const ChannelRoles roles = client->roles();
+    client->subscribe({QList<int>(roles.gyro.begin(), roles.gyro.end()), 0});
+    QTRY_VERIFY_WITH_TIMEOUT(newestSample(*client) > 0.0, 5000);
+    QTimer steering;
+    connect(&steering, &QTimer::timeout, client.get(), [&client] {
+        client->setControl({1, {std::nan(""), std::nan(""), 10.0}, {}});
+    });
+    const auto steer = [&] {
+        const int before = tap.count(kControl);
+        steering.start(50);
+        return QTest::qWaitFor([&] { return tap.count(kControl) > before + 10; }, 5000);
+    };
+    QVERIFY(steer());
+    steering.stop();  // nobody refreshes
+    QTRY_COMPARE(acted.count(), 1);
+    QVERIFY(boardGoesOn(*client, 0.5));
+    QCOMPARE(acted.count(), 1);
+
+    QSignalSpy lost(client.get(), &DeviceClient::connectionLost);
+    tap.dropLink();
+    QTRY_COMPARE_WITH_TIMEOUT(lost.count(), 1, 5000);
+    QTRY_VERIFY_WITH_TIMEOUT(client->isConnected(), 15000);
+    QVERIFY(boardGoesOn(*client, 0.5));
+    QCOMPARE(acted.count(), 1);
+    QVERIFY(steer());
+    steering.stop();
+    client->releaseControl();  // let go on purpose
+    QVERIFY(boardGoesOn(*client, 0.5));
+    QCOMPARE(acted.count(), 1);
+    QVERIFY(steer());
+    steering.stop();
+    QTRY_COMPARE(acted.count(), 2);  // the new link tells what happens on it
 }
 
 void TestLinks::motorsOffCancelsAMovingJob()
