@@ -1006,6 +1006,10 @@
         <source>Functions</source>
         <translation>Funktionen</translation>
     </message>
+    <message>
+        <source>Armed, but nothing is sent yet: the angles that hold the camera are unknown. Set each of them, or press “To the middle”.</source>
+        <translation>Scharf, aber noch wird nichts gesendet: Welche Winkel die Kamera halten, ist unbekannt. Jeden einstellen oder „Zur Mitte“ drücken.</translation>
+    </message>
 </context>
 <context>
     <name>CurveChart</name>

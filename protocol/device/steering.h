@@ -57,6 +57,7 @@ struct SteeringSetpoint
     int mode = 0;  ///< id of a mode
     std::vector<double> inputs;  ///< in the order of the mode's
     std::vector<int> switches;  ///< in the order of Steering::switches()
+    bool holds = false;  ///< nothing was moved since arming: no limit applies to where everything is
 };
 
 /// Boards that can be steered. Set-points are streamed by the I/O thread with the dead-man's rule.

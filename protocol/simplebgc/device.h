@@ -133,7 +133,7 @@ private:
     static constexpr int kVersion = 1;  // frame version: never mixed on one connection (errata 1.3)
     BoardIdentity m_identity;
     std::shared_ptr<const ParameterSet> m_parameters;
-    std::vector<SteeringMode> m_steeringModes = sbgc::steeringModes(0);  // those that every board has
+    std::vector<SteeringMode> m_steeringModes = simplebgc::steeringModes(0);  // those that every board has
     std::vector<ActionSpec> m_actions;
     quint32 m_customFlags = 0;  // of CUSTOM, that this firmware answers
     std::vector<DataStream> m_streams;  // registered with the board

@@ -17,6 +17,7 @@ constexpr int kLimitedMode = 1;
 constexpr int kPulseMode = 3;  // microseconds from the middle
 constexpr double kMaxPulse = 800.0;
 constexpr double kMiddlePulse = 1500.0;
+constexpr double kStickRest = 12.0;  // microseconds; a stick that nobody touches is not quite in its middle
 constexpr std::array kLabels{"Roll", "Pitch", "Yaw"};
 
 SteeringMode modeOf(int id, const char *key, const char *label, double reach, const char *unit,
@@ -40,13 +41,21 @@ std::span<const SteeringMode> Device::modes() const
     return modes;
 }
 
-// The board tells where the camera is and what its inputs are, but not its targets.
+// The board tells where the camera is and what its inputs are, but not its targets. An angle holds an axis if
+// nothing else has a part in where it is: angles and stick positions add up (errata 4), and an axis that pans
+// counts from where the frame points.
 SteeringSetpoint Device::holdingSetpoint(int mode, const LatestValues &latest) const
 {
+    constexpr std::array kPans{0x4000U, 0x2000U, 0x8000U};  // of status2: roll, pitch, yaw
+    const double status2 = double(latest.latest(Status2));
     SteeringSetpoint setpoint{mode, {}, {}};
-    const int first = mode == kPulseMode ? InputRoll : AngleRoll;
-    for (int axis = 0; axis < kAxisCount; ++axis)
-        setpoint.inputs.push_back(double(latest.latest(first + axis)));
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+        const double stick = double(latest.latest(InputRoll + int(axis)));
+        const bool still
+            = std::abs(stick) <= kStickRest && !std::isnan(status2) && !(unsigned(status2) & kPans[axis]);
+        const double angle = still ? double(latest.latest(AngleRoll + int(axis))) : std::nan("");
+        setpoint.inputs.push_back(mode == kPulseMode ? stick : angle);
+    }
     return setpoint;
 }
 
@@ -66,7 +75,7 @@ ControlFrames Device::controlFrames(const SteeringSetpoint &setpoint) const
         else
             writer.f32(float(std::clamp(value, -kMaxAngle, kMaxAngle)));
     }
-    const int flags = setpoint.mode == kLimitedMode ? 7 : 0;
+    const int flags = setpoint.mode == kLimitedMode && !setpoint.holds ? 7 : 0;
     const Request request
         = pulses ? rc(Rc::SetPitchRollYaw, writer.take()) : rc(Rc::SetAngle, writer.u8(flags).u8(0).take());
     ControlFrames frames;

@@ -204,6 +204,7 @@ void TestStormMotion::steeringByAngleAndByPulse()
         ->setCurrentIndex(named<QComboBox>(page, u"Mode of control"_s)->findData(1));
     page->setArmed(true);
     QVERIFY(page->isArmed());
+    named<QPushButton>(page, u"To the middle"_s)->click();  // yaw pans: what holds it is not known
     const auto spins = page->findChildren<QDoubleSpinBox *>();
     const auto pitch = std::find_if(spins.begin(), spins.end(), [](QDoubleSpinBox *box) {
         return box->accessibleName().contains(u"Pitch"_s);
@@ -406,6 +407,7 @@ void TestStormMotion::wholeDayOverAPseudoTerminal()
     named<QComboBox>(control, u"Mode of control"_s)
         ->setCurrentIndex(named<QComboBox>(control, u"Mode of control"_s)->findData(1));
     control->setArmed(true);
+    named<QPushButton>(control, u"To the middle"_s)->click();
     for (QDoubleSpinBox *box : control->findChildren<QDoubleSpinBox *>()) {
         if (box->accessibleName().contains(u"Pitch"_s))
             box->setValue(15);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/board/controlpage.h"
 
+#include "protocol/session/controlstream.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "widgets/forms/argumentform.h"
 #include "widgets/models/parametermodel.h"
@@ -16,6 +17,7 @@
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -67,6 +69,7 @@ void ControlPage::makeHeader()
     m_arm->setToolTip(
         tr("While armed the camera moves as you steer. Let go, leave this page or press Esc to end it."));
     m_mode->setAccessibleName(tr("Mode of control"));
+    m_mode->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // its modes come with the board
     header()->addWidget(m_mode);
     header()->addWidget(m_arm);
 }
@@ -144,10 +147,9 @@ Card *ControlPage::makeAnglesCard()
 
 void ControlPage::connectAll()
 {
-    const auto touch = [this] { m_touched.start(); };
-    connect(m_pad, &ControlPad::moved, this, touch);
+    connect(m_pad, &ControlPad::moved, this, &ControlPage::touch);
     connect(m_pad, &ControlPad::moved, this, &ControlPage::pointWithPad);
-    connect(m_roll, &QSlider::valueChanged, this, touch);
+    connect(m_roll, &QSlider::valueChanged, this, &ControlPage::touch);
     connect(m_roll, &QSlider::valueChanged, this, &ControlPage::pointWithRoll);
     connect(m_roll, &QSlider::sliderReleased, this, [this] {
         if (mode() && !mode()->isPositional())
@@ -156,10 +158,16 @@ void ControlPage::connectAll()
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
         connect(m_angles[axis], &QDoubleSpinBox::valueChanged, this,
                 [this, axis] { m_known[axis] = m_known[axis] || !m_filling; });
+        // What is typed counts even if it is the value that the empty field had.
+        connect(m_angles[axis]->findChild<QLineEdit *>(), &QLineEdit::textEdited, this,
+                [this, axis](const QString &text) {
+                    touch();
+                    m_known[axis] = m_known[axis] || !text.isEmpty();
+                });
     }
     for (QDoubleSpinBox *angle : m_angles)
-        connect(angle, &QDoubleSpinBox::valueChanged, this, touch);
-    connect(m_speed, &QSlider::valueChanged, this, [this, touch](int value) {
+        connect(angle, &QDoubleSpinBox::valueChanged, this, &ControlPage::touch);
+    connect(m_speed, &QSlider::valueChanged, this, [this](int value) {
         m_speedText->setText(tr("%1 °/s").arg(value));
         touch();
     });
@@ -180,6 +188,13 @@ void ControlPage::connectAll()
     connect(&m_send, &QTimer::timeout, this, &ControlPage::tick);
     m_refresh.setInterval(kRefreshPeriod);
     connect(&m_refresh, &QTimer::timeout, this, &ControlPage::updateNow);
+}
+
+// The operator moved something.
+void ControlPage::touch()
+{
+    m_touched.start();
+    m_moved = m_moved || !m_filling;
 }
 
 // In a positional mode the pad sets angles, within half of the range either way.
@@ -215,7 +230,7 @@ void ControlPage::center()
         m_angles[axis]->setValue(0);
         m_known[axis] = true;
     }
-    m_touched.start();
+    touch();
 }
 
 // Actions that belong to steering: each with its fields and a button.
@@ -397,6 +412,7 @@ void ControlPage::setArmed(bool on)
         m_pad->reset();
         m_touched.start();
         takeHold();
+        m_moved = false;
         m_send.start();
     } else if (!allowed && isArmed()) {
         m_send.stop();
@@ -420,14 +436,21 @@ void ControlPage::setArmed(bool on)
         widget->setEnabled(isArmed());
     if (allowed)
         m_pad->setFocus();
-    m_state->setText(
-        isArmed()
-            ? tr("Armed: the camera follows you. It stops when you let go, leave this page, or do nothing "
-                 "for %1 s.")
-                  .arg(workspace().settings().disarmSeconds())
-            : tr("Not armed: nothing is sent. Choose a mode, then arm."));
+    m_state->setText(stateText());
     m_state->setObjectName(isArmed() ? u"warning"_s : u"muted"_s);
     repolish(m_state);
+}
+
+QString ControlPage::stateText() const
+{
+    if (!isArmed())
+        return tr("Not armed: nothing is sent. Choose a mode, then arm.");
+    if (steering() && steering()->controlFrames(setpoint()).setpoint.isEmpty())
+        return tr("Armed, but nothing is sent yet: the angles that hold the camera are unknown. Set each of "
+                  "them, or press “To the middle”.");
+    return tr("Armed: the camera follows you. It stops when you let go, leave this page, or do nothing "
+              "for %1 s.")
+        .arg(workspace().settings().disarmSeconds());
 }
 
 // The targets start at the present position, so that arming moves nothing.
@@ -469,6 +492,7 @@ SteeringSetpoint ControlPage::setpoint() const
     if (!chosen)
         return wanted;
     wanted.mode = chosen->id;
+    wanted.holds = !m_moved;
     for (const SteeringInput &input : chosen->inputs) {
         const auto more = m_moreInputs.find(input.key);
         wanted.inputs.push_back(input.axis != Axis::None         ? axisValue(input)
@@ -489,6 +513,7 @@ void ControlPage::tick()
         return;
     }
     workspace().client().setControl(setpoint());
+    m_state->setText(stateText());
 }
 
 void ControlPage::updateNow()

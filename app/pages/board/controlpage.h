@@ -52,6 +52,8 @@ private:
     void tick();
     void updateNow();
     void takeHold();
+    [[nodiscard]] QString stateText() const;
+    void touch();
     void fillInputs();
     void showTargets(const SteeringMode *chosen);
     [[nodiscard]] const Steering *steering() const;
@@ -82,5 +84,6 @@ private:
     QTimer m_send;
     QTimer m_refresh;
     QElapsedTimer m_touched;  // since the operator last moved something
+    bool m_moved = false;  // by the operator, since arming
     bool m_filling = false;
 };

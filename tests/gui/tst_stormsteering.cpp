@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/board/controlpage.h"
+#include "protocol/base/framelistener.h"
+#include "protocol/storm32/commands.h"
+#include "tests/support/named.h"
+#include "tests/support/stormwindow.h"
+#include "widgets/models/parametermodel.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kLimitedAngle = 1;
+constexpr int kUnlimitedAngle = 2;
+constexpr int kPulse = 3;
+constexpr int kHoldHoldHold = 2;  // pan modes
+constexpr int kPanPanPan = 3;
+constexpr double kMiddlePulse = 1500.0;
+constexpr double kTolerance = 0.5;  // degrees
+
+using PerAxis = std::array<double, kAxisCount>;
+
+/// A set-point as it left: angles in degrees or pulses in microseconds from the middle.
+struct Sent
+{
+    bool pulses = false;
+    PerAxis values{};
+};
+
+/// The set-points among the frames that leave for the board.
+class SetpointTap final : public FrameListener
+{
+public:
+    explicit SetpointTap(DeviceClient &client)
+        : m_client(client)
+    {
+        m_client.addListener(*this);
+    }
+    ~SetpointTap() override { m_client.removeListener(*this); }
+    SetpointTap(const SetpointTap &) = delete;
+    SetpointTap &operator=(const SetpointTap &) = delete;
+
+    void frameReceived(const FrameView &, TimePoint, bool) override { }
+    void bytesSent(QByteArrayView bytes, TimePoint) override
+    {
+        constexpr int kHead = 3;  // start sign, length, command
+        if (bytes.size() < kHead || quint8(bytes[0]) != 0xFA)
+            return;
+        const int command = quint8(bytes[2]);
+        Sent sent;
+        sent.pulses = command == int(storm32::Rc::SetPitchRollYaw);
+        if (!sent.pulses && command != int(storm32::Rc::SetAngle))
+            return;
+        ByteReader reader(asBytes(bytes).subspan(kHead));
+        for (const std::size_t axis : {1, 0, 2})  // pitch, roll, yaw
+            sent.values[axis] = sent.pulses ? reader.u16() - kMiddlePulse : double(reader.f32());
+        const std::lock_guard lock(m_mutex);
+        m_sent.push_back(sent);
+    }
+    std::vector<Sent> take()
+    {
+        const std::lock_guard lock(m_mutex);
+        return std::exchange(m_sent, {});
+    }
+
+private:
+    DeviceClient &m_client;
+    std::mutex m_mutex;
+    std::vector<Sent> m_sent;
+};
+
+QString text(const PerAxis &values)
+{
+    return u"roll %1 pitch %2 yaw %3"_s.arg(values[0]).arg(values[1]).arg(values[2]);
+}
+
+bool isNear(const PerAxis &a, const PerAxis &b, double tolerance)
+{
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        if (!(std::abs(a[axis] - b[axis]) < tolerance))
+            return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+/// Arming the control page on a STorM32 moves nothing, whatever was steered before and however.
+class TestStormSteering : public StormWindowTest
+{
+    Q_OBJECT
+private slots:
+    void init()
+    {
+        m_rig = std::make_unique<WindowRig>();
+        QVERIFY(openStorm());
+        workspace().changeWorld(u"shake=0"_s);
+        m_tap = std::make_unique<SetpointTap>(m_rig->client());
+        m_page = m_rig->page<ControlPage>();
+        m_rig->settings().setDisarmSeconds(60);
+    }
+    void cleanup()
+    {
+        m_tap.reset();
+        m_rig.reset();
+    }
+
+    void armingMovesNothing_data();
+    void armingMovesNothing();
+
+private:
+    [[nodiscard]] PerAxis angles() { return latest(workspace().roles().angle); }
+    [[nodiscard]] PerAxis inputs()
+    {
+        const ChannelTable table = m_rig->client().device()->channels();
+        return latest({findChannel(table, u"input.roll"_s), findChannel(table, u"input.pitch"_s),
+                       findChannel(table, u"input.yaw"_s)});
+    }
+    PerAxis latest(const std::array<int, kAxisCount> &channels)
+    {
+        PerAxis values{};
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis)
+            values[axis] = workspace().latest(channels[axis]);
+        return values;
+    }
+    void choose(int mode)
+    {
+        auto *modes = named<QComboBox>(m_page, u"Mode of control"_s);
+        modes->setCurrentIndex(modes->findData(mode));
+    }
+    bool comesToRest();
+    bool steerTo(const PerAxis &where);
+    QString arm(bool known);
+
+    std::unique_ptr<SetpointTap> m_tap;
+    ControlPage *m_page = nullptr;
+};
+
+bool TestStormSteering::comesToRest()
+{
+    for (int i = 0; i < 40; ++i) {
+        const PerAxis before = angles();
+        if (!m_rig->boardGoesOn(1.0))
+            return false;
+        if (isNear(before, angles(), 0.1))
+            return true;
+    }
+    return false;
+}
+
+/// Steers the camera there and waits until it has come to rest.
+bool TestStormSteering::steerTo(const PerAxis &where)
+{
+    const PerAxis before = angles();
+    m_page->setArmed(true);
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis)
+        named<QDoubleSpinBox>(m_page, u"Angle, %1"_s.arg(axisLabel(kAxes[axis])))->setValue(where[axis]);
+    if (!QTest::qWaitFor([&] { return std::abs(angles()[1] - before[1]) > 3.0; }, 10000))
+        return false;
+    if (!comesToRest())
+        return false;
+    m_page->setArmed(false);
+    return m_rig->boardGoesOn(0.5);
+}
+
+/// Arms and disarms; what was wrong, or nothing. @param known it is known where to hold the camera, so that
+/// set-points are sent
+QString TestStormSteering::arm(bool known)
+{
+    const PerAxis before = angles();
+    const PerAxis sticks = inputs();
+    m_tap->take();
+    m_page->setArmed(true);
+    if (!m_page->isArmed())
+        return u"cannot be armed"_s;
+    if (!m_rig->boardGoesOn(1.0))
+        return u"no telemetry"_s;
+    const PerAxis armed = angles();
+    const auto labels = m_page->findChildren<QLabel *>();
+    const bool saysSo = std::any_of(labels.begin(), labels.end(), [](const QLabel *label) {
+        return label->text().startsWith(u"Armed, but nothing is sent yet"_s);
+    });
+    m_page->setArmed(false);
+    if (!m_rig->boardGoesOn(0.5))
+        return u"no telemetry"_s;
+    if (!isNear(before, armed, kTolerance) || !isNear(before, angles(), kTolerance))
+        return u"moved from %1 over %2 to %3"_s.arg(text(before), text(armed), text(angles()));
+    const std::vector<Sent> all = m_tap->take();
+    if (known == all.empty() || known == saysSo)
+        return u"%1 set-points, the page says %2"_s.arg(all.size()).arg(saysSo);
+    for (const Sent &sent : all) {
+        if (!isNear(sent.values, sent.pulses ? sticks : before, kTolerance))
+            return u"at %1, sticks %2, sent %3"_s.arg(text(before), text(sticks), text(sent.values));
+    }
+    return {};
+}
+
+void TestStormSteering::armingMovesNothing_data()
+{
+    QTest::addColumn<int>("mode");
+    QTest::addColumn<PerAxis>("where");
+    QTest::addColumn<bool>("pans");
+    QTest::newRow("angle, limited") << kLimitedAngle << PerAxis{4, 11, -14} << false;
+    QTest::newRow("angle, unlimited") << kUnlimitedAngle << PerAxis{-3, -9, 50} << false;
+    QTest::newRow("stick positions") << kPulse << PerAxis{60, 180, -210} << false;
+    QTest::newRow("angle, while axes pan") << kUnlimitedAngle << PerAxis{3, -8, 40} << true;
+}
+
+void TestStormSteering::armingMovesNothing()
+{
+    QFETCH(const int, mode);
+    QFETCH(const PerAxis, where);
+    QFETCH(const bool, pans);
+    // Angles and stick positions add up, and an axis that pans counts from the frame: then it is not known
+    // what angle is to be held, and nothing is sent before one is chosen.
+    const auto isKnown = [mode, pans](int steered) { return steered == kPulse || (mode != kPulse && !pans); };
+    const auto inEachMode = [this, mode, isKnown] {
+        for (const int other : {kLimitedAngle, kUnlimitedAngle, kPulse, mode}) {
+            choose(other);
+            if (const QString wrong = arm(isKnown(other)); !wrong.isEmpty())
+                return u"mode %1: %2"_s.arg(other).arg(wrong);
+        }
+        return QString();
+    };
+    workspace().perform(u"pan.mode"_s, {{u"mode"_s, pans ? kPanPanPan : kHoldHoldHold}});
+    QVERIFY(comesToRest());  // the hand that held it has let go
+    choose(mode);
+    QString wrong = arm(isKnown(mode));
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong));  // where it stood after its start
+    QVERIFY(steerTo(where));
+    wrong = arm(isKnown(mode));
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+    wrong = inEachMode();
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+
+    // The cable is pulled while armed: what the board was steered to, it holds.
+    QSignalSpy lost(&m_rig->client(), &DeviceClient::connectionLost);
+    m_page->setArmed(true);
+    workspace().changeWorld(u"replug=1"_s);
+    workspace().changeWorld(u"unplug=0"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(lost.count(), 1, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && m_rig->boardGoesOn(0.2), 20000);
+    QVERIFY(!m_page->isArmed());
+    wrong = inEachMode();
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+}
+
+QTEST_MAIN(TestStormSteering)
+#include "tst_stormsteering.moc"
