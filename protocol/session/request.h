@@ -24,4 +24,6 @@ struct Request
     milliseconds timeout = 300ms;  ///< the board's own time to answer, beside the line's
     int retries = 0;  ///< after a timeout or a damaged command; used for idempotent requests only
     bool idempotent = false;
+    /// Asked again and again, and whichever answer comes serves: it is not held back for a late one.
+    bool repeated = false;
 };

@@ -229,7 +229,7 @@ Duration TransactionQueue::timeoutOf(const Request &request) const
 void TransactionQueue::startNext(TimePoint now)
 {
     while (!m_waiting.empty() && !normalInFlight() && m_pauseUntil <= now) {
-        if (isHeld(m_waiting.front().request.kind))
+        if (!m_waiting.front().request.repeated && isHeld(m_waiting.front().request.kind))
             return;
         Pending pending = std::move(m_waiting.front());
         m_waiting.pop_front();

@@ -17,9 +17,6 @@ public:
     {
     }
 
-    /// The actions that this board has.
-    [[nodiscard]] static std::vector<ActionSpec> available(const BoardIdentity &identity);
-
     Result<ActionReply> perform(const QString &key, const QVariantMap &arguments);
 
 private:
@@ -65,8 +62,5 @@ private:
     Device &m_device;
     Channel &m_channel;
 };
-
-/// Faults behind SYSTEM_ERROR and SYSTEM_SUB_ERROR, with their causes and cures.
-[[nodiscard]] std::vector<BoardFault> faultsOf(unsigned bits, unsigned detail);
 
 }  // namespace simplebgc

@@ -4,7 +4,8 @@
 
 #include "protocol/session/channel.h"
 #include "protocol/session/stopplan.h"
-#include "protocol/simplebgc/actions.h"
+#include "protocol/simplebgc/actiontable.h"
+#include "protocol/simplebgc/faults.h"
 #include "protocol/simplebgc/framer.h"
 #include "protocol/simplebgc/parametertables.h"
 #include "protocol/simplebgc/steeringmodes.h"
@@ -80,7 +81,7 @@ QList<LineSettings> lineCandidates()
 
 // Until a board is asked, what every board can do.
 Device::Device()
-    : m_actions(Actions::available({}))
+    : m_actions(availableActions({}))
 {
 }
 
@@ -140,7 +141,7 @@ Result<BoardIdentity> Device::identify(Channel &channel)
     m_identity = identity;
     m_parameters = parametersOf(identity);
     m_steeringModes = steeringModes(identity.firmwareNumber);
-    m_actions = Actions::available(identity);
+    m_actions = availableActions(identity);
     m_streams.clear();
     if (const auto found = findCustomFields(channel); !found)
         return tl::unexpected(found.error());
@@ -341,18 +342,6 @@ Result<void> Device::writeAdjustables(Channel &channel, const std::vector<Adjust
 std::span<const ActionSpec> Device::actions() const
 {
     return m_actions;
-}
-
-Result<ActionReply> Device::perform(Channel &channel, const QString &key, const QVariantMap &arguments)
-{
-    const auto it = std::find_if(m_actions.begin(), m_actions.end(), [&key](const ActionSpec &action) {
-        return key == QLatin1String(action.key);
-    });
-    if (it == m_actions.end())
-        return failure(ErrorCode::Unsupported, key);
-    if (!m_identity.writable && it->risk != ActionRisk::Safe)
-        return failure(ErrorCode::ReadOnly, m_identity.firmware);
-    return Actions(*this, channel).perform(key, arguments);
 }
 
 std::vector<BoardFault> Device::faults(unsigned bits, unsigned detail) const

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "protocol/simplebgc/actions.h"
+#include "protocol/simplebgc/faults.h"
 
 using namespace Qt::StringLiterals;
 

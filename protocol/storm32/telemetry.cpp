@@ -32,6 +32,7 @@ Result<TelemetryPlan> Device::subscribe(Channel &, const Subscription &subscript
     TelemetryPlan plan;
     plan.poll = simple(Simple::LiveData);
     plan.poll->retries = 0;
+    plan.poll->repeated = true;
     plan.pollInterval = kPollInterval;
     // Each sample takes its question, the board's time to answer and its 67 bytes.
     const double wire

@@ -4,8 +4,8 @@
 // Prints every text of the tables as a line that lupdate understands: tables hold plain literals, translated
 // in the context "Tables" where they are shown.
 #if GIMBAL_WITH_SIMPLEBGC
-#include "protocol/simplebgc/actions.h"
 #include "protocol/simplebgc/adjustables.h"
+#include "protocol/simplebgc/faults.h"
 #include "protocol/simplebgc/parametertables.h"
 #include "protocol/simplebgc/telemetrytables.h"
 #include "tests/support/virtualboard.h"

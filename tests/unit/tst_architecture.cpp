@@ -84,30 +84,6 @@ const QMap<QString, QStringList> &allowed()
     return table;
 }
 
-// Seen from widgets/, these headers end what comes along: what they include is not looked at. Each line that
-// goes makes the rule stricter.
-const QStringList &doors()
-{
-    static const QStringList list{};
-    return list;
-}
-
-// Pairs that still include each other.
-const QStringList &knownRings()
-{
-    static const QStringList list{
-        u"protocol/simplebgc/actions and protocol/simplebgc/device include each other"_s,
-    };
-    return list;
-}
-
-// Longer than kMaxLines until they are parted.
-const QStringList &longFiles()
-{
-    static const QStringList list{};
-    return list;
-}
-
 struct Source
 {
     QString path;
@@ -209,12 +185,10 @@ QStringList forbiddenIncludes(const Includes &includes)
                 if (known.contains(include))
                     continue;
                 known.insert(include);
-                const bool isDoor = folder.startsWith(u"widgets/"_s) && doors().contains(include);
-                if (!isDoor)
-                    open.append(include);
+                open.append(include);
                 const QString target = folderOf(include);
                 const bool isSeen = target == folder || seen.contains(target) || seen.contains(include);
-                if (!isSeen && !(isDoor && from != file.key()))
+                if (!isSeen)
                     wrong.append(from == file.key()
                                      ? u"%1 includes %2"_s.arg(file.key(), include)
                                      : u"%1 sees %2 through %3"_s.arg(file.key(), include, from));
@@ -260,9 +234,7 @@ QStringList ringsAmong(const Includes &includes)
         }
         ring.sort();
         told.unite(QSet<QString>(ring.begin(), ring.end()));
-        const QString text = ring.join(u" and "_s) + u" include each other"_s;
-        if (!knownRings().contains(text))
-            rings.append(text);
+        rings.append(ring.join(u" and "_s) + u" include each other"_s);
     }
     return rings;
 }
@@ -272,7 +244,7 @@ QStringList tooLong(const QList<Source> &files)
     QStringList wrong;
     for (const Source &file : files) {
         const qsizetype lines = file.text.count(u'\n');
-        if (lines > kMaxLines && !longFiles().contains(file.path))
+        if (lines > kMaxLines)
             wrong.append(u"%1 has %2 lines"_s.arg(file.path).arg(lines));
     }
     return wrong;

@@ -87,6 +87,7 @@ private slots:
     void damagedCommandIsSentAgain();
     void lateAnswerIsNotTakenForTheNextRequest();
     void otherKindsAreNotHeldByALateAnswer();
+    void whatIsRepeatedWaitsForNoLateAnswer();
     void answerToARetriedRequestLeavesOneToCome();
     void urgentGoesOutAtOnce();
     void cancelInFlightAndWaiting();
@@ -215,6 +216,27 @@ void TestTransactionQueue::otherKindsAreNotHeldByALateAnswer()
     bench.submit(request(u"b"_s, 2, false));
     bench.pass(5ms);
     QCOMPARE(bench.written, (QStringList{u"a"_s, u"b"_s}));
+}
+
+// A board that is polled is lost sight of for no longer than one answer takes.
+void TestTransactionQueue::whatIsRepeatedWaitsForNoLateAnswer()
+{
+    Bench bench;
+    Request poll = request(u"p"_s, 1, false);
+    poll.repeated = true;
+    bench.submit(poll);
+    bench.pass(110ms);
+    bench.submit(poll);
+    bench.submit(request(u"b"_s, 1, false));  // something else is held back all the same
+    bench.pass(5ms);
+    QCOMPARE(bench.written, (QStringList{u"p"_s, u"p"_s}));
+    bench.arrive(1);
+    QCOMPARE(bench.completed, (QStringList{failed("p", ErrorCode::Timeout), u"p:ok"_s}));
+    bench.pass(20ms);
+    QCOMPARE(bench.written.size(), 2);
+    bench.arrive(1);
+    bench.pass(1ms);
+    QCOMPARE(bench.written.last(), u"b"_s);
 }
 
 void TestTransactionQueue::answerToARetriedRequestLeavesOneToCome()

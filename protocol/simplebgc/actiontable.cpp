@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/simplebgc/actiontable.h"
+
+#include "protocol/simplebgc/choices.h"
+#include "protocol/simplebgc/payloads.h"
+#include "protocol/simplebgc/units.h"
+
+namespace simplebgc {
+
+namespace {
+
+constexpr Choice kImuChoices[] = {{0, "selected"}, {1, "main"}, {2, "frame"}};
+constexpr Choice kForms[] = {{0, "extended"}, {1, "simple"}};
+// clang-format off
+constexpr Choice kCalibrationActions[] = {
+    {1, "normal"}, {2, "reset-all"}, {3, "temperature"}, {4, "temperature-on"}, {5, "temperature-off"},
+    {6, "restore-factory"}, {7, "copy-to-sensor"}};
+constexpr Choice kSteerModes[] = {{Speed, "speed"}, {Angle, "angle"}, {SpeedAngle, "speed-angle"}, {Rc, "rc"},
+                                  {AngleRelFrame, "angle-frame"}};
+constexpr Choice kSounds[] = {{1, "calibrate"}, {2, "confirm"}, {4, "error"}, {16, "click"}, {32, "complete"},
+                              {64, "intro"}, {32768, "melody"}};
+constexpr Choice kDefaultsScope[] = {{0, "profile1"}, {1, "profile2"}, {2, "profile3"}, {3, "profile4"},
+                                     {4, "profile5"}, {253, "erase-eeprom"}};
+
+constexpr ArgumentSpec kMenuArguments[] = {
+    {.key = "command", .label = "Command", .kind = ArgumentKind::Choice, .choices = kMenuActions}};
+constexpr ArgumentSpec kProfileArguments[] = {
+    {.key = "profile", .label = "Profile", .kind = ArgumentKind::Integer, .min = 1, .max = 5}};
+constexpr ArgumentSpec kSteerArguments[] = {
+    {.key = "mode", .label = "Mode", .kind = ArgumentKind::Choice, .choices = kSteerModes, .defaultText = "angle"},
+    {.key = "roll", .label = "Roll", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°",
+     .defaultText = "nan"},
+    {.key = "pitch", .label = "Pitch", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°",
+     .defaultText = "nan"},
+    {.key = "yaw", .label = "Yaw", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°",
+     .defaultText = "nan"},
+    {.key = "speed", .label = "Speed", .kind = ArgumentKind::Real, .min = 0, .max = 1000, .unit = "°/s",
+     .defaultText = "30"},
+    {.key = "seconds", .label = "Duration", .kind = ArgumentKind::Real, .min = 0.1, .max = 600, .unit = "s",
+     .defaultText = "3"},
+    {.key = "release", .label = "Release control at the end", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
+constexpr ArgumentSpec kBeepArguments[] = {
+    {.key = "sound", .label = "Sound", .kind = ArgumentKind::Choice, .choices = kSounds, .defaultText = "confirm"},
+    {.key = "notes", .label = "Notes of a melody (Hz, comma between)", .kind = ArgumentKind::Text,
+     .defaultText = "988,1175,1568"},
+    {.key = "length", .label = "Length of a note", .kind = ArgumentKind::Integer, .min = 8, .max = 2040, .unit = "ms",
+     .defaultText = "120"},
+    {.key = "decay", .label = "Decay", .kind = ArgumentKind::Integer, .min = 0, .max = 15, .defaultText = "3"}};
+constexpr ArgumentSpec kReadVariables[] = {
+    {.key = "ids", .label = "Numbers (comma between)", .kind = ArgumentKind::Text,
+     .defaultText = "0,1,2,3,4,5,6,7,8,9,10,11"}};
+constexpr ArgumentSpec kWriteVariable[] = {
+    {.key = "id", .label = "Number", .kind = ArgumentKind::Integer, .min = 0, .max = 255},
+    {.key = "value", .label = "Value", .kind = ArgumentKind::Integer, .min = -2147483648.0, .max = 2147483647.0}};
+constexpr ArgumentSpec kCalibrationArguments[] = {
+    {.key = "imu", .label = "Sensor", .kind = ArgumentKind::Choice, .choices = kImuChoices, .defaultText = "selected"},
+    {.key = "action", .label = "Kind", .kind = ArgumentKind::Choice, .choices = kCalibrationActions,
+     .defaultText = "normal"},
+    {.key = "form", .label = "Form of the command", .kind = ArgumentKind::Choice, .choices = kForms,
+     .defaultText = "extended"}};
+constexpr ArgumentSpec kBatteryArguments[] = {
+    {.key = "voltage", .label = "Measured voltage", .kind = ArgumentKind::Real, .min = 3, .max = 60, .unit = "V"}};
+constexpr ArgumentSpec kAutoTuneArguments[] = {
+    {.key = "roll", .label = "Roll", .kind = ArgumentKind::Toggle, .defaultText = "on"},
+    {.key = "pitch", .label = "Pitch", .kind = ArgumentKind::Toggle, .defaultText = "on"},
+    {.key = "yaw", .label = "Yaw", .kind = ArgumentKind::Toggle, .defaultText = "on"},
+    {.key = "profile", .label = "Profile (0 = active)", .kind = ArgumentKind::Integer, .min = 0, .max = 5,
+     .defaultText = "0"},
+    {.key = "gain", .label = "Gain against stability", .kind = ArgumentKind::Integer, .min = 0, .max = 255,
+     .defaultText = "128"},
+    {.key = "keep", .label = "Start from current gains", .kind = ArgumentKind::Toggle, .defaultText = "off"},
+    {.key = "lpf", .label = "Tune the low-pass filter", .kind = ArgumentKind::Toggle, .defaultText = "off"},
+    {.key = "save", .label = "Save the result", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
+constexpr ArgumentSpec kResetArguments[] = {
+    {.key = "delay", .label = "Delay", .kind = ArgumentKind::Integer, .min = 0, .max = 10000, .unit = "ms",
+     .defaultText = "1000"}};
+constexpr ArgumentSpec kDefaultsArguments[] = {
+    {.key = "what", .label = "What", .kind = ArgumentKind::Choice, .choices = kDefaultsScope}};
+
+constexpr ActionSpec kActions[] = {
+    {.key = "angles", .label = "Read angles", .help = "Camera, target and motor angles.", .group = "Read"},
+    {.key = "debug.list", .label = "List debug variables", .help = "Names and types of the board's inner variables.",
+     .group = "Read"},
+    {.key = "debug.read", .label = "Read debug variables", .help = "Values of the board's inner variables.",
+     .group = "Read"},
+    {.key = "variables.read", .label = "Read adjustable variables", .help = "Live values in the board's memory.",
+     .group = "Read", .arguments = kReadVariables},
+    {.key = "beep", .label = "Make a sound", .help = "Standard sound or melody; helps to find the right board.",
+     .group = "Board", .arguments = kBeepArguments, .since = 2590},
+    {.key = "motors.on", .label = "Motors on", .help = "Starts stabilization.", .group = "Motion",
+     .risk = ActionRisk::Moves},
+    {.key = "motors.off", .label = "Motors off", .help = "Switches all motors off at once.", .group = "Motion"},
+    {.key = "menu", .label = "Menu command", .help = "Runs a command of the board's menu.", .group = "Motion",
+     .risk = ActionRisk::Moves, .arguments = kMenuArguments},
+    {.key = "steer", .label = "Steer", .help = "Moves the camera for a time, then gives control back.",
+     .group = "Motion", .risk = ActionRisk::Moves, .arguments = kSteerArguments, .isProcedure = true},
+    {.key = "profile.select", .label = "Use profile", .help = "Makes a profile the active one.", .group = "Profiles",
+     .risk = ActionRisk::Moves, .arguments = kProfileArguments},
+    {.key = "variables.write", .label = "Set adjustable variable",
+     .help = "Changes a value in volatile memory; lost at the next start unless saved.", .group = "Variables",
+     .risk = ActionRisk::Moves, .arguments = kWriteVariable},
+    {.key = "variables.save", .label = "Save variables", .help = "Stores the live values in the active profile.",
+     .group = "Variables", .risk = ActionRisk::Writes},
+    {.key = "calibrate.gyro", .label = "Calibrate gyroscope",
+     .help = "Measures the zero of the gyroscope. The camera must stand absolutely still.", .group = "Calibration",
+     .risk = ActionRisk::Writes, .arguments = kCalibrationArguments, .isProcedure = true},
+    {.key = "calibrate.acc", .label = "Calibrate accelerometer",
+     .help = "Measures the zero of the accelerometer in this position. The sensor must be level and still.",
+     .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kCalibrationArguments, .isProcedure = true},
+    {.key = "calibrate.battery", .label = "Calibrate voltage sensor",
+     .help = "Tells the board the true battery voltage.", .group = "Calibration", .risk = ActionRisk::Writes,
+     .arguments = kBatteryArguments, .capability = "battery"},
+    {.key = "calibrate.offset", .label = "Calibrate follow offset",
+     .help = "Takes the present position as the neutral point of following.", .group = "Calibration",
+     .risk = ActionRisk::Writes, .isProcedure = true},
+    {.key = "autotune", .label = "Auto-tune PID", .help = "The board searches gains by moving the camera.",
+     .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kAutoTuneArguments, .isProcedure = true},
+    {.key = "reset", .label = "Restart board", .help = "Restarts the controller; motors go off meanwhile.",
+     .group = "Board", .risk = ActionRisk::Moves, .arguments = kResetArguments},
+    {.key = "defaults", .label = "Factory defaults", .help = "Overwrites a profile, or everything, with defaults.",
+     .group = "Board", .risk = ActionRisk::Destroys, .arguments = kDefaultsArguments},
+};
+// clang-format on
+
+}  // namespace
+
+std::vector<ActionSpec> availableActions(const BoardIdentity &identity)
+{
+    std::vector<ActionSpec> list;
+    for (const ActionSpec &action : kActions) {
+        if (identity.firmwareNumber < action.since)
+            continue;
+        if (*action.capability && !identity.capabilities.contains(QLatin1String(action.capability)))
+            continue;
+        list.push_back(action);
+    }
+    return list;
+}
+
+}  // namespace simplebgc
