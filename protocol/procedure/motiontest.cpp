@@ -11,14 +11,12 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <utility>
 
 using namespace Qt::StringLiterals;
 
 namespace {
 
 constexpr auto kTick = 20ms;  // as often as set-points go out
-constexpr auto kLongestLook = 5 * kTick;  // between two looks, as far as it counts
 constexpr double kTail = 0.3;  // seconds after the end until the last samples are there
 constexpr double kStale = 0.4;  // seconds without new samples
 constexpr double kStill = 1.0;  // degrees off target before it begins
@@ -116,8 +114,7 @@ private:
     std::vector<std::pair<TimePoint, double>> m_sent;  // offsets, each until the next
     TimePoint m_startedAt{};
     quint64 m_lastRows = 0;
-    Duration m_silence{};  // since the last of them
-    TimePoint m_lookedAt{};
+    TimePoint m_lastNewsAt{};
 };
 
 Result<MotionTestResult> Run::run()
@@ -187,7 +184,7 @@ Result<void> Run::prepare()
     const double off = std::abs(latest(angle) - m_rest);
     if (m_told && !(off < kStill))
         return failure(ErrorCode::Unready, u"the axis is %1° away from its target"_s.arg(off, 0, 'f', 1));
-    m_startedAt = m_lookedAt = m_channel.now();
+    m_startedAt = m_lastNewsAt = m_channel.now();
     m_lastRows = m_telemetry.rows();
     return {};
 }
@@ -196,15 +193,13 @@ Result<void> Run::prepare()
 std::optional<Error> Run::danger()
 {
     const TimePoint now = m_channel.now();
-    // Only time in which somebody looked counts: where the whole machine stood still, samples wait to be
-    // read.
-    m_silence += std::min<Duration>(now - std::exchange(m_lookedAt, now), kLongestLook);
     if (const quint64 rows = m_telemetry.rows(); rows != m_lastRows) {
         m_lastRows = rows;
-        m_silence = {};
+        m_lastNewsAt = now;
     }
-    if (seconds(m_silence) > kStale)
-        return Error{ErrorCode::Unready, u"no telemetry for %1 s"_s.arg(seconds(m_silence), 0, 'f', 1), 0};
+    if (seconds(now - m_lastNewsAt) > kStale)
+        return Error{ErrorCode::Unready,
+                     u"no telemetry for %1 s"_s.arg(seconds(now - m_lastNewsAt), 0, 'f', 1), 0};
     if (m_roles.outputs >= 0 && latest(m_roles.outputs) < 0.5)
         return Error{ErrorCode::Unready, u"the motors went off"_s, 0};
     if (m_centering)
