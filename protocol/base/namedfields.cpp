@@ -5,6 +5,7 @@
 #include "protocol/base/hexbytes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 using namespace Qt::StringLiterals;
@@ -55,7 +56,8 @@ Result<void> appendReal(ByteWriter &writer, const NamedField &field, const QVari
 {
     bool ok = true;
     const float number = value.isValid() ? value.toFloat(&ok) : 0.0F;
-    if (!ok)
+    // What is typed has to be finite; a field may carry other bits (MAVLink: an integer's, or "not used").
+    if (!ok || (value.userType() == QMetaType::QString && !std::isfinite(number)))
         return failure(ErrorCode::InvalidArgument,
                        u"%1: '%2' is no number"_s.arg(nameOf(field), value.toString()));
     writer.f32(number);

@@ -42,7 +42,8 @@ Result<void> checkLineOptions(const QMap<QString, QString> &options)
 Result<LinkAddress> LinkAddress::parse(const QString &text)
 {
     LinkAddress address;
-    const qsizetype mark = text.indexOf(u'?');
+    // The last one: a file's name may have one too.
+    const qsizetype mark = text.lastIndexOf(u'?');
     const QString place = mark < 0 ? text : text.left(mark);
     auto options = parseOptions(mark < 0 ? QString() : text.mid(mark + 1));
     if (!options)
@@ -136,5 +137,8 @@ QString LinkAddress::toString() const
     QUrlQuery query;
     for (auto it = m_options.begin(); it != m_options.end(); ++it)
         query.addQueryItem(it.key(), it.value());
-    return query.isEmpty() ? text : text + u'?' + query.toString();
+    // Options begin at the last question mark, which must not be one of the name's or of an option's value.
+    if (query.isEmpty())
+        return text.contains(u'?') ? text + u'?' : text;
+    return text + u'?' + query.toString().replace(u'?', u"%3F"_s);
 }

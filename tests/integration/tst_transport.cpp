@@ -153,6 +153,12 @@ void TestTransport::addressesThereAndBack_data()
     QTest::newRow("replay") << u"replay:/tmp/a flight.gimbalrec?speed=4"_s
                             << u"replay:/tmp/a flight.gimbalrec?speed=4"_s;
     QTest::newRow("replay, percent") << u"replay:50%20.gimbalrec"_s << u"replay:50%20.gimbalrec"_s;
+    QTest::newRow("replay, question mark")
+        << u"replay:/tmp/why?.gimbalrec?"_s << u"replay:/tmp/why?.gimbalrec?"_s;
+    QTest::newRow("replay, question mark and speed")
+        << u"replay:/tmp/why?.gimbalrec?speed=4"_s << u"replay:/tmp/why?.gimbalrec?speed=4"_s;
+    QTest::newRow("question mark in an option")
+        << u"sim:simplebgc?fault=a%3Fb"_s << u"sim:simplebgc?fault=a%3Fb"_s;
     QTest::newRow("option in code") << u"sim:simplebgc?fault=a%26b%3Dc%25d"_s
                                     << u"sim:simplebgc?fault=a%26b%3Dc%25d"_s;
     QTest::newRow("question mark alone") << u"sim:storm32?"_s << u"sim:storm32"_s;
@@ -258,6 +264,8 @@ void TestTransport::madeAddressesAreSpelledOut()
     QCOMPARE(LinkAddress::serial(u"COM3"_s, {}, Parity::None).parity(), std::optional(Parity::None));
     QCOMPARE(LinkAddress::replay(u"a.gimbalrec"_s).toString(), u"replay:a.gimbalrec"_s);
     QVERIFY(LinkAddress::replay(u"a.gimbalrec"_s).isReplay());
+    const LinkAddress why = LinkAddress::replay(u"/tmp/why?.gimbalrec"_s);
+    QCOMPARE(LinkAddress::parse(why.toString()).value(), why);
     QCOMPARE(LinkAddress().toString(), QString());
     QCOMPARE(LinkAddress().kind(), LinkAddress::Kind::None);
 }

@@ -522,6 +522,8 @@ void TestStormHex::wrongValuesAreTold()
     };
     QCOMPARE(code("tilt=1"), ErrorCode::InvalidArgument);
     QCOMPARE(code("pitch=up"), ErrorCode::InvalidArgument);
+    QCOMPARE(code("pitch=nan"), ErrorCode::InvalidArgument);
+    QCOMPARE(code("pitch=-inf"), ErrorCode::InvalidArgument);
     QCOMPARE(code("flags=1.5"), ErrorCode::InvalidArgument);
     QCOMPARE(code("flags=256"), ErrorCode::OutOfRange);
     QCOMPARE(code("flags=-1"), ErrorCode::OutOfRange);
