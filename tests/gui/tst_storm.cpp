@@ -173,15 +173,15 @@ void TestStorm::valuesWithoutEffectAreGrey()
     auto *form = page->findChild<ParameterForm *>();
     ValueEditor *editor = form->editor(m_rig->spec(u"pan.mode.setting1"_s).id);
     QVERIFY(editor);
-    QVERIFY(editor->control()->property("idle").toBool());
+    QVERIFY(editor->control()->property("inactive").toBool());
     QVERIFY2(editor->control()->toolTip().contains(u"No effect while"_s),
              qPrintable(editor->control()->toolTip()));
     QVERIFY(editor->control()->isEnabled());  // it can be prepared all the same
     m_rig->edit(u"pan.mode.input"_s, 0, 1);
-    QVERIFY(!editor->control()->property("idle").toBool());
+    QVERIFY(!editor->control()->property("inactive").toBool());
     QVERIFY(!editor->control()->toolTip().contains(u"No effect while"_s));
     workspace().edits().undoStack().undo();
-    QVERIFY(editor->control()->property("idle").toBool());
+    QVERIFY(editor->control()->property("inactive").toBool());
 }
 
 void TestStorm::scriptIsTypedTakenOverAndWritten()

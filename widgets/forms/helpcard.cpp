@@ -68,9 +68,9 @@ void HelpCard::refresh()
     line(tr("Belongs to"), spec.row->scope == Scope::Board ? tr("the whole board") : tr("this profile"));
     line(tr("Key"), spec.key);
     QString facts = u"<table>%1</table>"_s.arg(lines.join(QString()));
-    if (const QString idle = idleReason(m_configuration, spec, m_configuration.shownProfile());
-        !idle.isEmpty())
-        facts += u"<p>"_s + idle.toHtmlEscaped() + u"</p>"_s;
+    if (const QString inactive = inactiveReason(m_configuration, spec, m_configuration.shownProfile());
+        !inactive.isEmpty())
+        facts += u"<p>"_s + inactive.toHtmlEscaped() + u"</p>"_s;
     if (spec.row->risk == Risk::Red)
         facts += u"<p>"_s + tr("⚠ Risk: a wrong value can make a motor run away or overheat.") + u"</p>"_s;
     m_facts->setText(facts);

@@ -228,7 +228,7 @@ void ParameterForm::refresh(int parameter)
         return;
     const ParameterSpec &spec = m_set->at(parameter);
     const int profile = m_configuration.shownProfile();
-    shown->setIdle(idleReason(m_configuration, spec, profile));
+    shown->setInactive(inactiveReason(m_configuration, spec, profile));
     shown->show(m_configuration.value(spec, profile), m_configuration.boardValue(spec, profile));
 }
 

@@ -192,17 +192,18 @@ void ValueEditor::show(std::optional<double> value, std::optional<double> onBoar
         m_reset->setToolTip(tr("The board has %1. Go back to it.").arg(board));
         m_reset->setAccessibleName(tr("Go back to the board's value %1").arg(board));
     }
-    const QString idle = m_idle.isEmpty() ? QString() : u'\n' + m_idle;
+    const QString inactive = m_inactive.isEmpty() ? QString() : u'\n' + m_inactive;
     m_control->setToolTip(u"%1\n%2%3%4"_s.arg(
         tableText(m_spec.row->help), parameterRangeText(m_spec),
-        changed ? tr("\nOn the board: %1").arg(parameterValueText(m_spec, m_boardRaw)) : QString(), idle));
+        changed ? tr("\nOn the board: %1").arg(parameterValueText(m_spec, m_boardRaw)) : QString(),
+        inactive));
 }
 
-void ValueEditor::setIdle(const QString &reason)
+void ValueEditor::setInactive(const QString &reason)
 {
-    if (reason == std::exchange(m_idle, reason))
+    if (reason == std::exchange(m_inactive, reason))
         return;
-    m_control->setProperty("idle", !reason.isEmpty());
+    m_control->setProperty("inactive", !reason.isEmpty());
     repolish(m_control);
 }
 

@@ -26,7 +26,7 @@ public:
     /// Shows a value and what the board has; empty = the board did not deliver it.
     void show(std::optional<double> value, std::optional<double> onBoard);
     /// Why it has no effect now; it can be edited all the same, for when it has.
-    void setIdle(const QString &reason);
+    void setInactive(const QString &reason);
     /// The control that takes keys.
     [[nodiscard]] QWidget *control() const { return m_control; }
 
@@ -54,7 +54,7 @@ private:
     QPushButton *m_flags = nullptr;
     QMenu *m_flagsMenu = nullptr;
     QToolButton *m_reset;
-    QString m_idle;
+    QString m_inactive;
     double m_raw = 0;
     double m_boardRaw = 0;
     bool m_updating = false;

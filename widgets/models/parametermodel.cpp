@@ -82,7 +82,7 @@ QString parameterRangeText(const ParameterSpec &spec)
     return text;
 }
 
-QString idleReason(const ConfigurationModel &configuration, const ParameterSpec &spec, int profile)
+QString inactiveReason(const ConfigurationModel &configuration, const ParameterSpec &spec, int profile)
 {
     const QString key = spec.inactiveKey();
     const ParameterSpec *other = key.isEmpty() ? nullptr : configuration.edited().parameters().find(key);

@@ -61,6 +61,6 @@ private:
 [[nodiscard]] QString parameterRangeText(const ParameterSpec &spec);
 /// Lower-case text in which a search looks: label, key, group, help.
 /// Why the parameter has no effect now, as a sentence; empty: it has one.
-[[nodiscard]] QString idleReason(const ConfigurationModel &configuration, const ParameterSpec &spec,
-                                 int profile);
+[[nodiscard]] QString inactiveReason(const ConfigurationModel &configuration, const ParameterSpec &spec,
+                                     int profile);
 [[nodiscard]] QString parameterSearchText(const ParameterSpec &spec);

@@ -22,9 +22,9 @@ SpanStatistics SpanStatistics::aroundMean() const
         return result;
     result.mean = 0;
     result.rms = std::sqrt(std::max(0.0, rms * rms - mean * mean));
-    result.least = least - mean;
-    result.greatest = greatest - mean;
-    result.peak = std::max(-result.least, result.greatest);
+    result.min = min - mean;
+    result.max = max - mean;
+    result.peak = std::max(-result.min, result.max);
     return result;
 }
 
@@ -43,17 +43,17 @@ SpanStatistics spanStatistics(const TelemetryStore &store, int channel, int minu
                 continue;
             sum += value;
             squares += value * value;
-            result.least = result.samples == 0 ? value : std::min(result.least, value);
-            result.greatest = result.samples == 0 ? value : std::max(result.greatest, value);
+            result.min = result.samples == 0 ? value : std::min(result.min, value);
+            result.max = result.samples == 0 ? value : std::max(result.max, value);
             ++result.samples;
         }
     }
     if (result.samples == 0) {
-        result.mean = result.rms = result.peak = result.least = result.greatest
+        result.mean = result.rms = result.peak = result.min = result.max
             = std::numeric_limits<double>::quiet_NaN();
         return result;
     }
-    result.peak = std::max(std::abs(result.least), std::abs(result.greatest));
+    result.peak = std::max(std::abs(result.min), std::abs(result.max));
     result.mean = sum / double(result.samples);
     result.rms = std::sqrt(squares / double(result.samples));
     return result;

@@ -10,8 +10,8 @@ struct SpanStatistics
     double mean = 0;
     double rms = 0;  ///< around zero
     double peak = 0;  ///< greatest absolute value
-    double least = 0;
-    double greatest = 0;
+    double min = 0;
+    double max = 0;
     std::size_t samples = 0;
 
     /// The same of what is left when the mean is taken away.

@@ -33,14 +33,14 @@ struct RoundRange
     int steps;
 };
 
-// The tightest range of four to six round steps that holds the values with some air. @param least span of the
-// range
-RoundRange roundRange(double low, double high, double least, double air)
+// The tightest range of four to six round steps that holds the values with some air. @param minSpan span of
+// the range
+RoundRange roundRange(double low, double high, double minSpan, double air)
 {
     RoundRange best{low, high, 4};
     double tightest = std::numeric_limits<double>::infinity();
     for (const int steps : {4, 5, 6}) {
-        double step = roundStep(std::max((high - low) * air, 0.8 * least) / steps);
+        double step = roundStep(std::max((high - low) * air, 0.8 * minSpan) / steps);
         double bottom = std::floor(low / step) * step;
         if (bottom + steps * step < high) {
             step = roundStep(step * 1.01);

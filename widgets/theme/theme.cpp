@@ -88,7 +88,7 @@ QAbstractScrollArea::corner { background: transparent; border: none; }
 QComboBox::drop-down { border: none; width: 22px; }
 QComboBox::down-arrow { image: url(:/icons/down.svg); width: 10px; height: 10px; }
 QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus { border: 2px solid @Accent; padding: 1px 5px; }
-QAbstractSpinBox[idle="true"], QComboBox[idle="true"], QPushButton[idle="true"] { color: @Muted; background: @Background; }
+QAbstractSpinBox[inactive="true"], QComboBox[inactive="true"], QPushButton[inactive="true"] { color: @Muted; background: @Background; }
 QAbstractSpinBox[changed="true"], QComboBox[changed="true"], QPushButton[changed="true"] { border-left: 4px solid @Changed; }
 QAbstractSpinBox[changed="true"]:focus, QComboBox[changed="true"]:focus { border: 2px solid @Accent; border-left: 4px solid @Changed; }
 QCheckBox[changed="true"] { border-left: 4px solid @Changed; padding-left: 4px; }

@@ -203,10 +203,10 @@ void ControlPage::pointWithPad()
     const SteeringMode *chosen = mode();
     if (!chosen || !chosen->isPositional() || m_filling)
         return;
-    const auto point = [&](std::size_t axis, double share, double usual) {
+    const auto point = [&](std::size_t axis, double share, double fallback) {
         const int input = chosen->inputOf(kAxes[axis]);
         const double reach = input < 0 ? 0.0 : chosen->inputs[std::size_t(input)].padReach;
-        m_angles[axis]->setValue(share * (reach > 0 ? reach : usual));
+        m_angles[axis]->setValue(share * (reach > 0 ? reach : fallback));
     };
     point(1, m_pad->value().y(), kPitchReach);
     point(2, m_pad->value().x(), kYawReach);
