@@ -8,7 +8,7 @@
 
 namespace {
 
-// Shares of 1 g from which on an axis is taken to point up or down.
+// Fraction of 1 g above which an axis counts as pointing up or down.
 constexpr std::array<double, 3> kUp{0.85, 0.85, 0.75};
 constexpr std::array<std::size_t, 3> kAxisOfPair{2, 0, 1};  // faces come Z, X, Y
 
@@ -63,7 +63,7 @@ AccCalibration sixPointCalibration(const std::array<AccReading, kAccFaces> &read
 
 bool isPlausible(const AccCalibration &calibration, double oneG)
 {
-    // Errata 9.2: sensors whose range is 4 g (8192 counts), and 2 g.
+    // Errata 9.2: limits for sensors with a range of 4 g (8192 counts), and of 2 g.
     const bool wide = oneG < 10000;
     const int maxZero = wide ? 3500 : 7000;
     const int min = wide ? 7500 : 15000;

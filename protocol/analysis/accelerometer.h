@@ -4,10 +4,10 @@
 
 #include <array>
 
-/// Calibration of an accelerometer out of readings at rest, in counts of the sensor (STorM32 errata 9.2).
-/// What the sensor means is (reading - zero) / scale, in g.
+/// Accelerometer calibration from readings at rest, in sensor counts (STorM32 errata 9.2). The measured
+/// acceleration is (reading - zero) / scale, in g.
 
-/// Readings of the sensor's axes x, y, z.
+/// One reading of the sensor's axes x, y, z.
 using AccReading = std::array<double, 3>;
 
 inline constexpr int kAccFaces = 6;  ///< Z, -Z, X, -X, Y, -Y up
@@ -16,16 +16,16 @@ struct AccCalibration
 {
     std::array<int, 3> zero{};
     std::array<int, 3> scale{};
-    double quality = 0;  ///< counts: what the axes show that ought to show nothing; 0 for one point
+    double quality = 0;  ///< counts: residual on the axes that should read zero; 0 for one point
 
     friend bool operator==(const AccCalibration &, const AccCalibration &) = default;
 };
 
 /// Which face lies up: 0-5 as above, -1 for none. @param oneG counts of 1 g
 [[nodiscard]] int faceUp(const AccReading &reading, double oneG);
-/// Out of one reading that lies on some face: the zeros, with the nominal scale.
+/// Calibration from one reading on any face: the zeros, with the nominal scale.
 [[nodiscard]] AccCalibration onePointCalibration(const AccReading &reading, double oneG);
-/// Out of one reading on each face, in the order of the faces.
+/// Calibration from one reading on each face, in the order of the faces.
 [[nodiscard]] AccCalibration sixPointCalibration(const std::array<AccReading, kAccFaces> &readings);
-/// A sensor can really be so; if not, one of the readings was bad.
+/// Whether a real sensor can have this calibration; if not, one of the readings was bad.
 [[nodiscard]] bool isPlausible(const AccCalibration &calibration, double oneG);

@@ -90,7 +90,7 @@ Margins margins(const FrequencyResponse &openLoop, double coherence, double from
             result.sensitivityDb = decibel(s);
             result.sensitivityHz = hz;
         }
-        // Crossings are looked for between neighbours only: over a hole nothing is known.
+        // Crossings are only searched between neighbouring bins: nothing is known across a gap.
         if (before && *before + 1 == bin) {
             const std::complex<double> last = openLoop.gain[*before];
             const double lastHz = openLoop.frequency(*before);
@@ -108,7 +108,7 @@ Margins margins(const FrequencyResponse &openLoop, double coherence, double from
             if ((lastDb < 0.0) != (hereDb < 0.0)) {
                 const double share = lastDb / (lastDb - hereDb);
                 const std::complex<double> crossing = last + share * (here - last);
-                // The angle between the crossing and -1, with the sign of what is left.
+                // The angle between the crossing and -1: the phase margin with its sign.
                 const double phase = degrees(std::arg(-crossing));
                 if (!result.phaseDeg || std::abs(phase) < std::abs(*result.phaseDeg)) {
                     result.phaseDeg = phase;

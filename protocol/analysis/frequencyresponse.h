@@ -7,7 +7,7 @@
 #include <complex>
 #include <optional>
 
-/// What comes out for what goes in, frequency by frequency.
+/// Ratio of output to input, frequency by frequency.
 struct FrequencyResponse
 {
     double resolution = 0;  ///< Hz from one bin to the next
@@ -17,12 +17,12 @@ struct FrequencyResponse
 
     [[nodiscard]] double frequency(std::size_t bin) const { return double(bin) * resolution; }
     [[nodiscard]] double gainDb(std::size_t bin) const;
-    /// -180 to 180 degrees.
+    /// Phase in degrees, -180 to 180.
     [[nodiscard]] double phaseDeg(std::size_t bin) const;
 };
 
-/// How far a loop is from oscillating. Empty: the loop never gets there in the frequencies that could be
-/// measured.
+/// How far a loop is from oscillating. Empty: the loop does not reach that point within the frequencies that
+/// could be measured.
 struct Margins
 {
     std::optional<double> gainDb;  ///< how much more gain makes it oscillate (negative: how much less)
@@ -34,8 +34,8 @@ struct Margins
     int bins = 0;  ///< frequencies that were good enough to count
 };
 
-/// Response from evenly spaced samples of both sides (cross spectrum over input spectrum, Welch). Samples
-/// beyond the shorter side are left out. Errors: InvalidArgument, see spectrum().
+/// Response from evenly spaced samples of input and output (cross spectrum over input spectrum, Welch).
+/// Samples beyond the shorter series are ignored. Errors: InvalidArgument, see spectrum().
 [[nodiscard]] Result<FrequencyResponse> frequencyResponse(std::span<const float> input,
                                                           std::span<const float> output, double rate,
                                                           const SpectrumOptions &options = {});
@@ -43,6 +43,6 @@ struct Margins
 /// The open loop L behind a closed one T = L / (1 + L), with unit feedback.
 [[nodiscard]] FrequencyResponse openLoop(const FrequencyResponse &closed);
 
-/// Margins of an open loop. @param coherence bins below it do not count; @param from,to Hz that count
+/// Margins of an open loop. @param coherence bins below it do not count; @param from,to range in Hz
 [[nodiscard]] Margins margins(const FrequencyResponse &openLoop, double coherence = 0.6, double from = 0.0,
                               double to = 1e9);

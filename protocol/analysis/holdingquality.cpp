@@ -9,10 +9,10 @@
 
 namespace {
 
-constexpr double kFade = 0.02;  // share of the span, at either end
-constexpr double kPeriods = 2.0;  // of a band's lowest frequency that a span must hold
+constexpr double kFade = 0.02;  // fraction of the span, at each end
+constexpr double kPeriods = 2.0;  // of a band's lowest frequency that a span must contain
 
-// The transform is fast for lengths without great prime factors only.
+// The transform is only fast for lengths without large prime factors.
 std::size_t handyLength(std::size_t samples)
 {
     for (std::size_t length = samples & ~std::size_t(1); length >= 2; length -= 2) {
@@ -27,7 +27,7 @@ std::size_t handyLength(std::size_t samples)
     return 0;
 }
 
-// Without mean and drift (least squares), faded at the ends.
+// Removes mean and linear drift (least squares) and fades both ends.
 std::vector<double> prepared(std::span<const float> error)
 {
     const double count = double(error.size());

@@ -12,7 +12,7 @@ struct PidGains
     double kd = 0;
 };
 
-/// What the gains make of the loop.
+/// Properties of the loop that follow from the gains.
 struct PidShape
 {
     double frequency = 0;  ///< f0 = sqrt(Ki / Kd) / 2 pi, Hz; 0 without D
@@ -24,5 +24,5 @@ struct PidShape
 /// Kd = 0.8 D / 100, Ki = 2000 S / 100, Kp = sqrt(0.5 Kd Ki). @param damping D, 0 to 100 @param stability S,
 /// 0 to 100
 [[nodiscard]] PidGains gainsFor(double damping, double stability);
-/// D and S that stand for these gains: 125 Kd and Ki / 20, each 0 to 100.
+/// D and S that correspond to these gains: 125 Kd and Ki / 20, each 0 to 100.
 [[nodiscard]] std::pair<double, double> slidersFor(const PidGains &gains);

@@ -44,8 +44,8 @@ struct Segments::Window
     double squares = 0;
 };
 
-// Windows and transforms of a length are the same every time, and dear to make: the last ones are kept, for
-// each thread.
+// Windows and transforms of one length are always the same and expensive to build, so each thread caches the
+// most recent ones.
 std::shared_ptr<const Segments::Window> Segments::windowFor(WindowShape shape, int length)
 {
     thread_local std::map<std::pair<WindowShape, int>, std::shared_ptr<const Window>> known;
@@ -68,7 +68,7 @@ std::shared_ptr<Segments::Transform> Segments::transformFor(std::size_t length)
     if (known.size() >= kKept && !known.contains(length))
         known.clear();
     auto &transform = known[length];
-    // One that is in use by other segments of this thread is left to them.
+    // A transform that other segments of this thread are using is left to them.
     if (!transform || transform.use_count() > 1) {
         transform = std::make_shared<Transform>();
         transform->fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);

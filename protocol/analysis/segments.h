@@ -24,7 +24,7 @@ public:
     [[nodiscard]] std::size_t bins() const { return m_length / 2 + 1; }
     [[nodiscard]] double resolution() const { return m_rate / double(m_length); }
     [[nodiscard]] double noiseBandwidth() const;
-    /// From the sum over all segments of |bin|² to unit² per Hz, one-sided.
+    /// Factor that turns the sum of |bin|² over all segments into unit² per Hz, one-sided.
     [[nodiscard]] double powerScale(std::size_t bin) const;
     /// Bins 0 ... half of one segment; valid until the next call.
     const std::vector<std::complex<double>> &transform(std::span<const float> samples, int segment);

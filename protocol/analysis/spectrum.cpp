@@ -19,8 +19,8 @@ double decibel(double power)
     return 10.0 * std::log10(std::max(power, 1e-30));
 }
 
-// Where the density falls below a level, walking away from the top, or a greater line begins; bins, with a
-// fraction.
+// Where the density falls below a level or a stronger line begins, searching outwards from the top; in bins,
+// with a fraction.
 double edge(const std::vector<double> &density, std::size_t top, int direction, double level)
 {
     auto bin = std::ptrdiff_t(top);
@@ -48,7 +48,7 @@ double Spectrum::bandRms(double from, double to) const
 {
     double power = 0.0;
     for (std::size_t bin = 0; bin < density.size(); ++bin) {
-        // A bin stands for half a step on either side of it.
+        // Each bin covers half a step on either side of it.
         const double low = std::max(from, frequency(bin) - resolution / 2);
         const double high = std::min(to, frequency(bin) + resolution / 2);
         if (high > low)
@@ -79,7 +79,7 @@ std::vector<SpectrumPeak> findPeaks(const Spectrum &spectrum, int maxCount, doub
     std::vector<SpectrumPeak> peaks;
     const std::vector<double> &density = spectrum.density;
     std::vector<double> around;
-    // What lies far below the strongest line is its own leakage through the window.
+    // Anything far below the strongest line is leakage of that line through the window.
     const double minHeight
         = density.empty() ? 0.0 : *std::max_element(density.begin(), density.end()) * kDynamicRange;
     for (std::size_t bin = 2; bin + 2 < density.size(); ++bin) {
@@ -108,7 +108,7 @@ std::vector<SpectrumPeak> findPeaks(const Spectrum &spectrum, int maxCount, doub
         SpectrumPeak peak;
         peak.frequency = (double(bin) + shift) * spectrum.resolution;
         peak.width = (to - from) * spectrum.resolution;
-        // The power of the whole line, down to where a window's main lobe ends.
+        // The power of the whole line, out to the edge of the window's main lobe.
         const double reach = std::max(to - from, 2.0 * spectrum.noiseBandwidth) * spectrum.resolution;
         peak.rms = spectrum.bandRms(peak.frequency - reach, peak.frequency + reach);
         peak.height = above;

@@ -24,7 +24,7 @@ struct Spectrum
     [[nodiscard]] double bandRms(double from, double to) const;
 };
 
-/// A line that stands out of its surroundings.
+/// A line that stands out from its surroundings.
 struct SpectrumPeak
 {
     double frequency = 0;  ///< Hz, interpolated between bins
@@ -33,13 +33,13 @@ struct SpectrumPeak
     double height = 0;  ///< dB above the surroundings
 };
 
-/// Spectrum of evenly spaced samples; the mean of each segment is taken off. NaN is not allowed.
-/// @param rate samples per second. Errors: InvalidArgument (length, overlap or rate out of range, fewer
-/// samples than one segment).
+/// Spectrum of evenly spaced samples; the mean of each segment is removed. NaN is not allowed. @param rate
+/// samples per second. Errors: InvalidArgument (length, overlap or rate out of range, fewer samples than one
+/// segment).
 [[nodiscard]] Result<Spectrum> spectrum(std::span<const float> samples, double rate,
                                         const SpectrumOptions &options = {});
 
-/// The lines of a spectrum, greatest first. @param lowest Hz below which nothing counts; @param height dB
-/// above the median of the surrounding octave
+/// The lines of a spectrum, strongest first. @param lowest frequency in Hz below which lines are ignored;
+/// @param height dB above the median of the surrounding octave
 [[nodiscard]] std::vector<SpectrumPeak> findPeaks(const Spectrum &spectrum, int maxCount = 5,
                                                   double lowest = 2.0, double height = 9.0);

@@ -13,6 +13,6 @@ enum class WindowShape {
 struct SpectrumOptions
 {
     int length = 1024;  ///< samples per segment, 16 to 65536; its rate / length is the resolution
-    double overlap = 0.5;  ///< share of a segment that the next one sees again, 0 to 0.9
+    double overlap = 0.5;  ///< fraction of a segment shared with the next one, 0 to 0.9
     WindowShape window = WindowShape::Hann;
 };

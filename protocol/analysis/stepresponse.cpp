@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::size_t kFewest = 20;
 constexpr double kJumpSeconds = 0.02;
-constexpr double kLeft = 0.1;  // share of the way after which a level is left
+constexpr double kLeft = 0.1;  // fraction of the step after which the target has left its level
 
-// Seconds at which a way is first covered by that share, between samples.
+// Seconds until this fraction of the step is first covered, interpolated between samples.
 std::optional<double> reached(std::span<const float> response, double rate, double from, double way,
                               double share)
 {
@@ -112,7 +112,7 @@ StepRuns cutSteps(std::span<const float> target, std::span<const float> response
         };
         runs.target.push_back(share(target));
         runs.response.push_back(share(response));
-        // The next step cannot be before this one has arrived.
+        // The next step cannot start before the target has reached the other level.
         const double other = up ? high : low;
         while (i < size && std::abs(double(target[i]) - other) > kLeft * std::abs(way))
             ++i;
@@ -165,7 +165,7 @@ std::vector<StepEvent> findSteps(std::span<const float> target, double rate, dou
     for (std::size_t i = still; i + jump + still <= target.size();) {
         const double from = double(target[i - 1]);
         const double to = double(target[i + jump - 1]);
-        // The first sample that has moved, not one that lies shortly before the jump.
+        // The index is that of the first sample that has moved, not of one shortly before the jump.
         if (std::abs(double(target[i]) - from) < size / 4 || std::abs(to - from) < size
             || !rests(target.subspan(i - still, still), size)
             || !rests(target.subspan(i + jump - 1, still), size)) {

@@ -8,16 +8,16 @@
 #include <span>
 #include <vector>
 
-/// How a quantity went from one value to another.
+/// How a quantity moved from one value to another.
 struct StepMetrics
 {
     double from = 0;  ///< value before
     double final = 0;  ///< mean of the last tenth of the record
     double error = 0;  ///< wanted minus final
     std::optional<double> riseSeconds;  ///< from 10 % to 90 % of the way to the final value
-    double overshoot = 0;  ///< beyond the final value, per cent of the way
-    double peakSeconds = 0;  ///< when it was furthest
-    std::optional<double> settlingSeconds;  ///< after which it stays within the band; empty: it does not
+    double overshoot = 0;  ///< beyond the final value, percent of the step
+    double peakSeconds = 0;  ///< time of the peak
+    std::optional<double> settlingSeconds;  ///< after which it stays within the band; empty: it never does
     double noise = 0;  ///< RMS of the last tenth around its mean
 };
 
@@ -29,22 +29,23 @@ struct StepEvent
     double to = 0;
 };
 
-/// Measures a step that begins with the first sample. Samples are evenly spaced, without NaN.
-/// @param rate samples per second; @param from value before; @param to wanted value; @param band share of the
-/// way that counts as settled. Errors: InvalidArgument (fewer than 20 samples, no way to go).
+/// Measures a step that begins with the first sample. Samples are evenly spaced, without NaN. @param rate
+/// samples per second; @param from value before; @param to wanted value; @param band fraction of the step
+/// that counts as settled. Errors: InvalidArgument (fewer than 20 samples, or no difference between from and
+/// to).
 [[nodiscard]] Result<StepMetrics> stepMetrics(std::span<const float> response, double rate, double from,
                                               double to, double band = 0.05);
 
-/// The steps of a record, each from the moment the target leaves its level. Values are shares of the way: 0
-/// where it was, 1 where it goes, whichever direction that is.
+/// The steps of a record, each from the moment the target leaves its level, scaled so that 0 is the old level
+/// and 1 the new one, in either direction.
 struct StepRuns
 {
     std::vector<std::vector<float>> target;
     std::vector<std::vector<float>> response;
 };
 
-/// Cuts a record in which a target goes to and fro between two levels. @param seconds length of a run; steps
-/// with less after them are left out
+/// Cuts up a record in which a target alternates between two levels. @param seconds length of a run; steps
+/// with less data after them are left out
 [[nodiscard]] StepRuns cutSteps(std::span<const float> target, std::span<const float> response, double rate,
                                 double low, double high, double seconds);
 
@@ -53,10 +54,10 @@ struct StepMeasurement
 {
     StepRuns runs;
     std::vector<float> mean;  ///< of the responses, sample by sample
-    StepMetrics metrics;  ///< of the mean; 0 to 1 is the way
+    StepMetrics metrics;  ///< of the mean; the step is from 0 to 1
 };
 
-/// Finds the two levels of a target that steps to and fro, cuts the steps out and measures their mean.
+/// Finds the two levels of a target that alternates between them, cuts out the steps and measures their mean.
 /// @param seconds length of a run. Errors: InvalidArgument (no step, or none that the response follows).
 [[nodiscard]] Result<StepMeasurement>
 measureSteps(std::span<const float> target, std::span<const float> response, double rate, double seconds);
@@ -64,6 +65,7 @@ measureSteps(std::span<const float> target, std::span<const float> response, dou
 /// The mean of several runs, sample by sample, as long as the shortest.
 [[nodiscard]] std::vector<float> averageRuns(const std::vector<std::vector<float>> &runs);
 
-/// Jumps of at least that size that take at most 20 ms and rest for that long on both sides.
+/// Jumps of at least `size` that take at most 20 ms, with the target at rest for `rest` seconds on both
+/// sides.
 [[nodiscard]] std::vector<StepEvent> findSteps(std::span<const float> target, double rate, double size,
                                                double rest);

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-/// The axes of a gimbal in the order in which every document of the field lists them.
+/// The axes of a gimbal, in the order used by the manufacturers' documents.
 enum class Axis : std::uint8_t { Roll, Pitch, Yaw, None };
 
 inline constexpr std::array kAxes{Axis::Roll, Axis::Pitch, Axis::Yaw};

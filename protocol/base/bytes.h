@@ -40,7 +40,7 @@ public:
         : ByteReader(QByteArrayView(bytes))
     {
     }
-    explicit ByteReader(const QByteArray &&) = delete;  // its bytes would be gone before they are read
+    explicit ByteReader(const QByteArray &&) = delete;  // the bytes would be destroyed before they are read
 
     [[nodiscard]] bool ok() const { return m_ok; }
     [[nodiscard]] std::size_t position() const { return m_position; }

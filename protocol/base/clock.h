@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-/// The one clock of the program. Everything that keeps time takes a TimePoint, so tests run on virtual time.
+/// The program's only clock. Everything that keeps time takes a TimePoint, so tests run in virtual time.
 using Clock = std::chrono::steady_clock;
 using TimePoint = Clock::time_point;
 using Duration = Clock::duration;
@@ -18,7 +18,7 @@ inline double seconds(Duration duration)
     return std::chrono::duration<double>(duration).count();
 }
 
-/// The other way round: a duration of so many seconds.
+/// The reverse: a duration from a number of seconds.
 inline Duration durationFromSeconds(double value)
 {
     return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(value));

@@ -4,16 +4,16 @@
 
 #include "protocol/base/bytes.h"
 
-/// One intact frame as it lies in the framer's buffer. Valid during the call that hands it out.
+/// View of one intact frame in the framer's buffer. Valid only during the call that delivers it.
 struct FrameView
 {
     int id = 0;  ///< the family's own command or message number
     Bytes payload;
     int version = 1;  ///< frame format, where a family has more than one
-    Bytes raw = {};  ///< all of the frame, first byte to checksum; empty where it was not on a wire
+    Bytes raw = {};  ///< the whole frame, first byte to checksum; empty if it was never on a wire
 };
 
-/// A frame that is kept.
+/// A frame that owns its payload.
 struct Frame
 {
     int id = 0;

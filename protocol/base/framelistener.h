@@ -5,16 +5,16 @@
 #include "protocol/base/clock.h"
 #include "protocol/base/frame.h"
 
-/// Gets every frame on the I/O thread with its time of arrival.
+/// Receives every frame, on the I/O thread, with its time of arrival.
 class FrameListener
 {
 public:
     virtual ~FrameListener() = default;
-    /// @param claimed the frame was the answer to a request (polled telemetry is an answer and telemetry all
-    /// the same)
+    /// @param claimed the frame answered a request (polled telemetry answers a request and is still
+    /// telemetry)
     virtual void frameReceived(const FrameView &frame, TimePoint at, bool claimed) = 0;
-    /// Bytes as they came from the port, before the frames in them are found.
+    /// Bytes as they came from the port, before they are split into frames.
     virtual void bytesReceived(QByteArrayView, TimePoint) { }
-    /// Whole frames that left for the board.
+    /// Complete frames that were sent to the board.
     virtual void bytesSent(QByteArrayView, TimePoint) { }
 };

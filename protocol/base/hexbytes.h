@@ -7,6 +7,6 @@
 
 #include <optional>
 
-/// Bytes out of hex digits, with blanks wherever somebody likes them. Nothing: other characters, or half a
-/// byte.
+/// Bytes from hex digits; blanks are allowed anywhere. Empty for any other character or an odd number of
+/// digits.
 [[nodiscard]] std::optional<QByteArray> bytesFromHex(QString digits);

@@ -11,6 +11,6 @@ public:
     virtual ~LatestValues() = default;
     /// NaN before the first value.
     [[nodiscard]] virtual float latest(int channel) const = 0;
-    /// Arrival of that value; the epoch before the first.
+    /// Arrival time of that value; the epoch before the first.
     [[nodiscard]] virtual TimePoint latestAt(int channel) const = 0;
 };

@@ -35,7 +35,7 @@ QVariant decodeField(const NamedField &field, Bytes bytes)
     return QString::fromLatin1(text.constData(), qstrnlen(text.constData(), std::size_t(text.size())));
 }
 
-// Appends a whole number of a type when the type can hold it.
+// Appends an integer if its type can hold the value.
 template <typename T> Result<void> append(ByteWriter &writer, const NamedField &field, const QVariant &value)
 {
     bool ok = true;

@@ -5,12 +5,12 @@
 #include <QMap>
 #include <QString>
 
-/// How far a job is, for the operator's eyes.
+/// Progress of a job, for display.
 struct Progress
 {
     int done = 0;
     int total = 0;  ///< 0 = unknown
-    QString step;  ///< a key of the step ("read-block"), worded in widgets/
+    QString step;  ///< key of the step ("read-block"), worded in widgets/
     QString subject;  ///< what it works on ("PARAMS_3, profile 2")
     QMap<QString, double> values;  ///< live figures of a procedure, by key
 };

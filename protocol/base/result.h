@@ -6,22 +6,22 @@
 
 #include <tl/expected.hpp>
 
-/// Why something did not happen. Words for the operator are made from it in widgets/models/errortext.h.
+/// Why something failed. The operator's wording is made from it in widgets/models/errortext.h.
 enum class ErrorCode {
     Cancelled,  ///< the operator stopped the job
     Timeout,  ///< no answer in time
     LinkClosed,  ///< the link went away while the job ran
     PortNotFound,  ///< no such port, host or file
-    NoPermission,  ///< the port may not be opened by this user
+    NoPermission,  ///< this user may not open the port
     PortBusy,  ///< another program holds the port
     HostUnreachable,  ///< the TCP or UDP peer refused or does not exist
-    Silent,  ///< the port is open, nothing ever answered
-    Garbage,  ///< bytes arrive, no frame of a known protocol is among them
+    Silent,  ///< the port is open, but nothing ever answered
+    Garbage,  ///< bytes arrive, but no frame of a known protocol
     WrongProtocol,  ///< frames of another family arrive
     ReadOnly,  ///< the firmware is unknown to us: nothing may be written
-    Damaged,  ///< the command reached the board damaged or in pieces and was thrown away
+    Damaged,  ///< the command reached the board damaged or incomplete and was discarded
     BoardError,  ///< the board refused with its own error code (boardCode)
-    BadReply,  ///< the board's answer does not hold what the document promises
+    BadReply,  ///< the board's answer is not what its document specifies
     InvalidArgument,  ///< a value, key or address that makes no sense
     OutOfRange,  ///< a value outside its parameter's range
     Unsupported,  ///< this board or firmware cannot do that
@@ -31,12 +31,12 @@ enum class ErrorCode {
     NotConnected,  ///< there is no board
     NoBackup,  ///< the safety copy could not be made, so nothing was changed
     TooMuch,  ///< more than the link can carry
-    Unready,  ///< something has to be so first, and is not
-    ConditionUnmet,  ///< an action needs something that is not so, or nothing tells; the detail says what
-    NotSeen,  ///< what a procedure waited for did not come; the detail says what
-    NotRestored,  ///< values in use were replaced and could not be put back; the detail lists them
+    Unready,  ///< a precondition is not met
+    ConditionUnmet,  ///< a condition of an action is not met, or unknown; the detail says which
+    NotSeen,  ///< what a procedure waited for did not happen; the detail says what
+    NotRestored,  ///< values in use were replaced and could not be restored; the detail lists them
     Diverged,  ///< an axis did not follow and was stopped
-    NotProven,  ///< commands were sent, and nothing the board tells proves that they took effect
+    NotProven,  ///< commands were sent, but nothing the board reports proves that they took effect
     Busy,  ///< another job of the same kind is running
 };
 inline constexpr std::size_t kErrorCodes = std::size_t(ErrorCode::Busy) + 1;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr auto kRetryPause = 500ms;
 
-// The board may be one of another family, or speak at another rate.
+// The board may belong to another family or use another baud rate.
 bool isNotHere(ErrorCode code)
 {
     return code == ErrorCode::Silent || code == ErrorCode::Garbage || code == ErrorCode::WrongProtocol;
@@ -37,8 +37,8 @@ Result<BoardSearch::Found> BoardSearch::ask(const Candidate &candidate, SessionC
     return Found{candidate, std::move(*found)};
 }
 
-// On a serial line each family is asked at its usual rate before any other rate is tried: a board that cannot
-// answer the first one's question is found in two seconds instead of after all its rates.
+// On a serial line each family is probed at its usual rate before any other rate is tried: a board that
+// cannot answer the first family's probe is found in two seconds instead of after all of that family's rates.
 Result<BoardSearch::Found> BoardSearch::askAtDefaultRates(SessionChannel &channel)
 {
     Result<Found> found = failure(ErrorCode::Silent);
@@ -50,8 +50,9 @@ Result<BoardSearch::Found> BoardSearch::askAtDefaultRates(SessionChannel &channe
     return found;
 }
 
-// One family after the other. Where one is recognised by its bytes it is asked next; where nothing at all
-// came, nobody of them is there (a recording answers nobody but its own).
+// Probes one family after the other. A family whose protocol is recognised in the received bytes is probed
+// next. If nothing at all arrives, the rest are skipped, except on a recording, which answers only its own
+// family.
 Result<BoardSearch::Found> BoardSearch::once(SessionChannel &channel, bool useKnownLine)
 {
     const LinkAddress &address = m_order.address;
@@ -89,11 +90,11 @@ Result<BoardSearch::Found> BoardSearch::run(SessionChannel &channel)
     if (const auto slept = channel.sleep(m_order.delay); !slept)
         return tl::unexpected(slept.error());
     for (int round = 0;; ++round) {
-        // Every third round looks at all rates again: a changed serial speed takes effect with a restart.
+        // Every third round tries all rates again: a changed serial speed takes effect with a restart.
         auto found = once(channel, m_order.repeat && round % 3 != 2);
         if (found || !m_order.repeat || found.error().code == ErrorCode::Cancelled)
             return found;
-        // A link that was open and broke again is no reason to stop.
+        // A link that opened and broke again does not end the search.
         if (const auto slept = channel.sleep(kRetryPause);
             !slept && slept.error().code == ErrorCode::Cancelled)
             return tl::unexpected(slept.error());

@@ -5,7 +5,7 @@
 #include "protocol/client/connector.h"
 #include "protocol/session/sessionchannel.h"
 
-/// One series of attempts to get a board, on the worker thread: the first connection, or reconnecting until
+/// One series of attempts to reach a board, on the worker thread: the first connection, or reconnecting until
 /// it succeeds.
 class BoardSearch
 {
@@ -23,9 +23,9 @@ public:
     struct Order
     {
         LinkAddress address;
-        QList<Family> families;  ///< to be asked, see familiesFor()
-        QList<Family> known;  ///< by which foreign bytes are named
-        std::optional<LineSettings> knownLine;  ///< where the board was before
+        QList<Family> families;  ///< to probe, see familiesFor()
+        QList<Family> known;  ///< for recognising foreign bytes
+        std::optional<LineSettings> knownLine;  ///< where the board was last found
         bool repeat = false;  ///< until it succeeds
         milliseconds delay{};  ///< before the first attempt
     };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the client arranges live data, and takes it in.
+// How the client requests live data and receives it.
 #include "protocol/client/deviceclient_p.h"
 #include "protocol/device/abilities.h"
 
@@ -40,12 +40,12 @@ void DeviceClient::Private::requestTelemetry()
     if (const auto refused = refusal(wanted)) {
         emit q.telemetryFailed(*refused);
         if (plan.decoder)
-            return;  // what was arranged before goes on
+            return;  // the previous arrangement stays in force
         wanted.streams.clear();
     }
     // Several subscriptions in one round of the event loop make one request.
     telemetryRequested = true;
-    // While streams are rearranged, missing samples are nobody's loss.
+    // Samples missed while streams are rearranged do not count as lost.
     now([feeding = feed.get()] { feeding->setDecoder(nullptr); });
     q.submit<TelemetryPlan>([wanted, wire = line](Channel &channel, Device &board) {
          return board.subscribe(channel, wanted, wire);
@@ -56,7 +56,7 @@ void DeviceClient::Private::requestTelemetry()
             return;
         }
         if (arranged.error().code == ErrorCode::Cancelled)
-            requestTelemetry();  // somebody cancelled all jobs; telemetry is still wanted
+            requestTelemetry();  // all jobs were cancelled, but telemetry is still wanted
         else if (arranged.error().code != ErrorCode::LinkClosed)
             emit q.telemetryFailed(arranged.error());
     });
@@ -75,7 +75,7 @@ void DeviceClient::Private::takePlan(const TelemetryPlan &arranged, const Subscr
         requestTelemetry();
 }
 
-// Streams that the line cannot carry are not asked for.
+// Streams that the line cannot carry are not requested.
 std::optional<Error> DeviceClient::Private::refusal(const Subscription &wanted) const
 {
     const StreamControl *streams = device->streamControl();
@@ -90,7 +90,7 @@ std::optional<Error> DeviceClient::Private::refusal(const Subscription &wanted) 
     return budget->fits() ? std::nullopt : std::optional(budget->refusal());
 }
 
-// A recording has the streams that it has: nobody can be asked for others.
+// A recording has only the streams that were recorded; no others can be requested.
 void DeviceClient::Private::startReplay()
 {
     if (plan.decoder)

@@ -22,7 +22,7 @@ Progress tryingProgress(int done, int total, const std::optional<LineSettings> &
     return progress;
 }
 
-// Rates and parities to try; one empty entry where the link has none.
+// Rates and parities to try; one empty entry if the link has none.
 QList<std::optional<LineSettings>> linesToTry(const Family &family, const LinkAddress &address, Search search)
 {
     const bool hasLine
@@ -35,7 +35,7 @@ QList<std::optional<LineSettings>> linesToTry(const Family &family, const LinkAd
             && address.parity().value_or(line.parity) == line.parity)
             lines.append(line);
     }
-    // A rate outside the document's list is the operator's own wish.
+    // A rate outside the documented list was chosen by the operator.
     if (lines.isEmpty()) {
         const LineSettings &preferred = family.lines.first();
         lines.append(LineSettings{address.baud().value_or(preferred.baud),
@@ -77,8 +77,8 @@ Result<FoundBoard> findBoard(Channel &channel, const Family &family, Device &dev
         if (!answered)
             return tl::unexpected(answered.error());
         if (!*answered) {
-            // Looked at now: what comes at the next rates would bury it. Whoever speaks at this rate will not
-            // at another.
+            // Checked now, before bytes received at the next rates bury it. A peer that speaks at this rate
+            // will not speak at another.
             if (const QString other = recogniseProtocol(known, channel.observation().lastBytes);
                 !other.isEmpty())
                 return failure(ErrorCode::WrongProtocol, other);

@@ -9,26 +9,27 @@
 struct FoundBoard
 {
     BoardIdentity identity;
-    std::optional<LineSettings> line;  ///< of serial links
+    std::optional<LineSettings> line;  ///< serial links only
 };
 
-/// How far to look on a serial line whose settings nobody has told.
+/// How far to search on a serial line whose settings are not known.
 enum class Search { DefaultRate, AllRates };
 
-/// Finds rate and parity on an open link and identifies the board. Says what it tries through
-/// Channel::progress. Only the given settings are tried where the address names them.
-/// @param known families by which foreign bytes can be named
-/// Errors: Silent (nothing ever came), Garbage (bytes, but no frame), WrongProtocol (another protocol is
-/// spoken; detail names it), or what identification met.
+/// Finds rate and parity on an open link and identifies the board. Reports what it tries through
+/// Channel::progress. If the address names settings, only those are tried.
+/// @param known families whose protocols are recognised in foreign bytes
+/// Errors: Silent (nothing ever arrived), Garbage (bytes, but no frame), WrongProtocol (another protocol is
+/// spoken; the detail names it), or those of identification.
 Result<FoundBoard> findBoard(Channel &channel, const Family &family, Device &device,
                              std::span<const Family> known, const LinkAddress &address,
                              Search search = Search::AllRates);
 
-/// The protocol that these bytes look like, in the words of the family that knows it; empty where none does.
+/// Name of the protocol that these bytes look like, as its family calls it; empty if no family recognises
+/// them.
 [[nodiscard]] QString recogniseProtocol(std::span<const Family> known, const QByteArray &heard);
 
-/// The families whose question may be asked at an address, in their order. One that is asked for by name, or
-/// by the address (`?family=`), is the only one. Errors: InvalidArgument (no such family, it is not reached
-/// that way, or nobody knows which of several is meant).
+/// The families that may be probed at an address, in their order. A family requested by name, or by the
+/// address (`?family=`), is the only one. Errors: InvalidArgument (no such family, it cannot be reached that
+/// way, or it is unclear which of several is meant).
 Result<QList<Family>> familiesFor(const QList<Family> &known, const LinkAddress &address,
                                   const QString &wanted);

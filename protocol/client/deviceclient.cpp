@@ -16,12 +16,12 @@ namespace {
 
 constexpr auto kReconnectPause = 500ms;
 constexpr auto kStatisticsPeriod = 250ms;
-// A board that announces its restart still talks for up to a second (document CMD_RESET); we let go before it
-// does.
+// A board that announces its restart may go on sending for up to a second (document CMD_RESET); we let go of
+// the link before it restarts.
 constexpr auto kLetGoBeforeReset = 300ms;
 constexpr auto kRestartTime = 1500ms;
 
-// What of a stop plan tells how the board is reached.
+// The part of a stop plan that shows how the board is reached.
 QByteArray wayOf(const StopPlan &plan)
 {
     QByteArray bytes;
@@ -178,7 +178,7 @@ void DeviceClient::Private::shutDown()
     cancelJobs();
     if (attemptControl)
         attemptControl->cancel();
-    state = State::Disconnected;  // nothing new is begun
+    state = State::Disconnected;  // no new work starts
     closeSession();
     // The worker may still wait for the I/O thread, so it goes first.
     workerThread.quit();
@@ -281,15 +281,15 @@ void DeviceClient::Private::finishAttempt(const std::shared_ptr<Attempt> &attemp
         return;
     }
     device = found->candidate.device;
-    familyKey = found->candidate.family.key;  // it stays the one when the link comes back
+    familyKey = found->candidate.family.key;  // reconnecting looks for the same family
     if (address.isReplay())
-        device->setReadOnly();  // what happened cannot be changed
+        device->setReadOnly();  // a recording cannot be written to
     identity = device->identity();
     roles = rolesOf(*device);
     line = found->board.line;
     qCInfo(logClient) << "connected to" << identity.model << identity.firmware;
 
-    // A fresh store for a new board; the same board goes on in the same one.
+    // A new board gets a new store; the same board continues in its old one.
     if (!store || state != State::Reconnecting)
         store = std::make_shared<TelemetryStore>(int(device->channels().size()));
     store->setReplayed(address.isReplay());
@@ -310,7 +310,7 @@ void DeviceClient::Private::onSessionClosed(const Error &why)
     if (state != State::Connected)
         return;
     emit q.connectionLost(why);
-    // Jobs that waited for this link are told; they must not start on the next one by surprise.
+    // Jobs that waited for this link are cancelled; they must not start unexpectedly on the next one.
     cancelJobs();
     startAttempt(State::Reconnecting, why.code == ErrorCode::Cancelled ? 0ms : kReconnectPause);
 }
@@ -415,7 +415,7 @@ void DeviceClient::enqueue(Job job, JobKind kind)
         job(nullptr, nullptr, {ErrorCode::NotConnected, {}})();
         return;
     }
-    // A moving job has a control of its own, so that stopping it leaves a write alone.
+    // A moving job has its own control, so that stopping it does not cancel a write.
     auto control = kind == JobKind::Moving ? std::make_shared<JobControl>() : d->control;
     if (kind == JobKind::Moving) {
         const std::lock_guard lock(d->urgentMutex);
@@ -444,7 +444,7 @@ void DeviceClient::Private::jobFinished()
         followWay();
 }
 
-// A job may have changed how the board is spoken to: what is sent without a job follows.
+// A job may have changed how the board is reached: what is sent outside of jobs has to follow.
 void DeviceClient::Private::followWay()
 {
     StopPlan fresh = device->stopPlan();

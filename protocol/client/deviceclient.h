@@ -18,8 +18,8 @@ struct Family;
 struct LinkStatistics;
 struct SteeringSetpoint;
 
-/// The only door between the screen's thread and the board. Owns the I/O thread (session) and the worker
-/// thread (device and procedure code, one job at a time). Never blocks; whatever talks to a board returns a
+/// The only way from the GUI thread to the board. Owns the I/O thread (session) and the worker thread (device
+/// and procedure code, one job at a time). Never blocks; every function that talks to a board returns a
 /// future.
 class DeviceClient final : public QObject
 {
@@ -38,35 +38,35 @@ public:
     [[nodiscard]] bool isConnected() const { return state() == State::Connected; }
     [[nodiscard]] const QList<Family> &families() const;
     [[nodiscard]] const LinkAddress &address() const;
-    /// Who is connected; the last board's identity while reconnecting.
+    /// The connected board; while reconnecting, the last one.
     [[nodiscard]] const BoardIdentity &identity() const;
     /// Tables of the connected family; null before the first connection.
     [[nodiscard]] const Device *device() const;
-    /// Where that board's channels are, by what they mean.
+    /// The channels of that board by role.
     [[nodiscard]] const ChannelRoles &roles() const;
     [[nodiscard]] std::shared_ptr<TelemetryStore> telemetry() const;
     [[nodiscard]] const TelemetryPlan &telemetryPlan() const;
     [[nodiscard]] const LinkStatistics &statistics() const;
-    /// The question that live data is asked for with; empty where the board streams it by itself.
+    /// The request that polls live data; empty if the board streams it by itself.
     [[nodiscard]] QByteArray pollBytes() const;
     [[nodiscard]] const std::optional<LineSettings> &line() const;
     [[nodiscard]] bool isBusy() const;
-    /// Hears everything on the link, on the I/O thread, until it is removed or the client is shut down.
+    /// The listener receives everything on the link, on the I/O thread, until it is removed or the client is
+    /// shut down.
     void addListener(FrameListener &listener);
     void removeListener(FrameListener &listener);
-    /// The last frames in and out.
+    /// The most recent frames, in and out.
     [[nodiscard]] const FrameLog &frames() const;
-    /// For a recording.
+    /// Playback control, when the link is a recording.
     [[nodiscard]] ReplayControl &replay();
 
     /// Opens the link, finds rate and parity, identifies the board. stateChanged() and connectionFailed()
-    /// tell the rest.
+    /// report the outcome.
     void connectTo(const LinkAddress &address, const QString &family = {});
     void disconnectFromBoard();
-    /// Ends link and threads; every future has its result afterwards. Whoever waits for one
-    /// (`future.then(this,
-    /// ...)`) must live until then, so this comes before anything that uses the client is taken down. The
-    /// destructor does it too.
+    /// Ends the link and the threads; every future has its result afterwards. An object that waits for one
+    /// (`future.then(this, ...)`) must live until then, so call this before destroying anything that uses the
+    /// client. The destructor does it too.
     void shutDown();
 
     /// Runs sequential code on the worker thread. The future always gets a result; NotConnected when there is
@@ -76,24 +76,25 @@ public:
                               JobKind kind = JobKind::Quiet);
     /// Cancels the running job and those waiting.
     void cancelJobs();
-    /// Cancels only those that move the board.
+    /// Cancels only jobs that move the board.
     void cancelMovingJobs();
 
-    /// Stops the motors by the device's plan: straight to the I/O thread, ahead of everything. Callable from
-    /// any thread.
+    /// Stops the motors according to the device's stop plan: directly on the I/O thread, ahead of everything
+    /// else. Callable from any thread.
     void motorsOff();
 
-    /// Steers. Must be repeated at least each 250 ms, or the I/O thread stops the board and lets go.
+    /// Steers. Must be repeated at least every 250 ms, or the I/O thread stops the board and releases
+    /// control.
     void setControl(const SteeringSetpoint &setpoint);
     void releaseControl();
 
-    /// Which telemetry to arrange with the board; kept over reconnections.
+    /// Selects the telemetry to request from the board; kept across reconnections.
     void subscribe(const Subscription &subscription);
 
 signals:
     void stateChanged(DeviceClient::State state);
     void connectionFailed(const Error &error);
-    /// The link broke by itself; reconnecting goes on until it succeeds or is cancelled.
+    /// The link broke unexpectedly; reconnecting goes on until it succeeds or is cancelled.
     void connectionLost(const Error &error);
     void progressChanged(const Progress &progress);
     void busyChanged(bool busy);
@@ -102,16 +103,17 @@ signals:
     void statisticsChanged();
     /// The stop has been proven (or has not).
     void motorsOffFinished(bool confirmed);
-    /// Set-points were not refreshed in time: the board was stopped and control given back.
+    /// Set-points were not refreshed in time: the board was stopped and control released.
     void failsafeActed();
-    /// The board sent a text by itself.
+    /// The board sent a text message by itself.
     void boardSpoke(const QString &text);
 
 private:
     struct Private;
-    /// A job that has run, and what tells its future.
+    /// Hands the result of a finished job to its future.
     using Delivery = std::function<void()>;
-    /// Called once on the worker thread with a channel and the device, or here with why it cannot run.
+    /// Called once: on the worker thread with a channel and the device, or right here with the reason it
+    /// cannot run.
     using Job = std::function<Delivery(Channel *, Device *, const Error &refused)>;
     void enqueue(Job job, JobKind kind);
 

@@ -12,7 +12,7 @@
 
 #include <QThread>
 
-/// What the client keeps to itself.
+/// Implementation of the client.
 struct DeviceClient::Private
 {
     struct Attempt
@@ -43,17 +43,17 @@ struct DeviceClient::Private
     void shutDown();
     std::unique_ptr<SessionChannel> makeChannel(std::shared_ptr<JobControl> control,
                                                 SessionChannel::Link link);
-    /// Runs on the I/O thread, later.
+    /// Queues a job on the I/O thread.
     template <typename F> void later(F &&job)
     {
         QMetaObject::invokeMethod(session, std::forward<F>(job), Qt::QueuedConnection);
     }
-    /// Runs on the I/O thread, now.
+    /// Runs a job on the I/O thread and waits for it.
     template <typename F> void now(F &&job)
     {
         QMetaObject::invokeMethod(session, std::forward<F>(job), Qt::BlockingQueuedConnection);
     }
-    /// Runs on the screen's thread, later.
+    /// Queues a job on the GUI thread.
     template <typename F> void back(F &&job)
     {
         QMetaObject::invokeMethod(&q, std::forward<F>(job), Qt::QueuedConnection);
@@ -66,7 +66,7 @@ struct DeviceClient::Private
     Session *session;
     QObject *worker;
     FrameLog frames;
-    std::vector<FrameListener *> foreign;  // listeners that others own
+    std::vector<FrameListener *> foreign;  // owned by others
     std::unique_ptr<TelemetryFeed> feed;
     QTimer statisticsTimer;
 
@@ -87,7 +87,7 @@ struct DeviceClient::Private
     LinkStatistics statistics;
     int jobs = 0;
 
-    std::mutex urgentMutex;  // motorsOff() comes from any thread
+    std::mutex urgentMutex;  // motorsOff() may be called from any thread
     std::optional<StopPlan> stopPlan;
     std::vector<std::weak_ptr<JobControl>> movingJobs;
 };

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <vector>
 
-/// One frame that passed, in either direction.
+/// One frame that was sent or received.
 struct LoggedFrame
 {
     quint64 number = 0;  ///< counts up from 1
@@ -17,10 +17,10 @@ struct LoggedFrame
     bool claimed = false;  ///< answered a request
     int id = 0;  ///< of a received frame
     int version = 1;
-    QByteArray bytes;  ///< payload of a received frame; everything of a sent one
+    QByteArray bytes;  ///< payload of a received frame; the whole of a sent one
 };
 
-/// The last frames of a link, for the console. Written on the I/O thread, read from any.
+/// The most recent frames of a link, for the console. Written on the I/O thread, readable from any.
 class FrameLog final : public FrameListener
 {
 public:

@@ -9,8 +9,8 @@
 class Replay;
 struct ReplayState;
 
-/// The screen's side of a recorded link: stands still, runs at another speed, goes to a place. What was
-/// chosen is kept while the recording is opened anew.
+/// Playback control of a recorded link for the GUI: pause, speed, position. The settings are kept when the
+/// recording is reopened.
 class ReplayControl
 {
 public:
@@ -21,19 +21,19 @@ public:
     ReplayControl(std::function<void(Job)> onLink, std::function<void()> reopen);
     ~ReplayControl();
 
-    /// Where it stands, as last told; empty for a living link.
+    /// Playback state as last reported; empty for a live link.
     [[nodiscard]] const std::optional<ReplayState> &state() const;
     void setPaused(bool paused);
-    /// @param speed times real time, 0.05 to 100
+    /// @param speed multiple of real time, 0.05 to 100
     void setSpeed(double speed);
-    /// Seconds since the recording's first byte. Going back opens it anew and plays up to there at once, so
-    /// that everything before is there to look at.
+    /// Seconds since the recording's first byte. Going back reopens it and plays up to that point at once, so
+    /// that everything before it is available.
     void seek(double seconds);
 
     // For the client:
-    /// Another address: nothing of what was chosen holds.
+    /// The address has changed: all settings are dropped.
     void forget();
-    /// The recording is open and its data can be taken.
+    /// The recording is open and ready to deliver data.
     void begin();
     void setState(std::optional<ReplayState> state);
 
@@ -41,7 +41,7 @@ private:
     std::function<void(Job)> m_onLink;
     std::function<void()> m_reopen;
     std::unique_ptr<std::optional<ReplayState>> m_state;
-    double m_from = 0;  // go there as soon as the recording is open
+    double m_from = 0;  // position to go to as soon as the recording is open
     std::optional<double> m_speed;
     bool m_paused = false;
     bool m_begun = false;

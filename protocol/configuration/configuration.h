@@ -52,28 +52,27 @@ public:
     void setActiveProfile(int profile) { m_activeProfile = profile; }
     [[nodiscard]] const QStringList &profileNames() const { return m_profileNames; }
     void setProfileNames(const QStringList &names) { m_profileNames = names; }
-    /// Whether a profile has another name there; no name at all is an empty one.
+    /// Whether any profile has a different name; a missing name equals an empty one.
     [[nodiscard]] bool hasOtherNames(const Configuration &other) const;
-    /// The name, or "Profile N" (N from 1) where there is none.
+    /// The name, or "Profile N" (N from 1) if it has none.
     [[nodiscard]] QString profileName(int profile) const;
 
     [[nodiscard]] const std::map<BlockKey, QByteArray> &blocks() const { return m_blocks; }
     [[nodiscard]] QByteArray block(BlockKey key) const;
     void setBlock(BlockKey key, QByteArray bytes) { m_blocks[key] = std::move(bytes); }
 
-    /// Raw value, NaN for what is no number; empty when the board did not deliver that block.
+    /// Raw value, NaN for a float that is not a number; empty when the board did not deliver that block.
     [[nodiscard]] std::optional<double> raw(const ParameterSpec &spec, int profile) const;
-    /// Sets a raw value; a board-wide one is set in every profile's block.
-    /// Errors: OutOfRange (also what is no number), InvalidArgument (a fraction for an integer), Unsupported
-    /// (no such block), ReadOnly (a state value).
+    /// Sets a raw value; a board-wide one is set in every profile's block. Errors: OutOfRange (also for NaN),
+    /// InvalidArgument (a fraction for an integer), Unsupported (no such block), ReadOnly (a state value).
     Result<void> setRaw(const ParameterSpec &spec, int profile, double raw);
-    /// Takes a value over as another configuration of the same parameters holds it: bit by bit, in range and
-    /// a number or not. Errors: Unsupported (one of them has no such block), ReadOnly.
+    /// Copies a value bit by bit from another configuration of the same parameters, even if it is out of
+    /// range or not a number. Errors: Unsupported (one of them has no such block), ReadOnly.
     Result<void> copyRaw(const ParameterSpec &spec, int profile, const Configuration &from);
 
-    /// All parameters in which the two differ, board-wide ones once. Both must be of one parameter set.
+    /// All parameters in which the two differ, board-wide ones once. Both must have the same parameter set.
     [[nodiscard]] std::vector<ParameterChange> changesTo(const Configuration &other) const;
-    /// The same for blocks without parameters, where both have them.
+    /// The same for blocks without parameters, if both have them.
     [[nodiscard]] std::vector<DataChange> dataChangesTo(const Configuration &other) const;
 
 private:

@@ -6,26 +6,26 @@
 
 #include <functional>
 
-/// What a settings file of another program says.
+/// Contents of another program's settings file.
 struct ForeignSettings
 {
     Configuration configuration;
-    QStringList unknown;  ///< entries that no parameter fits
-    QStringList missing;  ///< parameters it does not name: they have their defaults
+    QStringList unknown;  ///< entries that match no parameter
+    QStringList missing;  ///< parameters it does not contain: they have their defaults
 };
 
-/// Settings files of a family's original program, read and written as data.
+/// Settings files of the manufacturer's own program, read and written as data.
 struct ForeignFile
 {
     QString suffix;  ///< "cfg"
     QString name;  ///< "STorM32 settings"
-    /// Errors: BadFile with what is wrong and where.
+    /// Errors: BadFile with the reason and the place.
     std::function<Result<ForeignSettings>(const QByteArray &)> read;
     /// Errors: Unsupported (the file cannot hold this configuration).
     std::function<Result<QByteArray>(const Configuration &)> write;
 };
 
-/// Calibration of one accelerometer, in counts of the sensor: what it shows lying level, and per g.
+/// Calibration of one accelerometer, in sensor counts: zero offset, and counts per g, of each axis.
 struct SensorCalibration
 {
     std::array<int, 3> zero{};
@@ -36,7 +36,7 @@ struct SensorCalibration
     friend bool operator==(const SensorCalibration &, const SensorCalibration &) = default;
 };
 
-/// Files of such calibrations.
+/// Files with such calibrations.
 struct CalibrationFile
 {
     QString suffix;  ///< "cal"

@@ -6,19 +6,19 @@
 
 #include <QVariantMap>
 
-/// Who the board is and what it can do, found at identification.
+/// Identity and capabilities of a board, found at identification.
 struct BoardIdentity
 {
     QString family;  ///< "simplebgc"
     QString model;  ///< "SimpleBGC 3.0"
     QString firmware;  ///< "2.59b0"
-    int firmwareNumber = 0;  ///< as the family counts it, 2590
+    int firmwareNumber = 0;  ///< as the family numbers it, 2590
     QString serial;  ///< unique number of this board, hexadecimal; names its history
     Capabilities capabilities;
     int profileCount = 1;
     bool usb = false;  ///< native USB: rate and parity do not matter
-    bool writable = true;  ///< false: firmware unknown to us, everything is shown and nothing written
-    QVariantMap extra;  ///< further facts of the family, by key
+    bool writable = true;  ///< false: unknown firmware, everything is shown and nothing is written
+    QVariantMap extra;  ///< further facts specific to the family, by key
 
     friend bool operator==(const BoardIdentity &, const BoardIdentity &) = default;
 };

@@ -13,9 +13,9 @@ struct LiveValue
 };
 using LiveValues = std::vector<LiveValue>;
 
-/// A board answers questions for its active profile out of volatile memory, so values set live look as if
-/// they were stored. This puts the stored ones back into what was read; a value that the board shows
-/// otherwise is left alone.
+/// A board answers queries about its active profile from volatile memory, so values set live look as if they
+/// were stored. This puts the stored values back into what was read; a value is left alone if the board
+/// reports something other than the live value.
 [[nodiscard]] Configuration withoutLive(Configuration read, const LiveValues &live);
 /// The same for one block of the active profile.
 [[nodiscard]] QByteArray withoutLive(QByteArray bytes, int block, const ParameterSet &parameters,

@@ -46,7 +46,7 @@ double ParameterSpec::toDisplay(double raw) const
     if (row->conversion == Conversion::Logarithmic)
         return 5.0 * std::exp(raw * kLogBase) - 5.0;
     const double scaled = raw * row->scale;
-    return row->bias == 0 ? scaled : scaled + row->bias;  // -0 stays what it is
+    return row->bias == 0 ? scaled : scaled + row->bias;  // keeps -0
 }
 
 double ParameterSpec::toRaw(double display) const
@@ -75,7 +75,7 @@ double ParameterSpec::clamped(double raw) const
     return std::clamp(nearest(raw), nearest(row->min), nearest(row->max));
 }
 
-// The bytes of the wire word as a number; bit fields and signs are looked at afterwards.
+// The bytes of the word as a number; bit fields and signs are handled later.
 std::optional<quint32> ParameterSpec::word(const QByteArray &block) const
 {
     const int size = wireSize(row->wire);
@@ -127,7 +127,7 @@ bool ParameterSpec::write(QByteArray &block, double raw) const
         putWord(block, std::bit_cast<quint32>(static_cast<float>(raw)));
         return true;
     }
-    // What does not fit loses its upper bits, as in the board.
+    // Values that do not fit lose their upper bits, as on the board.
     const auto count = static_cast<quint32>(static_cast<qint64>(std::clamp(nearest(raw), -1e15, 1e15)));
     const quint32 mask = maskOf(*row);
     putWord(block, (*stored & ~mask) | ((count << row->bitShift) & mask));

@@ -58,8 +58,8 @@ constexpr std::pair<double, double> wireRange(WireType type)
     return {std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max()};
 }
 
-/// Whether two raw values are one and the same. A raw value is a double, which carries every 32-bit integer
-/// and every float exactly; NaN stands for a float that is no number, and is the same as any other such.
+/// Whether two raw values are equal. A raw value is a double, which carries every 32-bit integer and every
+/// float exactly; NaN stands for a float that is not a number and equals every other NaN.
 inline bool sameValue(double a, double b)
 {
     return a == b || (std::isnan(a) && std::isnan(b));
@@ -69,7 +69,7 @@ inline bool sameValue(std::optional<double> a, std::optional<double> b)
     return a.has_value() == b.has_value() && (!a || sameValue(*a, *b));
 }
 
-/// Shortest plain text that toDouble() reads as the very same number: "100000", "0.18", "2e-06".
+/// Shortest plain text that toDouble() reads as exactly the same number: "100000", "0.18", "2e-06".
 [[nodiscard]] QString plainNumber(double value);
 
 /// The bits of a raw value that is a flag word.
@@ -87,8 +87,8 @@ struct Choice
     int until = 99999;
 };
 
-/// When a parameter has no effect: while another one has this value. "%a" and "%n" in the key are those of
-/// its own.
+/// Condition under which a parameter has no effect: another one has this value. "%a" and "%n" in the key
+/// stand for the parameter's own axis and index.
 struct NoEffectWhile
 {
     const char *key = "";
@@ -96,8 +96,7 @@ struct NoEffectWhile
 };
 
 /// The declaration of a parameter: one row of a family's table. A row with several axes or indices stands for
-/// that many parameters, one after the other in the block; "%a" in the key is the axis, "%n" the index
-/// from 1.
+/// that many parameters, consecutive in the block; "%a" in the key is the axis, "%n" the index from 1.
 struct ParameterRow
 {
     const char *key = "";
@@ -109,7 +108,7 @@ struct ParameterRow
     WireType wire = WireType::U8;
     ByteOrder order = ByteOrder::Little;
     std::uint8_t bitShift = 0;
-    std::uint8_t bitCount = 0;  ///< 0 = the whole word; of integers only
+    std::uint8_t bitCount = 0;  ///< 0 = the whole word; integers only
     ValueKind kind = ValueKind::Number;
     std::uint8_t axes = 1;  ///< 1, 2 (roll, pitch) or 3
     std::uint8_t axisStride = 0;
@@ -136,7 +135,7 @@ struct ParameterRow
     int adjustableStride = 1;  ///< from the variable of one axis to that of the next
     Conversion conversion = Conversion::Linear;
     bool state = false;  ///< reported by the board, not set by the operator
-    const char *name = "";  ///< what the family's own files call it; "%A" is the axis
+    const char *name = "";  ///< name in the family's own files; "%A" is the axis
     NoEffectWhile inactive{};
 };
 
@@ -156,34 +155,33 @@ struct ParameterSpec
 
     /// The number the operator sees.
     [[nodiscard]] double toDisplay(double raw) const;
-    /// The raw number nearest to it that the wire type can tell apart, not clamped. Takes what toDisplay()
-    /// gives.
+    /// The nearest raw number that the wire type can represent, not clamped. Accepts what toDisplay()
+    /// returns.
     [[nodiscard]] double toRaw(double display) const;
-    /// The number nearest to it that the wire type can tell apart: a whole one or a float; not clamped.
+    /// The nearest number that the wire type can represent: an integer or a float; not clamped.
     [[nodiscard]] double nearest(double raw) const;
-    /// False also for what is no number.
+    /// False also for NaN.
     [[nodiscard]] bool isInRange(double raw) const;
     [[nodiscard]] double clamped(double raw) const;
-    /// Raw number out of a block, NaN for a float that is none (NaN or infinite); empty when the block is too
-    /// short.
+    /// Raw number from a block, NaN for a float that is NaN or infinite; empty when the block is too short.
     [[nodiscard]] std::optional<double> read(const QByteArray &block) const;
-    /// Puts a raw number into a block, leaving every other bit alone. False when the block is too short, or
-    /// the value is no number.
+    /// Writes a raw number into a block, leaving every other bit unchanged. False when the block is too short
+    /// or the value is not a number.
     bool write(QByteArray &block, double raw) const;
-    /// Takes the very bits over from another block, a number or not. False when one of them is too short.
+    /// Copies the bits unchanged from another block, a number or not. False when either block is too short.
     bool copy(QByteArray &block, const QByteArray &from) const;
     /// Key of the parameter that decides whether this one has an effect; empty: it always has.
     [[nodiscard]] QString inactiveKey() const;
-    /// Choices that this firmware has (flag bits likewise).
+    /// Choices (or flag bits) that this firmware has.
     [[nodiscard]] std::vector<Choice> choices(int firmware) const;
 
     /// Plain text of a value as files and the command line use it: "15", "0.18", "2e-06", "on", "0x0410"; "no
-    /// number" for NaN. Has as many digits as parse() needs to find the very same value.
+    /// number" for NaN. Has as many digits as parse() needs to restore exactly the same value.
     [[nodiscard]] QString format(double raw) const;
     /// A number for the screen, with the row's decimals.
     [[nodiscard]] QString rounded(double raw) const;
-    /// Understands what format() writes of a number, and for choices the choice's name. Empty: not
-    /// understood, or nothing that the wire type can carry (NaN, infinite).
+    /// Parses what format() writes for a number and, for choices, the choice's name. Empty: not understood,
+    /// or a value that the wire type cannot represent (NaN, infinite).
     [[nodiscard]] std::optional<double> parse(const QString &text) const;
     [[nodiscard]] QString minText() const { return format(row->min); }
     [[nodiscard]] QString maxText() const { return format(row->max); }
@@ -256,8 +254,8 @@ constexpr bool coversBlock(std::span<const ParameterRow> rows, int block,
     return true;
 }
 
-/// True when each row's range fits its wire type and its defaults lie in the range; what is counted or has
-/// bits is an integer.
+/// True when each row's range fits its wire type and its defaults lie in the range; a float has no bit field,
+/// is a plain number and is converted linearly.
 constexpr bool rangesFit(std::span<const ParameterRow> rows)
 {
     const auto isWhole = [](double value) { return double(static_cast<long long>(value)) == value; };

@@ -6,7 +6,7 @@ using namespace Qt::StringLiterals;
 
 QString ScriptMistake::sentence(const QString &pattern) const
 {
-    switch (values.size()) {  // all at once: a value may look like a place
+    switch (values.size()) {  // in one call: a value may itself look like a placeholder
     case 0: return pattern;
     case 1: return pattern.arg(values[0]);
     case 2: return pattern.arg(values[0], values[1]);

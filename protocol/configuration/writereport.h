@@ -4,13 +4,13 @@
 
 #include "protocol/configuration/configuration.h"
 
-/// What became of one changed parameter.
+/// Outcome for one changed parameter.
 enum class WriteState {
     Verified,  ///< written, read back, equal
     Unknown,  ///< sent, but the link broke before it could be read back
-    NotWritten,  ///< never sent, or the board refused; the old value stands
+    NotWritten,  ///< never sent, or refused by the board; the old value remains
     Mismatch,  ///< read back with another value than written
-    RolledBack,  ///< was written, then taken back because the rest failed
+    RolledBack,  ///< written, then restored because the rest failed
 };
 
 struct WriteLine
@@ -31,15 +31,15 @@ struct WriteData
     WriteState state = WriteState::NotWritten;
 };
 
-/// The true story of a write, parameter by parameter. Nothing is "probably written".
+/// Result of a write, parameter by parameter. States only what is known: nothing is "probably written".
 struct WriteReport
 {
     std::vector<WriteLine> lines;
     std::vector<WriteData> data;
     bool namesWritten = false;
-    std::optional<Error> error;  ///< why it is not complete
-    QString snapshotPath;  ///< the backup taken before
-    Configuration before;  ///< what was believed to be on the board, and what was to be there
+    std::optional<Error> error;  ///< why it is incomplete
+    QString snapshotPath;  ///< the backup made before
+    Configuration before;  ///< what the board was expected to hold before; wanted: what it should hold after
     Configuration wanted;
     Configuration onBoard;  ///< what the board holds now, as far as it is known
 

@@ -18,10 +18,10 @@ struct StreamBudget;
 struct StreamSpec;
 struct Subscription;
 
-// What only some boards can, each as an interface that a device hands out, or does not. A page is listed when
-// the interface that it needs is there.
+// Features that only some boards have, each as an interface that a device provides or does not. A page is
+// listed if the interface it needs is there.
 
-/// Configurations among which the board can be switched.
+/// Profiles that the board can switch between.
 class ProfileAccess
 {
 public:
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] virtual int profileNameBytes() const = 0;
 };
 
-/// Boards that take a series of Device::writeBlock() as one change, or want to be told when it is complete.
+/// Boards that take a series of Device::writeBlock() as one change, or have to be told when it is complete.
 class WriteBracket
 {
 public:
@@ -43,8 +43,8 @@ public:
     virtual Result<void> endWrite(Channel &channel) = 0;
 };
 
-/// What is known of a live variable before any board is asked. Values are the board's own numbers; where a
-/// parameter stands behind it (ParameterSpec::adjustable), that tells unit and scale.
+/// What is known about a live variable before a board is asked. Values are in the board's own numbers; if the
+/// variable belongs to a parameter (ParameterSpec::adjustable), that gives unit and scale.
 struct AdjustableSpec
 {
     int id = 0;
@@ -57,14 +57,14 @@ struct AdjustableSpec
     int since = 0;  ///< firmware that introduced it
 };
 
-/// A variable that the board changes at once, in its volatile memory.
+/// A variable whose changes take effect at once, in the board's volatile memory.
 struct AdjustableValue
 {
     int id = 0;
     double value = 0;
 };
 
-/// Variables that the board changes at once, beside what it has stored.
+/// Variables whose changes take effect at once, without touching what is stored.
 class LiveAccess
 {
 public:
@@ -76,21 +76,21 @@ public:
     [[nodiscard]] virtual QString storeAction() const = 0;
 };
 
-/// Boards that send by themselves what they are asked for.
+/// Boards that stream the data they are asked for.
 class StreamControl
 {
 public:
     virtual ~StreamControl() = default;
     [[nodiscard]] virtual QList<StreamSpec> streams() const = 0;
-    /// Channels that can be had at full rate with this firmware.
+    /// Channels available at full rate with this firmware.
     [[nodiscard]] virtual QList<int> fastChannels() const = 0;
-    /// What a subscription takes of the line, without asking the board. Errors: InvalidArgument (no such
-    /// stream or rate).
+    /// The line capacity that a subscription needs, computed without asking the board. Errors:
+    /// InvalidArgument (no such stream or rate).
     [[nodiscard]] virtual Result<StreamBudget> streamBudget(const Subscription &subscription,
                                                             std::optional<LineSettings> line) const = 0;
 };
 
-/// An inner variable of the firmware that can be watched.
+/// An internal variable of the firmware that can be watched.
 struct DebugVariable
 {
     QString name;
@@ -101,7 +101,7 @@ struct DebugVariable
     friend bool operator==(const DebugVariable &, const DebugVariable &) = default;
 };
 
-/// Boards that show inner variables of their firmware.
+/// Boards that expose internal variables of their firmware.
 class InnerVariables
 {
 public:
@@ -119,7 +119,7 @@ public:
     [[nodiscard]] virtual Request motorsOnRequest() const = 0;
 };
 
-/// A frame in words, for the console.
+/// A frame in readable form, for the console.
 struct FrameText
 {
     QString name;  ///< "READ_PARAMS_3"
@@ -134,14 +134,14 @@ struct RawCommand
     ActionRisk risk = ActionRisk::Destroys;
 };
 
-/// Frames in words and words in frames.
+/// Describes frames in readable form and builds frames from text.
 class FrameInspector
 {
 public:
     virtual ~FrameInspector() = default;
-    /// @param fromBoard its direction; numbers mean other things each way
+    /// @param fromBoard its direction; the same number means different things each way
     [[nodiscard]] virtual FrameText describeFrame(const FrameView &frame, bool fromBoard) const = 0;
-    /// The same for bytes that left for the board, which may be several frames in one go.
+    /// The same for bytes that were sent to the board, which may be several frames in one write.
     [[nodiscard]] virtual FrameText describeSent(QByteArrayView bytes) const = 0;
     /// True for frames that carry live data, so that a log may leave them out.
     [[nodiscard]] virtual bool isTelemetryFrame(int id) const = 0;
@@ -152,11 +152,11 @@ public:
     [[nodiscard]] virtual QStringList commandNames() const = 0;
 
 protected:
-    /// What was sent where both directions have the same frames.
+    /// Describes what was sent, for protocols with the same frames in both directions.
     [[nodiscard]] FrameText describeFrames(QByteArrayView bytes, Framer &framer) const;
 };
 
-/// A fault the board reports: what it is called; cause and cure are worded in widgets/.
+/// A fault the board reports: its name; cause and remedy are worded in widgets/.
 struct BoardFault
 {
     QString key;  ///< "no-sensor"
@@ -174,42 +174,43 @@ public:
     [[nodiscard]] virtual std::vector<BoardFault> faults(unsigned bits, unsigned detail) const = 0;
 };
 
-/// Something the board tells of its parts: a name, and words that stand side by side. All of it is in the
-/// tables' catalogue.
+/// Something the board reports about one of its components: a name, and words shown side by side. All of it
+/// is in the tables' catalogue.
 struct BoardFact
 {
     const char *name = "";
     std::vector<const char *> words;
 };
 
-/// What the operator should decide when a board was found: a sentence, and the action that changes it.
+/// A decision for the operator when a board was found: a sentence, and the action that makes the change.
 struct ConnectOffer
 {
     const char *text = "";
-    const char *choice = "";  ///< what the button says
+    const char *choice = "";  ///< text of the button
     const char *action = "";
 };
 
-/// Boards that tell in words what they are doing.
+/// Boards that report in words what they are doing.
 class StatusWords
 {
 public:
     virtual ~StatusWords() = default;
-    /// What its status words say of its parts. @param latest the newest value of a channel, NaN without one
+    /// What the status words say about the board's components. @param latest newest value of a channel, NaN
+    /// if none
     [[nodiscard]] virtual std::vector<BoardFact> facts(const std::function<double(int)> &latest) const = 0;
     /// The value of the channel with the role "state" in words.
     [[nodiscard]] virtual QString statusText(int state) const = 0;
-    /// A text that the board sends for the operator's eyes; empty for other frames.
+    /// Text of a message that the board sends to the operator; empty for other frames.
     [[nodiscard]] virtual QString messageText(const FrameView &frame) const = 0;
     [[nodiscard]] virtual std::optional<ConnectOffer> connectOffer() const = 0;
 };
 
-/// Where the parameters of one notch filter are: their keys, and the bit that switches it on.
+/// The parameters of one notch filter: their keys, and the bit that enables it.
 struct NotchFilter
 {
     QString frequency;  ///< Hz
     QString width;  ///< Hz
-    QString depth;  ///< dB, positive takes out
+    QString depth;  ///< dB, positive attenuates
     QString enabled;
     int bit = 0;
 };
@@ -222,8 +223,8 @@ public:
     [[nodiscard]] virtual std::vector<NotchFilter> notchesOf(Axis axis) const = 0;
 };
 
-/// Boards whose three gains are those of a PID with a shape of its own, so that two sliders can stand for
-/// them. Without a state of its own; may outlive the device.
+/// Boards whose three gains form a PID with a particular shape, so that two sliders can represent them. Has
+/// no state; may outlive the device.
 class GainShape
 {
 public:
@@ -231,11 +232,11 @@ public:
     [[nodiscard]] virtual PidShape shapeOf(const PidGains &gains) const = 0;
     /// @param damping 0 to 100 @param stability 0 to 100
     [[nodiscard]] virtual PidGains gainsFor(double damping, double stability) const = 0;
-    /// Damping and stability that stand for these gains, each 0 to 100.
+    /// Damping and stability that correspond to these gains, each 0 to 100.
     [[nodiscard]] virtual std::pair<double, double> slidersFor(const PidGains &gains) const = 0;
 };
 
-/// Boards that say so before they restart.
+/// Boards that announce a restart.
 class RestartNotice
 {
 public:

@@ -11,12 +11,12 @@
 /// What an action can do to a gimbal.
 enum class ActionRisk { Safe, Moves, Writes, Destroys };
 
-/// What an action does to the values in use, on boards that keep them apart from the stored ones.
+/// Effect of an action on the values in use, on boards that keep them apart from the stored ones.
 enum class MemoryEffect {
     None,
-    ChangesInUse,  ///< what is in use differs from what is stored afterwards
-    Stores,  ///< everything in use is stored
-    Reloads,  ///< what is stored is in use again
+    ChangesInUse,  ///< the values in use differ from the stored ones afterwards
+    Stores,  ///< all values in use are stored
+    Reloads,  ///< the stored values are in use again
 };
 
 enum class ArgumentKind { Integer, Real, Choice, Text, Toggle };
@@ -31,11 +31,11 @@ struct ArgumentSpec
     double max = 255;
     const char *unit = "";
     std::span<const Choice> choices{};
-    const char *defaultText = "";  ///< "" = must be given
+    const char *defaultText = "";  ///< "" = required
 };
 
-/// What must be so before an action is performed, by the channels with the roles "armed", "calibrated" and
-/// "outputs".
+/// What must hold before an action is performed, according to the channels with the roles "armed",
+/// "calibrated" and "outputs".
 enum class Condition : std::uint8_t { Disarmed, Calibrated, MotorsOff };
 
 /// A named command: everything a protocol can do that is neither a parameter nor telemetry.
@@ -47,19 +47,19 @@ struct ActionSpec
     const char *group = "";
     ActionRisk risk = ActionRisk::Safe;
     std::span<const ArgumentSpec> arguments{};
-    bool isProcedure = false;  ///< many steps, with progress and cancel
+    bool isProcedure = false;  ///< takes many steps, with progress and cancel
     int since = 0;
     const char *capability = "";
     MemoryEffect memory = MemoryEffect::None;
-    bool whileSteering = false;  ///< at hand on the control page
+    bool whileSteering = false;  ///< offered on the control page
     std::span<const Condition> needs{};
     const char *confirm = "";  ///< what the operator has to confirm each time: "The propellers are off."
-    milliseconds silence{0};  ///< the board says nothing for so long afterwards
+    milliseconds silence{0};  ///< how long the board says nothing afterwards
 };
 
-/// What came back: figures and texts by key, e.g. {"angle.roll": 1.25}.
+/// The reply: figures and texts by key, e.g. {"angle.roll": 1.25}.
 using ActionReply = QVariantMap;
 
-/// Checks texts against the specs, fills in defaults. Errors: InvalidArgument naming the argument, its type
-/// and range.
+/// Checks texts against the specs and fills in defaults. Errors: InvalidArgument naming the argument, its
+/// type and range.
 Result<QVariantMap> parseArguments(const ActionSpec &action, const QMap<QString, QString> &texts);

@@ -31,27 +31,27 @@ struct StopPlan;
 struct Subscription;
 struct TelemetryPlan;
 
-/// A family's knowledge as plain sequential code against a Channel. Constant once identified, so the screen
-/// may read the tables while the worker thread uses the rest. What every board has is a pure function here;
-/// what only some have is an interface (abilities.h, steering.h), null where the board lacks it.
+/// What a family knows, as plain sequential code that talks to a Channel. Constant once identified, so the
+/// GUI may read the tables while the worker thread uses the rest. What every board has is a pure virtual
+/// function here; what only some have is an interface (abilities.h, steering.h), null if the board lacks it.
 class Device
 {
 public:
     virtual ~Device() = default;
 
-    /// One harmless question; true if a board of this family answered it.
+    /// Sends one harmless query; true if a board of this family answered it.
     virtual Result<bool> probe(Channel &channel) = 0;
-    /// Finds out who is there. Errors: Timeout, BadReply, LinkClosed.
+    /// Identifies the board. Errors: Timeout, BadReply, LinkClosed.
     virtual Result<BoardIdentity> identify(Channel &channel) = 0;
     [[nodiscard]] virtual const BoardIdentity &identity() const = 0;
-    /// From now on nothing is written: a recording, or a board that somebody else is in charge of.
+    /// Forbids writing from now on: for a recording, or a board under someone else's control.
     virtual void setReadOnly() = 0;
     [[nodiscard]] virtual std::shared_ptr<const ParameterSet> parameters() const = 0;
 
-    /// Reads everything; a missing part is left out, not an error.
+    /// Reads everything; a missing part is left out and is not an error.
     virtual Result<Configuration> readConfiguration(Channel &channel) = 0;
     virtual Result<QByteArray> readBlock(Channel &channel, BlockKey key) = 0;
-    /// Writes one block; BlockSpec says what that means for the board. May make its profile the active one.
+    /// Writes one block; BlockSpec tells what that does to the board. May make its profile the active one.
     virtual Result<void> writeBlock(Channel &channel, BlockKey key, const QByteArray &bytes) = 0;
 
     [[nodiscard]] virtual std::span<const ActionSpec> actions() const = 0;
@@ -61,19 +61,18 @@ public:
         = 0;
 
     [[nodiscard]] virtual ChannelTable channels() const = 0;
-    /// Arranges live data. Errors: TooMuch (the line cannot carry it), InvalidArgument (no such stream), the
+    /// Sets up live data. Errors: TooMuch (the line cannot carry it), InvalidArgument (no such stream), the
     /// board's own.
     virtual Result<TelemetryPlan> subscribe(Channel &channel, const Subscription &subscription,
                                             std::optional<LineSettings> line)
         = 0;
-    /// For a recording: a decoder that learns from what was sent what the board was asked for.
+    /// For a recording: a decoder that learns from the sent frames what the board was asked for.
     [[nodiscard]] virtual std::shared_ptr<TelemetryDecoder> replayDecoder() const = 0;
 
-    /// How its motors are stopped. Asked for after each job, because a job may change how the board is
-    /// reached.
+    /// How to stop the motors. Requested after each job, because a job may change how the board is reached.
     [[nodiscard]] virtual StopPlan stopPlan() const = 0;
 
-    // Used on the worker thread; the screen reads what is constant.
+    // Used on the worker thread; the GUI reads only what is constant.
     [[nodiscard]] virtual ProfileAccess *profiles() { return nullptr; }
     [[nodiscard]] virtual const ProfileAccess *profiles() const { return nullptr; }
     [[nodiscard]] virtual WriteBracket *writeBracket() { return nullptr; }
@@ -92,7 +91,7 @@ public:
     [[nodiscard]] virtual const RestartNotice *restartNotice() const { return nullptr; }
 };
 
-/// Where the channels of a board are that pages look for by meaning.
+/// The channels of a board by the roles that pages look for.
 [[nodiscard]] inline ChannelRoles rolesOf(const Device &device)
 {
     return {device.channels(), device.identity().capabilities};

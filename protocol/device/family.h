@@ -9,16 +9,16 @@
 #include "protocol/session/linktiming.h"
 #include "protocol/transport/linkaddress.h"
 
-/// A kind of link that a family lives on.
+/// A kind of link over which a family is reached.
 struct FamilyLink
 {
     LinkAddress::Kind kind = LinkAddress::Kind::Serial;
-    /// Its question harms no board of another family there. Where it might, the address has to name the
-    /// family.
+    /// Probing for this family cannot harm a board of another family there. Where it might, the address has
+    /// to name the family.
     bool mayAskAnybody = true;
 };
 
-/// What it moves, in the words of the tables' catalogue.
+/// What the boards move, in words of the tables' catalogue.
 struct Nouns
 {
     const char *load = "camera";  ///< "the camera stands still"
@@ -36,20 +36,19 @@ struct Family
     Nouns nouns = {};
     std::function<std::unique_ptr<Framer>()> makeFramer;
     std::function<std::unique_ptr<Device>()> makeDevice;
-    /// The parameters that a board with this identity has, to understand a file without the board.
+    /// The parameters of a board with this identity, to read a file without the board.
     std::function<std::shared_ptr<const ParameterSet>(const BoardIdentity &)> makeParameters;
-    /// The name of the protocol when these bytes look like one that its boards speak; empty where they do
-    /// not, or not yet.
+    /// Name of the protocol if these bytes look like it; empty if they do not, or not yet.
     std::function<QString(const QByteArray &heard)> recognise = {};
-    /// Programs that its boards keep; null where there are none.
+    /// Language of the scripts that its boards store; null if there are none.
     std::shared_ptr<const ScriptLanguage> scripts = nullptr;
-    /// The settings files of its own original program.
+    /// Settings files of the manufacturer's own program.
     std::optional<ForeignFile> settingsFile = {};
-    /// Files with the calibration of a sensor.
+    /// Files with a sensor calibration.
     std::optional<CalibrationFile> calibrationFile = {};
 
-    /// Whether its boards are reached over such links. A simulated board and a recording are as good as any.
+    /// Whether its boards are reached over this kind of link. Simulated boards and recordings always are.
     [[nodiscard]] bool livesOn(LinkAddress::Kind kind) const;
-    /// Whether its question may be asked there before anybody knows who is listening.
+    /// Whether it may be probed there before it is known who is listening.
     [[nodiscard]] bool mayAskAnybody(LinkAddress::Kind kind) const;
 };

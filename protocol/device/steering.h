@@ -11,7 +11,7 @@
 
 struct ControlFrames;
 
-/// One thing to steer with, as the operator sees it: a stick, a slider, an angle to go to.
+/// One input for steering, as the operator sees it: a stick, a slider, a target angle.
 struct SteeringInput
 {
     const char *key = "";
@@ -21,21 +21,21 @@ struct SteeringInput
     double min = -1;
     double max = 1;
     double centre = 0;
-    bool springsBack = true;  ///< returns to its centre when let go; otherwise it stays
-    double padReach = 0;  ///< where the rim of a pad points; 0: the family leaves it to the screen
+    bool springsBack = true;  ///< returns to its centre when released; otherwise it stays
+    double padReach = 0;  ///< value at the rim of a pad; 0: the GUI chooses
 };
 
-/// A switch that goes with the set-points.
+/// A switch sent along with the set-points.
 struct SteeringSwitch
 {
     const char *key = "";
     const char *label = "";
     std::span<const Choice> choices{};
-    int start = 0;  ///< where it stands before the operator touches it
-    bool arms = false;  ///< anything but its start drives the motors
+    int start = 0;  ///< position before the operator touches it
+    bool arms = false;  ///< any position but the start drives the motors
 };
 
-/// A way of steering: which inputs there are.
+/// A steering mode and its inputs.
 struct SteeringMode
 {
     int id = 0;
@@ -47,30 +47,30 @@ struct SteeringMode
     [[nodiscard]] int inputOf(Axis axis) const;
     /// Position of the input with that key, or -1.
     [[nodiscard]] int find(const char *wanted) const;
-    /// The axes are steered to places, which stay, and not by how fast they turn.
+    /// The axes are steered to positions, which they keep, rather than by rate.
     [[nodiscard]] bool isPositional() const;
 };
 
-/// Where inputs and switches stand. Inputs that are NaN are left alone.
+/// Positions of inputs and switches. Inputs that are NaN are left unchanged.
 struct SteeringSetpoint
 {
     int mode = 0;  ///< id of a mode
     std::vector<double> inputs;  ///< in the order of the mode's
     std::vector<int> switches;  ///< in the order of Steering::switches()
-    bool holds = false;  ///< nothing was moved since arming: no limit applies to where everything is
+    bool holds = false;  ///< nothing was moved since arming: no limit applies to the present position
 };
 
-/// Boards that can be steered. Set-points are streamed by the I/O thread with the dead-man's rule.
+/// Boards that can be steered. The I/O thread streams set-points under the dead-man rule.
 class Steering
 {
 public:
     virtual ~Steering() = default;
     [[nodiscard]] virtual std::span<const SteeringMode> modes() const = 0;
     [[nodiscard]] virtual std::span<const SteeringSwitch> switches() const = 0;
-    /// Set-points that keep everything where it is now, so that arming moves nothing. NaN where that is
-    /// unknown.
+    /// Set-points that keep everything where it is now, so that arming moves nothing. NaN where the position
+    /// is unknown.
     [[nodiscard]] virtual SteeringSetpoint holdingSetpoint(int mode, const LatestValues &latest) const = 0;
-    /// The frames for the wire; an empty set-point where nothing is to be sent.
+    /// The frames to send; an empty set-point if nothing is to be sent.
     [[nodiscard]] virtual ControlFrames controlFrames(const SteeringSetpoint &setpoint) const = 0;
 
     [[nodiscard]] const SteeringMode *mode(int id) const;

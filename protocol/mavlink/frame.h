@@ -7,10 +7,10 @@
 namespace mavlink {
 
 inline constexpr std::byte kStart{0xFE};
-/// Start byte, length, sequence, system, component, message; the checksum behind the payload.
+/// Start byte, length, sequence, system, component, message, and the checksum after the payload.
 inline constexpr std::size_t kOverhead = 8;
 
-/// Who sends, or to whom: STorM32 is 71, 67 unless it is changed (parameters 110 and 111).
+/// Sender or addressee: STorM32 is 71, 67 unless it is changed (parameters 110 and 111).
 struct Address
 {
     int system = 71;
@@ -18,7 +18,7 @@ struct Address
     friend bool operator==(const Address &, const Address &) = default;
 };
 
-/// A frame of version 1 as it was found.
+/// A version 1 frame as received.
 struct Packet
 {
     int id = 0;
@@ -27,7 +27,7 @@ struct Packet
     Bytes payload;
 };
 
-/// What stands at the beginning of these bytes.
+/// What these bytes begin with.
 enum class Look { No, Incomplete, Damaged, Complete };
 struct Sighting
 {
@@ -43,15 +43,15 @@ struct Sighting
 
 /// The values of a message's payload by field name. Errors: BadReply (too short).
 [[nodiscard]] Result<QVariantMap> decodeFields(const Message &message, Bytes payload);
-/// A message's payload out of values by name; what is not named is zero. Errors: those of the fields, and
+/// A message's payload from values by field name; fields not named are zero. Errors: those of the fields, and
 /// InvalidArgument (more than 255 bytes).
 [[nodiscard]] Result<QByteArray> encodeFields(const Message &message, const QVariantMap &values);
 
-/// How a parameter's 16 bits travel in the value field (errata 6): as a float up to firmware 0.90, as they
-/// are from 0.91.
+/// How a parameter's 16 bits travel in the value field (errata 6): as a float up to firmware 0.90, as raw
+/// bits from 0.91.
 enum class ValueCoding { Number, Bits };
 [[nodiscard]] float encodeValue(int raw16, ValueCoding coding);
-/// Back to the 16 bits; numbers outside 0..65535 are held at the end.
+/// Back to the 16 bits; numbers outside 0..65535 are clamped.
 [[nodiscard]] int decodeValue(float value, ValueCoding coding);
 
 }  // namespace mavlink

@@ -99,7 +99,7 @@ constexpr Message kMessages[] = {
 };
 // clang-format on
 
-// Each message's fields lie one behind the other and fill it.
+// The fields of each message are contiguous and fill it.
 constexpr bool fieldsFill(const Message &message)
 {
     int at = 0;

@@ -5,8 +5,8 @@
 #include "protocol/base/namedfields.h"
 
 /// The MAVLink version 1 messages that a STorM32 board speaks, with the checksum seeds of its own dialect.
-/// Public tables of today give other seeds for some of the numbers, so none of them would do (STorM32 errata
-/// 6).
+/// Today's public tables give different seeds for some of the message numbers, so none of them can be used
+/// (STorM32 errata 6).
 namespace mavlink {
 
 enum class MessageId : int {
@@ -41,9 +41,9 @@ struct Message
     MessageId id{};
     const char *name = "";
     std::uint8_t crcExtra = 0;
-    int size = 0;  ///< of the payload; of a variable one the least it can have
+    int size = 0;  ///< of the payload; the minimum if it is variable
     bool variable = false;
-    NamedFields fields;  ///< in the order of the wire, one behind the other
+    NamedFields fields;  ///< in wire order, without gaps
 };
 
 [[nodiscard]] std::span<const Message> messages();

@@ -16,14 +16,14 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr auto kTick = 20ms;  // as often as set-points go out
-constexpr double kTail = 0.3;  // seconds after the end until the last samples are there
-constexpr double kStale = 0.4;  // seconds without new samples
-constexpr double kStill = 1.0;  // degrees off target before it begins
+constexpr auto kTick = 20ms;  // the interval at which set-points are sent
+constexpr double kTail = 0.3;  // seconds to wait after the end for the last samples
+constexpr double kStale = 0.4;  // seconds without new samples that end the test
+constexpr double kStill = 1.0;  // degrees off target allowed before it begins
 constexpr double kQuiet = 1.0;  // seconds within kStay that show that the camera has arrived
 constexpr double kStay = 0.5;  // degrees
-constexpr double kCentering = 15.0;  // seconds it may take to arrive
-constexpr double kFade = 0.5;  // seconds in which a sweep grows and dies away
+constexpr double kCentering = 15.0;  // seconds allowed for arriving
+constexpr double kFade = 0.5;  // seconds over which a sweep fades in and out
 
 Result<void> within(double value, double low, double high, const QString &what)
 {
@@ -59,7 +59,7 @@ double MotionTestPlan::offsetAt(double seconds) const
         const int part = int(std::floor(seconds / rest));
         return part >= 1 && part <= steps && part % 2 == 1 ? degrees : 0.0;
     }
-    // Each frequency as long as it needs: the logarithm of frequency grows evenly.
+    // Each frequency gets as long as it needs: the logarithm of the frequency grows linearly.
     const double t = std::clamp(seconds - kFade, 0.0, sweepSeconds);
     const double growth = std::log(toHz / fromHz) / sweepSeconds;
     const double turns = growth > 1e-9 ? fromHz * (std::exp(growth * t) - 1.0) / growth : fromHz * t;
@@ -108,10 +108,10 @@ private:
     const std::size_t m_axis;
     const bool m_told;
     SteeringSetpoint m_middle;  // set-points without the movement
-    int m_input = -1;  // of the axis, among them
-    double m_rest = 0;  // where the axis stands then
+    int m_input = -1;  // index of the axis' input
+    double m_rest = 0;  // position of the axis with these set-points
     bool m_centering = false;
-    std::vector<std::pair<TimePoint, double>> m_sent;  // offsets, each until the next
+    std::vector<std::pair<TimePoint, double>> m_sent;  // offsets, each valid until the next
     TimePoint m_startedAt{};
     quint64 m_lastRows = 0;
     TimePoint m_lastNewsAt{};
@@ -133,7 +133,7 @@ Result<MotionTestResult> Run::run()
     return collect();
 }
 
-// The one that reaches furthest.
+// The mode with the longest reach.
 const SteeringMode *Run::furthestMode() const
 {
     const Steering *steering = m_device.steering();
@@ -189,7 +189,7 @@ Result<void> Run::prepare()
     return {};
 }
 
-// What must not be: the axis far from where it should be, nobody looking, motors off.
+// Reasons to stop: the axis far from where it should be, no fresh telemetry, motors off.
 std::optional<Error> Run::danger()
 {
     const TimePoint now = m_channel.now();
@@ -204,7 +204,8 @@ std::optional<Error> Run::danger()
         return Error{ErrorCode::Unready, u"the motors went off"_s, 0};
     if (m_centering)
         return {};
-    // A step is not followed at once: while it rises, its own height does not count.
+    // An axis does not follow a step at once: while it rises, the height of the step does not count as
+    // deviation.
     const double off = std::abs(latest(m_roles.angle[m_axis]) - m_rest);
     const double allowed = m_plan.degrees + m_plan.limit;
     if (off > allowed)
@@ -221,11 +222,11 @@ Result<void> Run::wait()
     return m_channel.sleep(kTick);
 }
 
-// Brings the camera to its middle and finds where that is; the test's own time begins then.
+// Moves the camera to its middle and measures where that is; the test's own time begins then.
 Result<void> Run::center()
 {
     const int channel = m_roles.angle[m_axis];
-    double quietAngle = latest(channel);  // near which the axis has been since
+    double quietAngle = latest(channel);  // the axis has stayed near this angle since
     TimePoint quietSince = m_channel.now();
     m_centering = true;
     while (seconds(m_channel.now() - quietSince) < kQuiet) {
@@ -281,7 +282,7 @@ void Run::report(double share)
     m_channel.progress(progress);
 }
 
-// What was sent, at the instants of the angle.
+// The target as it was sent, at the instants of the angle samples.
 UniformSamples Run::sentTarget(const UniformSamples &angle) const
 {
     UniformSamples target = angle;

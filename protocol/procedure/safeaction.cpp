@@ -9,7 +9,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-// The path of the snapshot, empty where the risk needs none.
+// The path of the snapshot, empty if the risk requires none.
 Result<QString> backupFor(Channel &channel, Device &device, ActionRisk risk, const QString &reason,
                           const BoardHistory &history, const LiveValues &live)
 {
@@ -19,11 +19,11 @@ Result<QString> backupFor(Channel &channel, Device &device, ActionRisk risk, con
         return QString();
     const auto configuration = device.readConfiguration(channel);
     if (!configuration)
-        return tl::unexpected(configuration.error());  // the board's own reason; nothing was sent yet
+        return tl::unexpected(configuration.error());  // the board's own error; nothing was sent yet
     return history.save(withoutLive(*configuration, live), reason);
 }
 
-// Nothing older than this tells how it is now.
+// Older telemetry does not show the present state.
 constexpr auto kFresh = 2s;
 
 Result<void> checkCondition(Condition condition, const Device &device, const LatestValues *latest,

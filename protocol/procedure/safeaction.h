@@ -15,21 +15,21 @@ struct ActionOutcome
     QString snapshotPath;
 };
 
-/// The channel that tells whether it is so; -1 where the board has none.
+/// The channel that reports a condition; -1 if the board has none.
 [[nodiscard]] int channelOf(Condition condition, const ChannelRoles &roles);
 
 /// Performs an action; one that writes or destroys takes a full snapshot first and refuses to run without it.
-/// Errors: Unsupported for an unknown key, NoBackup, those of reading the board, and those of the action.
-/// ConditionUnmet where something that the action needs is not so, or nothing tells; its confirmation is the
-/// caller's business.
-/// @param live values in use that are not stored, so that the snapshot tells what is
-/// @param latest telemetry that tells whether the board is armed, calibrated, driving its motors; may be null
+/// Asking for its confirmation is up to the caller. Errors: Unsupported for an unknown key, NoBackup,
+/// ConditionUnmet (a condition of the action is not met, or unknown), those of reading the board, and those
+/// of the action.
+/// @param live values in use that are not stored, so that the snapshot holds the stored ones
+/// @param latest telemetry that shows whether the board is armed, calibrated, driving its motors; may be null
 /// for actions without conditions
 Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QString &key,
                                     const QVariantMap &arguments, const BoardHistory &history,
                                     const LiveValues &live = {}, const LatestValues *latest = nullptr);
 
 /// Sends a command typed by hand; one that writes or destroys takes a full snapshot first. Its answer goes to
-/// whoever listens. Errors: ReadOnly, NoBackup, those of reading the board.
+/// the frame listeners. Errors: ReadOnly, NoBackup, those of reading the board.
 Result<bool> sendRaw(Channel &channel, Device &device, const RawCommand &command, const BoardHistory &history,
                      const LiveValues &live = {});

@@ -40,7 +40,7 @@ private:
     Result<void> verify();
     void rollBack();
     void finishReport(const Error &error);
-    // Where the board has such a thing.
+    // For boards with a WriteBracket.
     Result<void> begin();
     Result<void> end();
     Result<void> selectActive();
@@ -63,8 +63,8 @@ private:
     WriteReport m_report;
     std::vector<ParameterChange> m_changes;
     std::vector<DataChange> m_data;
-    std::vector<BlockKey> m_keys;  // in the order of writing: the active profile last, then what restarts
-    std::map<BlockKey, QByteArray> m_board;  // fresh from the board, before anything was written
+    std::vector<BlockKey> m_keys;  // in writing order: the active profile last, then what restarts
+    std::map<BlockKey, QByteArray> m_board;  // as read from the board before anything was written
     std::set<BlockKey> m_written;
     bool m_namesChanged = false;
     bool m_bracketOpen = false;
@@ -72,7 +72,8 @@ private:
     int m_done = 0;
 };
 
-// A board that has confirmed goes down within this time, and is asked this often whether it is back.
+// A board that has confirmed the write goes down within this time; also the interval of asking whether it is
+// back.
 constexpr milliseconds kRestartPause = 1s;
 
 bool isLinkGone(const Error &error)
@@ -134,7 +135,7 @@ Result<void> Writer::backUp()
 }
 
 // Board-wide values are shared by all profiles, so one block would do; but every block that is written
-// carries them, and must not carry the old ones back.
+// carries them and must not write the old ones back.
 void Writer::collectBlocks()
 {
     std::set<BlockKey> keys;
@@ -223,7 +224,7 @@ Result<void> Writer::writeBracketed()
         if (restarts(key))
             break;
         report(u"write-block"_s, key);
-        // From here on, until it is read back, nobody knows what the board holds.
+        // Until it is read back, it is unknown what the board holds.
         markBlock(key, WriteState::Unknown);
         m_written.insert(key);
         if (const auto written = put(key, patched(key)); !written)
@@ -250,7 +251,7 @@ Result<void> Writer::writeRestarting()
     return {};
 }
 
-// Writes a block; one that restarts the board is written when the board is back.
+// Writes a block; if that restarts the board, returns once the board is back.
 Result<void> Writer::put(BlockKey key, const QByteArray &bytes)
 {
     if (!restarts(key))
@@ -258,7 +259,7 @@ Result<void> Writer::put(BlockKey key, const QByteArray &bytes)
     const milliseconds absence = specOf(key).restartTime > 0ms ? specOf(key).restartTime : kRestartLimit;
     m_channel.expectSilence(absence);
     const auto written = m_device.writeBlock(m_channel, key, bytes);
-    // A board that restarts at once does not get to confirm it. What it holds is read when it is back.
+    // A board that restarts at once cannot confirm. What it holds is read when it is back.
     const bool mayBeRestarting = written || written.error().code == ErrorCode::Timeout
         || written.error().code == ErrorCode::LinkClosed;
     if (!mayBeRestarting)
@@ -272,8 +273,8 @@ Result<void> Writer::put(BlockKey key, const QByteArray &bytes)
     return back ? Result<void>() : tl::unexpected(back.error());
 }
 
-// Reads a block; a board that restarts has time to come back. On a link that is closed no time passes, so the
-// number of attempts has an end as well.
+// Reads a block; a restarting board gets time to come back. On a closed link no time passes, so the number of
+// attempts is limited as well.
 Result<QByteArray> Writer::fetch(BlockKey key)
 {
     for (auto attempts = (m_backBy - m_channel.now()) / kRestartPause;; --attempts) {
@@ -372,7 +373,7 @@ Result<void> Writer::verify()
                 data.state = *bytes == expected ? WriteState::Verified : WriteState::Mismatch;
         }
     }
-    // The blocks that were not written carry the new board-wide values as well.
+    // The blocks that were not written also carry the new board-wide values.
     for (const ParameterChange &change : m_changes) {
         if (change.spec->row->scope == Scope::Board)
             std::ignore = m_report.onBoard.copyRaw(*change.spec, change.profile, m_edited);
@@ -390,7 +391,7 @@ void Writer::finishReport(const Error &error)
     rollBack();
 }
 
-// The board still answers: put back what was there before, and look whether it is.
+// The board still answers: restore the previous values and check that they are there.
 void Writer::rollBack()
 {
     if (!m_bracketOpen && !restarts(m_keys.front())) {

@@ -36,7 +36,7 @@ QString BoardHistory::defaultRoot()
 
 QString BoardHistory::folder(const QString &serial) const
 {
-    // The number comes from the board: it must not lead out of the folder.
+    // The serial number comes from the board: it must not lead out of the folder.
     QString name = serial;
     name.replace(QRegularExpression(u"[^A-Za-z0-9-]"_s), u"_"_s);
     return m_root + u'/' + (name.isEmpty() ? u"unknown"_s : name.left(80));
@@ -51,7 +51,7 @@ Result<QString> BoardHistory::save(const Configuration &configuration, const QSt
     const QString path = u"%1/%2.json"_s.arg(folderPath, stamp);
     if (const auto saved = ConfigurationFile::save(path, configuration, reason); !saved)
         return failure(ErrorCode::NoBackup, saved.error().detail);
-    // A backup counts only once it was read again and holds the same bytes.
+    // A backup counts only once it was read back with the same bytes.
     const auto again = ConfigurationFile::load(
         path, [&configuration](const BoardIdentity &) { return configuration.parameterSet(); });
     if (!again)
@@ -82,7 +82,7 @@ Result<void> BoardHistory::saveUnsaved(const Configuration &base, const QJsonObj
     const QDir dir(folder(base.identity().serial) + u'/' + kUnsavedFolder);
     if (!QDir().mkpath(dir.path()))
         return failure(ErrorCode::BadFile, dir.path());
-    // The base first: edits without what they started from are of no use.
+    // The base first: edits are useless without the configuration they started from.
     const QByteArray board = ConfigurationFile::toJson(base, u"unsaved edits"_s, {});
     QFile known(dir.filePath(kBaseFile));
     if (!known.open(QIODevice::ReadOnly) || known.readAll() != board) {

@@ -6,7 +6,8 @@
 
 #include <QJsonObject>
 
-/// The snapshots of all boards this computer has met, one folder per board, named by its serial number.
+/// Snapshots of all boards that were connected to this computer, one folder per board, named by its serial
+/// number.
 class BoardHistory
 {
 public:
@@ -21,7 +22,7 @@ public:
     /// When a snapshot was taken, from its file name (UTC).
     [[nodiscard]] static QDateTime timeOf(const QString &path);
 
-    /// Edits that never reached the board, kept through a crash beside its snapshots: any JSON the program
+    /// Edits that never reached the board, kept beside its snapshots to survive a crash: any JSON the program
     /// makes of them, and the configuration they started from. Errors: BadFile.
     Result<void> saveUnsaved(const Configuration &base, const QJsonObject &edits) const;
     void dropUnsaved(const QString &serial) const;

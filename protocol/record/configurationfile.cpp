@@ -30,7 +30,7 @@ QJsonValue valueOf(const ParameterSpec &spec, double raw)
     case ValueKind::Flags: return spec.format(raw);
     case ValueKind::Number: break;
     }
-    // As text and back, so that the file shows 0.18 and not 0.17999999999999999.
+    // By way of text, so that the file shows 0.18 and not 0.17999999999999999.
     return spec.format(raw).toDouble();
 }
 
@@ -57,8 +57,8 @@ QJsonObject valuesOf(const Configuration &configuration, int profile, Scope scop
     return values;
 }
 
-// Whether the file's value is the one that the blocks hold. Files of earlier versions show counts with the
-// decimals of the screen, which may not be enough to tell them apart.
+// Whether the file's value equals the one in the blocks. Files of earlier versions show counts with the
+// decimals of the screen, which may not be enough to tell two counts apart.
 bool isKnown(const ParameterSpec &spec, double known, const QJsonValue &value, double raw)
 {
     const bool rounded = spec.row->wire != WireType::F32 && spec.row->kind == ValueKind::Number
@@ -96,8 +96,8 @@ Result<void> readValues(Configuration &configuration, const QJsonObject &values,
     return {};
 }
 
-// Boards of other firmware may count in other steps, or call their choices by other numbers: what is
-// displayed is what is meant. A choice that there is not there gets a number out of range.
+// Boards with other firmware may use other scales or other numbers for their choices, so the displayed value
+// is what is carried over. A choice that does not exist there gets a number out of range.
 double translated(const ParameterSpec &from, double raw, int fromFirmware, const ParameterSpec &to,
                   int toFirmware)
 {
@@ -117,8 +117,7 @@ double translated(const ParameterSpec &from, double raw, int fromFirmware, const
     return to.row->max + 1;
 }
 
-// ", value of KEY" where what stands before that byte is the value of a key: a number as large as 1e999 is no
-// JSON.
+// ", value of KEY" if the text before that byte ends in a key: a number as large as 1e999 is not valid JSON.
 QString entryAt(const QByteArray &json, int offset)
 {
     static const QRegularExpression key(u"\"([^\"]*)\"\\s*:[^\":,]*$"_s);
@@ -217,7 +216,7 @@ Result<ConfigurationFile> ConfigurationFile::fromJson(const QByteArray &json,
             if (!blocks.contains(name))
                 continue;
             const QByteArray bytes = QByteArray::fromHex(blocks.value(name).toString().toLatin1());
-            // Blocks of parameters may have grown since; those of data are taken as a whole or not at all.
+            // Parameter blocks may have grown since; data blocks are taken as a whole or not at all.
             if (bytes.size() < block.size || (block.isData() && !block.holds(bytes.size()))) {
                 return failure(ErrorCode::BadFile,
                                u"block %1 has %2 of %3 bytes"_s.arg(name).arg(bytes.size()).arg(block.size));
@@ -298,7 +297,7 @@ Configuration applied(const Configuration &board, const Configuration &file, QSt
         const auto held = board.blocks().find(key);
         if (held != board.blocks().end() && held->second == bytes)
             continue;
-        // Code refers to the firmware it was made for; a text says itself what it means.
+        // Code depends on the firmware it was made for; a text does not.
         const BlockSpec *own = board.parameters().block(key.block);
         const bool fits = spec->isText() || file.parameters().firmware() == board.parameters().firmware();
         if (fits && own && own->kind == spec->kind && own->holds(bytes.size())

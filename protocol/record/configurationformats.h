@@ -5,11 +5,11 @@
 #include "protocol/device/family.h"
 #include "protocol/record/configurationfile.h"
 
-/// Configurations of all families in their own format, and in that of a family's original program.
+/// Configurations of all families in our own format and in those of the manufacturers' programs.
 
-/// Errors: BadFile with what is wrong and where.
+/// Errors: BadFile with the reason and the place.
 [[nodiscard]] Result<ConfigurationFile> loadConfiguration(const QString &path, const QList<Family> &families);
-/// The ending of the path decides on the format. Errors: BadFile, Unsupported.
+/// The path's suffix selects the format. Errors: BadFile, Unsupported.
 [[nodiscard]] Result<void> saveConfiguration(const QString &path, const Configuration &configuration,
                                              const QString &reason, const QList<Family> &families);
 [[nodiscard]] const Family *findFamily(const QList<Family> &families, const QString &key);

@@ -15,7 +15,7 @@ constexpr auto kDrainPeriod = 200ms;
 constexpr std::size_t kSetupPieces = 2000;
 constexpr std::size_t kSaidPieces = 20000;
 constexpr quint64 kPiecesAtOnce = 5000;
-constexpr qsizetype kPieceCost = 64;  // bytes of memory beside its content
+constexpr qsizetype kPieceCost = 64;  // bytes of memory in addition to its content
 
 }  // namespace
 
@@ -175,7 +175,7 @@ void RecordingTask::drain()
         const auto [pieces, number] = m_recorder.after(m_number);
         const quint64 before = number - std::min<quint64>(number, pieces.size());
         for (std::size_t i = 0; i < pieces.size() && m_result; ++i) {
-            // Of the past only what was said is wanted.
+            // Of the past, only what was sent or answered is written.
             if (before + i >= m_start || pieces[i].kind != RecordedPiece::Kind::Received)
                 m_result = m_writer.append(pieces[i]);
         }

@@ -14,8 +14,8 @@
 #include <thread>
 
 /// Listens to a link and always holds its last minutes, so that they can be saved after the fact. What was
-/// said while the link was set up is kept as long as the link lasts: without it nobody could understand the
-/// rest. Fed on the I/O thread, read from any.
+/// said while the link was set up is kept as long as the link lasts, because the rest cannot be decoded
+/// without it. Fed on the I/O thread, readable from any.
 class Recorder final : public FrameListener
 {
 public:
@@ -28,10 +28,10 @@ public:
     void bytesSent(QByteArrayView bytes, TimePoint at) override;
     void frameReceived(const FrameView &frame, TimePoint at, bool claimed) override;
 
-    /// Forgets everything: another board is about to be connected.
+    /// Forgets everything, before another board is connected.
     void clear();
-    /// Pieces after this number, oldest first, and the number of the last of them; some thousands at a time,
-    /// so that nobody is kept waiting. 0 = from the oldest that is held, beginning with how the link was set
+    /// Pieces after this number, oldest first, and the number of the last of them; a few thousand at a time,
+    /// so that nobody has to wait long. 0 = from the oldest that is held, beginning with how the link was set
     /// up.
     [[nodiscard]] std::pair<std::vector<RecordedPiece>, quint64> after(quint64 number) const;
     /// Number of the newest piece, 0 before the first.
@@ -54,23 +54,23 @@ private:
     std::optional<TimePoint> m_origin;
 };
 
-/// What a recording says of itself: which board, where, when, recorded by what.
+/// What a recording says about itself: which board, where, when, recorded by which program.
 [[nodiscard]] QJsonObject recordingDescription(const BoardIdentity &identity, const LinkAddress &address);
 
-/// Writes what a recorder hears to a file, on a thread of its own: a slow disk slows nothing else down.
+/// Writes what a recorder hears to a file, on its own thread: a slow disk slows nothing else down.
 class RecordingTask
 {
 public:
-    /// Writes everything the recorder holds, or only how the link was set up, and then what comes. Errors:
-    /// BadFile.
+    /// Writes everything the recorder holds, or only how the link was set up, and then everything that
+    /// follows. Errors: BadFile.
     static Result<std::unique_ptr<RecordingTask>> start(const Recorder &recorder, const QString &path,
                                                         const QJsonObject &description, bool withPast);
     ~RecordingTask();
 
-    /// Writes what is there and ends. The error, if the disk had one at any time.
+    /// Writes what is left and ends. Returns the error if writing failed at any time.
     Result<void> finish();
     [[nodiscard]] qint64 bytesWritten() const { return m_bytes.load(); }
-    /// True after the disk refused; finish() tells why.
+    /// True after writing failed; finish() returns the reason.
     [[nodiscard]] bool hasFailed() const { return m_failed.load(); }
 
 private:

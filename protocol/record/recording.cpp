@@ -46,7 +46,7 @@ quint64 readLittleEndian(QByteArrayView bytes)
     return value;
 }
 
-// False when the content does not hold what a checked chunk must: another program wrote it.
+// False when the content is not what a chunk with a valid checksum must hold: another program wrote it.
 bool readPieces(QByteArrayView content, std::vector<RecordedPiece> &pieces)
 {
     while (!content.isEmpty()) {
@@ -133,7 +133,7 @@ Result<Recording> Recording::fromBytes(const QByteArray &bytes)
                     recording.damage = u"the description is not JSON"_s;
             } else if (kind == PiecesChunk && !readPieces(content, recording.pieces)) {
                 recording.damage = u"a chunk holds something else than pieces"_s;
-            }  // other kinds are of a later version and left out
+            }  // other kinds belong to a later version and are ignored
             rest = rest.sliced(kChunkHeader + length);
         }
     }
@@ -194,7 +194,7 @@ Result<void> RecordingWriter::writeChunk(quint8 kind, const QByteArray &content)
         return {};
     }
     const Error error{ErrorCode::BadFile, u"%1: %2"_s.arg(m_file->fileName(), m_file->errorString()), 0};
-    m_file->resize(m_end);  // half a chunk is of no use to anybody
+    m_file->resize(m_end);  // remove an incomplete chunk
     m_file.reset();
     return tl::unexpected(error);
 }

@@ -30,35 +30,36 @@ struct RecordedPiece
 /// What passed over a link, as a file: "GIMBALREC 1\n", then chunks. A chunk is "GDCK", kind (1 byte: 1
 /// description, 2 pieces), three zero bytes, length of the content (4 bytes), the first eight bytes of the
 /// SHA-1 of all that and of the content, and the content. The description is JSON (family, identity, address,
-/// when). Pieces stand one behind the other: kind (1 byte), length (4), time (8), bytes. Numbers are
-/// little-endian. A file that was cut off anywhere is good up to its last complete chunk.
+/// when). Pieces follow each other without gaps: kind (1 byte), length (4), time (8), bytes. Numbers are
+/// little-endian. A truncated file is valid up to its last complete chunk.
 struct Recording
 {
     QJsonObject description;
     std::vector<RecordedPiece> pieces;
-    QString damage;  ///< what is wrong behind the part that was read; empty: nothing
+    QString damage;  ///< what is wrong after the part that was read; empty: nothing
     qint64 damageAt = 0;  ///< offset in the file
 
-    /// Nanoseconds of the first and the last received bytes.
+    /// Time of the first and the last received bytes, in nanoseconds.
     [[nodiscard]] qint64 begin() const;
     [[nodiscard]] qint64 end() const;
 
-    /// Reads up to the first damage. Errors: BadFile when it is no recording or nothing at all can be read.
+    /// Reads up to the first damage. Errors: BadFile if it is not a recording or nothing at all can be read.
     static Result<Recording> load(const QString &path);
     static Result<Recording> fromBytes(const QByteArray &bytes);
-    /// Only what the recording says of itself, without reading the rest. Errors: BadFile.
+    /// Reads only the description, without the rest. Errors: BadFile.
     static Result<QJsonObject> describe(const QString &path);
 };
 
-/// Writes a recording, appending only. A full disk ends it with an error; what was written stays good.
+/// Writes a recording, appending only. A full disk ends it with an error; what was already written stays
+/// valid.
 class RecordingWriter
 {
 public:
     /// Begins a new file. Errors: BadFile.
     static Result<RecordingWriter> create(const QString &path, const QJsonObject &description);
 
-    /// Adds pieces; they are on their way to the disk when enough have come together or flush() is called.
-    /// Errors: BadFile; after an error nothing more is written.
+    /// Adds pieces; they are written once enough have been collected or flush() is called. Errors: BadFile;
+    /// after an error nothing more is written.
     Result<void> append(const RecordedPiece &piece);
     Result<void> flush();
     [[nodiscard]] qint64 bytesWritten() const { return m_end; }

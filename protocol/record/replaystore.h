@@ -7,7 +7,7 @@
 
 class TelemetryStore;
 
-/// Everything of a recording at once, through the same framer and decoder as a live link. Times of the store
-/// begin with the recording's first received bytes.
+/// Decodes a whole recording at once, with the same framer and decoder as a live link. The store's times
+/// start with the recording's first received bytes.
 [[nodiscard]] std::shared_ptr<TelemetryStore> readTelemetry(const Recording &recording, const Family &family,
                                                             const Device &device);

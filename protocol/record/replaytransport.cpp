@@ -58,7 +58,7 @@ void ReplayTransport::close()
 
 void ReplayTransport::write(QByteArrayView bytes)
 {
-    // As on a real link, nothing comes back before the caller is done.
+    // As on a real link, the answer does not arrive before the caller has returned.
     QTimer::singleShot(0, this, [this, request = bytes.toByteArray()] {
         if (!m_open)
             return;
@@ -95,7 +95,7 @@ void ReplayTransport::play()
     m_played = true;
     m_begin = m_position;
     m_started = Clock::now();
-    // What had been arranged before this place still counts.
+    // What was requested before this place still applies.
     for (; m_next < m_recording.pieces.size() && m_recording.pieces[m_next].at < m_begin; ++m_next) {
         const RecordedPiece &piece = m_recording.pieces[m_next];
         if (piece.kind == RecordedPiece::Kind::Sent)
@@ -171,7 +171,7 @@ void ReplayTransport::deliver()
         else if (piece.kind == RecordedPiece::Kind::Sent)
             emit replayed(piece.bytes, at);
     }
-    m_timer.stop();  // the end: the link stays, so that one can look back
+    m_timer.stop();  // the end: the link stays open, so that earlier data can be looked at
 }
 
 Result<std::unique_ptr<Transport>> makeReplayTransport(const LinkAddress &address)

@@ -8,14 +8,15 @@
 #include <QHash>
 #include <QTimer>
 
-/// A recording as a link. Requests are answered as they were answered then (the answer nearest before the
-/// place that is played, else the first one); a request that was never made gets no answer. Received bytes
-/// run in their own time once play() was called, and keep the distances of their times whatever the speed.
+/// A recording as a link. Requests get the answer they got then (the last one before the playback position,
+/// otherwise the first one); a request that was never made gets no answer. Received bytes play in their own
+/// time once play() was called, and keep their distances in time at any speed.
 class ReplayTransport final : public Transport, public Replay
 {
     Q_OBJECT
 public:
-    /// @param speed times real time, 0.05 to 100; @param from seconds of the recording to begin with
+    /// @param speed multiple of real time, 0.05 to 100; @param from position in the recording to start at,
+    /// seconds
     ReplayTransport(Recording recording, double speed, double from);
 
     void open() override;
@@ -40,7 +41,7 @@ private:
     std::size_t m_next = 0;  // piece that is due next
     QHash<QByteArray, QList<qsizetype>> m_requests;  // what was sent -> pieces
     QTimer m_timer;
-    TimePoint m_started{};  // the time that m_begin was given; times keep their distances from it
+    TimePoint m_started{};  // the time assigned to m_begin; all other times keep their distance from it
     qint64 m_begin = 0;
     TimePoint m_runningSince{};  // when m_runningFrom was played
     qint64 m_runningFrom = 0;

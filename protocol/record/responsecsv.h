@@ -9,19 +9,19 @@
 #include <span>
 #include <vector>
 
-/// What went into a system and what came out, evenly spaced.
+/// Input and output of a system, evenly spaced.
 struct ResponseSamples
 {
     double rate = 0;  ///< samples per second
-    bool rateAssumed = false;  ///< the file does not tell it
+    bool rateAssumed = false;  ///< the file does not state it
     std::vector<float> in;
     std::vector<float> out;
 };
 
-/// Two columns in;out as other tools read them, after a line that tells the rate. Errors: BadFile.
+/// Two columns in;out as other tools read them, after a line with the rate. Errors: BadFile.
 Result<void> writeResponseCsv(QIODevice &file, std::span<const float> in, std::span<const float> out,
                               double rate);
 
-/// Reads in;out: a comma or a tabulator will do as well, and a heading is passed over. "# 1250 samples/s"
-/// tells the rate; without it the firmware's cycle of 0.8 ms is assumed. Errors: BadFile, with the line.
+/// Reads in;out: a comma or a tab is accepted too, and a heading is skipped. "# 1250 samples/s" gives the
+/// rate; without it the firmware's cycle of 0.8 ms is assumed. Errors: BadFile, with the line.
 [[nodiscard]] Result<ResponseSamples> readResponseCsv(const QByteArray &text);

@@ -9,7 +9,7 @@
 class QIODevice;
 
 /// Writes samples as CSV: a heading "time_s,key [unit],...", then a line for each row of each stream in order
-/// of time; channels that did not come in that row are left empty, lost samples too. Numbers have a decimal
+/// of time; channels that are not in that row are left empty, and so are lost samples. Numbers have a decimal
 /// point.
 /// @param from,to seconds since the store's origin. Returns the number of lines. Errors: BadFile.
 Result<qint64> writeTelemetryCsv(QIODevice &file, const TelemetryStore &store, ChannelTable table,

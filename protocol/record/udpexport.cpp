@@ -47,7 +47,7 @@ Result<void> UdpExport::start(const QString &hostAndPort)
     return {};
 }
 
-// Channels that come in the same rows go into one message.
+// Channels that arrive in the same rows go into one message.
 void UdpExport::findSources()
 {
     if (m_generation == m_store->generation())
@@ -85,7 +85,7 @@ QByteArray UdpExport::messageFor(const Source &source, std::size_t row) const
         const double value = double(source.tracks[std::size_t(i)].value(row));
         if (std::isnan(value))
             continue;
-        // "imu.angle.roll" is roll in imu.angle, so that a tree of curves comes out.
+        // "imu.angle.roll" becomes roll in imu.angle, so that PlotJuggler shows a tree of curves.
         const QString key = QString::fromLatin1(m_table[std::size_t(source.channels[i])].key);
         const QString group = key.section(u'.', 0, -2);
         if (group.isEmpty()) {
@@ -117,7 +117,7 @@ void UdpExport::flush()
             const QByteArray message = messageFor(source, source.next);
             if (message.isEmpty())
                 continue;
-            // Nobody listening is no reason to stop: he may come yet.
+            // Keep sending while nobody listens: a receiver may start later.
             const bool refused = m_socket.writeDatagram(message, m_host, m_port) < 0
                 && m_socket.error() != QAbstractSocket::ConnectionRefusedError;
             if (refused) {

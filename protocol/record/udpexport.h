@@ -10,30 +10,30 @@
 #include <QTimer>
 #include <QUdpSocket>
 
-/// Sends telemetry on as JSON in UDP datagrams, one per row, as PlotJuggler's UDP server reads it live:
-/// {"timestamp": seconds since 1970, "gyro": {"roll": 1.25, ...}, ...}. Lost samples are left out.
+/// Forwards telemetry as JSON in UDP datagrams, one per row, in the form that PlotJuggler's UDP server reads
+/// live: {"timestamp": seconds since 1970, "gyro": {"roll": 1.25, ...}, ...}. Lost samples are left out.
 class UdpExport final : public QObject
 {
     Q_OBJECT
 public:
-    /// Where PlotJuggler listens unless it is told otherwise.
+    /// PlotJuggler's default port.
     static constexpr quint16 kDefaultPort = 9870;
 
     /// @param channels columns of the table to send
     UdpExport(ChannelTable table, std::shared_ptr<const TelemetryStore> store, QList<int> channels,
               QObject *parent = nullptr);
 
-    /// Begins with what comes from now on. Errors: InvalidArgument (no such address), HostUnreachable.
+    /// Starts with new samples only. Errors: InvalidArgument (no such address), HostUnreachable.
     Result<void> start(const QString &hostAndPort);
     void stop() { m_timer.stop(); }
     [[nodiscard]] bool isRunning() const { return m_timer.isActive(); }
     [[nodiscard]] quint64 sent() const { return m_sent; }
     [[nodiscard]] const TelemetryStore *store() const { return m_store.get(); }
-    /// Sends what has come since the last time.
+    /// Sends what has arrived since the last call.
     void flush();
 
 signals:
-    /// The system refuses to send.
+    /// The system refused to send.
     void failed(const Error &error);
 
 private:

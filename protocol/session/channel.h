@@ -10,25 +10,25 @@
 
 #include <memory>
 
-/// Frames nobody asked for (second confirmations, progress reports), kept from the moment the mailbox exists.
+/// Unsolicited frames (second confirmations, progress reports), kept from the moment the mailbox exists.
 class Mailbox
 {
 public:
     virtual ~Mailbox() = default;
-    /// The next kept frame; waits for it at most so long. Errors: Timeout, Cancelled, LinkClosed.
+    /// The next kept frame; waits for it at most `timeout`. Errors: Timeout, Cancelled, LinkClosed.
     virtual Result<Frame> next(milliseconds timeout) = 0;
 };
 
-/// What came in so far, to tell a silent port from one that talks something else.
+/// What was received so far, to tell a silent port from one that speaks another protocol.
 struct LinkObservation
 {
     FramerStatistics framing;
     quint64 bytesIn = 0;
-    QByteArray lastBytes;  ///< the latest bytes, kept only while no frame was understood
+    QByteArray lastBytes;  ///< the most recent bytes, kept only until a frame is understood
 };
 
-/// What family code talks to: a synchronous view of one link. Production code runs on the worker thread,
-/// tests in one thread with virtual time.
+/// What family code talks to: a synchronous view of one link. In production it runs on the worker thread, in
+/// tests on a single thread with virtual time.
 class Channel
 {
 public:
@@ -37,21 +37,21 @@ public:
     /// Sends the request and waits for its answer. Errors: the board's refusal, Timeout, Cancelled,
     /// LinkClosed.
     virtual Result<Frame> transact(const Request &request) = 0;
-    /// Sends without waiting for an answer, also from a cancelled job: "stop" must get through.
+    /// Sends without waiting for an answer, even from a cancelled job: "stop" must get through.
     virtual void post(const Request &request) = 0;
-    /// Waits. Errors: Cancelled, and LinkClosed as soon as a link that was open is gone.
+    /// Waits. Errors: Cancelled, and LinkClosed as soon as a link that was open is closed.
     virtual Result<void> sleep(milliseconds duration) = 0;
-    /// Keeps every frame that the filter accepts and that answers no request, until the mailbox is destroyed.
+    /// Keeps every frame that the filter accepts and that answers no request, as long as the mailbox exists.
     virtual std::unique_ptr<Mailbox> listen(std::function<bool(const FrameView &)> filter) = 0;
-    /// Changes rate and parity of the line. Errors: Unsupported where the port refuses them.
+    /// Changes rate and parity of the line. Errors: Unsupported if the port refuses them.
     virtual Result<void> setLine(const LineSettings &line) = 0;
-    /// Steers with these frames from now on; to be repeated at least each 250 ms (see ControlStream).
+    /// Steers with these frames from now on; must be repeated at least every 250 ms (see ControlStream).
     virtual void steer(const ControlFrames &frames) = 0;
-    /// Ends steering: stop, then control goes back to whoever had it before.
+    /// Ends steering: stops, then returns control to whichever source had it before.
     virtual void releaseControl() = 0;
-    /// Stops the motors, ahead of everything, also from a cancelled job. Does not wait for it.
+    /// Stops the motors, ahead of everything, even from a cancelled job. Does not wait for the result.
     virtual void stopMotors(const StopPlan &plan) = 0;
-    /// The board will say nothing for so long, and that is no reason to take the link for lost.
+    /// The board will be silent for this long without the link counting as lost.
     virtual void expectSilence(milliseconds duration) = 0;
     [[nodiscard]] virtual bool cancelled() const = 0;
     virtual void progress(const Progress &progress) = 0;

@@ -23,7 +23,7 @@ void ControlStream::end(TimePoint now)
     m_nextSend = now;
 }
 
-// One stop is enough where nothing could prove it.
+// A single stop is enough if there is no way to prove it.
 bool ControlStream::isStopDone(TimePoint now, const LatestValues *latest) const
 {
     if (!m_stopSent)

@@ -8,28 +8,28 @@
 
 #include <optional>
 
-/// The frames that steer a board, ready for the wire.
+/// The frames that steer a board, ready to be sent.
 struct ControlFrames
 {
     QByteArray setpoint;
-    QByteArray stop;  ///< stand still, control kept
-    QByteArray release;  ///< give control back to whoever had it before
-    /// The board answers each, and wants nothing else before it has; empty: nothing answers.
+    QByteArray stop;  ///< stand still, keep control
+    QByteArray release;  ///< return control to whichever source had it before
+    /// The board answers each frame and accepts nothing else until it has; empty: no answers.
     AnswerMatcher answer = {};
     int kind = 0;  ///< as Request::kind: whose answers could be taken for these
-    /// What telemetry since the stop proves that the board stands still; the stop is repeated until then.
-    /// Empty: one stop is enough.
+    /// What telemetry since the stop proves about the board standing still; the stop is repeated until it is
+    /// proven. Empty: one stop is enough.
     std::function<Proof(const LatestValues &, TimePoint since)> stopped = {};
 };
 
-/// Repeats a set-point at its rate, but only as long as somebody refreshes it: 250 ms without a refresh and
-/// it sends stop, then releases control (the dead-man's rule). No clock of its own. Belongs to one link.
+/// Repeats a set-point at its rate, but only while it is refreshed: after 250 ms without a refresh it sends
+/// stop, then releases control (the dead-man rule). Has no clock of its own. Belongs to one link.
 class ControlStream
 {
 public:
     static constexpr auto kDeadMan = 250ms;
-    static constexpr auto kReleaseDelay = 100ms;  ///< for the stop to act before control is given back
-    static constexpr auto kStopLimit = 2s;  ///< a stop that nothing proves is repeated for so long
+    static constexpr auto kReleaseDelay = 100ms;  ///< for the stop to act before control is released
+    static constexpr auto kStopLimit = 2s;  ///< an unproven stop is repeated for this long
 
     /// @param period between two set-points, see LinkTiming::controlPeriod
     explicit ControlStream(milliseconds period = 20ms)
@@ -38,9 +38,9 @@ public:
     }
 
     void refresh(ControlFrames frames, TimePoint now);
-    /// Ends the stream on purpose: stop now, release shortly after.
+    /// Ends the stream deliberately: stop now, release shortly after.
     void end(TimePoint now);
-    /// Ends without another word, when the link is gone or the motors were stopped.
+    /// Ends without sending anything, when the link is gone or the motors were stopped.
     void drop() { m_state = State::Inactive; }
 
     /// The frame to send now, if any; call at or after nextDeadline().
@@ -50,7 +50,7 @@ public:
     [[nodiscard]] bool isStreaming() const { return m_state == State::Streaming; }
     [[nodiscard]] const AnswerMatcher &answer() const { return m_frames.answer; }
     [[nodiscard]] int kind() const { return m_frames.kind; }
-    /// How often the dead-man's rule had to act.
+    /// How often the dead-man rule had to act.
     [[nodiscard]] int failsafeCount() const { return m_failsafeCount; }
 
 private:

@@ -9,13 +9,13 @@
 
 using FrameSink = std::function<void(const FrameView &)>;
 
-/// What a framer has seen since it was made. Never reset while a link is open.
+/// What a framer has seen since it was created. Never reset while a link is open.
 struct FramerStatistics
 {
     quint64 frames = 0;
     quint64 headerErrors = 0;
     quint64 bodyErrors = 0;
-    quint64 skippedBytes = 0;  ///< bytes that belonged to no intact frame
+    quint64 skippedBytes = 0;  ///< bytes that belong to no intact frame
 
     friend bool operator==(const FramerStatistics &, const FramerStatistics &) = default;
 };
@@ -28,16 +28,17 @@ public:
 
     /// Takes the next bytes and calls the sink once for each intact frame in them, in order.
     virtual void feed(Bytes bytes, const FrameSink &sink) = 0;
-    /// The bytes fed last ended a packet (UDP). Nothing begins in one packet and ends in the next.
+    /// The bytes fed last ended a packet (UDP). No frame spans two packets.
     virtual void packetEnded(const FrameSink &sink) { flush(sink); }
-    /// Tells what left for the board, for wire formats whose answers are understood only by what was asked.
+    /// Reports what was sent to the board, for wire formats whose answers can only be understood from the
+    /// request.
     virtual void sent(Bytes) { }
-    /// A gap in the stream: whatever is half received will not be completed. Frames hidden inside it are
+    /// A gap in the stream: a partly received frame will not be completed. Frames hidden inside it are
     /// delivered.
     virtual void flush(const FrameSink &sink) = 0;
-    /// So much silence is a gap (SimpleBGC errata 1.4: 100-500 ms).
+    /// How much silence counts as a gap (SimpleBGC errata 1.4: 100-500 ms).
     [[nodiscard]] virtual std::chrono::milliseconds gap() const { return std::chrono::milliseconds(150); }
-    /// True while a frame is half received, so that the session knows when a gap matters.
+    /// True while a frame is partly received, so that the session knows when a gap matters.
     [[nodiscard]] virtual bool isWaiting() const = 0;
     [[nodiscard]] virtual const FramerStatistics &statistics() const = 0;
 };

@@ -8,13 +8,13 @@
 
 #include <functional>
 
-/// How a family wants to be spoken to.
+/// Timing that a family requires on a link.
 struct LinkTiming
 {
     milliseconds pause{0};  ///< after each command, so that the board's input buffer does not overflow
     milliseconds controlPeriod{20};  ///< between two set-points of the control stream
     milliseconds heartbeatPeriod{0};  ///< 0: the board expects none
-    std::function<QByteArray()> heartbeat = {};  ///< the frame to send each period
-    /// After so long without a byte the link counts as lost; 0: the link itself tells (serial, TCP).
+    std::function<QByteArray()> heartbeat = {};  ///< the frame to send in each period
+    /// Without a byte for this long the link counts as lost; 0: the link itself reports it (serial, TCP).
     milliseconds silenceLimit{0};
 };

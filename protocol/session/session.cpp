@@ -11,7 +11,7 @@ Q_LOGGING_CATEGORY(logSession, "gimbal.session", QtWarningMsg)
 
 namespace {
 
-// Bytes kept while no frame was understood, to name the protocol that is spoken instead.
+// Bytes kept while no frame was understood, to identify the protocol that is spoken instead.
 constexpr qsizetype kKeptBytes = 512;
 
 qint64 slotOf(TimePoint now)
@@ -107,7 +107,7 @@ void Session::close(const Error &why)
     qCInfo(logSession) << "link closed:" << int(why.code) << why.detail;
     m_transport->disconnect(this);
     m_transport->close();
-    // The transport may be the one that is calling us.
+    // The transport may be the caller.
     m_transport.release()->deleteLater();
     m_open = false;
     m_timer.stop();
@@ -151,7 +151,7 @@ void Session::setPoll(std::optional<Request> request, milliseconds interval)
 void Session::refreshControl(ControlFrames frames)
 {
     if (!m_open || m_stop.isActive())
-        return;  // nothing steers while the motors are being stopped
+        return;  // no steering while the motors are being stopped
     m_control.refresh(std::move(frames), Clock::now());
     schedule();
 }
@@ -236,9 +236,9 @@ void Session::onFrame(const FrameView &frame)
         m_stop.telemetryArrived(*m_latest);
 }
 
-// Where each frame is answered it takes its turn: a set-point that finds the last one unanswered is passed
-// over, the next one is newer. So it is while the answer to an earlier one may still come: waiting in the
-// queue it would hold up what is behind it. What ends the steering is never passed over.
+// If each frame is answered, it takes its turn: a set-point is skipped while the previous one is unanswered,
+// because the next one is newer. It is also skipped while the answer to an earlier request may still come:
+// waiting in the queue it would hold up what is behind it. Frames that end the steering are never skipped.
 void Session::sendControl(const QByteArray &frame, TimePoint now)
 {
     if (frame.isEmpty())

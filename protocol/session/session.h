@@ -25,7 +25,7 @@ public:
     ~Session() override;
 
     // All of the following are called on the I/O thread.
-    /// @param timing how the family wants to be spoken to
+    /// @param timing what the family requires on a link
     void open(const LinkAddress &address, std::unique_ptr<Framer> framer, LinkTiming timing = {});
     void close(const Error &why);
     bool setLine(const LineSettings &line);
@@ -34,13 +34,13 @@ public:
     void addListener(FrameListener *listener) { m_listeners.push_back(listener); }
     void removeListener(FrameListener *listener) { std::erase(m_listeners, listener); }
 
-    /// Repeats this request whenever the queue is idle, at most this often (telemetry that cannot be
+    /// Repeats this request whenever the queue is idle, at most this often (for telemetry that cannot be
     /// streamed).
     void setPoll(std::optional<Request> request, milliseconds interval = 50ms);
 
-    /// Frames to send when the link is closed on purpose, so that the board falls silent behind us.
+    /// Frames to send when the link is closed on purpose, so that the board stops streaming.
     void setShutdownFrames(QByteArray bytes) { m_shutdownFrames = std::move(bytes); }
-    /// Where telemetry goes, to see what a stop has done. Updated by a listener on this thread.
+    /// Where telemetry is stored, to see the effect of a stop. Updated by a listener on this thread.
     void setLatestValues(std::shared_ptr<const LatestValues> latest) { m_latest = std::move(latest); }
 
     void refreshControl(ControlFrames frames);
@@ -50,10 +50,10 @@ public:
     /// Completes with nothing, NotProven or LinkClosed.
     void stopMotors(StopPlan plan, StopSequence::Completion completion);
 
-    /// The board will say nothing for so long; the silence limit counts from then.
+    /// The board will be silent for this long; the silence limit counts from the end of it.
     void expectSilence(milliseconds duration);
 
-    /// The recording behind the open link; null for a living one.
+    /// The recording behind the open link; null for a live one.
     [[nodiscard]] Replay *replay() const { return m_transport ? m_transport->replay() : nullptr; }
 
     [[nodiscard]] LinkStatistics statistics() const;
@@ -61,9 +61,9 @@ public:
 
 signals:
     void opened();
-    /// Once per link: why it ended (Cancelled when it was asked for).
+    /// Emitted once per link: why it ended (Cancelled if on request).
     void closed(const Error &why);
-    /// Nobody refreshed the set-points in time: the board was stopped and control given back.
+    /// Set-points were not refreshed in time: the board was stopped and control released.
     void failsafeActed();
 
 private:
@@ -90,11 +90,11 @@ private:
     milliseconds m_pollInterval = 50ms;
     TimePoint m_nextPoll{};
     bool m_pollRunning = false;
-    bool m_controlAsked = false;  // a set-point waits for its answer
+    bool m_controlAsked = false;  // a set-point is waiting for its answer
     QByteArray m_shutdownFrames;
     std::shared_ptr<const LatestValues> m_latest;
     TimePoint m_nextBeat{};
-    TimePoint m_silentUntil{};  // silence is expected before
+    TimePoint m_silentUntil{};  // silence is expected until then
     bool m_open = false;
     TimePoint m_arrival{};
     quint64 m_bytesIn = 0;

@@ -6,8 +6,8 @@
 
 namespace {
 
-/// The place where the worker waits for one answer of the I/O thread. Completed exactly once; a handle that
-/// is thrown away unused (the session died before it ran) completes it with LinkClosed.
+/// Where the worker waits for one answer from the I/O thread. Completed exactly once; a handle that is
+/// destroyed unused (the session died before it ran) completes it with LinkClosed.
 template <typename T> struct Waiter
 {
     std::shared_ptr<JobControl> control;
@@ -45,7 +45,7 @@ void JobControl::cancel()
     m_wake.notify_all();
 }
 
-/// What the worker knows of the link. Guarded by the control's mutex.
+/// What the worker knows about the link. Guarded by the control's mutex.
 struct SessionChannel::LinkWatch
 {
     bool open = false;
@@ -59,7 +59,7 @@ SessionChannel::SessionChannel(Session &session, std::shared_ptr<JobControl> con
     , m_link(std::make_shared<LinkWatch>())
 {
     m_link->open = link == Link::Open;
-    // Called on the I/O thread, where the session lives; whoever waits is on the worker thread.
+    // Called on the I/O thread, where the session lives; the waiting code is on the worker thread.
     m_watches[0] = QObject::connect(&session, &Session::opened, [control = m_control, watch = m_link] {
         const std::lock_guard lock(control->m_mutex);
         watch->open = true;

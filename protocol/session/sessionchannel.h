@@ -9,7 +9,7 @@
 #include <condition_variable>
 #include <mutex>
 
-/// Shared between a job on the worker thread and whoever may want to stop it.
+/// Shared between a job on the worker thread and the code that may cancel it.
 class JobControl
 {
 public:
@@ -28,7 +28,7 @@ private:
 class SessionChannel final : public Channel
 {
 public:
-    /// What a job tells its client, from whatever thread.
+    /// What a job reports to its client, from any thread.
     struct Hooks
     {
         std::function<void(const Progress &)> progress;
@@ -37,8 +37,8 @@ public:
 
     enum class Link { Open, NotYet };
 
-    /// The session must outlive the channel; the control is shared with the one who may cancel.
-    /// @param link whether the job begins on an open link, whose end then ends every wait
+    /// The session must outlive the channel; the control is shared with the code that may cancel.
+    /// @param link whether the job starts on an open link, whose end then ends every wait
     SessionChannel(Session &session, std::shared_ptr<JobControl> control, Hooks hooks, Link link);
     ~SessionChannel() override;
 
@@ -56,7 +56,7 @@ public:
     [[nodiscard]] TimePoint now() const override { return Clock::now(); }
     [[nodiscard]] LinkObservation observation() const override;
 
-    /// Opens the link and waits until it is open. Errors: whatever the transport reports.
+    /// Opens the link and waits until it is open. Errors: those of the transport.
     Result<void> open(const LinkAddress &address, std::unique_ptr<Framer> framer, const LinkTiming &timing);
 
 private:

@@ -29,7 +29,7 @@ void StopSequence::telemetryArrived(const LatestValues &values)
         take(m_plan.fromTelemetry(values, m_startedAt));
 }
 
-// A refutation shows that the present means has not worked yet; its next round is due in its own time.
+// A refutation shows that the current means has not worked yet; its next round follows at its own time.
 void StopSequence::take(Proof proof)
 {
     if (proof != Proof::Proven)
@@ -56,7 +56,7 @@ void StopSequence::advance(TimePoint now)
         ++m_allRounds;
         m_nextSend = now + means.every;
         for (Request once : means.requests) {
-            once.timeout = means.every;  // the next round is the repetition
+            once.timeout = means.every;  // the next round takes the place of retries
             once.idempotent = false;
             m_send(once);
         }

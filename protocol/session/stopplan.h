@@ -7,36 +7,36 @@
 
 #include <vector>
 
-/// What something seen says about whether the motors stand.
+/// What an observation says about whether the motors have stopped.
 enum class Proof { Nothing, Proven, Refuted };
 
-/// How a board's motors are stopped: plain data, handed out by the device and carried out by the I/O thread
-/// alone, without the worker or the screen.
+/// How a board's motors are stopped: plain data, provided by the device and carried out by the I/O thread
+/// alone, without the worker or the GUI.
 struct StopPlan
 {
-    /// One way of stopping. All requests go out at once, ahead of everything, and again each period until the
-    /// stop is proven.
+    /// One way of stopping. All requests are sent at once, ahead of everything, and again in each period
+    /// until the stop is proven.
     struct Means
     {
         std::vector<Request> requests;
         milliseconds every{100};
-        int maxRounds = 5;  ///< rounds, then the next means is tried
+        int maxRounds = 5;  ///< rounds before the next means is tried
     };
     std::vector<Means> means;  ///< in order
     /// What an answer to one of the requests proves; empty: nothing.
     std::function<Proof(const Frame &)> fromAnswer;
-    /// What telemetry proves that arrived since the stop began; empty: nothing.
+    /// What telemetry that arrived since the stop began proves; empty: nothing.
     std::function<Proof(const LatestValues &, TimePoint since)> fromTelemetry;
-    /// Sent once the stop is proven: undoes what the means changed beside stopping.
+    /// Sent once the stop is proven: undoes what the means changed apart from stopping.
     std::vector<Request> restore;
 };
 
-/// Carries out a stop plan. Pure bookkeeping without a clock of its own, like ControlStream.
+/// Carries out a stop plan. Pure bookkeeping without its own clock, like ControlStream.
 class StopSequence
 {
 public:
     using Send = std::function<void(const Request &)>;
-    /// Told once how it ended: nothing, or NotProven with how often was tried.
+    /// Called once with the outcome: success, or NotProven with the number of attempts.
     using Completion = std::function<void(Result<void>)>;
 
     explicit StopSequence(Send send)
@@ -44,7 +44,7 @@ public:
     {
     }
 
-    /// Begins; a sequence that still runs goes on from its first means, and both are told.
+    /// Starts; a sequence that is still running starts over with this plan, and all callers get the outcome.
     void start(StopPlan plan, Completion completion, TimePoint now);
     /// An answer to one of the requests arrived.
     void answered(const Frame &frame);
@@ -67,7 +67,7 @@ private:
     std::vector<Completion> m_completions;
     bool m_active = false;
     std::size_t m_means = 0;
-    int m_rounds = 0;  // of the present means
+    int m_rounds = 0;  // of the current means
     int m_allRounds = 0;
     TimePoint m_startedAt{};
     TimePoint m_nextSend{};

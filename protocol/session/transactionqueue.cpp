@@ -7,7 +7,7 @@
 
 namespace {
 
-// A late answer is waited for this long at most before its kind may be asked again.
+// Longest time to wait for a late answer before its kind may be asked again.
 constexpr auto kLateAnswerWindow = 500ms;
 
 }  // namespace
@@ -64,7 +64,7 @@ void TransactionQueue::cancel(Id id)
 
 void TransactionQueue::cancelAll(const Error &why)
 {
-    // Completions may submit anew; those requests belong to the next round.
+    // Completions may submit new requests; those belong to the next round.
     auto waiting = std::exchange(m_waiting, {});
     auto inFlight = std::exchange(m_inFlight, {});
     m_staleReplies.clear();
@@ -113,8 +113,8 @@ void TransactionQueue::bytesTaken(qint64 count, TimePoint now)
     m_untaken = std::max<qint64>(0, m_untaken - count);
     if (m_untaken > 0)
         return;
-    // Only now has the last byte left our hands: the answer timers of what was sent meanwhile start here.
-    // Those that run already are not put off by heartbeats and set-points.
+    // The last byte has only now been handed over: the answer timers of what was sent meanwhile start here.
+    // Timers that already run are not extended by heartbeats and set-points.
     for (Pending &pending : m_inFlight) {
         if (std::exchange(pending.hasLeft, true))
             continue;
@@ -177,7 +177,7 @@ void TransactionQueue::send(Pending &pending, TimePoint now)
     m_write(pending.request.bytes);
 }
 
-// Notes when the line will have carried these bytes, and from when on the next command may follow.
+// Calculates when the line will have carried these bytes, and from when on the next command may follow.
 TimePoint TransactionQueue::account(qint64 bytes, TimePoint now)
 {
     m_untaken += bytes;

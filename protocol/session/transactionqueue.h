@@ -8,14 +8,14 @@
 #include <deque>
 #include <vector>
 
-/// Requests, their answers and their timeouts. Pure bookkeeping: no event loop, no clock of its own; every
-/// call is told the time, so the session drives it with the real clock and tests with a virtual one.
+/// Requests, their answers and their timeouts. Pure bookkeeping: no event loop, no clock of its own; the time
+/// is passed to every call, so the session drives it with the real clock and tests with a virtual one.
 ///
 /// Each request completes exactly once: reply, the board's refusal, timeout, cancelled or link closed. Normal
-/// requests go out one at a time with a pause between them; urgent ones go out at once, whatever is in
-/// flight. The answer timer starts when the last byte has left. After a timeout, requests of the same kind
-/// are held back until the late answer has come or can no longer come, so it is never taken for somebody
-/// else's.
+/// requests are sent one at a time with a pause between them; urgent ones are sent at once, whatever is in
+/// flight. The answer timer starts when the last byte has been sent. After a timeout, requests of the same
+/// kind are held back until the late answer has come or can no longer come, so that it is never taken for the
+/// answer to another request.
 class TransactionQueue
 {
 public:
@@ -27,33 +27,33 @@ public:
     explicit TransactionQueue(Write write);
 
     Id submit(Request request, Completion completion, TimePoint now, Lane lane = Lane::Normal);
-    /// Sends bytes that nothing answers, at once (control stream, keep-alive).
+    /// Sends bytes that are not answered, at once (control stream, keep-alive).
     void sendUnanswered(QByteArrayView bytes, TimePoint now);
     void cancel(Id id);
     void cancelAll(const Error &why);
 
-    /// True if the frame was the answer to something (also a late one).
+    /// True if the frame answered a request (even if late).
     bool frameArrived(const FrameView &frame, TimePoint now);
-    /// The system took so many bytes off the transport's hands.
+    /// The system has taken this many bytes from the transport.
     void bytesTaken(qint64 count, TimePoint now);
-    /// Handles what is due: timeouts, retries, the next request.
+    /// Handles whatever is due: timeouts, retries, the next request.
     void advance(TimePoint now);
-    /// When advance() must be called at the latest; empty: when something happens.
+    /// Latest time at which advance() must be called; empty: nothing is due until the next event.
     [[nodiscard]] std::optional<TimePoint> nextDeadline(TimePoint now) const;
 
-    /// Line settings decide how long bytes take to leave; empty for links without a line rate.
+    /// Line settings determine how long bytes take to send; empty for links without a line rate.
     void setLine(std::optional<LineSettings> line) { m_line = line; }
     /// Pause after each command (document "Message format": 10-20 ms so the board's input buffer never
     /// overflows).
     void setPause(milliseconds pause) { m_pause = pause; }
     [[nodiscard]] bool isIdle() const { return count() == 0; }
-    /// Requests that were not completed yet.
+    /// Requests that are not completed yet.
     [[nodiscard]] std::size_t count() const { return m_waiting.size() + m_inFlight.size(); }
     /// True when a normal request submitted now would go out at once.
     [[nodiscard]] bool isReady(TimePoint now) const;
     /// True when a normal request of this kind would wait because an answer to an earlier one may still come.
     [[nodiscard]] bool isHeld(int kind) const;
-    /// Time between the last byte sent and the answer, of the latest answered request.
+    /// Time between the last byte sent and the answer, for the most recently answered request.
     [[nodiscard]] std::optional<Duration> roundTrip() const { return m_roundTrip; }
     [[nodiscard]] quint64 timeouts() const { return m_timeouts; }
 
@@ -65,13 +65,13 @@ private:
         Completion completion;
         Lane lane = Lane::Normal;
         int sends = 0;
-        bool hasLeft = false;  // the last sending has been taken by the system
-        int refused = 0;  // answered, but to be sent again
+        bool hasLeft = false;  // the system has taken the most recent transmission
+        int refused = 0;  // refusals after which it was sent again
         TimePoint sentAt{};  // when the line will have carried the last byte, for the round trip
-        TimePoint leftAt{};  // when the last byte has left for certain, for the timeout
+        TimePoint leftAt{};  // when the last byte has certainly been sent, for the timeout
         TimePoint deadline{};
     };
-    struct StaleReply  // an answer that may still come to nobody
+    struct StaleReply  // a late answer that belongs to no pending request
     {
         AnswerMatcher answer;
         int kind = 0;

@@ -92,8 +92,8 @@ Result<ActionReply> Actions::readAngles(const QVariantMap &)
         reply.insert(u"target."_s + kAxisNames[axis], (*angles)[axis].target);
         reply.insert(u"speed."_s + kAxisNames[axis], (*angles)[axis].targetSpeed);
     }
-    // The motor angles come with a later command (document revision 0.6); boards without it are read all the
-    // same.
+    // Motor angles come from a later command (document revision 0.6); boards without it still report the
+    // others.
     Request request
         = replyRequest(CommandId::GetAnglesExt, {}, CommandId::GetAnglesExt, 54, Device::kVersion);
     request.retries = 1;

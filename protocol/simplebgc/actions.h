@@ -6,8 +6,8 @@
 
 namespace simplebgc {
 
-/// The actions of the family: everything of the serial API that is neither a parameter nor telemetry, as
-/// table and code.
+/// The actions of the family, as table and code: everything in the serial API that is neither a parameter nor
+/// telemetry.
 class Actions
 {
 public:

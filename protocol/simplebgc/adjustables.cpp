@@ -115,7 +115,7 @@ constexpr AdjustableSpec kAdjustables[] = {
 };
 // clang-format on
 
-// The board knows them by number, and each firmware has all numbers up to some last one.
+// The board identifies them by number, and each firmware has all numbers up to its last one.
 constexpr bool isOrdered()
 {
     for (std::size_t i = 0; i < std::size(kAdjustables); ++i) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Calibrations and the board's own search for gains: actions that take long and tell how they get on.
+// Calibrations and the board's automatic tuning: actions that take long and report their progress.
 #include "protocol/simplebgc/actions.h"
 #include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/simplebgc/units.h"
@@ -50,7 +50,8 @@ Result<ActionReply> Actions::calibrate(CommandId id, const QVariantMap &argument
     if (!before)
         return tl::unexpected(before.error());
 
-    // Both confirmations are kept from before the command goes out (errata 7: at reception and at the end).
+    // Both confirmations are collected from before the command is sent (errata 7: at reception and at the
+    // end).
     const auto confirmations
         = m_channel.listen([id](const FrameView &frame) { return isConfirmOf(frame, id); });
     const auto accepted = m_channel.transact(confirmRequest(id, payload, Device::kVersion));
@@ -67,14 +68,14 @@ Result<ActionReply> Actions::calibrate(CommandId id, const QVariantMap &argument
         } else if (end.error().code != ErrorCode::Timeout) {
             return tl::unexpected(end.error());
         }
-        // The usual length is about four seconds; the bar never claims more than it knows.
+        // It usually takes about four seconds; the bar stops at 95 % until the end is known.
         progress.done = std::min(95, int(seconds(m_channel.now() - started) / 4.5 * 90.0));
         m_channel.progress(progress);
     }
     if (!finished && !simple)
         return failure(ErrorCode::Timeout, u"%1: the end was not confirmed"_s.arg(commandName(number(id))));
 
-    // The board takes hold of the camera again; what counts is how it stands afterwards.
+    // The board takes control of the camera again; what counts is its attitude afterwards.
     if (const auto slept = m_channel.sleep(kSettleAfterCalibration); !slept)
         return tl::unexpected(slept.error());
     const auto after = measureStillness();
@@ -92,7 +93,7 @@ Result<ActionReply> Actions::calibrate(CommandId id, const QVariantMap &argument
 
 Result<Actions::Stillness> Actions::measureStillness()
 {
-    // Mean and spread of the calibrated sensors: what calibration is there to improve.
+    // Mean and spread of the calibrated sensors: what calibration is meant to improve.
     std::array<double, 3> sum{};
     std::array<double, 3> squares{};
     double gravity = 0;
@@ -112,7 +113,7 @@ Result<Actions::Stillness> Actions::measureStillness()
                 acc[std::size_t(field.channel - AccX)] = value;
             }
         }
-        // Against the face that lies up, so that all six positions count alike.
+        // Relative to the face that points up, so that all six positions count alike.
         const auto up = std::max_element(acc.begin(), acc.end(),
                                          [](double a, double b) { return std::abs(a) < std::abs(b); });
         *up -= std::copysign(1.0, *up);
@@ -189,7 +190,7 @@ Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
     for (;;) {
         const auto report = reports->next(kAutoPidSilence);
         if (!report || m_channel.now() - started > kAutoPidLimit) {
-            // Whatever ends the wait, the board must not go on shaking the camera.
+            // However the wait ends, the board must not go on shaking the camera.
             m_channel.post(confirmRequest(CommandId::AutoPid, payload(0), Device::kVersion));
             return tl::unexpected(report ? Error{ErrorCode::Timeout, u"AUTO_PID"_s, 0} : report.error());
         }

@@ -30,8 +30,8 @@ constexpr std::pair<int, const char *> kNames[] = {
 constexpr int kErrorPayload = 6;  // command, code, 4 data bytes
 constexpr int kSeedErrorPayload = 5;  // code, 4 data bytes: the document's form (errata 3.18)
 
-// The board's refusal of this command, if the frame is one. The document's 5-byte form names no command; with
-// one request in flight it can only mean that one.
+// The board's refusal of this command, if the frame is one. The document's 5-byte form does not name the
+// command; with one request in flight it can only be that one.
 std::optional<Error> refusalOf(const FrameView &frame, int command)
 {
     if (frame.id != number(CommandId::Error))

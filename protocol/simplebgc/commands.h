@@ -61,25 +61,26 @@ constexpr int number(CommandId id)
 /// The document's name of a command without "CMD_", or "CMD_n".
 [[nodiscard]] QString commandName(int id);
 
-/// A complete frame of version 1 ('>', sum checksums) or 2 ('$', CRC16; firmware 2.68b0 and later).
-/// Errata 1.1, 1.2. The payload must not exceed 255 bytes.
+/// A complete frame of version 1 ('>', sum checksums) or 2 ('$', CRC16; firmware 2.68b0 and later). Errata
+/// 1.1, 1.2. The payload must not exceed 255 bytes.
 [[nodiscard]] QByteArray encodeFrame(int id, QByteArrayView payload, int version = 1);
 
-/// A request that is answered by a frame of that number. Refusals (ERROR for this command) become BoardError.
+/// A request that is answered by a frame with that number. Refusals (ERROR for this command) become
+/// BoardError.
 [[nodiscard]] Request replyRequest(CommandId id, const QByteArray &payload, CommandId reply, int replyPayload,
                                    int version);
-/// The same where the reply must also satisfy a condition (which profile, which variables).
+/// The same, if the reply must also satisfy a condition (which profile, which variables).
 [[nodiscard]] Request replyRequest(CommandId id, const QByteArray &payload, CommandId reply, int replyPayload,
                                    int version, std::function<bool(Bytes)> accept);
 /// A request that is answered by CONFIRM with its own number.
 [[nodiscard]] Request confirmRequest(CommandId id, const QByteArray &payload, int version);
-/// A request that nothing answers.
+/// A request that is not answered.
 [[nodiscard]] Request silentRequest(CommandId id, const QByteArray &payload, int version);
 
 /// True for a CONFIRM of this command.
 [[nodiscard]] bool isConfirmOf(const FrameView &frame, CommandId id);
 
-/// What an ERROR code means, in the document's words (errata 3.18): "wrong payload size".
+/// Meaning of an ERROR code, in the document's words (errata 3.18): "wrong payload size".
 [[nodiscard]] QString errorCodeText(int code);
 
 }  // namespace simplebgc

@@ -10,10 +10,10 @@ namespace simplebgc {
 
 namespace {
 
-// Sample times of a stream with stamps hardly ever need arrival: what is missing is known.
+// A stream with time stamps hardly ever has to resynchronize with arrival: its losses are known.
 constexpr double kStampedResync = 2.0;
 constexpr double kUnstampedResync = 0.25;
-// A row that comes so much later than it should is drawn with a gap before it.
+// A row that is later than expected by more than this is drawn with a gap before it.
 constexpr double kGapRows = 3.0;
 constexpr double kMinGap = 0.05;
 constexpr double kQuiet = 0.05;  // seconds
@@ -49,8 +49,8 @@ void Decoder::addFlow(int id, double period, quint32 customFlags)
     m_flows.push_back(std::move(flow));
 }
 
-// A channel that comes in two streams is taken from the faster one; the other would only draw a coarser trace
-// over it.
+// A channel that is carried by two streams is taken from the faster one; the other would only draw a coarser
+// trace over it.
 void Decoder::shareFields()
 {
     std::stable_sort(m_flows.begin(), m_flows.end(), [](const Flow &a, const Flow &b) {
@@ -67,7 +67,7 @@ void Decoder::shareFields()
         }
         for (const WireField &field : flow.fields)
             taken.append(field.channel);
-        // A new group: its rows have other columns, and a new beginning in time.
+        // A new group: its rows have other columns, and their time starts anew.
         flow.group.reset();
         flow.clock = SampleClock(flow.period, flow.customFlags ? kStampedResync : kUnstampedResync);
         flow.watch = StreamWatch(flow.period);
@@ -115,7 +115,7 @@ void Decoder::take(Flow &flow, const FrameView &frame, TimePoint at, TelemetrySt
         const StreamWatch::Finding found = flow.customFlags
             ? flow.watch.stamped(double(ByteReader(frame.payload).u16()), silence)
             : flow.watch.unstamped(arrival, silence);
-        // A stream without stamps learns of a silence when its clock has long followed the arrival.
+        // A stream without stamps only notices a silence after its clock has long followed the arrival times.
         const int missing
             = found.lost + (flow.customFlags ? int(std::lround(found.silence / flow.period)) : 0);
         time = flow.clock.next(arrival, missing);

@@ -12,11 +12,11 @@ namespace simplebgc {
 /// Interval 1 of a stream: the firmware's control loop (errata 3.10).
 inline constexpr double kCycle = 0.0008;
 
-/// Seconds between the frames of a stream, as they are asked for.
+/// Requested time between the frames of a stream, in seconds.
 [[nodiscard]] double streamPeriod(const DataStream &stream);
 
-/// Turns real-time frames into rows. It has to be told which streams were asked for, because the frames do
-/// not say; what comes without having been announced (answers to polling) is understood where it can be.
+/// Turns real-time frames into rows. Must be told which streams were requested, because the frames do not
+/// say; unannounced frames (answers to polling) are decoded where possible.
 class Decoder final : public TelemetryDecoder
 {
 public:
@@ -31,7 +31,7 @@ private:
         double period = 0;  // 0: irregular
         quint32 customFlags = 0;
         int payloadSize = 0;
-        std::vector<WireField> fields;  // those that no faster flow carries
+        std::vector<WireField> fields;  // fields that no faster flow carries
         std::shared_ptr<TelemetryGroup> group;
         SampleClock clock{0};
         StreamWatch watch{0};
@@ -44,8 +44,8 @@ private:
 
     std::vector<Flow> m_flows;  // fastest first
     std::vector<float> m_values;
-    std::optional<TimePoint> m_heard;  // anything whatever
-    double m_silence = 0;  // seconds, the last time that nothing at all came
+    std::optional<TimePoint> m_heard;  // any frame at all
+    double m_silence = 0;  // length in seconds of the last time that nothing at all arrived
     TimePoint m_silenceEnd{};
 };
 

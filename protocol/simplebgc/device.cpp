@@ -22,7 +22,7 @@ namespace simplebgc {
 namespace {
 
 constexpr auto kProbeTimeout = 250ms;  // errata 1.6: 200-500 ms
-constexpr auto kWriteTimeout = 1500ms;  // EEPROM write: tens of milliseconds, generously
+constexpr auto kWriteTimeout = 1500ms;  // EEPROM write: tens of milliseconds, with a generous margin
 constexpr auto kProfileSwitch = 2000ms;
 constexpr int kPauseBetweenLooks = 50;
 constexpr int kActiveProfileOffset = 59;  // of REALTIME_DATA_3
@@ -79,7 +79,7 @@ QList<LineSettings> lineCandidates()
 
 }  // namespace
 
-// Until a board is asked, what every board can do.
+// Before a board is asked: what every board can do.
 Device::Device()
     : m_actions(availableActions({}))
 {
@@ -92,7 +92,7 @@ Result<bool> Device::probe(Channel &channel)
     Request request = replyRequest(CommandId::BoardInfo, {}, CommandId::BoardInfo, 18, kVersion);
     request.timeout = kProbeTimeout;
     request.retries = 1;
-    // The board that finds a parity by itself may use up the first frame for it.
+    // A board that detects parity by itself may use up the first frame for it.
     const auto reply = channel.transact(request);
     if (reply)
         return true;
@@ -124,7 +124,7 @@ Result<BoardIdentity> Device::identify(Channel &channel)
     identity.extra.insert(u"debug_mode"_s, info->debugMode);
     identity.extra.insert(u"features"_s, info->features);
 
-    // Boards without BOARD_INFO_3 still have to be told apart in the history, as well as they can be.
+    // Boards without BOARD_INFO_3 still have to be told apart in the history, as far as possible.
     identity.serial = u"sbgc-%1-%2"_s.arg(info->boardVersion).arg(info->extraId, 8, 16, QChar(u'0'));
     const auto more
         = channel.transact(replyRequest(CommandId::BoardInfo3, {}, CommandId::BoardInfo3, 69, kVersion));
@@ -180,8 +180,7 @@ Result<Configuration> Device::readConfiguration(Channel &channel)
                 configuration.setBlock({profile, block}, std::move(*bytes));
                 continue;
             }
-            // A firmware that does not know an extended block refuses it or stays silent; the rest is still
-            // worth having.
+            // A firmware without an extended block refuses it or stays silent; the rest is still useful.
             const ErrorCode code = bytes.error().code;
             if (block == Params3 || (code != ErrorCode::Timeout && code != ErrorCode::BoardError))
                 return tl::unexpected(bytes.error());
@@ -219,7 +218,7 @@ Result<void> Device::writeBlock(Channel &channel, BlockKey key, const QByteArray
 {
     Request request = confirmRequest(kBlockCommands[std::size_t(key.block)].write, bytes, kVersion);
     request.timeout = kWriteTimeout;
-    // The same bytes once more do no harm, so a lost confirmation may be asked for again.
+    // Writing the same bytes again does no harm, so the command may be repeated if its confirmation is lost.
     request.idempotent = true;
     request.retries = 2;
     const auto reply = channel.transact(request);
@@ -254,7 +253,7 @@ Result<void> Device::selectProfile(Channel &channel, int profile)
         CommandId::ExecuteMenu, ByteWriter().u8(kProfileActions[std::size_t(profile)]).take(), kVersion));
     if (!reply)
         return tl::unexpected(reply.error());
-    // The confirmation says that the command was understood; the telemetry says that it was done.
+    // The confirmation shows that the command was understood; telemetry shows that it was carried out.
     for (auto waited = 0ms; waited < kProfileSwitch; waited += milliseconds(kPauseBetweenLooks)) {
         const auto active = activeProfile(channel);
         if (!active)

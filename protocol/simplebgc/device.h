@@ -28,7 +28,7 @@ class Device final : public ::Device,
                      public RestartNotice
 {
 public:
-    /// Firmware numbers this program has tables for; others open read-only.
+    /// Firmware numbers that this program has tables for; others open read-only.
     static constexpr int kOldestFirmware = 2400;
     static constexpr int kNewestFirmware = 2749;
 
@@ -115,9 +115,9 @@ public:
         double angle = 0;  ///< degrees, or the mode's own unit
     };
     using Control = std::array<AxisControl, kAxisCount>;
-    /// Each axis may be steered in a mode of its own.
+    /// Each axis may be steered in its own mode.
     [[nodiscard]] ControlFrames controlFrames(const Control &control) const;
-    /// Ranges of a mode of CONTROL with this firmware; nothing where it does not have it.
+    /// Ranges of a mode of CONTROL with this firmware; null if it does not have that mode.
     [[nodiscard]] const SteeringMode *steeringMode(int mode) const { return Steering::mode(mode); }
 
 private:
@@ -135,7 +135,7 @@ private:
     std::shared_ptr<const ParameterSet> m_parameters;
     std::vector<SteeringMode> m_steeringModes = simplebgc::steeringModes(0);  // those that every board has
     std::vector<ActionSpec> m_actions;
-    quint32 m_customFlags = 0;  // of CUSTOM, that this firmware answers
+    quint32 m_customFlags = 0;  // fields of CUSTOM that this firmware delivers
     std::vector<DataStream> m_streams;  // registered with the board
     std::vector<DebugVar> m_debugVars;  // as the board declared them; used on the worker thread only
 };

@@ -6,7 +6,7 @@
 
 namespace simplebgc {
 
-/// Faults behind SYSTEM_ERROR and SYSTEM_SUB_ERROR, with their causes and cures.
+/// Faults that SYSTEM_ERROR and SYSTEM_SUB_ERROR report, with causes and remedies.
 [[nodiscard]] std::vector<BoardFault> faultsOf(unsigned bits, unsigned detail);
 
 }  // namespace simplebgc

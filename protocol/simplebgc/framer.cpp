@@ -19,7 +19,7 @@ constexpr std::size_t kHeader = 4;
 
 void Framer::feed(Bytes bytes, const FrameSink &sink)
 {
-    // Complete what was begun before: top up the buffer until it holds no unfinished frame from the old
+    // First complete what was begun before: top up the buffer until it holds no unfinished frame from the old
     // bytes.
     while (m_kept > 0 && !bytes.empty()) {
         const std::size_t taken = std::min(bytes.size(), m_buffer.size() - m_kept);
@@ -27,7 +27,7 @@ void Framer::feed(Bytes bytes, const FrameSink &sink)
         std::copy_n(bytes.begin(), taken, m_buffer.begin() + static_cast<std::ptrdiff_t>(m_kept));
         const std::size_t used = scan(Bytes(m_buffer).first(m_kept + taken), false, sink);
         if (used >= before) {
-            // All old bytes are dealt with; go on in the caller's bytes, without the copy.
+            // All old bytes are consumed; continue in the caller's bytes, without copying.
             bytes = bytes.subspan(used - before);
             m_kept = 0;
             break;
@@ -50,8 +50,8 @@ void Framer::flush(const FrameSink &sink)
     scan(Bytes(m_buffer).first(kept), true, sink);
 }
 
-// Delivers all complete frames; returns how many bytes are dealt with. What remains is the beginning of a
-// frame, shorter than the longest one. With last set nothing remains: an incomplete frame counts as damaged.
+// Delivers all complete frames; returns how many bytes were consumed. What remains is the beginning of a
+// frame, shorter than the longest one. If last is set nothing remains: an incomplete frame counts as damaged.
 std::size_t Framer::scan(Bytes bytes, bool last, const FrameSink &sink)
 {
     std::size_t at = 0;

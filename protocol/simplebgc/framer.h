@@ -25,7 +25,7 @@ private:
     std::size_t scan(Bytes bytes, bool last, const FrameSink &sink);
 
     FramerStatistics m_statistics;
-    std::array<std::byte, kLongestFrame * 4> m_buffer;  // the beginning of a frame that is not complete yet
+    std::array<std::byte, kLongestFrame * 4> m_buffer;  // the beginning of an incomplete frame
     std::size_t m_kept = 0;
 };
 

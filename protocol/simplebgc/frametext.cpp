@@ -147,7 +147,7 @@ QString fromBoardText(CommandId id, Bytes payload, const ParameterSet *parameter
     switch (id) {
     case CommandId::Confirm: return payload.empty() ? QString() : commandName(reader.u8());
     case CommandId::Error: {
-        // The document's five-byte form names no command (errata 3.18).
+        // The document's five-byte form does not name the command (errata 3.18).
         const QString command = payload.size() >= 6 ? commandName(reader.u8()) + u": "_s : QString();
         return command + errorCodeText(reader.u8());
     }

@@ -6,11 +6,11 @@
 
 namespace simplebgc {
 
-/// A frame in words: the command's name and the fields that are known. @param parameters names the values of
+/// A frame in readable form: the command's name and the known fields. @param parameters names the values of
 /// parameter blocks, may be null
 [[nodiscard]] FrameText describeFrame(const FrameView &frame, bool fromBoard, const ParameterSet *parameters);
 
-/// "EXECUTE_MENU 0B" or a complete frame in hex. Errors: InvalidArgument that says what is wrong.
+/// "EXECUTE_MENU 0B" or a complete frame in hex. Errors: InvalidArgument with the reason.
 [[nodiscard]] Result<RawCommand> parseCommand(const QString &text, int version);
 
 /// Commands that can be sent by name.

@@ -12,7 +12,7 @@ using namespace Qt::StringLiterals;
 
 namespace simplebgc {
 
-// Looking inside: adjustable variables, debug variables, frames in words.
+// Inspection: adjustable variables, debug variables, frames in readable form.
 
 std::span<const AdjustableSpec> Device::adjustables() const
 {
@@ -23,7 +23,7 @@ Result<std::vector<DebugVariable>> Device::debugVariables(Channel &channel)
 {
     std::vector<DebugVar> vars;
     for (;;) {
-        // From 2.72b0 a long list comes in parts, asked for by start index (errata 3.17).
+        // From 2.72b0 a long list comes in parts, requested by start index (errata 3.17).
         const QByteArray payload = vars.empty() ? QByteArray() : ByteWriter().u8(int(vars.size())).take();
         const auto reply = channel.transact(
             replyRequest(CommandId::DebugVarsInfo3, payload, CommandId::DebugVarsInfo3, 255, kVersion));
@@ -72,7 +72,7 @@ FrameText Device::describeFrame(const FrameView &frame, bool fromBoard) const
     return simplebgc::describeFrame(frame, fromBoard, m_parameters.get());
 }
 
-// Both directions have the same frames.
+// Both directions use the same frames.
 FrameText Device::describeSent(QByteArrayView bytes) const
 {
     Framer framer;

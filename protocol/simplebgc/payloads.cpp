@@ -17,7 +17,7 @@ tl::unexpected<Error> tooShort(const char *name, std::size_t size)
     return failure(ErrorCode::BadReply, u"%1 with %2 bytes"_s.arg(QLatin1String(name)).arg(size));
 }
 
-// The longest beginning of a text that fits without cutting a character.
+// The longest prefix of a text that fits without splitting a character.
 QByteArray cutUtf8(const QString &text, qsizetype bytes)
 {
     QByteArray utf8 = text.toUtf8();
@@ -223,7 +223,7 @@ Result<DebugVarList> decodeDebugVarsInfo(Bytes payload)
         var.isAngle = type & 0x40;
         var.count = std::max<int>(reader.u16(), 1);
         if (!reader.ok())
-            break;  // a declaration cut by the end of the frame comes again with the next part
+            break;  // a declaration cut off at the end of the frame is repeated in the next part
         list.vars.push_back(var);
     }
     return list;

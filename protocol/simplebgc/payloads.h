@@ -10,8 +10,8 @@
 #include <array>
 #include <vector>
 
-/// Payloads of the serial API as plain structs, both directions (errata 3). Decoders take the part they know
-/// and ignore what later firmware adds; a payload that is too short is BadReply.
+/// Payloads of the serial API as plain structs, for both directions (errata 3). Decoders take the part they
+/// know and ignore what later firmware adds; a payload that is too short is BadReply.
 namespace simplebgc {
 
 /// Reply of BOARD_INFO (errata 3.1).
@@ -59,7 +59,7 @@ struct BoardInfo3
 inline constexpr int kProfileCount = 5;
 inline constexpr int kProfileNameSize = 48;
 
-/// Five names of 48 bytes, UTF-8, zero padded; never cut inside a character (errata 3.18).
+/// Five names of 48 bytes, UTF-8, zero padded; a character is never split (errata 3.18).
 Result<QStringList> decodeProfileNames(Bytes payload);
 [[nodiscard]] QByteArray encodeProfileNames(const QStringList &names);
 
@@ -94,14 +94,14 @@ struct DebugVar
 {
     enum Type : quint8 { U8 = 1, I8, U16, I16, U32, I32, F32 };
     QString name;
-    int type = U8;  ///< as sent; unknown numbers are kept and their values cannot be read
+    int type = U8;  ///< as sent; unknown numbers are kept, but their values cannot be read
     int axis = 0;  ///< 0 none, 1 roll, 2 pitch, 3 yaw
     bool isAngle = false;  ///< 14-bit angle
     int count = 1;  ///< array size, 0 counts as 1
     [[nodiscard]] int size() const;  ///< bytes of all elements, 0 for an unknown type
     friend bool operator==(const DebugVar &, const DebugVar &) = default;
 };
-/// Declarations in one DEBUG_VARS_INFO_3 frame: the total the board names, and those that were in this frame.
+/// Declarations in one DEBUG_VARS_INFO_3 frame: the total that the board states, and those in this frame.
 struct DebugVarList
 {
     int total = 0;
@@ -167,7 +167,7 @@ enum ControlFlag {
 [[nodiscard]] QByteArray encodeControlShort(const ControlCommand &command);
 /// The 15-byte form (firmware 2.55b5): a mode per axis.
 [[nodiscard]] QByteArray encodeControl(const ControlCommand &command);
-/// Understands both forms.
+/// Accepts both forms.
 Result<ControlCommand> decodeControl(Bytes payload);
 
 /// DATA_STREAM_INTERVAL (errata 3.10): 21 bytes; 23 are accepted when decoding.
@@ -184,7 +184,7 @@ struct DataStream
 /// Extended form of CALIB_ACC and CALIB_GYRO, 12 bytes (errata 3.19).
 [[nodiscard]] QByteArray encodeCalibration(int imu, int action);
 
-/// BEEP_SOUND (errata 3.20): 12 bytes and two per note.
+/// BEEP_SOUND (errata 3.20): 12 bytes, plus two per note.
 [[nodiscard]] QByteArray encodeBeep(int mode, int noteLength, int decay, const QList<int> &notes);
 
 }  // namespace simplebgc

@@ -16,10 +16,10 @@ namespace simplebgc {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double kFullRc = 500.0;  // of mode RC, either way from the middle
+constexpr double kFullRc = 500.0;  // of mode RC, in either direction from the middle
 constexpr double kFullFineRc = 16384.0;
 constexpr std::array kLabels{"Roll", "Pitch", "Yaw"};
-constexpr double kRcMiddle = 1500.0;  // as REALTIME_DATA tells the inputs
+constexpr double kRcMiddle = 1500.0;  // as REALTIME_DATA reports the inputs
 
 enum class Kind { Rate, Place, Signal };
 
@@ -29,7 +29,7 @@ struct ModeRow
     const char *key;
     const char *label;
     Kind kind;
-    double reach;  // either way from zero
+    double reach;  // in either direction from zero
     int since;
 };
 // Document CMD_CONTROL, errata 3.9.
@@ -59,7 +59,7 @@ SteeringMode modeOf(const ModeRow &row)
     return mode;
 }
 
-// What keeps an axis where it is.
+// The value that keeps an axis where it is.
 double holdingValue(int mode, std::size_t axis, const LatestValues &latest)
 {
     const auto value = [&](int first) { return double(latest.latest(first + int(axis))); };
@@ -67,7 +67,7 @@ double holdingValue(int mode, std::size_t axis, const LatestValues &latest)
     case Speed: return 0.0;
     case Rc:
     case RcHighRes: {
-        const double signal = value(RcRoll) - kRcMiddle;  // without a receiver it is far outside
+        const double signal = value(RcRoll) - kRcMiddle;  // far out of range without a receiver
         if (!(std::abs(signal) <= kFullRc))
             return kNothing;
         return mode == Rc ? signal : signal * kFullFineRc / kFullRc;
@@ -130,7 +130,7 @@ ControlFrames Device::controlFrames(const Control &control) const
         if (axis.mode != NoControl && axis.mode != Ignore)
             axis = {Speed, 0.0, 0.0};
     }
-    // Document, notes on CONTROL: mode NO_CONTROL and all data zero gives control back to RC.
+    // Document, notes on CONTROL: mode NO_CONTROL with all data zero returns control to RC.
     return {frame(control), frame(still),
             encodeFrame(number(CommandId::Control), QByteArray(13, '\0'), kVersion)};
 }
@@ -141,7 +141,7 @@ ControlFrames Device::controlFrames(const SteeringSetpoint &setpoint) const
     for (std::size_t axis = 0; axis < std::min(kAxes.size(), setpoint.inputs.size()); ++axis) {
         const double value = setpoint.inputs[axis];
         if (std::isnan(value))
-            continue;  // nobody moved it: the axis keeps what it does
+            continue;  // it was not moved: the axis goes on as before
         const double speed = setpoint.inputs.size() > kAxes.size() ? setpoint.inputs[kAxes.size()] : 0.0;
         control[axis] = setpoint.mode == Speed ? AxisControl{Speed, value, 0.0}
                                                : AxisControl{setpoint.mode, speed, value};

@@ -15,11 +15,11 @@ constexpr double kStampWrap = 65536.0;  // milliseconds
 constexpr double kStampStep = 1.0;  // milliseconds
 constexpr int kLearning = 50;  // frames
 constexpr double kMeanWeight = 0.06;
-constexpr double kRestart = -50.0;  // milliseconds behind: the board began to count anew
-constexpr double kSilence = 0.1;  // seconds without a byte: nobody lost anything, nothing was sent
-constexpr double kBlock = 1.0;  // seconds that frames without a clock are watched together
+constexpr double kRestart = -50.0;  // milliseconds behind: the board restarted its count
+constexpr double kSilence = 0.1;  // seconds without a byte: nothing was lost, nothing was sent
+constexpr double kBlock = 1.0;  // seconds over which frames without a clock are observed together
 constexpr int kFramesPerBlock = 8;  // at least
-constexpr double kDrift = 0.2;  // share of a slow change that is the two clocks' doing
+constexpr double kDrift = 0.2;  // share of a slow change that is put down to drift of the two clocks
 
 }  // namespace
 
@@ -31,9 +31,9 @@ StreamWatch::Finding StreamWatch::judge(int missing, double silence) const
     return {std::max(0, missing), 0};
 }
 
-// The board's millisecond stamp against the counted time: what it is ahead was lost on the way. A whole
-// millisecond is longer than the shortest period, so a single lost frame shows only in the mean over some
-// frames; a longer gap at once.
+// Compares the board's millisecond stamp with the counted time: the amount by which it is ahead was lost on
+// the way. A whole millisecond is longer than the shortest period, so a single lost frame only shows in the
+// mean over several frames; a longer gap shows at once.
 StreamWatch::Finding StreamWatch::stamped(double stamp, double silence)
 {
     const double period = m_period * 1000.0;
@@ -61,14 +61,14 @@ StreamWatch::Finding StreamWatch::stamped(double stamp, double silence)
         if (m_mean > 0.6 * period)
             missing = 1;
         else if (m_mean < -0.6 * period)
-            missing = -1;  // a frame was counted that never was
+            missing = -1;  // one frame too many was counted
     }
     m_counted += missing * period;
     m_mean -= missing * period;
     if (missing > 1)
         m_mean = 0.0;
     const Finding finding = judge(missing, silence);
-    if (finding.silence > 0) {  // how many frames that would have been is known to about one: begin anew
+    if (finding.silence > 0) {  // the number of frames in it is only known to about one: start over
         m_board = m_counted = m_base = m_mean = 0.0;
         m_seen = 1;
     }
@@ -90,7 +90,7 @@ StreamWatch::Finding StreamWatch::unstamped(double arrival, double silence)
     m_maxSilence = std::max(m_maxSilence, silence);
     if (arrival - m_first < m_blockEnds)
         return {};
-    // A reader that was busy hands over late frames, but the last of them on time: the least late one counts.
+    // A busy reader hands over frames late, but the last of them on time: the least late one counts.
     Finding finding;
     if (!m_expectedLate) {
         m_expectedLate = m_minLate;

@@ -6,15 +6,15 @@
 
 namespace simplebgc {
 
-/// Finds the frames of one stream that never arrived, and tells them from late ones and from a board that was
-/// silent.
+/// Detects frames of one stream that never arrived, and tells them apart from late ones and from a board that
+/// was silent.
 class StreamWatch
 {
 public:
     struct Finding
     {
         int lost = 0;  ///< frames that were lost before this one
-        double silence = 0;  ///< seconds in which nothing at all came, before this frame
+        double silence = 0;  ///< seconds before this frame in which nothing at all arrived
     };
 
     /// @param period seconds between frames
@@ -24,9 +24,10 @@ public:
     }
 
     /// A frame with the board's own clock in milliseconds (it wraps at 65 536).
-    /// @param silence seconds since anything whatever came from the board
+    /// @param silence seconds since anything at all came from the board
     Finding stamped(double stamp, double silence);
-    /// A frame that arrived at that time (seconds); it carries no clock, so loss shows only over some frames.
+    /// A frame that arrived at that time (seconds); it carries no clock, so loss only shows over several
+    /// frames.
     Finding unstamped(double arrival, double silence);
 
 private:
@@ -34,18 +35,18 @@ private:
 
     double m_period;
     int m_seen = 0;
-    // By the board's clock.
+    // From the board's clock.
     double m_lastStamp = 0;
     double m_board = 0;  // unwrapped stamps, milliseconds
     double m_counted = 0;  // frames times period, lost ones included
-    double m_base = 0;  // what the stamps are ahead by without any loss
+    double m_base = 0;  // lead of the stamps without any loss
     double m_mean = 0;
-    // By arrival: how late the punctual ones are tells what is missing.
+    // From arrival: the delay of the punctual frames shows what is missing.
     double m_first = 0;
     double m_expected = 0;  // frames times period since the first
     double m_minLate = 0;  // of this block
     double m_maxSilence = 0;
-    double m_silenceBefore = 0;  // of the block before: a silence shows in the block after it
+    double m_silenceBefore = 0;  // of the previous block: a silence shows in the block after it
     double m_blockEnds = 0;
     std::optional<double> m_expectedLate;
 };

@@ -15,7 +15,7 @@ namespace simplebgc {
 namespace {
 
 constexpr double kCycleRate = 1.0 / kCycle;
-constexpr double kStatusRate = 10;  // REALTIME_DATA_4 beside a fast stream
+constexpr double kStatusRate = 10;  // REALTIME_DATA_4 alongside a fast stream
 constexpr double kStatusAloneRate = 25;
 constexpr double kUsbBytes = 1e6;  // per second, USB CDC at full speed
 constexpr auto kPollInterval = 20ms;
@@ -31,8 +31,8 @@ struct StreamKind
     int payload;  // bytes; 0: depends on the channels
 };
 
-// What can be streamed (errata 3.10). The helper of the frame IMU answers with the same number as the main
-// one's, so only one of the two can be told apart.
+// What can be streamed (errata 3.10). The frame IMU's helper data come with the same number as the main
+// IMU's, so only one of the two is offered.
 const std::array<StreamKind, 4> &streamKinds()
 {
     // clang-format off
@@ -72,7 +72,7 @@ double rateOf(int interval)
     return interval == 1 ? kCycleRate : 1000.0 / interval;
 }
 
-// @param known flags of CUSTOM that the board answers
+// @param known flags of CUSTOM that the board delivers
 DataStream streamFor(const StreamUse &use, quint32 known)
 {
     const StreamKind *kind = findKind(use.key);
@@ -81,7 +81,7 @@ DataStream streamFor(const StreamUse &use, quint32 known)
     return {number(kind->command), intervalFor(use.rate), config.take()};
 }
 
-// Without a choice by hand: the fast channels as fast as they go, the status beside them.
+// Without a manual choice: the fast channels as fast as possible, with the status alongside.
 QList<StreamChoice> arranged(const Subscription &subscription, quint32 known)
 {
     if (!(customFlagsFor(subscription.channels) & known))
@@ -96,9 +96,9 @@ ChannelTable Device::channels() const
     return channelTable(m_identity.firmwareNumber);
 }
 
-// Which of the later fields of CUSTOM this firmware has. One that it does not know adds nothing to the
-// answer, and nobody says which firmware began with which, so the board is asked: for several at once, and
-// one by one where some are missing.
+// Finds out which of the later fields of CUSTOM this firmware has. A field that it does not know adds nothing
+// to the answer, and no document says which firmware introduced which field, so the board is asked: for
+// several at once, and one by one if some are missing.
 Result<void> Device::findCustomFields(Channel &channel)
 {
     m_customFlags = kFirstCustomFlags;
@@ -125,7 +125,7 @@ Result<void> Device::findCustomFields(Channel &channel)
     for (const quint32 flags : several) {
         const auto all = has(flags);
         if (!all && (all.error().code == ErrorCode::Timeout || all.error().code == ErrorCode::BoardError))
-            return {};  // a build without CUSTOM, or a recording from before this was asked
+            return {};  // a build without CUSTOM, or a recording made before this was asked
         if (!all)
             return tl::unexpected(all.error());
         if (*all) {
@@ -168,7 +168,7 @@ Result<void> Device::setStream(Channel &channel, const DataStream &stream)
     return {};
 }
 
-// Firmware without streams: REALTIME_DATA_4 if it is known, else _3, as often as the line allows.
+// Firmware without streams: REALTIME_DATA_4 if it has that, otherwise _3, as often as the line allows.
 Result<TelemetryPlan> Device::startPolling(Channel &channel)
 {
     const auto extended = channel.transact(
@@ -203,7 +203,7 @@ Result<StreamBudget> Device::streamBudget(const Subscription &subscription,
 {
     StreamBudget budget;
     if (!canStream() && subscription.streams.isEmpty())
-        return budget;  // polled: each sample is asked for
+        return budget;  // polled: each sample is requested
     budget.capacity = m_identity.usb ? kUsbBytes : line ? 1.0 / line->secondsFor(1) : 0.0;
     const QList<StreamChoice> wanted
         = subscription.streams.isEmpty() ? arranged(subscription, m_customFlags) : subscription.streams;
@@ -234,7 +234,7 @@ Result<StreamBudget> Device::streamBudget(const Subscription &subscription,
             use.rate = rateOf(intervalFor(stream.rate));
         budget.streams.push_back(std::move(use));
     }
-    // Those that want all they can get share what the others leave.
+    // Streams without a fixed rate share what the others leave.
     const auto open = std::count_if(budget.streams.begin(), budget.streams.end(),
                                     [](const StreamUse &use) { return use.rate == 0; });
     const double left = (budget.capacity * StreamBudget::kShare - budget.bytesPerSecond())
@@ -269,7 +269,7 @@ Result<TelemetryPlan> Device::subscribe(Channel &channel, const Subscription &su
         const DataStream stream = streamFor(use, m_customFlags);
         const auto set = setStream(channel, stream);
         if (!set) {
-            // All streams of the board may be taken by somebody else, or this build has none.
+            // All streams of the board may be in use by another client, or this build has none.
             const ErrorCode code = set.error().code;
             if (m_streams.empty() && subscription.streams.isEmpty()
                 && (code == ErrorCode::BoardError || code == ErrorCode::Timeout))

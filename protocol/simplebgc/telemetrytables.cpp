@@ -330,7 +330,7 @@ constexpr auto kFollow = three(FollowRoll, 1.0);
 constexpr auto kExternalLimits = run<6>(ExtLowRoll, WireField::I32, 1.0);
 constexpr auto kFrameCam20 = run<3>(FrameCam20Roll, WireField::I32, kFineAngle);
 
-// In bit order. Bit 29, "main IMU state", is 11 bytes that nobody describes, so it is not asked for.
+// In bit order. Bit 29, "main IMU state", has 11 undocumented bytes and is not requested.
 // clang-format off
 constexpr CustomField kCustom[] = {
     {0, 6, kImu},            {1, 6, kTarget},             {2, 6, kTargetSpeed},      {3, 6, kRotor},

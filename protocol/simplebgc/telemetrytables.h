@@ -50,17 +50,17 @@ enum ChannelId : int {
 };
 // clang-format on
 
-/// The channels of a firmware, or all: what came after 2.60 stands at the end.
+/// The channels of a firmware, or all; those added after 2.60 are at the end.
 [[nodiscard]] ChannelTable channelTable(int firmware = std::numeric_limits<int>::max());
 
 /// Fields of CUSTOM that each firmware with streams has (2.59/2.60, errata 3.9 bits 0-8).
 inline constexpr quint32 kFirstCustomFlags = 0x1FF;
 /// The first firmware that may have more.
 inline constexpr int kLaterCustomFirmware = 2610;
-/// What a frame can carry at the most.
+/// Largest payload of a frame.
 inline constexpr int kMaxPayload = 255;
 
-/// Where a channel's raw number stands in a payload and how it becomes a physical one.
+/// Position of a channel's raw number in a payload and its conversion to a physical value.
 struct WireField
 {
     int channel = 0;
@@ -103,14 +103,14 @@ struct CustomField
 
 [[nodiscard]] std::span<const CustomField> customFields();
 
-/// The flags that deliver these channels; channels that CUSTOM does not have are passed over.
+/// The flags that deliver these channels; channels that CUSTOM does not have are ignored.
 [[nodiscard]] quint32 customFlagsFor(const QList<int> &channels);
-/// Payload size of a CUSTOM frame with these flags: 2 bytes of time stamp and the fields.
+/// Payload size of a CUSTOM frame with these flags: 2 bytes of time stamp plus the fields.
 [[nodiscard]] int customSize(quint32 flags);
-/// The fields of such a frame in order, offsets counted from the beginning of the payload.
+/// The fields of such a frame in order, with offsets from the start of the payload.
 [[nodiscard]] std::vector<WireField> customLayout(quint32 flags);
 
-/// Fields of a real-time frame with that command number; flags count for CUSTOM only. Empty: no real-time
+/// Fields of a real-time frame with that command number; flags apply to CUSTOM only. Empty: not a real-time
 /// frame.
 [[nodiscard]] std::vector<WireField> flowFields(int id, quint32 customFlags);
 

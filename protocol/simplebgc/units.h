@@ -14,7 +14,7 @@ inline constexpr double kFineSpeedUnit = 0.001;  ///< deg/s, CONTROL with the hi
 inline constexpr double kGyroUnit = 0.06103701895;  ///< deg/s
 inline constexpr double kAccUnit = 1.0 / 512.0;  ///< g
 
-/// Nearest 16-bit count, held within the type's range.
+/// Nearest 16-bit count, clamped to the type's range.
 inline int toCount16(double value, double unit)
 {
     return static_cast<int>(std::clamp(std::round(value / unit), -32768.0, 32767.0));

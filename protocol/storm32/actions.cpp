@@ -189,7 +189,7 @@ Result<ActionReply> Actions::rawSensors()
     return words;
 }
 
-// Off, plain commands work again at once: from then on they are used.
+// With the heartbeat off, plain commands work again at once and are used from then on.
 Result<ActionReply> Actions::setHeartbeat(int mode)
 {
     const auto done = m_device.writeWord(m_channel, kHeartbeatWord, mode);
@@ -257,7 +257,7 @@ Result<ActionReply> Actions::perform(const QString &key, const QVariantMap &argu
     return Procedures(m_device, m_channel).perform(key, arguments);
 }
 
-// Commands without arguments; nothing if the action is none of them.
+// Commands without arguments; empty if the action is not one of them.
 std::optional<Result<ActionReply>> Actions::performSimple(const QString &key)
 {
     struct Plain
@@ -277,7 +277,7 @@ std::optional<Result<ActionReply>> Actions::performSimple(const QString &key)
         if (key != QLatin1String(plain.key))
             continue;
         auto done = simple(plain.id);
-        // Answered at once, done later (errata 3.9, 7): only then can answers be trusted.
+        // Answered at once but carried out later (errata 3.9, 7): answers can only be trusted after that.
         const bool late = plain.id == Simple::RcTrim || plain.id == Simple::Restart
             || plain.id == Simple::HardReset || plain.id == Simple::NormalMotors;
         if (done && late) {

@@ -12,10 +12,10 @@ namespace storm32 {
 namespace {
 
 constexpr int kReadings = 256;
-constexpr int kBatch = 16;  // readings that are looked at together while waiting
-constexpr double kStillShare = 0.012;  // of 1 g: deviation of a sensor that lies still, noise included
+constexpr int kBatch = 16;  // number of readings evaluated together while waiting
+constexpr double kStillShare = 0.012;  // of 1 g: deviation of a sensor at rest, noise included
 constexpr auto kPlaceLimit = 120s;  // for one face
-constexpr double kMinVector = 100;  // counts; less, and there is no sensor (errata 9.3)
+constexpr double kMinVector = 100;  // counts; with less there is no sensor (errata 9.3)
 
 }  // namespace
 
@@ -112,7 +112,7 @@ Result<Procedures::Average> Procedures::face(int imu, unsigned wanted, Progress 
             return measured;
         if (measured->face == last && measured->deviation <= kStillShare * oneG())
             return measured;
-        still = 0;  // it was moved: begin again
+        still = 0;  // it was moved: start over
     }
     return failure(ErrorCode::NotSeen, u"no further face lay still for %1 s"_s.arg(seconds(kPlaceLimit)));
 }
@@ -188,7 +188,7 @@ Result<ActionReply> Procedures::calibrate(int imu, bool six, bool store)
     return reply;
 }
 
-// Words of the sensor only, by its selector; read back and compared.
+// Writes only the words of this sensor, by its selector; reads back and compares.
 Result<void> Procedures::writeCalibration(int imu, const AccCalibration &calibration)
 {
     const int first = imu == 2 ? 9 : 0;

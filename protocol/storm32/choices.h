@@ -4,7 +4,7 @@
 
 #include "protocol/configuration/parameterspec.h"
 
-/// Choice lists of the parameter tables (errata 5 and 11); those whose names end in 78 are of that layout.
+/// Choice lists of the parameter tables (errata 5 and 11); those whose names end in 78 belong to that layout.
 namespace storm32 {
 
 // clang-format off

@@ -45,7 +45,7 @@ constexpr SimpleCommand kSimple[] = {
 // clang-format on
 static_assert(std::size(kSimple) == std::size_t(Simple::Count));
 
-// Payloads of the RC set (errata 4). The board takes no notice of bytes that have no name here.
+// Payloads of the RC set (errata 4). The board ignores bytes that have no name here.
 constexpr NamedField kIndex[] = {{"index", NamedField::U16, 0, 2}};
 constexpr NamedField kIndexAndValue[] = {{"index", NamedField::U16, 0, 2}, {"value", NamedField::U16, 2, 2}};
 // clang-format off
@@ -98,7 +98,7 @@ constexpr RcCommand kRc[] = {
 
 constexpr RcCommand kAckFrame{Rc::Ack, "ACK", 1, {}, kAck};
 
-// Answers that carry data come under these numbers (errata 4); everything else is acknowledged.
+// Answers that carry data have these numbers (errata 4); everything else is acknowledged.
 bool isAnswer(Rc asked, int number, Bytes payload)
 {
     switch (asked) {
@@ -207,7 +207,7 @@ Request simpleRequest(Simple id, QByteArrayView arguments)
     request.bytes = encodeSimple(id, arguments);
     request.kind = kOneKind;
     request.replyBytes
-        = command.replyWords[1] ? 2 * command.replyWords[1] + 3 : 1;  // of the firmware that is met most
+        = command.replyWords[1] ? 2 * command.replyWords[1] + 3 : 1;  // of the most common firmware
     const bool data = command.replyWords[1] != 0;
     request.answer = [id, data, name = request.name](const FrameView &frame) -> std::optional<Result<Frame>> {
         if (frame.id == FrameId::kSimple + int(id) || (!data && frame.id == 'o'))

@@ -10,8 +10,8 @@
 
 namespace storm32 {
 
-/// Simple commands (document "Simple Commands", errata 3). The number is that of their answer's frame, see
-/// FrameId.
+/// Simple commands (document "Simple Commands", errata 3). The number is used for the frame of their answer,
+/// see FrameId.
 enum class Simple : std::uint8_t {
     Test,
     Version,
@@ -63,7 +63,7 @@ enum class Rc : std::uint8_t {
     Ack = 150,
 };
 
-/// Numbers of the frames that come from a board: letters and data of simple commands, answers of the RC set,
+/// Numbers of the frames that a board sends: letters and data of simple commands, answers of the RC set,
 /// MAVLink.
 namespace FrameId {
 inline constexpr int kLetter = 0x000;  ///< + 'o', 'e', 't' or 'c'
@@ -77,13 +77,13 @@ struct SimpleCommand
     Simple id{};
     const char *letters = "";
     const char *name = "";
-    int argumentBytes = 0;  ///< that follow the letters, without their checksum; -1: the parameter stream
-    std::array<int, 3> replyWords{};  ///< words of the answer, as firmware differs; 0: the letter alone
+    int argumentBytes = 0;  ///< after the letters, without their checksum; -1: the parameter stream
+    std::array<int, 3> replyWords{};  ///< words of the answer for different firmware; 0: only the letter
 };
 
 [[nodiscard]] std::span<const SimpleCommand> simpleCommands();
 [[nodiscard]] const SimpleCommand &simpleCommand(Simple id);
-/// The command that these bytes begin with, or null.
+/// The command that these bytes start with, or null.
 [[nodiscard]] const SimpleCommand *findSimple(Bytes bytes);
 
 struct RcCommand
@@ -92,23 +92,23 @@ struct RcCommand
     const char *name = "";
     int payloadBytes = 0;
     NamedFields fields{};
-    NamedFields answer{};  ///< of the data that comes back; none: an ack
+    NamedFields answer{};  ///< of the data in the answer; empty: an ack
 };
 
 [[nodiscard]] std::span<const RcCommand> rcCommands();
 [[nodiscard]] const RcCommand *findRc(int id);
-/// What a board's frame answers, or the ack itself; null when it is none of both. Texts come under the number
-/// of the data up to v2.08 and are told by their length (errata 4).
+/// The command that a board's frame answers, or the ack itself; null if it is neither. Up to v2.08 texts have
+/// the number of the data and are recognised by their length (errata 4).
 [[nodiscard]] const RcCommand *findRcAnswer(int id, Bytes payload);
 
-/// The bytes of a simple command; arguments get their checksum.
+/// Encodes a simple command; arguments get their checksum.
 [[nodiscard]] QByteArray encodeSimple(Simple id, QByteArrayView arguments = {});
-/// A frame of the RC set towards the board. @param answer the same frame from it (starts with FB)
+/// A frame of the RC set to the board. @param answer the same frame from the board (starts with FB)
 [[nodiscard]] QByteArray encodeRc(int id, QByteArrayView payload, bool answer = false);
-/// The answer to a simple command as it stands on the wire.
+/// The answer to a simple command as sent on the wire.
 [[nodiscard]] QByteArray encodeReply(QByteArrayView data);
 
-/// What an ack code of the RC set says (errata 4): nothing for 0. The code is in Error::boardCode.
+/// Meaning of an ack code of the RC set (errata 4): empty for 0. The code is in Error::boardCode.
 [[nodiscard]] std::optional<Error> ackError(int code, const QString &command);
 
 /// A request for a simple command: answered by its data or 'o'; 'e', 't' and 'c' become BoardError.

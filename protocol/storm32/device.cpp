@@ -26,14 +26,14 @@ constexpr auto kAnswer
 constexpr auto kBeat = 1100ms;
 constexpr auto kStoring = 2s;  // up to about 1 s on hardware
 constexpr int kRetries = 2;
-constexpr int kRetriesOfLong = 5;  // a bad line hits many bytes more surely than few
+constexpr int kRetriesOfLong = 5;  // a bad line is more likely to hit a long frame than a short one
 constexpr qsizetype kLong = 100;  // bytes
-// Who we are on MAVLink: the address of the errata's examples.
+// Our own address on MAVLink: that of the errata's examples.
 constexpr mavlink::Address kOwn{82, 67};
 constexpr int kPlain = -1;  // of m_way
 constexpr int kDefaultAddress = 71 << 8 | 67;  // errata 6
 constexpr int kHeartbeatWord = 112;
-constexpr int kSystemWord = 110;  // and the component behind it
+constexpr int kSystemWord = 110;  // followed by the component
 
 bool isStoring(Simple id)
 {
@@ -41,7 +41,7 @@ bool isStoring(Simple id)
         || id == Simple::SetBaudRate || id == Simple::WriteCalibration || id == Simple::NormalMotors;
 }
 
-// What may be done twice without harm is asked again when an answer is lost.
+// Commands that can safely be repeated are asked again if the answer is lost.
 bool isRepeatable(Simple id)
 {
     switch (id) {
@@ -90,7 +90,7 @@ std::shared_ptr<const ParameterSet> parametersOf(const BoardIdentity &identity)
 Device::Device() = default;
 Device::~Device() = default;
 
-// The same request through MAVLink: simple commands as they are, RC commands without length and checksum
+// The same request through MAVLink: simple commands unchanged, RC commands without length and checksum
 // (errata 6).
 Request Device::embed(Request plain, QByteArrayView content, std::optional<Simple> id) const
 {
@@ -139,12 +139,11 @@ Request Device::rc(Rc id, const QByteArray &payload) const
                         : request;
 }
 
-// First plainly, then by the way that a heartbeat leaves open. Neither harms a board of another family:
-// SimpleBGC passes over bytes that begin no frame of its own.
+// First plainly, then in the way that works while a heartbeat is on. Neither harms a board of another family:
+// SimpleBGC ignores bytes that do not start one of its own frames.
 Result<bool> Device::probe(Channel &channel)
 {
-    // A board with other numbers than the usual ones tells them in its heartbeat, which may be heard on
-    // another thread.
+    // A board with unusual numbers reports them in its heartbeat, which may be received on another thread.
     const auto heard = std::make_shared<std::atomic<int>>(-1);
     const auto beats = channel.listen([heard](const FrameView &frame) {
         if (frame.id != FrameId::kMavlink || frame.raw.size() < mavlink::kOverhead)
@@ -172,7 +171,7 @@ Result<bool> Device::probe(Channel &channel)
     found = answers();
     if (!found || *found)
         return found;
-    // Something speaks: by itself it does so once a second.
+    // Something is sending: a board does so unasked once a second.
     if (*heard < 0 && channel.observation().bytesIn > 0) {
         if (const auto beat = beats->next(kBeat); !beat && beat.error().code != ErrorCode::Timeout)
             return tl::unexpected(beat.error());
@@ -191,7 +190,7 @@ Result<BoardIdentity> Device::identify(Channel &channel)
 {
     auto reply = channel.transact(simple(Simple::Version));
     if (!reply && reply.error().code == ErrorCode::Timeout && !isEmbedded()) {
-        m_way = kDefaultAddress;  // on a link without a rate nobody has probed yet
+        m_way = kDefaultAddress;  // not probed yet on a link without a rate
         reply = channel.transact(simple(Simple::Version));
     }
     if (!reply)
@@ -209,8 +208,8 @@ Result<BoardIdentity> Device::identify(Channel &channel)
     const QString type = textOf(QByteArrayView(reply->payload).sliced(32, 16));
     identity.model = u"STorM32 %1"_s.arg(type);
     identity.firmware = firmwareText(m_firmware);
-    identity.firmwareNumber = layout;  // tables follow the layout
-    // The board has no number of its own: its name and type have to do.
+    identity.firmwareNumber = layout;  // the tables depend on the layout
+    // The board has no serial number: its name and type must do.
     identity.serial = u"storm32-"_s + QString::fromLatin1((name + u' ' + type).toLatin1().toHex());
     identity.profileCount = 1;
     identity.writable = isKnownLayout(layout);
@@ -259,8 +258,8 @@ Result<int> Device::readWord(Channel &channel, int word)
     return int(reader.u16());
 }
 
-// The firmware takes these frames whatever their checksum says (errata 4), so a value is only written when it
-// reads back.
+// The firmware accepts these frames regardless of their checksum (errata 4), so a value only counts as
+// written once it reads back.
 Result<void> Device::writeWord(Channel &channel, int word, int raw)
 {
     const int wanted = raw & 0xFFFF;
@@ -282,8 +281,8 @@ Result<void> Device::writeWord(Channel &channel, int word, int raw)
                    u"word %1: %2 was written, %3 read"_s.arg(word).arg(wanted).arg(found));
 }
 
-// Writing the heartbeat's word locks plain commands out of a UART at once, or lets them in again (errata 6).
-// USB answers everything all the time, so it is looked at and not concluded.
+// Writing the heartbeat's word locks plain commands out of a UART at once, or allows them again (errata 6).
+// USB always answers everything, so the way is tried rather than deduced.
 Result<void> Device::findWay(Channel &channel, int heartbeat)
 {
     const auto answers = [&] {
@@ -300,8 +299,8 @@ Result<void> Device::findWay(Channel &channel, int heartbeat)
     return answers();
 }
 
-// Words and, where they can be had, scripts. Embedded, `g` does not fit into a frame: MAVLink's own list
-// takes its place.
+// Words and, if available, scripts. An embedded `g` does not fit into a frame: MAVLink's own list is used
+// instead.
 Result<QByteArray> Device::readStream(Channel &channel)
 {
     if (!isEmbedded()) {
@@ -321,7 +320,7 @@ Result<QByteArray> Device::readStream(Channel &channel)
     for (int word = 0; word < m_words; ++word) {
         const auto known = listed->find(word);
         const auto raw = known != listed->end() ? Result<int>(known->second)
-                                                : readWord(channel, word);  // what the list lost
+                                                : readWord(channel, word);  // what the list has lost
         if (!raw)
             return tl::unexpected(raw.error());
         words += ByteWriter().u16(*raw).take();
@@ -331,7 +330,7 @@ Result<QByteArray> Device::readStream(Channel &channel)
     return words;
 }
 
-// All parameters in one go, as far as they come through; the value's coding depends on the firmware (errata
+// All parameters in one go, as far as they arrive; the coding of the values depends on the firmware (errata
 // 6).
 Result<std::map<int, int>> Device::listParameters(Channel &channel)
 {
@@ -399,7 +398,7 @@ Result<QByteArray> Device::readBlock(Channel &channel, BlockKey key)
 
 Result<void> Device::writeBlock(Channel &channel, BlockKey key, const QByteArray &bytes)
 {
-    // What is not ours is sent back as it was: read, overlay, write (errata 3.4).
+    // Everything that is not ours is written back unchanged: read, overlay, write (errata 3.4).
     auto stream = readStream(channel);
     if (!stream)
         return tl::unexpected(stream.error());
@@ -407,7 +406,7 @@ Result<void> Device::writeBlock(Channel &channel, BlockKey key, const QByteArray
     if (at + bytes.size() > stream->size())
         return failure(ErrorCode::Unsupported, u"scripts cannot be written while the heartbeat is on"_s);
     if (isEmbedded()) {
-        for (int word = 0; word < int(bytes.size()) / 2; ++word) {  // parameters: there is nothing else
+        for (int word = 0; word < int(bytes.size()) / 2; ++word) {  // parameters only
             if (stream->mid(2 * word, 2) == bytes.mid(2 * word, 2))
                 continue;
             const auto done
@@ -428,7 +427,7 @@ Result<void> Device::writeBlock(Channel &channel, BlockKey key, const QByteArray
     return findWay(channel, ByteReader(QByteArrayView(*stream).sliced(2 * kHeartbeatWord, 2)).u16());
 }
 
-// Under which numbers the board would be reached through MAVLink.
+// The address at which the board would be reached through MAVLink.
 void Device::learnAddress(const QByteArray &stream)
 {
     if (!isKnownLayout(m_identity.firmwareNumber))
@@ -465,7 +464,7 @@ Result<void> Device::writeAdjustables(Channel &channel, const std::vector<Adjust
                                         [&value](const AdjustableSpec &spec) { return spec.id == value.id; });
         if (known == m_adjustables.end())
             return failure(ErrorCode::InvalidArgument, u"no live value %1"_s.arg(value.id));
-        // The firmware checks nothing, so it is done here.
+        // The firmware does not check the range, so it is checked here.
         if (!(value.value >= known->min && value.value <= known->max))
             return failure(ErrorCode::OutOfRange,
                            u"%1 is outside %2 to %3"_s.arg(value.value).arg(known->min).arg(known->max));
@@ -490,7 +489,7 @@ std::optional<ConnectOffer> Device::connectOffer() const
 
 namespace {
 
-// A MAVLink frame is trusted by its shape: two of them, one behind the other.
+// MAVLink frames are recognised by their structure: two of them in succession.
 bool looksLikeMavlink(const QByteArray &bytes)
 {
     for (qsizetype i = 0; i + 8 < bytes.size(); ++i) {
@@ -504,8 +503,8 @@ bool looksLikeMavlink(const QByteArray &bytes)
     return false;
 }
 
-// A board answers each byte it does not know with the letter e, and half commands with t (errata 3.1). Among
-// what came at wrong rates a run of them is enough.
+// A board answers each unknown byte with the letter e, and incomplete commands with t (errata 3.1). Among
+// bytes received at wrong rates, a run of them is enough.
 QString recognise(const QByteArray &bytes)
 {
     if (looksLikeMavlink(bytes))
@@ -550,11 +549,10 @@ Family family()
     family.key = u"storm32"_s;
     family.name = u"STorM32"_s;
     family.links = {{LinkAddress::Kind::Serial}, {LinkAddress::Kind::Tcp}};
-    // Errata 7: one command at a time, answered within 1 to 5 ms; twice that where nothing says when it is
-    // done.
+    // Errata 7: one command at a time, answered within 1 to 5 ms; twice that for commands without an answer.
     family.timing.pause = 10ms;
     family.timing.controlPeriod = 20ms;
-    // Errata 1: no parity, no detection by the board; the default first.
+    // Errata 1: no parity, and the board does not detect the rate; the default comes first.
     for (const int baud : {115200, 57600, 38400, 19200, 9600})
         family.lines.append({baud, Parity::None});
     family.makeFramer = [] { return std::make_unique<Framer>(); };

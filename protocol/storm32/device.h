@@ -48,7 +48,7 @@ public:
     [[nodiscard]] std::shared_ptr<TelemetryDecoder> replayDecoder() const override;
     [[nodiscard]] StopPlan stopPlan() const override;
 
-    /// Nothing opens a write; storing ends it.
+    /// A write needs no opening; storing ends it.
     WriteBracket *writeBracket() override { return this; }
     Result<void> beginWrite(Channel &) override { return {}; }
     Result<void> endWrite(Channel &channel) override;
@@ -94,7 +94,7 @@ private:
     friend class Actions;
     friend class Procedures;
 
-    /// A request as this board can be asked it: plain, or embedded.
+    /// A request in the form this board accepts: plain, or embedded.
     [[nodiscard]] Request simple(Simple id, QByteArrayView arguments = {}) const;
     [[nodiscard]] Request rc(Rc id, const QByteArray &payload = {}) const;
     [[nodiscard]] Request standbyRequest(bool standby) const;
@@ -109,11 +109,11 @@ private:
     BoardIdentity m_identity;
     std::shared_ptr<const ParameterSet> m_parameters;
     std::vector<AdjustableSpec> m_adjustables;
-    std::vector<QByteArray> m_adjustableKeys;  // what the specs point to
-    // How the board is reached now: plainly (-1), or embedded at this system and component. The screen asks
-    // for the motors-off request while the worker may change it.
+    std::vector<QByteArray> m_adjustableKeys;  // storage for the keys in the specs
+    // How the board is currently reached: plainly (-1), or embedded at this system and component. The GUI
+    // requests the stop plan while the worker may change it.
     std::atomic<int> m_way{-1};
-    int m_address = 71 << 8 | 67;  // where it would be reached
+    int m_address = 71 << 8 | 67;  // where it would be reached through MAVLink
     int m_firmware = 0;  // 79, 90, 96
     int m_words = 0;
     std::optional<std::array<int, 5>> m_yawBefore;  // the input words of yaw while it is aligned

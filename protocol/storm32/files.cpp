@@ -16,7 +16,7 @@ namespace storm32 {
 
 namespace {
 
-constexpr std::array<int, 3> kLayouts{95, 89, 78};  // the newest of two that fit alike
+constexpr std::array<int, 3> kLayouts{95, 89, 78};  // the newest of two that fit equally well
 constexpr qsizetype kLargestText = 256 * 1024;
 
 struct Entry
@@ -89,7 +89,7 @@ Result<Entries> parse(const QByteArray &text)
                            u"line %1 is not understood: %2"_s.arg(number).arg(content.left(60)));
         if (named.captured(1) != u"Scripts"_s) {
             entries.values.insert(named.captured(1).trimmed(),
-                                  {-1, named.captured(2), number});  // a text, of no parameter
+                                  {-1, named.captured(2), number});  // a text that belongs to no parameter
             continue;
         }
         const auto bytes = bytesFromHex(named.captured(2));
@@ -102,8 +102,7 @@ Result<Entries> parse(const QByteArray &text)
                    open ? u"the end ');' is missing: the file is cut off"_s : u"the file is empty"_s);
 }
 
-// The number that a choice's text stands for in this layout; the file's own number where the text says
-// nothing.
+// The number that a choice's text stands for in this layout; the file's own number if the text is not known.
 int believed(const ParameterSpec &spec, const Entry &entry, int layout)
 {
     if (spec.row->kind != ValueKind::Choice)
@@ -115,8 +114,8 @@ int believed(const ParameterSpec &spec, const Entry &entry, int layout)
     return entry.raw;
 }
 
-// How well a layout fits: names it knows, less those that are missing or whose number it does not know.
-// Nothing: no name.
+// How well a layout fits: two points for each name it knows, one less for each name that is missing, out of
+// range, or whose number and text do not match. Empty: it knows no name.
 std::optional<int> fit(const Entries &entries, const ParameterSet &set)
 {
     int points = 0;
@@ -220,7 +219,7 @@ Result<SensorCalibration> readCalibration(const QByteArray &text)
     QMap<QString, QString> lines;
     for (const QString &line : QString::fromLatin1(text).split(u'\n')) {
         const qsizetype colon = line.indexOf(u':');
-        if (colon > 0 && !lines.contains(line.left(colon).trimmed()))  // of several records, the first
+        if (colon > 0 && !lines.contains(line.left(colon).trimmed()))  // of several records, use the first
             lines.insert(line.left(colon).trimmed(), line.mid(colon + 1).trimmed());
     }
     SensorCalibration calibration;

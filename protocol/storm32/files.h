@@ -4,13 +4,12 @@
 
 #include "protocol/configuration/foreignfile.h"
 
-/// Files of the original program, as text: settings (.cfg, a hash with 'Name' => [ raw , 'shown' ] in each
-/// line) and calibrations (.cal, lines of KEY: value). Read as data, never run (errata 9, 9.2).
+/// Text files of the original program: settings (.cfg, a hash with 'Name' => [ raw , 'shown' ] in each line)
+/// and calibrations (.cal, lines of KEY: value). Read as data, never run (errata 9, 9.2).
 namespace storm32 {
 
-/// The layout that knows most of the names is taken, because the file does not say which one it is. Where a
-/// choice's number and its text say different things, the text is believed: numbers change between layouts.
-/// Errors: BadFile.
+/// Uses the layout that knows most of the names, because the file does not say which one it is. If a choice's
+/// number and text disagree, the text is used: numbers change between layouts. Errors: BadFile.
 [[nodiscard]] Result<ForeignSettings> readSettings(const QByteArray &text);
 [[nodiscard]] Result<QByteArray> writeSettings(const Configuration &configuration);
 

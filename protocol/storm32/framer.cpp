@@ -16,7 +16,7 @@ using mavlink::Look;
 constexpr std::byte kRcQuestion{0xFA};
 constexpr std::byte kRcAnswer{0xFB};
 constexpr std::size_t kRcOverhead = 5;
-// More than any answer: what is longer is noise.
+// Longer than any answer: anything beyond is noise.
 constexpr qsizetype kMaxKept = 1024;
 
 bool isLetter(std::byte byte)
@@ -33,7 +33,7 @@ void Framer::sent(Bytes bytes)
     m_rcAsked = !command && !bytes.empty() && bytes[0] == kRcQuestion;
     if (!command)
         return;
-    // One at a time: what is left of an earlier answer will not be completed.
+    // One command at a time: the rest of an earlier answer will not arrive.
     skip(std::size_t(m_buffer.size()));
     m_asked = command->replyWords[0] ? command : nullptr;
 }
@@ -58,7 +58,7 @@ void Framer::skip(std::size_t count)
     m_buffer.remove(0, qsizetype(count));
 }
 
-// Hands out everything complete. @param last nothing more will come
+// Delivers everything complete. @param last nothing more will come
 void Framer::scan(bool last, const FrameSink &sink)
 {
     while (!m_buffer.isEmpty()) {
@@ -68,7 +68,7 @@ void Framer::scan(bool last, const FrameSink &sink)
         Sighting seen;
         for (; at < all.size(); ++at) {
             seen = sight(all.subspan(at));
-            // A letter may be a byte of something longer, until the silence behind it tells.
+            // A letter may be one byte of something longer; only the silence after it shows that it is not.
             const bool letter = seen.look == Look::Complete && seen.size == 1;
             const bool doubtful = letter && (m_asked || open) && !(last && all.size() == 1);
             if (seen.look == Look::Complete && !doubtful)
@@ -84,7 +84,7 @@ void Framer::scan(bool last, const FrameSink &sink)
         ++m_statistics.frames;
         if (seen.frame.id < FrameId::kMavlink)
             m_asked = nullptr;
-        // Out of the buffer first: whoever gets the frame may send, and then the rest is gone.
+        // Out of the buffer first: the receiver of the frame may send, and then the rest is discarded.
         const QByteArray kept
             = std::exchange(m_buffer, m_buffer.mid(qsizetype(seen.size))).left(qsizetype(seen.size));
         const auto moved = [&](Bytes part) {
@@ -106,7 +106,7 @@ Framer::Sighting Framer::sight(Bytes bytes) const
     if (isLetter(bytes[0]))
         return {
             Look::Complete, 1, {FrameId::kLetter + std::to_integer<int>(bytes[0]), {}, 1, bytes.first(1)}};
-    if (bytes[0] == kRcAnswer && (m_rcAsked || !m_asked)) {  // otherwise data looks like it
+    if (bytes[0] == kRcAnswer && (m_rcAsked || !m_asked)) {  // otherwise it may be data that looks alike
         if (bytes.size() < 2)
             return {Look::Incomplete};
         const std::size_t length = std::to_integer<std::size_t>(bytes[1]);
@@ -126,11 +126,11 @@ Framer::Sighting Framer::sight(Bytes bytes) const
             message.size,
             {FrameId::kMavlink + message.packet.id, message.packet.payload, 1, bytes.first(message.size)}};
     }
-    // Data may begin with any byte.
+    // Data may start with any byte.
     return m_asked ? sightData(bytes) : Sighting{};
 }
 
-// The data of the command that was asked, in each length that some firmware answers.
+// The data of the requested command, in each length that any firmware sends.
 Framer::Sighting Framer::sightData(Bytes bytes) const
 {
     Sighting result;

@@ -8,9 +8,9 @@
 namespace storm32 {
 
 /// Finds the answers of a STorM32 board: single letters, the data of simple commands, frames of the RC set,
-/// and MAVLink. The data of a simple command has no start of its own, so the framer listens to what is asked
-/// (errata 3.1: count bytes, then look at the closing letter and the checksum). An error letter instead of
-/// data is known by the silence behind it.
+/// and MAVLink. The data of a simple command has no start mark of its own, so the framer takes notice of what
+/// is asked (errata 3.1: count bytes, then check the closing letter and the checksum). An error letter
+/// instead of data is recognised by the silence after it.
 class Framer final : public ::Framer
 {
 public:
@@ -22,7 +22,7 @@ public:
     [[nodiscard]] const FramerStatistics &statistics() const override { return m_statistics; }
 
 private:
-    /// What stands at the beginning of these bytes.
+    /// What these bytes start with.
     struct Sighting
     {
         mavlink::Look look = mavlink::Look::No;
@@ -35,8 +35,8 @@ private:
     void skip(std::size_t count);
 
     QByteArray m_buffer;
-    const SimpleCommand *m_asked = nullptr;  // whose data may come
-    bool m_rcAsked = false;  // a frame of the RC set was the latest thing sent
+    const SimpleCommand *m_asked = nullptr;  // the command whose data may arrive
+    bool m_rcAsked = false;  // the most recent frame sent was one of the RC set
     FramerStatistics m_statistics;
 };
 

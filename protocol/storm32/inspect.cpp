@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Looking inside: frames in words, commands by name.
+// Inspection: frames in readable form, commands by name.
 #include "protocol/base/checksum.h"
 #include "protocol/base/hexbytes.h"
 #include "protocol/storm32/device.h"
@@ -61,7 +61,7 @@ ActionRisk riskOf(Rc id)
     }
 }
 
-// A parameter by its number, with its value in words.
+// A parameter by its number, with its value in readable form.
 QString wordText(const ParameterSet *parameters, int word, int raw)
 {
     if (parameters) {
@@ -75,7 +75,7 @@ QString wordText(const ParameterSet *parameters, int word, int raw)
     return u"word %1 = %2"_s.arg(word).arg(raw);
 }
 
-// "pitch=30 roll=0", in the order of the wire.
+// "pitch=30 roll=0", in wire order.
 QString fieldsText(NamedFields fields, const QVariantMap &values)
 {
     QStringList parts;
@@ -100,7 +100,7 @@ QString liveFields(Bytes data)
         .arg(double(row[Voltage]), 0, 'f', 2);
 }
 
-// A frame of the RC set, as a command or as what a board answers; null stands for one that is unknown.
+// A frame of the RC set, as a command or as a board's answer; null stands for an unknown one.
 FrameText rcText(const RcCommand *known, int id, Bytes payload, bool answer, const ParameterSet *parameters)
 {
     const QString name = known ? QString::fromLatin1(known->name) : u"RC %1"_s.arg(id);
@@ -138,8 +138,8 @@ QString simpleFields(Simple id, Bytes data)
     return u"%1 bytes"_s.arg(data.size());
 }
 
-// A command or an answer of the other sets inside of MAVLink: FA or FB, number and payload, or what a simple
-// command is (errata 6).
+// A command or an answer of the other sets inside MAVLink: FA or FB, number and payload, or the bytes of a
+// simple command (errata 6).
 QString embeddedText(Bytes inner, const ParameterSet *parameters)
 {
     if (inner.size() >= 2 && (inner[0] == std::byte{0xFA} || inner[0] == std::byte{0xFB})) {
@@ -163,7 +163,7 @@ QString mavlinkFields(const mavlink::Message &message, Bytes payload, const Para
     return fieldsText(message.fields, *fields);
 }
 
-// What is typed behind the name of a command of the RC set.
+// What is typed after the name of a command of the RC set.
 QString afterName(const RcCommand &command)
 {
     QStringList names;
@@ -245,7 +245,7 @@ bool Device::isTelemetryFrame(int id) const
         || id == kMavlinkBeat || id == FrameId::kMavlink + mavlink::number(mavlink::MessageId::Attitude);
 }
 
-// "d", "xs", "GETPARAMETER 2F00", "SETANGLE pitch=10 yaw=-5" or the whole of a frame in hex.
+// "d", "xs", "GETPARAMETER 2F00", "SETANGLE pitch=10 yaw=-5" or a whole frame in hex.
 Result<RawCommand> Device::parseCommand(const QString &text) const
 {
     const QString trimmed = text.trimmed();

@@ -6,8 +6,8 @@
 
 namespace storm32 {
 
-/// What PARAM_VALUE calls a word of the stream, unused ones included; empty past the last. Layout 89 is taken
-/// to call them as 95 does, but for the words it does not have.
+/// Name of a word of the stream in PARAM_VALUE, unused ones included; empty past the last. Layout 89 is
+/// assumed to use the names of 95, except for the words it does not have.
 [[nodiscard]] QString mavlinkName(int layout, int word);
 
 }  // namespace storm32

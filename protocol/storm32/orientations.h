@@ -7,15 +7,16 @@
 
 namespace storm32 {
 
-/// The 24 ways in which a sensor can be mounted (errata 10): which of its axes point forward, left and up.
+/// The 24 ways to mount a sensor (errata 10): which of its axes point forward, left and up.
 struct Orientation
 {
     const char *name;  ///< "z90°"
     int code;  ///< shown in brackets
-    std::array<std::array<int, 3>, 3> axes;  ///< forward, left, up as vectors of the sensor
+    std::array<std::array<int, 3>, 3> axes;  ///< forward, left, up as vectors in the sensor's axes
 };
 [[nodiscard]] std::span<const Orientation> orientations();
-/// The orientation whose z points up and x forward, from unit vectors of the sensor; -1 if there is none.
+/// The orientation whose z points up and whose x points forward, from unit vectors in the sensor's axes; -1
+/// if there is none.
 [[nodiscard]] int findOrientation(const std::array<int, 3> &up, const std::array<int, 3> &forward);
 
 }  // namespace storm32

@@ -7,28 +7,29 @@
 
 namespace storm32 {
 
-/// The parts of what `g` delivers: the parameter words, and the scripts behind them (errata 3.4).
+/// The parts of the `g` data: the parameter words, and the scripts after them (errata 3.4).
 enum Block : std::uint8_t { Parameters, Scripts, BlockCount };
 
-/// Layouts that there are tables for (errata 5). In a ParameterSet the layout stands where other families
-/// have the firmware.
+/// Layouts that have a table (errata 5). A ParameterSet holds the layout where other families have the
+/// firmware.
 [[nodiscard]] bool isKnownLayout(int layout);
-/// Parameter words of a layout, the dummy in front of the scripts included; for one without a table what its
-/// kin has.
+/// Number of parameter words of a layout, including the dummy before the scripts; a layout without a table is
+/// assumed to have as many as its relatives.
 [[nodiscard]] int wordsOf(int layout);
 [[nodiscard]] std::span<const BlockSpec> blocksOf(int layout);
-/// What `g` delivers, by blocks; only the words when there is no more, nothing when it has another length.
+/// The `g` data, split into blocks; only the words if there is no more, empty if the length is a different
+/// one.
 [[nodiscard]] std::vector<std::pair<int, QByteArray>> splitStream(const QByteArray &stream, int words);
 
 /// The words of a layout without a table, as numbers.
 [[nodiscard]] std::span<const ParameterRow> rawRows(int layout);
-/// Every parameter of layouts 78, 89 and 95 (errata 5 and 11). `name` is what settings files, scripts and the
-/// original tool call it; the number of the word is offset / 2.
+/// Every parameter of layouts 78, 89 and 95 (errata 5 and 11). `name` is the name in settings files, scripts
+/// and the original tool; the number of the word is offset / 2.
 [[nodiscard]] std::span<const ParameterRow> parameterRows();
-/// That name for one parameter.
+/// The `name` of one parameter.
 [[nodiscard]] QString originalName(const ParameterSpec &spec);
 
-/// What scripts of a layout may name.
+/// The names that scripts of a layout may use.
 [[nodiscard]] ScriptContext scriptContext(const ParameterSet &parameters, int firmware);
 
 }  // namespace storm32

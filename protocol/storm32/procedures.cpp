@@ -142,8 +142,8 @@ std::span<const ActionSpec> Procedures::all()
     return kActions;
 }
 
-// No command reads the EEPROM beside the RAM: what is stored is put into use, read, and what was in use put
-// back.
+// No command reads the EEPROM without changing the RAM: the stored values are loaded and read, then the
+// values in use are restored.
 Result<ActionReply> Procedures::compareStored()
 {
     if (m_device.isEmbedded())
@@ -152,7 +152,7 @@ Result<ActionReply> Procedures::compareStored()
     if (!inUse)
         return tl::unexpected(inUse.error());
     const Configuration use = configurationOf(*inUse);
-    // Put back also when loading seems to have failed: only its answer may have been lost.
+    // Restored even if loading seems to have failed: perhaps only its answer was lost.
     const auto loaded = m_channel.transact(m_device.simple(Simple::Retrieve));
     const auto stored
         = loaded ? m_device.readStream(m_channel) : Result<QByteArray>(tl::unexpected(loaded.error()));
@@ -179,7 +179,7 @@ Configuration Procedures::configurationOf(const QByteArray &stream) const
     return configuration;
 }
 
-// What was in use and differs from what is stored, or from the defaults where that is not known.
+// Values in use that differ from the stored ones, or from the defaults if those are not known.
 QString Procedures::inUseText(const Configuration &use, const Result<QByteArray> &stored) const
 {
     QStringList values;

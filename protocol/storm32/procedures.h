@@ -7,8 +7,8 @@
 
 namespace storm32 {
 
-/// The family's jobs of many steps: calibration of the accelerometers (errata 9.2), the tasks of the gimbal's
-/// configuration (errata 9.3), and what is in use compared with what is stored.
+/// The family's jobs with many steps: calibration of the accelerometers (errata 9.2), the gimbal
+/// configuration tasks (errata 9.3), and comparing the values in use with the stored ones.
 class Procedures
 {
 public:
@@ -19,7 +19,7 @@ public:
     }
 
     [[nodiscard]] static std::span<const ActionSpec> all();
-    /// Errors of all: NotSeen (what it waited for did not come), BoardError, those of the link.
+    /// Errors of all: NotSeen (what it waited for did not happen), BoardError, those of the link.
     Result<ActionReply> perform(const QString &key, const QVariantMap &arguments);
 
 private:
@@ -44,7 +44,7 @@ private:
     };
 
     static constexpr std::array<const char *, 3> kSensorAxes{"x", "y", "z"};
-    using Sensors = std::array<Sensor, 2>;  ///< camera, frame; one that is not there shows nothing
+    using Sensors = std::array<Sensor, 2>;  ///< camera, frame; a missing one reads about zero
     using Directions = std::array<std::array<int, 3>, 2>;
 
     // calibration.cpp
@@ -52,7 +52,7 @@ private:
     /// Errors: NotSeen when there is none.
     Result<Sensor> sensor(int imu);
     Result<Average> average(int imu, int readings, Progress &progress);
-    /// Waits until one of the wanted faces lies still, then measures it.
+    /// Waits until the sensor lies still on one of the wanted faces, then measures.
     Result<Average> face(int imu, unsigned wanted, Progress &progress);
     Result<void> writeCalibration(int imu, const AccCalibration &calibration);
     [[nodiscard]] double oneG() const;
@@ -67,8 +67,8 @@ private:
     Result<void> writeWords(const std::array<int, 3> &words, int raw);
     Result<void> disableMotors();
     Result<ActionReply> findOrientation();
-    /// Which axes of the first sensors point up, or forward when up is given, as soon as all are clear for a
-    /// second.
+    /// Which axes of the first `count` sensors point up (or forward, if `up` is given), once all have been
+    /// clear for a second.
     Result<Directions> holdAxes(std::size_t count, const Directions *up, milliseconds limit,
                                 Progress &progress);
     Result<ActionReply> restartAndWait();

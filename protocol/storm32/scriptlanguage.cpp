@@ -12,7 +12,7 @@ namespace storm32 {
 
 namespace {
 
-// A file tells only the layout; it came with firmware of about that number.
+// A file only tells the layout; the firmware's number is assumed to be close to it.
 ScriptContext contextOf(const Configuration &configuration)
 {
     const int layout = configuration.parameters().firmware();
@@ -46,7 +46,7 @@ public:
         int bytes = 0;
         for (int script = 0; script < kScriptCount; ++script) {
             const auto lines = disassemble(areaOf(configuration), script, contextOf(configuration));
-            bytes += lines.empty() ? 0 : lines.back().offset + lines.back().size + 1;  // and its end
+            bytes += lines.empty() ? 0 : lines.back().offset + lines.back().size + 1;  // including its end
         }
         return {bytes, kScriptArea - kScriptCount};
     }

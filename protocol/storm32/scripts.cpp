@@ -23,7 +23,7 @@ constexpr int kLastCase = 0x06;
 constexpr int kOffsets = kScriptCount;
 constexpr double kAnglesPerDegree = 100.0;
 
-/// What stands behind a word, in the text and on the wire.
+/// An argument of a statement, in the text and on the wire.
 struct Argument
 {
     enum Kind { None, Parameter, Value, Angle, Byte, Signed, Word } kind = None;
@@ -45,7 +45,7 @@ struct Statement
     std::array<Argument, 3> arguments{};
     int since = 0;
     bool offset = false;  ///< a byte that the compiler fills in
-    bool compiles = true;  ///< the original tool shows, but does not compile it
+    bool compiles = true;  ///< false: shown by the original tool, but not compiled
 };
 
 // Errata 8.
@@ -135,7 +135,7 @@ bool endsCase(int code)
     return code == kStop || code == kRestart || code == kRepeat;
 }
 
-// Words by spaces; a quoted name is one of them, without its quotes. Empty: a quote is not closed.
+// Words separated by spaces; a quoted name is one word, without its quotes. Empty: a quote is not closed.
 std::optional<QStringList> wordsOf(const QString &line)
 {
     QStringList words;
@@ -156,7 +156,7 @@ std::optional<QStringList> wordsOf(const QString &line)
     return words;
 }
 
-/// Turns the text of one script into code.
+/// Compiles the text of one script into code.
 class Compiler
 {
 public:
@@ -221,7 +221,7 @@ private:
         }
         m_code.append(char(known->code));
         m_last = known->code;
-        if (known->offset)  // a case learns its end later
+        if (known->offset)  // a case gets its end later
             m_code.append(char(known->code == kRepeat ? std::max(m_case, 0) : 0));
         const ScriptParameter *parameter = nullptr;
         for (qsizetype i = 0; i < wanted; ++i) {
@@ -232,7 +232,7 @@ private:
         return {};
     }
 
-    // Cases come once each and without holes, the default one first.
+    // Cases occur once each and without gaps, the default one first.
     Done beginCase(const Statement &known)
     {
         const QString word = QLatin1String(known.word);
@@ -247,7 +247,8 @@ private:
         return {};
     }
 
-    // What runs into the next case stops; the case is told where that begins.
+    // A case that would run into the next one ends with a stop; its offset is set to where the next one
+    // begins.
     void closeCase()
     {
         if (!m_code.isEmpty() && !endsCase(m_last)) {
@@ -303,7 +304,7 @@ private:
     qsizetype m_line = 0;
     QByteArray m_code;
     int m_cases = 0;
-    int m_case = -1;  // offset of the case we are in
+    int m_case = -1;  // offset of the present case
     int m_last = kStop;
 };
 

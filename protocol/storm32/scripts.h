@@ -13,14 +13,14 @@
 #include <vector>
 
 /// The four scripts of a STorM32 board: bytecode on the board, text for the operator (errata 8). Text is
-/// data: it is compiled, never run here.
+/// compiled, never run here.
 namespace storm32 {
 
 inline constexpr int kScriptCount = 4;
 /// Four offset bytes and the code of all scripts.
 inline constexpr int kScriptArea = 128;
 
-/// How scripts call parameters.
+/// A parameter as scripts name it.
 struct ScriptParameter
 {
     int index = 0;
@@ -28,14 +28,14 @@ struct ScriptParameter
     bool isSigned = false;
 };
 
-/// The parameters of one layout, and which words its firmware knows.
+/// The parameters of one layout, and the firmware that decides which words exist.
 struct ScriptContext
 {
     std::vector<ScriptParameter> parameters;
     int firmware = 96;  ///< 79, 90, 96
 };
 
-/// One statement as it lies in the memory.
+/// One statement as stored in memory.
 struct ScriptLine
 {
     int offset = 0;  ///< from the start of its script
@@ -43,17 +43,18 @@ struct ScriptLine
     QString text;  ///< what the compiler understands; "?? 2A" for a byte that is no statement
 };
 
-/// Bytecode as text, statement by statement. Survives any bytes. @param script 0..3
+/// Disassembles bytecode, statement by statement. Accepts any bytes. @param script 0..3
 [[nodiscard]] std::vector<ScriptLine> disassemble(QByteArrayView area, int script,
                                                   const ScriptContext &context);
 /// The text of one script, ready for the editor.
 [[nodiscard]] QString scriptText(QByteArrayView area, int script, const ScriptContext &context);
 
-/// All four texts as the area of 128 bytes. Empty lines, and lines that begin with // or ;, are passed over.
+/// Compiles all four texts into the area of 128 bytes. Empty lines, and lines that start with // or ;, are
+/// ignored.
 [[nodiscard]] CompiledScripts compileScripts(const std::array<QString, kScriptCount> &texts,
                                              const ScriptContext &context);
 
-/// The words that this firmware understands, for completion.
+/// The words that this firmware understands, for auto-completion.
 [[nodiscard]] QStringList scriptWords(int firmware);
 
 }  // namespace storm32

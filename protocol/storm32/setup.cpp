@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tasks of the gimbal's configuration (errata 9.3).
+// The gimbal configuration tasks (errata 9.3).
 #include "protocol/storm32/orientations.h"
 #include "protocol/storm32/parametertables.h"
 #include "protocol/storm32/procedures.h"
@@ -20,7 +20,7 @@ constexpr double kLookFactor = 0.1;
 constexpr double kUpShare = 0.85;
 constexpr double kTiltShare = 0.35;
 constexpr double kTiltOther = 0.3;
-constexpr int kHeldLooks = 20;  // looks in a row, one second
+constexpr int kHeldLooks = 20;  // consecutive readings, one second
 constexpr auto kLevelLimit = 30s;
 constexpr auto kTiltLimit = 80s;
 constexpr auto kBatteryLimit = 60s;
@@ -33,14 +33,14 @@ constexpr int kMaxBadAnswers = 10;
 constexpr int kNormalState = 6;
 constexpr int kUsageDisabled = 3;
 
-// Words of all layouts that have a table (errata 9.3, 11).
+// Word numbers, the same in all layouts with a table (errata 9.3, 11).
 constexpr int kOrientationWord = 39;
 constexpr int kOrientation2Word = 95;
 constexpr std::array<int, 3> kUsageWords{78, 79, 80};
 constexpr std::array<int, 3> kPoleWords{20, 26, 32};
 constexpr std::array<int, 3> kDirectionWords{21, 27, 33};
 constexpr std::array<int, 3> kStartWords{23, 29, 35};
-constexpr std::array<int, 5> kYawWords{58, 59, 108, 61, 62};  // input, mode, offset, least, most
+constexpr std::array<int, 5> kYawWords{58, 59, 108, 61, 62};  // input, mode, offset, minimum, maximum
 constexpr std::array<int, 5> kYawAligning{0, 0, 0, -450, 450};
 
 constexpr int kImuPresent = 0x8000;
@@ -51,8 +51,8 @@ constexpr int kLevelFailed = 0x0004;
 
 using Direction = std::array<int, 3>;
 
-// Which end of which of the sensor's axes points up, or, with the camera tilted down, forward; nothing while
-// it is not clear.
+// Which of the sensor's axes points up, in which direction, or, with the camera tilted down, forward; empty
+// while it is not clear.
 Direction directionOf(const AccReading &reading, const Direction *up)
 {
     const double length = std::hypot(reading[0], reading[1], reading[2]);
@@ -63,8 +63,8 @@ Direction directionOf(const AccReading &reading, const Direction *up)
         if (up && (*up)[axis] != 0)
             continue;
         if (std::abs(share) > (up ? kTiltShare : kUpShare)) {
-            // Level, the axis that points up shows gravity; tilted down, the one that points forward shows it
-            // negative.
+            // When level, the axis that points up measures gravity; when tilted down, the axis that points
+            // forward measures it as negative.
             found[axis] = (share > 0) == (up == nullptr) ? 1 : -1;
             ++passed;
         } else if (up && std::abs(share) >= kTiltOther) {
@@ -162,7 +162,7 @@ Result<ActionReply> Procedures::findOrientation()
         int word;
     };
     constexpr std::array<Place, 2> kPlaces{{{"imu", kOrientationWord}, {"imu2", kOrientation2Word}}};
-    // The second sensor sits at the frame, which is held level with the camera and tilted with it.
+    // The second sensor is on the frame, which is held level and tilted together with the camera.
     const std::size_t count = before->status & kImu2Present ? 2 : 1;
     Progress progress;
     progress.total = 2;
@@ -218,7 +218,8 @@ Result<ActionReply> Procedures::restartAndWait()
     m_channel.progress(progress);
     if (const auto slept = m_channel.sleep(kRestarting); !slept)
         return tl::unexpected(slept.error());
-    // Whether a restart keeps what is in use is not told (errata 3.9): what was set before is looked after.
+    // It is not documented whether a restart keeps the values in use (errata 3.9): those set before are
+    // checked.
     QByteArray wanted = *before;
     for (const int word : kUsageWords)
         wanted.replace(2 * word, 2, QByteArray(2, '\0'));
@@ -284,7 +285,7 @@ Result<ActionReply> Procedures::takeMotors(bool directions, bool positions)
                          : *direction == 1 ? u"reversed"_s
                                            : u"auto"_s);
         if (axis == 2)
-            break;  // where yaw begins is aligned by hand
+            break;  // the start position of yaw is aligned by hand
         const auto position = m_device.readWord(m_channel, kStartWords[axis]);
         if (!position)
             return tl::unexpected(position.error());

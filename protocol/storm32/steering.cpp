@@ -17,7 +17,7 @@ constexpr int kLimitedMode = 1;
 constexpr int kPulseMode = 3;  // microseconds from the middle
 constexpr double kMaxPulse = 800.0;
 constexpr double kMiddlePulse = 1500.0;
-constexpr double kStickRest = 12.0;  // microseconds; a stick that nobody touches is not quite in its middle
+constexpr double kStickRest = 12.0;  // microseconds; an untouched stick is not exactly in its middle
 constexpr std::array kLabels{"Roll", "Pitch", "Yaw"};
 
 SteeringMode modeOf(int id, const char *key, const char *label, double reach, const char *unit,
@@ -41,9 +41,9 @@ std::span<const SteeringMode> Device::modes() const
     return modes;
 }
 
-// The board tells where the camera is and what its inputs are, but not its targets. An angle holds an axis if
-// nothing else has a part in where it is: angles and stick positions add up (errata 4), and an axis that pans
-// counts from where the frame points.
+// The board reports where the camera is and what its inputs are, but not its targets. An angle holds an axis
+// only if nothing else contributes to its position: angles and stick positions add up (errata 4), and a
+// panning axis counts from where the frame points.
 SteeringSetpoint Device::holdingSetpoint(int mode, const LatestValues &latest) const
 {
     constexpr std::array kPans{0x4000U, 0x2000U, 0x8000U};  // of status2: roll, pitch, yaw
@@ -59,8 +59,8 @@ SteeringSetpoint Device::holdingSetpoint(int mode, const LatestValues &latest) c
     return setpoint;
 }
 
-// Angles, or stick positions, of all axes go together. Ours are as the board shows them: down, right and left
-// are positive.
+// Angles, or stick positions, of all axes are sent together. Ours have the signs that the board reports:
+// down, right and left are positive.
 ControlFrames Device::controlFrames(const SteeringSetpoint &setpoint) const
 {
     constexpr std::array<std::size_t, 3> kPlace{1, 0, 2};  // pitch, roll, yaw
@@ -69,7 +69,7 @@ ControlFrames Device::controlFrames(const SteeringSetpoint &setpoint) const
     for (const std::size_t axis : kPlace) {
         const double value = axis < setpoint.inputs.size() ? setpoint.inputs[axis] : std::nan("");
         if (std::isnan(value))
-            return {};  // no axis can be left out, and nothing is known to put in its place
+            return {};  // no axis can be left out, and no value is known for it
         if (pulses)
             writer.u16(int(std::lround(kMiddlePulse + std::clamp(value, -kMaxPulse, kMaxPulse))));
         else
@@ -80,8 +80,8 @@ ControlFrames Device::controlFrames(const SteeringSetpoint &setpoint) const
         = pulses ? rc(Rc::SetPitchRollYaw, writer.take()) : rc(Rc::SetAngle, writer.u8(flags).u8(0).take());
     ControlFrames frames;
     frames.setpoint = request.bytes;
-    frames.stop = request.bytes;  // an angle is held by itself
-    frames.release = request.bytes;  // bringing it back would be a movement that nobody asked for
+    frames.stop = request.bytes;  // an angle is held without further commands
+    frames.release = request.bytes;  // moving it back would be an unexpected movement
     frames.answer = request.answer;  // errata 7: one command at a time
     frames.kind = request.kind;
     return frames;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the board tells all the time.
+// Telemetry of the board.
 #include "protocol/session/channel.h"
 #include "protocol/storm32/device.h"
 #include "protocol/storm32/telemetrytables.h"
@@ -34,7 +34,7 @@ Result<TelemetryPlan> Device::subscribe(Channel &, const Subscription &subscript
     plan.poll->retries = 0;
     plan.poll->repeated = true;
     plan.pollInterval = kPollInterval;
-    // Each sample takes its question, the board's time to answer and its 67 bytes.
+    // Each sample takes its request, the board's time to answer and its 67 bytes.
     const double wire
         = line ? line->secondsFor(plan.poll->replyBytes + qsizetype(plan.poll->bytes.size())) : 0.0;
     plan.rate = 1.0 / (std::max(0.01, wire) + 0.003);

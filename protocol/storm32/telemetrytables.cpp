@@ -57,9 +57,9 @@ static_assert(std::size(kChannels) == ChannelCount);
 constexpr int kLinkPresent = 0x0100;
 constexpr int kMotorBits = 0x0038;
 constexpr double kDegree = 180.0 / std::numbers::pi;
-// A gap this long, and nothing is known of the time between.
+// After a gap this long nothing is known about the time between.
 constexpr double kGap = 0.5;
-constexpr double kDrift = 2e-4;  // how fast the board's clock may run off ours
+constexpr double kDrift = 2e-4;  // greatest drift of the board's clock against ours
 
 }  // namespace
 
@@ -103,7 +103,7 @@ std::array<float, ChannelCount> liveRow(Bytes data, const LiveScales &scales)
         put(GyroX + i, 7 + i, scales.gyro);
         put(AccX + i, 10 + i, scales.acc);
         put(UpX + i, 13 + i, 1e-4);
-        // The words come pitch, roll, yaw.
+        // The words are in the order pitch, roll, yaw.
         const int channel = std::array{1, 0, 2}[std::size_t(i)];
         put(AngleRoll + channel, 16 + i, 0.01);
         put(OutputRoll + channel, 19 + i, 0.01);
@@ -112,7 +112,7 @@ std::array<float, ChannelCount> liveRow(Bytes data, const LiveScales &scales)
     }
     put(MagYaw, 28, 0.01);
     if (words[1] & kLinkPresent)
-        put(LinkYaw, 29, 0.01);  // without a link it means nothing
+        put(LinkYaw, 29, 0.01);  // meaningless without a link
     put(AccConfidence, 30, 1e-4);
     raw(Functions, 31);
     row[MotorsActive] = words[2] & kMotorBits ? 1.0F : 0.0F;
@@ -228,12 +228,12 @@ double Decoder::timeOf(int stamp, double arrival)
 {
     if (!m_scales.clock)
         return arrival;
-    const bool again = m_lastStamp < 0
-        || arrival - m_lastArrival > 60.0;  // more than a turn of the counter may be missing
+    const bool again
+        = m_lastStamp < 0 || arrival - m_lastArrival > 60.0;  // the counter may have wrapped more than once
     const double step = again ? 0.0 : double((stamp - m_lastStamp) & 0xFFFF) / 1000.0;
     m_boardTime += step;
     m_lastStamp = stamp;
-    // The least late answer tells where the clocks stand; slowly forgotten, because they drift.
+    // The least late answer shows the offset of the clocks; it is forgotten slowly, because they drift.
     const double late = arrival - m_boardTime;
     m_offset = again ? late : std::min(late, m_offset + kDrift * step);
     return m_boardTime + m_offset;

@@ -48,26 +48,26 @@ enum ChannelId : int {
 
 [[nodiscard]] ChannelTable channelTable();
 
-/// What the counts of `d` mean: gyro and accelerometer changed their scales (errata 3.5).
+/// Scales of the counts of `d`: those of gyro and accelerometer have changed between versions (errata 3.5).
 struct LiveScales
 {
     double gyro = 0;  ///< deg/s per count
     double acc = 0;  ///< g per count
-    bool clock = true;  ///< the time stamp is of use
+    bool clock = true;  ///< the time stamp is usable
 
     explicit LiveScales(int firmware);
 };
 
-/// One row out of the data of `d`: a value for each channel, NaN for what is not there. @param data 64 bytes
+/// One row from the data of `d`: a value for each channel, NaN for missing ones. @param data 64 bytes
 [[nodiscard]] std::array<float, ChannelCount> liveRow(Bytes data, const LiveScales &scales);
-/// The name of a state; up to 0.90 seven is standby (errata 3.7).
+/// The name of a state; up to 0.90 state 7 is standby (errata 3.7).
 [[nodiscard]] QString stateName(int state, int firmware);
 /// Status words and function inputs as facts (errata 3.5, 3.8).
 [[nodiscard]] std::vector<BoardFact> factsOf(unsigned status, unsigned status2, unsigned functions);
 /// Status bits and state as faults with causes. @param bits status; @param state the state
 [[nodiscard]] std::vector<BoardFault> faultsOf(unsigned bits, unsigned state);
 
-/// Turns answers to `d`, GETDATA and to embedded `d` into rows.
+/// Turns answers to `d`, GETDATA and embedded `d` into rows.
 class Decoder final : public TelemetryDecoder
 {
 public:

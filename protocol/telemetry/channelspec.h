@@ -8,7 +8,7 @@
 
 #include <span>
 
-/// The declaration of a telemetry quantity: one row of a family's table, its id being its position there.
+/// The declaration of a telemetry quantity: one row of a family's table; its id is its position there.
 struct ChannelSpec
 {
     const char *key = "";  ///< "imu.angle.roll": files, command line
@@ -19,10 +19,10 @@ struct ChannelSpec
     Axis axis = Axis::None;
     double min = 0;  ///< usual range, for gauges and fixed scales
     double max = 0;
-    /// What it means, whatever the family calls it: "attitude.roll", "motor.3.output", "armed"; several with
-    /// spaces between. See roles.h.
+    /// Meaning of the channel, independent of the family: "attitude.roll", "motor.3.output", "armed"; several
+    /// separated by spaces. See roles.h.
     const char *role = "";
-    const char *capability = "";  ///< of the board; without it the channel says nothing
+    const char *capability = "";  ///< required of the board; without it the channel has no meaning
     int elements
         = 1;  ///< more than 1: an array, like a spectrum with 257 bins; kept whole, not plotted over time
 };

@@ -9,13 +9,13 @@
 
 #include <array>
 
-/// Finds channels by what they mean, whatever a family calls them (ChannelSpec::role):
-///   attitude.AXIS, target.AXIS, rate.AXIS   angle, wanted angle and turn rate of what is stabilised
-///   acceleration.x/y/z, frame.AXIS          of its sensor; attitude of what it hangs on
+/// Finds channels by their meaning, independent of the family's names (ChannelSpec::role):
+///   attitude.AXIS, target.AXIS, rate.AXIS   angle, target angle and angular rate of what is stabilised
+///   acceleration.x/y/z, frame.AXIS          of its sensor; attitude of the frame it hangs on
 ///   motor.N.output, motor.AXIS.output       N from 1
 ///   battery, current, temperature, cycle_time, bus_errors
-///   armed, calibrated, outputs              three different things: may be flown, knows level, motors are
-///   driven faults, fault_detail, profile, state    see the device's FaultWords and StatusWords
+///   armed, calibrated, outputs              three different things: ready to fly, level known, motors driven
+///   faults, fault_detail, profile, state    see the device's FaultWords and StatusWords
 class ChannelRoles
 {
 public:
@@ -23,14 +23,14 @@ public:
     /// @param capabilities of the board, see ChannelSpec::capability
     ChannelRoles(ChannelTable table, const QSet<QString> &capabilities);
 
-    // -1 where the board has no such channel.
+    // -1 if the board has no such channel.
     std::array<int, 3> angle{-1, -1, -1};  ///< roll, pitch, yaw
     std::array<int, 3> target{-1, -1, -1};
     std::array<int, 3> gyro{-1, -1, -1};
     std::array<int, 3> acc{-1, -1, -1};  ///< x, y, z
     std::array<int, 3> frameAngle{-1, -1, -1};
     std::array<int, 3> motorPower{-1, -1, -1};  ///< of the motor that turns that axis
-    QList<int> motors;  ///< outputs of numbered motors, in their order
+    QList<int> motors;  ///< outputs of numbered motors, in order
     int battery = -1;
     int temperature = -1;
     int current = -1;
@@ -44,9 +44,9 @@ public:
     int busErrors = -1;
     int state = -1;
 
-    /// The channels of these that exist.
+    /// Those of the given channels that exist.
     [[nodiscard]] static QList<int> present(std::initializer_list<std::array<int, 3>> triples);
 };
 
-/// Position of the channel with that role, or -1.
+/// Position of the channel with this role, or -1.
 [[nodiscard]] int findRole(ChannelTable table, const QSet<QString> &capabilities, const QByteArray &role);

@@ -16,21 +16,21 @@ class TelemetryDecoder
 public:
     virtual ~TelemetryDecoder() = default;
     virtual void decode(const FrameView &frame, TimePoint at, TelemetryStore &store) = 0;
-    /// Whole frames that were sent to the board. Of use to Device::replayDecoder() only.
+    /// Complete frames that were sent to the board. Used by Device::replayDecoder() only.
     virtual void sent(QByteArrayView) { }
 };
 
-/// A stream that a board can be asked for.
+/// A stream that a board can send on request.
 struct StreamSpec
 {
     QString key;  ///< "realtime4": command line, settings
     QString label;  ///< "REALTIME_DATA_4": the document's name
     double maxRate = 0;  ///< rows per second
-    bool choosesChannels = false;  ///< carries what is asked for; the others carry all they have
+    bool choosesChannels = false;  ///< carries the requested channels; other streams carry all they have
     QList<int> channels;  ///< what it can carry
 };
 
-/// One stream as the operator wants it.
+/// One stream as requested by the operator.
 struct StreamChoice
 {
     QString key;
@@ -40,17 +40,17 @@ struct StreamChoice
     friend bool operator==(const StreamChoice &, const StreamChoice &) = default;
 };
 
-/// What the operator wants to see.
+/// The telemetry that the operator wants.
 struct Subscription
 {
     QList<int> channels;  ///< fast channels, for plots; status channels always come
     double rate = 0;  ///< rows per second; 0 = as fast as the link allows
-    QList<StreamChoice> streams = {};  ///< chosen by hand; empty: arranged for the channels
+    QList<StreamChoice> streams = {};  ///< chosen by hand; empty: selected to suit the channels
 
     friend bool operator==(const Subscription &, const Subscription &) = default;
 };
 
-/// One stream as it can be had, and what it takes of the line.
+/// One stream as it would be set up, and its share of the line.
 struct StreamUse
 {
     QString key;
@@ -62,14 +62,14 @@ struct StreamUse
     [[nodiscard]] double bytesPerSecond() const { return rate * frameBytes; }
 };
 
-/// What streams take of the line before they are started.
+/// Line capacity needed by streams, before they are started.
 struct StreamBudget
 {
-    /// The rest of the line stays free for requests.
+    /// Usable share of the line; the rest stays free for requests.
     static constexpr double kShare = 0.85;
 
     std::vector<StreamUse> streams;
-    double capacity = 0;  ///< bytes per second of the line; 0 = the line sets no limit
+    double capacity = 0;  ///< bytes per second of the line; 0 = unlimited
 
     [[nodiscard]] double bytesPerSecond() const
     {
@@ -82,9 +82,9 @@ struct StreamBudget
     {
         return capacity <= 0 || bytesPerSecond() <= capacity * kShare * 1.0001;
     }
-    /// Why it does not fit, with the numbers.
+    /// The reason why it does not fit, with the numbers.
     [[nodiscard]] Error refusal() const;
 };
 
-/// A stream in words: KIND or KIND@RATE, like "realtime4@100". Errors: InvalidArgument.
+/// Parses a stream: KIND or KIND@RATE, like "realtime4@100". Errors: InvalidArgument.
 [[nodiscard]] Result<StreamChoice> parseStreamChoice(const QString &text);

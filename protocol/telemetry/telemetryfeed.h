@@ -5,14 +5,14 @@
 #include "protocol/base/framelistener.h"
 #include "protocol/telemetry/streams.h"
 
-/// Takes frames on the I/O thread and puts them into the store. The decoder is changed on the I/O thread
-/// only.
+/// Receives frames on the I/O thread and puts them into the store. The decoder may only be changed on the I/O
+/// thread.
 class TelemetryFeed final : public FrameListener
 {
 public:
     using ResetDetector = std::function<bool(const FrameView &)>;
 
-    /// @param onFrame hears of every frame, for what is no telemetry
+    /// @param onFrame called for every frame, for those that are not telemetry
     TelemetryFeed(std::shared_ptr<TelemetryStore> store, ResetDetector isReset, std::function<void()> onReset,
                   std::function<void(const FrameView &)> onFrame)
         : m_store(std::move(store))

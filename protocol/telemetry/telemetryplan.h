@@ -5,14 +5,14 @@
 #include "protocol/session/request.h"
 #include "protocol/telemetry/streams.h"
 
-/// What was arranged with the board.
+/// What has been set up on the board.
 struct TelemetryPlan
 {
     std::shared_ptr<TelemetryDecoder> decoder;
-    std::optional<Request> poll;  ///< repeat this where the board cannot stream
+    std::optional<Request> poll;  ///< to be repeated if the board cannot stream
     milliseconds pollInterval{50};
     double rate = 0;  ///< expected rows per second of the fastest stream
     bool streaming = false;
     StreamBudget budget;
-    QByteArray shutdownFrames;  ///< frames that end the streams, for leaving
+    QByteArray shutdownFrames;  ///< frames that end the streams, for disconnecting
 };

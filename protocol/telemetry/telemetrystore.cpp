@@ -7,7 +7,7 @@
 
 namespace {
 
-// Share of the error that is corrected per sample.
+// Fraction of the error corrected per sample.
 constexpr double kDiscipline = 0.02;
 
 }  // namespace
@@ -72,7 +72,7 @@ void TrackView::refresh()
     if (end > known || (m_chunks.empty() && end > 0)) {
         const std::lock_guard lock(m_group->m_mutex);
         m_chunks.assign(m_group->m_chunks.begin(), m_group->m_chunks.end());
-        // The writer may have dropped everything up to the end that was seen before.
+        // The writer may have dropped everything up to the previously known end.
         end = m_group->end();
     }
     m_end = end;

@@ -18,14 +18,14 @@
 #include <span>
 #include <vector>
 
-/// Rows of one telemetry frame kind: a time and one float per channel. Append-only chunks; one writer (the
+/// Rows of one kind of telemetry frame: a time and one float per channel. Append-only chunks; one writer (the
 /// I/O thread), any number of readers that hold no lock while they read values.
 class TelemetryGroup
 {
 public:
     static constexpr std::size_t kRowsPerChunk = 1024;
-    /// Rows whose lowest and highest value are kept beside them, so that long spans are drawn without reading
-    /// each row.
+    /// Rows per block. The lowest and highest value of each block are kept, so that long spans are drawn
+    /// without reading each row.
     static constexpr std::size_t kRowsPerBlock = 16;
     static constexpr std::size_t kBlocksPerChunk = kRowsPerChunk / kRowsPerBlock;
     struct Extent
@@ -69,14 +69,14 @@ class TrackView
 public:
     TrackView(std::shared_ptr<const TelemetryGroup> group, int column);
 
-    /// Takes notice of new rows and of rows that retention has dropped.
+    /// Takes in new rows, and rows that retention has dropped.
     void refresh();
     [[nodiscard]] std::size_t begin() const { return m_begin; }  ///< first row still kept
     [[nodiscard]] std::size_t end() const { return m_end; }
     [[nodiscard]] double time(std::size_t row) const;
     [[nodiscard]] float value(std::size_t row) const;
-    /// Lowest and highest value of the kRowsPerBlock rows that begin with this one, a multiple of it; empty
-    /// while they are not complete or where one of them is lost.
+    /// Lowest and highest value of the kRowsPerBlock rows from this one on (a multiple of kRowsPerBlock);
+    /// empty while the block is incomplete or if a row in it is lost.
     [[nodiscard]] std::optional<TelemetryGroup::Extent> block(std::size_t row) const;
     /// First row at or after this time (rows are in order of time).
     [[nodiscard]] std::size_t rowAt(double time) const;
@@ -93,26 +93,26 @@ private:
     std::size_t m_end = 0;
 };
 
-/// One instant of a channel that is an array. Copies share the values.
+/// One sample of a channel that is an array. Copies share the values.
 struct ArraySample
 {
     double time = 0;  ///< seconds since the store's origin
     std::shared_ptr<const std::vector<float>> values = std::make_shared<std::vector<float>>();
 };
 
-/// The lossless column store of what arrived. Missing rows are appended as NaN, so plots show gaps.
+/// Lossless column store of everything that arrived. Missing rows are appended as NaN, so plots show gaps.
 class TelemetryStore final : public LatestValues
 {
 public:
-    /// @param origin the instant that its times count from
+    /// @param origin the instant from which times are counted
     explicit TelemetryStore(int channelCount, TimePoint origin = Clock::now());
 
     // Writer (the I/O thread).
-    /// A new frame kind or a new set of channels; later rows of these channels come from it.
+    /// Adds a new kind of frame or a new set of channels; later rows of these channels belong to it.
     std::shared_ptr<TelemetryGroup> defineGroup(QList<int> channels, double period);
     void append(TelemetryGroup &group, TimePoint at, std::span<const float> values);
     void appendGap(TelemetryGroup &group, TimePoint at);
-    /// A whole array (ChannelSpec::elements) of one instant, a spectrum say; of any length up to what the
+    /// A whole array (ChannelSpec::elements) at one instant, e.g. a spectrum; its length is up to what the
     /// board sends.
     void appendArray(int channel, TimePoint at, std::vector<float> values);
 
@@ -122,33 +122,33 @@ public:
     [[nodiscard]] TimePoint latestAt(int channel) const override;
     /// The newest array of a channel; empty before the first.
     [[nodiscard]] ArraySample latestArray(int channel) const;
-    /// Arrays of a channel that are kept and lie after this time, oldest first.
+    /// The kept arrays of a channel that are later than this time, oldest first.
     [[nodiscard]] std::vector<ArraySample> arraysAfter(int channel, double time) const;
     /// All groups that carry a channel, oldest first, as views.
     [[nodiscard]] std::vector<TrackView> tracks(int channel) const;
-    /// Changes when a group was added: time to ask for tracks() again.
+    /// Changes when a group was added: tracks() must be called again.
     [[nodiscard]] int generation() const { return m_generation.load(std::memory_order_acquire); }
     [[nodiscard]] TimePoint origin() const { return m_origin; }
-    /// A time of this store in seconds since its origin.
+    /// A point in time as seconds since the origin.
     [[nodiscard]] double secondsAt(TimePoint time) const { return seconds(time - m_origin); }
-    /// The present of this store, in seconds since its origin: the clock's, or that of the newest sample
-    /// while a recording is played, which runs in its own time.
+    /// The present of this store, in seconds since its origin: by the clock, or the newest sample while a
+    /// recording is played in its own time.
     [[nodiscard]] double now() const
     {
         return m_replayed ? m_newest.load(std::memory_order_relaxed) : secondsAt(Clock::now());
     }
     void setReplayed(bool replayed) { m_replayed = replayed; }
-    /// What the clock on the wall showed at a time of this store.
+    /// Date and time at a time of this store.
     [[nodiscard]] QDateTime wallClockAt(double time) const
     {
         return m_wallOrigin.addMSecs(qint64(time * 1000.0));
     }
-    /// Rows appended, all groups together; gaps: rows that were found missing.
+    /// Rows appended in all groups, and rows that were found missing.
     [[nodiscard]] quint64 rows() const { return m_rows.load(std::memory_order_relaxed); }
     [[nodiscard]] quint64 lost() const { return m_lost.load(std::memory_order_relaxed); }
     void countLost(quint64 rows) { m_lost.fetch_add(rows, std::memory_order_relaxed); }
-    /// Times when nothing at all came from the board, and how long they were together: it was busy, or the
-    /// cable was out.
+    /// How often nothing at all came from the board, and for how long altogether: it was busy, or the cable
+    /// was out.
     [[nodiscard]] quint64 silences() const { return m_silences.load(std::memory_order_relaxed); }
     [[nodiscard]] double silentSeconds() const { return m_silentSeconds.load(std::memory_order_relaxed); }
     void countSilence(double seconds);
@@ -172,19 +172,19 @@ private:
     std::map<int, std::deque<ArraySample>> m_arrays;
 };
 
-/// Gives samples their times: index times nominal period, disciplined slowly by arrival, so a reader that was
-/// busy for 80 ms draws no stairs.
+/// Assigns times to samples: index times nominal period, slowly corrected by arrival, so that a reader that
+/// was busy for 80 ms draws no steps.
 class SampleClock
 {
 public:
-    /// @param resync seconds off that start a new time line
+    /// @param resync deviation in seconds that starts a new time line
     explicit SampleClock(double period, double resync = 0.25)
         : m_period(period)
         , m_resync(resync)
     {
     }
 
-    /// Time of the next sample, which arrived at that time, after so many missing ones.
+    /// Time of the next sample, from its arrival and the number of samples missing before it.
     double next(double arrival, int missing = 0);
 
 private:

@@ -4,14 +4,14 @@
 
 #include "protocol/telemetry/telemetrystore.h"
 
-/// Where the samples of a trace lie: one channel, or the difference of two that come in the same rows.
+/// Where the samples of a trace are: one channel, or the difference of two from the same rows.
 struct TraceSource
 {
     TrackView track;
     std::optional<TrackView> minus;
 
     void refresh();
-    /// First row that is not there yet.
+    /// One past the last row.
     [[nodiscard]] std::size_t end() const
     {
         return minus ? std::min(track.end(), minus->end()) : track.end();

@@ -11,18 +11,18 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr std::size_t kBridged = 10;  // samples; a longer hole ends a piece
-constexpr std::size_t kFewest = 16;  // polled samples that tell a rate
+constexpr std::size_t kBridged = 10;  // samples; a longer gap ends a piece
+constexpr std::size_t kFewest = 16;  // fewest polled samples that give a rate
 
-// A sample that is there, with its time.
+// An existing sample, with its time.
 struct Sample
 {
     double time = 0;
     float value = 0;
 };
 
-// What arrived in a span of time. A row that marks a hole is left out; how long the hole is tells the next
-// sample's time.
+// The samples that arrived in a span of time. Rows that mark a gap are left out; the next sample's time shows
+// its length.
 std::vector<Sample> samplesWithin(const TraceSource &source, double from, double to)
 {
     const TrackView &track = source.track;
@@ -34,7 +34,7 @@ std::vector<Sample> samplesWithin(const TraceSource &source, double from, double
     return samples;
 }
 
-// The usual distance of samples that are asked for one by one; 0: there are too few of them.
+// The usual interval between polled samples; 0: there are too few.
 double medianPeriod(const std::vector<Sample> &samples)
 {
     if (samples.size() < kFewest)
@@ -47,7 +47,7 @@ double medianPeriod(const std::vector<Sample> &samples)
     return *middle;
 }
 
-// Samples of a stream stand on the grid already but for those that were lost.
+// Samples of a stream are already on the grid, except for lost ones.
 void continueStream(UniformSamples &piece, const Sample &last, const Sample &sample, double period)
 {
     const auto missing = std::size_t(std::max(0.0, std::round((sample.time - last.time) / period) - 1.0));
@@ -57,7 +57,7 @@ void continueStream(UniformSamples &piece, const Sample &last, const Sample &sam
     piece.values.push_back(sample.value);
 }
 
-// Polled samples stand beside it.
+// Polled samples are off the grid.
 void continuePolled(UniformSamples &piece, const Sample &last, const Sample &sample, double period)
 {
     std::size_t added = 0;

@@ -9,7 +9,7 @@
 
 #include <optional>
 
-/// Parity of a serial line. Boards of the field use these two only (SimpleBGC errata 1.6).
+/// Parity of a serial line. The supported boards use these two only (SimpleBGC errata 1.6).
 enum class Parity { None, Even };
 
 /// What the two ends of a serial line must agree on.
@@ -20,7 +20,7 @@ struct LineSettings
 
     friend bool operator==(const LineSettings &, const LineSettings &) = default;
 
-    /// Time on the wire of so many bytes: start bit, 8 data bits, parity if any, stop bit.
+    /// Time on the wire for this many bytes: start bit, 8 data bits, parity if any, stop bit.
     [[nodiscard]] double secondsFor(qint64 bytes) const
     {
         const double bits = parity == Parity::Even ? 11.0 : 10.0;
@@ -28,7 +28,7 @@ struct LineSettings
     }
 };
 
-/// Where a board is. One spelling everywhere:
+/// How a board is reached. The same spelling is used everywhere:
 /// `serial:/dev/ttyUSB0?baud=115200&parity=none`, `tcp://host:port`, `udp://host:port`,
 /// `sim:simplebgc?seed=1`, `replay:FILE?speed=4`.
 class LinkAddress
@@ -36,8 +36,8 @@ class LinkAddress
 public:
     enum class Kind { None, Serial, Tcp, Udp, Simulator, Replay };
 
-    /// Understands the spellings above; a bare device path (`/dev/ttyUSB0`, `COM3`) means a serial port.
-    /// Errors: InvalidArgument with what is wrong.
+    /// Parses the spellings above; a bare device path (`/dev/ttyUSB0`, `COM3`) means a serial port. Errors:
+    /// InvalidArgument with the reason.
     static Result<LinkAddress> parse(const QString &text);
     static LinkAddress replay(const QString &path);
     static LinkAddress serial(const QString &port, std::optional<int> baud = {},
@@ -46,12 +46,12 @@ public:
     [[nodiscard]] Kind kind() const { return m_kind; }
     /// Device path, host name, simulated family or recording.
     [[nodiscard]] const QString &target() const { return m_target; }
-    /// A recording: what happens is over, nothing can be changed.
+    /// A recording: nothing can be changed on it.
     [[nodiscard]] bool isReplay() const { return m_kind == Kind::Replay; }
     [[nodiscard]] quint16 port() const { return m_port; }
     [[nodiscard]] QString option(const QString &name) const { return m_options.value(name); }
     [[nodiscard]] const QMap<QString, QString> &options() const { return m_options; }
-    /// Rate and parity where the address names them; empty parts are found by trying.
+    /// Rate and parity if the address names them; missing parts are found by trying.
     [[nodiscard]] std::optional<int> baud() const;
     [[nodiscard]] std::optional<Parity> parity() const;
     [[nodiscard]] QString toString() const;

@@ -9,7 +9,7 @@
 struct PortInfo
 {
     QString path;  ///< /dev/ttyUSB0, COM3
-    QString description;  ///< what the adapter calls itself
+    QString description;  ///< name reported by the adapter
     quint16 vendorId = 0;  ///< 0 = not a USB port
     quint16 productId = 0;
 
@@ -19,5 +19,5 @@ struct PortInfo
     friend bool operator==(const PortInfo &, const PortInfo &) = default;
 };
 
-/// All serial ports, USB adapters first. Takes some 14 ms: call it off the screen thread.
+/// All serial ports, USB adapters first. Takes about 14 ms: do not call it on the GUI thread.
 [[nodiscard]] QList<PortInfo> listSerialPorts();

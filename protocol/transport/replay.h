@@ -2,30 +2,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Where a recorded link stands.
+/// Playback state of a recorded link.
 struct ReplayState
 {
     double position = 0;  ///< seconds since the recording's first byte
     double length = 0;  ///< seconds
-    double speed = 1;  ///< times real time
+    double speed = 1;  ///< multiple of real time
     bool paused = false;
 
     [[nodiscard]] bool hasEnded() const { return position >= length; }
     friend bool operator==(const ReplayState &, const ReplayState &) = default;
 };
 
-/// What a recorded link can do and a living one cannot. Lives with its transport on the I/O thread.
+/// What a recorded link can do and a live one cannot. Lives with its transport on the I/O thread.
 class Replay
 {
 public:
     virtual ~Replay() = default;
-    /// A recorded link waits with its live data until somebody can take them.
+    /// Starts delivering live data; a recorded link holds them back until a receiver is ready.
     virtual void play() = 0;
     virtual void setPaused(bool paused) = 0;
-    /// @param speed times real time, 0.05 to 100
+    /// @param speed multiple of real time, 0.05 to 100
     virtual void setSpeed(double speed) = 0;
-    /// A place before the present one cannot be gone to: what was received was received. What lies between is
-    /// delivered at once.
+    /// Moves forward and delivers everything in between at once. Cannot move back: received data cannot be
+    /// taken back.
     virtual void forwardTo(double seconds) = 0;
     [[nodiscard]] virtual ReplayState state() const = 0;
 };

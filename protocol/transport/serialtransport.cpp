@@ -112,7 +112,7 @@ bool SerialTransport::isHungUp() const
 
 void SerialTransport::onError(QSerialPort::SerialPortError error)
 {
-    // Rate refusals and the like are answered by setLine(); only a port that went away ends the link.
+    // Refused rates and the like are reported by setLine(); only a port that has disappeared ends the link.
     // QSerialPort also reports a read error when there was simply nothing left to read, so the system is
     // asked.
     const bool isGone = error == QSerialPort::ResourceError || error == QSerialPort::DeviceNotFoundError

@@ -12,7 +12,7 @@
 #include <functional>
 #include <memory>
 
-/// Moves bytes and stamps the time at which they arrived. Lives on the I/O thread and never blocks it.
+/// Moves bytes and records the time at which they arrived. Lives on the I/O thread and never blocks it.
 class Transport : public QObject
 {
     Q_OBJECT
@@ -22,24 +22,24 @@ public:
     /// Starts opening; opened() or closed() follows, possibly before this returns.
     virtual void open() = 0;
     virtual void close() = 0;
-    /// Queues bytes and hands as many as possible to the system at once.
+    /// Queues bytes and hands over as many as possible to the system at once.
     virtual void write(QByteArrayView bytes) = 0;
-    /// Rate and parity for links that have them; true where it makes no difference.
+    /// Sets rate and parity on links that have them; true if the link has none.
     virtual bool setLine(const LineSettings &line);
-    /// Settings that decide how long bytes take; empty for links without a line rate.
+    /// Settings that determine how long bytes take; empty for links without a line rate.
     [[nodiscard]] virtual std::optional<LineSettings> line() const { return {}; }
-    /// The received bytes are whole packets: one signal each, and nothing reaches from one into the next.
+    /// The received bytes are whole packets: one signal each, and no frame spans two packets.
     [[nodiscard]] virtual bool isPacketBased() const { return false; }
-    /// The recording behind this link; null for a living one.
+    /// The recording behind this link; null for a live one.
     [[nodiscard]] virtual Replay *replay() { return nullptr; }
 
 signals:
     void opened();
-    /// The link is gone (or never came): why, in Error::detail the system's own words.
+    /// The link is gone (or never opened); Error::detail has the system's own message.
     void closed(const Error &why);
-    /// Bytes arrived, at that time. The view is valid during the call only.
+    /// Bytes arrived at this time. The view is valid during the call only.
     void received(QByteArrayView bytes, TimePoint at);
-    /// The system took so many of the written bytes.
+    /// The system has taken this many of the written bytes.
     void bytesWritten(qint64 count);
     /// A recorded link: these bytes were sent by the host at that time.
     void replayed(QByteArrayView bytes, TimePoint at);

@@ -7,7 +7,7 @@
 namespace {
 
 constexpr auto kTick = 2ms;
-// After a pause of the whole machine the simulation does not try to catch up more than this.
+// After a pause of the whole machine the simulation catches up by no more than this.
 constexpr qint64 kMaxCatchUpNs = 500'000'000;
 
 }  // namespace

@@ -8,14 +8,15 @@
 #include <QObject>
 #include <QTimer>
 
-/// Runs a simulated port in real time and offers it to the world. Lives on a thread with an event loop.
+/// Runs a simulated port in real time and makes it available to clients. Lives on a thread with an event
+/// loop.
 class SimulatorHost : public QObject
 {
     Q_OBJECT
 public:
     explicit SimulatorHost(std::unique_ptr<SimulatedPort> port, QObject *parent = nullptr);
 
-    /// Starts real time. Errors: InvalidArgument, PortBusy and the like, in words.
+    /// Starts real time. Errors: InvalidArgument, PortBusy and the like, with an explanation.
     virtual Result<void> start();
     /// What a client connects to.
     [[nodiscard]] virtual QString address() const = 0;
@@ -23,11 +24,11 @@ public:
 
 protected:
     void hostWrote(QByteArrayView bytes) { m_port->hostWrites(asBytes(bytes)); }
-    /// Bytes for the client, or one packet.
+    /// Delivers bytes, or one packet, to the client.
     virtual void deliver(const QByteArray &bytes) = 0;
-    /// The cable went in or out, where a client notices.
+    /// The cable was plugged in or pulled out, on hosts where a client can notice.
     virtual void plugged(bool) { }
-    /// Called before time passes, to look at the host's line settings and bytes.
+    /// Called before time advances, to read the host's line settings and bytes.
     virtual void poll() { }
 
 private:

@@ -6,7 +6,7 @@
 
 namespace {
 
-constexpr auto kLongestOvertaking = 200ms;  // when nothing follows, an overtaken packet comes nevertheless
+constexpr auto kLongestOvertaking = 200ms;  // with nothing behind it, the packet arrives after this
 
 }  // namespace
 
@@ -36,7 +36,7 @@ void PacketQueue::push(const QByteArray &packet, Duration now, const Faults &fau
     }
 }
 
-// Only what is meant to overtake does.
+// Packets stay in order unless one is meant to overtake.
 void PacketQueue::append(Entry entry)
 {
     if (!m_entries.empty())

@@ -12,12 +12,12 @@
 #include <deque>
 #include <optional>
 
-/// One direction of a network: packets arrive whole, but may be lost, doubled, late, or overtaken by the
-/// next.
+/// One direction of a network: packets arrive whole, but may be lost, duplicated, delayed, or overtaken by
+/// the next.
 class PacketQueue
 {
 public:
-    /// @param delayMs how long a packet may be under way
+    /// @param delayMs longest time in transit
     void push(const QByteArray &packet, Duration now, const Faults &faults, int delayMs,
               SimulatedNoise &noise);
     /// Packets that have arrived by now, oldest first.
@@ -33,5 +33,5 @@ private:
     void append(Entry entry);
 
     std::deque<Entry> m_entries;
-    std::optional<Entry> m_overtaken;  // waits for the next packet
+    std::optional<Entry> m_overtaken;  // is waiting for the next packet
 };

@@ -19,7 +19,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr qsizetype kReadBuffer = 4096;
-constexpr qsizetype kPtyBacklog = 4096;  // beside what the system keeps for a reader that is late
+constexpr qsizetype kPtyBacklog = 4096;  // in addition to what the system buffers for a slow reader
 
 }  // namespace
 
@@ -37,7 +37,8 @@ PtyHost::~PtyHost()
 Result<void> PtyHost::start()
 {
     const QFileInfo info(m_path);
-    // A link left by a simulator that was killed may go; anything else at that path is somebody's.
+    // A link left behind by a simulator that was killed may be removed; anything else at that path is not
+    // ours.
     if (info.isSymLink() && !info.exists())
         QFile::remove(m_path);
     else if (info.exists() || info.isSymLink())
@@ -54,7 +55,7 @@ Result<void> PtyHost::openTerminal()
         return failure(ErrorCode::PortNotFound,
                        u"no pseudo-terminal: %1"_s.arg(QString::fromLocal8Bit(std::strerror(errno))));
     m_slave = QString::fromLocal8Bit(::ptsname(m_master));
-    // Raw from the start: a client that only reads and writes must not see its bytes echoed.
+    // Raw from the start: a client that only reads and writes must not get its bytes echoed.
     struct termios2 settings
     {
     };
@@ -89,7 +90,8 @@ void PtyHost::poll()
     if (m_master < 0)
         return;
     drain();
-    // The host's rate is seen through the terminal; its parity is not, Linux keeps none on pseudo-terminals.
+    // The host's rate can be read from the terminal; its parity cannot, because Linux does not keep it on
+    // pseudo-terminals.
     struct termios2 settings
     {
     };
@@ -100,7 +102,7 @@ void PtyHost::poll()
     for (;;) {
         const ssize_t count = ::read(m_master, buffer, sizeof buffer);
         if (count <= 0)
-            break;  // nothing there, or nobody has the other end open
+            break;  // nothing to read, or nobody has opened the other end
         hostWrote(QByteArrayView(buffer, count));
     }
 }
@@ -119,8 +121,8 @@ void PtyHost::drain()
         = m_unsent.isEmpty() ? 0 : ::write(m_master, m_unsent.constData(), std::size_t(m_unsent.size()));
     if (count > 0)
         m_unsent.remove(0, count);
-    // Nobody reads: on USB the board has to wait, which skips its streams; a UART does not wait, its bytes
-    // are lost.
+    // Nobody reads: on USB the board has to wait, which makes it skip streams; a UART does not wait, and its
+    // bytes are lost.
     port().setHostReady(m_unsent.size() < kPtyBacklog);
     if (m_unsent.size() > 2 * kPtyBacklog)
         m_unsent.truncate(kPtyBacklog);

@@ -4,7 +4,7 @@
 
 #include "protocol/simulator/link/host.h"
 
-/// A pseudo-terminal, reachable by a symbolic link at a path of the caller's choice.
+/// A pseudo-terminal, reachable through a symbolic link at a path that the caller chooses.
 class PtyHost final : public SimulatorHost
 {
     Q_OBJECT

@@ -16,15 +16,15 @@ namespace {
 
 class SimulatorTransport;
 
-/// The simulator end of the in-process pipe, on the simulator's own thread, so a busy I/O thread does not
-/// slow it.
+/// The simulator's end of the in-process pipe, on the simulator's own thread, so that a busy I/O thread does
+/// not slow it down.
 class PipeHost final : public SimulatorHost
 {
 public:
     using SimulatorHost::SimulatorHost;
     [[nodiscard]] QString address() const override { return u"sim:"_s; }
 
-    /// Connects or disconnects the one who listens. False when the cable is out.
+    /// Connects or disconnects the listener. False while the cable is out.
     bool attach(SimulatorTransport *transport);
     void write(const QByteArray &bytes) { hostWrote(bytes); }
 
@@ -36,7 +36,7 @@ private:
     SimulatorTransport *m_transport = nullptr;
 };
 
-/// A simulated gimbal that lives on while nobody is connected: unplugging loses no memory.
+/// A simulated gimbal that keeps running while nobody is connected: unplugging loses no memory.
 class SimulatorRig
 {
 public:

@@ -6,7 +6,7 @@
 #include "protocol/transport/transport.h"
 
 /// The in-process pipe: transports with the simulator behind them, for `sim:` addresses. A simulated gimbal
-/// lives as long as this object and the transports made by it, so unplugging and connecting anew meets the
+/// lives as long as this object and the transports made by it, so reconnecting after unplugging finds the
 /// same board.
 class SimulatedGimbals
 {
@@ -15,7 +15,7 @@ public:
 
     /// Errors: InvalidArgument for a family or option that does not exist. Called on the I/O thread.
     Result<std::unique_ptr<Transport>> connectTo(const LinkAddress &address) const;
-    /// Changes the world around a gimbal that was connected to: a fault as NAME=VALUE. Callable from any
+    /// Changes the surroundings of a gimbal that was connected to: a fault as NAME=VALUE. Callable from any
     /// thread. Errors: InvalidArgument, NotConnected.
     Result<void> change(const LinkAddress &address, const QString &assignment) const;
 

@@ -36,7 +36,7 @@ bool SimulatedPort::isPlugged() const
     return m_line || m_board->isRunning();
 }
 
-// Whether the two ends understand each other.
+// Whether both ends use the same line settings.
 bool SimulatedPort::hears() const
 {
     if (!m_line || !m_hostLine)
@@ -54,7 +54,7 @@ QByteArray SimulatedPort::damaged(Bytes bytes)
             continue;
         if (m_noise.chance(m_faults.flipByte))
             byte ^= static_cast<std::byte>(1U << unsigned(m_noise.uniform() * 8));
-        // At the wrong rate, edges fall where they may.
+        // At the wrong rate, the bits are sampled at random places.
         if (garbled)
             byte = static_cast<std::byte>(unsigned(m_noise.uniform() * 256));
         out.append(static_cast<char>(byte));
@@ -121,7 +121,7 @@ void SimulatedPort::exchangePackets()
 
 void SimulatedPort::exchangeBytes()
 {
-    // A UART carries only so many bytes per cycle, each way.
+    // A UART carries a limited number of bytes per cycle in each direction.
     qsizetype in = m_toBoard.size();
     qsizetype out = m_hostReady ? kUsbChunk : 0;
     if (m_line) {

@@ -9,9 +9,10 @@
 
 #include <deque>
 
-/// The cable and port of a simulated board: line rate and parity, wrong-rate garbage, lost, flipped, doubled
-/// and delayed bytes, pulling and plugging. Without a line it is native USB: not throttled, and gone while
-/// the board restarts. For a board that works in packets it is a network, which carries them whole.
+/// The cable and port of a simulated board: line rate and parity, garbage at the wrong rate, lost, flipped,
+/// duplicated and delayed bytes, unplugging and plugging in. Without a line it is native USB: not throttled,
+/// and absent while the board restarts. For a packet-based board it is a network, which carries packets
+/// whole.
 class SimulatedPort
 {
 public:
@@ -23,20 +24,21 @@ public:
     void hostWrites(Bytes bytes);
     /// Everything that has reached the host by now: packets, or the bytes of a line in one piece.
     QList<QByteArray> hostReads();
-    /// False while the host takes nothing: USB waits, a UART does not.
+    /// False while the host does not read: USB waits, a UART does not.
     void setHostReady(bool ready) { m_hostReady = ready; }
-    /// What the host has set its end to, where that can be known; empty = whatever the board wants.
+    /// Line settings of the host's end, if they can be known; empty = the same as the board's.
     void setHostLine(std::optional<LineSettings> line) { m_hostLine = line; }
     /// Lets simulated time pass, in whole firmware cycles.
     void advance(Duration time);
     /// False while the cable is out, and on USB while the board restarts.
     [[nodiscard]] bool isPlugged() const;
-    /// The host is told: a port that is gone, but never a network that has become silent.
+    /// Whether the host notices: a port disappears, but a network only becomes silent.
     [[nodiscard]] bool isGone() const { return !m_packetBased && !isPlugged(); }
     [[nodiscard]] bool isPacketBased() const { return m_packetBased; }
     [[nodiscard]] Duration now() const { return m_now; }
     [[nodiscard]] SimulatedBoard &board() { return *m_board; }
-    /// Changes the world while it runs: a fault as NAME=VALUE; times count from now. Errors: InvalidArgument.
+    /// Changes the surroundings at run time: a fault as NAME=VALUE; times count from now. Errors:
+    /// InvalidArgument.
     Result<void> change(const QString &assignment);
 
 private:

@@ -4,13 +4,13 @@
 
 #include "protocol/simulator/world/simulatedfamily.h"
 
-/// One of the families by its key. Errors: InvalidArgument with those that there are.
+/// Finds a family by its key. Errors: InvalidArgument listing the existing ones.
 Result<SimulatedFamily> findSimulatedFamily(const QList<SimulatedFamily> &families, const QString &key);
 
-/// The options that every family has, and its own; "fault" is not among them.
+/// The options that every family has, and its own; does not include "fault".
 [[nodiscard]] QList<SimulatedOption> simulatedOptions(const SimulatedFamily &family);
 
-/// Understands options by name, from the command line of gimbalsim or from a `sim:` address; "fault" is
-/// passed over here. Errors: InvalidArgument with what there is.
+/// Parses options by name, from the command line of gimbalsim or from a `sim:` address; ignores "fault".
+/// Errors: InvalidArgument listing what is accepted.
 Result<SimulatorSetup> parseSimulatorSetup(const SimulatedFamily &family,
                                            const QMap<QString, QString> &options, const QStringList &faults);

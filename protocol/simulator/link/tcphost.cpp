@@ -31,7 +31,7 @@ QString TcpHost::address() const
 void TcpHost::onConnection()
 {
     QTcpSocket *socket = m_server->nextPendingConnection();
-    // The newest client wins, like at a serial bridge: the one before may be dead without our knowing.
+    // The newest client wins, as on a serial bridge: the previous one may be dead without our knowing.
     if (m_client)
         m_client->abort();
     m_client = socket;

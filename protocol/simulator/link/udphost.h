@@ -8,7 +8,7 @@
 
 class QUdpSocket;
 
-/// Datagrams on the loopback interface: each packet is one, and answers go to whoever sent last.
+/// Datagrams on the loopback interface: each packet is one, and answers go to the most recent sender.
 class UdpHost final : public SimulatorHost
 {
     Q_OBJECT

@@ -98,7 +98,7 @@ std::optional<Error> VirtualChannel::stopped() const
     return {};
 }
 
-// As a session counts silence (LinkTiming::silenceLimit).
+// Counts silence as a session does (LinkTiming::silenceLimit).
 bool VirtualChannel::isLost() const
 {
     return m_timing.silenceLimit > 0ms

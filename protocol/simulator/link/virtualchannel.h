@@ -9,7 +9,7 @@
 
 #include <set>
 
-/// A channel to a simulated board in virtual time, in one thread: device and procedure code runs in
+/// A channel to a simulated board in virtual time, on a single thread: device and procedure code runs in
 /// microseconds. Uses the same framer and the same transaction queue as the real session.
 class VirtualChannel final : public Channel
 {
@@ -33,13 +33,13 @@ public:
 
     /// The job counts as cancelled from then on.
     void cancelAfter(Duration time) { m_cancelAt = now() + time; }
-    /// Every frame that arrives, claimed or not.
+    /// Called for every frame that arrives, claimed or not.
     void setTap(std::function<void(const FrameView &, TimePoint)> tap) { m_tap = std::move(tap); }
-    /// Where the tap puts telemetry, to see what a stop has done.
+    /// Where the tap puts telemetry, to see the effect of a stop.
     void setLatestValues(std::shared_ptr<const LatestValues> latest) { m_latest = std::move(latest); }
-    /// How the last stop ended; empty before its end.
+    /// Outcome of the last stop; empty until it ends.
     [[nodiscard]] const std::optional<Result<void>> &stopResult() const { return m_stopped; }
-    /// Plays the operator: hears of every progress while the procedure waits.
+    /// Plays the operator: receives every progress report while the procedure waits.
     void setOperator(std::function<void(const Progress &)> person) { m_operator = std::move(person); }
     [[nodiscard]] const std::vector<Progress> &progressReports() const { return m_progress; }
     [[nodiscard]] TransactionQueue &queue() { return m_queue; }
@@ -72,5 +72,5 @@ private:
     qint64 m_bytesOut = 0;
     TimePoint m_lastArrival{};
     TimePoint m_nextBeat{};
-    TimePoint m_silentUntil{};  // silence is expected before
+    TimePoint m_silentUntil{};  // silence is expected until then
 };

@@ -12,8 +12,8 @@ namespace {
 constexpr int kCyclesPerIteration = 750;  // 0.6 s
 constexpr int kHalfPeriod = 375;  // of the square stimulus
 constexpr double kStimulus = 1.5;  // degrees
-constexpr double kSlowPart = 0.03;  // per cycle: what is slower than some 6 Hz counts as motion, not ringing
-constexpr double kRingingFactor = 2.2;  // against the soft gains' own
+constexpr double kSlowPart = 0.03;  // per cycle: slower than about 6 Hz is motion, not ringing
+constexpr double kRingingFactor = 2.2;  // relative to the ringing of the soft gains
 constexpr double kRingingFloor = 6.0;  // deg/s rms
 constexpr int kSoftP = 20;
 constexpr int kSoftD = 15;
@@ -59,7 +59,7 @@ bool AutoPidSearch::observe(const Stabilizer &stabilizer)
         state.slow += kSlowPart * (gyro - state.slow);
         const double error = stabilizer.target(kAxes[axis]) - stabilizer.estimate(kAxes[axis]);
         state.squares += error * error;
-        // Ringing is looked for after the step has been answered.
+        // Ringing is measured after the response to the step.
         if (m_cycle % kHalfPeriod > kHalfPeriod / 2) {
             state.ringing += (gyro - state.slow) * (gyro - state.slow);
             ++state.samples;
@@ -104,18 +104,18 @@ void AutoPidSearch::decide(std::size_t axis)
         state.phase = Phase::Calm;
         break;
     case Phase::Calm:
-        // What rang before must die down before it is looked for again.
+        // Earlier ringing must die down before it is measured again.
         state.phase = Phase::RaiseP;
         state.best = result.trackingError;
         break;
     case Phase::RaiseP:
-        // Still ringing although P was hardly raised: it was the D that is too much.
+        // Still ringing although P was hardly raised: D is too high.
         if (rings && result.p < kSoftP && result.d > kSoftD) {
             result.d = shrunk(result.d, 0.75);
             state.phase = Phase::Calm;
             break;
         }
-        // Enough when it rings, or when more P makes the error clearly larger: it overshoots.
+        // Stop when it rings, or when more P makes the error clearly larger because of overshoot.
         if (!rings && result.p < kMaxPForD * result.d && result.trackingError < state.best * 1.15) {
             state.best = std::min(state.best, result.trackingError);
             result.p = grown(result.p, 1.3);

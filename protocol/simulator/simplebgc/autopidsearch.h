@@ -6,9 +6,9 @@
 
 namespace simplebgc {
 
-/// Searches gains on the running plant, as the firmware's automatic tuning does: shakes the target, raises D
-/// until the structure rings, steps back, raises P until it overshoots, steps back, then I. All chosen axes
-/// at once.
+/// Searches for gains on the running plant, as the firmware's automatic tuning does: moves the target, raises
+/// D until the structure rings, steps back, raises P until it overshoots, steps back, then I. All selected
+/// axes at once.
 class AutoPidSearch
 {
 public:

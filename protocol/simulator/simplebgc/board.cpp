@@ -38,7 +38,7 @@ SimulatedBoard::SimulatedBoard(const SimulatorOptions &options)
 {
     for (int profile = 0; profile < kProfileCount; ++profile)
         loadDefaults(profile);
-    // The profiles differ, as those of a used board do.
+    // Different profiles, like those of a board in use.
     store(u"pid.roll.p"_s, 1, 45);
     store(u"pid.yaw.p"_s, 1, 50);
     store(u"follow.yaw.speed"_s, 1, 25);
@@ -64,7 +64,7 @@ void SimulatedBoard::loadDefaults(int profile)
             spec.write(blocks[spec.row->block], spec.defaultRaw);
     }
     blocks[Params3][0] = blocks[ParamsExt][0] = blocks[ParamsExt2][0] = static_cast<char>(profile);
-    // The simulated sensor is calibrated by hand, not at each start.
+    // The simulated sensor is calibrated on command, not at every start.
     if (const ParameterSpec *skip = spec(u"imu.skip_gyro_calibration"_s))
         skip->write(blocks[Params3], 1);
 }
@@ -140,7 +140,7 @@ void SimulatedBoard::applyParameters()
     for (const Axis axis : kAxes) {
         AxisGains gains;
         gains.p = axisValue("pid.%a.p", axis);
-        // The linear scale shows I as hundredths, the logarithmic one in the units of P.
+        // I is in hundredths on the linear scale, in the units of P on the logarithmic one.
         gains.i = axisValue("pid.%a.i", axis) * (m_options.firmware >= 2731 ? 1.0 : 100.0);
         gains.d = axisValue("pid.%a.d", axis);
         gains.gain = 0.1 + 0.02 * m_otherVars.value(42 + int(axis), 45);
@@ -165,7 +165,7 @@ void SimulatedBoard::applyParameters()
     m_stabilizer.setGyroTrust(value(u"imu.gyro_trust"_s));
 }
 
-// Board-wide values hold for all profiles: a write to one changes the others too.
+// Board-wide values apply to all profiles: writing one changes the others too.
 void SimulatedBoard::shareBoardValues(int from)
 {
     for (const ParameterSpec &parameter : m_parameters.all()) {
@@ -217,7 +217,7 @@ void SimulatedBoard::cycle()
     updateAutoPid();
     m_stabilizer.step();
     updateCalibration();
-    // The first half second of a calibration leaves no time for anything else (errata 7).
+    // For the first half second a calibration blocks everything else (errata 7).
     const bool silent = m_calibration.left > 0 && m_calibration.total - m_calibration.left < 0.5;
     if (!silent && !m_commands.empty() && m_now >= m_nextCommandAt) {
         const Frame frame = std::move(m_commands.front());
@@ -258,8 +258,8 @@ void SimulatedBoard::updateFaults()
         m_otherClientDone = true;
         store(u"pid.roll.p"_s, m_active, std::min(255, stored(u"pid.roll.p"_s, m_active) + 10));
     }
-    // Emergency stop is an option of the board (GENERAL_FLAGS1 bit 4): it takes a motor that fights for what
-    // it is.
+    // Emergency stop is an option of the board (GENERAL_FLAGS1 bit 4): an axis far off its target means that
+    // its motor works against the controller.
     const bool guarded = int(value(u"board.flags1"_s)) & 16;
     if (guarded && m_stabilizer.motorsOn()) {
         for (const Axis axis : kAxes) {
@@ -322,7 +322,7 @@ void SimulatedBoard::updateCalibration()
     for (std::size_t i = 0; i < kAxisCount; ++i)
         still &= calibration.high[i] - calibration.low[i] < kStillEnough;
     if (!still && calibration.total < kLongestCalibration && m_stabilizer.imuPresent()) {
-        // It moved: begin again, like the firmware does, but not for ever.
+        // It moved: start over, as the firmware does, but not endlessly.
         calibration.left = 4.0;
         calibration.total += 4.0;
         calibration.sum = {};
@@ -345,7 +345,8 @@ void SimulatedBoard::updateCalibration()
     calibration.left = 0;
 }
 
-// One position levels the sensor; an axis that was seen pointing up and down gets its true zero and scale.
+// One position levels the sensor; an axis that was measured pointing both up and down gets its true zero and
+// scale.
 void SimulatedBoard::finishAccCalibration(const std::array<double, kAxisCount> &mean)
 {
     SimulatedImu &imu = m_stabilizer.imu();

@@ -16,7 +16,7 @@
 namespace simplebgc {
 
 /// A SimpleBGC 32-bit controller on a simulated gimbal: memory per profile, volatile variables, streams,
-/// calibrations, automatic tuning, resets. Behaviour after the document and errata 7.
+/// calibrations, automatic tuning, resets. Behaves as described in the document and errata 7.
 class SimulatedBoard final : public ::SimulatedBoard
 {
 public:
@@ -27,7 +27,7 @@ public:
     void cycle() override;
     QByteArray takeOutput(qsizetype max) override;
     [[nodiscard]] bool isRunning() const override { return m_bootLeft <= 0; }
-    /// From 2.41 on both parities are taken (document "Message format").
+    /// From 2.41 on both parities are accepted (document "Message format").
     [[nodiscard]] std::optional<Parity> onlyParity() const override
     {
         return m_options.firmware < 2410 ? std::optional(Parity::Even) : std::nullopt;
@@ -35,10 +35,10 @@ public:
     [[nodiscard]] StreamCount streamCount() const override { return m_streamCount; }
     void setFaults(const Faults &faults) override { m_options.faults = faults; }
 
-    // For tests and the demo: the world around the board.
+    // For tests and the demo: the board's surroundings.
     Stabilizer &stabilizer() { return m_stabilizer; }
     [[nodiscard]] int activeProfile() const { return m_active; }
-    /// A stored value, as a fresh start would load it.
+    /// A stored value, as it would be loaded at start-up.
     [[nodiscard]] int stored(const QString &key, int profile) const;
     /// The value in use.
     [[nodiscard]] int inUse(const QString &key) const;
@@ -137,7 +137,7 @@ private:
     std::array<Block, kProfileCount> m_eeprom;
     Block m_ram;
     QStringList m_names;
-    QMap<int, qint32> m_otherVars;  // adjustable variables that no parameter stands behind
+    QMap<int, qint32> m_otherVars;  // adjustable variables without a corresponding parameter
     int m_active = 0;
     int m_imu = 1;
     double m_now = 0;
@@ -150,7 +150,7 @@ private:
     StreamCount m_streamCount;
     Calibration m_calibration;
     std::array<std::array<std::optional<double>, 2>, kAxisCount>
-        m_accLimits;  // reading with the axis down, up
+        m_accLimits;  // readings with the axis down, up
     std::unique_ptr<AutoPidSearch> m_autoPid;
     int m_autoPidVersion = 1;
     bool m_autoPidReports = false;

@@ -18,7 +18,7 @@ constexpr double kLatency = 0.0015;  // seconds from command to the first byte o
 constexpr double kWriteLatency = 0.030;  // EEPROM write (errata 7: tens of ms)
 constexpr double kCalibrationTime = 4.0;
 constexpr double kResetNotice = 1.0;  // document CMD_RESET: 1000 ms between notice and restart
-constexpr qsizetype kStreamSpace = 512;  // fuller than this, streams are skipped
+constexpr qsizetype kStreamSpace = 512;  // with more than this in the output buffer, streams are skipped
 constexpr int kMaxStreams = 10;
 constexpr int kUnknownFirmware = 9990;
 constexpr int kBoardVersion = 30;
@@ -62,7 +62,7 @@ void SimulatedBoard::confirm(const Frame &to, const QByteArray &data)
 
 void SimulatedBoard::refuse(const Frame &to, int code)
 {
-    // Old firmware keeps silent about what it does not understand (errata 7).
+    // Old firmware does not answer what it does not understand (errata 7).
     if (m_options.firmware < 2600 && (code == kUnknownCommand || code == kWrongSize))
         return;
     reply(to, CommandId::Error, ByteWriter().u8(to.id).u8(code).zeros(4).take());
@@ -70,7 +70,7 @@ void SimulatedBoard::refuse(const Frame &to, int code)
 
 bool SimulatedBoard::hasSize(const Frame &frame, qsizetype size)
 {
-    // Boards in the field take one superfluous byte on commands without parameters (errata 1.4).
+    // Real boards accept one extra byte on commands without parameters (errata 1.4).
     if (frame.payload.size() == size || (size == 0 && frame.payload.size() == 1))
         return true;
     refuse(frame, kWrongSize);
@@ -149,7 +149,7 @@ bool SimulatedBoard::handleRead(const Frame &frame)
         return true;
     case CommandId::GetAdjVarsVal: getAdjVars(frame); return true;
     case CommandId::GetParams3:
-        refuse(frame, kNotSupported);  // "not yet implemented", says the document
+        refuse(frame, kNotSupported);  // "not yet implemented" according to the document
         return true;
     case CommandId::AhrsHelper: reply(frame, CommandId::AhrsHelper, attitudeVectors()); return true;
     default: return false;
@@ -225,7 +225,7 @@ bool SimulatedBoard::handleAction(const Frame &frame)
             menu(quint8(frame.payload[0]), frame);
         return true;
     case CommandId::SelectImu3:
-        // The frame IMU is not there; selecting it is ignored (errata 7).
+        // There is no frame IMU; selecting it is ignored (errata 7).
         if (!frame.payload.isEmpty() && frame.payload[0] == 1)
             confirm(frame);
         return true;
@@ -311,7 +311,7 @@ void SimulatedBoard::writeParams(const Frame &frame, int block)
     QByteArray bytes = frame.payload;
     ++m_writesSeen;
     if (m_options.faults.resetOnWrite > 0 && m_writesSeen == m_options.faults.resetOnWrite) {
-        // The supply fails while the memory is being written: half of the block is new, the rest old.
+        // Power fails during the memory write: half of the block is new, the rest old.
         const QByteArray old = m_eeprom[std::size_t(profile)][std::size_t(block)];
         bytes = bytes.left(bytes.size() / 2) + old.mid(bytes.size() / 2);
         m_eeprom[std::size_t(profile)][std::size_t(block)] = bytes;
@@ -319,7 +319,7 @@ void SimulatedBoard::writeParams(const Frame &frame, int block)
         restart(0.0);
         return;
     }
-    // The other blocks of the profile that becomes active come from memory; unsaved variables are gone.
+    // The other blocks of the newly active profile are loaded from memory; unsaved variables are lost.
     m_eeprom[std::size_t(profile)][std::size_t(block)] = bytes;
     shareBoardValues(profile);
     loadProfile(profile);
@@ -420,7 +420,7 @@ void SimulatedBoard::registerStream(const Frame &frame)
             refuse(frame, kNotSupported);
             return;
         }
-        // Interval 1 means each cycle of 0.8 ms (document DATA_STREAM_INTERVAL).
+        // Interval 1 means every 0.8 ms cycle (document DATA_STREAM_INTERVAL).
         const double interval = stream->intervalMs == 1 ? Stabilizer::kCycle : stream->intervalMs * 0.001;
         m_streams.push_back({*stream, frame.version, m_now + interval, interval});
     }
@@ -554,7 +554,7 @@ void SimulatedBoard::startCalibration(const Frame &frame)
     m_calibration.version = frame.version;
     m_calibration.motorsWereOn = m_stabilizer.motorsOn();
     m_stabilizer.setMotorsOn(false);
-    // The operator lays the camera down, level; unless he is the one who shakes it.
+    // The operator lays the camera down level, unless a fault has him shake it.
     if (m_options.faults.shake <= 2.0 && m_options.faults.pose == 0) {
         for (const Axis axis : kAxes)
             m_stabilizer.plant(axis).setAngle(0.0);

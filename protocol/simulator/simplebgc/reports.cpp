@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the simulated board reports of itself: real-time data, angles, debug variables.
+// Data that the simulated board reports: real-time data, angles, debug variables.
 #include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/simplebgc/units.h"
 #include "protocol/simulator/simplebgc/board.h"
@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kVectorDegrees = std::numbers::pi / 180.0;
 
-// Nobody says which firmware began with which field; here they come in two steps, so that clients meet boards
-// with some.
+// No document says which firmware introduced which field; here they come in two steps, so that clients also
+// meet boards that have only some.
 quint32 laterCustomFlags(int firmware)
 {
     constexpr quint32 kFirst = 0x001FFE00;  // bits 9-20
@@ -26,7 +26,7 @@ quint32 laterCustomFlags(int firmware)
     return firmware < 2680 ? 0 : firmware < 2730 ? kFirst : kFirst | kSecond;
 }
 
-// Roll about x, pitch about y, yaw about z, turned in the order yaw, pitch, roll.
+// Roll about x, pitch about y, yaw about z, applied in the order yaw, pitch, roll.
 template <typename Degrees> std::array<double, 4> attitude(Degrees degrees)
 {
     const auto half = [&](Axis axis) { return degrees(axis) * kVectorDegrees / 2.0; };
@@ -139,8 +139,8 @@ QByteArray SimulatedBoard::realtimeCustom(quint32 flags) const
     return writer.bytes(laterFields(flags & laterCustomFlags(m_options.firmware))).take();
 }
 
-// Fields of later firmware. What this gimbal does not have (a fourth motor, scripts, an external IMU, limits)
-// reads zero.
+// Fields of later firmware. Those this gimbal lacks (a fourth motor, scripts, an external IMU, limits) read
+// zero.
 QByteArray SimulatedBoard::laterFields(quint32 flags) const
 {
     const Stabilizer &s = m_stabilizer;
@@ -186,7 +186,7 @@ QByteArray SimulatedBoard::laterFields(quint32 flags) const
     }
     if (has(16)) {
         for (const Axis axis : kAxes)
-            writer.i16(toCount16(s.gyro(axis), kGyroUnit));  // the frame stands still but for the hand
+            writer.i16(toCount16(s.gyro(axis), kGyroUnit));  // the frame only moves with the hand
     }
     if (has(17))
         fine(estimate);

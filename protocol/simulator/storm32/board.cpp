@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kNominalVoltage = 12.3;
 constexpr double kCountsPerDegree = 65.5;  // of the gyroscope, per second
-constexpr double kRunningFor = 60.0;  // a board that is met has been on for a while
+constexpr double kRunningFor = 60.0;  // the board has been running for a while when a client connects
 
 // The firmware counts right roll, down and left as positive (errata 3.5); the plant left roll, down and
 // right.
@@ -50,7 +50,7 @@ SimulatedBoard::SimulatedBoard(const SimulatorOptions &options)
     , m_frameNoise(options.seed * 3 + 7)
 {
     m_ram = factoryStream();
-    // A board that somebody has set up: the motors are in use, their directions known.
+    // A board that has already been set up: the motors are in use, their directions known.
     for (const Axis axis : kAxes) {
         const auto word = [this, axis](const char *pattern) {
             return m_parameters
@@ -93,7 +93,7 @@ double SimulatedBoard::axisValue(const char *pattern, Axis axis) const
     return value(QString::fromLatin1(pattern).replace(u"%a"_s, QLatin1String(axisKey(axis))));
 }
 
-// What a freshly erased board says (errata 11, "fw").
+// The data of a freshly erased board (errata 11, "fw").
 QByteArray SimulatedBoard::factoryStream() const
 {
     QByteArray stream(2 * m_words + kScriptArea, '\0');
@@ -108,7 +108,7 @@ QByteArray SimulatedBoard::factoryStream() const
             raw = 1;
         spec.write(stream, raw);
     }
-    stream[2 * 82] = 25;  // nobody knows what for; it has to survive
+    stream[2 * 82] = 25;  // of unknown purpose; must survive
     return stream;
 }
 
@@ -129,7 +129,7 @@ void SimulatedBoard::applyParameters()
         gains.dLpfHz = ms > 0 ? 1000.0 / (2.0 * 3.14159265 * ms) : 0.0;
         m_stabilizer.setGains(axis, gains);
     }
-    // What the sensor's axes are taken for, and where they really point.
+    // The configured orientation of the sensor's axes, and the real one.
     const auto told
         = std::size_t(std::clamp(int(value(u"imu.orientation"_s)), 0, int(orientations().size()) - 1));
     const auto &believed = orientations()[told].axes;
@@ -156,7 +156,7 @@ void SimulatedBoard::applyCalibration()
         0, 1, 2};  // about forward: roll; about left: pitch; about up: yaw
     const auto &mounted = orientations()[std::size_t(m_options.faults.mount)].axes;
     for (std::size_t i = 0; i < 3; ++i) {
-        // Which of the sensor's axes points that way, and with which end.
+        // Which of the sensor's axes points that way, and in which direction.
         std::size_t own = 0;
         while (mounted[i][own] == 0)
             ++own;
@@ -175,7 +175,7 @@ void SimulatedBoard::setFaults(const Faults &faults)
     applyParameters();
 }
 
-// The program begins anew; what was in use is kept or loaded again.
+// Restarts the program; the values in use are kept or loaded again.
 void SimulatedBoard::restart(Memory memory)
 {
     m_started = m_now;
@@ -206,12 +206,12 @@ int SimulatedBoard::state() const
         return 5;
     const double since = m_now - m_started;
     if (m_options.faults.noImu)
-        return since < 9.5 ? std::min(3, int(since / 3.2)) : 3;  // it waits for one
+        return since < 9.5 ? std::min(3, int(since / 3.2)) : 3;  // it waits there for one
     const auto &ends = m_options.firmware >= 90 ? kStart90 : kStart79;
     bool automatic = false;
     for (const Axis axis : kAxes)
         automatic |= axisValue("motor.%a.direction", axis) == 2.0;
-    // Without directions to find, that state is passed over.
+    // Without directions to find, that state is skipped.
     const double skipped = automatic ? 0.0 : ends[4] - ends[3];
     for (int state = 0; state < int(ends.size()); ++state) {
         if (state == 4 && !automatic)
@@ -251,7 +251,7 @@ void SimulatedBoard::updateWorld()
 {
     const Faults &faults = m_options.faults;
     m_stabilizer.setImuPresent(!faults.noImu);
-    // Faces by this family's axes, forward and left, as the plant counts its own, right and forward.
+    // Poses by this family's axes, forward and left, converted to the plant's, right and forward.
     constexpr std::array<int, 8> kPlantPose{0, 1, 2, 5, 6, 4, 3, 7};
     m_stabilizer.setPose(kPlantPose[std::size_t(faults.pose)]);
     m_stabilizer.setSwappedMotors(faults.swappedAxes);

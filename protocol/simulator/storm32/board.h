@@ -13,14 +13,14 @@
 
 namespace storm32 {
 
-/// A STorM32 controller on a simulated gimbal: its three command sets byte by byte after the errata, EEPROM
-/// beside RAM, the states of its start, the heartbeat that locks plain commands out. What the firmware does
-/// not check is not checked here either, unless the strict option asks for it.
+/// A STorM32 controller on a simulated gimbal: its three command sets byte by byte as in the errata, EEPROM
+/// and RAM, the start-up states, the heartbeat that locks out plain commands. What the firmware does not
+/// check is not checked here either, unless the strict option is on.
 class SimulatedBoard final : public ::SimulatedBoard
 {
 public:
-    /// One unit of Kp, Ki and Kd in the units of the plant's controller: the factory's gains hold the
-    /// simulated camera.
+    /// One unit of Kp, Ki and Kd in the units of the plant's controller, chosen so that the factory gains
+    /// hold the simulated camera.
     static constexpr double kUnitP = 8.75;
     static constexpr double kUnitI = 0.13;
     static constexpr double kUnitD = 600.0;
@@ -34,11 +34,11 @@ public:
     [[nodiscard]] bool isRunning() const override
     {
         return true;
-    }  // its USB stays while the program restarts
+    }  // its USB port stays while the program restarts
     [[nodiscard]] std::optional<Parity> onlyParity() const override { return Parity::None; }
     void setFaults(const Faults &faults) override;
 
-    // For tests: the world around the board, and its memory.
+    // For tests: the board's surroundings and its memory.
     Stabilizer &stabilizer() { return m_stabilizer; }
     [[nodiscard]] int layout() const { return m_layout; }
     [[nodiscard]] int inUse(int word) const { return wordOf(m_ram, word); }
@@ -62,7 +62,7 @@ private:
     [[nodiscard]] double volts() const;
     [[nodiscard]] bool isPanning(Axis axis) const;
 
-    // what it reports (reports.cpp)
+    // reports (reports.cpp)
     [[nodiscard]] QByteArray versionData() const;
     [[nodiscard]] std::array<int, 32> liveWords() const;
     [[nodiscard]] QByteArray liveData(int words) const;
@@ -71,9 +71,9 @@ private:
     using Vector = std::array<double, 3>;
     /// Gravity in the frame's axes forward, left and up, in g.
     [[nodiscard]] Vector frameGravity() const;
-    /// What the frame's sensor shows of it in its own axes, in g, before calibration and without noise.
+    /// The frame sensor's reading of it in its own axes, in g, before calibration and without noise.
     [[nodiscard]] Vector frameReading() const;
-    /// Pitch, roll and yaw of the frame as the board believes them, in degrees.
+    /// The board's estimate of pitch, roll and yaw of the frame, in degrees.
     [[nodiscard]] Vector frameAngles() const;
     [[nodiscard]] double oneG() const
     {
@@ -121,7 +121,7 @@ private:
     std::array<int, 18> m_calibration{};
     int m_baudCode = 4;
     double m_now = 0;
-    double m_started = 0;  // when the program began
+    double m_started = 0;  // time at which the program started
     double m_relevelUntil = 0;
     bool m_standby = false;
     QByteArray m_input;
@@ -136,11 +136,11 @@ private:
     QByteArray m_output;
     SimulatedNoise m_latency;
     SimulatedNoise m_frameNoise;
-    // Steering: roll, pitch, yaw in the firmware's signs; the two ways add up.
+    // Steering: roll, pitch, yaw with the firmware's signs; angle and pulse add up.
     std::array<double, kAxisCount> m_setAngle{};
     std::array<int, kAxisCount> m_pulse{};  // us from the middle
-    std::array<double, kAxisCount> m_moved{};  // where the speed limit has got to
-    std::array<double, kAxisCount> m_pan{};  // what following has added
+    std::array<double, kAxisCount> m_moved{};  // position reached so far within the speed limit
+    std::array<double, kAxisCount> m_pan{};  // offset added by following
     std::optional<int> m_panMode;
     std::array<int, kScriptCount> m_scriptCase{};
     int m_pwmOut = 0;

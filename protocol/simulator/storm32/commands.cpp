@@ -13,7 +13,7 @@ namespace storm32 {
 
 namespace {
 
-constexpr double kControlCycle = 0.0015;  // one command is finished in each
+constexpr double kControlCycle = 0.0015;  // one command is completed per cycle
 constexpr double kInterByte = 0.1;  // then `t`
 constexpr double kMemoryWrite = 0.7;  // seconds; nothing else is served meanwhile
 constexpr int kMinPulse = 700;
@@ -47,7 +47,7 @@ void SimulatedBoard::reply(const QByteArray &bytes)
     m_replies.push_back({m_replies.empty() ? at : std::max(at, m_replies.back().at), bytes});
 }
 
-// Takes one complete command from what came in. False when there is none.
+// Takes one complete command from the received bytes. False if there is none.
 bool SimulatedBoard::serve()
 {
     if (m_input.isEmpty())
@@ -68,7 +68,7 @@ bool SimulatedBoard::serve()
         }
         if (seen.look == mavlink::Look::Incomplete && !late)
             return false;
-        // Damaged, unfinished or not its own: nothing answers (errata 6).
+        // Damaged, incomplete or for another address: no answer (errata 6).
         return used(seen.look == mavlink::Look::Damaged
                         ? std::min<qsizetype>(u8At(m_input, 1) + 8, m_input.size())
                         : seen.look == mavlink::Look::Incomplete ? m_input.size()
@@ -147,7 +147,7 @@ QByteArray SimulatedBoard::simple(Simple id, QByteArrayView arguments)
         applyParameters();
         return ok;
     case Simple::EraseEeprom:
-        m_eeprom = factoryStream();  // what the next start will write
+        m_eeprom = factoryStream();  // written by the next start
         m_busyUntil = m_now + kMemoryWrite;
         return ok;
     case Simple::Level:
@@ -162,7 +162,7 @@ QByteArray SimulatedBoard::simple(Simple id, QByteArrayView arguments)
                 = m_parameters.find(u"motor.%1.usage"_s.arg(QLatin1String(axisKey(axis))));
             usage->write(m_ram, 0);
         }
-        restart(Memory::Keep);  // errata 9.3: the wizard stores only after it
+        restart(Memory::Keep);  // errata 9.3: the wizard only stores after that
         return ok;
     case Simple::TakeDirections:
         for (const Axis axis : kAxes)
@@ -179,7 +179,7 @@ QByteArray SimulatedBoard::simple(Simple id, QByteArrayView arguments)
         m_baudCode = u8At(arguments, 0);
         m_busyUntil = m_now + kMemoryWrite;
         return ok;
-    case Simple::RcTrim: return ok;  // no receiver: the sticks stand in the middle
+    case Simple::RcTrim: return ok;  // no receiver: the sticks are centred
     case Simple::ReadCalibration: {
         ByteWriter writer;
         for (const int word : m_calibration)
@@ -196,20 +196,20 @@ QByteArray SimulatedBoard::simple(Simple id, QByteArrayView arguments)
 void SimulatedBoard::takeStartPositions(std::initializer_list<Axis> axes)
 {
     for (const Axis axis : axes) {
-        // 1008 steps are one turn of the magnetic field: seven of them are one of the bell.
+        // 1008 steps are one electrical turn: seven of them make one turn of the motor.
         const int position = int(std::lround(m_stabilizer.jointAngle(axis) * 7.0 / 360.0 * 1008.0)) + 504;
         m_parameters.find(u"motor.%1.start_position"_s.arg(QLatin1String(axisKey(axis))))
             ->write(m_ram, ((position % 1008) + 1008) % 1008);
     }
 }
 
-// What is written, and where in the calibration: the selector names one part, or several.
+// Data and their place in the calibration: the selector names one part, or several.
 QByteArray SimulatedBoard::writeCalibration(QByteArrayView arguments)
 {
     const int selector = u16At(arguments, 0);
     if (selector == 0 || selector > 7)
         return arguments.toByteArray() + ByteWriter().u16(crc16Mcrf4xx(asBytes(arguments))).take()
-            + 'o';  // its slip
+            + 'o';  // an error of this firmware
     const auto word = [&arguments](int i) { return int(std::int16_t(u16At(arguments, 2 + 2 * i))); };
     const auto take = [&](int first, int count, int from) {
         for (int i = 0; i < count; ++i)
@@ -218,7 +218,7 @@ QByteArray SimulatedBoard::writeCalibration(QByteArrayView arguments)
     if (selector == 1 || selector == 5 || selector == 7)
         take(0, 6, 0);
     if (selector == 2 || selector == 5 || selector == 7)
-        take(6, 3, m_options.firmware >= 96 ? 7 : 6);  // a slip of 0.96
+        take(6, 3, m_options.firmware >= 96 ? 7 : 6);  // an error of 0.96
     if (selector == 3 || selector == 6 || selector == 7)
         take(9, 6, 9);
     if (selector == 4 || selector == 6 || selector == 7)

@@ -10,7 +10,7 @@ namespace storm32 {
 
 namespace {
 
-// Versions of the simulated board, each with its layout (errata 5).
+// Firmware versions of the simulated board, each with its layout (errata 5).
 Result<int> parseFirmware(const QString &text)
 {
     for (const int known : {79, 90, 96}) {

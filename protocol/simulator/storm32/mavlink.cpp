@@ -97,7 +97,7 @@ void SimulatedBoard::message(const mavlink::Packet &packet)
         m_heardBeat = true;
         return;
     }
-    // Other targets get nothing, broadcast included.
+    // Frames for other targets are not answered, broadcasts included.
     if (mavlink::Address{byIndex(*fields, "target_system"), byIndex(*fields, "target_component")}
         != address())
         return;
@@ -132,7 +132,7 @@ void SimulatedBoard::message(const mavlink::Packet &packet)
             parameters[i] = fields->value(u"param%1"_s.arg(i + 1)).toFloat();
         const int id = byIndex(*fields, "command");
         if (id == 1234 && m_options.firmware >= 94) {
-            m_attitudeAsked = true;  // one, instead of an ack
+            m_attitudeAsked = true;  // a single one, in place of an ack
             break;
         }
         const int result = command(id, parameters);
@@ -160,7 +160,7 @@ void SimulatedBoard::message(const mavlink::Packet &packet)
     case mavlink::MessageId::TargetSpecific:
         embedded(fields->value(u"specific_payload"_s).toByteArray(), packet.from);
         break;
-    default: break;  // executed without an answer, or for somebody else
+    default: break;  // executed without an answer, or for another target
     }
 }
 
@@ -206,8 +206,8 @@ int SimulatedBoard::command(int id, const std::array<float, 7> &parameters)
     }
 }
 
-// Simple commands come as they are, RC commands as FA, number, payload; answers likewise, without length and
-// checksum for RC.
+// Simple commands are embedded unchanged, RC commands as FA, number, payload; the same applies to answers,
+// where RC has no length and no checksum.
 void SimulatedBoard::embedded(QByteArrayView content, const mavlink::Address &from)
 {
     QByteArray answer;
@@ -226,7 +226,7 @@ void SimulatedBoard::embedded(QByteArrayView content, const mavlink::Address &fr
             answer = "t";
         else
             answer = simple(command->id, data.first(arguments));
-        // 2 + 381 bytes overflow the length byte: what fits behind the overflow arrives (errata 6).
+        // 2 + 381 bytes overflow the length byte: only the remainder modulo 256 arrives (errata 6).
         if (answer.size() > kMaxEmbedded)
             answer.truncate(((answer.size() + 2) & 0xFF) - 2);
     } else {
@@ -238,7 +238,7 @@ void SimulatedBoard::embedded(QByteArrayView content, const mavlink::Address &fr
                  {u"specific_payload"_s, answer}});
 }
 
-// What the board sends by itself.
+// Unsolicited messages of the board.
 void SimulatedBoard::beat()
 {
     const bool asked = std::exchange(m_attitudeAsked, false);
@@ -260,7 +260,7 @@ void SimulatedBoard::beat()
     }
     if (asked || (inUse(112) == 2 && m_heardBeat && m_now >= m_nextAttitude)) {
         m_nextAttitude = m_now + kAttitudePeriod;
-        // Pitch up is positive here, yaw and the rates are always zero.
+        // Pitch up is positive here; yaw and the rates are always zero.
         sendMessage(mavlink::MessageId::Attitude,
                     {{u"time_boot_ms"_s, uint((m_now - m_started) * 1000.0)},
                      {u"roll"_s, float(-m_stabilizer.estimate(Axis::Roll) * kRadian)},

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the simulated STorM32 board reports of itself (errata 3.3-3.9).
+// Data that the simulated STorM32 board reports (errata 3.3-3.9).
 #include "protocol/simulator/storm32/board.h"
 #include "protocol/storm32/orientations.h"
 
@@ -15,11 +15,11 @@ namespace storm32 {
 namespace {
 
 constexpr double kRadian = std::numbers::pi / 180.0;
-constexpr int kCapabilities = 0xFF03;  // a v1.30 board with everything
+constexpr int kCapabilities = 0xFF03;  // a v1.30 board with all features
 constexpr double kLowCell = 3;  // cells of the simulated battery
 constexpr double kTemperature = 31.0;
 constexpr double kCountsPerDegree = 65.5;
-// The frame's sensor is not quite right either, in its own axes; calibration finds it.
+// The frame's sensor has errors too, in its own axes; calibration finds them.
 constexpr std::array<double, 3> kFrameZero{0.015, -0.02, 0.03};  // g
 constexpr std::array<double, 3> kFrameScale{0.99, 1.015, 1.01};
 constexpr std::array<double, 3> kFrameTurn{-0.9, 1.3, 0.5};  // deg/s
@@ -37,7 +37,7 @@ int rounded(double value)
     return int(std::lround(std::clamp(value, -32768.0, 32767.0)));
 }
 
-// From forward, left and up to the axes of a sensor that sits so.
+// From forward, left and up to the axes of a sensor mounted this way.
 std::array<double, 3> inSensor(const std::array<double, 3> &body, int mount)
 {
     std::array<double, 3> own{};
@@ -52,7 +52,7 @@ std::array<double, 3> inSensor(const std::array<double, 3> &body, int mount)
 
 QByteArray SimulatedBoard::versionData() const
 {
-    const bool unknown = m_options.faults.unknownFirmware;  // one whose layout nobody has a table for
+    const bool unknown = m_options.faults.unknownFirmware;  // a layout without a table
     const QByteArray version = unknown ? "v2.20" : "v0." + QByteArray::number(m_options.firmware);
     return ByteWriter()
         .bytes(padded(version))
@@ -129,8 +129,8 @@ std::array<int, 32> SimulatedBoard::liveWords() const
         const Axis axis = order[i];
         const double sign = axis == Axis::Pitch ? 1.0 : -1.0;
         words[16 + i] = rounded(angles[i] * 100.0);
-        // With a motor that does nothing exactly minus the angle (errata 3.5); else where the motor has
-        // turned the camera.
+        // With an inactive motor exactly minus the angle (errata 3.5); otherwise the angle by which the motor
+        // has turned the camera.
         const bool active = s.motorsOn() && axisValue("motor.%a.usage", axis) != 3.0;
         words[19 + i] = rounded((active ? sign * s.jointAngle(axis) : -angles[i]) * 100.0);
         words[22 + i] = m_pulse[std::size_t(axis)];
@@ -138,7 +138,7 @@ std::array<int, 32> SimulatedBoard::liveWords() const
     }
     words[28] = 0;
     words[29]
-        = m_options.firmware >= 90 ? 300 + int(40.0 * std::sin(m_now)) : 0;  // means nothing without a link
+        = m_options.firmware >= 90 ? 300 + int(40.0 * std::sin(m_now)) : 0;  // meaningless without a link
     words[30] = state() == 6 ? 15000 : 10000;
     int functions = 0;
     for (std::size_t i = 0; i < m_scriptCase.size(); ++i)
@@ -191,7 +191,7 @@ QByteArray SimulatedBoard::liveFields(int mask) const
     return writer.take();
 }
 
-// In the operator's hand; with the camera out of the gimbal or tilted by hand, the frame goes with it.
+// Held by hand; if the camera is out of the gimbal or tilted by hand, the frame moves with it.
 SimulatedBoard::Vector SimulatedBoard::frameGravity() const
 {
     if (m_stabilizer.pose() != 0) {
@@ -225,13 +225,13 @@ SimulatedBoard::Vector SimulatedBoard::frameAngles() const
         for (std::size_t i = 0; i < 3; ++i)
             body[axis] += orientations()[told].axes[axis][i] * own[i];
     }
-    const double yaw = -m_stabilizer.hand().angle(Axis::Yaw);  // nothing but the gyroscope tells it
+    const double yaw = -m_stabilizer.hand().angle(Axis::Yaw);  // known from the gyroscope only
     return {-std::atan2(body[0], std::hypot(body[1], body[2])) / kRadian,
             std::atan2(body[1], body[2]) / kRadian, yaw};
 }
 
-// Counts before calibration, in the sensors' own axes: acceleration, turning, temperature of the camera's,
-// then of the frame's.
+// Counts before calibration, in the sensors' own axes: acceleration, angular rate, temperature of the
+// camera's sensor, then of the frame's.
 QByteArray SimulatedBoard::rawSensors()
 {
     const Stabilizer &s = m_stabilizer;

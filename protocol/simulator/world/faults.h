@@ -12,25 +12,25 @@ struct Faults
 {
     double loseByte = 0;  ///< lose: probability per byte (of a network: per packet), both directions
     double flipByte = 0;  ///< flip: probability that one bit of a byte is wrong
-    double doubleByte = 0;  ///< double: probability that a byte (or packet) comes twice
-    int delayMs = 0;  ///< delay: what goes to the host is held back for up to so many ms
-    double reorder = 0;  ///< reorder: probability that a packet is overtaken by the one after it
+    double doubleByte = 0;  ///< double: probability that a byte (or packet) arrives twice
+    int delayMs = 0;  ///< delay: data to the host are delayed by up to this many ms
+    double reorder = 0;  ///< reorder: probability that a packet is overtaken by the next one
     double unplugAfter = -1;  ///< unplug: seconds until the cable is pulled
     double replugAfter = 3;  ///< replug: seconds until it is plugged in again; negative = never
     int resetOnWrite
-        = 0;  ///< reset-on-write: the n-th parameter block written from now resets the board half-way
+        = 0;  ///< reset-on-write: the n-th parameter block written from now on resets the board half-way
     bool noImu = false;  ///< no-imu
     double battery = 0;  ///< battery: volts, 0 = normal
-    bool unknownFirmware = false;  ///< unknown-firmware: reports a version nobody knows
+    bool unknownFirmware = false;  ///< unknown-firmware: reports an unknown version
     double otherClient = -1;  ///< other-client: seconds until another client changes P of roll by 10
     double shake = 1;  ///< shake: strength of the hand, 0 = tripod
-    bool swappedAxes = false;  ///< swapped-axes: roll and pitch motors are plugged the wrong way round
+    bool swappedAxes = false;  ///< swapped-axes: roll and pitch motors are swapped
     int pose = 0;  ///< pose: 0 in the gimbal, 1-6 the camera lies still with Z, -Z, X, -X, Y, -Y up, 7 tilted
                    ///< 45° down
-    int mount = 0;  ///< mount: how the sensor sits on the camera, as STorM32 counts its orientations
+    int mount = 0;  ///< mount: orientation of the sensor on the camera, as STorM32 numbers them
     int frameMount = 0;  ///< frame-mount: the same for the second sensor, at the frame
 
-    /// Understands NAME=VALUE. Errors: InvalidArgument naming all faults.
+    /// Parses NAME=VALUE. Errors: InvalidArgument listing all faults.
     Result<void> set(const QString &assignment);
     /// Lines "name=range  meaning" for --help.
     [[nodiscard]] static QStringList help();

@@ -41,7 +41,7 @@ void AxisPlant::step(double seconds, double torque, double frameAngle, double fr
             m_angle = frameAngle + std::copysign(m_mechanics.stop, jointAngle());
             m_rate = frameRate;
         }
-        // The structure between motor and sensor rings with what the motor does.
+        // The structure between motor and sensor is excited by the motor.
         const double bendAcceleration = m_mechanics.resonanceGain * drive - omega * omega * m_bend
             - 2.0 * m_mechanics.resonanceDamping * omega * m_bendRate;
         m_bendRate += bendAcceleration * dt;
@@ -51,7 +51,7 @@ void AxisPlant::step(double seconds, double torque, double frameAngle, double fr
 
 void HandShake::step(double seconds)
 {
-    // Second-order coloured noise: white acceleration, sprung back to the middle.
+    // Second-order coloured noise: white acceleration with a restoring force towards the middle.
     const double omega = 2.0 * std::numbers::pi * kSwayHz;
     const double drive = kSway * m_strength * std::pow(omega, 1.5) * 2.0 / std::sqrt(seconds);
     for (std::size_t axis = 0; axis < m_angle.size(); ++axis) {

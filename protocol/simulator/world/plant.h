@@ -7,7 +7,7 @@
 #include <array>
 #include <random>
 
-/// Deterministic noise for a seed.
+/// Deterministic noise from a seed.
 class SimulatedNoise
 {
 public:
@@ -25,7 +25,7 @@ private:
     std::uniform_real_distribution<double> m_uniform{0.0, 1.0};
 };
 
-/// What one axis of the gimbal is made of. Accelerations in deg/s², as torque divided by inertia.
+/// Mechanical properties of one axis. Accelerations in deg/s², as torque divided by inertia.
 struct AxisMechanics
 {
     double fullTorque = 4000.0;  ///< acceleration at full power and nominal voltage
@@ -40,8 +40,7 @@ struct AxisMechanics
     int poles = 14;
 };
 
-/// One axis: camera with inertia behind a lagging motor, friction towards a shaking frame, a ringing
-/// structure.
+/// One axis: camera inertia behind a lagging motor, friction against a shaking frame, a resonant structure.
 class AxisPlant
 {
 public:
@@ -54,7 +53,7 @@ public:
     /// and deg/s
     void step(double seconds, double torque, double frameAngle, double frameRate);
 
-    /// Attitude of the camera about this axis in degrees, with the structure's ringing.
+    /// Attitude of the camera about this axis in degrees, including the structure's resonance.
     [[nodiscard]] double angle() const { return m_angle + m_bend; }
     [[nodiscard]] double rate() const { return m_rate + m_bendRate; }
     /// Angle between frame and camera.
@@ -73,12 +72,12 @@ private:
     double m_rate = 0;
     double m_bend = 0;
     double m_bendRate = 0;
-    double m_motor = 0;  // torque that the lagging motor makes now
+    double m_motor = 0;  // present torque of the lagging motor
     double m_frameAngle = 0;
     bool m_atStop = false;
 };
 
-/// The hand that holds the frame: slow sway and quicker tremor about three axes.
+/// The hand that holds the frame: slow sway and faster tremor about three axes.
 class HandShake
 {
 public:
@@ -88,7 +87,7 @@ public:
     }
 
     void step(double seconds);
-    /// 1 = a calm hand, 0 = a tripod, 5 = somebody shakes the gimbal.
+    /// 1 = a calm hand, 0 = a tripod, 5 = violent shaking.
     void setStrength(double strength) { m_strength = strength; }
     [[nodiscard]] double strength() const { return m_strength; }
     [[nodiscard]] double angle(Axis axis) const { return m_angle[static_cast<std::size_t>(axis)]; }
@@ -101,5 +100,5 @@ private:
     std::array<double, kAxisCount> m_rate{};
 };
 
-/// The mechanics of the simulated gimbal: what roll, pitch and yaw differ in.
+/// The mechanics of the simulated gimbal, different for roll, pitch and yaw.
 [[nodiscard]] AxisMechanics simulatedMechanics(Axis axis);

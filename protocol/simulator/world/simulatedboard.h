@@ -12,42 +12,42 @@
 #include <memory>
 #include <optional>
 
-/// A simulated controller without its cable: bytes in, bytes out, time in between. One per family.
+/// A simulated controller without its cable: bytes in, bytes out, and time passing. One per family.
 class SimulatedBoard
 {
 public:
     virtual ~SimulatedBoard() = default;
 
-    /// True for boards behind a network: what they get and give are packets, not a stream of bytes.
+    /// True for boards on a network: they receive and send packets, not a stream of bytes.
     [[nodiscard]] virtual bool isPacketBased() const { return false; }
     /// Bytes that reached the board's input buffer, or one packet.
     virtual void receive(Bytes bytes) = 0;
     /// One firmware cycle of 0.8 ms.
     virtual void cycle() = 0;
-    /// Takes at most so many bytes out of the output buffer; from a board that works in packets the next
-    /// packet, empty when there is none left.
+    /// Takes at most `max` bytes from the output buffer; from a packet-based board the next packet, empty if
+    /// there is none left.
     virtual QByteArray takeOutput(qsizetype max) = 0;
-    /// False while the controller restarts and, on native USB, is gone from the bus.
+    /// False while the controller restarts and, on native USB, is absent from the bus.
     [[nodiscard]] virtual bool isRunning() const = 0;
-    /// The only parity that its UART understands; nothing: it finds out which one the host uses.
+    /// The only parity that its UART accepts; empty: it detects the one the host uses.
     [[nodiscard]] virtual std::optional<Parity> onlyParity() const { return {}; }
-    /// Frames of data streams that went out, and those that were skipped because nobody took them off.
+    /// Frames of data streams that were sent, and those skipped because the output buffer was not emptied.
     struct StreamCount
     {
         quint64 sent = 0;
         quint64 skipped = 0;
     };
     [[nodiscard]] virtual StreamCount streamCount() const { return {}; }
-    /// The world around the board changes while it runs.
+    /// Changes the board's surroundings at run time.
     virtual void setFaults(const Faults &faults) = 0;
 };
 
-/// What a simulated board is made from.
+/// Options from which a simulated board is made.
 struct SimulatorOptions
 {
     unsigned seed = 1;
-    int firmware = 0;  ///< as the family counts it; 0 = its default
+    int firmware = 0;  ///< as the family numbers it; 0 = its default
     bool usb = true;  ///< native USB port: not throttled, vanishes during a restart
     Faults faults;
-    QMap<QString, int> own;  ///< what only its family understands, see SimulatedFamily::options
+    QMap<QString, int> own;  ///< options of its family only, see SimulatedFamily::options
 };

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-/// A simulated board and the line that it is connected to, as the operator has described them.
+/// A simulated board and the line it is connected to, as requested by the operator.
 struct SimulatorSetup
 {
     SimulatorOptions options;
@@ -23,17 +23,17 @@ struct SimulatorSetup
 struct SimulatedOption
 {
     QString name;
-    QString value;  ///< what stands for the value in the help: "N"
+    QString value;  ///< placeholder for the value in the help: "N"
     QStringList help;  ///< lines
-    /// Errors: InvalidArgument with what it understands.
+    /// Errors: InvalidArgument listing what is accepted.
     std::function<Result<void>(SimulatorSetup &setup, const QString &text)> read;
 };
 
 /// The firmware versions that a family's simulated boards can run.
 struct SimulatedFirmware
 {
-    QString help;  ///< which there are, with the default: "0.79, 0.90, 0.96 (default)"
-    /// The version as the family counts it. Errors: InvalidArgument with those that there are.
+    QString help;  ///< the versions, with the default: "0.79, 0.90, 0.96 (default)"
+    /// The version as the family numbers it. Errors: InvalidArgument listing the existing ones.
     std::function<Result<int>(const QString &text)> parse;
 };
 
@@ -41,11 +41,11 @@ struct SimulatedFirmware
 struct SimulatedFamily
 {
     QString key;  ///< "simplebgc", as in the table of families
-    QList<LinkAddress::Kind> links;  ///< what a real board of this family is reached by
+    QList<LinkAddress::Kind> links;  ///< links over which a real board of this family is reached
     SimulatedFirmware firmware;
-    QList<SimulatedOption> options;  ///< those that other families do not have
+    QList<SimulatedOption> options;  ///< options that other families do not have
     std::function<std::unique_ptr<SimulatedBoard>(const SimulatorOptions &)> makeBoard;
 };
 
-/// A whole number within a range. Errors: InvalidArgument naming the option and its range.
+/// Parses an integer within a range. Errors: InvalidArgument naming the option and its range.
 Result<int> wholeNumber(const QString &name, const QString &text, int min, int max);

@@ -51,7 +51,7 @@ Biquad Biquad::notch(double hz, double width, double depthDb, double sampleRate)
     Biquad filter;
     if (hz <= 0.0 || width <= 0.0 || hz >= 0.45 * sampleRate)
         return filter;
-    // A peaking filter with negative gain; a positive depth takes the band out (errata 3.5: positive =
+    // A peaking filter with negative gain; a positive depth attenuates the band (errata 3.5: positive =
     // notch).
     const double w = 2.0 * std::numbers::pi * hz / sampleRate;
     const double a = std::pow(10.0, -std::clamp(depthDb, -40.0, 40.0) / 40.0);
@@ -86,7 +86,7 @@ void Stabilizer::setGains(Axis axis, const AxisGains &gains)
     AxisState &state = m_axes[index(axis)];
     const AxisGains old = state.gains;
     state.gains = gains;
-    // Filters keep their memory while only gains move, so live tuning does not click.
+    // Filters keep their state while only gains change, so live tuning causes no jolt.
     const bool sameNotches = std::equal(gains.notches.begin(), gains.notches.end(), old.notches.begin(),
                                         [](const AxisGains::Notch &a, const AxisGains::Notch &b) {
                                             return a.hz == b.hz && a.width == b.width && a.gainDb == b.gainDb;
@@ -127,7 +127,7 @@ void Stabilizer::step()
     for (std::size_t i = 0; i < m_axes.size(); ++i) {
         AxisState &axis = m_axes[i];
         const bool driven = m_motorsOn && m_imuPresent;
-        // The motor acts through the poles it was told to have, and the wrong way round when wrongly
+        // The motor acts through the configured number of poles, and in the wrong direction if wrongly
         // inverted.
         const double poleFactor
             = axis.gains.poles <= 0 ? 0.0 : std::min(3.0, double(kTruePoles) / axis.gains.poles);
@@ -181,7 +181,7 @@ void Stabilizer::sense()
     if (!m_imuPresent)
         return;
     misjudge();
-    // Complementary estimate: the gyroscope leads, the accelerometer pulls roll and pitch back. Yaw has no
+    // Complementary filter: the gyroscope leads, the accelerometer corrects roll and pitch. Yaw has no
     // reference.
     const double pull = 0.6 * 120.0 / std::max(10.0, m_gyroTrust) * kCycle;
     const std::array<double, 2> level{degrees(std::asin(std::clamp(m_acc[0], -1.0, 1.0))),
@@ -194,8 +194,8 @@ void Stabilizer::sense()
     }
 }
 
-// Vectors as the firmware gets them, by the axes it believes in. Plant axes are right, forward, up for the
-// accelerometer, and turns to the left about forward, down about left, to the right about up.
+// Vectors as the firmware sees them, in the axes it is configured for. Plant axes are right, forward, up for
+// the accelerometer; rotation is positive to the left about forward, down about left, to the right about up.
 void Stabilizer::misjudge()
 {
     if (m_believed == Rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}})

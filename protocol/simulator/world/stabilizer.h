@@ -36,11 +36,10 @@ private:
     double m_x1 = 0, m_x2 = 0, m_y1 = 0, m_y2 = 0;
 };
 
-/// The inertial sensor: noise, a bias that calibration removes, an accelerometer error that calibration
-/// removes.
+/// The inertial sensor: noise, a gyroscope bias and an accelerometer error, both removed by calibration.
 struct SimulatedImu
 {
-    std::array<double, kAxisCount> gyroBias{1.7, -2.4, 0.4};  ///< deg/s; yaw has nothing that pulls it back
+    std::array<double, kAxisCount> gyroBias{1.7, -2.4, 0.4};  ///< deg/s; nothing corrects yaw
     std::array<double, kAxisCount> accError{0.035, -0.028, 0.02};  ///< g
     std::array<double, kAxisCount> gyroCorrection{};  ///< found by calibration
     std::array<double, kAxisCount> accScaleError{1.03, 0.975, 1.02};  ///< reading per true g
@@ -50,7 +49,7 @@ struct SimulatedImu
     double accNoise = 0.004;  ///< g
 };
 
-/// The firmware's control loop on the plant: sensors, attitude estimate, PID, filters, limits. One step is
+/// The firmware's control loop on the plant: sensors, attitude estimate, PID, filters, limits. One step takes
 /// 0.8 ms.
 class Stabilizer
 {
@@ -65,30 +64,31 @@ public:
     [[nodiscard]] bool motorsOn() const { return m_motorsOn; }
     void setImuPresent(bool present) { m_imuPresent = present; }
     [[nodiscard]] bool imuPresent() const { return m_imuPresent; }
-    /// Somebody holds the camera still, or it lies on the table: the sensors see no motion.
+    /// The camera is held still or lies on the table: the sensors see no motion.
     void setHeld(bool held) { m_held = held; }
     /// The camera lies still on one of its faces: 1-6 with Z, -Z, X, -X, Y, -Y up; 7 tilted 45 degrees down;
     /// 0 = in the gimbal.
     void setPose(int pose) { m_pose = pose; }
     [[nodiscard]] int pose() const { return m_pose; }
-    /// Gravity as it is, in g, in the camera's axes right, forward and up.
+    /// True gravity, in g, in the camera's axes right, forward and up.
     [[nodiscard]] const std::array<double, kAxisCount> &gravity() const { return m_gravity; }
     /// The accelerometer before calibration, in g.
     [[nodiscard]] double rawAcc(std::size_t axis) const { return m_rawAcc[axis]; }
-    /// What the firmware takes for forward, left and up, in terms of what is: rows of a rotation. It differs
-    /// where the sensor sits otherwise than the firmware was told.
+    /// The axes that the firmware takes for forward, left and up, in terms of the true ones: rows of a
+    /// rotation matrix. Not the identity if the sensor is mounted differently from what the firmware is
+    /// configured for.
     using Rotation = std::array<std::array<int, 3>, 3>;
     void setBelievedAxes(const Rotation &axes) { m_believed = axes; }
-    /// Roll and pitch motors are plugged the wrong way round.
+    /// Roll and pitch motors are swapped.
     void setSwappedMotors(bool swapped) { m_swapped = swapped; }
     void setVoltage(double volts) { m_voltage = volts; }
     void step();
 
     [[nodiscard]] double target(Axis axis) const { return m_axes[index(axis)].target; }
     void setTarget(Axis axis, double degrees) { m_axes[index(axis)].target = degrees; }
-    /// Attitude as the board believes it.
+    /// Attitude as estimated by the board.
     [[nodiscard]] double estimate(Axis axis) const { return m_axes[index(axis)].estimate; }
-    /// Attitude as it is.
+    /// True attitude.
     [[nodiscard]] double trueAngle(Axis axis) const { return m_axes[index(axis)].plant.angle(); }
     [[nodiscard]] double jointAngle(Axis axis) const { return m_axes[index(axis)].plant.jointAngle(); }
     [[nodiscard]] double gyro(Axis axis) const { return m_axes[index(axis)].gyro; }
@@ -103,7 +103,7 @@ public:
     HandShake &hand() { return m_hand; }
     [[nodiscard]] const HandShake &hand() const { return m_hand; }
     AxisPlant &plant(Axis axis) { return m_axes[index(axis)].plant; }
-    /// Takes the true attitude as estimate, as the board does at start.
+    /// Sets the estimate to the true attitude, as the board does at start-up.
     void resetEstimate();
 
 private:
@@ -123,7 +123,7 @@ private:
         double gyro = 0;
         double rawGyro = 0;
         double gyroFiltered = 0;
-        double command = 0;  // computed last cycle, acts now: the loop's delay
+        double command = 0;  // computed in the last cycle, takes effect now: the loop's delay
         double effort = 0;
         double torque = 0;
     };
