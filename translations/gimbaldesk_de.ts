@@ -52,7 +52,7 @@
         <translation>Antwort</translation>
     </message>
     <message>
-        <source>The reply of the board comes here.</source>
+        <source>The board&apos;s reply appears here.</source>
         <translation>Hier erscheint die Antwort des Boards.</translation>
     </message>
     <message>
@@ -232,7 +232,7 @@
         <translation>Wenn es wieder verbunden ist, sehen Sie auf „Abstimmen“: „Alles zurück“ holt die gespeicherten Werte.</translation>
     </message>
     <message>
-        <source>The gains of before are in use again.</source>
+        <source>The previous gains are in use again.</source>
         <translation>Die Werte von vorher sind wieder in Gebrauch.</translation>
     </message>
     <message>
@@ -512,7 +512,7 @@
         </translation>
     </message>
     <message>
-        <source>Leave it so</source>
+        <source>Leave it as it is</source>
         <translation>So lassen</translation>
     </message>
 </context>
@@ -551,7 +551,7 @@
         <translation>Gyroskop</translation>
     </message>
     <message>
-        <source>Finds the zero of the turn-rate sensor. Do it when the camera drifts, after great changes of temperature, and before anything else. Takes about ten seconds, with the camera lying still.</source>
+        <source>Finds the zero of the turn-rate sensor. Do it when the camera drifts, after large temperature changes, and before anything else. Takes about ten seconds, with the camera lying still.</source>
         <translation>Findet den Nullpunkt des Drehratensensors. Nötig, wenn die Kamera wandert, nach großen Temperaturwechseln und vor allem anderen. Dauert etwa zehn Sekunden, während die Kamera still liegt.</translation>
     </message>
     <message>
@@ -1147,11 +1147,11 @@
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>Forget bounds</source>
+        <source>Reset bounds</source>
         <translation>Grenzen vergessen</translation>
     </message>
     <message>
-        <source>What these variables mean is known to the firmware&apos;s makers only; they help a supporter.</source>
+        <source>Only the firmware&apos;s makers know what these variables mean; they are useful for technical support.</source>
         <translation>Was diese Variablen bedeuten, wissen nur die Hersteller der Firmware; sie helfen dem Support.</translation>
     </message>
     <message>
@@ -1159,7 +1159,7 @@
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>Start lowest and highest anew</source>
+        <source>Reset the lowest and highest values</source>
         <translation>Kleinsten und größten Wert neu beginnen</translation>
     </message>
     <message>
@@ -1214,7 +1214,7 @@
         <translation>Verbinden Sie ein Board oder öffnen Sie eine Datei, um die Dokumente zu sehen.</translation>
     </message>
     <message>
-        <source>This document is no UTF-8 text. It can be saved to a file, and not edited here.</source>
+        <source>This document is not UTF-8 text. It can be saved to a file, but not edited here.</source>
         <translation>Dieses Dokument ist kein UTF-8-Text. Es kann in einer Datei gespeichert, aber hier nicht bearbeitet werden.</translation>
     </message>
     <message>
@@ -1264,7 +1264,7 @@
         <translation>Es ist vielleicht beschäftigt, startet neu, oder das Kabel ist gestört.</translation>
     </message>
     <message>
-        <source>Try again; if it stays so, check cable and power.</source>
+        <source>Try again; if that does not help, check cable and power.</source>
         <translation>Versuchen Sie es nochmals; bleibt es so, prüfen Sie Kabel und Strom.</translation>
     </message>
     <message>
@@ -1300,7 +1300,7 @@
         <translation>Unter Linux gehören serielle Anschlüsse der Gruppe dialout.</translation>
     </message>
     <message>
-        <source>Run “sudo usermod -aG dialout $USER”, then log in anew.</source>
+        <source>Run “sudo usermod -aG dialout $USER”, then log in again.</source>
         <translation>Führen Sie „sudo usermod -aG dialout $USER“ aus und melden Sie sich neu an.</translation>
     </message>
     <message>
@@ -1380,11 +1380,11 @@
         <translation>Durch diesen Befehl wurde nichts geändert.</translation>
     </message>
     <message>
-        <source>The board&apos;s answer is not what its document promises.</source>
+        <source>The board&apos;s answer does not match its documentation.</source>
         <translation>Die Antwort des Boards ist nicht, was sein Dokument verspricht.</translation>
     </message>
     <message>
-        <source>Try again; if it stays so, the firmware is not supported.</source>
+        <source>Try again; if that does not help, the firmware is not supported.</source>
         <translation>Versuchen Sie es nochmals; bleibt es so, wird die Firmware nicht unterstützt.</translation>
     </message>
     <message>
@@ -1496,7 +1496,7 @@
         <translation>Steuere</translation>
     </message>
     <message>
-        <source>The line cannot carry so much.</source>
+        <source>The line cannot carry that much data.</source>
         <translation>So viel trägt die Leitung nicht.</translation>
     </message>
     <message>
@@ -1532,7 +1532,7 @@
         <translation>Nehmen Sie die Verstärkungen zurück oder verkleinern Sie die Bewegung, dann schalten Sie die Motoren wieder ein.</translation>
     </message>
     <message>
-        <source>What was waited for did not come.</source>
+        <source>What the procedure waited for did not happen.</source>
         <translation>Worauf gewartet wurde, ist nicht eingetreten.</translation>
     </message>
     <message>
@@ -1540,7 +1540,7 @@
         <translation>Dieser Schritt wurde aufgegeben; gespeichert wurde nichts.</translation>
     </message>
     <message>
-        <source>The details say what was missing. Put it right and do the step again.</source>
+        <source>The details say what was missing. Correct it and repeat the step.</source>
         <translation>Die Einzelheiten sagen, was fehlte. Beheben Sie es und wiederholen Sie den Schritt.</translation>
     </message>
     <message>
@@ -1568,7 +1568,7 @@
         <translation>Der Befehl kam beschädigt beim Board an.</translation>
     </message>
     <message>
-        <source>The board threw it away, also when it was repeated; nothing was changed by it.</source>
+        <source>The board discarded it, even when it was repeated; it changed nothing.</source>
         <translation>Das Board hat ihn verworfen, auch bei der Wiederholung; er hat nichts verändert.</translation>
     </message>
     <message>
@@ -1616,7 +1616,7 @@
         <translation>Es wurde nichts gesendet.</translation>
     </message>
     <message>
-        <source>The details say what has to be so first.</source>
+        <source>The details say which condition must be met first.</source>
         <translation>Die Einzelheiten sagen, was zuerst so sein muss.</translation>
     </message>
 </context>
@@ -1728,7 +1728,7 @@
         <translation>Was ein Wert bewirkt</translation>
     </message>
     <message>
-        <source>Choose a field: its effect, range, default and what the board holds stand here.</source>
+        <source>Choose a field to see its effect, range, default and the value on the board here.</source>
         <translation>Wählen Sie ein Feld: Wirkung, Bereich, Vorgabe und was das Board hat, stehen dann hier.</translation>
     </message>
     <message>
@@ -1993,7 +1993,7 @@
         <translation>Kopieren</translation>
     </message>
     <message>
-        <source>Copy everything a supporter needs</source>
+        <source>Copy everything that technical support needs</source>
         <translation>Alles kopieren, was der Support braucht</translation>
     </message>
     <message>
@@ -2116,7 +2116,7 @@
         <translation>Welche Bilder es gibt und was sie zeigen, unter einem Namen behalten</translation>
     </message>
     <message>
-        <source>What the board sends how often, and what it takes of the line</source>
+        <source>What the board sends, how often, and how much of the line it takes</source>
         <translation>Was das Board wie oft sendet und was das von der Leitung nimmt</translation>
     </message>
     <message>
@@ -2243,11 +2243,11 @@
         <translation> Hz</translation>
     </message>
     <message>
-        <source>How far the axis is moved; as small as still can be told from its noise</source>
+        <source>How far the axis is moved; as small as can still be told from its noise</source>
         <translation>Wie weit die Achse bewegt wird; so klein, wie es sich von ihrem Rauschen noch unterscheidet</translation>
     </message>
     <message>
-        <source>Further than this beyond the movement itself, and the motors are switched off</source>
+        <source>If the axis moves further than this beyond the movement itself, the motors are switched off</source>
         <translation>Geht es weiter als so viel über die Bewegung hinaus, werden die Motoren ausgeschaltet</translation>
     </message>
     <message>
@@ -2609,7 +2609,7 @@
         <translation>Bezugslinie am Cursor (R)</translation>
     </message>
     <message>
-        <source>Take “%1” out</source>
+        <source>Remove “%1”</source>
         <translation>„%1“ herausnehmen</translation>
     </message>
     <message>
@@ -2743,11 +2743,11 @@
         <translation>Namen ändern (F2)</translation>
     </message>
     <message>
-        <source>Take all values of the chosen profile over into another one, as an edit that can be undone</source>
+        <source>Copy all values of the chosen profile to another one, as an edit that can be undone</source>
         <translation>Übernimmt alle Werte des gewählten Profils in ein anderes, als Änderung, die sich zurücknehmen lässt</translation>
     </message>
     <message>
-        <source>Take one profile of a file over into the chosen profile, as an edit that can be undone</source>
+        <source>Load one profile of a file into the chosen profile, as an edit that can be undone</source>
         <translation>Übernimmt ein Profil einer Datei in das gewählte Profil, als Änderung, die sich zurücknehmen lässt</translation>
     </message>
     <message>
@@ -2755,7 +2755,7 @@
         <translation>Speichert alle Profile mit ihren ungesicherten Änderungen</translation>
     </message>
     <message>
-        <source>Take everything in a file over, as one edit that can be undone</source>
+        <source>Load everything in a file, as one edit that can be undone</source>
         <translation>Übernimmt alles aus einer Datei, als eine Änderung, die sich zurücknehmen lässt</translation>
     </message>
     <message>
@@ -2857,11 +2857,11 @@
         <translation>Kohärenz</translation>
     </message>
     <message>
-        <source>Arm, then Start: the axis steps to and fro, and here is how it arrives.</source>
+        <source>Arm, then Start: the axis steps back and forth, and its response appears here.</source>
         <translation>Scharf schalten, dann Start: die Achse springt hin und her, und hier steht, wie sie ankommt.</translation>
     </message>
     <message>
-        <source>Arm, then Start: the axis sways ever faster, and here is how it follows.</source>
+        <source>Arm, then Start: the axis sways faster and faster, and how it follows appears here.</source>
         <translation>Scharf schalten, dann Start: die Achse schwingt immer schneller, und hier steht, wie sie folgt.</translation>
     </message>
     <message>
@@ -3080,7 +3080,7 @@
         <translation>%1 Hz</translation>
     </message>
     <message>
-        <source>The file does not tell its rate; %1 samples/s are assumed.</source>
+        <source>The file does not state its rate; %1 samples/s are assumed.</source>
         <translation>Die Datei nennt ihre Rate nicht; %1 Werte/s werden angenommen.</translation>
     </message>
     <message>
@@ -3088,7 +3088,7 @@
         <translation>Sprung: wie schnell und wie ruhig die Achse ankommt. Gleitsinus: Reserven, indem sie langsam und dann immer schneller bewegt wird. Eigene Bewegung: dasselbe aus dem, was Sie eben gesteuert haben.</translation>
     </message>
     <message>
-        <source>This board does not tell its targets: the line&apos;s delay would be taken for its own.</source>
+        <source>This board does not report its targets: the line&apos;s delay would be mistaken for its own.</source>
         <translation>Dieses Board nennt seine Ziele nicht: Die Verzögerung der Leitung würde für seine eigene gehalten.</translation>
     </message>
     <message>
@@ -3111,7 +3111,7 @@
         <translation>Zu schreibende Änderungen</translation>
     </message>
     <message>
-        <source>⚠ Values of the risk class are among them: hold the camera, or take it off, while motors start.</source>
+        <source>⚠ Some of these values are in the risk class: hold the camera, or take it off, while motors start.</source>
         <translation>⚠ Werte der Risikoklasse sind dabei: halten Sie die Kamera oder nehmen Sie sie ab, während Motoren anlaufen.</translation>
     </message>
     <message>
@@ -3394,7 +3394,7 @@
         <translation>Kalibrierung aus der Datei</translation>
     </message>
     <message>
-        <source>⚠ No sound sensor is like that. One of the readings was bad: calibrate again.</source>
+        <source>⚠ No working sensor has such values. One of the readings was bad: calibrate again.</source>
         <translation>⚠ So ist kein gesunder Sensor. Eine der Messungen war schlecht: kalibrieren Sie noch einmal.</translation>
     </message>
     <message>
@@ -3406,7 +3406,7 @@
         <translation>Die Kalibrierung ist brauchbar.</translation>
     </message>
     <message>
-        <source>The calibration is poor: faces did not lie square. Calibrate again.</source>
+        <source>The calibration is poor: the sensor did not lie square on its faces. Calibrate again.</source>
         <translation>Die Kalibrierung ist schlecht: Flächen lagen nicht gerade. Kalibrieren Sie noch einmal.</translation>
     </message>
     <message>
@@ -3537,7 +3537,7 @@
         <translation>Steuerung entschärfen nach</translation>
     </message>
     <message>
-        <source>Always so, and not to be switched off: a snapshot before the first write, reading back of every byte, F12 for motors off, and control that ends when the program does not refresh it.</source>
+        <source>Always on, and cannot be switched off: a snapshot before the first write, reading back of every byte, F12 for motors off, and control that ends when the program does not refresh it.</source>
         <translation>Immer so und nicht abzuschalten: eine Sicherung vor dem ersten Schreiben, Zurücklesen jedes Bytes, F12 für Motoren aus und eine Steuerung, die endet, wenn das Programm sie nicht erneuert.</translation>
     </message>
     <message>
@@ -3611,7 +3611,7 @@
         <translation>Yaw ausrichten</translation>
     </message>
     <message>
-        <source>How long it has been as it should</source>
+        <source>How long the position has been held</source>
         <translation>Wie lange es schon so ist, wie es soll</translation>
     </message>
     <message>
@@ -3655,7 +3655,7 @@
         <translation>Halten Sie die Kamera waagerecht und still.</translation>
     </message>
     <message>
-        <source>How many magnets have the bells of the motors?</source>
+        <source>How many magnets does each motor bell have?</source>
         <translation>Wie viele Magnete haben die Glocken der Motoren?</translation>
     </message>
     <message>
@@ -3663,7 +3663,7 @@
         <translation>Die meisten Gimbal-Motoren haben 14. Mit einer falschen Zahl läuft ein Motor davon.</translation>
     </message>
     <message>
-        <source>Setting the motor directions to be found.</source>
+        <source>Setting the motor directions to automatic detection.</source>
         <translation>Motorrichtungen werden auf Suche gestellt.</translation>
     </message>
     <message>
@@ -3771,7 +3771,7 @@
         <translation>✖ Es konnte nicht gespeichert werden. Verwenden Sie unten „Auf dem Board speichern“.</translation>
     </message>
     <message>
-        <source>Cancelled. What was set until here is in use, but not stored.</source>
+        <source>Cancelled. The values set so far are in use, but not stored.</source>
         <translation>Abgebrochen. Was bis hier eingestellt wurde, ist in Gebrauch, aber nicht gespeichert.</translation>
     </message>
     <message>
@@ -3803,7 +3803,7 @@
         <translation>Warte auf den Akku: schließen Sie ihn an und achten Sie darauf, dass er geladen ist.</translation>
     </message>
     <message>
-        <source>State: %1. Waiting for normal working.</source>
+        <source>State: %1. Waiting for normal operation.</source>
         <translation>Zustand: %1. Warte auf normales Arbeiten.</translation>
     </message>
 </context>
@@ -3959,7 +3959,7 @@
         <translation>Eine längere Spanne zeigt feinere Linien, eine kürzere folgt schneller</translation>
     </message>
     <message>
-        <source>Keep the figures of now and show what changes against them</source>
+        <source>Keep the present figures and show how they change</source>
         <translation>Die Zahlen von jetzt merken und zeigen, was sich dagegen ändert</translation>
     </message>
     <message>
@@ -4100,7 +4100,7 @@ Spitze %2°</translation>
         <translation>wie auf Monitor festgehalten, %1 s</translation>
     </message>
     <message>
-        <source>%1; what is faster than %2 Hz shows up lower</source>
+        <source>%1; anything faster than %2 Hz shows up at a lower frequency</source>
         <translation>%1; was schneller als %2 Hz ist, erscheint tiefer</translation>
     </message>
     <message>
@@ -4209,7 +4209,7 @@ Spitze %2°</translation>
         <translation>Datenströme</translation>
     </message>
     <message>
-        <source>Carries the channels that are to be seen, as often as you say</source>
+        <source>Carries the channels that are shown, at the rate you choose</source>
         <translation>Trägt die Kanäle, die zu sehen sind, so oft Sie wollen</translation>
     </message>
     <message numerus="yes">
@@ -4583,7 +4583,7 @@ Spitze %2°</translation>
         <translation>Winkel beim Start</translation>
     </message>
     <message>
-        <source>Angle between encoder zero and the motor&apos;s field; found by calibration. Wrong, the motor runs away.</source>
+        <source>Angle between encoder zero and the motor&apos;s field; found by calibration. If it is wrong, the motor runs away.</source>
         <translation>Winkel zwischen Geber-Null und Motorfeld; wird durch Kalibrierung gefunden. Falsch geht der Motor durch.</translation>
     </message>
     <message>
@@ -6251,7 +6251,7 @@ Spitze %2°</translation>
         <translation>Modus, weitere Bits</translation>
     </message>
     <message>
-        <source>Model of the encoder on this axis. Wrong, the motor runs away.</source>
+        <source>Model of the encoder on this axis. If it is wrong, the motor runs away.</source>
         <translation>Modell des Gebers an dieser Achse. Falsch geht der Motor durch.</translation>
     </message>
     <message>
@@ -6295,7 +6295,7 @@ Spitze %2°</translation>
         <translation>Motorwinkel, Yaw</translation>
     </message>
     <message>
-        <source>Motor connector that drives this axis. Wrong, an axis turns the wrong motor.</source>
+        <source>Motor connector that drives this axis. If it is wrong, an axis turns the wrong motor.</source>
         <translation>Motorstecker, der diese Achse treibt. Falsch dreht eine Achse den falschen Motor.</translation>
     </message>
     <message>
@@ -6435,7 +6435,7 @@ Spitze %2°</translation>
         <translation>Nummer</translation>
     </message>
     <message>
-        <source>Number of magnet poles of the motor. Wrong, gains are off by the same factor and steps are lost.</source>
+        <source>Number of magnet poles of the motor. If it is wrong, gains are off by the same factor and steps are lost.</source>
         <translation>Zahl der Magnetpole des Motors. Falsch sind die Verstärkungen um denselben Faktor falsch, und Schritte gehen verloren.</translation>
     </message>
     <message>
@@ -6995,7 +6995,7 @@ Spitze %2°</translation>
         <translation>Rate des RC-Anschlusses nach dem nächsten Neustart.</translation>
     </message>
     <message>
-        <source>Rate of the first UART after the next restart. The USB port does not care.</source>
+        <source>Rate of the first UART after the next restart. The USB port is not affected.</source>
         <translation>Rate des ersten UART nach dem nächsten Neustart. Den USB-Anschluss kümmert das nicht.</translation>
     </message>
     <message>
@@ -7923,11 +7923,11 @@ Spitze %2°</translation>
         <translation>Umdrehungen des Motors je Umdrehung der Achse; 1 = Direktantrieb.</translation>
     </message>
     <message>
-        <source>Turns the direction of this remote control axis round.</source>
+        <source>Reverses the direction of this remote control axis.</source>
         <translation>Kehrt die Richtung dieser Fernsteuerachse um.</translation>
     </message>
     <message>
-        <source>Turns the motor the other way. Wrong, the camera runs away from its target as soon as motors start.</source>
+        <source>Turns the motor the other way. If it is wrong, the camera runs away from its target as soon as motors start.</source>
         <translation>Dreht den Motor andersherum. Falsch läuft die Kamera von ihrem Ziel weg, sobald Motoren anlaufen.</translation>
     </message>
     <message>
@@ -8055,7 +8055,7 @@ Spitze %2°</translation>
         <translation>Welche auf dem Sensor gedruckte Achse nach rechts zeigt, von hinter der Kamera gesehen.</translation>
     </message>
     <message>
-        <source>Which axis printed on the sensor board points up. Wrong, the camera turns over.</source>
+        <source>Which axis printed on the sensor board points up. If it is wrong, the camera turns over.</source>
         <translation>Welche auf dem Sensor gedruckte Achse nach oben zeigt. Falsch kippt die Kamera um.</translation>
     </message>
     <message>
@@ -8823,7 +8823,7 @@ Spitze %2°</translation>
         <translation>98 Hz</translation>
     </message>
     <message>
-        <source>A stick has to move so far before anything changes.</source>
+        <source>A stick has to move this far before anything changes.</source>
         <translation>Ein Knüppel muss sich so weit bewegen, bevor sich etwas ändert.</translation>
     </message>
     <message>
@@ -8855,7 +8855,7 @@ Spitze %2°</translation>
         <translation>Rauschen des Beschleunigungssensors</translation>
     </message>
     <message>
-        <source>An acceleration that differs so much from gravity is not used. 0 uses all.</source>
+        <source>An acceleration that differs from gravity by this much is not used. 0 uses all.</source>
         <translation>Eine Beschleunigung, die so weit von der Schwerkraft abweicht, wird nicht verwendet. 0 verwendet alle.</translation>
     </message>
     <message>
@@ -9631,7 +9631,7 @@ Spitze %2°</translation>
         <translation>Glättet, was der Sensor am Rahmen beiträgt.</translation>
     </message>
     <message>
-        <source>So far around its middle a stick does nothing.</source>
+        <source>A stick has no effect this close to its middle.</source>
         <translation>So weit um seine Mitte bewirkt ein Knüppel nichts.</translation>
     </message>
     <message>
@@ -9731,23 +9731,23 @@ Spitze %2°</translation>
         <translation>Das Board hat beim Start die Waagerechte nicht gefunden.</translation>
     </message>
     <message>
-        <source>The board&apos;s number of component.</source>
+        <source>The board&apos;s component number.</source>
         <translation>Die Komponentennummer des Boards.</translation>
     </message>
     <message>
-        <source>The board&apos;s number of system.</source>
+        <source>The board&apos;s system number.</source>
         <translation>Die Systemnummer des Boards.</translation>
     </message>
     <message>
-        <source>The camera does not follow before the handle has turned so far.</source>
+        <source>The camera does not follow until the handle has turned this far.</source>
         <translation>Die Kamera folgt erst, wenn sich der Griff so weit gedreht hat.</translation>
     </message>
     <message>
-        <source>The camera goes on following until the handle is so much inside the dead band.</source>
+        <source>The camera goes on following until the handle is this far inside the dead band.</source>
         <translation>Die Kamera folgt weiter, bis der Griff so weit innerhalb des Totbereichs ist.</translation>
     </message>
     <message>
-        <source>The camera is released again after so long. 0 switches that off.</source>
+        <source>The camera is released again after this time. 0 switches that off.</source>
         <translation>Die Kamera wird nach dieser Zeit wieder ausgelöst. 0 schaltet das aus.</translation>
     </message>
     <message>
@@ -9759,7 +9759,7 @@ Spitze %2°</translation>
         <translation>Der Bewegungssensor antwortet, aber nicht gut.</translation>
     </message>
     <message>
-        <source>The motors have no supply; settings can be changed all the same.</source>
+        <source>The motors have no supply; settings can still be changed.</source>
         <translation>Die Motoren haben keine Versorgung; Einstellungen lassen sich trotzdem ändern.</translation>
     </message>
     <message>
@@ -9939,7 +9939,7 @@ Spitze %2°</translation>
         <translation>Was der Kamera in der zweiten Stellung des Eingangs gesagt wird.</translation>
     </message>
     <message>
-        <source>What the motors sound for.</source>
+        <source>Events that the motors sound for.</source>
         <translation>Wofür die Motoren tönen.</translation>
     </message>
     <message>
@@ -10579,7 +10579,7 @@ Spitze %2°</translation>
         <translation>ein Anführungszeichen ist nicht geschlossen</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no statement</source>
+        <source>&apos;%1&apos; is not a statement</source>
         <translation>„%1“ ist keine Anweisung</translation>
     </message>
     <message>
@@ -10607,7 +10607,7 @@ Spitze %2°</translation>
         <translation>es gibt keinen Parameter „%1“</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no number</source>
+        <source>&apos;%1&apos; is not a number</source>
         <translation>„%1“ ist keine Zahl</translation>
     </message>
     <message>
@@ -10710,7 +10710,7 @@ Spitze %2°</translation>
         <translation>Vergleicht, was folgt, mit diesen Zahlen; ein Wechsel des Satzes tut das auch</translation>
     </message>
     <message>
-        <source> The values in use were asked for again.</source>
+        <source> The values in use were read again.</source>
         <translation> Die Werte in Gebrauch wurden neu erfragt.</translation>
     </message>
     <message>
@@ -10880,7 +10880,7 @@ Auf dem Board: %1</translation>
         <translation>Weiter lesen</translation>
     </message>
     <message>
-        <source>A value set here takes effect at once and is forgotten at the next start unless it is saved. Numbers are the board&apos;s own; the meaning stands beside them.</source>
+        <source>A value set here takes effect at once and is forgotten at the next start unless it is saved. Numbers are the board&apos;s own; their meaning is shown beside them.</source>
         <translation>Ein hier gesetzter Wert wirkt sofort und ist beim nächsten Start vergessen, wenn er nicht gespeichert wird. Die Zahlen sind die des Boards; die Bedeutung steht daneben.</translation>
     </message>
     <message>
@@ -10944,7 +10944,7 @@ Auf dem Board: %1</translation>
         </translation>
     </message>
     <message>
-        <source>Leave it so</source>
+        <source>Leave it as it is</source>
         <translation>So lassen</translation>
     </message>
     <message>
@@ -10967,7 +10967,7 @@ Auf dem Board: %1</translation>
         <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>Nothing of it fits this board any more.</source>
+        <source>None of it fits this board any more.</source>
         <translation>Nichts davon passt noch zu diesem Board.</translation>
     </message>
     <message>

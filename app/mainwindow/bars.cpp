@@ -44,7 +44,7 @@ MessageBar::MessageBar(QWidget *parent)
     m_text->setTextFormat(Qt::RichText);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_copy->setText(tr("Copy"));
-    m_copy->setToolTip(tr("Copy everything a supporter needs"));
+    m_copy->setToolTip(tr("Copy everything that technical support needs"));
     m_close->setText(u"✕"_s);
     m_close->setAccessibleName(tr("Close message"));
     auto *layout = new QHBoxLayout(this);

@@ -145,7 +145,7 @@ void BoardWriter::offerRepair()
                                      m_wantedAgain = finished;
                                      write(undone);
                                  }});
-    question.choices.append({tr("Leave it so"), [] {}});
+    question.choices.append({tr("Leave it as it is"), [] {}});
     m_notifications.ask(question);
 }
 

@@ -146,7 +146,7 @@ void Workspace::offerLeftover(int steps)
     question.text = tr("%n unsaved step(s) of an earlier run belong to this board.", nullptr, steps);
     question.choices.append({tr("Restore them"), [this] {
                                  if (!m_journal.restoreLeftover())
-                                     m_notifications.notify(tr("Nothing of it fits this board any more."));
+                                     m_notifications.notify(tr("None of it fits this board any more."));
                              }});
     question.choices.append({tr("Throw them away"), [this] { m_journal.dropLeftover(); }});
     m_notifications.ask(question);
@@ -444,7 +444,7 @@ void Workspace::offerWayOut()
                                          readBoard();  // now including scripts
                                  });
                              }});
-    question.choices.append({tr("Leave it so"), [] {}});
+    question.choices.append({tr("Leave it as it is"), [] {}});
     m_notifications.ask(question);
 }
 

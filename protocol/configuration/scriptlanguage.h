@@ -14,7 +14,7 @@ struct ScriptMistake
 
     /// The sentence with its values filled in. @param pattern `what`, possibly translated
     [[nodiscard]] QString sentence(const QString &pattern) const;
-    /// "script 2, line 3: 'FLY' is no statement", as an error.
+    /// "script 2, line 3: 'FLY' is not a statement", as an error.
     [[nodiscard]] Error error() const;
 };
 using CompiledScripts = tl::expected<QByteArray, ScriptMistake>;

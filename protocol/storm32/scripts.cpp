@@ -202,7 +202,7 @@ private:
             return wrong(QT_TRANSLATE_NOOP("Tables", "a quote is not closed"));
         const Statement *known = findWord(words->first());
         if (!known)
-            return wrong(QT_TRANSLATE_NOOP("Tables", "'%1' is no statement"), {words->first()});
+            return wrong(QT_TRANSLATE_NOOP("Tables", "'%1' is not a statement"), {words->first()});
         const QString word = QLatin1String(known->word);
         if (!known->compiles)
             return wrong(QT_TRANSLATE_NOOP("Tables", "%1 is shown only; use %2"), {word, u"SETANGLE"_s});
@@ -279,7 +279,7 @@ private:
         bool ok = false;
         const double number = text.toDouble(&ok);
         if (!ok || !std::isfinite(number))
-            return wrong(QT_TRANSLATE_NOOP("Tables", "'%1' is no number"), {text});
+            return wrong(QT_TRANSLATE_NOOP("Tables", "'%1' is not a number"), {text});
         if (wanted.kind != Argument::Angle && number != std::floor(number))
             return wrong(QT_TRANSLATE_NOOP("Tables", "'%1' has to be a whole number"), {text});
         int min = wanted.min;

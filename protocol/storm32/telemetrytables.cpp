@@ -213,7 +213,7 @@ std::vector<BoardFault> faultsOf(unsigned bits, unsigned)
         add({"imu2-error", "Second IMU error", "The sensor at the frame answers, but not well.",
              "Check its cable, or switch it off in the setup.", false});
     if (!(bits & 0x0008))
-        add({"no-battery", "No battery", "The motors have no supply; settings can be changed all the same.",
+        add({"no-battery", "No battery", "The motors have no supply; settings can still be changed.",
              "Connect the battery.", false});
     else if (bits & 0x0010)
         add({"low-battery", "Battery is low", "The alarm threshold is reached.", "Change the battery soon.",

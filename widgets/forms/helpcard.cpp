@@ -47,7 +47,7 @@ void HelpCard::refresh()
     if (m_parameter < 0 || m_configuration.isEmpty()) {
         m_title->setText(tr("What a value does"));
         m_help->setText(
-            tr("Choose a field: its effect, range, default and what the board holds stand here."));
+            tr("Choose a field to see its effect, range, default and the value on the board here."));
         m_facts->clear();
         return;
     }

@@ -38,8 +38,8 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     m_table->horizontalHeader()->setSectionResizeMode(ChangeModel::NameColumn, QHeaderView::Stretch);
     m_risk->setObjectName(u"warning"_s);
     m_risk->setWordWrap(true);
-    m_risk->setText(tr(
-        "⚠ Values of the risk class are among them: hold the camera, or take it off, while motors start."));
+    m_risk->setText(tr("⚠ Some of these values are in the risk class: hold the camera, or take it off, while "
+                       "motors start."));
 
     m_effect->setWordWrap(true);
     auto *back = new QPushButton(tr("Back"));

@@ -153,7 +153,7 @@ void PlotPanel::fillMenu()
                       });
     m_menu->addSeparator();
     for (qsizetype i = 0; i < m_channels.size(); ++i) {
-        m_menu->addAction(tr("Take “%1” out").arg(m_view->curveName(i)), this,
+        m_menu->addAction(tr("Remove “%1”").arg(m_view->curveName(i)), this,
                           [this, channel = m_channels[i]] { emit removeChannelRequested(channel); });
     }
     m_menu->addAction(tr("Remove this plot"), this, &PlotPanel::removeRequested);

@@ -232,7 +232,7 @@ void AutoTunePage::revert()
     m_live.setValues(m_before);
     m_before.clear();
     setState(State::Ready);
-    workspace().notifications().notify(tr("The gains of before are in use again."));
+    workspace().notifications().notify(tr("The previous gains are in use again."));
 }
 
 void AutoTunePage::fillTable()

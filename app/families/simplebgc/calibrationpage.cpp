@@ -103,9 +103,8 @@ QWidget *CalibrationPage::makeChooser()
                       this, [this, kind] { start(kind); });
           };
     add(Kind::Gyroscope, tr("Gyroscope"),
-        tr("Finds the zero of the turn-rate sensor. Do it when the camera drifts, after great changes of "
-           "temperature, and "
-           "before anything else. Takes about ten seconds, with the camera lying still."),
+        tr("Finds the zero of the turn-rate sensor. Do it when the camera drifts, after large temperature "
+           "changes, and before anything else. Takes about ten seconds, with the camera lying still."),
         tr("Calibrate the gyroscope"), 4);
     add(Kind::Level, tr("Accelerometer, level"),
         tr("Finds what is level. Do it when the horizon is crooked. Takes about ten seconds, with the sensor "

@@ -291,12 +291,15 @@ void SensorPage::showResult()
     if (!measured)
         m_what->setText(tr("Calibration from the file"));
     else if (!m_plausible)
-        m_what->setText(tr("⚠ No sound sensor is like that. One of the readings was bad: calibrate again."));
+        m_what->setText(
+            tr("⚠ No working sensor has such values. One of the readings was bad: calibrate again."));
     else if (six)
-        m_what->setText(m_quality <= kGoodQuality ? tr("The calibration is good.")
-                            : m_quality <= kFairQuality
-                            ? tr("The calibration is usable.")
-                            : tr("The calibration is poor: faces did not lie square. Calibrate again."));
+        m_what->setText(
+            m_quality <= kGoodQuality ? tr("The calibration is good.")
+                : m_quality <= kFairQuality
+                ? tr("The calibration is usable.")
+                : tr(
+                    "The calibration is poor: the sensor did not lie square on its faces. Calibrate again."));
     else
         m_what->setText(tr("The zeros are found."));
     QString rows

@@ -101,7 +101,7 @@ QWidget *SetupPage::makeGuide()
     auto *card = new Card({});
     setHeadline(*m_what);
     m_sees->setWordWrap(true);
-    setQuiet(*m_held, tr("How long it has been as it should"));
+    setQuiet(*m_held, tr("How long the position has been held"));
 
     m_polesForm = new QWidget;
     auto *poles = new QGridLayout(m_polesForm);
@@ -287,9 +287,9 @@ void SetupPage::sayWhatToDo()
         case Step::MotorsOff: return {tr("Disabling the motors.")};
         case Step::Orientation: return {tr("Hold the camera level and still.")};
         case Step::Poles:
-            return {tr("How many magnets have the bells of the motors?"),
+            return {tr("How many magnets does each motor bell have?"),
                     tr("Most gimbal motors have 14. A wrong number makes a motor run away.")};
-        case Step::AutoDirections: return {tr("Setting the motor directions to be found.")};
+        case Step::AutoDirections: return {tr("Setting the motor directions to automatic detection.")};
         case Step::AskStart:
             return {tr("Now the motors start. Put the camera into the gimbal, hold the handle still, and "
                        "connect the battery."),
@@ -457,7 +457,7 @@ void SetupPage::cancel()
     workspace().client().cancelJobs();
     if (std::exchange(m_yawBegun, false))
         workspace().perform(u"setup.yaw_end"_s, {{u"take"_s, false}}, true);
-    note(tr("Cancelled. What was set until here is in use, but not stored."));
+    note(tr("Cancelled. The values set so far are in use, but not stored."));
     enter(Step::Choose);
 }
 
@@ -491,6 +491,6 @@ void SetupPage::onProgress(const Progress &progress)
         const QString state = workspace().client().device()->statusWords()->statusText(
             int(progress.values.value(u"state"_s)));
         m_sees->setText(
-            tr("State: %1. Waiting for normal working.").arg(tableText(state.toUtf8().constData())));
+            tr("State: %1. Waiting for normal operation.").arg(tableText(state.toUtf8().constData())));
     }
 }

@@ -82,7 +82,7 @@ ActionsPage::ActionsPage(Workspace &workspace, QWidget *parent)
     m_help->setWordWrap(true);
     m_risk->setWordWrap(true);
     m_reply->setAccessibleName(tr("Reply"));
-    m_reply->setPlaceholderText(tr("The reply of the board comes here."));
+    m_reply->setPlaceholderText(tr("The board's reply appears here."));
     auto *buttons = new QHBoxLayout;
     buttons->addWidget(m_run);
     buttons->addWidget(m_cancel);

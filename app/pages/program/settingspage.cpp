@@ -114,7 +114,7 @@ void SettingsPage::makeBody()
     row(safety, tr("Disarm control after"), m_disarm);
     safety->addRow(m_offOnQuit);
     auto *fixed = new QLabel(
-        tr("Always so, and not to be switched off: a snapshot before the first write, reading back of every "
+        tr("Always on, and cannot be switched off: a snapshot before the first write, reading back of every "
            "byte, F12 for motors off, and control that ends when the program does not refresh it."));
     fixed->setObjectName(u"muted"_s);
     fixed->setWordWrap(true);

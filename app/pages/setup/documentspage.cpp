@@ -194,7 +194,7 @@ void DocumentsPage::showState()
     if (!m_shown) {
         text = tr("Connect a board, or open a file, to see its documents.");
     } else if (!readable) {
-        text = tr("This document is no UTF-8 text. It can be saved to a file, and not edited here.");
+        text = tr("This document is not UTF-8 text. It can be saved to a file, but not edited here.");
         name = "warning";
     } else {
         const qsizetype size = typed().size();

@@ -49,7 +49,7 @@ ProfilesPage::ProfilesPage(Workspace &workspace, QWidget *parent)
 
 void ProfilesPage::makeHeader()
 {
-    m_loadAll->setToolTip(tr("Take everything in a file over, as one edit that can be undone"));
+    m_loadAll->setToolTip(tr("Load everything in a file, as one edit that can be undone"));
     m_save->setToolTip(tr("Save all profiles with their unsaved changes"));
     header()->addWidget(m_loadAll);
     header()->addWidget(m_save);
@@ -72,9 +72,9 @@ void ProfilesPage::makeBody()
     m_active->setToolTip(tr("The board uses this profile from now on"));
     m_rename->setToolTip(tr("Change the name (F2)"));
     m_copy->setToolTip(
-        tr("Take all values of the chosen profile over into another one, as an edit that can be undone"));
+        tr("Copy all values of the chosen profile to another one, as an edit that can be undone"));
     m_load->setToolTip(
-        tr("Take one profile of a file over into the chosen profile, as an edit that can be undone"));
+        tr("Load one profile of a file into the chosen profile, as an edit that can be undone"));
 
     auto *row = new QHBoxLayout;
     row->setSpacing(Metric::kGap);

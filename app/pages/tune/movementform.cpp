@@ -32,11 +32,12 @@ MovementForm::MovementForm()
     , m_seconds(makeField(5, 120, 20, 0, tr(" s")))
     , m_limit(makeField(0.5, 20, 4, 1, tr("°")))
 {
-    m_degrees->setToolTip(tr("How far the axis is moved; as small as still can be told from its noise"));
+    m_degrees->setToolTip(tr("How far the axis is moved; as small as can still be told from its noise"));
     m_count->setRange(2, 40);
     m_count->setValue(6);
     m_count->setSingleStep(2);
-    m_limit->setToolTip(tr("Further than this beyond the movement itself, and the motors are switched off"));
+    m_limit->setToolTip(
+        tr("If the axis moves further than this beyond the movement itself, the motors are switched off"));
     addRow(tr("Movement"), m_degrees);
     addRow(tr("Steps"), m_count);
     addRow(tr("Rest between"), m_rest);

@@ -26,8 +26,9 @@ ResponseCharts::ResponseCharts(const Theme &theme, QWidget *parent)
     charts->addWidget(m_phase, 4);
     charts->addWidget(m_coherence, 3);
     m_coherence->setMinimumHeight(110);
-    m_steps->setHint(tr("Arm, then Start: the axis steps to and fro, and here is how it arrives."));
-    m_gain->setHint(tr("Arm, then Start: the axis sways ever faster, and here is how it follows."));
+    m_steps->setHint(tr("Arm, then Start: the axis steps back and forth, and its response appears here."));
+    m_gain->setHint(
+        tr("Arm, then Start: the axis sways faster and faster, and how it follows appears here."));
     addWidget(m_steps);
     addWidget(bode);
 }

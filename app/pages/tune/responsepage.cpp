@@ -183,9 +183,9 @@ void ResponsePage::offerWays()
     for (int row = 0; row < ways->rowCount(); ++row) {
         const bool fits = told || Way(m_way->itemData(row).toInt()) == Way::Steps;
         ways->item(row)->setEnabled(fits);
-        ways->item(row)->setToolTip(
-            fits ? QString()
-                 : tr("This board does not tell its targets: the line's delay would be taken for its own."));
+        ways->item(row)->setToolTip(fits ? QString()
+                                         : tr("This board does not report its targets: the line's delay "
+                                              "would be mistaken for its own."));
     }
     if (!told)
         m_way->setCurrentIndex(m_way->findData(int(Way::Steps)));
@@ -445,7 +445,7 @@ Result<void> ResponsePage::importCsv(const QString &path)
     add(std::move(record), Axis::None);
     if (samples->rateAssumed)
         workspace().notifications().notify(
-            tr("The file does not tell its rate; %1 samples/s are assumed.").arg(samples->rate));
+            tr("The file does not state its rate; %1 samples/s are assumed.").arg(samples->rate));
     return {};
 }
 

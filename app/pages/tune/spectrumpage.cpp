@@ -93,7 +93,7 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
     m_span->setAccessibleName(tr("Span"));
     m_span->setToolTip(tr("A longer span shows finer lines, a shorter one follows faster"));
     m_pause->setCheckable(true);
-    m_compare->setToolTip(tr("Keep the figures of now and show what changes against them"));
+    m_compare->setToolTip(tr("Keep the present figures and show how they change"));
     m_note->setObjectName(u"muted"_s);
     header()->addWidget(m_note);
     header()->addWidget(m_signal);
@@ -284,7 +284,7 @@ void SpectrumPage::refresh()
                             .arg(result->rate, 0, 'f', 0)
                             .arg(result->resolution, 0, 'g', 2));
         if (samples->polled)  // polled values have not passed an anti-aliasing filter
-            m_note->setText(tr("%1; what is faster than %2 Hz shows up lower")
+            m_note->setText(tr("%1; anything faster than %2 Hz shows up at a lower frequency")
                                 .arg(m_note->text())
                                 .arg(result->rate / 2, 0, 'f', 0));
         m_now.push_back({axisLabel(kAxes[i]), kAxes[i], std::move(*result), false});

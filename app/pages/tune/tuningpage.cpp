@@ -170,7 +170,7 @@ void TuningPage::connectAll()
         if (isEndOfLink(error))
             return;
         ErrorText text = describe(error);
-        text.meaning += tr(" The values in use were asked for again.");
+        text.meaning += tr(" The values in use were read again.");
         workspace().notifications().report(text);
     });
     connect(&workspace().client(), &DeviceClient::stateChanged, this, &TuningPage::onStore);

@@ -33,7 +33,7 @@ VariablesPage::VariablesPage(Workspace &workspace, QWidget *parent)
     m_note->setWordWrap(true);
     m_note->setText(
         tr("A value set here takes effect at once and is forgotten at the next start unless it is saved. "
-           "Numbers are the board's own; the meaning stands beside them."));
+           "Numbers are the board's own; their meaning is shown beside them."));
     m_search->setMinimumWidth(180);
     m_live->setChecked(true);
     m_live->setToolTip(tr("Shows changes that the radio, a menu or another program makes"));

@@ -30,8 +30,8 @@ DebugPage::DebugPage(Workspace &workspace, QWidget *parent)
     , m_plots(new PlotStack(workspace.theme()))
     , m_pause(new QPushButton(tr("Pause")))
 {
-    auto *clear = new QPushButton(tr("Forget bounds"));
-    clear->setToolTip(tr("Start lowest and highest anew"));
+    auto *clear = new QPushButton(tr("Reset bounds"));
+    clear->setToolTip(tr("Reset the lowest and highest values"));
     m_pause->setCheckable(true);
     header()->addWidget(clear);
     header()->addWidget(m_pause);
@@ -47,8 +47,8 @@ DebugPage::DebugPage(Workspace &workspace, QWidget *parent)
         m_table->fontMetrics().horizontalAdvance(u"-0.0000000000"_s) + Metric::kMargin);
     m_table->horizontalHeader()->setSectionResizeMode(DebugModel::NameColumn, QHeaderView::Stretch);
     m_plots->setSeconds(kSeconds);
-    auto *note = new QLabel(
-        tr("What these variables mean is known to the firmware's makers only; they help a supporter."));
+    auto *note = new QLabel(tr(
+        "Only the firmware's makers know what these variables mean; they are useful for technical support."));
     note->setObjectName(u"muted"_s);
     note->setWordWrap(true);
     body()->addWidget(note);

@@ -74,7 +74,7 @@ void MonitorPage::makeHeader()
     m_layout->setMenu(m_layoutMenu);
     m_layout->setToolTip(tr("Which plots there are and what they show, kept by name"));
     connect(m_layoutMenu, &QMenu::aboutToShow, this, &MonitorPage::fillLayoutMenu);
-    m_streams->setToolTip(tr("What the board sends how often, and what it takes of the line"));
+    m_streams->setToolTip(tr("What the board sends, how often, and how much of the line it takes"));
     connect(m_streams, &QPushButton::clicked, this, &MonitorPage::askStreams);
     m_note->setObjectName(u"muted"_s);
     header()->addWidget(m_note);

@@ -41,7 +41,7 @@ StreamsDialog::StreamsDialog(Workspace &workspace, QWidget *parent)
         row.check->setChecked(wish != now.end());
         row.check->setToolTip(
             spec.choosesChannels
-                ? tr("Carries the channels that are to be seen, as often as you say")
+                ? tr("Carries the channels that are shown, at the rate you choose")
                 : tr("Carries %n channel(s), all of them each time", nullptr, int(spec.channels.size())));
         row.rate->setRange(0, spec.maxRate);
         row.rate->setDecimals(0);
