@@ -104,12 +104,12 @@ QJsonObject describeResponse(const FrequencyResponse &closed, const Margins &m, 
     return object;
 }
 
-Result<CommandOutcome> responseOfText(const QString &path)
+Result<CommandOutcome> responseOfText(const QString &path, double assumedRate)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
-    const auto samples = readResponseCsv(file.readAll());
+    const auto samples = readResponseCsv(file.readAll(), assumedRate);
     if (!samples)
         return failure(samples.error().code, path + u": "_s + samples.error().detail);
     const auto closed = frequencyResponse(samples->in, samples->out, samples->rate,
@@ -119,7 +119,7 @@ Result<CommandOutcome> responseOfText(const QString &path)
     CommandOutcome outcome;
     outcome.json = describeResponse(*closed, margins(openLoop(*closed)), outcome.text);
     if (samples->rateAssumed)
-        outcome.note = u"the file does not tell its rate; %1 samples/s are assumed"_s.arg(samples->rate);
+        outcome.note = u"the file does not state its rate; %1 samples/s are assumed"_s.arg(samples->rate);
     return outcome;
 }
 
@@ -206,7 +206,7 @@ public:
     Result<CommandOutcome> run() override
     {
         if (arguments().first() == u"response"_s && arguments()[1].endsWith(u".csv"_s))
-            return responseOfText(arguments()[1]);
+            return responseOfText(arguments()[1], fullRate(families()));
         const auto opened = Opened::open(arguments()[1], families());
         if (!opened)
             return tl::unexpected(opened.error());

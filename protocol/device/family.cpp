@@ -26,3 +26,11 @@ bool Family::mayAskAnybody(LinkAddress::Kind kind) const
                return link.kind == kind && link.mayAskAnybody;
            });
 }
+
+double fullRate(const QList<Family> &families)
+{
+    double rate = 0;
+    for (const Family &family : families)
+        rate = std::max(rate, family.fullRate);
+    return rate;
+}

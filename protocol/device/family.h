@@ -34,6 +34,8 @@ struct Family
     /// Rate and parity pairs worth trying on a serial line, most likely first.
     QList<LineSettings> lines = {};
     Nouns nouns = {};
+    /// Samples per second of the control loop, if boards stream or programs export at that rate; 0: neither.
+    double fullRate = 0;
     std::function<std::unique_ptr<Framer>()> makeFramer;
     std::function<std::unique_ptr<Device>()> makeDevice;
     /// The parameters of a board with this identity, to read a file without the board.
@@ -52,3 +54,6 @@ struct Family
     /// Whether it may be probed there before it is known who is listening.
     [[nodiscard]] bool mayAskAnybody(LinkAddress::Kind kind) const;
 };
+
+/// The highest Family::fullRate among these; 0 if none has one.
+[[nodiscard]] double fullRate(const QList<Family> &families);

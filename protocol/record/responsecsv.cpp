@@ -9,7 +9,6 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double kDefaultRate = 1250.0;
 constexpr std::size_t kMax = 10'000'000;
 
 std::optional<float> number(QByteArrayView text)
@@ -33,10 +32,10 @@ Result<void> writeResponseCsv(QIODevice &file, std::span<const float> in, std::s
     return {};
 }
 
-Result<ResponseSamples> readResponseCsv(const QByteArray &text)
+Result<ResponseSamples> readResponseCsv(const QByteArray &text, double assumedRate)
 {
     ResponseSamples samples;
-    samples.rate = kDefaultRate;
+    samples.rate = assumedRate;
     samples.rateAssumed = true;
     qsizetype begin = 0;
     for (int line = 1; begin < text.size(); ++line) {
@@ -77,5 +76,9 @@ Result<ResponseSamples> readResponseCsv(const QByteArray &text)
     }
     if (samples.in.empty())
         return failure(ErrorCode::BadFile, u"no line with two numbers, in;out"_s);
+    if (!(samples.rate > 0))
+        return failure(
+            ErrorCode::BadFile,
+            u"the file does not state its rate; begin it with a line such as '# 1000 samples/s'"_s);
     return samples;
 }

@@ -22,6 +22,8 @@ struct ResponseSamples
 Result<void> writeResponseCsv(QIODevice &file, std::span<const float> in, std::span<const float> out,
                               double rate);
 
-/// Reads in;out: a comma or a tab is accepted too, and a heading is skipped. "# 1250 samples/s" gives the
-/// rate; without it the firmware's cycle of 0.8 ms is assumed. Errors: BadFile, with the line.
-[[nodiscard]] Result<ResponseSamples> readResponseCsv(const QByteArray &text);
+/// Reads in;out: a comma or a tab is accepted too, and a heading is skipped. "# 1000 samples/s" gives the
+/// rate. Errors: BadFile, with the line.
+/// @param assumedRate samples per second of a file that does not state its rate (see fullRate()); 0: such a
+/// file is an error
+[[nodiscard]] Result<ResponseSamples> readResponseCsv(const QByteArray &text, double assumedRate);

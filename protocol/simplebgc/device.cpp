@@ -376,6 +376,7 @@ Family family()
     family.timing.pause = 10ms;
     family.timing.controlPeriod = 20ms;
     family.lines = lineCandidates();
+    family.fullRate = 1250;  // a cycle of 0.8 ms
     family.makeFramer = [] { return std::make_unique<Framer>(); };
     family.makeDevice = [] { return std::make_unique<Device>(); };
     family.makeParameters = parametersOf;

@@ -52,7 +52,7 @@ public:
     std::atomic<qint64> motorsOff = 0;
 };
 
-/// The way it is often done: the port lives on the screen's thread.
+/// The way it is often done: the port lives on the GUI thread.
 class ScreenPort
 {
 public:
@@ -88,7 +88,7 @@ std::unique_ptr<DeviceClient> connectClient(const QString &address)
     return client;
 }
 
-// The screen's thread works for half a second of each, ten seconds long.
+// The GUI thread works for half a second of each, ten seconds long.
 void blockHalf()
 {
     for (int i = 0; i < 10; ++i) {
@@ -136,7 +136,7 @@ void benchLoss(Report &report, const QString &path)
                   u"frames lost at %1 kB/s, screen blocked 500 of 1000 ms, 10 s"_s.arg(
                       rate * kFrameBytes / 1000.0, 0, 'f', 0),
                   double(sent.all - counter.frames), 0, {},
-                  u"port on the screen's thread: %1 % lost of %2"_s.arg(plain, 0, 'f', 0).arg(sent.all));
+                  u"port on the GUI thread: %1 % lost of %2"_s.arg(plain, 0, 'f', 0).arg(sent.all));
     client->removeListener(counter);
 }
 
@@ -192,7 +192,7 @@ void benchLatency(Report &report, const QString &path)
     if (!job.result())
         qFatal("requests failed");
     const std::vector<double> ours = *job.result();
-    report.atMost(u"P7"_s, u"request p99, screen busy 28 of 33 ms: own / screen's thread"_s,
+    report.atMost(u"P7"_s, u"request p99, screen busy 28 of 33 ms: own / GUI thread"_s,
                   quantile(ours, 0.99) / quantile(plain, 0.99), 0.5, {},
                   u"%1 and %2 ms; medians %3 and %4 ms"_s.arg(quantile(ours, 0.99), 0, 'f', 1)
                       .arg(quantile(plain, 0.99), 0, 'f', 1)
@@ -230,7 +230,7 @@ void benchMotorsOff(Report &report, const QString &path)
                                  * 1000.0);
         }
     });
-    busy(6100ms);  // this is the screen's thread
+    busy(6100ms);  // this is the GUI thread
     button.join();
     client->cancelJobs();
     std::ignore = QTest::qWaitFor([&] { return job.isFinished(); }, 5000);
@@ -242,7 +242,7 @@ void benchMotorsOff(Report &report, const QString &path)
 
 }  // namespace
 
-/// P6, P7, P15: what a busy screen costs the link, against a port on the screen's thread.
+/// P6, P7, P15: what a busy screen costs the link, against a port on the GUI thread.
 void benchLink(Report &report)
 {
     const QTemporaryDir folder;

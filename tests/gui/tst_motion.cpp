@@ -438,7 +438,7 @@ void TestMotion::blockedScreenStopsTheBoard()
     QTest::mousePress(page->pad(), Qt::LeftButton, {}, middle + QPoint(page->pad()->width() / 3, 0));
     const double before = target(Axis::Yaw);
     QTRY_VERIFY_WITH_TIMEOUT(std::abs(target(Axis::Yaw) - before) > 2.0, 5000);
-    // The screen's thread hangs. The I/O thread goes on: it stops the board and lets go; telemetry goes on
+    // The GUI thread hangs. The I/O thread goes on: it stops the board and lets go; telemetry goes on
     // arriving.
     const double atBlock = target(Axis::Yaw);
     QVERIFY(boardGoesOnWhileBlocked(m_rig->client(), 0.5));

@@ -408,7 +408,7 @@ void TestLinks::motorsOffIsFastWhileEverythingIsBusy()
         return 12;
     });
     QTRY_VERIFY(runs > 0);
-    // The screen thread is blocked meanwhile; another thread presses the button again and again.
+    // The GUI thread is blocked meanwhile; another thread presses the button again and again.
     std::vector<double> latencies;
     std::thread button([&] {
         for (int i = 0; i < 20; ++i) {
@@ -422,7 +422,7 @@ void TestLinks::motorsOffIsFastWhileEverythingIsBusy()
             latencies.push_back(seen ? seconds(*seen - pressed) * 1000.0 : 1000.0);
         }
     });
-    button.join();  // this is the screen thread
+    button.join();  // this is the GUI thread
     QCOMPARE(latencies.size(), std::size_t(20));
     std::sort(latencies.begin(), latencies.end());
     qInfo() << "motors off on the wire after" << latencies[latencies.size() / 2] << "ms (median),"
@@ -472,7 +472,7 @@ void TestLinks::deadManStopsWhenTheScreenIsBlocked()
     QTRY_VERIFY_WITH_TIMEOUT(steered(), 10000);
     QVERIFY(tap.count(kControl) > 15);
     QSignalSpy rescued(client.get(), &DeviceClient::failsafeActed);
-    // The screen thread is blocked: nobody refreshes.
+    // The GUI thread is blocked: nobody refreshes.
     QVERIFY(boardGoesOnWhileBlocked(*client, 0.8));
     const int after = tap.count(kControl);
     QVERIFY(boardGoesOnWhileBlocked(*client, 0.3));

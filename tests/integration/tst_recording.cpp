@@ -275,7 +275,7 @@ void TestRecording::responseTextsAreRead()
     QFETCH(QByteArray, text);
     QFETCH(int, rows);
     QFETCH(double, rate);
-    const auto samples = readResponseCsv(text);
+    const auto samples = readResponseCsv(text, 1250);
     if (rows < 0) {
         QVERIFY(!samples);
         QCOMPARE(samples.error().code, ErrorCode::BadFile);
@@ -287,6 +287,8 @@ void TestRecording::responseTextsAreRead()
     QCOMPARE(samples->in.size(), samples->out.size());
     QCOMPARE(samples->rate, rate);
     QCOMPARE(samples->rateAssumed, !text.contains("samples/s"));
+    // Without a family that has a full rate there is nothing to assume.
+    QCOMPARE(bool(readResponseCsv(text, 0)), !samples->rateAssumed);
 }
 
 void TestRecording::responseTextsAreWritten()
@@ -296,7 +298,7 @@ void TestRecording::responseTextsAreWritten()
     QBuffer buffer;
     QVERIFY(buffer.open(QIODevice::WriteOnly));
     QVERIFY(writeResponseCsv(buffer, in, out, 833.25));
-    const auto read = readResponseCsv(buffer.data());
+    const auto read = readResponseCsv(buffer.data(), 0);
     QVERIFY(read);
     QCOMPARE(read->in, in);
     QCOMPARE(read->out, out);

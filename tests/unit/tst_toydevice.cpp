@@ -371,7 +371,7 @@ void TestToyDevice::stopIsRepeatedUntilProven()
     QVERIFY(rig.identify());
     rig.steer(kFly, 500ms);
     QVERIFY(rig.board().areOutputsOn());
-    // Nobody refreshes the set-points: the dead-man's rule.
+    // Nobody refreshes the set-points: the dead-man rule.
     rig.run(400ms);
     QVERIFY(rig.board().areOutputsOn());
     rig.run(1000ms);

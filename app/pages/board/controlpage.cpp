@@ -31,7 +31,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr auto kSendPeriod = 50ms;  // well below the dead-man's 250 ms
+constexpr auto kSendPeriod = 50ms;  // well below the dead-man limit of 250 ms
 constexpr auto kRefreshPeriod = 100ms;
 constexpr int kSliderSteps = 100;
 constexpr double kPitchReach = 45.0;  // angle at the rim of the pad, unless the family specifies another

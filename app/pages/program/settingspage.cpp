@@ -17,8 +17,8 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int kLabelWidth = 230;
-constexpr double kBytesPerMinute
-    = 24 * 1250 * 60 * 4.9;  // 24 channels at the firmware's full rate, with their index
+constexpr double kBytesPerSample = 4.9;  // with its share of the index
+constexpr double kPolledRate = 100;  // samples per second that no polled board reaches
 
 }  // namespace
 
@@ -164,9 +164,11 @@ void SettingsPage::connectAll()
 void SettingsPage::updateNotes()
 {
     m_restart->setVisible(workspace().settings().language() != m_startLanguage);
+    const double rate = std::max(fullRate(workspace().client().families()), kPolledRate);
+    const double bytesPerMinute = 24 * rate * 60 * kBytesPerSample;
     m_memory->setText(tr("At most %1 MB with 24 channels at full rate. The last ten minutes of the link "
                          "itself, for recordings, "
                          "take up to %2 MB more.")
-                          .arg(m_retention->value() * kBytesPerMinute / 1e6, 0, 'f', 0)
+                          .arg(m_retention->value() * bytesPerMinute / 1e6, 0, 'f', 0)
                           .arg(double(Recorder::kMaxBytes) / 1e6, 0, 'f', 0));
 }

@@ -432,7 +432,7 @@ Result<void> ResponsePage::importCsv(const QString &path)
         return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
     if (file.size() > kBiggestFile)
         return failure(ErrorCode::BadFile, u"%1: %2 MB is too big"_s.arg(path).arg(file.size() / 1'000'000));
-    auto samples = readResponseCsv(file.readAll());
+    auto samples = readResponseCsv(file.readAll(), fullRate(workspace().client().families()));
     if (!samples)
         return failure(samples.error().code, path + u": "_s + samples.error().detail);
     auto record = frequencyRecord(std::move(samples->in), std::move(samples->out), samples->rate, kOwnFromHz,

@@ -8,7 +8,7 @@
 
 #include <deque>
 
-/// A simulated toy: believes everybody who sends heartbeats, and has no dead-man's rule of its own.
+/// A simulated toy: believes everybody who sends heartbeats, and has no dead-man rule of its own.
 class ToyBoard final : public SimulatedBoard
 {
 public:
