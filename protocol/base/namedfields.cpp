@@ -42,7 +42,7 @@ template <typename T> Result<void> append(ByteWriter &writer, const NamedField &
     const qlonglong number = value.isValid() ? value.toLongLong(&ok) : 0;
     if (!ok)
         return failure(ErrorCode::InvalidArgument,
-                       u"%1: '%2' is no whole number"_s.arg(nameOf(field), value.toString()));
+                       u"%1: '%2' is not a whole number"_s.arg(nameOf(field), value.toString()));
     constexpr qlonglong min = std::numeric_limits<T>::min();
     constexpr qlonglong max = std::numeric_limits<T>::max();
     if (number < min || number > max)
@@ -59,7 +59,7 @@ Result<void> appendReal(ByteWriter &writer, const NamedField &field, const QVari
     // What is typed has to be finite; a field may carry other bits (MAVLink: an integer's, or "not used").
     if (!ok || (value.userType() == QMetaType::QString && !std::isfinite(number)))
         return failure(ErrorCode::InvalidArgument,
-                       u"%1: '%2' is no number"_s.arg(nameOf(field), value.toString()));
+                       u"%1: '%2' is not a number"_s.arg(nameOf(field), value.toString()));
     writer.f32(number);
     return {};
 }
@@ -83,7 +83,7 @@ Result<void> encodeField(ByteWriter &writer, const NamedField &field, const QVar
         = value.userType() == QMetaType::QString ? bytesFromHex(value.toString()) : value.toByteArray();
     if (!bytes)
         return failure(ErrorCode::InvalidArgument,
-                       u"%1: '%2' are no bytes in hex"_s.arg(nameOf(field), value.toString()));
+                       u"%1: '%2' is not a series of bytes in hex"_s.arg(nameOf(field), value.toString()));
     writer.bytes(*bytes);
     return {};
 }

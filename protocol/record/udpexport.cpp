@@ -37,7 +37,7 @@ Result<void> UdpExport::start(const QString &hostAndPort)
     if (!ok || port == 0 || port > 65535 || !m_host.setAddress(numeric)) {
         return failure(
             ErrorCode::InvalidArgument,
-            u"'%1' is no address; it looks like 127.0.0.1:%2"_s.arg(hostAndPort).arg(kDefaultPort));
+            u"'%1' is not an address; one looks like 127.0.0.1:%2"_s.arg(hostAndPort).arg(kDefaultPort));
     }
     m_port = quint16(port);
     m_first = true;

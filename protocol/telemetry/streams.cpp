@@ -13,7 +13,7 @@ Result<StreamChoice> parseStreamChoice(const QString &text)
         choice.rate = text.section(u'@', 1).toDouble(&ok);
     if (choice.key.isEmpty() || !ok || !(choice.rate >= 0 && choice.rate <= 1e5))
         return failure(ErrorCode::InvalidArgument,
-                       u"'%1' is no stream; it looks like realtime4@100"_s.arg(text));
+                       u"'%1' is not a stream; one looks like realtime4@100"_s.arg(text));
     return choice;
 }
 

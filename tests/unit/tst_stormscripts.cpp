@@ -102,7 +102,7 @@ void TestStormScripts::mistakesAreNamed_data()
     QTest::newRow("unknown parameter") << u"SET \"Patch P\" 1"_s << u"Patch P"_s;
     QTest::newRow("no number") << u"WAIT long"_s << u"'long'"_s;
     QTest::newRow("not whole") << u"WAIT 1.5"_s << u"whole"_s;
-    QTest::newRow("not finite") << u"SETANGLEPITCH inf"_s << u"no number"_s;
+    QTest::newRow("not finite") << u"SETANGLEPITCH inf"_s << u"is not a number"_s;
     QTest::newRow("out of range") << u"SETPWM 600"_s << u"700"_s;
     QTest::newRow("negative for unsigned") << u"SET \"Pitch P\" -1"_s << u"outside 0"_s;
     QTest::newRow("too great for signed") << u"SET \"Pitch Offset\" 40000"_s << u"32767"_s;

@@ -134,7 +134,7 @@ void MonitorPage::makeBody()
     split->addWidget(m_tree);
     split->addWidget(right);
     split->setStretchFactor(1, 1);
-    split->setSizes({330, 900});
+    split->setSizes({350, 880});
     split->restoreState(workspace().settings().layout(u"monitor"_s));
     connect(split, &QSplitter::splitterMoved, this,
             [this, split] { workspace().settings().setLayout(u"monitor"_s, split->saveState()); });
