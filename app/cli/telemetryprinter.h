@@ -11,6 +11,7 @@
 
 #include <QJsonArray>
 #include <QTextStream>
+#include <QTimer>
 
 /// Prints telemetry as CSV, one line per sample of the fastest group; slower channels repeat their latest
 /// value.

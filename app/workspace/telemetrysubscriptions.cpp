@@ -23,9 +23,11 @@ void TelemetrySubscriptions::onState(DeviceClient::State state)
     update();
 }
 
-void TelemetrySubscriptions::subscribe(const QObject *page, const QList<int> &channels)
+void TelemetrySubscriptions::subscribe(const QObject *page, Wanted channels)
 {
-    m_channels.insert(page, channels);
+    if (!m_wanted.contains(page))
+        connect(page, &QObject::destroyed, this, [this, page] { m_wanted.remove(page); });
+    m_wanted.insert(page, std::move(channels));
     update();
 }
 
@@ -46,8 +48,8 @@ Subscription TelemetrySubscriptions::with(const QList<StreamChoice> &streams) co
     const StreamControl *control = m_client.device()->streamControl();
     const QList<int> fast = control ? control->fastChannels() : QList<int>();
     QSet<int> wanted;
-    for (const QList<int> &channels : std::as_const(m_channels)) {
-        for (const int channel : channels) {
+    for (const Wanted &channels : std::as_const(m_wanted)) {
+        for (const int channel : channels()) {
             if (fast.contains(channel))
                 wanted.insert(channel);
         }

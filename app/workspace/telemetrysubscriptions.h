@@ -7,6 +7,8 @@
 
 #include <QHash>
 
+#include <functional>
+
 /// What the board is asked to send: the channels of all pages together, in streams arranged for them or
 /// chosen by hand.
 class TelemetrySubscriptions final : public QObject
@@ -15,8 +17,10 @@ class TelemetrySubscriptions final : public QObject
 public:
     explicit TelemetrySubscriptions(DeviceClient &client);
 
-    /// Fast channels that a page wants to see; they replace its earlier ones.
-    void subscribe(const QObject *page, const QList<int> &channels);
+    using Wanted = std::function<QList<int>()>;
+    /// Fast channels that a page wants to see, in place of its earlier ones. Asked again for each board that
+    /// connects, because channels are numbered by the board.
+    void subscribe(const QObject *page, Wanted channels);
     /// Streams that the operator chose by hand; none: they are arranged for what the pages want to see.
     void setStreams(const QList<StreamChoice> &streams);
     [[nodiscard]] const QList<StreamChoice> &streams() const { return m_streams; }
@@ -28,6 +32,6 @@ private:
     void update();
 
     DeviceClient &m_client;
-    QHash<const QObject *, QList<int>> m_channels;
+    QHash<const QObject *, Wanted> m_wanted;
     QList<StreamChoice> m_streams;
 };

@@ -331,7 +331,7 @@ std::vector<bool> Writer::stateBytes(int block) const
     for (const ParameterSpec &spec : m_base.parameters().all()) {
         if (spec.row->block != block || !spec.row->state || spec.row->bitCount)
             continue;
-        const auto end = static_cast<std::size_t>(spec.offset + wireSize(spec.row->wire));
+        const auto end = std::size_t(spec.offset) + std::size_t(wireSize(spec.row->wire));
         if (mask.size() < end)
             mask.resize(end);
         std::fill(mask.begin() + spec.offset, mask.begin() + std::ptrdiff_t(end), true);

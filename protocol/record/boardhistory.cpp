@@ -20,7 +20,7 @@ const QString kStamp = u"yyyyMMdd-HHmmss-zzz"_s;
 const QString kUnsavedFolder = u"unsaved"_s;
 const QString kEditsFile = u"edits.json"_s;
 const QString kBaseFile = u"board.json"_s;
-constexpr qint64 kLargestJournal = 4 * 1024 * 1024;
+constexpr qint64 kLargestJournal = 4'194'304;
 
 }  // namespace
 

@@ -79,8 +79,8 @@ constexpr auto makeSources()
                                           Choice{165, "Step signal 5", 2680},
                                           Choice{166, "Step signal 6", 2680}};
     for (int i = 0; i < 31; ++i) {
-        list[std::size_t(16 + i)] = Choice{65 + i, kRcSerialNames[i]};
-        list[std::size_t(47 + i)] = Choice{129 + i, kApiNames[i]};
+        list[std::size_t(16) + std::size_t(i)] = Choice{65 + i, kRcSerialNames[i]};
+        list[std::size_t(47) + std::size_t(i)] = Choice{129 + i, kApiNames[i]};
     }
     return list;
 }

@@ -106,7 +106,7 @@ FrameText rcText(const RcCommand *known, int id, Bytes payload, bool answer, con
     const QString name = known ? QString::fromLatin1(known->name) : u"RC %1"_s.arg(id);
     const NamedFields fields = !known ? NamedFields() : answer ? known->answer : known->fields;
     const auto values = decodeFields(fields, payload);
-    if (fields.empty() || !values)
+    if (!known || fields.empty() || !values)
         return {name, hexOf(toByteArray(payload))};
     if (known->id == Rc::Ack) {
         const auto error = ackError(values->value(u"code"_s).toInt(), u"ack"_s);

@@ -7,6 +7,7 @@
 #include "app/pages/board/actionspage.h"
 #include "app/pages/board/backupspage.h"
 #include "app/pages/board/consolepage.h"
+#include "app/pages/board/controlpage.h"
 #include "app/pages/program/helppage.h"
 #include "app/pages/program/settingspage.h"
 #include "app/pages/setup/parameterspage.h"
@@ -16,6 +17,7 @@
 #include "app/pages/watch/debugpage.h"
 #include "app/pages/watch/monitorpage.h"
 #include "protocol/device/abilities.h"
+#include "protocol/device/steering.h"
 #include "protocol/session/linkstatistics.h"
 #include "protocol/telemetry/streams.h"
 #include "protocol/telemetry/telemetryplan.h"
@@ -31,6 +33,7 @@
 #include "widgets/forms/valueeditor.h"
 #include "widgets/plot/plotstack.h"
 #include "widgets/plot/plotview.h"
+#include "widgets/plot/spanstatistics.h"
 
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
@@ -90,6 +93,9 @@ private slots:
     void settingsAreKept();
     void helpForEveryPage();
     void anotherFamilyFillsThePages();
+    void openPageFollowsAnotherFamily_data();
+    void openPageFollowsAnotherFamily();
+    void modesOfAnotherFamilyBeginAnew();
     void helpIsSearchable();
 
 private:
@@ -870,6 +876,55 @@ void TestPages::anotherFamilyFillsThePages()
     QTRY_COMPARE(m_rig->raw(u"pid.yaw.p"_s), 555);
     QCOMPARE(m_rig->raw(u"rc.pitch.min"_s), -300);
     QTRY_COMPARE(m_rig->model().changeCount(), 0);
+}
+
+void TestPages::openPageFollowsAnotherFamily_data()
+{
+    QTest::addColumn<QString>("page");
+    for (const char *page : {"dashboard", "control", "tuning", "spectrum", "response"})
+        QTest::newRow(page) << QString::fromLatin1(page);
+}
+
+// Channels are numbered by the family: a page that stays open asks the next board for that one's.
+void TestPages::openPageFollowsAnotherFamily()
+{
+    QFETCH(QString, page);
+    QVERIFY(m_rig->open(u"sim:storm32"_s));
+    QVERIFY(m_rig->window().showPage(page));
+    QVERIFY(m_rig->open(u"sim:simplebgc"_s));
+    QTRY_VERIFY(m_rig->client().isConnected() && m_rig->client().identity().family == u"simplebgc"_s);
+    QVERIFY(m_rig->window().page(page)->isVisible());
+    // The first board told no targets.
+    const QList<int> targets = ChannelRoles::present({m_rig->workspace().roles().target});
+    QCOMPARE(targets.size(), 3);
+    const auto isAsked = [&] {
+        const QList<int> asked = m_rig->workspace().telemetry().with({}).channels;
+        return std::all_of(targets.begin(), targets.end(), [&](int each) { return asked.contains(each); });
+    };
+    QTRY_VERIFY(isAsked());
+    const auto newest = [&] {
+        return valueAt(*m_rig->client().telemetry(), targets[0], -1, m_rig->client().telemetry()->now());
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(!std::isnan(newest()), 5000);
+}
+
+// What is second in one family's list is another thing in the next one's.
+void TestPages::modesOfAnotherFamilyBeginAnew()
+{
+    QVERIFY(m_rig->open(u"sim:simplebgc"_s));
+    auto *control = m_rig->page<ControlPage>();
+    auto *mode = named<QComboBox>(control, u"Mode of control"_s);
+    mode->setCurrentIndex(1);
+    QVERIFY(m_rig->open(u"sim:storm32"_s));
+    QTRY_VERIFY(m_rig->client().isConnected() && m_rig->client().identity().family == u"storm32"_s);
+    QTRY_COMPARE(mode->itemData(0).toInt(), m_rig->client().device()->steering()->modes().front().id);
+    QCOMPARE(mode->currentIndex(), 0);
+    // The same family again keeps what was chosen.
+    mode->setCurrentIndex(1);
+    m_rig->client().disconnectFromBoard();
+    QTRY_VERIFY(!m_rig->client().isConnected());
+    QVERIFY(m_rig->open(u"sim:storm32"_s));
+    QCOMPARE(mode->currentIndex(), 1);
 }
 
 QTEST_MAIN(TestPages)

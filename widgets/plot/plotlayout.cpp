@@ -30,12 +30,12 @@ PlotLayout PlotLayout::fromJson(const QByteArray &json, ChannelTable table)
     const QJsonObject object = QJsonDocument::fromJson(json).object();
     layout.seconds = std::clamp(object.value(u"seconds"_s).toDouble(), 0.0, 3600.0);
     const QJsonArray plots = object.value(u"plots"_s).toArray();
-    for (const QJsonValue &value : plots) {
+    for (const QJsonValue value : plots) {
         Plot plot;
         plot.ownScales = value[u"ownScales"_s].toBool();
         plot.figures = value[u"figures"_s].toBool();
         const QJsonArray keys = value[u"channels"_s].toArray();
-        for (const QJsonValue &key : keys) {
+        for (const QJsonValue key : keys) {
             const int channel = findChannel(table, key.toString());
             if (channel >= 0 && !plot.channels.contains(channel))
                 plot.channels.append(channel);

@@ -154,10 +154,10 @@ QWidget *CalibrationPage::makeWizard()
 void CalibrationPage::showEvent(QShowEvent *event)
 {
     Page::showEvent(event);
-    const ChannelRoles &roles = workspace().roles();
-    QList<int> wanted(roles.gyro.begin(), roles.gyro.end());
-    wanted.append(QList<int>(roles.acc.begin(), roles.acc.end()));
-    workspace().telemetry().subscribe(this, wanted);
+    workspace().telemetry().subscribe(this, [this] {
+        const ChannelRoles &roles = workspace().roles();
+        return ChannelRoles::present({roles.gyro, roles.acc});
+    });
     updateButtons();
     m_timer.start();
 }

@@ -358,7 +358,7 @@ Result<void> SensorPage::loadFile(const QString &path)
         return failure(ErrorCode::NotConnected);
     if (!file.open(QIODevice::ReadOnly))
         return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
-    const auto calibration = family->calibrationFile->read(file.read(1024 * 1024));
+    const auto calibration = family->calibrationFile->read(file.read(qint64(1024) * 1024));
     if (!calibration)
         return failure(calibration.error().code, path + u": "_s + calibration.error().detail);
     m_calibration = *calibration;

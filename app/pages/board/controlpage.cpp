@@ -299,7 +299,10 @@ void ControlPage::onState()
     if (!client.isConnected()) {
         setArmed(false);
     } else if (steering()) {
-        const int before = m_mode->count() ? m_mode->currentData().toInt() : -1;
+        // Another family's modes have the same numbers.
+        const QString family = client.identity().family;
+        const bool isSame = family == std::exchange(m_modesOf, family);
+        const int before = isSame && m_mode->count() ? m_mode->currentData().toInt() : -1;
         m_filling = true;
         m_mode->clear();
         for (const SteeringMode &candidate : steering()->modes())
@@ -547,8 +550,10 @@ bool ControlPage::eventFilter(QObject *watched, QEvent *event)
 void ControlPage::showEvent(QShowEvent *event)
 {
     Page::showEvent(event);
-    const ChannelRoles &roles = workspace().roles();
-    workspace().telemetry().subscribe(this, ChannelRoles::present({roles.angle, roles.target}));
+    workspace().telemetry().subscribe(this, [this] {
+        const ChannelRoles &roles = workspace().roles();
+        return ChannelRoles::present({roles.angle, roles.target});
+    });
     m_refresh.start();
     setArmed(false);
 }

@@ -85,5 +85,6 @@ private:
     QTimer m_refresh;
     QElapsedTimer m_touched;  // since the operator last moved something
     bool m_moved = false;  // by the operator, since arming
+    QString m_modesOf;  // the family whose modes are offered
     bool m_filling = false;
 };

@@ -468,8 +468,10 @@ Result<void> ResponsePage::exportCsv(const QString &path) const
 void ResponsePage::showEvent(QShowEvent *event)
 {
     Page::showEvent(event);
-    const ChannelRoles &roles = workspace().roles();
-    workspace().telemetry().subscribe(this, ChannelRoles::present({roles.angle, roles.target, roles.gyro}));
+    workspace().telemetry().subscribe(this, [this] {
+        const ChannelRoles &roles = workspace().roles();
+        return ChannelRoles::present({roles.angle, roles.target, roles.gyro});
+    });
     offerWays();
     setArmed(false);
 }

@@ -161,11 +161,10 @@ SpectrumPage::Signal SpectrumPage::signal() const
 void SpectrumPage::showEvent(QShowEvent *event)
 {
     Page::showEvent(event);
-    const ChannelRoles &roles = workspace().roles();
-    QList<int> wanted;
-    for (const auto &triple : {roles.gyro, roles.angle, roles.target})
-        wanted.append(QList<int>(triple.begin(), triple.end()));
-    workspace().telemetry().subscribe(this, wanted);
+    workspace().telemetry().subscribe(this, [this] {
+        const ChannelRoles &roles = workspace().roles();
+        return ChannelRoles::present({roles.gyro, roles.angle, roles.target});
+    });
     offerHeldSpan();
     fillWaterfall();
     refresh();

@@ -296,11 +296,10 @@ void TuningPage::onStore()
 void TuningPage::showEvent(QShowEvent *event)
 {
     Page::showEvent(event);
-    const ChannelRoles &roles = workspace().roles();
-    QList<int> wanted(roles.angle.begin(), roles.angle.end());
-    wanted.append(QList<int>(roles.target.begin(), roles.target.end()));
-    wanted.append(QList<int>(roles.gyro.begin(), roles.gyro.end()));
-    workspace().telemetry().subscribe(this, wanted);
+    workspace().telemetry().subscribe(this, [this] {
+        const ChannelRoles &roles = workspace().roles();
+        return ChannelRoles::present({roles.angle, roles.target, roles.gyro});
+    });
     m_clock.start();
     m_figureTimer.start();
 }

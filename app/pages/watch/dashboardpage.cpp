@@ -130,8 +130,10 @@ void DashboardPage::fillParts()
 void DashboardPage::showEvent(QShowEvent *event)
 {
     Page::showEvent(event);
-    const ChannelRoles &roles = workspace().roles();
-    workspace().telemetry().subscribe(this, ChannelRoles::present({roles.angle, roles.target}));
+    workspace().telemetry().subscribe(this, [this] {
+        const ChannelRoles &roles = workspace().roles();
+        return ChannelRoles::present({roles.angle, roles.target});
+    });
     m_timer.start();
 }
 

@@ -262,7 +262,7 @@ void MonitorPage::showPlots()
     const QList<int> channels = m_stack->channels();
     const QList<int> all = channels + (table().empty() ? QList<int>() : ticked(true));
     m_channels.setTicked(all);
-    workspace().telemetry().subscribe(this, all);
+    workspace().telemetry().subscribe(this, [all] { return all; });
     refreshArrays();
     m_export->setEnabled(!channels.isEmpty());
 }
