@@ -420,6 +420,18 @@
         <source>before “%1”</source>
         <translation>vor „%1“</translation>
     </message>
+    <message>
+        <source>%1 (incomplete)</source>
+        <translation>%1 (unvollständig)</translation>
+    </message>
+    <message>
+        <source>All values that could be compared are the same.</source>
+        <translation>Alle Werte, die sich vergleichen ließen, sind gleich.</translation>
+    </message>
+    <message>
+        <source>Not known: %1.</source>
+        <translation>Nicht bekannt: %1.</translation>
+    </message>
 </context>
 <context>
     <name>BoardWriter</name>
@@ -1618,6 +1630,18 @@
     <message>
         <source>The details say which condition must be met first.</source>
         <translation>Die Einzelheiten sagen, was zuerst so sein muss.</translation>
+    </message>
+    <message>
+        <source>Parts of the board could not be read.</source>
+        <translation>Teile des Boards ließen sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>Nothing is known about the values in them; they are not shown, compared or saved.</source>
+        <translation>Über die Werte darin ist nichts bekannt; sie werden nicht angezeigt, verglichen oder gesichert.</translation>
+    </message>
+    <message>
+        <source>Read the board again; if parts keep missing, check cable and power.</source>
+        <translation>Das Board noch einmal lesen; fehlen weiter Teile, Kabel und Versorgung prüfen.</translation>
     </message>
 </context>
 <context>
@@ -11026,6 +11050,18 @@ Auf dem Board: %1</translation>
     <message>
         <source>Configurations and recordings (%1)</source>
         <translation>Konfigurationen und Aufzeichnungen (%1)</translation>
+    </message>
+    <message>
+        <source>Parts of the board could not be read again.</source>
+        <translation>Teile des Boards ließen sich nicht noch einmal lesen.</translation>
+    </message>
+    <message>
+        <source>What is shown there was read before.</source>
+        <translation>Was dort gezeigt wird, wurde vorher gelesen.</translation>
+    </message>
+    <message>
+        <source>Read the board again; if parts keep missing, check cable and power.</source>
+        <translation>Das Board noch einmal lesen; fehlen weiter Teile, Kabel und Versorgung prüfen.</translation>
     </message>
 </context>
 </TS>

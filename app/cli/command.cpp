@@ -230,6 +230,38 @@ QString dataText(const std::vector<DataChange> &changes)
     return text;
 }
 
+CommandOption partialOption(bool &on)
+{
+    return switchOption(u"partial"_s, u"parts of the board may be missing from the result"_s, on);
+}
+
+void reportMissing(CommandOutcome &outcome, const Configuration &configuration, const QString &where,
+                   bool partial)
+{
+    const QStringList names = configuration.missingNames();
+    if (names.isEmpty())
+        return;
+    if (!outcome.note.isEmpty())
+        outcome.note += u'\n';
+    outcome.note
+        += u"%1 lacks %2, so nothing is known about the values there"_s.arg(where, names.join(u", "_s));
+    if (outcome.json.isArray()) {
+        QJsonArray array = outcome.json.toArray();
+        for (const QString &name : names)
+            array.append(QJsonObject{{u"missing"_s, name}, {u"where"_s, where}});
+        outcome.json = array;
+    } else {
+        QJsonObject object = outcome.json.toObject();
+        QJsonArray array = object.value(u"missing"_s).toArray();
+        for (const QString &name : names)
+            array.append(QJsonObject{{u"missing"_s, name}, {u"where"_s, where}});
+        object.insert(u"missing"_s, array);
+        outcome.json = object;
+    }
+    if (!partial)
+        outcome.exitCode = Refused;
+}
+
 Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Configuration &base,
                                       const Configuration &edited, const BoardHistory &history)
 {
@@ -258,7 +290,8 @@ Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Co
     if (report->namesWritten)
         outcome.text += u"verified     profile names\n"_s;
     if (lines.isEmpty() && data.isEmpty() && !report->namesWritten && report->isComplete())
-        outcome.text = u"nothing to write: the board holds these values already\n"_s;
+        outcome.text = base.missing().empty() ? u"nothing to write: the board holds these values already\n"_s
+                                              : u"nothing to write in what the board delivered\n"_s;
     QJsonObject json{{u"complete"_s, report->isComplete()},
                      {u"written"_s, lines},
                      {u"data"_s, data},

@@ -195,6 +195,12 @@ template <typename... Each> [[nodiscard]] Commands makeCommands(const CommandCon
                                  const std::vector<ParameterChange> &changes);
 /// Lines for the blocks that differ as a whole.
 [[nodiscard]] QString dataText(const std::vector<DataChange> &changes);
+/// The switch for a result that may lack parts of the board.
+[[nodiscard]] CommandOption partialOption(bool &on);
+/// Names what this board or file lacks, in the note and in the document: its "missing", or an entry each of
+/// an array. The exit code is then 1 unless the operator wants a partial result.
+void reportMissing(CommandOutcome &outcome, const Configuration &configuration, const QString &where,
+                   bool partial);
 /// Writes and reports the result. The exit code is 1 unless everything was verified.
 Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Configuration &base,
                                       const Configuration &edited, const BoardHistory &history);

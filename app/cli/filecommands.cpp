@@ -61,6 +61,7 @@ public:
     {
         return arguments().size() == 1 ? QString() : u"dump needs one file name"_s;
     }
+    QList<CommandOption> options() override { return {partialOption(m_partial)}; }
     Result<CommandOutcome> run(Channel &channel, Device &device) override
     {
         const auto configuration = device.readConfiguration(channel);
@@ -72,8 +73,12 @@ public:
         CommandOutcome outcome;
         outcome.json = QJsonObject{{u"file"_s, path}, {u"blocks"_s, qint64(configuration->blocks().size())}};
         outcome.text = u"saved to %1\n"_s.arg(path);
+        reportMissing(outcome, *configuration, u"the board"_s, m_partial);
         return outcome;
     }
+
+private:
+    bool m_partial = false;
 };
 
 class DiffCommand final : public BoardCommand
@@ -88,6 +93,7 @@ public:
     {
         return arguments().size() == 2 ? QString() : u"diff needs two files, one may be \"board\""_s;
     }
+    QList<CommandOption> options() override { return {partialOption(m_partial)}; }
     bool needsBoard() const override { return arguments().contains(u"board"_s); }
     Result<CommandOutcome> run(Channel &channel, Device &device) override
     {
@@ -134,14 +140,21 @@ private:
             outcome.text += u"name of profile %1: %2 -> %3\n"_s.arg(i + 1).arg(
                 sides[0].profileNames().value(i), second.profileNames().value(i));
         }
+        const bool isWhole = sides[0].missing().empty() && sides[1].missing().empty();
         if (array.isEmpty())
-            outcome.text = u"no difference\n"_s;
+            outcome.text = isWhole ? u"no difference\n"_s : u"no difference in what both have\n"_s;
         if (!skipped.isEmpty())
             outcome.note
                 = u"not compared, as the first side does not have them: %1"_s.arg(skipped.join(u", "_s));
         outcome.json = array;
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+            const QString name = arguments().value(qsizetype(i));
+            reportMissing(outcome, sides[i], name == u"board"_s ? u"the board"_s : name, m_partial);
+        }
         return outcome;
     }
+
+    bool m_partial = false;
 };
 
 class ApplyCommand final : public BoardCommand
@@ -155,7 +168,7 @@ public:
         return u"write a file's values to the board; --dry-run only shows them"_s;
     }
     const char *example() const override { return "--link serial:/dev/ttyUSB0 apply before.json --dry-run"; }
-    QList<CommandOption> options() override { return {dryRunOption(m_dryRun)}; }
+    QList<CommandOption> options() override { return {dryRunOption(m_dryRun), partialOption(m_partial)}; }
     QString check() const override
     {
         return arguments().size() == 1 ? QString() : u"apply needs one file name"_s;
@@ -195,11 +208,16 @@ public:
                 += u"\nnot in the file, so the default was taken: "_s + file->missingKeys.join(u", "_s);
         if (outcome && !skipped.isEmpty())
             outcome->note += u"\nnot applied, as this board does not have them: "_s + skipped.join(u", "_s);
+        if (outcome) {
+            reportMissing(*outcome, *base, u"the board"_s, m_partial);
+            reportMissing(*outcome, file->configuration, arguments().first(), m_partial);
+        }
         return outcome;
     }
 
 private:
     bool m_dryRun = false;
+    bool m_partial = false;
 };
 
 class ScriptCommand final : public BoardCommand

@@ -79,7 +79,7 @@ public:
     const char *words() const override { return "[PATTERN]"; }
     QString help() const override { return u"parameters with unit, range and value"_s; }
     const char *example() const override { return "--link serial:/dev/ttyUSB0 list 'pid.*'"; }
-    QList<CommandOption> options() override { return {profileOption(m_profile)}; }
+    QList<CommandOption> options() override { return {profileOption(m_profile), partialOption(m_partial)}; }
     QString check() const override
     {
         return arguments().size() > 1 ? u"list takes one pattern at most"_s : QString();
@@ -112,11 +112,13 @@ public:
             outcome.note = u"no parameter matches '%1'"_s.arg(pattern);
             outcome.exitCode = Refused;
         }
+        reportMissing(outcome, *configuration, u"the board"_s, m_partial);
         return outcome;
     }
 
 private:
     int m_profile = 0;
+    bool m_partial = false;
 };
 
 class GetCommand final : public BoardCommand
@@ -145,6 +147,9 @@ public:
         for (const QString &key : arguments()) {
             const ParameterSpec *spec = configuration->parameters().find(key);
             const auto raw = spec ? configuration->raw(*spec, *profile) : std::nullopt;
+            if (const MissingPart *part = spec ? configuration->findMissing(*spec, *profile) : nullptr)
+                return failure(ErrorCode::Incomplete,
+                               u"%1, in which %2 is"_s.arg(configuration->partName(part->key), key));
             if (!raw)
                 return failure(ErrorCode::InvalidArgument, u"there is no parameter '%1'"_s.arg(key));
             array.append(parameterJson(*spec, *profile, *raw));
@@ -208,6 +213,9 @@ public:
                 return failure(ErrorCode::InvalidArgument,
                                u"'%1' is not a value for %2"_s.arg(assignment.section(u'=', 1), key));
             }
+            if (const MissingPart *part = base->findMissing(*spec, *profile))
+                return failure(ErrorCode::Incomplete,
+                               u"%1, in which %2 is"_s.arg(base->partName(part->key), key));
             if (const auto set = edited.setRaw(*spec, *profile, *raw); !set)
                 return tl::unexpected(set.error());
             if (m_noSave && spec->adjustable < 0) {

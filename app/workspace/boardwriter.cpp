@@ -55,7 +55,7 @@ void BoardWriter::onReport(const Result<WriteReport> &result)
         return;
     }
     m_lastReport = *result;
-    if (!result->snapshotPath.isEmpty())
+    if (result->isSnapshotComplete)
         m_backupDone = true;
     m_configuration.setBoard(result->onBoard);
     if (!result->snapshotPath.isEmpty())

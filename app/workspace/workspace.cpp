@@ -121,7 +121,9 @@ void Workspace::readBoard()
             }
             const bool sameBoard = !m_configuration.isEmpty()
                 && answer->identity().serial == std::as_const(m_configuration).board().identity().serial;
-            const Configuration read = sameBoard ? withoutLive(*answer, m_live.unsaved()) : *answer;
+            Configuration read = sameBoard ? withoutLive(*answer, m_live.unsaved()) : *answer;
+            if (sameBoard)
+                keepMissing(read);
             m_offlineFile.clear();
             if (!m_configuration.rebase(read)) {
                 m_journal.flush();  // edits of another board stay in its journal
@@ -129,8 +131,44 @@ void Workspace::readBoard()
                 m_configuration.reset(read);
             }
             m_writer.offerRepair();
+            tellMissing(read);
             emit boardRead();
         });
+}
+
+// Edits are kept in the parts that did not come this time: these stay as they were read before, but count as
+// missing.
+void Workspace::keepMissing(Configuration &read) const
+{
+    const Configuration &before = std::as_const(m_configuration).board();
+    if (before.identity().firmwareNumber != read.identity().firmwareNumber)
+        return;
+    const std::vector<MissingPart> missing = read.missing();
+    for (const MissingPart &part : missing) {
+        if (part.key.block == MissingPart::kProfileNames)
+            read.setProfileNames(before.profileNames());
+        else if (before.blocks().contains(part.key))
+            read.setBlock(part.key, before.block(part.key));
+        read.addMissing(part.key, part.why);
+    }
+}
+
+void Workspace::tellMissing(const Configuration &configuration)
+{
+    QStringList unknown;
+    QStringList kept;
+    for (const MissingPart &part : configuration.missing()) {
+        const bool isKept = part.key.block == MissingPart::kProfileNames
+            ? !configuration.profileNames().isEmpty()
+            : configuration.blocks().contains(part.key);
+        (isKept ? kept : unknown).append(configuration.partName(part.key));
+    }
+    if (!unknown.isEmpty())
+        m_notifications.report({ErrorCode::Incomplete, unknown.join(u", "_s), 0});
+    if (!kept.isEmpty())
+        m_notifications.report(ErrorText{
+            tr("Parts of the board could not be read again."), tr("What is shown there was read before."),
+            tr("Read the board again; if parts keep missing, check cable and power."), kept.join(u", "_s)});
 }
 
 void Workspace::write(const Configuration &wanted)
@@ -172,6 +210,7 @@ Result<void> Workspace::openFile(const QString &path)
     m_edits.undoStack().clear();
     m_offlineFile = path;
     m_configuration.reset(file->configuration);
+    tellMissing(file->configuration);
     if (!file->unknownKeys.isEmpty()) {
         m_notifications.notify(tr("%n entry(s) of the file are unknown and were left out.", nullptr,
                                   int(file->unknownKeys.size())));
@@ -197,6 +236,7 @@ Result<void> Workspace::applyFile(const QString &path, std::optional<int> from, 
     else
         m_edits.apply(wanted, tr("Load %1").arg(name));
     skipped += file->unknownKeys;
+    tellMissing(file->configuration);
     if (!file->missingKeys.isEmpty()) {
         m_notifications.notify(tr("%n value(s) are not in the file and got their defaults: %1", nullptr,
                                   int(file->missingKeys.size()))

@@ -129,6 +129,8 @@ private:
     void offerLeftover(int steps);
     QFuture<Result<ActionOutcome>> performNow(const QString &key, const QVariantMap &arguments, bool quiet);
     void applySettings();
+    void keepMissing(Configuration &read) const;
+    void tellMissing(const Configuration &configuration);
     void setUnstored(bool unstored);
     void offerWayOut();
     void followActiveProfile();

@@ -29,6 +29,7 @@ enum class ErrorCode {
     VerifyFailed,  ///< written values were not the ones read back
     BadFile,  ///< a file that cannot be read, written or understood
     NotConnected,  ///< there is no board
+    Incomplete,  ///< parts of the board could not be read; the detail names them
     NoBackup,  ///< the safety copy could not be made, so nothing was changed
     TooMuch,  ///< more than the link can carry
     Unready,  ///< a precondition is not met

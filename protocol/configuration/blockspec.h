@@ -33,6 +33,7 @@ struct BlockSpec
     DataKind kind = DataKind::Code;
     const char *language = "";  ///< of a text, for its editor: "lua"
     WriteEffect effect = WriteEffect::Permanent;
+    int since = 0;  ///< first firmware that has it; an older one may lack it
     milliseconds restartTime{0};  ///< longest absence after a write that restarts; 0 = kRestartLimit
 
     /// Whether this many bytes make a whole block.

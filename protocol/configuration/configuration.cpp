@@ -2,12 +2,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/configuration/configuration.h"
 
+#include <algorithm>
+
 using namespace Qt::StringLiterals;
 
 Configuration::Configuration(BoardIdentity identity, std::shared_ptr<const ParameterSet> parameters)
     : m_identity(std::move(identity))
     , m_parameters(std::move(parameters))
 {
+}
+
+void Configuration::setProfileNames(const QStringList &names)
+{
+    m_profileNames = names;
+    std::erase_if(m_missing,
+                  [](const MissingPart &part) { return part.key.block == MissingPart::kProfileNames; });
+}
+
+void Configuration::setBlock(BlockKey key, QByteArray bytes)
+{
+    m_blocks[key] = std::move(bytes);
+    std::erase_if(m_missing, [key](const MissingPart &part) { return part.key == key; });
+}
+
+void Configuration::addMissing(BlockKey key, const Error &why)
+{
+    if (!findMissing(key))
+        m_missing.push_back({key, why});
+}
+
+const MissingPart *Configuration::findMissing(BlockKey key) const
+{
+    const auto it = std::find_if(m_missing.begin(), m_missing.end(),
+                                 [key](const MissingPart &part) { return part.key == key; });
+    return it == m_missing.end() ? nullptr : &*it;
+}
+
+const MissingPart *Configuration::findMissing(const ParameterSpec &spec, int profile) const
+{
+    return findMissing({spec.row->scope == Scope::Board ? m_activeProfile : profile, spec.row->block});
+}
+
+QString Configuration::partName(BlockKey key) const
+{
+    if (key.block == MissingPart::kProfileNames)
+        return u"profile names"_s;
+    const BlockSpec *spec = m_parameters ? m_parameters->block(key.block) : nullptr;
+    const QString name = spec ? QLatin1String(spec->name) : u"block %1"_s.arg(key.block);
+    return m_identity.profileCount > 1 ? u"%1 of profile %2"_s.arg(name).arg(key.profile + 1) : name;
+}
+
+QStringList Configuration::missingNames() const
+{
+    QStringList names;
+    for (const MissingPart &part : m_missing)
+        names.append(partName(part.key));
+    return names;
 }
 
 QString Configuration::profileName(int profile) const

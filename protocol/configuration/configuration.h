@@ -35,6 +35,15 @@ struct DataChange
     QByteArray to;
 };
 
+/// A part that the board has but did not deliver.
+struct MissingPart
+{
+    static constexpr int kProfileNames = -1;  ///< as BlockKey::block
+
+    BlockKey key;
+    Error why;
+};
+
 /// The values of one board, kept as the raw blocks they came in, so reserved and unknown bytes survive
 /// untouched.
 class Configuration
@@ -51,7 +60,7 @@ public:
     [[nodiscard]] int activeProfile() const { return m_activeProfile; }
     void setActiveProfile(int profile) { m_activeProfile = profile; }
     [[nodiscard]] const QStringList &profileNames() const { return m_profileNames; }
-    void setProfileNames(const QStringList &names) { m_profileNames = names; }
+    void setProfileNames(const QStringList &names);
     /// Whether any profile has a different name; a missing name equals an empty one.
     [[nodiscard]] bool hasOtherNames(const Configuration &other) const;
     /// The name, or "Profile N" (N from 1) if it has none.
@@ -59,7 +68,20 @@ public:
 
     [[nodiscard]] const std::map<BlockKey, QByteArray> &blocks() const { return m_blocks; }
     [[nodiscard]] QByteArray block(BlockKey key) const;
-    void setBlock(BlockKey key, QByteArray bytes) { m_blocks[key] = std::move(bytes); }
+    void setBlock(BlockKey key, QByteArray bytes);
+
+    /// Parts that the board has but did not deliver; what a firmware does not have is none of them.
+    [[nodiscard]] const std::vector<MissingPart> &missing() const { return m_missing; }
+    /// A part that is set later is no longer missing.
+    void addMissing(BlockKey key, const Error &why);
+    /// Null if it is not missing.
+    [[nodiscard]] const MissingPart *findMissing(BlockKey key) const;
+    /// The part without which a value is not known; null if the value is there, or the board lacks it.
+    [[nodiscard]] const MissingPart *findMissing(const ParameterSpec &spec, int profile) const;
+    /// "PARAMS_EXT of profile 2", for error details and reports.
+    [[nodiscard]] QString partName(BlockKey key) const;
+    /// Names of everything that is missing.
+    [[nodiscard]] QStringList missingNames() const;
 
     /// Raw value, NaN for a float that is not a number; empty when the board did not deliver that block.
     [[nodiscard]] std::optional<double> raw(const ParameterSpec &spec, int profile) const;
@@ -79,6 +101,7 @@ private:
     BoardIdentity m_identity;
     std::shared_ptr<const ParameterSet> m_parameters;
     std::map<BlockKey, QByteArray> m_blocks;
+    std::vector<MissingPart> m_missing;
     QStringList m_profileNames;
     int m_activeProfile = 0;
 };

@@ -39,6 +39,7 @@ struct WriteReport
     bool namesWritten = false;
     std::optional<Error> error;  ///< why it is incomplete
     QString snapshotPath;  ///< the backup made before
+    bool isSnapshotComplete = false;  ///< it holds everything that the board has
     Configuration before;  ///< what the board was expected to hold before; wanted: what it should hold after
     Configuration wanted;
     Configuration onBoard;  ///< what the board holds now, as far as it is known

@@ -20,6 +20,12 @@ Result<QString> backupFor(Channel &channel, Device &device, ActionRisk risk, con
     const auto configuration = device.readConfiguration(channel);
     if (!configuration)
         return tl::unexpected(configuration.error());  // the board's own error; nothing was sent yet
+    // What cannot be read over this link at all is no reason to forbid everything.
+    for (const MissingPart &part : configuration->missing()) {
+        if (part.why.code != ErrorCode::Unsupported)
+            return failure(ErrorCode::NoBackup,
+                           u"%1 could not be read"_s.arg(configuration->partName(part.key)));
+    }
     return history.save(withoutLive(*configuration, live), reason);
 }
 

@@ -99,9 +99,9 @@ Result<WriteReport> Writer::run()
         m_report.data.push_back({change.spec, change.key, WriteState::NotWritten});
     if (m_changes.empty() && m_data.empty() && !m_namesChanged)
         return m_report;
+    collectBlocks();
     if (const auto saved = backUp(); !saved)
         return tl::unexpected(saved.error());
-    collectBlocks();
     if (const auto read = readBoard(); !read)
         return tl::unexpected(read.error());
     if (const auto checked = checkConflicts(); !checked)
@@ -127,10 +127,19 @@ Result<void> Writer::backUp()
         [this](Configuration read) { return withoutLive(std::move(read), m_options.live); });
     if (!fresh)
         return tl::unexpected(fresh.error());
+    // What the copy lacks could not be brought back.
+    for (const MissingPart &part : fresh->missing()) {
+        const bool isTouched = part.key.block == MissingPart::kProfileNames
+            ? m_namesChanged
+            : std::find(m_keys.begin(), m_keys.end(), part.key) != m_keys.end();
+        if (isTouched)
+            return failure(ErrorCode::NoBackup, u"%1 could not be read"_s.arg(fresh->partName(part.key)));
+    }
     auto path = m_options.history->save(*fresh, u"before the first write"_s);
     if (!path)
         return tl::unexpected(path.error());
     m_report.snapshotPath = *path;
+    m_report.isSnapshotComplete = fresh->missing().empty();
     return {};
 }
 

@@ -13,7 +13,7 @@
 struct WriteOptions
 {
     const BoardHistory *history = nullptr;  ///< where the safety copy goes; null: nothing is written
-    bool backupDone = false;  ///< a safety copy was already made on this connection
+    bool backupDone = false;  ///< a complete safety copy was already made on this connection
     LiveValues live;  ///< values in use that are not stored
 };
 

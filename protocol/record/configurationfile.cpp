@@ -17,6 +17,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 const QString kFormat = u"gimbaldesk-configuration"_s;
+const QString kNames = u"names"_s;  // among the missing parts
 constexpr int kVersion = 1;
 constexpr qint64 kLargestFile = 4 * 1024 * 1024;
 
@@ -151,13 +152,23 @@ QByteArray ConfigurationFile::toJson(const Configuration &configuration, const Q
         blocks.insert(u"%1/%2"_s.arg(key.profile + 1).arg(QLatin1String(block ? block->name : "?")),
                       QString::fromLatin1(bytes.toHex()));
     }
+    QJsonArray missing;
+    for (const MissingPart &part : configuration.missing()) {
+        const BlockSpec *block = configuration.parameters().block(part.key.block);
+        missing.append(
+            part.key.block == MissingPart::kProfileNames
+                ? kNames
+                : u"%1/%2"_s.arg(part.key.profile + 1).arg(QLatin1String(block ? block->name : "?")));
+    }
     // clang-format off
-    const QJsonObject root{{u"format"_s, kFormat}, {u"version"_s, kVersion}, {u"reason"_s, reason},
+    QJsonObject root{{u"format"_s, kFormat}, {u"version"_s, kVersion}, {u"reason"_s, reason},
                            {u"savedAt"_s, savedAt.toString(Qt::ISODateWithMs)}, {u"board"_s, board},
                            {u"activeProfile"_s, configuration.activeProfile() + 1},
                            {u"boardValues"_s, valuesOf(configuration, configuration.activeProfile(), Scope::Board)},
                            {u"profiles"_s, profiles}, {u"blocks"_s, blocks}};
     // clang-format on
+    if (!missing.isEmpty())
+        root.insert(u"missing"_s, missing);
     return QJsonDocument(root).toJson();
 }
 
@@ -209,10 +220,14 @@ Result<ConfigurationFile> ConfigurationFile::fromJson(const QByteArray &json,
         return failure(ErrorCode::BadFile, u"active profile %1"_s.arg(active + 1));
     file.configuration.setActiveProfile(active);
 
+    const QJsonArray missing = root.value(u"missing"_s).toArray();
+    const Error notInFile{ErrorCode::Incomplete, u"not in the file"_s, 0};
     const QJsonObject blocks = root.value(u"blocks"_s).toObject();
     for (int profile = 0; profile < identity.profileCount; ++profile) {
         for (const BlockSpec &block : parameters->blocks()) {
             const QString name = u"%1/%2"_s.arg(profile + 1).arg(QLatin1String(block.name));
+            if (missing.contains(name))
+                file.configuration.addMissing({profile, block.id}, notInFile);
             if (!blocks.contains(name))
                 continue;
             const QByteArray bytes = QByteArray::fromHex(blocks.value(name).toString().toLatin1());
@@ -233,7 +248,10 @@ Result<ConfigurationFile> ConfigurationFile::fromJson(const QByteArray &json,
             !read)
             return tl::unexpected(read.error());
     }
-    file.configuration.setProfileNames(names);
+    if (missing.contains(kNames))
+        file.configuration.addMissing({0, MissingPart::kProfileNames}, notInFile);
+    else
+        file.configuration.setProfileNames(names);
     if (const auto read
         = readValues(file.configuration, root.value(u"boardValues"_s).toObject(), active, file.unknownKeys);
         !read)
@@ -275,8 +293,13 @@ Configuration applied(const Configuration &board, const Configuration &file, QSt
         const bool boardWide = spec.row->scope == Scope::Board;
         for (int profile = 0; profile < board.identity().profileCount; ++profile) {
             const auto raw = file.raw(spec, boardWide ? file.activeProfile() : profile);
-            if (!raw)
-                break;
+            if (!raw) {
+                if (boardWide)
+                    break;
+                continue;  // another profile may have it
+            }
+            if (own && board.findMissing(*own, profile))
+                continue;  // told as a part
             const double wanted = own
                 ? translated(spec, *raw, file.parameters().firmware(), *own, board.parameters().firmware())
                 : 0.0;
@@ -306,7 +329,11 @@ Configuration applied(const Configuration &board, const Configuration &file, QSt
         else
             skipped.append(QLatin1String(spec->data));
     }
-    if (!file.profileNames().isEmpty())
-        result.setProfileNames(file.profileNames());
+    if (!file.profileNames().isEmpty()) {
+        if (board.findMissing({0, MissingPart::kProfileNames}))
+            skipped.append(u"profile names"_s);
+        else
+            result.setProfileNames(file.profileNames());
+    }
     return result;
 }

@@ -77,6 +77,17 @@ QList<LineSettings> lineCandidates()
     return candidates;
 }
 
+// After so many questions in a row without an answer, the board is silent, not a part of it missing.
+constexpr int kSilentParts = 2;
+constexpr int kRetries = 2;
+
+// Errors after which the other parts are still worth asking for.
+bool isPartial(const Error &error)
+{
+    return error.code == ErrorCode::Timeout || error.code == ErrorCode::BoardError
+        || error.code == ErrorCode::BadReply;
+}
+
 }  // namespace
 
 // Before a board is asked: what every board can do.
@@ -167,44 +178,86 @@ Result<Configuration> Device::readConfiguration(Channel &channel)
     Progress progress;
     progress.step = u"read-block"_s;
     progress.total = kProfileCount * BlockCount + 1;
-    std::array<bool, BlockCount> missing{};
+    int silent = 0;  // questions in a row without an answer
+    std::array<bool, BlockCount> wasSilent{};
+    const auto read = [&](BlockKey key) -> Result<void> {
+        progress.subject = configuration.partName(key);
+        channel.progress(progress);
+        // A block that was silent in the profile before is not repeated at once.
+        auto bytes = askBlock(channel, key, wasSilent[std::size_t(key.block)] ? 0 : kRetries);
+        wasSilent[std::size_t(key.block)] = !bytes && bytes.error().code == ErrorCode::Timeout;
+        if (bytes) {
+            silent = 0;
+            configuration.setBlock(key, std::move(*bytes));
+            return {};
+        }
+        silent = bytes.error().code == ErrorCode::Timeout ? silent + 1 : 0;
+        if (!isPartial(bytes.error()) || silent > kSilentParts)
+            return tl::unexpected(bytes.error());
+        // A firmware without this block refuses it or stays silent.
+        if (m_identity.firmwareNumber >= kBlocks[key.block].since)
+            configuration.addMissing(key, bytes.error());
+        return {};
+    };
     for (int profile = 0; profile < kProfileCount; ++profile) {
         for (int block = 0; block < BlockCount; ++block) {
-            progress.subject = u"%1, profile %2"_s.arg(QLatin1String(kBlocks[block].name)).arg(profile + 1);
-            channel.progress(progress);
             ++progress.done;
-            if (missing[std::size_t(block)])
+            const bool isAbsent = profile > 0 && m_identity.firmwareNumber < kBlocks[block].since
+                && configuration.block({0, block}).isEmpty();
+            if (isAbsent)
                 continue;
-            auto bytes = readBlock(channel, {profile, block});
-            if (bytes) {
-                configuration.setBlock({profile, block}, std::move(*bytes));
-                continue;
-            }
-            // A firmware without an extended block refuses it or stays silent; the rest is still useful.
-            const ErrorCode code = bytes.error().code;
-            if (block == Params3 || (code != ErrorCode::Timeout && code != ErrorCode::BoardError))
-                return tl::unexpected(bytes.error());
-            missing[std::size_t(block)] = true;
+            if (const auto done = read({profile, block}); !done)
+                return tl::unexpected(done.error());
         }
     }
-    const QByteArray first = configuration.block({0, Params3});
-    configuration.setActiveProfile(std::clamp(int(static_cast<quint8>(first.back())), 0, kProfileCount - 1));
-    if (const auto names = readProfileNames(channel))
+    auto names = readProfileNames(channel);
+    if (!names && names.error().code == ErrorCode::Timeout)
+        names = readProfileNames(channel);
+    if (names)
         configuration.setProfileNames(*names);
-    else if (names.error().code != ErrorCode::Timeout && names.error().code != ErrorCode::BoardError)
+    else if (isPartial(names.error()))
+        configuration.addMissing({0, MissingPart::kProfileNames}, names.error());
+    else
         return tl::unexpected(names.error());
-    return configuration;
+    // What a bad line has lost is asked for once more; a block that never comes is not waited for again and
+    // again.
+    silent = 0;
+    wasSilent = {};
+    const std::vector<MissingPart> lost = configuration.missing();
+    for (const MissingPart &part : lost) {
+        if (part.key.block < 0 || part.why.code == ErrorCode::BoardError)
+            continue;
+        if (silent == kSilentParts)
+            break;
+        if (const auto done = read(part.key); !done)
+            return tl::unexpected(done.error());
+    }
+    // Each profile's PARAMS_3 ends with the number of the active one.
+    for (int profile = 0; profile < kProfileCount; ++profile) {
+        if (const QByteArray bytes = configuration.block({profile, Params3}); !bytes.isEmpty()) {
+            configuration.setActiveProfile(
+                std::clamp(int(static_cast<quint8>(bytes.back())), 0, kProfileCount - 1));
+            return configuration;
+        }
+    }
+    return tl::unexpected(configuration.findMissing({0, Params3})->why);
 }
 
 Result<QByteArray> Device::readBlock(Channel &channel, BlockKey key)
 {
+    return askBlock(channel, key, kRetries);
+}
+
+Result<QByteArray> Device::askBlock(Channel &channel, BlockKey key, int retries)
+{
     const BlockSpec &block = kBlocks[key.block];
-    const Request request
+    Request request
         = replyRequest(kBlockCommands[std::size_t(key.block)].read, ByteWriter().u8(key.profile).take(),
                        kBlockCommands[std::size_t(key.block)].read, block.size, kVersion,
                        [profile = key.profile](Bytes payload) {
                            return !payload.empty() && std::to_integer<int>(payload[0]) == profile;
                        });
+    request.retries = retries;
     auto reply = channel.transact(request);
     if (!reply)
         return tl::unexpected(reply.error());

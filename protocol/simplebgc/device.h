@@ -123,6 +123,7 @@ public:
 private:
     friend class Actions;
 
+    Result<QByteArray> askBlock(Channel &channel, BlockKey key, int retries);
     [[nodiscard]] bool canStream() const { return m_identity.firmwareNumber >= 2590; }
     [[nodiscard]] ControlCommand encodeControl(const Control &control) const;
     Result<TelemetryPlan> startPolling(Channel &channel);

@@ -17,7 +17,8 @@ inline constexpr int kParamsExt2Size = 151;
 inline constexpr BlockSpec kBlocks[] = {
     {Params3, "PARAMS_3", kParams3Size},
     {ParamsExt, "PARAMS_EXT", kParamsExtSize},
-    {ParamsExt2, "PARAMS_EXT2", kParamsExt2Size},
+    // The document has it since March 2016; that this was 2.56 is an assumption.
+    {.id = ParamsExt2, .name = "PARAMS_EXT2", .size = kParamsExt2Size, .since = 2560},
 };
 // clang-format on
 

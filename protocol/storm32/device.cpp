@@ -31,6 +31,7 @@ constexpr qsizetype kLong = 100;  // bytes
 // Our own address on MAVLink: that of the errata's examples.
 constexpr mavlink::Address kOwn{82, 67};
 constexpr int kPlain = -1;  // of m_way
+const QString kNoScripts = u"scripts cannot be read while the heartbeat is on"_s;
 constexpr int kDefaultAddress = 71 << 8 | 67;  // errata 6
 constexpr int kHeartbeatWord = 112;
 constexpr int kSystemWord = 110;  // followed by the component
@@ -378,6 +379,8 @@ Result<Configuration> Device::readConfiguration(Channel &channel)
     Configuration configuration(m_identity, m_parameters);
     for (const auto &[block, bytes] : splitStream(*stream, m_words))
         configuration.setBlock({0, block}, bytes);
+    if (isEmbedded())
+        configuration.addMissing({0, Scripts}, {ErrorCode::Unsupported, kNoScripts, 0});
     learnAddress(*stream);
     if (configuration.blocks().empty())
         return failure(ErrorCode::BadReply, u"g: %1 bytes"_s.arg(stream->size()));
@@ -393,7 +396,7 @@ Result<QByteArray> Device::readBlock(Channel &channel, BlockKey key)
         if (block == key.block)
             return bytes;
     }
-    return failure(ErrorCode::Unsupported, u"scripts cannot be read while the heartbeat is on"_s);
+    return failure(ErrorCode::Unsupported, kNoScripts);
 }
 
 Result<void> Device::writeBlock(Channel &channel, BlockKey key, const QByteArray &bytes)

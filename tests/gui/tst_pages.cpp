@@ -38,6 +38,7 @@
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QJsonArray>
 #include <QLabel>
 #include <QLineEdit>
@@ -96,6 +97,7 @@ private slots:
     void openPageFollowsAnotherFamily_data();
     void openPageFollowsAnotherFamily();
     void modesOfAnotherFamilyBeginAnew();
+    void incompleteBoardIsTold();
     void helpIsSearchable();
 
 private:
@@ -925,6 +927,46 @@ void TestPages::modesOfAnotherFamilyBeginAnew()
     QTRY_VERIFY(!m_rig->client().isConnected());
     QVERIFY(m_rig->open(u"sim:storm32"_s));
     QCOMPARE(mode->currentIndex(), 1);
+}
+
+// Nothing is shown or said about values that did not come, and no edit is lost because they did not come.
+void TestPages::incompleteBoardIsTold()
+{
+    QSignalSpy problems(&m_rig->workspace().notifications(), &Notifications::problem);
+    const auto told = [&problems] { return problems.takeFirst().first().value<ErrorText>().oneLine(); };
+    const QString part = u"PARAMS_EXT2 of profile 1"_s;
+    QVERIFY(m_rig->open(u"sim:simplebgc?fault=deaf%3D62"_s));  // READ_PARAMS_EXT2
+    QTRY_COMPARE(problems.count(), 1);
+    QVERIFY(told().contains(part));
+    auto *parameters = m_rig->page<ParametersPage>();
+    const auto box = [this, parameters](const QString &key) {
+        std::ignore = m_rig->isSettled();  // the form gets its columns
+        parameters->showParameter(key);
+        return parameters->form()->findChild<QDoubleSpinBox *>(key);
+    };
+    const auto *unknown = box(u"motion.roll.acc_limit"_s);
+    QVERIFY(!unknown || !unknown->isEnabled());
+    QVERIFY(box(u"pid.roll.p"_s)->isEnabled());
+    // A snapshot of it is marked.
+    auto *backups = m_rig->page<BackupsPage>();
+    const auto *table = backups->findChild<QTableWidget *>();
+    QTest::mouseClick(named<QPushButton>(backups, u"Take a snapshot now"_s), Qt::LeftButton);
+    QTRY_VERIFY(table->rowCount() == 1 && table->item(0, 1)->text().endsWith(u"(incomplete)"_s));
+
+    // Everything comes the second time, and an edit is made in it; then it does not come any more.
+    QSignalSpy read(&m_rig->workspace(), &Workspace::boardRead);
+    m_rig->workspace().changeWorld(u"deaf=-1"_s);
+    m_rig->workspace().readBoard();
+    QTRY_COMPARE_WITH_TIMEOUT(read.count(), 1, 20000);
+    QVERIFY(box(u"motion.roll.acc_limit"_s)->isEnabled());
+    m_rig->edit(u"motion.roll.acc_limit"_s, 0, 50);
+    m_rig->workspace().changeWorld(u"deaf=62"_s);
+    m_rig->workspace().readBoard();
+    QTRY_COMPARE_WITH_TIMEOUT(read.count(), 2, 20000);
+    QCOMPARE(m_rig->model().changeCount(), 1);
+    QCOMPARE(problems.count(), 1);
+    const QString again = told();
+    QVERIFY2(again.contains(part) && again.contains(u"was read before"_s), qPrintable(again));
 }
 
 QTEST_MAIN(TestPages)

@@ -45,6 +45,7 @@ private slots:
     void setWritesAndTells();
     void setWithoutSaveIsVolatile();
     void dumpDiffApply();
+    void incompleteBoardIsTold();
     void profilesAndRename();
     void monitorPrintsCsv();
     void recordExportAnalyzeReplay();
@@ -163,6 +164,37 @@ void TestCtl::dumpDiffApply()
     QCOMPARE(ctl({u"get"_s, u"pid.pitch.d"_s, u"--profile"_s, u"3"_s}).out, u"77\n"_s);
     QCOMPARE(ctl({u"apply"_s, a}).exitCode, 0);
     QCOMPARE(ctl({u"get"_s, u"pid.pitch.d"_s, u"--profile"_s, u"3"_s}).out, u"25\n"_s);
+}
+
+// A board that leaves a part of its values unanswered: nothing is said about those.
+void TestCtl::incompleteBoardIsTold()
+{
+    SimProcess simulator({u"--tcp"_s, u"0"_s, u"--fault"_s, u"deaf=62"_s});  // READ_PARAMS_EXT2
+    const QStringList link{u"--link"_s, simulator.address()};
+    const auto ask = [&](const QStringList &arguments) { return ctl(link + arguments, false); };
+    const QString part = u"PARAMS_EXT2 of profile 1"_s;
+    const QString file = m_dir->filePath(u"incomplete.json"_s);
+    const Run dump = ask({u"dump"_s, file});
+    QVERIFY2(dump.exitCode == 1 && dump.err.contains(part), qPrintable(dump.err));
+    QCOMPARE(ask({u"dump"_s, file, u"--partial"_s}).exitCode, 0);
+    const Run json = ask({u"--json"_s, u"dump"_s, file});
+    QCOMPARE(json.json().object().value(u"missing"_s).toArray().size(), 5);
+    const Run same = ask({u"diff"_s, file, u"board"_s});
+    QVERIFY2(same.exitCode == 1 && same.out == u"no difference in what both have\n"_s
+                 && same.err.contains(part),
+             qPrintable(same.out + same.err));
+    const Run apply = ask({u"apply"_s, file});
+    QVERIFY2(apply.exitCode == 1 && apply.out.contains(u"in what the board delivered"_s),
+             qPrintable(apply.out));
+    QCOMPARE(ask({u"list"_s}).exitCode, 1);
+    QCOMPARE(ask({u"list"_s, u"--partial"_s}).exitCode, 0);
+    for (const QStringList &command :
+         {QStringList{u"get"_s, u"motion.roll.acc_limit"_s}, {u"set"_s, u"motion.roll.acc_limit=50"_s}}) {
+        const Run run = ask(command);
+        QVERIFY2(run.exitCode == 1 && run.err.contains(part), qPrintable(run.err));
+    }
+    QCOMPARE(ask({u"get"_s, u"pid.roll.p"_s}).exitCode, 0);
+    QCOMPARE(ask({u"set"_s, u"pid.roll.p=44"_s}).exitCode, 0);
 }
 
 void TestCtl::profilesAndRename()

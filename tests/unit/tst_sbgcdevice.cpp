@@ -4,6 +4,7 @@
 #include "protocol/client/connector.h"
 #include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/simplebgc/units.h"
+#include "tests/support/lossychannel.h"
 #include "tests/support/virtualboard.h"
 
 #include <QTest>
@@ -43,45 +44,6 @@ Request fireAndForget(const QByteArray &bytes)
     request.bytes = bytes;
     return request;
 }
-
-/// A board that never answers one command.
-class ForgetfulChannel final : public Channel
-{
-public:
-    ForgetfulChannel(Channel &channel, QString forgotten)
-        : m_channel(channel)
-        , m_forgotten(std::move(forgotten))
-    {
-    }
-    Result<Frame> transact(const Request &request) override
-    {
-        if (request.name != m_forgotten)
-            return m_channel.transact(request);
-        ++refused;
-        return failure(ErrorCode::Timeout, request.name);
-    }
-    void post(const Request &request) override { m_channel.post(request); }
-    Result<void> sleep(milliseconds duration) override { return m_channel.sleep(duration); }
-    std::unique_ptr<Mailbox> listen(std::function<bool(const FrameView &)> filter) override
-    {
-        return m_channel.listen(std::move(filter));
-    }
-    Result<void> setLine(const LineSettings &line) override { return m_channel.setLine(line); }
-    void steer(const ControlFrames &frames) override { m_channel.steer(frames); }
-    void releaseControl() override { m_channel.releaseControl(); }
-    void stopMotors(const StopPlan &plan) override { m_channel.stopMotors(plan); }
-    void expectSilence(milliseconds duration) override { m_channel.expectSilence(duration); }
-    [[nodiscard]] bool cancelled() const override { return m_channel.cancelled(); }
-    void progress(const Progress &progress) override { m_channel.progress(progress); }
-    [[nodiscard]] TimePoint now() const override { return m_channel.now(); }
-    [[nodiscard]] LinkObservation observation() const override { return m_channel.observation(); }
-
-    int refused = 0;
-
-private:
-    Channel &m_channel;
-    QString m_forgotten;
-};
 
 }  // namespace
 
@@ -255,16 +217,20 @@ void TestSbgcDevice::missingExtendedBlocksAreLeftOut()
 {
     VirtualBoard bench;
     QVERIFY(bench.identify());
-    ForgetfulChannel channel(bench.channel, u"READ_PARAMS_EXT2"_s);
+    LossyChannel channel(bench.channel);
+    for (int profile = 0; profile < kProfileCount; ++profile)
+        channel.lose(CommandId::ReadParamsExt2, profile, 99);
     const auto configuration = bench.device.readConfiguration(channel);
     QVERIFY(configuration);
     QCOMPARE(configuration->blocks().size(), std::size_t(10));
     QVERIFY(!configuration->raw(*configuration->parameters().find(u"motion.roll.acc_limit"_s), 0));
     QCOMPARE(*configuration->raw(*configuration->parameters().find(u"filter.roll.lpf"_s), 0), 400);
-    // It is asked once, not five times with all retries.
-    QCOMPARE(channel.refused, 1);
+    // It is asked for in each profile, and not again and again at the end.
+    QCOMPARE(channel.lost(), kProfileCount + 2);
     // Without the main block there is nothing to show.
-    ForgetfulChannel deaf(bench.channel, u"READ_PARAMS_3"_s);
+    LossyChannel deaf(bench.channel);
+    for (int profile = 0; profile < kProfileCount; ++profile)
+        deaf.lose(CommandId::ReadParams3, profile, 99);
     QCOMPARE(bench.device.readConfiguration(deaf).error().code, ErrorCode::Timeout);
 }
 

@@ -3,6 +3,8 @@
 #include "app/composition/composition.h"
 #include "protocol/procedure/safeaction.h"
 #include "protocol/procedure/writeconfiguration.h"
+#include "protocol/record/configurationformats.h"
+#include "tests/support/lossychannel.h"
 #include "tests/support/virtualboard.h"
 
 #include <QDir>
@@ -13,6 +15,13 @@ using namespace simplebgc;
 using namespace Qt::StringLiterals;
 
 namespace {
+
+SimulatorOptions deafTo(CommandId command)
+{
+    SimulatorOptions options;
+    options.faults.deaf = int(command);
+    return options;
+}
 
 /// A board that was read, an edited copy of it, and a history in a temporary folder.
 struct Bench
@@ -74,6 +83,13 @@ private slots:
     void fileOfOtherFirmwareAppliesWhatItCan();
     void historyPathsStayInside();
     void destructiveActionsBackUpFirst();
+    void whatIsNotDeliveredIsNamed();
+    void whatABadLineLostIsAskedForAgain();
+    void aSilentBoardIsNoIncompleteOne();
+    void oldFirmwareLacksNothing();
+    void missingPartsSurviveInFiles();
+    void missingNamesAreNotWritten();
+    void copyThatLacksWhatIsTouchedIsNoBackup();
 };
 
 void TestWrite::writesAndVerifies()
@@ -421,6 +437,130 @@ void TestWrite::destructiveActionsBackUpFirst()
     QVERIFY(done);
     QVERIFY(QFile::exists(done->snapshotPath));
     QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 1), 35);
+}
+
+void TestWrite::whatIsNotDeliveredIsNamed()
+{
+    const Bench bench(deafTo(CommandId::ReadParamsExt2));
+    QCOMPARE(bench.base.missingNames(),
+             (QStringList{u"PARAMS_EXT2 of profile 1"_s, u"PARAMS_EXT2 of profile 2"_s,
+                          u"PARAMS_EXT2 of profile 3"_s, u"PARAMS_EXT2 of profile 4"_s,
+                          u"PARAMS_EXT2 of profile 5"_s}));
+    for (int profile = 0; profile < 5; ++profile) {
+        QVERIFY(bench.base.blocks().contains({profile, Params3}));
+        QVERIFY(bench.base.blocks().contains({profile, ParamsExt}));
+    }
+    const ParameterSpec &limit = *bench.base.parameters().find(u"motion.roll.acc_limit"_s);
+    QVERIFY(!bench.base.raw(limit, 3));
+    QCOMPARE(bench.base.findMissing(limit, 3)->why.code, ErrorCode::Timeout);
+    QVERIFY(!bench.base.findMissing(*bench.base.parameters().find(u"pid.roll.p"_s), 3));
+
+    QCOMPARE(Bench(deafTo(CommandId::ReadProfileNames)).base.missingNames(), QStringList{u"profile names"_s});
+    QVERIFY(Bench().base.missing().empty());
+}
+
+void TestWrite::whatABadLineLostIsAskedForAgain()
+{
+    Bench bench;
+    LossyChannel channel(bench.virtualBoard.channel);
+    channel.lose(CommandId::ReadParamsExt, 1, 1);
+    channel.lose(CommandId::ReadParams3, 0, 1);
+    channel.lose(CommandId::ReadParamsExt2, 4, 2);
+    const auto read = bench.virtualBoard.device.readConfiguration(channel);
+    QVERIFY(read);
+    QCOMPARE(read->missingNames(), QStringList{u"PARAMS_EXT2 of profile 5"_s});
+    QCOMPARE(read->blocks().size(), std::size_t(14));
+    QCOMPARE(read->activeProfile(), bench.base.activeProfile());
+    QVERIFY(bench.base.changesTo(*read).empty());
+}
+
+void TestWrite::aSilentBoardIsNoIncompleteOne()
+{
+    Bench bench;
+    LossyChannel channel(bench.virtualBoard.channel);
+    for (const CommandId id : {CommandId::ReadParams3, CommandId::ReadParamsExt, CommandId::ReadParamsExt2})
+        channel.lose(id, 2, 9);
+    const auto read = bench.virtualBoard.device.readConfiguration(channel);
+    QVERIFY(!read);
+    QCOMPARE(read.error().code, ErrorCode::Timeout);
+}
+
+void TestWrite::oldFirmwareLacksNothing()
+{
+    SimulatorOptions options = deafTo(CommandId::ReadParamsExt2);
+    options.firmware = 2400;
+    const Bench bench(options, LineSettings{115200, Parity::Even});
+    QVERIFY(bench.base.missing().empty());
+    QCOMPARE(bench.base.blocks().size(), std::size_t(10));
+}
+
+void TestWrite::missingPartsSurviveInFiles()
+{
+    Bench whole;
+    whole.edited.setProfileNames({u"A"_s, u"B"_s, u"C"_s, u"D"_s, u"E"_s});
+    Configuration partial(whole.base.identity(), whole.base.parameterSet());
+    for (const auto &[key, bytes] : whole.base.blocks()) {
+        if (key != BlockKey{1, ParamsExt})
+            partial.setBlock(key, bytes);
+    }
+    partial.addMissing({1, ParamsExt}, {ErrorCode::Timeout, {}, 0});
+    partial.addMissing({0, MissingPart::kProfileNames}, {ErrorCode::Timeout, {}, 0});
+    const QString path = whole.dir.filePath(u"partial.json"_s);
+    QVERIFY(ConfigurationFile::save(path, partial, u"x"_s));
+    const auto file = loadConfiguration(path, allFamilies());
+    QVERIFY(file);
+    QCOMPARE(file->configuration.missingNames(), partial.missingNames());
+    // Applied to the whole board it changes nothing: neither the names nor the values it does not know.
+    QStringList skipped;
+    const Configuration wanted = applied(whole.edited, file->configuration, skipped);
+    QCOMPARE(wanted.profileNames(), whole.edited.profileNames());
+    QVERIFY(whole.edited.changesTo(wanted).empty());
+    QVERIFY2(skipped.isEmpty(), qPrintable(skipped.join(u", "_s)));
+    // What the later profiles hold is not dropped with the missing one.
+    Configuration other = partial;
+    QVERIFY(other.setRaw(*other.parameters().find(u"filter.pitch.lpf"_s), 2, 123));
+    const auto changes = whole.edited.changesTo(applied(whole.edited, other, skipped));
+    QCOMPARE(changes.size(), std::size_t(1));
+    QCOMPARE(changes.front().profile, 2);
+}
+
+void TestWrite::missingNamesAreNotWritten()
+{
+    const Bench deaf(deafTo(CommandId::ReadProfileNames));
+    Bench whole;
+    whole.base.setProfileNames({u"A"_s, u"B"_s, u"C"_s, u"D"_s, u"E"_s});
+    QStringList skipped;
+    const Configuration wanted = applied(deaf.base, whole.base, skipped);
+    QVERIFY(!deaf.base.hasOtherNames(wanted));
+    QCOMPARE(skipped, QStringList{u"profile names"_s});
+}
+
+void TestWrite::copyThatLacksWhatIsTouchedIsNoBackup()
+{
+    Bench bench;
+    LossyChannel channel(bench.virtualBoard.channel);
+    channel.lose(CommandId::ReadParamsExt2, 0, 99);
+    WriteOptions options;
+    options.history = &bench.history;
+    bench.edit(u"motion.roll.acc_limit"_s, 0, 50);
+    const auto refused
+        = writeConfiguration(channel, bench.virtualBoard.device, bench.base, bench.edited, options);
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, ErrorCode::NoBackup);
+    QVERIFY(refused.error().detail.contains(u"PARAMS_EXT2 of profile 1"_s));
+    // What the copy holds may be written; the copy is not whole.
+    bench.edited = bench.base;
+    bench.edit(u"pid.roll.p"_s, 0, 44);
+    const auto report
+        = writeConfiguration(channel, bench.virtualBoard.device, bench.base, bench.edited, options);
+    QVERIFY(report && report->isComplete());
+    QVERIFY(!report->isSnapshotComplete);
+    QVERIFY(bench.write()->isSnapshotComplete);
+    // An action that destroys may touch everything.
+    const auto destroyed
+        = performSafely(channel, bench.virtualBoard.device, u"defaults"_s, {{u"what"_s, 1}}, bench.history);
+    QVERIFY(!destroyed);
+    QCOMPARE(destroyed.error().code, ErrorCode::NoBackup);
 }
 
 QTEST_APPLESS_MAIN(TestWrite)

@@ -191,9 +191,10 @@ void BackupsPage::reload()
         when->setData(Qt::UserRole, path);
         const auto file = workspace().loadFile(path);
         m_table->setItem(row, 0, when);
-        m_table->setItem(
-            row, 1,
-            new QTableWidgetItem(file ? reasonText(file->reason, workspace().tables()) : tr("damaged")));
+        QString reason = file ? reasonText(file->reason, workspace().tables()) : tr("damaged");
+        if (file && !file->configuration.missing().empty())
+            reason = tr("%1 (incomplete)").arg(reason);
+        m_table->setItem(row, 1, new QTableWidgetItem(reason));
         auto *name = new QTableWidgetItem(QFileInfo(path).fileName());
         name->setToolTip(path);
         m_table->setItem(row, 2, name);
@@ -229,8 +230,12 @@ void BackupsPage::showDifferences()
     const bool names = model.edited().hasOtherNames(wanted);
     const auto blocks = model.edited().dataChangesTo(wanted);
     m_restore->setEnabled(!changes.empty() || !blocks.empty() || names);
-    QString text = changes.empty() ? tr("All values are the same.")
-                                   : tr("%n value(s) differ.", nullptr, int(changes.size()));
+    const QStringList missing = file->configuration.missingNames() + model.edited().missingNames();
+    QString text = !changes.empty() ? tr("%n value(s) differ.", nullptr, int(changes.size()))
+        : missing.isEmpty()         ? tr("All values are the same.")
+                                    : tr("All values that could be compared are the same.");
+    if (!missing.isEmpty())
+        text += u' ' + tr("Not known: %1.").arg(missing.join(u", "_s));
     for (const DataChange &change : blocks)
         text += u' ' + tr("%1 differ.").arg(tableText(change.spec->data));
     if (names)

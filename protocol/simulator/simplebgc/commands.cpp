@@ -80,6 +80,8 @@ bool SimulatedBoard::hasSize(const Frame &frame, qsizetype size)
 void SimulatedBoard::handle(const Frame &frame)
 {
     m_lastVersion = frame.version;
+    if (frame.id == m_options.faults.deaf)
+        return;
     if (handleRead(frame) || handleWrite(frame) || handleAction(frame))
         return;
     refuse(frame, kUnknownCommand);

@@ -149,6 +149,7 @@ private:
     double m_nextAttitude = 0;
     bool m_attitudeAsked = false;
     bool m_heardBeat = false;
+    bool m_isDeaf = false;  // to the command that is served (fault "deaf")
 };
 
 }  // namespace storm32

@@ -43,6 +43,8 @@ bool SimulatedBoard::isLockedOut() const
 
 void SimulatedBoard::reply(const QByteArray &bytes)
 {
+    if (m_isDeaf)
+        return;
     const double at = std::max(m_busyUntil, m_now) + 0.001 + 0.004 * m_latency.uniform();
     m_replies.push_back({m_replies.empty() ? at : std::max(at, m_replies.back().at), bytes});
 }
@@ -60,6 +62,7 @@ bool SimulatedBoard::serve()
     };
     const Bytes all = asBytes(m_input);
     const int first = u8At(m_input, 0);
+    m_isDeaf = first == m_options.faults.deaf;
     if (first == 0xFE) {
         const mavlink::Sighting seen = mavlink::sight(all);
         if (seen.look == mavlink::Look::Complete) {

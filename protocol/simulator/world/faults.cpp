@@ -35,6 +35,8 @@ const std::vector<Row> &rows()
          [](Faults &f, double v) { f.replugAfter = v; }},
         {"reset-on-write", 0, 1000, "the n-th parameter block written resets the board half-way",
          [](Faults &f, double v) { f.resetOnWrite = int(v); }},
+        {"deaf", -1, 255, "number (STorM32: of its letter) of a command that is never answered, -1 = none",
+         [](Faults &f, double v) { f.deaf = int(v); }},
         {"no-imu", 0, 1, "the motion sensor is missing", [](Faults &f, double v) { f.noImu = v != 0; }},
         {"battery", 0, 30, "battery voltage", [](Faults &f, double v) { f.battery = v; }},
         {"unknown-firmware", 0, 1, "reports a version nobody knows",
