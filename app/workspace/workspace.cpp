@@ -137,7 +137,7 @@ void Workspace::readBoard()
 }
 
 // Edits are kept in the parts that did not come this time: these stay as they were read before, but count as
-// missing.
+// missing. What cannot be read over this link is told by its page.
 void Workspace::keepMissing(Configuration &read) const
 {
     const Configuration &before = std::as_const(m_configuration).board();
@@ -145,6 +145,8 @@ void Workspace::keepMissing(Configuration &read) const
         return;
     const std::vector<MissingPart> missing = read.missing();
     for (const MissingPart &part : missing) {
+        if (part.why.code == ErrorCode::Unsupported)
+            continue;
         if (part.key.block == MissingPart::kProfileNames)
             read.setProfileNames(before.profileNames());
         else if (before.blocks().contains(part.key))
@@ -158,6 +160,8 @@ void Workspace::tellMissing(const Configuration &configuration)
     QStringList unknown;
     QStringList kept;
     for (const MissingPart &part : configuration.missing()) {
+        if (part.why.code == ErrorCode::Unsupported)
+            continue;
         const bool isKept = part.key.block == MissingPart::kProfileNames
             ? !configuration.profileNames().isEmpty()
             : configuration.blocks().contains(part.key);
