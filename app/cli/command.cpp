@@ -245,19 +245,13 @@ void reportMissing(CommandOutcome &outcome, const Configuration &configuration, 
         outcome.note += u'\n';
     outcome.note
         += u"%1 lacks %2, so nothing is known about the values there"_s.arg(where, names.join(u", "_s));
-    if (outcome.json.isArray()) {
-        QJsonArray array = outcome.json.toArray();
-        for (const QString &name : names)
-            array.append(QJsonObject{{u"missing"_s, name}, {u"where"_s, where}});
-        outcome.json = array;
-    } else {
-        QJsonObject object = outcome.json.toObject();
-        QJsonArray array = object.value(u"missing"_s).toArray();
-        for (const QString &name : names)
-            array.append(QJsonObject{{u"missing"_s, name}, {u"where"_s, where}});
-        object.insert(u"missing"_s, array);
-        outcome.json = object;
-    }
+    const bool isList = outcome.json.isArray();
+    QJsonObject object = outcome.json.toObject();
+    QJsonArray parts = isList ? outcome.json.toArray() : object.value(u"missing"_s).toArray();
+    for (const QString &name : names)
+        parts.append(QJsonObject{{u"missing"_s, name}, {u"where"_s, where}});
+    object.insert(u"missing"_s, parts);
+    outcome.json = isList ? QJsonValue(parts) : QJsonValue(object);
     if (!partial)
         outcome.exitCode = Refused;
 }

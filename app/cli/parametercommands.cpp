@@ -71,6 +71,16 @@ public:
     }
 };
 
+// Errors: Incomplete with the part that did not come.
+Result<void> checkKnown(const Configuration &configuration, const ParameterSpec &spec, int profile)
+{
+    const MissingPart *part = configuration.findMissing(spec, profile);
+    if (!part)
+        return {};
+    return failure(ErrorCode::Incomplete,
+                   u"%1, in which %2 is"_s.arg(configuration.partName(part->key), spec.key));
+}
+
 class ListCommand final : public BoardCommand
 {
 public:
@@ -147,9 +157,9 @@ public:
         for (const QString &key : arguments()) {
             const ParameterSpec *spec = configuration->parameters().find(key);
             const auto raw = spec ? configuration->raw(*spec, *profile) : std::nullopt;
-            if (const MissingPart *part = spec ? configuration->findMissing(*spec, *profile) : nullptr)
-                return failure(ErrorCode::Incomplete,
-                               u"%1, in which %2 is"_s.arg(configuration->partName(part->key), key));
+            if (const auto known = spec ? checkKnown(*configuration, *spec, *profile) : Result<void>();
+                !known)
+                return tl::unexpected(known.error());
             if (!raw)
                 return failure(ErrorCode::InvalidArgument, u"there is no parameter '%1'"_s.arg(key));
             array.append(parameterJson(*spec, *profile, *raw));
@@ -213,9 +223,8 @@ public:
                 return failure(ErrorCode::InvalidArgument,
                                u"'%1' is not a value for %2"_s.arg(assignment.section(u'=', 1), key));
             }
-            if (const MissingPart *part = base->findMissing(*spec, *profile))
-                return failure(ErrorCode::Incomplete,
-                               u"%1, in which %2 is"_s.arg(base->partName(part->key), key));
+            if (const auto known = checkKnown(*base, *spec, *profile); !known)
+                return tl::unexpected(known.error());
             if (const auto set = edited.setRaw(*spec, *profile, *raw); !set)
                 return tl::unexpected(set.error());
             if (m_noSave && spec->adjustable < 0) {
