@@ -4124,8 +4124,8 @@ Spitze %2°</translation>
         <translation>wie auf Monitor festgehalten, %1 s</translation>
     </message>
     <message>
-        <source>%1; anything faster than %2 Hz shows up at a lower frequency</source>
-        <translation>%1; was schneller als %2 Hz ist, erscheint tiefer</translation>
+        <source>%1; anything above %2 Hz shows up lower</source>
+        <translation>%1; was über %2 Hz liegt, erscheint tiefer</translation>
     </message>
     <message>
         <source>Sway</source>

@@ -8,6 +8,7 @@
 #include "widgets/plot/waterfallview.h"
 #include "widgets/theme/tablelook.h"
 #include "widgets/views/card.h"
+#include "widgets/views/elidedlabel.h"
 
 #include <QActionGroup>
 #include <QComboBox>
@@ -75,7 +76,7 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
     , m_pause(new QPushButton(tr("Pause")))
     , m_compare(new QPushButton(tr("Compare")))
     , m_notch(new QPushButton(tr("Put a notch here…")))
-    , m_note(new QLabel)
+    , m_note(new ElidedLabel)
     , m_pictures(new QStackedWidget)
     , m_chart(new SpectrumChart(workspace.theme()))
     , m_waterfall(new WaterfallView(workspace.theme()))
@@ -257,7 +258,7 @@ void SpectrumPage::refresh()
     const bool gyro = signal() == Signal::Gyro;
     m_now.clear();
     m_lines.clear();
-    m_note->setText(tr("Waiting for samples at a steady rate"));
+    m_note->setFullText(tr("Waiting for samples at a steady rate"));
     for (std::size_t i = 0; i < kAxes.size(); ++i) {
         const int channel = gyro ? roles.gyro[i] : roles.angle[i];
         const auto [from, to] = spanOf(*store, channel);
@@ -279,13 +280,12 @@ void SpectrumPage::refresh()
         m_unit = QString::fromUtf8(table[std::size_t(channel)].unit);
         for (const SpectrumPeak &peak : findPeaks(*result, kPeaks, kSlowest))
             m_lines.push_back({kAxes[i], peak});
-        m_note->setText(tr("%1 samples/s, lines of %2 Hz, %n average(s)", nullptr, result->segments)
-                            .arg(result->rate, 0, 'f', 0)
-                            .arg(result->resolution, 0, 'g', 2));
+        QString note = tr("%1 samples/s, lines of %2 Hz, %n average(s)", nullptr, result->segments)
+                           .arg(result->rate, 0, 'f', 0)
+                           .arg(result->resolution, 0, 'g', 2);
         if (samples->polled)  // polled values have not passed an anti-aliasing filter
-            m_note->setText(tr("%1; anything faster than %2 Hz shows up at a lower frequency")
-                                .arg(m_note->text())
-                                .arg(result->rate / 2, 0, 'f', 0));
+            note = tr("%1; anything above %2 Hz shows up lower").arg(note).arg(result->rate / 2, 0, 'f', 0);
+        m_note->setFullText(note);
         m_now.push_back({axisLabel(kAxes[i]), kAxes[i], std::move(*result), false});
     }
     drawCurves();

@@ -12,6 +12,7 @@
 #include <QPointer>
 #include <QTimer>
 
+class ElidedLabel;
 class QComboBox;
 class QPushButton;
 class QTableWidget;
@@ -32,7 +33,6 @@ public:
     [[nodiscard]] WaterfallView *waterfall() const { return m_waterfall; }
     [[nodiscard]] QMenu *viewMenu() const { return m_viewMenu; }
     [[nodiscard]] QPushButton *pauseButton() const { return m_pause; }
-    /// The question that is asked before a notch becomes an edit; null while none is.
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -87,7 +87,7 @@ private:
     QPushButton *m_pause;
     QPushButton *m_compare;
     QPushButton *m_notch;
-    QLabel *m_note;
+    ElidedLabel *m_note;
     QStackedWidget *m_pictures;
     SpectrumChart *m_chart;
     WaterfallView *m_waterfall;
