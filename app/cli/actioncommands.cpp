@@ -296,6 +296,12 @@ public:
         const QList<int> channels = named->isEmpty() ? defaultChannels(device) : *named;
         CommandOutcome outcome;
         QJsonArray list;
+        const StreamControl *streams = device.streamControl();
+        if (!streams || streams->streams().isEmpty()) {
+            outcome.text = u"this firmware has no streams; it is polled\n"_s;
+            outcome.json = list;
+            return outcome;
+        }
         // Over USB the line imposes no limit.
         const std::vector<int> lines
             = device.identity().usb ? std::vector<int>{0} : std::vector<int>{115200, 256000, 921600};
@@ -303,8 +309,7 @@ public:
         for (const int baud : lines)
             outcome.text += u"%1"_s.arg(baud ? QString::number(baud) : u"USB"_s, 12);
         outcome.text += u'\n';
-        const StreamControl *streams = device.streamControl();
-        for (const StreamSpec &spec : streams ? streams->streams() : QList<StreamSpec>()) {
+        for (const StreamSpec &spec : streams->streams()) {
             const QList<int> wanted = spec.choosesChannels ? channels : spec.channels;
             QJsonObject json{{u"stream"_s, spec.key}, {u"name"_s, spec.label}};
             QJsonObject rates;
@@ -325,8 +330,6 @@ public:
             list.append(json);
             outcome.text += u"%1 %2 %3\n"_s.arg(spec.key, -12).arg(spec.label, -22).arg(cells);
         }
-        if (list.isEmpty())
-            outcome.text = u"this firmware has no streams; it is polled\n"_s;
         outcome.json = list;
         return outcome;
     }

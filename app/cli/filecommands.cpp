@@ -282,7 +282,7 @@ public:
     }
 
 private:
-    static constexpr qint64 kLargestScript = 64 * 1024;
+    static constexpr qint64 kLargestScript = 65536;
     bool m_dryRun = false;
 };
 

@@ -6,6 +6,7 @@
 #include "protocol/record/recorder.h"
 
 #include <QThreadPool>
+#include <QTimer>
 
 /// Keeps the last minutes of the link in memory at all times, and writes recordings.
 class LinkRecorder final : public QObject

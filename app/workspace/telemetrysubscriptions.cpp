@@ -23,11 +23,11 @@ void TelemetrySubscriptions::onState(DeviceClient::State state)
     update();
 }
 
-void TelemetrySubscriptions::subscribe(const QObject *page, Wanted channels)
+void TelemetrySubscriptions::subscribe(const QObject *page, const Wanted &channels)
 {
     if (!m_wanted.contains(page))
         connect(page, &QObject::destroyed, this, [this, page] { m_wanted.remove(page); });
-    m_wanted.insert(page, std::move(channels));
+    m_wanted.insert(page, channels);
     update();
 }
 

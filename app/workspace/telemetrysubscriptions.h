@@ -20,7 +20,7 @@ public:
     using Wanted = std::function<QList<int>()>;
     /// Fast channels that a page wants to see, in place of its earlier ones. Asked again for each board that
     /// connects, because channels are numbered by the board.
-    void subscribe(const QObject *page, Wanted channels);
+    void subscribe(const QObject *page, const Wanted &channels);
     /// Streams that the operator chose by hand; none: they are arranged for what the pages want to see.
     void setStreams(const QList<StreamChoice> &streams);
     [[nodiscard]] const QList<StreamChoice> &streams() const { return m_streams; }

@@ -229,7 +229,9 @@ void benchPacedPlots(Report &report)
         double window;
         bool every;  // each picture, also where the window moves by less than a pixel from one to the next
     };
-    for (const auto &[window, every] : {Case{1, false}, Case{10, false}, Case{600, true}, Case{600, false}}) {
+    for (const Case &each : {Case{1, false}, Case{10, false}, Case{600, true}, Case{600, false}}) {
+        const auto window = each.window;
+        const bool every = each.every;
         Ours ours(12, window);
         expose();
         // Samples come as from a link, many times a second.

@@ -279,7 +279,7 @@ void TestOldFiles::differencesOfFiles()
     QVERIFY2(run.exitCode == 0, qPrintable(run.err));
     QStringList found;
     const QJsonArray changes = QJsonDocument::fromJson(run.out).array();
-    for (const QJsonValue &change : changes) {
+    for (const QJsonValue change : changes) {
         const QString profile
             = change[u"profile"_s].isDouble() ? QString::number(change[u"profile"_s].toInt()) : QString();
         const QString key

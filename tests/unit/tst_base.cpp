@@ -44,7 +44,7 @@ template <typename T> bool comesBack(T value)
     ByteReader reader(bytes);
     const T read = reader.read<T>();
     return bytes.size() == qsizetype(sizeof(T)) && reader.ok() && reader.remaining() == 0
-        && std::memcmp(&read, &value, sizeof(T)) == 0;
+        && std::memcmp(&read, &value, sizeof(T)) == 0;  // NOLINT: NaN comes back bit by bit
 }
 
 template <typename T> bool extremesComeBack()

@@ -24,7 +24,7 @@ QJsonObject layoutFacts(int layout)
     if (!file.open(QIODevice::ReadOnly))
         return {};
     const QJsonArray layouts = QJsonDocument::fromJson(file.readAll()).object()[u"layouts"_s].toArray();
-    for (const QJsonValue &each : layouts) {
+    for (const QJsonValue each : layouts) {
         if (each[u"layout"_s].toInt() == layout)
             return each.toObject();
     }
@@ -78,7 +78,7 @@ void TestStormTables::layoutIsAsGiven()
     QCOMPARE(qsizetype(set.all().size()), parameters.size());
     QCOMPARE(wordsOf(layout), facts[u"words"_s].toInt());
     QCOMPARE(set.block(Parameters)->size + set.block(Scripts)->size, facts[u"stream_bytes"_s].toInt());
-    for (const QJsonValue &fact : parameters) {
+    for (const QJsonValue fact : parameters) {
         const int word = fact[u"index"_s].toInt();
         const QByteArray where = fact[u"name"_s].toString().toUtf8();
         const ParameterSpec *spec = findWord(set, word);
@@ -115,7 +115,7 @@ void TestStormTables::layoutIsAsGiven()
         }
     }
     // What no parameter uses is left alone.
-    for (const QJsonValue &fact : facts[u"unassigned"_s].toArray())
+    for (const QJsonValue fact : facts[u"unassigned"_s].toArray())
         QVERIFY(!findWord(set, fact[u"index"_s].toInt()));
 }
 

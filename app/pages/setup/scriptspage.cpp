@@ -24,7 +24,7 @@ namespace {
 constexpr auto kCheckDelay = 250ms;
 constexpr int kListWidth = 132;
 constexpr int kRightWidth = 300;
-constexpr qint64 kLargestText = 64 * 1024;
+constexpr qint64 kLargestText = 65536;
 
 }  // namespace
 

@@ -192,7 +192,7 @@ void SpectrumPage::makeViewMenu()
                   action->setCheckable(true);
                   action->setChecked(group->actions().isEmpty());
                   group->addAction(action);
-                  connect(action, &QAction::triggered, this, [this, chosen] {
+                  connect(action, &QAction::triggered, this, [this, chosen = chosen] {
                       chosen();
                       refresh();
                   });
