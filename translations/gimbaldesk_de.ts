@@ -527,6 +527,10 @@
         <source>Leave it as it is</source>
         <translation>So lassen</translation>
     </message>
+    <message>
+        <source>What could be read of the board as it was is kept in %1</source>
+        <translation>Was vom Board, wie es war, zu lesen war, liegt in %1</translation>
+    </message>
 </context>
 <context>
     <name>CalibrationPage</name>
@@ -1115,6 +1119,14 @@
     <message>
         <source>Motors</source>
         <translation>Motoren</translation>
+    </message>
+    <message>
+        <source>⚠ Could not be read: %1.</source>
+        <translation>⚠ Nicht gelesen: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing is known about the values there.</source>
+        <translation>Über die Werte darin ist nichts bekannt.</translation>
     </message>
 </context>
 <context>
@@ -2023,6 +2035,25 @@
     <message>
         <source>Close message</source>
         <translation>Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>MissingText</name>
+    <message>
+        <source>%1 of all profiles</source>
+        <translation>%1 aller Profile</translation>
+    </message>
+    <message>
+        <source>%1 of profile %2</source>
+        <translation>%1 von Profil %2</translation>
+    </message>
+    <message>
+        <source>%1 of profiles %2</source>
+        <translation>%1 der Profile %2</translation>
+    </message>
+    <message>
+        <source>profile names</source>
+        <translation>Profilnamen</translation>
     </message>
 </context>
 <context>
@@ -3164,6 +3195,10 @@
     <message>
         <source>Some of them are in use only until the board restarts.</source>
         <translation>Einige davon gelten nur, bis das Board neu startet.</translation>
+    </message>
+    <message>
+        <source>Not compared, because it could not be read: %1.</source>
+        <translation>Nicht verglichen, weil nicht gelesen: %1.</translation>
     </message>
 </context>
 <context>
@@ -11062,6 +11097,18 @@ Auf dem Board: %1</translation>
     <message>
         <source>Read the board again; if parts keep missing, check cable and power.</source>
         <translation>Das Board noch einmal lesen; fehlen weiter Teile, Kabel und Versorgung prüfen.</translation>
+    </message>
+    <message>
+        <source>The snapshot is incomplete.</source>
+        <translation>Die Sicherung ist unvollständig.</translation>
+    </message>
+    <message>
+        <source>It lacks what could not be read: %1.</source>
+        <translation>Es fehlt, was sich nicht lesen ließ: %1.</translation>
+    </message>
+    <message>
+        <source>Read the board again, then take another.</source>
+        <translation>Das Board noch einmal lesen, dann neu sichern.</translation>
     </message>
 </context>
 </TS>

@@ -4,6 +4,7 @@
 
 #include "protocol/procedure/writeconfiguration.h"
 #include "widgets/models/errortext.h"
+#include "widgets/models/missingtext.h"
 
 #include <algorithm>
 
@@ -243,8 +244,8 @@ void reportMissing(CommandOutcome &outcome, const Configuration &configuration, 
         return;
     if (!outcome.note.isEmpty())
         outcome.note += u'\n';
-    outcome.note
-        += u"%1 lacks %2, so nothing is known about the values there"_s.arg(where, names.join(u", "_s));
+    outcome.note += u"%1 lacks %2, so nothing is known about the values there"_s.arg(
+        where, missingText(configuration, configuration.missing()));
     const bool isList = outcome.json.isArray();
     QJsonObject object = outcome.json.toObject();
     QJsonArray parts = isList ? outcome.json.toArray() : object.value(u"missing"_s).toArray();

@@ -67,7 +67,10 @@ void BoardWriter::onReport(const Result<WriteReport> &result)
             ? tr("Profile names written and read back.")
             : tr("%n value(s) written and read back.", nullptr, verified);
         if (!result->snapshotPath.isEmpty())
-            text += u' ' + tr("The board as it was is kept in %1").arg(result->snapshotPath);
+            text += u' '
+                + (result->isSnapshotComplete ? tr("The board as it was is kept in %1")
+                                              : tr("What could be read of the board as it was is kept in %1"))
+                      .arg(result->snapshotPath);
         m_notifications.notify(text);
         return;
     }

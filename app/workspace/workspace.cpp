@@ -3,6 +3,7 @@
 #include "app/workspace/workspace.h"
 
 #include "protocol/record/configurationformats.h"
+#include "widgets/models/missingtext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QFileInfo>
@@ -157,22 +158,23 @@ void Workspace::keepMissing(Configuration &read) const
 
 void Workspace::tellMissing(const Configuration &configuration)
 {
-    QStringList unknown;
-    QStringList kept;
+    std::vector<MissingPart> unknown;
+    std::vector<MissingPart> kept;
     for (const MissingPart &part : configuration.missing()) {
         if (part.why.code == ErrorCode::Unsupported)
             continue;
         const bool isKept = part.key.block == MissingPart::kProfileNames
             ? !configuration.profileNames().isEmpty()
             : configuration.blocks().contains(part.key);
-        (isKept ? kept : unknown).append(configuration.partName(part.key));
+        (isKept ? kept : unknown).push_back(part);
     }
-    if (!unknown.isEmpty())
-        m_notifications.report({ErrorCode::Incomplete, unknown.join(u", "_s), 0});
-    if (!kept.isEmpty())
+    if (!unknown.empty())
+        m_notifications.report({ErrorCode::Incomplete, missingText(configuration, unknown), 0});
+    if (!kept.empty())
         m_notifications.report(ErrorText{
             tr("Parts of the board could not be read again."), tr("What is shown there was read before."),
-            tr("Read the board again; if parts keep missing, check cable and power."), kept.join(u", "_s)});
+            tr("Read the board again; if parts keep missing, check cable and power."),
+            missingText(configuration, kept)});
 }
 
 void Workspace::write(const Configuration &wanted)
@@ -266,7 +268,15 @@ void Workspace::takeSnapshot()
         m_notifications.report(saved.error());
         return;
     }
-    m_notifications.notify(tr("Snapshot taken."));
+    const Configuration &board = std::as_const(m_configuration).board();
+    if (board.missing().empty())
+        m_notifications.notify(tr("Snapshot taken."));
+    else
+        m_notifications.report(
+            ErrorText{tr("The snapshot is incomplete."),
+                      tr("It lacks what could not be read: %1.").arg(missingText(board, board.missing())),
+                      tr("Read the board again, then take another."),
+                      {}});
     emit snapshotTaken();
 }
 

@@ -43,12 +43,17 @@ const MissingPart *Configuration::findMissing(const ParameterSpec &spec, int pro
     return findMissing({spec.row->scope == Scope::Board ? m_activeProfile : profile, spec.row->block});
 }
 
+QString Configuration::blockName(int block) const
+{
+    const BlockSpec *spec = m_parameters ? m_parameters->block(block) : nullptr;
+    return spec ? QLatin1String(spec->name) : u"block %1"_s.arg(block);
+}
+
 QString Configuration::partName(BlockKey key) const
 {
     if (key.block == MissingPart::kProfileNames)
         return u"profile names"_s;
-    const BlockSpec *spec = m_parameters ? m_parameters->block(key.block) : nullptr;
-    const QString name = spec ? QLatin1String(spec->name) : u"block %1"_s.arg(key.block);
+    const QString name = blockName(key.block);
     return m_identity.profileCount > 1 ? u"%1 of profile %2"_s.arg(name).arg(key.profile + 1) : name;
 }
 

@@ -78,6 +78,8 @@ public:
     [[nodiscard]] const MissingPart *findMissing(BlockKey key) const;
     /// The part without which a value is not known; null if the value is there, or the board lacks it.
     [[nodiscard]] const MissingPart *findMissing(const ParameterSpec &spec, int profile) const;
+    /// The name that the parameters' tables give a block.
+    [[nodiscard]] QString blockName(int block) const;
     /// "PARAMS_EXT of profile 2", for error details and reports.
     [[nodiscard]] QString partName(BlockKey key) const;
     /// Names of everything that is missing.

@@ -14,6 +14,7 @@
 #include "app/pages/setup/profilespage.h"
 #include "app/pages/tune/tuningpage.h"
 #include "app/pages/tune/variablespage.h"
+#include "app/pages/watch/dashboardpage.h"
 #include "app/pages/watch/debugpage.h"
 #include "app/pages/watch/monitorpage.h"
 #include "protocol/device/abilities.h"
@@ -934,7 +935,7 @@ void TestPages::incompleteBoardIsTold()
 {
     QSignalSpy problems(&m_rig->workspace().notifications(), &Notifications::problem);
     const auto told = [&problems] { return problems.takeFirst().first().value<ErrorText>().oneLine(); };
-    const QString part = u"PARAMS_EXT2 of profile 1"_s;
+    const QString part = u"PARAMS_EXT2 of all profiles"_s;
     QVERIFY(m_rig->open(u"sim:simplebgc?fault=deaf%3D62"_s));  // READ_PARAMS_EXT2
     QTRY_COMPARE(problems.count(), 1);
     QVERIFY(told().contains(part));
@@ -947,11 +948,32 @@ void TestPages::incompleteBoardIsTold()
     const auto *unknown = box(u"motion.roll.acc_limit"_s);
     QVERIFY(!unknown || !unknown->isEnabled());
     QVERIFY(box(u"pid.roll.p"_s)->isEnabled());
+    // The board's own live values are not compared with what is not known.
+    const LiveModel &live = m_rig->workspace().live();
+    QTRY_VERIFY(live.value(m_rig->spec(u"pid.roll.p"_s).id));
+    QVERIFY(live.unsaved().empty());
+    // It stays to be seen, and is told before a write.
+    const auto labels = [](const QWidget *where) {
+        QStringList texts;
+        for (const QLabel *label : where->findChildren<QLabel *>())
+            texts.append(label->isHidden() ? QString() : label->text());
+        return texts.join(u'\n');
+    };
+    window().showPage(u"dashboard"_s);
+    QTRY_VERIFY(labels(m_rig->page<DashboardPage>()).contains(part));
+    m_rig->edit(u"pid.roll.p"_s, 0, 44);
+    window().review();
+    QTRY_VERIFY(window().reviewDialog());
+    QVERIFY(labels(window().reviewDialog()).contains(part));
+    window().reviewDialog()->reject();
+    m_rig->workspace().edits().undoStack().undo();
     // A snapshot of it is marked.
     auto *backups = m_rig->page<BackupsPage>();
     const auto *table = backups->findChild<QTableWidget *>();
     QTest::mouseClick(named<QPushButton>(backups, u"Take a snapshot now"_s), Qt::LeftButton);
     QTRY_VERIFY(table->rowCount() == 1 && table->item(0, 1)->text().endsWith(u"(incomplete)"_s));
+    QCOMPARE(problems.count(), 1);
+    QVERIFY(told().contains(part));
 
     // Everything comes the second time, and an edit is made in it; then it does not come any more.
     QSignalSpy read(&m_rig->workspace(), &Workspace::boardRead);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/forms/reviewdialog.h"
 
+#include "widgets/models/missingtext.h"
 #include "widgets/theme/tablelook.h"
 #include "widgets/theme/theme.h"
 
@@ -42,6 +43,12 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
                        "motors start."));
 
     m_effect->setWordWrap(true);
+    auto *missing = new QLabel;
+    missing->setObjectName(u"muted"_s);
+    missing->setWordWrap(true);
+    missing->setVisible(!board.missing().empty());
+    missing->setText(
+        tr("Not compared, because it could not be read: %1.").arg(missingText(board, board.missing())));
     auto *back = new QPushButton(tr("Back"));
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(Metric::kGap);
@@ -59,6 +66,7 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     layout->addWidget(m_table, 1);
     layout->addWidget(m_risk);
     layout->addWidget(m_effect);
+    layout->addWidget(missing);
     layout->addLayout(buttons);
     connect(&m_changes, &ChangeModel::ticksChanged, this, &ReviewDialog::updateButton);
     updateButton();

@@ -59,7 +59,8 @@ void LiveModel::reset()
     m_set = m_configuration.isEmpty() ? nullptr : std::as_const(m_configuration).board().parameterSet();
     if (m_set) {
         for (const ParameterSpec &candidate : m_set->all()) {
-            if (candidate.adjustable >= 0)
+            // Without what is stored, nobody could tell what is changed or go back.
+            if (candidate.adjustable >= 0 && !board.findMissing(candidate, board.activeProfile()))
                 m_parameters.append(candidate.id);
         }
     }

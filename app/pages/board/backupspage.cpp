@@ -3,6 +3,7 @@
 #include "app/pages/board/backupspage.h"
 
 #include "app/pages/board/sharedialog.h"
+#include "widgets/models/missingtext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/tablelook.h"
 #include "widgets/views/card.h"
@@ -230,12 +231,13 @@ void BackupsPage::showDifferences()
     const bool names = model.edited().hasOtherNames(wanted);
     const auto blocks = model.edited().dataChangesTo(wanted);
     m_restore->setEnabled(!changes.empty() || !blocks.empty() || names);
-    const QStringList missing = file->configuration.missingNames() + model.edited().missingNames();
+    std::vector<MissingPart> missing = file->configuration.missing();
+    missing.insert(missing.end(), model.edited().missing().begin(), model.edited().missing().end());
     QString text = !changes.empty() ? tr("%n value(s) differ.", nullptr, int(changes.size()))
-        : missing.isEmpty()         ? tr("All values are the same.")
+        : missing.empty()           ? tr("All values are the same.")
                                     : tr("All values that could be compared are the same.");
-    if (!missing.isEmpty())
-        text += u' ' + tr("Not known: %1.").arg(missing.join(u", "_s));
+    if (!missing.empty())
+        text += u' ' + tr("Not known: %1.").arg(missingText(model.edited(), missing));
     for (const DataChange &change : blocks)
         text += u' ' + tr("%1 differ.").arg(tableText(change.spec->data));
     if (names)

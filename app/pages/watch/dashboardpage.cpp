@@ -3,6 +3,7 @@
 #include "app/pages/watch/dashboardpage.h"
 
 #include "protocol/session/linkstatistics.h"
+#include "widgets/models/missingtext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/views/attitudeview.h"
 #include "widgets/views/axisdial.h"
@@ -218,6 +219,9 @@ void DashboardPage::refreshFaults()
     keys.append(doing);
     keys.append(workspace().client().isConnected() ? (running ? (*running ? u"on"_s : u"off"_s) : u"?"_s)
                                                    : u"-"_s);
+    const Configuration &board = std::as_const(workspace().configuration()).board();
+    const QString missing = missingText(board, board.missing());
+    keys.append(missing);
     if (keys == m_shownFaults)
         return;
     m_shownFaults = keys;
@@ -241,8 +245,12 @@ void DashboardPage::refreshFaults()
         add(*running ? tr("● Motors are running.") : tr("○ Motors are off."), *running ? "ok" : "muted");
     if (!doing.isEmpty())
         add(tr("State: %1").arg(tableText(doing.toUtf8().constData())), "muted");
-    if (faults.empty() && running && device->faultWords())
+    if (faults.empty() && running && device && device->faultWords())
         add(tr("✓ The board reports no errors."), "ok");
+    if (!missing.isEmpty()) {
+        add(tr("⚠ Could not be read: %1.").arg(missing), "warning");
+        add(tr("Nothing is known about the values there."), "muted");
+    }
     for (const BoardFault &fault : faults) {
         add((fault.severe ? u"✖ "_s : u"⚠ "_s) + tableText(fault.name.toUtf8().constData()),
             fault.severe ? "error" : "warning");
