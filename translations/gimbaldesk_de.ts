@@ -1655,6 +1655,14 @@
         <source>Read the board again; if parts keep missing, check cable and power.</source>
         <translation>Das Board noch einmal lesen; fehlen weiter Teile, Kabel und Versorgung prüfen.</translation>
     </message>
+    <message>
+        <source>The board acknowledged the command but did not carry it out.</source>
+        <translation>Das Board hat den Befehl bestätigt, aber nicht ausgeführt.</translation>
+    </message>
+    <message>
+        <source>The details say what is missing, as far as the board tells.</source>
+        <translation>Die Einzelheiten sagen, was fehlt, soweit das Board es mitteilt.</translation>
+    </message>
 </context>
 <context>
     <name>FaceList</name>
@@ -2410,6 +2418,18 @@
     <message>
         <source>Saved to %1</source>
         <translation>Gespeichert in %1</translation>
+    </message>
+    <message>
+        <source>The motors stay disabled until the board restarts.</source>
+        <translation>Die Motoren bleiben abgeschaltet, bis das Board neu startet.</translation>
+    </message>
+    <message>
+        <source>They were stopped while the board was starting, and it has not reached standby since.</source>
+        <translation>Sie wurden angehalten, während das Board startete, und es ist seitdem nicht in Bereitschaft gegangen.</translation>
+    </message>
+    <message>
+        <source>Restart the board before you use them, and store nothing before.</source>
+        <translation>Das Board neu starten, bevor Sie sie benutzen, und vorher nichts speichern.</translation>
     </message>
 </context>
 <context>

@@ -235,11 +235,10 @@ public:
         m_client = &client;
         if (arguments().first() == u"off"_s) {
             connect(&client, &DeviceClient::motorsOffFinished, this, [this](bool proven) {
-                if (proven)
-                    emit finished(doneOutcome(u"motors.off"_s, {}));
-                else
+                if (!proven)
                     emit finished(failure(ErrorCode::NotProven));
             });
+            connect(&client, &DeviceClient::motorsOffSettled, this, &MotorsCommand::onSettled);
             client.motorsOff();
             return;
         }
@@ -251,6 +250,17 @@ public:
     void stop() override { m_client->cancelJobs(); }
 
 private:
+    void onSettled(bool restored)
+    {
+        CommandOutcome outcome = doneOutcome(u"motors.off"_s, {});
+        if (!restored) {
+            outcome.note
+                = u"the motors are off, but disabled until the board restarts: restart it before you use "
+                  "them, and store nothing before"_s;
+            outcome.exitCode = Refused;
+        }
+        emit finished(outcome);
+    }
     static Result<CommandOutcome> on(Channel &channel, Device &device, const BoardHistory &history)
     {
         const QString key = u"motors.on"_s;
@@ -262,9 +272,7 @@ private:
         if (!device.motorSwitch())
             return failure(ErrorCode::Unsupported,
                            u"this board has no command that switches its motors on"_s);
-        return channel.transact(device.motorSwitch()->motorsOnRequest()).map([&key](const Frame &) {
-            return doneOutcome(key, {});
-        });
+        return device.motorSwitch()->switchMotorsOn(channel).map([&key] { return doneOutcome(key, {}); });
     }
 
     DeviceClient *m_client = nullptr;

@@ -24,6 +24,14 @@ Notifications::Notifications(DeviceClient &client, const ConfigurationModel &con
     connect(&m_client, &DeviceClient::connectionLost, this, &Notifications::onLost);
     connect(&m_client, &DeviceClient::telemetryFailed, this, &Notifications::onTelemetryFailed);
     connect(&m_client, &DeviceClient::motorsOffFinished, this, &Notifications::onMotorsOff);
+    connect(&m_client, &DeviceClient::motorsOffSettled, this, [this](bool restored) {
+        if (!restored)
+            report(ErrorText{
+                tr("The motors stay disabled until the board restarts."),
+                tr("They were stopped while the board was starting, and it has not reached standby since."),
+                tr("Restart the board before you use them, and store nothing before."),
+                {}});
+    });
     connect(&m_client, &DeviceClient::boardSpoke, this,
             [this](const QString &text) { notify(tr("The board says: %1").arg(text)); });
     connect(&m_client, &DeviceClient::failsafeActed, this,

@@ -397,13 +397,13 @@ void Workspace::setMotors(bool on)
         return;
     }
     m_client
-        .submit<Frame>([](Channel &channel, Device &device) -> Result<Frame> {
+        .submit<void>([](Channel &channel, Device &device) -> Result<void> {
             if (!device.motorSwitch())
                 return failure(ErrorCode::Unsupported,
                                u"this board has no command that switches its motors on"_s);
-            return channel.transact(device.motorSwitch()->motorsOnRequest());
+            return device.motorSwitch()->switchMotorsOn(channel);
         })
-        .then(this, [this](const Result<Frame> &done) {
+        .then(this, [this](const Result<void> &done) {
             if (!done)
                 m_notifications.report(done.error());
         });

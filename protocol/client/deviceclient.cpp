@@ -368,9 +368,14 @@ void DeviceClient::motorsOff()
         return;
     }
     d->later([this, link = d->session, wanted = std::move(*wanted)] {
-        link->stopMotors(wanted, [this](const Result<void> &result) {
-            d->back([this, proven = result.has_value()] { emit motorsOffFinished(proven); });
-        });
+        link->stopMotors(
+            wanted,
+            [this](const Result<void> &result) {
+                d->back([this, proven = result.has_value()] { emit motorsOffFinished(proven); });
+            },
+            [this](const Result<void> &result) {
+                d->back([this, restored = result.has_value()] { emit motorsOffSettled(restored); });
+            });
     });
     d->cancelMovingJobs();
 }

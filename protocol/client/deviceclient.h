@@ -103,6 +103,9 @@ signals:
     void statisticsChanged();
     /// The stop has been proven (or has not).
     void motorsOffFinished(bool confirmed);
+    /// After a stop that was proven: what it changed beside has been put back (or has not, and the motors
+    /// stay disabled until the board restarts).
+    void motorsOffSettled(bool restored);
     /// Set-points were not refreshed in time: the board was stopped and control released.
     void failsafeActed();
     /// The board sent a text message by itself.

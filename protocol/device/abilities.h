@@ -116,7 +116,9 @@ class MotorSwitch
 {
 public:
     virtual ~MotorSwitch() = default;
-    [[nodiscard]] virtual Request motorsOnRequest() const = 0;
+    /// Switches them on and waits until the board reports it. Errors: NoEffect with the cause as far as it is
+    /// known, those of the channel.
+    virtual Result<void> switchMotorsOn(Channel &channel) const = 0;
 };
 
 /// A frame in readable form, for the console.

@@ -26,14 +26,8 @@ Session::Session(TransportFactory makeTransport, QObject *parent)
     , m_makeTransport(std::move(makeTransport))
     , m_sink([this](const FrameView &frame) { onFrame(frame); })
     , m_queue([this](QByteArrayView bytes) { send(bytes); })
-    , m_stop([this](const Request &request) {
-        m_queue.submit(
-            request,
-            [this](const Result<Frame> &result) {
-                if (result)
-                    m_stop.answered(*result);
-            },
-            Clock::now(), TransactionQueue::Lane::Urgent);
+    , m_stop([this](const Request &request, const StopSequence::Answered &answered) {
+        m_queue.submit(request, answered, Clock::now(), TransactionQueue::Lane::Urgent);
     })
     , m_timer(this)
 {
@@ -162,14 +156,15 @@ void Session::endControl()
     schedule();
 }
 
-void Session::stopMotors(StopPlan plan, StopSequence::Completion completion)
+void Session::stopMotors(StopPlan plan, StopSequence::Completion completion,
+                         StopSequence::Completion restored)
 {
     if (!m_open) {
         completion(failure(ErrorCode::LinkClosed));
         return;
     }
     m_control.drop();
-    m_stop.start(std::move(plan), std::move(completion), Clock::now());
+    m_stop.start(std::move(plan), std::move(completion), Clock::now(), std::move(restored));
     schedule();
 }
 

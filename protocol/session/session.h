@@ -48,7 +48,9 @@ public:
 
     /// Ahead of everything: drops the control stream and carries out the plan until the stop is proven.
     /// Completes with nothing, NotProven or LinkClosed.
-    void stopMotors(StopPlan plan, StopSequence::Completion completion);
+    /// @param restored as for StopSequence::start()
+    void stopMotors(StopPlan plan, StopSequence::Completion completion,
+                    StopSequence::Completion restored = {});
 
     /// The board will be silent for this long; the silence limit counts from the end of it.
     void expectSilence(milliseconds duration);

@@ -5,6 +5,7 @@
 #include "protocol/base/latestvalues.h"
 #include "protocol/session/request.h"
 
+#include <deque>
 #include <vector>
 
 /// What an observation says about whether the motors have stopped.
@@ -14,29 +15,37 @@ enum class Proof { Nothing, Proven, Refuted };
 /// alone, without the worker or the GUI.
 struct StopPlan
 {
-    /// One way of stopping. All requests are sent at once, ahead of everything, and again in each period
-    /// until the stop is proven.
+    /// One way of stopping. Its requests are sent ahead of everything, each as soon as the one before is
+    /// answered or given up, and again in each period until the stop is proven.
     struct Means
     {
         std::vector<Request> requests;
         milliseconds every{100};
         int maxRounds = 5;  ///< rounds before the next means is tried
+        /// What a round sends beside them, from what the answers have told so far; empty: nothing.
+        std::function<std::vector<Request>()> more = {};
     };
     std::vector<Means> means;  ///< in order
     /// What an answer to one of the requests proves; empty: nothing.
     std::function<Proof(const Frame &)> fromAnswer;
     /// What telemetry that arrived since the stop began proves; empty: nothing.
     std::function<Proof(const LatestValues &, TimePoint since)> fromTelemetry;
-    /// Sent once the stop is proven: undoes what the means changed apart from stopping.
-    std::vector<Request> restore;
+    /// What remains to be sent once the stop is proven, to undo what the means changed apart from stopping:
+    /// asked for in each round, from 0 on, until it is nothing. Empty: nothing.
+    std::function<std::vector<Request>(int round)> restore;
+    milliseconds restoreEvery{500};
+    int maxRestoreRounds = 60;
 };
 
 /// Carries out a stop plan. Pure bookkeeping without its own clock, like ControlStream.
 class StopSequence
 {
 public:
-    using Send = std::function<void(const Request &)>;
-    /// Called once with the outcome: success, or NotProven with the number of attempts.
+    using Answered = std::function<void(const Result<Frame> &)>;
+    /// Sends a request at once and calls back with its answer, or the error.
+    using Send = std::function<void(const Request &, Answered)>;
+    /// Called once with the outcome: success, or NotProven with the number of attempts; of restoring:
+    /// success, or NotRestored.
     using Completion = std::function<void(Result<void>)>;
 
     explicit StopSequence(Send send)
@@ -45,9 +54,8 @@ public:
     }
 
     /// Starts; a sequence that is still running starts over with this plan, and all callers get the outcome.
-    void start(StopPlan plan, Completion completion, TimePoint now);
-    /// An answer to one of the requests arrived.
-    void answered(const Frame &frame);
+    /// @param restored called after a stop that succeeded, once nothing remains to be undone
+    void start(StopPlan plan, Completion completion, TimePoint now, Completion restored = {});
     /// Telemetry arrived.
     void telemetryArrived(const LatestValues &values);
     /// Sends what is due.
@@ -56,19 +64,30 @@ public:
     void abandon(const Error &why);
 
     [[nodiscard]] std::optional<TimePoint> nextDeadline() const;
-    [[nodiscard]] bool isActive() const { return m_active; }
+    /// The motors are being stopped; what is undone afterwards does not count.
+    [[nodiscard]] bool isActive() const { return m_stage == Stage::Stopping; }
 
 private:
+    enum class Stage { Inactive, Stopping, Restoring };
     void take(Proof proof);
+    void sendRound(std::vector<Request> requests, milliseconds every, TimePoint now);
+    void sendNext();
+    void answered(const Frame &frame);
+    void stopOnce(TimePoint now);
+    void restoreOnce(TimePoint now);
     void finish(const Result<void> &result);
+    void finishRestoring(const Result<void> &result);
 
     Send m_send;
     StopPlan m_plan;
     std::vector<Completion> m_completions;
-    bool m_active = false;
+    std::vector<Completion> m_restored;
+    Stage m_stage = Stage::Inactive;
     std::size_t m_means = 0;
-    int m_rounds = 0;  // of the current means
+    int m_rounds = 0;  // of the current means, or of restoring
     int m_allRounds = 0;
+    std::deque<Request> m_round;  // what it still has to send
+    quint64 m_roundNumber = 0;  // answers to an earlier one do not carry it on
     TimePoint m_startedAt{};
     TimePoint m_nextSend{};
 };

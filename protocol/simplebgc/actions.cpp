@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/simplebgc/actions.h"
 
+#include "protocol/session/carryout.h"
 #include "protocol/simplebgc/choices.h"
 #include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/simplebgc/units.h"
@@ -137,15 +138,12 @@ Result<ActionReply> Actions::readDebugVariables(const QVariantMap &)
 
 Result<ActionReply> Actions::motorsOn(const QVariantMap &)
 {
-    return confirm(CommandId::MotorsOn);
+    return m_device.switchMotorsOn(m_channel).map([] { return ActionReply{}; });
 }
 
 Result<ActionReply> Actions::motorsOff(const QVariantMap &)
 {
-    const auto reply = m_channel.transact(confirmRequest(CommandId::MotorsOff, {}, Device::kVersion));
-    if (!reply)
-        return tl::unexpected(reply.error());
-    return ActionReply{};
+    return carryOut(m_channel, m_device.stopPlan()).map([] { return ActionReply{}; });
 }
 
 Result<ActionReply> Actions::menu(const QVariantMap &arguments)

@@ -26,6 +26,8 @@ constexpr auto kWriteTimeout = 1500ms;  // EEPROM write: tens of milliseconds, w
 constexpr auto kProfileSwitch = 2000ms;
 constexpr int kPauseBetweenLooks = 50;
 constexpr int kActiveProfileOffset = 59;  // of REALTIME_DATA_3
+constexpr int kMotorFlagOffset = 57;  // of REALTIME_DATA_3: bit 0, the motors run
+constexpr auto kMotorsStart = 2s;
 
 struct BlockCommands
 {
@@ -319,10 +321,21 @@ Result<void> Device::selectProfile(Channel &channel, int profile)
     return failure(ErrorCode::Timeout, u"profile %1"_s.arg(profile + 1));
 }
 
+Request Device::statusRequest()
+{
+    return replyRequest(CommandId::RealtimeData3, {}, CommandId::RealtimeData3, kRealtime3Size, kVersion);
+}
+
+std::optional<bool> Device::areMotorsRunning(const Frame &frame)
+{
+    if (frame.id != number(CommandId::RealtimeData3) || frame.payload.size() <= kMotorFlagOffset)
+        return {};
+    return frame.payload[kMotorFlagOffset] & 1;
+}
+
 Result<int> Device::activeProfile(Channel &channel)
 {
-    const auto reply = channel.transact(
-        replyRequest(CommandId::RealtimeData3, {}, CommandId::RealtimeData3, kRealtime3Size, kVersion));
+    const auto reply = channel.transact(statusRequest());
     if (!reply)
         return tl::unexpected(reply.error());
     if (reply->payload.size() <= kActiveProfileOffset)
@@ -409,14 +422,30 @@ bool Device::announcesReset(const FrameView &frame) const
 StopPlan Device::stopPlan() const
 {
     StopPlan plan;
-    plan.means.push_back({{confirmRequest(CommandId::MotorsOff, {}, kVersion)}});
-    plan.fromAnswer = [](const Frame &) { return Proof::Proven; };
+    plan.means.push_back({{confirmRequest(CommandId::MotorsOff, {}, kVersion), statusRequest()}, 200ms, 5});
+    plan.fromAnswer = [](const Frame &frame) {
+        const auto running = areMotorsRunning(frame);
+        return !running ? Proof::Nothing : *running ? Proof::Refuted : Proof::Proven;
+    };
     return plan;
 }
 
-Request Device::motorsOnRequest() const
+Result<void> Device::switchMotorsOn(Channel &channel) const
 {
-    return confirmRequest(CommandId::MotorsOn, {}, kVersion);
+    const auto done = channel.transact(confirmRequest(CommandId::MotorsOn, {}, kVersion));
+    if (!done)
+        return tl::unexpected(done.error());
+    const TimePoint limit = channel.now() + kMotorsStart;
+    while (channel.now() < limit) {
+        const auto status = channel.transact(statusRequest());
+        if (!status)
+            return tl::unexpected(status.error());
+        if (areMotorsRunning(*status).value_or(false))
+            return {};
+        if (const auto slept = channel.sleep(100ms); !slept)
+            return slept;
+    }
+    return failure(ErrorCode::NoEffect, u"the board reports that its motors are off"_s);
 }
 
 Family family()

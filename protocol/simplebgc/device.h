@@ -89,7 +89,12 @@ public:
     [[nodiscard]] ControlFrames controlFrames(const SteeringSetpoint &setpoint) const override;
 
     [[nodiscard]] const MotorSwitch *motorSwitch() const override { return this; }
-    [[nodiscard]] Request motorsOnRequest() const override;
+    Result<void> switchMotorsOn(Channel &channel) const override;
+
+    /// Asks for REALTIME_DATA_3.
+    [[nodiscard]] static Request statusRequest();
+    /// What the answer to it says; nothing for another frame.
+    [[nodiscard]] static std::optional<bool> areMotorsRunning(const Frame &frame);
 
     [[nodiscard]] const FrameInspector *inspector() const override { return this; }
     [[nodiscard]] FrameText describeFrame(const FrameView &frame, bool fromBoard) const override;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storm32/actions.h"
 
+#include "protocol/session/carryout.h"
 #include "protocol/storm32/procedures.h"
 #include "protocol/storm32/telemetrytables.h"
 
@@ -213,10 +214,10 @@ Result<ActionReply> Actions::perform(const QString &key, const QVariantMap &argu
         return calibration();
     if (key == u"sensors.raw"_s)
         return rawSensors();
-    if (key == u"motors.on"_s || key == u"motors.off"_s)
-        return rc(Rc::SetStandby, {{u"on"_s, key == u"motors.off"_s}});
-    if (key == u"standby"_s)
-        return rc(Rc::SetStandby, {{u"on"_s, on("on")}});
+    if (key == u"motors.off"_s || (key == u"standby"_s && on("on")))
+        return carryOut(m_channel, m_device.stopPlan()).map([] { return ActionReply{}; });
+    if (key == u"motors.on"_s || key == u"standby"_s)
+        return m_device.switchMotorsOn(m_channel).map([] { return ActionReply{}; });
     if (key == u"angle"_s) {
         return rc(Rc::SetAngle,
                   {{u"pitch"_s, real("pitch")},
@@ -301,6 +302,10 @@ QString Device::storeAction() const
 
 Result<ActionReply> Device::perform(Channel &channel, const QString &key, const QVariantMap &arguments)
 {
+    // Nothing may be stored, or started, while the motors are disabled for a stop.
+    const bool harmless = key == u"status"_s || key == u"motors.off"_s || key == u"standby"_s;
+    if (const auto free = checkNotStopping(); !free && !harmless)
+        return tl::unexpected(free.error());
     return Actions(*this, channel).perform(key, arguments);
 }
 

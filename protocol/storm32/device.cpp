@@ -93,12 +93,12 @@ Device::~Device() = default;
 
 // The same request through MAVLink: simple commands unchanged, RC commands without length and checksum
 // (errata 6).
-Request Device::embed(Request plain, QByteArrayView content, std::optional<Simple> id) const
+Request Device::embed(int way, Request plain, QByteArrayView content, std::optional<Simple> id)
 {
     const mavlink::Message *message
         = mavlink::findMessage(mavlink::number(mavlink::MessageId::TargetSpecific));
     // clang-format off
-    const auto payload = mavlink::encodeFields(*message, {{u"target_system"_s, m_way >> 8 & 0xFF}, {u"target_component"_s, m_way & 0xFF},
+    const auto payload = mavlink::encodeFields(*message, {{u"target_system"_s, way >> 8 & 0xFF}, {u"target_component"_s, way & 0xFF},
                                                           {u"specific_payload"_s, content.toByteArray()}});
     Request request = plain;
     request.bytes = mavlink::encode(mavlink::MessageId::TargetSpecific, payload.value_or(QByteArray()), kOwn, 0);
@@ -127,17 +127,22 @@ Request Device::simple(Simple id, QByteArrayView arguments) const
     request.idempotent = isRepeatable(id);
     request.retries
         = std::max<qsizetype>(request.bytes.size(), request.replyBytes) > kLong ? kRetriesOfLong : kRetries;
-    return isEmbedded() ? embed(request, request.bytes, id) : request;
+    return isEmbedded() ? embed(m_way, request, request.bytes, id) : request;
 }
 
 Request Device::rc(Rc id, const QByteArray &payload) const
+{
+    return rcAt(m_way, id, payload);
+}
+
+Request Device::rcAt(int way, Rc id, const QByteArray &payload)
 {
     Request request = rcRequest(id, payload);
     request.timeout = kAnswer;
     request.idempotent = isRepeatable(id);
     request.retries = kRetries;
-    return isEmbedded() ? embed(request, ByteWriter().u8(0xFA).u8(int(id)).bytes(payload).take(), {})
-                        : request;
+    return way == kPlain ? request
+                         : embed(way, request, ByteWriter().u8(0xFA).u8(int(id)).bytes(payload).take(), {});
 }
 
 // First plainly, then in the way that works while a heartbeat is on. Neither harms a board of another family:
@@ -308,7 +313,9 @@ Result<QByteArray> Device::readStream(Channel &channel)
         const auto reply = channel.transact(simple(Simple::GetParameters));
         if (!reply)
             return tl::unexpected(reply.error());
-        return reply->payload;
+        QByteArray stream = reply->payload;
+        m_stop->correct(stream);
+        return stream;
     }
     const auto listed = listParameters(channel);
     if (!listed)
@@ -328,6 +335,7 @@ Result<QByteArray> Device::readStream(Channel &channel)
         progress.done = word + 1;
         channel.progress(progress);
     }
+    m_stop->correct(words);
     return words;
 }
 
@@ -442,6 +450,8 @@ void Device::learnAddress(const QByteArray &stream)
 
 Result<void> Device::endWrite(Channel &channel)
 {
+    if (const auto free = checkNotStopping(); !free)
+        return free;
     const auto reply = channel.transact(simple(Simple::Store));
     if (!reply)
         return tl::unexpected(reply.error());

@@ -8,6 +8,7 @@
 #include "protocol/session/channel.h"
 #include "protocol/session/controlstream.h"
 #include "protocol/storm32/commands.h"
+#include "protocol/storm32/motorstop.h"
 #include "protocol/telemetry/telemetryplan.h"
 
 #include <atomic>
@@ -50,7 +51,7 @@ public:
 
     /// A write needs no opening; storing ends it.
     WriteBracket *writeBracket() override { return this; }
-    Result<void> beginWrite(Channel &) override { return {}; }
+    Result<void> beginWrite(Channel &) override { return checkNotStopping(); }
     Result<void> endWrite(Channel &channel) override;
 
     LiveAccess *live() override { return this; }
@@ -67,7 +68,7 @@ public:
     [[nodiscard]] ControlFrames controlFrames(const SteeringSetpoint &setpoint) const override;
 
     [[nodiscard]] const MotorSwitch *motorSwitch() const override { return this; }
-    [[nodiscard]] Request motorsOnRequest() const override;
+    Result<void> switchMotorsOn(Channel &channel) const override;
 
     [[nodiscard]] const FrameInspector *inspector() const override { return this; }
     [[nodiscard]] FrameText describeFrame(const FrameView &frame, bool fromBoard) const override;
@@ -98,7 +99,12 @@ private:
     [[nodiscard]] Request simple(Simple id, QByteArrayView arguments = {}) const;
     [[nodiscard]] Request rc(Rc id, const QByteArray &payload = {}) const;
     [[nodiscard]] Request standbyRequest(bool standby) const;
-    [[nodiscard]] Request embed(Request plain, QByteArrayView content, std::optional<Simple> id) const;
+    /// Errors: Busy while the motors are disabled because they were stopped during the start.
+    [[nodiscard]] Result<void> checkNotStopping() const;
+    /// The same for a board that is reached in a given way (see m_way).
+    [[nodiscard]] static Request rcAt(int way, Rc id, const QByteArray &payload);
+    [[nodiscard]] static Request embed(int way, Request plain, QByteArrayView content,
+                                       std::optional<Simple> id);
     Result<QByteArray> readStream(Channel &channel);
     Result<std::map<int, int>> listParameters(Channel &channel);
     Result<int> readWord(Channel &channel, int word);
@@ -116,6 +122,7 @@ private:
     int m_address = 71 << 8 | 67;  // where it would be reached through MAVLink
     int m_firmware = 0;  // 79, 90, 96
     int m_words = 0;
+    std::shared_ptr<MotorStop> m_stop = std::make_shared<MotorStop>();
     std::optional<std::array<int, 5>> m_yawBefore;  // the input words of yaw while it is aligned
 };
 

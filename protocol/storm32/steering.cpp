@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/base/latestvalues.h"
 #include "protocol/session/controlstream.h"
+#include "protocol/session/stopplan.h"
 #include "protocol/storm32/device.h"
+#include "protocol/storm32/parametertables.h"
 #include "protocol/storm32/telemetrytables.h"
 
 #include <algorithm>
 #include <cmath>
+
+using namespace Qt::StringLiterals;
 
 namespace storm32 {
 
@@ -18,6 +22,7 @@ constexpr int kPulseMode = 3;  // microseconds from the middle
 constexpr double kMaxPulse = 800.0;
 constexpr double kMiddlePulse = 1500.0;
 constexpr double kStickRest = 12.0;  // microseconds; an untouched stick is not exactly in its middle
+constexpr auto kLeaving = 3s;  // from standby until motors are active
 constexpr std::array kLabels{"Roll", "Pitch", "Yaw"};
 
 SteeringMode modeOf(int id, const char *key, const char *label, double reach, const char *unit,
@@ -92,17 +97,56 @@ Request Device::standbyRequest(bool standby) const
     return rc(Rc::SetStandby, QByteArray(1, standby ? '\1' : '\0'));
 }
 
+// An acknowledgement proves nothing: the status does (errata 13, row 1).
 StopPlan Device::stopPlan() const
 {
     StopPlan plan;
-    plan.means.push_back({{standbyRequest(true)}});
-    plan.fromAnswer = [](const Frame &) { return Proof::Proven; };
+    const std::vector<Request> standby{standbyRequest(true), simple(Simple::Status)};
+    plan.means.push_back({standby, 300ms, 2});
+    plan.fromAnswer
+        = [stop = m_stop, firmware = m_firmware](const Frame &frame) { return stop->learn(frame, firmware); };
+    if (!isKnownLayout(m_identity.firmwareNumber))
+        return plan;  // nobody knows what its words mean
+    const auto make = [way = m_way.load()](int word, std::optional<int> value) {
+        ByteWriter writer;
+        writer.u16(word);
+        return value ? rcAt(way, Rc::SetParameter, writer.u16(*value).take())
+                     : rcAt(way, Rc::GetParameter, writer.take());
+    };
+    plan.means.front().more = [stop = m_stop, make] { return stop->ask(make); };
+    plan.means.push_back({standby, 800ms, 5, [stop = m_stop, make] { return stop->disable(make); }});
+    plan.restore = [stop = m_stop, make, standby](int) { return stop->restore(make, standby); };
     return plan;
 }
 
-Request Device::motorsOnRequest() const
+Result<void> Device::checkNotStopping() const
 {
-    return standbyRequest(false);
+    if (!m_stop->isActive())
+        return {};
+    return failure(ErrorCode::Busy,
+                   u"the motors were stopped while the board was starting; it is not in standby yet"_s);
+}
+
+Result<void> Device::switchMotorsOn(Channel &channel) const
+{
+    if (const auto free = checkNotStopping(); !free)
+        return free;
+    const auto done = channel.transact(standbyRequest(false));
+    if (!done)
+        return tl::unexpected(done.error());
+    const TimePoint limit = channel.now() + kLeaving;
+    while (channel.now() < limit) {
+        const auto status = channel.transact(simple(Simple::Status));
+        if (!status)
+            return tl::unexpected(status.error());
+        ByteReader reader(QByteArrayView(status->payload).sliced(4));
+        if (reader.u16() & kMotorBits)
+            return {};
+        if (const auto slept = channel.sleep(100ms); !slept)
+            return slept;
+    }
+    return failure(ErrorCode::NoEffect,
+                   u"no motor became active; each needs a motor usage that is not disabled"_s);
 }
 
 }  // namespace storm32

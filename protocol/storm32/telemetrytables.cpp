@@ -55,7 +55,6 @@ constexpr ChannelSpec kChannels[] = {
 static_assert(std::size(kChannels) == ChannelCount);
 
 constexpr int kLinkPresent = 0x0100;
-constexpr int kMotorBits = 0x0038;
 constexpr double kDegree = 180.0 / std::numbers::pi;
 // After a gap this long nothing is known about the time between.
 constexpr double kGap = 0.5;
@@ -119,6 +118,11 @@ std::array<float, ChannelCount> liveRow(Bytes data, const LiveScales &scales)
     return row;
 }
 
+bool isStandby(int state, int firmware)
+{
+    return state == 99 || (state == 7 && firmware <= 95);
+}
+
 QString stateName(int state, int firmware)
 {
     static constexpr std::array<const char *, 7> kNames{QT_TRANSLATE_NOOP("Tables", "start motors"),
@@ -130,7 +134,7 @@ QString stateName(int state, int firmware)
                                                         QT_TRANSLATE_NOOP("Tables", "normal")};
     if (state >= 0 && state < int(kNames.size()))
         return QString::fromLatin1(kNames[std::size_t(state)]);
-    if (state == 99 || (state == 7 && firmware <= 95))
+    if (isStandby(state, firmware))
         return QString::fromLatin1(QT_TRANSLATE_NOOP("Tables", "standby"));
     if (state == 7 && firmware >= 208)
         return QString::fromLatin1(QT_TRANSLATE_NOOP("Tables", "fast level"));

@@ -60,6 +60,9 @@ struct LiveScales
 
 /// One row from the data of `d`: a value for each channel, NaN for missing ones. @param data 64 bytes
 [[nodiscard]] std::array<float, ChannelCount> liveRow(Bytes data, const LiveScales &scales);
+inline constexpr int kMotorBits = 0x0038;  ///< of status2: a motor is active (errata 3.8)
+/// Whether a state means standby (errata 3.7).
+[[nodiscard]] bool isStandby(int state, int firmware);
 /// The name of a state; up to 0.90 state 7 is standby (errata 3.7).
 [[nodiscard]] QString stateName(int state, int firmware);
 /// Status words and function inputs as facts (errata 3.5, 3.8).

@@ -141,7 +141,7 @@ void TestAbilities::whatIsHandedOutAnswers()
         QVERIFY(!streams->fastChannels().isEmpty());
     }
     if (const MotorSwitch *motors = device.motorSwitch())
-        QVERIFY(!motors->motorsOnRequest().bytes.isEmpty());
+        QVERIFY(motors->switchMotorsOn(channel));
     if (const FrameInspector *inspector = device.inspector())
         QVERIFY(!inspector->commandNames().isEmpty());
     if (const FaultWords *words = device.faultWords()) {

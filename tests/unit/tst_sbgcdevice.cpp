@@ -542,7 +542,7 @@ void TestSbgcDevice::motorsOffStopsEvenATuningBoard()
     QVERIFY(!bench.board().stabilizer().motorsOn());
     std::ignore = bench.channel.sleep(2s);
     QVERIFY(!bench.board().stabilizer().motorsOn());
-    QVERIFY(bench.channel.transact(bench.device.motorsOnRequest()));
+    QVERIFY(bench.device.switchMotorsOn(bench.channel));
     QVERIFY(bench.board().stabilizer().motorsOn());
 }
 

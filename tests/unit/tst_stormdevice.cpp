@@ -500,7 +500,7 @@ void TestStormDevice::steeringAndMotors()
     QVERIFY(rig.channel.transact(offRequest(rig.device)));
     QVERIFY(rig.channel.sleep(50ms));
     QVERIFY(!rig.board().stabilizer().motorsOn());
-    QVERIFY(rig.channel.transact(rig.device.motorsOnRequest()));
+    QVERIFY(rig.device.switchMotorsOn(rig.channel));
     QVERIFY(rig.channel.sleep(1500ms));
     QVERIFY(rig.board().stabilizer().motorsOn());
     const SteeringSetpoint setpoint{2, {0, 20, 0}, {}};  // pitch, without limits

@@ -72,14 +72,8 @@ VirtualChannel::VirtualChannel(SimulatedPort &port, std::unique_ptr<Framer> fram
     })
     , m_timing(std::move(timing))
     , m_control(m_timing.controlPeriod)
-    , m_stop([this](const Request &request) {
-        m_queue.submit(
-            request,
-            [this](const Result<Frame> &result) {
-                if (result)
-                    m_stop.answered(*result);
-            },
-            now(), TransactionQueue::Lane::Urgent);
+    , m_stop([this](const Request &request, const StopSequence::Answered &answered) {
+        m_queue.submit(request, answered, now(), TransactionQueue::Lane::Urgent);
     })
 {
     m_queue.setPause(m_timing.pause);

@@ -174,7 +174,9 @@ StopPlan ToyDevice::stopPlan() const
     StopPlan plan;
     plan.means = {{{toy::request(Command::MotorsOff)}, 100ms, 3}, {{toy::request(Command::Kill)}, 100ms, 3}};
     plan.fromTelemetry = outputsOff;
-    plan.restore = {toy::request(Command::Unlock)};
+    plan.restore = [](int round) {
+        return round == 0 ? std::vector<Request>{toy::request(Command::Unlock)} : std::vector<Request>();
+    };
     return plan;
 }
 

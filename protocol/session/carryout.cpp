@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/session/carryout.h"
+
+#include <optional>
+
+Result<void> carryOut(Channel &channel, const StopPlan &plan)
+{
+    std::optional<Result<void>> stopped;
+    std::optional<Result<void>> restored;
+    std::optional<Error> broken;
+    StopSequence sequence([&](const Request &request, const StopSequence::Answered &answered) {
+        const auto reply = channel.transact(request);
+        if (!reply
+            && (reply.error().code == ErrorCode::LinkClosed || reply.error().code == ErrorCode::Cancelled))
+            broken = reply.error();
+        else
+            answered(reply);
+    });
+    sequence.start(
+        plan, [&](const Result<void> &result) { stopped = result; }, channel.now(),
+        [&](const Result<void> &result) { restored = result; });
+    while (const auto due = sequence.nextDeadline()) {
+        if (broken)
+            return tl::unexpected(*broken);
+        const auto wait = std::chrono::ceil<milliseconds>(*due - channel.now());
+        if (wait > 0ms) {
+            if (const auto slept = channel.sleep(wait); !slept)
+                return slept;
+        }
+        sequence.advance(channel.now());
+    }
+    if (!stopped)
+        return failure(ErrorCode::NotProven);
+    return *stopped ? restored.value_or(Result<void>()) : *stopped;
+}
