@@ -14,9 +14,11 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QNetworkDatagram>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <QUdpSocket>
 
 #include <csignal>
 
@@ -325,6 +327,14 @@ void TestToyLink::commandsWatchAndStop()
     run = ctl(link, {u"monitor"_s, u"--seconds"_s, u"0.3"_s, u"--channels"_s, u"spectrum"_s});
     QVERIFY2(run.exitCode == 2 && run.err.contains(u"array"_s), qPrintable(run.err));
     QVERIFY(ctl(link, {u"streams"_s}).out.contains(u"polled"_s));
+    // A family without targets publishes what it has.
+    QUdpSocket listener;
+    QVERIFY(listener.bind(QHostAddress::LocalHost, 0));
+    run = ctl(link, {u"publish"_s, u"127.0.0.1:%1"_s.arg(listener.localPort()), u"--seconds"_s, u"0.3"_s});
+    QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+    QTRY_VERIFY(listener.hasPendingDatagrams());
+    const QJsonObject told = QJsonDocument::fromJson(listener.receiveDatagram().data()).object();
+    QCOMPARE(told.keys(), (QStringList{u"angle"_s, u"rate"_s, u"timestamp"_s}));
 
     QVERIFY(link.connect());
     link.steer();
