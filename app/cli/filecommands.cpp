@@ -122,7 +122,7 @@ private:
         // Both sides in the first one's terms, so boards of different firmware can be compared.
         CommandOutcome outcome;
         QStringList skipped;
-        const Configuration second = applied(sides[0], sides[1], skipped);
+        const Configuration second = applied(sides[0], sides[1], skipped, AppliedFor::Comparing);
         const auto changes = sides[0].changesTo(second);
         QJsonArray array;
         for (const ParameterChange &change : changes)
@@ -207,7 +207,7 @@ public:
             outcome->note
                 += u"\nnot in the file, so the default was taken: "_s + file->missingKeys.join(u", "_s);
         if (outcome && !skipped.isEmpty())
-            outcome->note += u"\nnot applied, as this board does not have them: "_s + skipped.join(u", "_s);
+            outcome->note += u"\nnot applied, as this board does not take them: "_s + skipped.join(u", "_s);
         if (outcome) {
             reportMissing(*outcome, *base, u"the board"_s, m_partial);
             reportMissing(*outcome, file->configuration, arguments().first(), m_partial);

@@ -238,7 +238,8 @@ Result<void> Workspace::applyFile(const QString &path, std::optional<int> from, 
         = applied(std::as_const(m_configuration).edited(), file->configuration, skipped);
     const QString name = QFileInfo(path).fileName();
     if (from)
-        m_edits.applyProfile(wanted, *from, to, tr("Load profile %1 from %2").arg(to + 1).arg(name));
+        skipped
+            += m_edits.applyProfile(wanted, *from, to, tr("Load profile %1 from %2").arg(to + 1).arg(name));
     else
         m_edits.apply(wanted, tr("Load %1").arg(name));
     skipped += file->unknownKeys;
@@ -350,7 +351,7 @@ QFuture<bool> Workspace::saveLive()
             Configuration board = std::as_const(m_configuration).board();
             for (const LiveValue &value : live) {
                 if (const ParameterSpec *spec = board.parameters().find(value.key))
-                    std::ignore = board.setRaw(*spec, board.activeProfile(), value.inUse);
+                    std::ignore = board.restoreRaw(*spec, board.activeProfile(), value.inUse);
             }
             m_configuration.setBoard(board);
             m_notifications.notify(

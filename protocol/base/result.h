@@ -24,6 +24,7 @@ enum class ErrorCode {
     BadReply,  ///< the board's answer is not what its document specifies
     InvalidArgument,  ///< a value, key or address that makes no sense
     OutOfRange,  ///< a value outside its parameter's range
+    Contradiction,  ///< two values that exclude each other; the detail names both
     Unsupported,  ///< this board or firmware cannot do that
     Conflict,  ///< the board's values changed since they were read
     VerifyFailed,  ///< written values were not the ones read back

@@ -100,11 +100,25 @@ Result<void> Configuration::setRaw(const ParameterSpec &spec, int profile, doubl
         return failure(ErrorCode::ReadOnly, spec.key);
     if (spec.row->wire != WireType::F32 && std::isfinite(raw) && raw != spec.nearest(raw))
         return failure(ErrorCode::InvalidArgument, u"%1 counts in whole steps"_s.arg(spec.key));
-    if (!spec.isInRange(raw)) {
-        return failure(
-            ErrorCode::OutOfRange,
-            u"%1 = %2, allowed %3 to %4"_s.arg(spec.key, spec.format(raw), spec.minText(), spec.maxText()));
+    if (!spec.accepts(raw)) {
+        return failure(ErrorCode::OutOfRange,
+                       u"%1 = %2, allowed %3"_s.arg(spec.key, spec.format(raw), spec.allowedText()));
     }
+    return put(spec, profile, raw);
+}
+
+Result<void> Configuration::restoreRaw(const ParameterSpec &spec, int profile, double raw)
+{
+    if (spec.row->state)
+        return failure(ErrorCode::ReadOnly, spec.key);
+    QByteArray trial(spec.offset + wireSize(spec.row->wire), '\0');
+    if (!spec.write(trial, raw) || !sameValue(spec.read(trial), spec.nearest(raw)))
+        return failure(ErrorCode::OutOfRange, u"%1 = %2"_s.arg(spec.key, spec.format(raw)));
+    return put(spec, profile, raw);
+}
+
+Result<void> Configuration::put(const ParameterSpec &spec, int profile, double raw)
+{
     bool found = false;
     for (auto &[key, bytes] : m_blocks) {
         if (key.block == spec.row->block && (spec.row->scope == Scope::Board || key.profile == profile))
@@ -128,6 +142,30 @@ Result<void> Configuration::copyRaw(const ParameterSpec &spec, int profile, cons
     }
     if (!found)
         return failure(ErrorCode::Unsupported, spec.key);
+    return {};
+}
+
+Result<void> Configuration::checkRules(const Configuration &held) const
+{
+    if (!m_parameters)
+        return {};
+    for (const ValueRule &rule : m_parameters->rules()) {
+        const ParameterSpec *first = m_parameters->find(QLatin1String(rule.first));
+        const ParameterSpec *second = m_parameters->find(QLatin1String(rule.second));
+        if (!first || !second)
+            continue;
+        for (int profile = 0; profile < m_identity.profileCount; ++profile) {
+            const auto a = raw(*first, profile);
+            const auto b = raw(*second, profile);
+            if (!a || !b || !rule.isBroken(*a, *b))
+                continue;
+            if (sameValue(held.raw(*first, profile), a) && sameValue(held.raw(*second, profile), b))
+                continue;
+            return failure(ErrorCode::Contradiction,
+                           u"%1 = %2 and %3 = %4: %5"_s.arg(first->key, first->format(*a), second->key,
+                                                            second->format(*b), QLatin1String(rule.why)));
+        }
+    }
     return {};
 }
 

@@ -87,12 +87,20 @@ public:
 
     /// Raw value, NaN for a float that is not a number; empty when the board did not deliver that block.
     [[nodiscard]] std::optional<double> raw(const ParameterSpec &spec, int profile) const;
-    /// Sets a raw value; a board-wide one is set in every profile's block. Errors: OutOfRange (also for NaN),
-    /// InvalidArgument (a fraction for an integer), Unsupported (no such block), ReadOnly (a state value).
+    /// Sets a raw value; a board-wide one is set in every profile's block. Errors: OutOfRange (what
+    /// ParameterSpec::accepts() does not, so also NaN), InvalidArgument (a fraction for an integer),
+    /// Unsupported (no such block), ReadOnly (a state value).
     Result<void> setRaw(const ParameterSpec &spec, int profile, double raw);
+    /// Sets a value that the board is known to hold or to have held, allowed or not. Errors: OutOfRange (not
+    /// a number, or none that fits its bytes), Unsupported (no such block), ReadOnly.
+    Result<void> restoreRaw(const ParameterSpec &spec, int profile, double raw);
     /// Copies a value bit by bit from another configuration of the same parameters, even if it is out of
     /// range or not a number. Errors: Unsupported (one of them has no such block), ReadOnly.
     Result<void> copyRaw(const ParameterSpec &spec, int profile, const Configuration &from);
+
+    /// Whether its values can hold together. What contradicts itself already in `held` may stay as it is.
+    /// Errors: Contradiction with both parameters.
+    [[nodiscard]] Result<void> checkRules(const Configuration &held) const;
 
     /// All parameters in which the two differ, board-wide ones once. Both must have the same parameter set.
     [[nodiscard]] std::vector<ParameterChange> changesTo(const Configuration &other) const;
@@ -100,6 +108,8 @@ public:
     [[nodiscard]] std::vector<DataChange> dataChangesTo(const Configuration &other) const;
 
 private:
+    Result<void> put(const ParameterSpec &spec, int profile, double raw);
+
     BoardIdentity m_identity;
     std::shared_ptr<const ParameterSet> m_parameters;
     std::map<BlockKey, QByteArray> m_blocks;

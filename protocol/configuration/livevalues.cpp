@@ -9,7 +9,7 @@ Configuration withoutLive(Configuration read, const LiveValues &live)
     for (const LiveValue &value : live) {
         const ParameterSpec *spec = read.parameters().find(value.key);
         if (spec && sameValue(read.raw(*spec, read.activeProfile()), value.inUse))
-            std::ignore = read.setRaw(*spec, read.activeProfile(), value.stored);
+            std::ignore = read.restoreRaw(*spec, read.activeProfile(), value.stored);
     }
     return read;
 }

@@ -70,9 +70,47 @@ bool ParameterSpec::isInRange(double raw) const
     return nearest(raw) >= nearest(row->min) && nearest(raw) <= nearest(row->max);
 }
 
+bool ParameterSpec::accepts(double raw) const
+{
+    if (!isInRange(raw))
+        return false;
+    if (row->step > 1 && std::fmod(nearest(raw) - row->min, row->step) != 0)
+        return false;
+    if (row->kind != ValueKind::Choice || row->choices.empty())
+        return true;
+    const auto list = choices(firmware);
+    return std::any_of(list.begin(), list.end(),
+                       [value = nearest(raw)](const Choice &choice) { return choice.value == value; });
+}
+
 double ParameterSpec::clamped(double raw) const
 {
-    return std::clamp(nearest(raw), nearest(row->min), nearest(row->max));
+    const double value = std::clamp(nearest(raw), nearest(row->min), nearest(row->max));
+    return row->step > 1 ? row->min + row->step * std::round((value - row->min) / row->step) : value;
+}
+
+QString ParameterSpec::allowedText() const
+{
+    if (row->kind != ValueKind::Choice || row->choices.empty()) {
+        const QString range = u"%1 to %2"_s.arg(minText(), maxText());
+        return row->step > 1 ? u"%1 in steps of %2"_s.arg(range, plainNumber(row->step * row->scale)) : range;
+    }
+    std::vector<int> values;
+    for (const Choice &choice : choices(firmware)) {
+        if (isInRange(choice.value))
+            values.push_back(choice.value);
+    }
+    std::sort(values.begin(), values.end());
+    QStringList runs;
+    for (std::size_t first = 0; first < values.size();) {
+        std::size_t last = first;
+        while (last + 1 < values.size() && values[last + 1] == values[last] + 1)
+            ++last;
+        runs.append(first == last ? QString::number(values[first])
+                                  : u"%1 to %2"_s.arg(values[first]).arg(values[last]));
+        first = last + 1;
+    }
+    return runs.join(u", "_s);
 }
 
 // The bytes of the word as a number; bit fields and signs are handled later.
@@ -145,12 +183,12 @@ bool ParameterSpec::copy(QByteArray &block, const QByteArray &from) const
     return true;
 }
 
-std::vector<Choice> ParameterSpec::choices(int firmware) const
+std::vector<Choice> ParameterSpec::choices(int version) const
 {
     std::vector<Choice> list;
     std::copy_if(
         row->choices.begin(), row->choices.end(), std::back_inserter(list),
-        [firmware](const Choice &choice) { return firmware >= choice.since && firmware <= choice.until; });
+        [version](const Choice &choice) { return version >= choice.since && version <= choice.until; });
     return list;
 }
 
@@ -220,8 +258,9 @@ QString ParameterSpec::inactiveKey() const
 }
 
 ParameterSet::ParameterSet(std::span<const ParameterRow> rows, std::span<const BlockSpec> blocks,
-                           int firmware, const Capabilities &capabilities)
+                           int firmware, const Capabilities &capabilities, std::span<const ValueRule> rules)
     : m_blocks(blocks)
+    , m_rules(rules)
     , m_firmware(firmware)
 {
     for (const ParameterRow &row : rows) {
@@ -234,6 +273,7 @@ ParameterSet::ParameterSet(std::span<const ParameterRow> rows, std::span<const B
                 ParameterSpec spec;
                 spec.row = &row;
                 spec.id = static_cast<int>(m_specs.size());
+                spec.firmware = firmware;
                 spec.axis = row.axes > 1 ? kAxes[static_cast<std::size_t>(axis)] : row.axis;
                 spec.index = row.count > 1 ? index + 1 : 0;
                 spec.key = expandKey(row.key, spec.axis, spec.index);

@@ -121,6 +121,7 @@ struct ParameterRow
     double bias = 0.0;
     double min = 0;  ///< range in raw numbers
     double max = 255;
+    int step = 1;  ///< of integers: only every so many counts from min are allowed
     int decimals = 0;  ///< on the screen
     std::array<double, 3> defaults{0, 0, 0};
     std::span<const Choice> choices{};
@@ -139,6 +140,25 @@ struct ParameterRow
     NoEffectWhile inactive{};
 };
 
+/// Two parameters whose values can exclude each other although each is allowed.
+struct ValueRule
+{
+    enum class Kind : std::uint8_t {
+        OtherDirection,  ///< must differ by more than the sign
+        OtherUnlessZero,  ///< must differ, unless both are 0
+    };
+
+    Kind kind = Kind::OtherDirection;
+    const char *first = "";
+    const char *second = "";
+    const char *why = "";  ///< "one axis of the sensor cannot point both up and right"
+
+    [[nodiscard]] bool isBroken(double a, double b) const
+    {
+        return kind == Kind::OtherDirection ? std::abs(a) == std::abs(b) : a == b && a != 0;
+    }
+};
+
 using Capabilities = QSet<QString>;
 
 /// One parameter: a row with its axis and index filled in.
@@ -152,6 +172,7 @@ struct ParameterSpec
     int offset = 0;
     int adjustable = -1;
     double defaultRaw = 0;
+    int firmware = 0;  ///< of its ParameterSet; decides which choices there are
 
     /// The number the operator sees.
     [[nodiscard]] double toDisplay(double raw) const;
@@ -162,6 +183,10 @@ struct ParameterSpec
     [[nodiscard]] double nearest(double raw) const;
     /// False also for NaN.
     [[nodiscard]] bool isInRange(double raw) const;
+    /// Whether an operator may set it: in range, on a step and, for a choice, one that this firmware has. A
+    /// board may hold others all the same.
+    [[nodiscard]] bool accepts(double raw) const;
+    /// The nearest one in range and on a step; of a choice, in range.
     [[nodiscard]] double clamped(double raw) const;
     /// Raw number from a block, NaN for a float that is NaN or infinite; empty when the block is too short.
     [[nodiscard]] std::optional<double> read(const QByteArray &block) const;
@@ -172,8 +197,8 @@ struct ParameterSpec
     bool copy(QByteArray &block, const QByteArray &from) const;
     /// Key of the parameter that decides whether this one has an effect; empty: it always has.
     [[nodiscard]] QString inactiveKey() const;
-    /// Choices (or flag bits) that this firmware has.
-    [[nodiscard]] std::vector<Choice> choices(int firmware) const;
+    /// Choices (or flag bits) that this version of the firmware has.
+    [[nodiscard]] std::vector<Choice> choices(int version) const;
 
     /// Plain text of a value as files and the command line use it: "15", "0.18", "2e-06", "on", "0x0410"; "no
     /// number" for NaN. Has as many digits as parse() needs to restore exactly the same value.
@@ -185,6 +210,8 @@ struct ParameterSpec
     [[nodiscard]] std::optional<double> parse(const QString &text) const;
     [[nodiscard]] QString minText() const { return format(row->min); }
     [[nodiscard]] QString maxText() const { return format(row->max); }
+    /// What accepts() allows: "0 to 30", "12 to 28 in steps of 2", "0 to 5, 33 to 35".
+    [[nodiscard]] QString allowedText() const;
 
 private:
     [[nodiscard]] std::optional<quint32> word(const QByteArray &block) const;
@@ -196,7 +223,7 @@ class ParameterSet
 {
 public:
     ParameterSet(std::span<const ParameterRow> rows, std::span<const BlockSpec> blocks, int firmware,
-                 const Capabilities &capabilities);
+                 const Capabilities &capabilities, std::span<const ValueRule> rules = {});
 
     [[nodiscard]] const std::vector<ParameterSpec> &all() const { return m_specs; }
     [[nodiscard]] const ParameterSpec &at(int id) const { return m_specs[static_cast<std::size_t>(id)]; }
@@ -206,10 +233,12 @@ public:
     /// Group names in table order.
     [[nodiscard]] const QList<const char *> &groups() const { return m_groups; }
     [[nodiscard]] int firmware() const { return m_firmware; }
+    [[nodiscard]] std::span<const ValueRule> rules() const { return m_rules; }
 
 private:
     std::vector<ParameterSpec> m_specs;
     std::span<const BlockSpec> m_blocks;
+    std::span<const ValueRule> m_rules;
     QHash<QString, int> m_byKey;
     QList<const char *> m_groups;
     int m_firmware;
@@ -254,15 +283,16 @@ constexpr bool coversBlock(std::span<const ParameterRow> rows, int block,
     return true;
 }
 
-/// True when each row's range fits its wire type and its defaults lie in the range; a float has no bit field,
-/// is a plain number and is converted linearly.
+/// True when each row's range fits its wire type and its defaults are allowed; a float has no bit field
+/// and no steps, is a plain number and is converted linearly.
 constexpr bool rangesFit(std::span<const ParameterRow> rows)
 {
     const auto isWhole = [](double value) { return double(static_cast<long long>(value)) == value; };
     for (const ParameterRow &row : rows) {
         const bool isFloat = row.wire == WireType::F32;
         if (isFloat
-            && (row.bitCount || row.kind != ValueKind::Number || row.conversion != Conversion::Linear))
+            && (row.bitCount || row.step != 1 || row.kind != ValueKind::Number
+                || row.conversion != Conversion::Linear))
             return false;
         auto [low, high] = wireRange(row.wire);
         if (row.kind == ValueKind::Flags && low < 0)
@@ -275,8 +305,15 @@ constexpr bool rangesFit(std::span<const ParameterRow> rows)
             return false;
         if (!isFloat && !(isWhole(row.min) && isWhole(row.max)))
             return false;
+        if (row.step < 1 || (row.step > 1 && (static_cast<long long>(row.max - row.min) % row.step)))
+            return false;
         for (int axis = 0; axis < row.axes; ++axis) {
             const double value = row.defaults[std::size_t(axis)];
+            bool listed = row.kind != ValueKind::Choice || row.choices.empty() || row.state;
+            for (const Choice &choice : row.choices)
+                listed = listed || choice.value == value;
+            if (!listed || (row.step > 1 && static_cast<long long>(value - row.min) % row.step))
+                return false;
             if (!row.state && !(value >= row.min && value <= row.max && (isFloat || isWhole(value))))
                 return false;
         }

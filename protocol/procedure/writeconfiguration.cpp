@@ -99,6 +99,8 @@ Result<WriteReport> Writer::run()
         m_report.data.push_back({change.spec, change.key, WriteState::NotWritten});
     if (m_changes.empty() && m_data.empty() && !m_namesChanged)
         return m_report;
+    if (const auto checked = m_edited.checkRules(m_base); !checked)
+        return tl::unexpected(checked.error());
     collectBlocks();
     if (const auto saved = backUp(); !saved)
         return tl::unexpected(saved.error());

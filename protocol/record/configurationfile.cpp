@@ -118,6 +118,25 @@ double translated(const ParameterSpec &from, double raw, int fromFirmware, const
     return to.row->max + 1;
 }
 
+// Sets the value of a parameter of a file. Errors: with what to tell the operator as their detail.
+Result<void> take(Configuration &result, const ParameterSpec &own, int profile, const Configuration &board,
+                  const ParameterSpec &spec, double raw, AppliedFor purpose)
+{
+    const double wanted = translated(spec, raw, spec.firmware, own, own.firmware);
+    if (sameValue(board.raw(own, profile), wanted))
+        return {};
+    const bool isSame = own.row == spec.row;
+    const auto set = purpose == AppliedFor::Comparing && isSame ? result.restoreRaw(own, profile, wanted)
+                                                                : result.setRaw(own, profile, wanted);
+    if (set)
+        return {};
+    // The translated number of a choice that does not exist there would tell nothing.
+    return failure(set.error().code,
+                   isSame && std::isfinite(raw) && set.error().code == ErrorCode::OutOfRange
+                       ? set.error().detail
+                       : spec.key);
+}
+
 // ", value of KEY" if the text before that byte ends in a key: a number as large as 1e999 is not valid JSON.
 QString entryAt(const QByteArray &json, int offset)
 {
@@ -283,7 +302,8 @@ Result<ConfigurationFile> ConfigurationFile::load(const QString &path, const Mak
     return loaded;
 }
 
-Configuration applied(const Configuration &board, const Configuration &file, QStringList &skipped)
+Configuration applied(const Configuration &board, const Configuration &file, QStringList &skipped,
+                      AppliedFor purpose)
 {
     Configuration result = board;
     for (const ParameterSpec &spec : file.parameters().all()) {
@@ -300,14 +320,13 @@ Configuration applied(const Configuration &board, const Configuration &file, QSt
             }
             if (own && board.findMissing(*own, profile))
                 continue;  // told as a part
-            const double wanted = own
-                ? translated(spec, *raw, file.parameters().firmware(), *own, board.parameters().firmware())
-                : 0.0;
-            if (!own
-                || (!sameValue(board.raw(*own, profile), wanted) && !result.setRaw(*own, profile, wanted))) {
-                if (!skipped.contains(spec.key))
-                    skipped.append(spec.key);
-                break;
+            const auto taken = own ? take(result, *own, profile, board, spec, *raw, purpose)
+                                   : failure(ErrorCode::Unsupported, spec.key);
+            if (!taken) {
+                if (!skipped.contains(taken.error().detail))
+                    skipped.append(taken.error().detail);
+                if (!own)
+                    break;
             }
             if (boardWide)
                 break;

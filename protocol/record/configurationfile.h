@@ -31,7 +31,14 @@ struct ConfigurationFile
     static Result<ConfigurationFile> fromJson(const QByteArray &json, const MakeParameters &makeParameters);
 };
 
-/// The board's configuration with the file's values: reserved bytes stay the board's; parameters that the
-/// board does not have are listed in skipped.
+/// What applied() is for.
+enum class AppliedFor {
+    Writing,  ///< values that nobody may set are left out
+    Comparing,  ///< what a board holds counts, allowed or not
+};
+
+/// The board's configuration with the file's values: reserved bytes stay the board's. What was left out is
+/// listed in skipped: the key of a parameter that the board does not have, "KEY = VALUE, allowed ..." of a
+/// value that it does not take.
 [[nodiscard]] Configuration applied(const Configuration &board, const Configuration &file,
-                                    QStringList &skipped);
+                                    QStringList &skipped, AppliedFor purpose = AppliedFor::Writing);

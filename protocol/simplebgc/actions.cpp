@@ -3,7 +3,9 @@
 #include "protocol/simplebgc/actions.h"
 
 #include "protocol/session/carryout.h"
+#include "protocol/simplebgc/adjustables.h"
 #include "protocol/simplebgc/choices.h"
+#include "protocol/simplebgc/parametertables.h"
 #include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/simplebgc/units.h"
 
@@ -19,6 +21,27 @@ namespace {
 constexpr auto kSteerPeriod = 50ms;
 
 const QString kAxisNames[] = {u"roll"_s, u"pitch"_s, u"yaw"_s};
+
+// The board checks nothing. Of variables that no table has, only the board knows what they may be.
+Result<void> checkVariable(const BoardIdentity &identity, const AdjustableValue &wanted)
+{
+    for (const AdjustableSpec &spec : adjustablesOf(identity.firmwareNumber)) {
+        if (spec.id == wanted.id && !(wanted.value >= spec.min && wanted.value <= spec.max))
+            return failure(ErrorCode::OutOfRange,
+                           u"%1 = %2, allowed %3 to %4"_s.arg(QLatin1String(spec.key))
+                               .arg(wanted.value)
+                               .arg(spec.min)
+                               .arg(spec.max));
+    }
+    const ParameterSet parameters(parameterRows(), kBlocks, identity.firmwareNumber, identity.capabilities);
+    for (const ParameterSpec &spec : parameters.all()) {
+        const double raw = wanted.value / spec.row->adjustableScale;
+        if (spec.adjustable == wanted.id && spec.row->kind == ValueKind::Choice && !spec.accepts(raw))
+            return failure(ErrorCode::OutOfRange,
+                           u"%1 = %2, allowed %3"_s.arg(spec.key, spec.format(raw), spec.allowedText()));
+    }
+    return {};
+}
 
 Result<QList<int>> parseNumbers(const QString &text, int min, int max)
 {
@@ -246,8 +269,10 @@ Result<ActionReply> Actions::readVariables(const QVariantMap &arguments)
 
 Result<ActionReply> Actions::writeVariable(const QVariantMap &arguments)
 {
-    const auto done = m_device.writeAdjustables(
-        m_channel, {{arguments.value(u"id"_s).toInt(), arguments.value(u"value"_s).toDouble()}});
+    const AdjustableValue wanted{arguments.value(u"id"_s).toInt(), arguments.value(u"value"_s).toDouble()};
+    if (const auto checked = checkVariable(m_device.identity(), wanted); !checked)
+        return tl::unexpected(checked.error());
+    const auto done = m_device.writeAdjustables(m_channel, {wanted});
     if (!done)
         return tl::unexpected(done.error());
     return ActionReply{};

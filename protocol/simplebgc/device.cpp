@@ -65,7 +65,7 @@ Capabilities capabilitiesOf(const BoardInfo &info)
 std::shared_ptr<const ParameterSet> parametersOf(const BoardIdentity &identity)
 {
     return std::make_shared<ParameterSet>(parameterRows(), kBlocks, identity.firmwareNumber,
-                                          identity.capabilities);
+                                          identity.capabilities, valueRules());
 }
 
 // Document "Message format" and errata 1.6: both parities, 115200 first; 256000 came later.

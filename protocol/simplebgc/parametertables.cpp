@@ -17,6 +17,22 @@ std::span<const ParameterRow> parameterRows()
     return rows;
 }
 
+std::span<const ValueRule> valueRules()
+{
+    using enum ValueRule::Kind;
+    static constexpr const char *kSensor = "one axis of a sensor cannot point both up and to the right";
+    static constexpr const char *kPort = "two motors cannot be at the same output";
+    static constexpr ValueRule kRules[] = {
+        {OtherDirection, "imu.main.axis_top", "imu.main.axis_right", kSensor},
+        {OtherDirection, "imu.frame.axis_top", "imu.frame.axis_right", kSensor},
+        {OtherDirection, "imu.mag.axis_top", "imu.mag.axis_right", kSensor},
+        {OtherUnlessZero, "motor.roll.output", "motor.pitch.output", kPort},
+        {OtherUnlessZero, "motor.roll.output", "motor.yaw.output", kPort},
+        {OtherUnlessZero, "motor.pitch.output", "motor.yaw.output", kPort},
+    };
+    return kRules;
+}
+
 std::span<const Choice> menuActions()
 {
     return kMenuActions;

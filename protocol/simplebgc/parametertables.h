@@ -26,6 +26,9 @@ inline constexpr BlockSpec kBlocks[] = {
 /// errata 3.3-3.6). Labels, groups, help texts and choice names are translated in the context "Tables".
 [[nodiscard]] std::span<const ParameterRow> parameterRows();
 
+/// Values of two parameters that exclude each other.
+[[nodiscard]] std::span<const ValueRule> valueRules();
+
 /// Menu actions (errata 4.1), for EXECUTE_MENU, buttons, RC commands and start-up actions.
 [[nodiscard]] std::span<const Choice> menuActions();
 

@@ -77,7 +77,7 @@ constexpr ParameterRow kRows[] = {
     {.key = "motor.%a.poles", .label = "Motor poles", .group = "Gimbal configuration",
      .help = "Magnets in the bell of the motor. A wrong number makes the motor run away.",
      .block = Parameters, .offset = 2 * 20, .wire = WireType::U16, .axes = 3, .axisStride = 12, .pitchFirst = true,
-     .min = 12, .max = 28, .defaults = {14, 14, 14}, .risk = Risk::Red, .name = "%A Motor Poles"},
+     .min = 12, .max = 28, .step = 2, .defaults = {14, 14, 14}, .risk = Risk::Red, .name = "%A Motor Poles"},
     {.key = "motor.%a.direction", .label = "Motor direction", .group = "Gimbal configuration",
      .help = "Auto finds it at each start, with a little movement. A wrong one makes the motor run away.",
      .block = Parameters, .offset = 2 * 21, .wire = WireType::U16, .kind = ValueKind::Choice, .axes = 3, .axisStride = 12, .pitchFirst = true,

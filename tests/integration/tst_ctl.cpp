@@ -44,6 +44,8 @@ private slots:
     void listAndGet();
     void setWritesAndTells();
     void setWithoutSaveIsVolatile();
+    void valuesThatNobodyMaySet_data();
+    void valuesThatNobodyMaySet();
     void dumpDiffApply();
     void incompleteBoardIsTold();
     void profilesAndRename();
@@ -146,6 +148,27 @@ void TestCtl::setWithoutSaveIsVolatile()
     QCOMPARE(ctl({u"do"_s, u"profile.select"_s, u"profile=1"_s}).exitCode, 0);
     QCOMPARE(ctl({u"get"_s, u"pid.roll.p"_s}).out, u"35\n"_s);
     QCOMPARE(ctl({u"set"_s, u"motor.roll.poles=22"_s, u"--no-save"_s}).exitCode, 1);
+}
+
+void TestCtl::valuesThatNobodyMaySet_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("told");
+    QTest::newRow("choice") << QStringList{u"set"_s, u"rc.map.roll=200"_s} << u"allowed 0 to 5, 33 to 35"_s;
+    QTest::newRow("live") << QStringList{u"set"_s, u"imu.euler_order=9"_s, u"--no-save"_s}
+                          << u"imu.euler_order = 9"_s;
+    QTest::newRow("variable") << QStringList{u"do"_s, u"variables.write"_s, u"id=30"_s, u"value=7"_s}
+                              << u"follow_mode = 7, allowed 0 to 2"_s;
+    QTest::newRow("contradiction") << QStringList{u"set"_s, u"imu.main.axis_top=1"_s}
+                                   << u"imu.main.axis_top = 1 and imu.main.axis_right = 1"_s;
+}
+
+void TestCtl::valuesThatNobodyMaySet()
+{
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, told);
+    const Run run = ctl(arguments);
+    QVERIFY2(run.exitCode != 0 && run.err.contains(told), qPrintable(run.out + run.err));
 }
 
 void TestCtl::dumpDiffApply()

@@ -43,6 +43,8 @@ private slots:
     void dirtyIsAComparison();
     void boardWideEditsShowInEveryProfile();
     void undoAndRedoSpanProfiles();
+    void undoRestoresWhatNobodyMaySet();
+    void copiesLeaveOutWhatNobodyMaySet();
     void stepsOnOneValueAreOneUndo();
     void discardCanBeUndone();
     void refusesOutOfRange();
@@ -145,6 +147,60 @@ void TestModels::undoAndRedoSpanProfiles()
         edits.undoStack().redo();
     QCOMPARE(configuration.changeCount(), 3);
     QCOMPARE(*configuration.value(configuration.edited().parameters().at(d), 2), 50);
+}
+
+void TestModels::undoRestoresWhatNobodyMaySet()
+{
+    ConfigurationModel configuration;
+    EditStack edits(configuration);
+    Configuration board = readBoard();
+    const int source = board.parameters().find(u"rc.map.roll"_s)->id;
+    QVERIFY(board.restoreRaw(board.parameters().at(source), 0, 200));
+    configuration.reset(board);
+    const ParameterSpec &spec = configuration.edited().parameters().at(source);
+    QVERIFY(!edits.edit(source, 0, 201));
+    QVERIFY(edits.edit(source, 0, 2));
+    const QJsonObject journal = edits.toJson();
+    edits.undoStack().undo();
+    QCOMPARE(*configuration.value(spec, 0), 200.0);
+    edits.undoStack().redo();
+    // Also once a write has replaced it; the edit then stays one when the board is read again.
+    configuration.setBoard(configuration.edited());
+    edits.undoStack().undo();
+    QCOMPARE(*configuration.value(spec, 0), 200.0);
+    QVERIFY(configuration.rebase(configuration.board()));
+    QCOMPARE(configuration.changeCount(), 1);
+    edits.undoStack().redo();
+    QCOMPARE(configuration.changeCount(), 0);
+
+    configuration.reset(board);
+    QVERIFY(edits.restore(journal));
+    QCOMPARE(*configuration.value(configuration.edited().parameters().at(source), 0), 2.0);
+    edits.undoStack().undo();
+    QCOMPARE(configuration.changeCount(), 0);
+}
+
+void TestModels::copiesLeaveOutWhatNobodyMaySet()
+{
+    ConfigurationModel configuration;
+    EditStack edits(configuration);
+    Configuration board = readBoard();
+    const int source = board.parameters().find(u"rc.map.roll"_s)->id;
+    const int gain = board.parameters().find(u"pid.roll.p"_s)->id;
+    QVERIFY(board.restoreRaw(board.parameters().at(source), 0, 200));
+    QVERIFY(board.setRaw(board.parameters().at(gain), 0, 77));
+    configuration.reset(board);
+    const auto value = [&configuration](int id, int profile) {
+        return *configuration.value(configuration.edited().parameters().at(id), profile);
+    };
+    const double before = value(source, 1);
+    const QStringList leftOut = edits.copyProfile(0, 1);
+    QCOMPARE(leftOut.size(), 1);
+    QVERIFY2(leftOut.first().startsWith(u"rc.map.roll = 200"_s), qPrintable(leftOut.first()));
+    QCOMPARE(value(source, 1), before);
+    QCOMPARE(value(gain, 1), 77.0);
+    edits.undoStack().undo();
+    QCOMPARE(configuration.changeCount(), 0);
 }
 
 void TestModels::stepsOnOneValueAreOneUndo()

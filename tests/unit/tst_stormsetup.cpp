@@ -62,6 +62,7 @@ private slots:
     void settingsFileComesBack_data();
     void settingsFileComesBack();
     void settingsOfAnotherLayoutAreUnderstood();
+    void settingsThatNobodyMaySetAreTold();
     void badSettingsAreRefused_data();
     void badSettingsAreRefused();
     void calibrationFileComesBack();
@@ -585,6 +586,24 @@ void TestStormSetup::settingsOfAnotherLayoutAreUnderstood()
     const Configuration now = applied(board, file->configuration, skipped);
     QCOMPARE(now.raw(*now.parameters().find(u"rc.yaw.mode"_s), 0), 3);
     QCOMPARE(now.raw(*now.parameters().find(u"standby.input"_s), 0), 30);
+}
+
+// Such a file opens, as a board has held what is in it; another board does not get it.
+void TestStormSetup::settingsThatNobodyMaySetAreTold()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    const Configuration board = readBoard(rig);
+    Configuration held = board;
+    const ParameterSpec &poles = *board.parameters().find(u"motor.yaw.poles"_s);
+    QVERIFY(held.restoreRaw(poles, 0, 13));
+    const auto file = readSettings(writeSettings(held).value());
+    QVERIFY(file);
+    QCOMPARE(file->configuration.raw(*file->configuration.parameters().find(poles.key), 0), 13);
+    QStringList skipped;
+    const Configuration now = applied(board, file->configuration, skipped);
+    QCOMPARE(now.raw(poles, 0), board.raw(poles, 0));
+    QCOMPARE(skipped, QStringList{u"motor.yaw.poles = 13, allowed 12 to 28 in steps of 2"_s});
 }
 
 void TestStormSetup::badSettingsAreRefused_data()

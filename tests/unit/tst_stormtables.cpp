@@ -58,6 +58,7 @@ private slots:
     void unknownLayoutsHaveNoTable();
     void keysAreUniqueAndNamesKnown();
     void axesLieWhereTheyShould();
+    void valuesThatNobodyMaySet();
     void orientationsAreRightHanded();
 };
 
@@ -178,6 +179,30 @@ void TestStormTables::keysAreUniqueAndNamesKnown()
             = compileScripts({u"SET \"Pitch Pan\" 3\nSET \"Rc Yaw Min\" -450\nSTOP"_s, {}, {}, {}}, context);
         QVERIFY2(area, qPrintable(area ? QString() : area.error().error().detail));
         QCOMPARE(area->mid(4, 9).toHex(), "0a0403000a3d3efe00");
+    }
+}
+
+void TestStormTables::valuesThatNobodyMaySet()
+{
+    for (const int layout : {78, 89, 95}) {
+        const ParameterSet set = setOf(layout);
+        for (const char *key : {"motor.pitch.poles", "motor.roll.poles", "motor.yaw.poles"}) {
+            const ParameterSpec &poles = *set.find(QLatin1String(key));
+            for (const int odd : {11, 13, 27, 29})
+                QVERIFY(!poles.accepts(odd));
+            for (const int even : {12, 14, 22, 28})
+                QVERIFY(poles.accepts(even));
+            QCOMPARE(poles.allowedText(), u"12 to 28 in steps of 2"_s);
+            QCOMPARE(poles.clamped(13), 14.0);
+            QCOMPARE(poles.clamped(40), 28.0);
+        }
+        for (const ParameterSpec &spec : set.all()) {
+            QVERIFY2(spec.accepts(spec.defaultRaw), qPrintable(spec.key));
+            for (const Choice &choice : spec.choices(layout))
+                QVERIFY2(spec.row->kind != ValueKind::Choice || !spec.isInRange(choice.value)
+                             || spec.accepts(choice.value),
+                         qPrintable(spec.key));
+        }
     }
 }
 

@@ -81,6 +81,13 @@ private slots:
     void badFilesAreExplained_data();
     void badFilesAreExplained();
     void fileOfOtherFirmwareAppliesWhatItCan();
+    void valuesThatNobodyMaySet_data();
+    void valuesThatNobodyMaySet();
+    void whatABoardHoldsIsKept();
+    void whatABoardHoldsIsNotPassedOn();
+    void contradictionsAreNotWritten_data();
+    void contradictionsAreNotWritten();
+    void contradictionsOfTheBoardMayStay();
     void historyPathsStayInside();
     void destructiveActionsBackUpFirst();
     void whatIsNotDeliveredIsNamed();
@@ -406,6 +413,138 @@ void TestWrite::fileOfOtherFirmwareAppliesWhatItCan()
     QCOMPARE(*result.raw(*older.base.parameters().find(u"pid.roll.p"_s), 0), 91);
     QVERIFY(skipped.contains(u"limit.yaw.max"_s));
     QVERIFY(!skipped.contains(u"pid.roll.p"_s));
+}
+
+void TestWrite::valuesThatNobodyMaySet_data()
+{
+    QTest::addColumn<int>("firmware");
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<int>("raw");
+    QTest::addColumn<QString>("allowed");
+    const auto row = [](int firmware, const char *key, int raw, const char *allowed) {
+        QTest::addRow("%s %d", key, firmware)
+            << firmware << QString::fromLatin1(key) << raw << QString::fromLatin1(allowed);
+    };
+    row(2590, "imu.main.axis_top", 0, "-3 to -1, 1 to 3");
+    row(2590, "rc.map.roll", 200, "0 to 5, 33 to 35, 65 to 95, 129 to 159");
+    row(2704, "rc.map.roll", 200, "0 to 5, 33 to 35, 65 to 95, 129 to 159, 161 to 166");
+    row(2590, "imu.euler_order", 9, "0 to 5");
+    row(2704, "imu.euler_order", 5, "0 to 4");
+    row(2590, "motor.roll.output", 6, "0 to 3");
+    row(2704, "motor.roll.output", 8, "0 to 7");
+}
+
+void TestWrite::valuesThatNobodyMaySet()
+{
+    QFETCH(int, firmware);
+    QFETCH(QString, key);
+    QFETCH(int, raw);
+    QFETCH(QString, allowed);
+    SimulatorOptions options;
+    options.firmware = firmware;
+    Bench bench(options);
+    const ParameterSpec &spec = *bench.base.parameters().find(key);
+    const auto set = bench.edited.setRaw(spec, 0, raw);
+    QVERIFY(!set);
+    QCOMPARE(set.error().code, ErrorCode::OutOfRange);
+    QCOMPARE(set.error().detail, u"%1 = %2, allowed %3"_s.arg(key).arg(raw).arg(allowed));
+    QCOMPARE(bench.edited.blocks(), bench.base.blocks());
+}
+
+void TestWrite::whatABoardHoldsIsKept()
+{
+    Bench bench;
+    const ParameterSpec &source = *bench.base.parameters().find(u"rc.map.roll"_s);
+    QVERIFY(bench.base.restoreRaw(source, 0, 200));
+    const auto file
+        = ConfigurationFile::fromJson(ConfigurationFile::toJson(bench.base, {}, {}),
+                                      [&](const BoardIdentity &) { return bench.base.parameterSet(); });
+    QVERIFY(file);
+    QCOMPARE(*file->configuration.raw(source, 0), 200.0);
+    QStringList skipped;
+    QCOMPARE(*applied(bench.base, file->configuration, skipped).raw(source, 0), 200.0);
+    QVERIFY2(skipped.isEmpty(), qPrintable(skipped.join(u'\n')));
+    // What was in use is put back, whatever it is.
+    Configuration live = bench.base;
+    QVERIFY(live.setRaw(source, 0, 2));
+    live = withoutLive(live, {{source.key, 200, 2}});
+    QCOMPARE(*live.raw(source, 0), 200.0);
+    QVERIFY(!live.restoreRaw(source, 0, 256));
+    QCOMPARE(*live.raw(source, 0), 200.0);
+}
+
+void TestWrite::whatABoardHoldsIsNotPassedOn()
+{
+    Bench bench;
+    const ParameterSpec &source = *bench.base.parameters().find(u"rc.map.roll"_s);
+    const ParameterSpec &gain = *bench.base.parameters().find(u"pid.roll.p"_s);
+    Configuration other = bench.base;
+    QVERIFY(other.restoreRaw(source, 1, 200));
+    QVERIFY(other.setRaw(gain, 1, 77));
+    QStringList skipped;
+    const Configuration wanted = applied(bench.base, other, skipped);
+    QCOMPARE(wanted.raw(source, 1), bench.base.raw(source, 1));
+    QCOMPARE(*wanted.raw(gain, 1), 77.0);
+    QCOMPARE(skipped.size(), 1);
+    QVERIFY2(skipped.first().startsWith(u"rc.map.roll = 200, allowed 0 to 5"_s), qPrintable(skipped.first()));
+    // A comparison hides nothing.
+    skipped.clear();
+    QCOMPARE(*applied(bench.base, other, skipped, AppliedFor::Comparing).raw(source, 1), 200.0);
+    QVERIFY(skipped.isEmpty());
+}
+
+void TestWrite::contradictionsAreNotWritten_data()
+{
+    QTest::addColumn<QString>("first");
+    QTest::addColumn<QString>("second");
+    QTest::addColumn<int>("raw");
+    QTest::addColumn<int>("other");
+    const auto row = [](const char *first, const char *second, int raw, int other) {
+        QTest::addRow("%s %d", first, other)
+            << QString::fromLatin1(first) << QString::fromLatin1(second) << raw << other;
+    };
+    row("imu.main.axis_top", "imu.main.axis_right", 2, 2);
+    row("imu.main.axis_top", "imu.main.axis_right", 2, -2);
+    row("imu.frame.axis_top", "imu.frame.axis_right", 1, 1);
+    row("imu.mag.axis_top", "imu.mag.axis_right", 3, -3);
+    row("motor.roll.output", "motor.pitch.output", 2, 2);
+    row("motor.pitch.output", "motor.yaw.output", 3, 3);
+}
+
+void TestWrite::contradictionsAreNotWritten()
+{
+    QFETCH(QString, first);
+    QFETCH(QString, second);
+    QFETCH(int, raw);
+    QFETCH(int, other);
+    Bench bench;
+    const auto before = bench.base;
+    bench.edit(first, 0, raw);
+    bench.edit(second, 0, other);
+    const auto report = bench.write();
+    QVERIFY(!report);
+    QCOMPARE(report.error().code, ErrorCode::Contradiction);
+    for (const QString &named : {first, second})
+        QVERIFY2(report.error().detail.contains(named), qPrintable(report.error().detail));
+    const auto now = bench.virtualBoard.device.readConfiguration(bench.virtualBoard.channel);
+    QVERIFY(now && before.changesTo(*now).empty());
+}
+
+void TestWrite::contradictionsOfTheBoardMayStay()
+{
+    Bench bench;
+    const ParameterSpec &top = *bench.base.parameters().find(u"imu.frame.axis_top"_s);
+    const ParameterSpec &right = *bench.base.parameters().find(u"imu.frame.axis_right"_s);
+    Configuration held = bench.base;
+    QVERIFY(held.restoreRaw(right, 0, *held.raw(top, 0)));
+    Configuration edited = held;
+    QVERIFY(edited.setRaw(*edited.parameters().find(u"pid.roll.p"_s), 0, 44));
+    QVERIFY(edited.checkRules(held));
+    QVERIFY(!edited.checkRules(bench.base));
+    // Two motors that are off are at no output.
+    for (const QString &key : {u"motor.roll.output"_s, u"motor.yaw.output"_s})
+        bench.edit(key, 0, 0);
+    QVERIFY(bench.edited.checkRules(bench.base));
 }
 
 void TestWrite::historyPathsStayInside()

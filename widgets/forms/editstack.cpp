@@ -39,8 +39,17 @@ public:
         m_age.start();
     }
 
-    void undo() override { set(m_old); }
-    void redo() override { set(m_new); }
+    // What was there is put back even if nobody may set it: a write may have replaced it on the board.
+    void undo() override
+    {
+        if (const ParameterSpec *spec = find())
+            std::ignore = m_configuration.restoreValue(*spec, m_profile, m_old);
+    }
+    void redo() override
+    {
+        if (const ParameterSpec *spec = find())
+            std::ignore = m_configuration.setValue(*spec, m_profile, m_new);
+    }
     [[nodiscard]] int id() const override { return 1; }
 
     bool mergeWith(const QUndoCommand *other) override
@@ -61,11 +70,10 @@ public:
     }
 
 private:
-    void set(double raw)
+    // By key: after reconnecting, the same parameter is another object.
+    [[nodiscard]] const ParameterSpec *find() const
     {
-        // By key: after reconnecting, the same parameter is another object.
-        if (const ParameterSpec *spec = m_configuration.edited().parameters().find(m_key))
-            std::ignore = m_configuration.setValue(*spec, m_profile, raw);
+        return m_configuration.edited().parameters().find(m_key);
     }
 
     ConfigurationModel &m_configuration;
@@ -188,41 +196,46 @@ void EditStack::apply(const Configuration &wanted, const QString &text)
 
 bool EditStack::canHold(const ParameterSpec &spec, int profile, double raw) const
 {
-    return spec.isInRange(raw) || sameValue(m_configuration.boardValue(spec, profile), raw);
+    return spec.accepts(raw) || sameValue(m_configuration.boardValue(spec, profile), raw);
 }
 
-// Unlike edit(): values from a board or a file are accepted as they are, even outside the documented range.
-// NaN can only be restored, not set.
+// What nobody may set, only the board's own value brings back.
 void EditStack::push(const ParameterChange &change)
 {
-    if (std::isnan(change.to) && !canHold(*change.spec, change.profile, change.to))
+    if (!canHold(*change.spec, change.profile, change.to))
         return;
     m_stack.push(new ValueEdit(m_configuration, *change.spec, change.profile, change.from, change.to));
 }
 
-void EditStack::copyProfile(int from, int to)
+QStringList EditStack::copyProfile(int from, int to)
 {
-    applyProfile(m_configuration.edited(), from, to,
-                 tr("Copy profile %1 onto profile %2").arg(from + 1).arg(to + 1));
+    return applyProfile(m_configuration.edited(), from, to,
+                        tr("Copy profile %1 onto profile %2").arg(from + 1).arg(to + 1));
 }
 
-void EditStack::applyProfile(const Configuration &wanted, int from, int to, const QString &text)
+QStringList EditStack::applyProfile(const Configuration &wanted, int from, int to, const QString &text)
 {
     std::vector<ParameterChange> changes;
+    QStringList leftOut;
     for (const ParameterSpec &spec : m_configuration.edited().parameters().all()) {
         if (spec.row->scope != Scope::Profile || spec.row->state)
             continue;
         const auto now = m_configuration.value(spec, to);
         const auto then = wanted.raw(wanted.parameters().at(spec.id), from);
-        if (now && then && !sameValue(*now, *then))
+        if (!now || !then || sameValue(*now, *then))
+            continue;
+        if (canHold(spec, to, *then))
             changes.push_back({&spec, to, *now, *then});
+        else
+            leftOut.append(u"%1 = %2, allowed %3"_s.arg(spec.key, spec.format(*then), spec.allowedText()));
     }
     if (changes.empty())
-        return;
+        return leftOut;
     m_stack.beginMacro(text);
     for (const ParameterChange &change : changes)
         push(change);
     m_stack.endMacro();
+    return leftOut;
 }
 
 QJsonObject EditStack::toJson() const

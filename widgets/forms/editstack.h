@@ -22,12 +22,14 @@ public:
     void editData(BlockKey key, const QByteArray &bytes);
     /// Takes back all edits, as one step that can itself be undone.
     void discardAll();
-    /// Takes the profile values of one profile over into another, as one step.
-    void copyProfile(int from, int to);
+    /// Takes the profile values of one profile over into another, as one step. Returns what was left out
+    /// because it is not allowed: "KEY = VALUE, allowed ...".
+    QStringList copyProfile(int from, int to);
     /// Takes all values and names of a configuration of the same parameter set over, as one step.
     void apply(const Configuration &wanted, const QString &text);
-    /// Takes one profile's values of a configuration of the same parameter set over, as one step.
-    void applyProfile(const Configuration &wanted, int from, int to, const QString &text);
+    /// Takes one profile's values of a configuration of the same parameter set over, as one step. Returns
+    /// what was left out.
+    QStringList applyProfile(const Configuration &wanted, int from, int to, const QString &text);
 
     /// All steps, done and undone, as data that survives the program.
     [[nodiscard]] QJsonObject toJson() const;

@@ -41,7 +41,7 @@ public:
         if (m_spec.row->wire == WireType::F32)
             setValue(value() + steps * std::pow(10.0, -decimals()));
         else
-            setValue(m_spec.toDisplay(m_spec.clamped(m_spec.toRaw(value()) + steps)));
+            setValue(m_spec.toDisplay(m_spec.clamped(m_spec.toRaw(value()) + steps * m_spec.row->step)));
         selectAll();
     }
 

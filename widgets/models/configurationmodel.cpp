@@ -41,7 +41,7 @@ bool ConfigurationModel::rebase(Configuration board)
     for (const ParameterChange &edit : edits) {
         // The new parameter set is another object, so the parameter is found by its key.
         if (const ParameterSpec *spec = m_board.parameters().find(edit.spec->key))
-            std::ignore = m_edited.setRaw(*spec, edit.profile, edit.to);
+            std::ignore = m_edited.restoreRaw(*spec, edit.profile, edit.to);
     }
     for (const DataChange &edit : data) {
         if (m_board.blocks().contains(edit.key))
@@ -65,7 +65,7 @@ void ConfigurationModel::setBoard(const Configuration &board)
     m_edited = m_board;
     m_edited.setProfileNames(names);
     for (const ParameterChange &edit : edits) {
-        std::ignore = m_edited.setRaw(*edit.spec, edit.profile, edit.to);
+        std::ignore = m_edited.restoreRaw(*edit.spec, edit.profile, edit.to);
         emit valueChanged(edit.spec->id, edit.profile);
     }
     for (const DataChange &edit : data) {
@@ -114,8 +114,22 @@ Result<void> ConfigurationModel::setValue(const ParameterSpec &spec, int profile
 {
     if (sameValue(m_edited.raw(spec, profile), raw))
         return {};
-    const auto set = sameValue(m_board.raw(spec, profile), raw) ? m_edited.copyRaw(spec, profile, m_board)
-                                                                : m_edited.setRaw(spec, profile, raw);
+    return taken(sameValue(m_board.raw(spec, profile), raw) ? m_edited.copyRaw(spec, profile, m_board)
+                                                            : m_edited.setRaw(spec, profile, raw),
+                 spec, profile);
+}
+
+Result<void> ConfigurationModel::restoreValue(const ParameterSpec &spec, int profile, double raw)
+{
+    if (sameValue(m_edited.raw(spec, profile), raw))
+        return {};
+    return taken(sameValue(m_board.raw(spec, profile), raw) ? m_edited.copyRaw(spec, profile, m_board)
+                                                            : m_edited.restoreRaw(spec, profile, raw),
+                 spec, profile);
+}
+
+Result<void> ConfigurationModel::taken(const Result<void> &set, const ParameterSpec &spec, int profile)
+{
     if (!set)
         return set;
     emit valueChanged(spec.id, profile);

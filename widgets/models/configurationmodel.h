@@ -37,6 +37,8 @@ public:
     /// What the board holds is taken over bit by bit, in range and a number or not. Errors: those of
     /// Configuration::setRaw().
     Result<void> setValue(const ParameterSpec &spec, int profile, double raw);
+    /// Back to a value that was there before, allowed or not. Errors: those of Configuration::restoreRaw().
+    Result<void> restoreValue(const ParameterSpec &spec, int profile, double raw);
     void setProfileName(int profile, const QString &name);
     /// Edits a block without parameters as a whole. Errors: Unsupported (no such block), OutOfRange (its
     /// length).
@@ -61,6 +63,7 @@ signals:
     void changeCountChanged(int count);
 
 private:
+    Result<void> taken(const Result<void> &set, const ParameterSpec &spec, int profile);
     void recount();
 
     Configuration m_board;

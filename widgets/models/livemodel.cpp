@@ -144,7 +144,10 @@ void LiveModel::setValue(int parameter, double raw)
     if (!m_client.isConnected() || !m_parameters.contains(parameter))
         return;
     const auto [low, high] = range(parameter);
-    put(parameter, std::clamp(spec(parameter).nearest(raw), low, high));
+    const double wanted = std::clamp(spec(parameter).nearest(raw), low, high);
+    if (!spec(parameter).accepts(wanted) && !sameValue(stored(parameter), wanted))
+        return;
+    put(parameter, wanted);
     flush();
 }
 

@@ -173,7 +173,7 @@ bool ParameterModel::setData(const QModelIndex &index, const QVariant &value, in
         return false;
     const ParameterSpec &spec = specAt(index.row());
     const auto raw = spec.parse(value.toString());
-    if (!raw || !spec.isInRange(*raw))
+    if (!raw || !spec.accepts(*raw))
         return false;
     emit editRequested(spec.id, *raw);
     return true;

@@ -238,6 +238,8 @@ void BackupsPage::showDifferences()
                                     : tr("All values that could be compared are the same.");
     if (!missing.empty())
         text += u' ' + tr("Not known: %1.").arg(missingText(model.edited(), missing));
+    if (!skipped.isEmpty())
+        text += u' ' + tr("Left out, as this board does not take them: %1.").arg(skipped.join(u"; "_s));
     for (const DataChange &change : blocks)
         text += u' ' + tr("%1 differ.").arg(tableText(change.spec->data));
     if (names)

@@ -111,8 +111,13 @@ void ProfilesPage::connectAll()
     connect(m_active, &QPushButton::clicked, this, [this] { workspace().useProfile(chosen()); });
     connect(m_rename, &QPushButton::clicked, this,
             [this] { m_table->edit(m_model.index(chosen(), ProfileModel::NameColumn)); });
-    connect(m_copy, &QPushButton::clicked, this,
-            [this] { workspace().edits().copyProfile(chosen(), m_target->currentData().toInt()); });
+    connect(m_copy, &QPushButton::clicked, this, [this] {
+        const QStringList leftOut
+            = workspace().edits().copyProfile(chosen(), m_target->currentData().toInt());
+        if (!leftOut.isEmpty())
+            workspace().notifications().notify(
+                tr("Left out, as these values are not allowed: %1.").arg(leftOut.join(u"; "_s)));
+    });
     connect(m_load, &QPushButton::clicked, this, [this] {
         const int profile = chosen();
         askOpenPath(tr("Load a profile"), tr(kFilter),
