@@ -47,6 +47,20 @@ BoardIdentity identityOf(int layout)
     return identity;
 }
 
+// Names under which earlier versions of this program saved settings of layout 89.
+constexpr std::pair<const char *, const char *> kFormerNames[] = {{"Yaw Pan LPF", "Yaw Pan Deadband LPF"}};
+
+// The entry of a parameter, under its name or a former one.
+QMap<QString, Entry>::const_iterator find(const QMap<QString, Entry> &values, const QString &name)
+{
+    auto it = values.constFind(name);
+    for (const auto &[now, former] : kFormerNames) {
+        if (it == values.cend() && name == QLatin1String(now))
+            it = values.constFind(QLatin1String(former));
+    }
+    return it;
+}
+
 Result<Entries> parse(const QByteArray &text)
 {
     static const QRegularExpression kHead(u"^\\s*%\\w+\\s*=\\s*\\(\\s*$"_s);
@@ -121,8 +135,8 @@ std::optional<int> fit(const Entries &entries, const ParameterSet &set)
     int points = 0;
     bool any = false;
     for (const ParameterSpec &spec : set.all()) {
-        const auto it = entries.values.find(originalName(spec));
-        if (it == entries.values.end()) {
+        const auto it = find(entries.values, originalName(spec));
+        if (it == entries.values.cend()) {
             --points;
             continue;
         }
@@ -168,16 +182,17 @@ Result<ForeignSettings> readSettings(const QByteArray &text)
     QMap<QString, Entry> left = entries->values;
     for (const ParameterSpec &spec : best->all()) {
         const QString name = originalName(spec);
-        const auto it = entries->values.find(name);
-        if (it == entries->values.end())
+        const auto it = find(entries->values, name);
+        if (it == entries->values.cend())
             settings.missing.append(name);
-        const double raw = it == entries->values.end() ? spec.defaultRaw : believed(spec, *it, layout);
+        const double raw = it == entries->values.cend() ? spec.defaultRaw : believed(spec, *it, layout);
         if (!spec.isInRange(raw))
             return failure(ErrorCode::BadFile,
                            u"line %1: %2 = %3, allowed %4 to %5"_s.arg(it->line).arg(
                                name, spec.format(raw), spec.minText(), spec.maxText()));
         spec.write(words, raw);
-        left.remove(name);
+        if (it != entries->values.cend())
+            left.remove(it.key());
     }
     settings.unknown = left.keys();
     settings.configuration.setBlock({0, Parameters}, words);

@@ -63,6 +63,8 @@ private slots:
     void settingsFileComesBack();
     void settingsOfAnotherLayoutAreUnderstood();
     void settingsThatNobodyMaySetAreTold();
+    void settingsOfLayout89KeepTheirNames_data();
+    void settingsOfLayout89KeepTheirNames();
     void badSettingsAreRefused_data();
     void badSettingsAreRefused();
     void calibrationFileComesBack();
@@ -604,6 +606,34 @@ void TestStormSetup::settingsThatNobodyMaySetAreTold()
     const Configuration now = applied(board, file->configuration, skipped);
     QCOMPARE(now.raw(poles, 0), board.raw(poles, 0));
     QCOMPARE(skipped, QStringList{u"motor.yaw.poles = 13, allowed 12 to 28 in steps of 2"_s});
+}
+
+// Errata 13. Earlier versions of this program wrote the name that layout 95 has.
+void TestStormSetup::settingsOfLayout89KeepTheirNames_data()
+{
+    QTest::addColumn<QByteArray>("name");
+    QTest::newRow("original tool") << QByteArray("'Yaw Pan LPF'");
+    QTest::newRow("earlier version") << QByteArray("'Yaw Pan Deadband LPF'");
+}
+
+void TestStormSetup::settingsOfLayout89KeepTheirNames()
+{
+    QFETCH(QByteArray, name);
+    StormRig rig(stormOptions(90));
+    QVERIFY(rig.device.identify(rig.channel));
+    Configuration before = readBoard(rig);
+    const ParameterSpec &filter = *before.parameters().find(u"pan.yaw.deadband_lpf"_s);
+    QVERIFY(before.setRaw(filter, 0, 145));
+    QByteArray text = writeSettings(before).value();
+    QVERIFY(text.contains("'Yaw Pan LPF' => [ 145 ,"));
+    const auto file = readSettings(text.replace("'Yaw Pan LPF'", name));
+    QVERIFY2(file, qPrintable(file ? QString() : file.error().detail));
+    QCOMPARE(file->configuration.parameters().firmware(), 89);
+    QVERIFY2(file->missing.isEmpty() && file->unknown.isEmpty(),
+             qPrintable((file->missing + file->unknown).join(u", "_s)));
+    QStringList skipped;
+    const Configuration now = applied(readBoard(rig), file->configuration, skipped);
+    QCOMPARE(now.raw(*now.parameters().find(filter.key), 0), 145);
 }
 
 void TestStormSetup::badSettingsAreRefused_data()

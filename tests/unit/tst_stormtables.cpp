@@ -59,6 +59,7 @@ private slots:
     void keysAreUniqueAndNamesKnown();
     void axesLieWhereTheyShould();
     void valuesThatNobodyMaySet();
+    void wordOfLayout89HasItsName();
     void orientationsAreRightHanded();
 };
 
@@ -135,7 +136,7 @@ void TestStormTables::layoutBetweenDiffersAsTold()
                 different.insert(word);
         }
     }
-    QCOMPARE(different, (QSet<int>{102, 103, 104, 97, 5, 11, 38, 83, 66, 67, 68, 69, 77}));
+    QCOMPARE(different, (QSet<int>{102, 103, 104, 97, 5, 11, 38, 83, 66, 67, 68, 69, 77, 118}));
     QCOMPARE(originalName(*findWord(set89, 102)), u"Pitch Pan Limiter"_s);
     QCOMPARE(findWord(set89, 5)->row->max, 100);
     QCOMPARE(findWord(set89, 67)->row->max, 5);  // "off"
@@ -204,6 +205,13 @@ void TestStormTables::valuesThatNobodyMaySet()
                          qPrintable(spec.key));
         }
     }
+}
+
+// Errata 13: the firmware of layout 89 calls it so.
+void TestStormTables::wordOfLayout89HasItsName()
+{
+    QCOMPARE(originalName(*findWord(setOf(89), 118)), u"Yaw Pan LPF"_s);
+    QCOMPARE(originalName(*findWord(setOf(95), 118)), u"Yaw Pan Deadband LPF"_s);
 }
 
 void TestStormTables::axesLieWhereTheyShould()
