@@ -9758,10 +9758,6 @@ Spitze %2°</translation>
         <translation>Steuern bringt die Kamera nicht darüber hinaus.</translation>
     </message>
     <message>
-        <source>Steers like a receiver would.</source>
-        <translation>Steuert, wie ein Empfänger es täte.</translation>
-    </message>
-    <message>
         <source>Store</source>
         <translation>Speichern</translation>
     </message>
@@ -10708,6 +10704,10 @@ Spitze %2°</translation>
     <message>
         <source>no number</source>
         <translation>keine Zahl</translation>
+    </message>
+    <message>
+        <source>Steers like a receiver would: 700 to 2300 µs, 0 for the middle. An axis without a value stays as it is.</source>
+        <translation>Steuert wie ein Empfänger: 700 bis 2300 µs, 0 für die Mitte. Eine Achse ohne Wert bleibt, wie sie ist.</translation>
     </message>
 </context>
 <context>

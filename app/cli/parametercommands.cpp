@@ -60,8 +60,10 @@ public:
                                    {u"writable"_s, identity.writable},
                                    {u"capabilities"_s, QJsonArray::fromStringList(capabilities)},
                                    {u"extra"_s, QJsonObject::fromVariantMap(identity.extra)}};
-        outcome.text
-            = u"board        %1\nfirmware     %2%3\nserial       %4\nprofiles     %5\nport         %6\n"
+        // Its own name, where the family has one.
+        const QString own = identity.extra.value(u"name"_s).toString();
+        outcome.text = (own.isEmpty() ? QString() : u"name         %1\n"_s.arg(own))
+            + u"board        %1\nfirmware     %2%3\nserial       %4\nprofiles     %5\nport         %6\n"
               u"can          %7\n"_s
                   .arg(identity.model, identity.firmware, identity.writable ? QString() : u" (read-only)"_s,
                        identity.serial)

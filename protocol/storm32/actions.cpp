@@ -16,6 +16,8 @@ namespace {
 
 constexpr int kHeartbeatWord = 112;
 constexpr auto kSettling = 1500ms;
+constexpr int kMinPulse = 700;  // µs (document, CMD_SETPITCH)
+constexpr int kMaxPulse = 2300;
 
 // clang-format off
 constexpr Choice kPanModes[] = {{0, "as set"}, {1, "hold hold pan"}, {2, "hold hold hold"}, {3, "pan pan pan"}, {4, "pan hold hold"},
@@ -34,9 +36,9 @@ constexpr ArgumentSpec kAngles[] = {
     {.key = "yaw", .label = "Yaw", .kind = ArgumentKind::Real, .min = -720, .max = 720, .unit = "°", .defaultText = "0"},
     {.key = "limited", .label = "Within the limits of the sticks", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
 constexpr ArgumentSpec kPulses[] = {
-    {.key = "pitch", .label = "Pitch (0 = middle)", .min = 0, .max = 2300, .unit = "µs", .defaultText = "0"},
-    {.key = "roll", .label = "Roll (0 = middle)", .min = 0, .max = 2300, .unit = "µs", .defaultText = "0"},
-    {.key = "yaw", .label = "Yaw (0 = middle)", .min = 0, .max = 2300, .unit = "µs", .defaultText = "0"}};
+    {.key = "pitch", .label = "Pitch (0 = middle)", .min = 0, .max = 2300, .unit = "µs", .defaultText = "nan"},
+    {.key = "roll", .label = "Roll (0 = middle)", .min = 0, .max = 2300, .unit = "µs", .defaultText = "nan"},
+    {.key = "yaw", .label = "Yaw (0 = middle)", .min = 0, .max = 2300, .unit = "µs", .defaultText = "nan"}};
 constexpr ArgumentSpec kPanMode[] = {{.key = "mode", .label = "Pan mode (pitch roll yaw)", .kind = ArgumentKind::Choice, .choices = kPanModes}};
 constexpr ArgumentSpec kPanSetting[] = {{.key = "setting", .label = "Pan mode setting", .kind = ArgumentKind::Choice, .choices = kPanSettings}};
 constexpr ArgumentSpec kStandby[] = {{.key = "on", .label = "Standby", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
@@ -57,7 +59,7 @@ constexpr ActionSpec kActions[] = {
     {.key = "motors.off", .label = "Motors off", .help = "Standby: all motors are without current.", .group = "Motion"},
     {.key = "angle", .label = "Set angles", .help = "Turns the camera to these angles; down, right and left are positive.",
      .group = "Motion", .risk = ActionRisk::Moves, .arguments = kAngles},
-    {.key = "sticks", .label = "Set stick positions", .help = "Steers like a receiver would.", .group = "Motion",
+    {.key = "sticks", .label = "Set stick positions", .help = "Steers like a receiver would: 700 to 2300 µs, 0 for the middle. An axis without a value stays as it is.", .group = "Motion",
      .risk = ActionRisk::Moves, .arguments = kPulses},
     {.key = "recenter", .label = "Re-center", .help = "Brings the camera back to its middle.", .group = "Motion", .risk = ActionRisk::Moves, .whileSteering = true},
     {.key = "pan.mode", .label = "Pan mode", .help = "Which axes follow the handle, until it is changed back.", .group = "Motion",
@@ -135,6 +137,58 @@ Result<ActionReply> Actions::rc(Rc id, const QVariantMap &values)
     if (!reply)
         return tl::unexpected(reply.error());
     return ActionReply{};
+}
+
+// The board acknowledges pulses that it ignores (document, CMD_SETPITCH), so they are checked here. An axis
+// that is not named has no place in a command for all three: 0 would bring it to its middle.
+Result<ActionReply> Actions::sticks(const QVariantMap &arguments)
+{
+    static constexpr std::array<std::pair<const char *, Rc>, 3> kAxisCommands{
+        {{"pitch", Rc::SetPitch}, {"roll", Rc::SetRoll}, {"yaw", Rc::SetYaw}}};
+    std::vector<std::pair<Rc, int>> named;
+    for (const auto &[axis, command] : kAxisCommands) {
+        const QVariant given = arguments.value(QLatin1String(axis));
+        if (!given.isValid())
+            continue;
+        const int pulse = given.toInt();
+        if (pulse != 0 && (pulse < kMinPulse || pulse > kMaxPulse)) {
+            return failure(ErrorCode::OutOfRange,
+                           u"%1=%2, allowed %3 to %4 µs, or 0 for the middle"_s.arg(QLatin1String(axis))
+                               .arg(pulse)
+                               .arg(kMinPulse)
+                               .arg(kMaxPulse));
+        }
+        named.emplace_back(command, pulse);
+    }
+    if (named.empty())
+        return failure(ErrorCode::InvalidArgument, u"sticks needs pitch=, roll= or yaw="_s);
+    if (named.size() == kAxisCommands.size())
+        return rc(Rc::SetPitchRollYaw, arguments);
+    for (const auto &[command, pulse] : named) {
+        if (auto done = rc(command, {{u"pulse"_s, pulse}}); !done)
+            return done;
+    }
+    return ActionReply{};
+}
+
+// The board acknowledges the case of any script (errata 13, 12). One whose Script Control is off never runs
+// (errata 8).
+Result<ActionReply> Actions::runScript(int script, int chosen)
+{
+    const auto parameters = m_device.parameters();
+    const ParameterSpec *input = parameters ? parameters->find(u"script%1.input"_s.arg(script)) : nullptr;
+    if (input) {
+        const auto raw = m_device.readWord(m_channel, input->offset / 2);
+        if (!raw)
+            return tl::unexpected(raw.error());
+        if (*raw == 0) {
+            return failure(
+                ErrorCode::ConditionUnmet,
+                u"%1 is off, so script %2 never runs; choose an input for it first"_s.arg(input->key)
+                    .arg(script));
+        }
+    }
+    return rc(Rc::SetScriptControl, {{u"script"_s, script - 1}, {u"case"_s, chosen}});
 }
 
 Result<ActionReply> Actions::status()
@@ -226,8 +280,7 @@ Result<ActionReply> Actions::perform(const QString &key, const QVariantMap &argu
                    {u"flags"_s, on("limited") ? 7 : 0}});
     }
     if (key == u"sticks"_s)
-        return rc(Rc::SetPitchRollYaw,
-                  {{u"pitch"_s, number("pitch")}, {u"roll"_s, number("roll")}, {u"yaw"_s, number("yaw")}});
+        return sticks(arguments);
     if (key == u"recenter"_s)
         return rc(Rc::SetPitchRollYaw, {});
     if (key == u"pan.mode"_s)
@@ -237,7 +290,7 @@ Result<ActionReply> Actions::perform(const QString &key, const QVariantMap &argu
     if (key == u"camera"_s)
         return rc(Rc::DoCamera, {{u"shot"_s, number("shot")}});
     if (key == u"script"_s)
-        return rc(Rc::SetScriptControl, {{u"script"_s, number("script") - 1}, {u"case"_s, number("case")}});
+        return runScript(number("script"), number("case"));
     if (key == u"pwm"_s)
         return rc(Rc::SetPwmOut, {{u"pulse"_s, number("pulse")}});
     if (key == u"restore"_s)

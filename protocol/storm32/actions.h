@@ -30,6 +30,8 @@ private:
     Result<ActionReply> calibration();
     Result<ActionReply> rawSensors();
     Result<ActionReply> setHeartbeat(int mode);
+    Result<ActionReply> sticks(const QVariantMap &arguments);
+    Result<ActionReply> runScript(int script, int chosen);
 
     Device &m_device;
     Channel &m_channel;

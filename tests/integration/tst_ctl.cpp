@@ -723,6 +723,12 @@ void TestCtl::stormIsSteeredAndTuned()
     QVERIFY(std::abs(shows(u"imu.angle.pitch"_s)) < 1.0);
     QVERIFY(does({u"sticks"_s, u"pitch=1700"_s}));
     QCOMPARE(shows(u"input.pitch"_s), 200.0);
+    QVERIFY(does({u"sticks"_s, u"roll=1450"_s}));  // the other axes stay
+    QCOMPARE(shows(u"input.pitch"_s), 200.0);
+    QCOMPARE(shows(u"input.roll"_s), -50.0);
+    const Run ignored = ask({u"do"_s, u"sticks"_s, u"pitch=500"_s});
+    QVERIFY2(ignored.exitCode != 0 && ignored.err.contains(u"700 to 2300"_s), qPrintable(ignored.err));
+    QVERIFY(ask({u"info"_s}).out.contains(u"name         OlliW 323BGC"_s));
     QVERIFY(does({u"recenter"_s}));
     QCOMPARE(shows(u"input.pitch"_s), 0.0);
     QVERIFY(does({u"pan.mode"_s, u"mode=3"_s}));  // pan pan pan

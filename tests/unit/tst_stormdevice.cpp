@@ -63,6 +63,8 @@ private slots:
     void telemetryIsPolled();
     void lossAndDamageAreSurvived();
     void everyActionIsAnswered();
+    void sticksAreChecked();
+    void scriptThatIsOffIsTold();
     void faultsHaveCauses();
     void steeringAndMotors();
     void framesAreWorded();
@@ -421,6 +423,45 @@ void TestStormDevice::lossAndDamageAreSurvived()
     }
 }
 
+void TestStormDevice::sticksAreChecked()
+{
+    StormRig rig(stormOptions(96));
+    QVERIFY(rig.device.identify(rig.channel));
+    const auto sent = [&rig](const QMap<QString, QString> &texts) -> Result<ActionReply> {
+        for (const ActionSpec &action : rig.device.actions()) {
+            if (QLatin1String(action.key) != "sticks"_L1)
+                continue;
+            const auto arguments = parseArguments(action, texts);
+            return arguments ? rig.device.perform(rig.channel, u"sticks"_s, *arguments)
+                             : tl::unexpected(arguments.error());
+        }
+        return failure(ErrorCode::Unsupported);
+    };
+    QVERIFY(sent({{u"pitch"_s, u"1700"_s}, {u"roll"_s, u"1600"_s}, {u"yaw"_s, u"1400"_s}}));
+    QVERIFY(sent({{u"yaw"_s, u"1300"_s}}));
+    for (const QString &pulse : {u"1"_s, u"699"_s, u"2300.5"_s, u"2301"_s, u"-1"_s})
+        QVERIFY2(!sent({{u"pitch"_s, pulse}}), qPrintable(pulse));
+    for (const QString &pulse : {u"0"_s, u"700"_s, u"2300"_s})
+        QVERIFY2(sent({{u"pitch"_s, pulse}}), qPrintable(pulse));
+    QCOMPARE(sent({}).error().code, ErrorCode::InvalidArgument);
+}
+
+void TestStormDevice::scriptThatIsOffIsTold()
+{
+    for (const int firmware : {79, 90, 96}) {
+        StormRig rig(stormOptions(firmware));
+        QVERIFY(rig.device.identify(rig.channel));
+        const QVariantMap arguments{{u"script"_s, 2}, {u"case"_s, 1}};
+        const auto refused = rig.device.perform(rig.channel, u"script"_s, arguments);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::ConditionUnmet);
+        QVERIFY2(refused.error().detail.contains(u"script2.input is off"_s),
+                 qPrintable(refused.error().detail));
+        rig.board().set(rig.device.parameters()->find(u"script2.input"_s)->offset / 2, 1);
+        QVERIFY(rig.device.perform(rig.channel, u"script"_s, arguments));
+    }
+}
+
 void TestStormDevice::everyActionIsAnswered()
 {
     for (const int firmware : {79, 90, 96}) {
@@ -430,9 +471,11 @@ void TestStormDevice::everyActionIsAnswered()
             {u"pan.mode"_s, {{u"mode"_s, u"pan pan pan"_s}}},
             {u"pan.setting"_s, {{u"setting"_s, u"2"_s}}},
             {u"script"_s, {{u"script"_s, u"4"_s}}},
+            {u"sticks"_s, {{u"yaw"_s, u"1500"_s}}},
             {u"name"_s, {{u"name"_s, u"Top"_s}}},
             {u"restore"_s, {{u"word"_s, u"0"_s}}},
         };
+        rig.board().set(rig.device.parameters()->find(u"script4.input"_s)->offset / 2, 1);
         for (const ActionSpec &action : rig.device.actions()) {
             if (action.isProcedure || QLatin1String(action.group) == "Gimbal configuration"_L1
                 || QLatin1String(action.key) == "calibration.write"_L1)
