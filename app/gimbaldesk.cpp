@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/composition/composition.h"
 #include "app/mainwindow/mainwindow.h"
+#include "app/mainwindow/navigation.h"
 #include "app/mainwindow/translations.h"
 #include "app/tour/tour.h"
 #include "app/tour/tourrunner.h"
@@ -201,7 +202,9 @@ int main(int argc, char **argv)
         return wrong(address.error().detail);
 
     MainWindow window(allLinks(), allFamilies(), theme, settings);
-    if (const QString page = parser.value(u"page"_s); parser.isSet(u"page"_s) && !window.showPage(page))
+    // What only some boards have is shown once such a board is connected.
+    if (const QString page = parser.value(u"page"_s);
+        parser.isSet(u"page"_s) && !window.showPage(page) && !window.navigation()->awaitPage(page))
         return wrong(u"there is no page '%1'"_s.arg(page));
     window.show();
     const auto guide = tour ? beginTour(window, parser, theme, code) : nullptr;

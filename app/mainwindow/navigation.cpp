@@ -47,6 +47,7 @@ Navigation::Navigation(QWidget *parent)
         width = std::max(width, sizeHintForColumn(0));
     setFixedWidth(std::max(168, width + 22));
     connect(this, &QListWidget::currentItemChanged, this, [this] {
+        m_awaited.clear();
         if (!currentPage().isEmpty())
             emit pageChosen(currentPage());
     });
@@ -72,6 +73,14 @@ void Navigation::setCurrentPage(const QString &key)
         setCurrentItem(found);
 }
 
+bool Navigation::awaitPage(const QString &key)
+{
+    if (!itemOf(key))
+        return false;
+    m_awaited = key;
+    return true;
+}
+
 void Navigation::setMarked(const QString &key, bool marked)
 {
     QListWidgetItem *found = itemOf(key);
@@ -88,6 +97,8 @@ void Navigation::setOffered(const QString &key, bool offered)
     if (QListWidgetItem *found = itemOf(key); found && found->isHidden() == offered) {
         found->setHidden(!offered);
         renumber();
+        if (offered && key == m_awaited)
+            setCurrentItem(found);
     }
 }
 

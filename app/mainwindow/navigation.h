@@ -14,6 +14,9 @@ public:
 
     [[nodiscard]] QString currentPage() const;
     void setCurrentPage(const QString &key);
+    /// Makes it the current one as soon as it is offered, unless another is chosen before. False if there is
+    /// no such page.
+    bool awaitPage(const QString &key);
     void setMarked(const QString &key, bool marked);
     /// A page that the board shown has no use for is not listed.
     void setOffered(const QString &key, bool offered);
@@ -27,4 +30,6 @@ signals:
 private:
     void renumber();
     [[nodiscard]] QListWidgetItem *itemOf(const QString &key) const;
+
+    QString m_awaited;
 };

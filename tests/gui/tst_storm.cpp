@@ -39,6 +39,7 @@ private slots:
     void cleanup() { m_rig.reset(); }
 
     void onlyFittingPagesAreOffered();
+    void pageOfTheCommandLineAwaitsItsBoard();
     void slidersSetThreeGains();
     void unstoredValuesStayInSight();
     void closingAsksForWhatIsNotStored();
@@ -81,6 +82,20 @@ void TestStorm::onlyFittingPagesAreOffered()
     QCOMPARE(pages.pageOfNumber(99), QString());
     QCOMPARE(pages.currentPage(), u"dashboard"_s);  // the page that was shown is gone
 #endif
+}
+
+void TestStorm::pageOfTheCommandLineAwaitsItsBoard()
+{
+    MainWindow &window = m_rig->window();
+    Navigation &pages = *window.navigation();
+    QVERIFY(!pages.awaitPage(u"nonsense"_s));
+    QVERIFY(pages.awaitPage(u"scripts"_s));
+    QVERIFY(openStorm());
+    QTRY_COMPARE(pages.currentPage(), u"scripts"_s);
+    // Whoever goes elsewhere is not taken back by the next board.
+    QVERIFY(window.showPage(u"dashboard"_s));
+    QVERIFY(openStorm());
+    QCOMPARE(pages.currentPage(), u"dashboard"_s);
 }
 
 void TestStorm::slidersSetThreeGains()
