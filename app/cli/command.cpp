@@ -257,6 +257,28 @@ void reportMissing(CommandOutcome &outcome, const Configuration &configuration, 
         outcome.exitCode = Refused;
 }
 
+QJsonObject errorJson(const Error &error)
+{
+    const ErrorText text = describe(error);
+    return {{u"error"_s, text.what},
+            {u"meaning"_s, text.meaning},
+            {u"cure"_s, text.cure},
+            {u"detail"_s, text.detail}};
+}
+
+void reportError(CommandOutcome &outcome, const Error &error)
+{
+    if (!outcome.note.isEmpty())
+        outcome.note += u'\n';
+    outcome.note += u"gimbalctl: "_s + describe(error).oneLine();
+    QJsonObject object = outcome.json.toObject();
+    const QJsonObject words = errorJson(error);
+    for (auto it = words.begin(); it != words.end(); ++it)
+        object.insert(it.key(), it.value());
+    outcome.json = object;
+    outcome.exitCode = Refused;
+}
+
 Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Configuration &base,
                                       const Configuration &edited, const BoardHistory &history)
 {

@@ -201,6 +201,10 @@ template <typename... Each> [[nodiscard]] Commands makeCommands(const CommandCon
 /// an array. The exit code is then 1 unless the operator wants a partial result.
 void reportMissing(CommandOutcome &outcome, const Configuration &configuration, const QString &where,
                    bool partial);
+/// An error in a document: "error", "meaning", "cure" and "detail".
+[[nodiscard]] QJsonObject errorJson(const Error &error);
+/// Adds an error to what came all the same, in the note and in the document (an object). The exit code is 1.
+void reportError(CommandOutcome &outcome, const Error &error);
 /// Writes and reports the result. The exit code is 1 unless everything was verified.
 Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Configuration &base,
                                       const Configuration &edited, const BoardHistory &history);

@@ -264,14 +264,10 @@ void Ctl::onError(const Error &error, int exitCode)
     if (m_finished)
         return;
     m_finished = true;
-    const ErrorText text = describe(error);
-    m_err << "gimbalctl: " << text.oneLine() << "\n";
+    m_err << "gimbalctl: " << describe(error).oneLine() << "\n";
     m_err.flush();
     if (m_context.json) {
-        m_out << toJsonText(QJsonObject{{u"error"_s, text.what},
-                                        {u"meaning"_s, text.meaning},
-                                        {u"cure"_s, text.cure},
-                                        {u"detail"_s, text.detail}});
+        m_out << toJsonText(errorJson(error));
         m_out.flush();
     }
     emit finished(exitCode);

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
 #include "app/cli/measurecommand.h"
+#include "app/cli/samplewatch.h"
 #include "app/cli/telemetryprinter.h"
 #include "protocol/record/recorder.h"
 #include "protocol/record/udpexport.h"
+
+#include <algorithm>
 
 using namespace Qt::StringLiterals;
 
@@ -13,7 +16,7 @@ namespace {
 constexpr double kLongest = 1e6;  // seconds
 constexpr auto kWatchPeriod = 250ms;
 
-/// A command that runs telemetry for some time, or until interrupted.
+/// A command that runs telemetry for some time, until it stops coming, or until interrupted.
 class StreamingCommand : public Command
 {
 public:
@@ -59,6 +62,31 @@ protected:
         client().subscribe(subscriptionFor(channels));
         if (m_seconds > 0)
             QTimer::singleShot(milliseconds(qint64(m_seconds * 1000)), this, [this] { stop(); });
+        watch(channels);
+    }
+    /// Asks for stop() once these channels have no more samples.
+    void watch(const QList<int> &channels)
+    {
+        double slowest = 0;
+        for (const StreamChoice &stream : m_streams) {
+            if (stream.rate > 0)
+                slowest = slowest > 0 ? std::min(slowest, stream.rate) : stream.rate;
+        }
+        m_watch = std::make_unique<SampleWatch>(client(), channels, slowest);
+        connect(m_watch.get(), &SampleWatch::ended, this, [this] { stop(); });
+        m_watch->start();
+    }
+    /// Ends with this, and with what is to be said about the samples.
+    void conclude(CommandOutcome outcome)
+    {
+        const QString finding = m_watch ? m_watch->finding() : QString();
+        const bool wholeRecording = m_watch && m_watch->isReplayed() && m_seconds <= 0;
+        if (!m_watch || !m_watch->hasHeard())
+            reportError(outcome,
+                        {ErrorCode::NoSamples, finding.isEmpty() ? u"not one sample"_s : finding, 0});
+        else if (!finding.isEmpty() && !wholeRecording)
+            reportError(outcome, {ErrorCode::NoSamples, finding, 0});
+        emit finished(outcome);
     }
 
 private:
@@ -84,6 +112,7 @@ private:
     QStringList m_channels;
     QList<StreamChoice> m_streams;
     double m_seconds = 0;  // 0 = until interrupted
+    std::unique_ptr<SampleWatch> m_watch;
 };
 
 class MonitorCommand final : public StreamingCommand
@@ -114,10 +143,10 @@ protected:
             CommandOutcome outcome;
             outcome.json = m_printer->json();
             outcome.note = note;
-            outcome.exitCode = m_printer->rows() > 0 ? Done : Refused;
-            emit finished(outcome);
+            conclude(outcome);
         });
         m_printer->start();
+        watch(channels);
     }
 
 private:
@@ -161,7 +190,7 @@ public:
                                    {u"bytes"_s, bytes},
                                    {u"rows"_s, qint64(store->rows())},
                                    {u"lost"_s, qint64(store->lost())}};
-        emit finished(outcome);
+        conclude(outcome);
     }
 
 protected:
@@ -215,7 +244,7 @@ public:
         outcome.text = u"%1 samples sent to %2\n"_s.arg(m_export->sent()).arg(arguments().first());
         outcome.note = u"%1 lost"_s.arg(lost);
         outcome.json = QJsonObject{{u"sent"_s, qint64(m_export->sent())}, {u"lost"_s, qint64(lost)}};
-        emit finished(outcome);
+        conclude(outcome);
     }
 
 protected:

@@ -38,6 +38,7 @@ enum class ErrorCode {
     NotSeen,  ///< what a procedure waited for did not happen; the detail says what
     NotRestored,  ///< values in use were replaced and could not be restored; the detail lists them
     Diverged,  ///< an axis did not follow and was stopped
+    NoSamples,  ///< live data do not come, or not any more
     NotProven,  ///< commands were sent, but nothing the board reports proves that they took effect
     NoEffect,  ///< the board acknowledged a command, but does not report that it took effect
     Busy,  ///< another job of the same kind is running

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/simprocess.h"
+
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+
+#include <csignal>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct Run
+{
+    int exitCode = -1;
+    QString out;
+    QString err;
+    [[nodiscard]] QJsonObject json() const { return QJsonDocument::fromJson(out.toUtf8()).object(); }
+};
+
+/// gimbalctl while it runs. What it prints goes to files, so that it can be watched.
+class Running
+{
+public:
+    Running(const QString &folder, const QStringList &arguments)
+        : m_out(folder + u"/out"_s)
+        , m_err(folder + u"/err"_s)
+    {
+        m_process.setStandardOutputFile(m_out);
+        m_process.setStandardErrorFile(m_err);
+        m_process.start(QStringLiteral(GIMBAL_BIN_DIR "/gimbalctl"),
+                        QStringList{u"--history"_s, folder + u"/history"_s} + arguments);
+    }
+    ~Running()
+    {
+        m_process.kill();
+        m_process.waitForFinished();
+    }
+    Running(const Running &) = delete;
+    Running &operator=(const Running &) = delete;
+
+    [[nodiscard]] QString printed() const { return text(m_out); }
+    Run finish(int ms = 30000)
+    {
+        if (!QTest::qWaitFor([this] { return m_process.state() == QProcess::NotRunning; }, ms))
+            return {-1, text(m_out), u"it does not end: "_s + text(m_err)};
+        return {m_process.exitCode(), text(m_out), text(m_err)};
+    }
+
+private:
+    static QString text(const QString &path)
+    {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+    }
+
+    QString m_out;
+    QString m_err;
+    QProcess m_process;
+};
+
+}  // namespace
+
+/// gimbalctl against boards and files that fail: it ends, says so, and keeps what it has.
+class TestCtlFaults : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { m_dir = std::make_unique<QTemporaryDir>(); }
+    void silenceEndsIt_data();
+    void silenceEndsIt();
+    void nothingIsNoSuccess_data();
+    void nothingIsNoSuccess();
+    void recordingsEndWithoutSilence();
+
+private:
+    [[nodiscard]] QString path(const QString &name) const { return m_dir->filePath(name); }
+    Run ctl(const QStringList &arguments) { return Running(m_dir->path(), arguments).finish(); }
+
+    std::unique_ptr<QTemporaryDir> m_dir;
+};
+
+void TestCtlFaults::silenceEndsIt_data()
+{
+    QTest::addColumn<QStringList>("command");
+    QTest::newRow("monitor") << QStringList{u"monitor"_s};
+    QTest::newRow("monitor for a time") << QStringList{u"monitor"_s, u"--seconds"_s, u"50"_s};
+    QTest::newRow("monitor as JSON") << QStringList{u"--json"_s, u"monitor"_s};
+    QTest::newRow("record") << QStringList{u"record"_s, u"FILE"_s, u"--seconds"_s, u"50"_s};
+    QTest::newRow("record as JSON") << QStringList{u"--json"_s, u"record"_s, u"FILE"_s};
+    QTest::newRow("publish") << QStringList{u"publish"_s, u"127.0.0.1:9"_s, u"--seconds"_s, u"50"_s};
+}
+
+// The board hangs in the middle: what came until then is kept.
+void TestCtlFaults::silenceEndsIt()
+{
+    QFETCH(QStringList, command);
+    SimProcess simulator({u"--tcp"_s, u"0"_s});
+    const QString file = path(u"silent.rec"_s);
+    command.replaceInStrings(u"FILE"_s, file);
+    Running running(m_dir->path(), QStringList{u"--link"_s, simulator.address()} + command);
+    const bool records = command.contains(u"record"_s);
+    const bool prints = command.first() == u"monitor"_s;
+    const quint64 before = simulator.streams().all;
+    QVERIFY(QTest::qWaitFor(
+        [&] {
+            return records ? QFileInfo(file).size() > 100'000
+                : prints   ? running.printed().count(u'\n') > 500
+                           : simulator.streams().all > before + 1000;
+        },
+        20000));
+    ::kill(pid_t(simulator.process().processId()), SIGSTOP);
+    const Run run = running.finish(20000);
+    ::kill(pid_t(simulator.process().processId()), SIGCONT);
+    QCOMPARE(run.exitCode, 1);
+    for (const QString &part : {u"No live data come."_s, u"Check cable and power"_s, u"nothing more for"_s})
+        QVERIFY2(run.err.contains(part), qPrintable(run.err));
+    if (command.contains(u"--json"_s)) {
+        QCOMPARE(run.json().value(u"error"_s).toString(), u"No live data come."_s);
+        QVERIFY(run.json().value(u"detail"_s).toString().startsWith(u"nothing more for 3."_s));
+        QVERIFY(records || run.json().value(u"rows"_s).toArray().size() > 500);
+    }
+    if (prints)
+        QVERIFY(run.out.endsWith(u'\n') && run.out.count(u'\n') > 500);
+    if (records)
+        QVERIFY(ctl({u"export"_s, file}).out.count(u'\n') > 500);
+}
+
+void TestCtlFaults::nothingIsNoSuccess_data()
+{
+    QTest::addColumn<QStringList>("command");
+    QTest::newRow("monitor") << QStringList{u"monitor"_s, u"--seconds"_s, u"1"_s};
+    QTest::newRow("record") << QStringList{u"record"_s, u"FILE"_s, u"--seconds"_s, u"1"_s};
+    QTest::newRow("publish") << QStringList{u"publish"_s, u"127.0.0.1:9"_s, u"--seconds"_s, u"1"_s};
+    QTest::newRow("no end given") << QStringList{u"record"_s, u"FILE"_s};
+    // It talks all the time, but not about this.
+    QTest::newRow("other stream") << QStringList{
+        u"monitor"_s, u"--channels"_s, u"z1.z"_s, u"--stream"_s, u"realtime4@100"_s, u"--seconds"_s, u"1"_s};
+}
+
+// The board answers, but of what was asked for not one sample can be read.
+void TestCtlFaults::nothingIsNoSuccess()
+{
+    QFETCH(QStringList, command);
+    const QString file = path(u"nothing.rec"_s);
+    command.replaceInStrings(u"FILE"_s, file);
+    const bool talks = command.contains(u"--stream"_s);
+    const QString port = path(u"storm"_s);
+    const SimProcess simulator(talks ? QStringList{u"--tcp"_s, u"0"_s}
+                                     : QStringList{u"--pty"_s, port, u"--fault"_s, u"deaf=100"_s},  // 'd'
+                               talks ? u"simplebgc"_s : u"storm32"_s);
+    const QString link = talks ? simulator.address() : u"serial:"_s + port;
+    const Run run = ctl(QStringList{u"--json"_s, u"--link"_s, link} + command);
+    QVERIFY2(run.exitCode == 1, qPrintable(run.err));
+    QVERIFY2(run.err.contains(u"No live data come."_s), qPrintable(run.err));
+    QCOMPARE(run.json().value(u"error"_s).toString(), u"No live data come."_s);
+    QCOMPARE(QFileInfo::exists(file), command.contains(file));
+}
+
+// The end of a recording is none of the board's silence.
+void TestCtlFaults::recordingsEndWithoutSilence()
+{
+    const SimProcess simulator({u"--tcp"_s, u"0"_s});
+    const QString file = path(u"short.rec"_s);
+    QCOMPARE(ctl({u"--link"_s, simulator.address(), u"record"_s, file, u"--seconds"_s, u"1"_s}).exitCode, 0);
+    const QStringList replay{u"--link"_s, u"replay:%1?speed=4"_s.arg(file), u"monitor"_s};
+    const Run whole = ctl(replay);
+    QVERIFY2(whole.exitCode == 0 && whole.out.count(u'\n') > 500, qPrintable(whole.err));
+    const Run more = ctl(replay + QStringList{u"--seconds"_s, u"60"_s});
+    QVERIFY2(more.exitCode == 1 && more.err.contains(u"the recording ends after"_s), qPrintable(more.err));
+}
+
+QTEST_GUILESS_MAIN(TestCtlFaults)
+#include "tst_ctlfaults.moc"
