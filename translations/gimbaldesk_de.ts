@@ -75,6 +75,10 @@
         <source>The board as it was is kept in %1</source>
         <translation>Das Board, wie es war, liegt in %1</translation>
     </message>
+    <message>
+        <source>sent</source>
+        <translation>gesendet</translation>
+    </message>
 </context>
 <context>
     <name>AdjustableModel</name>

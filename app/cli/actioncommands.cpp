@@ -30,11 +30,15 @@ const ActionSpec *findAction(const Device &device, const QString &key)
     return it == actions.end() ? nullptr : &*it;
 }
 
-CommandOutcome doneOutcome(const QString &key, const ActionReply &reply)
+// An action that no board answers is sent; whether it was done nobody can tell.
+CommandOutcome doneOutcome(const QString &key, const ActionReply &reply, bool answered = true)
 {
+    const QString state = answered ? u"done"_s : u"sent"_s;
     CommandOutcome outcome;
-    outcome.json = QJsonObject{
-        {u"action"_s, key}, {u"done"_s, true}, {u"reply"_s, QJsonObject::fromVariantMap(reply)}};
+    outcome.json = QJsonObject{{u"action"_s, key},
+                               {u"done"_s, answered},
+                               {u"state"_s, state},
+                               {u"reply"_s, QJsonObject::fromVariantMap(reply)}};
     for (auto it = reply.begin(); it != reply.end(); ++it) {
         QStringList values;
         for (const QVariant &value :
@@ -44,7 +48,7 @@ CommandOutcome doneOutcome(const QString &key, const ActionReply &reply)
         outcome.text += u"%1 %2\n"_s.arg(it.key().leftJustified(20), values.join(u' '));
     }
     if (outcome.text.isEmpty())
-        outcome.text = u"done\n"_s;
+        outcome.text = state + u'\n';
     return outcome;
 }
 
@@ -104,7 +108,7 @@ Result<CommandOutcome> ActionCommand::run(Channel &channel, Device &device)
     const auto done = performSafely(channel, device, actionKey(), *arguments, history(), {}, latest());
     if (!done)
         return tl::unexpected(done.error());
-    CommandOutcome outcome = doneOutcome(actionKey(), done->reply);
+    CommandOutcome outcome = doneOutcome(actionKey(), done->reply, done->answered);
     if (!done->snapshotPath.isEmpty()) {
         QJsonObject json = outcome.json.toObject();
         json.insert(u"snapshot"_s, done->snapshotPath);
@@ -266,7 +270,7 @@ private:
         const QString key = u"motors.on"_s;
         if (findAction(device, key)) {
             return performSafely(channel, device, key, {}, history).map([&key](const ActionOutcome &done) {
-                return doneOutcome(key, done.reply);
+                return doneOutcome(key, done.reply, done.answered);
             });
         }
         if (!device.motorSwitch())

@@ -55,6 +55,7 @@ struct ActionSpec
     std::span<const Condition> needs{};
     const char *confirm = "";  ///< what the operator has to confirm each time: "The propellers are off."
     milliseconds silence{0};  ///< how long the board says nothing afterwards
+    bool answered = true;  ///< false: the board does not even confirm it, so it is sent at best, never done
 };
 
 /// The reply: figures and texts by key, e.g. {"angle.roll": 1.25}.

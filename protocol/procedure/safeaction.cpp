@@ -93,6 +93,8 @@ Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QStr
     if (!reply)
         return tl::unexpected(reply.error());
     outcome.reply = std::move(*reply);
+    // A calibration whose confirmation never came says so itself.
+    outcome.answered = it->answered && outcome.reply.value(u"confirmed"_s, true).toBool();
     return outcome;
 }
 

@@ -13,6 +13,8 @@ struct ActionOutcome
 {
     ActionReply reply;
     QString snapshotPath;
+    bool answered
+        = true;  ///< false: the board was told, and nothing shows that it heard (ActionSpec::answered)
 };
 
 /// The channel that reports a condition; -1 if the board has none.

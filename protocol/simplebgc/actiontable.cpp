@@ -87,7 +87,7 @@ constexpr ActionSpec kActions[] = {
     {.key = "variables.read", .label = "Read adjustable variables", .help = "Live values in the board's memory.",
      .group = "Read", .arguments = kReadVariables},
     {.key = "beep", .label = "Make a sound", .help = "Standard sound or melody; helps to find the right board.",
-     .group = "Board", .arguments = kBeepArguments, .since = 2590},
+     .group = "Board", .arguments = kBeepArguments, .since = 2590, .answered = false},
     {.key = "motors.on", .label = "Motors on", .help = "Starts stabilization.", .group = "Motion",
      .risk = ActionRisk::Moves},
     {.key = "motors.off", .label = "Motors off", .help = "Switches all motors off at once.", .group = "Motion"},

@@ -368,7 +368,18 @@ void TestCtl::doAction()
     QVERIFY(ctl({u"do"_s, u"help"_s}).out.contains(u"autotune"_s));
     QVERIFY(ctl({u"do"_s, u"angles"_s}).out.contains(u"imu.roll"_s));
     QVERIFY(ctl({u"do"_s, u"debug.read"_s}).out.contains(u"CYCLE_US"_s));
-    QCOMPARE(ctl({u"do"_s, u"beep"_s, u"sound=melody"_s, u"notes=988,1175"_s}).exitCode, 0);
+    const Run beep = ctl({u"do"_s, u"beep"_s, u"sound=melody"_s, u"notes=988,1175"_s});
+    QCOMPARE(beep.exitCode, 0);
+    QCOMPARE(beep.out, u"sent\n"_s);  // nothing answers it
+    const auto state = [this](const QStringList &arguments) {
+        const QJsonObject json = ctl(QStringList{u"--json"_s} + arguments).json().object();
+        return json.value(u"state"_s).toString() + (json.value(u"done"_s).toBool() ? u"+"_s : u"-"_s);
+    };
+    QCOMPARE(state({u"do"_s, u"beep"_s}), u"sent-"_s);
+    QCOMPARE(state({u"do"_s, u"angles"_s}), u"done+"_s);
+    QCOMPARE(state({u"motors"_s, u"on"_s}), u"done+"_s);
+    QCOMPARE(state({u"motors"_s, u"off"_s}), u"done+"_s);
+    QCOMPARE(ctl({u"motors"_s, u"on"_s}).out, u"done\n"_s);
     QCOMPARE(ctl({u"do"_s, u"beep"_s, u"sound=melody"_s, u"notes=5"_s}).exitCode, 2);
     QCOMPARE(ctl({u"do"_s, u"menu"_s, u"command=Home position"_s}).exitCode, 0);
     QCOMPARE(ctl({u"do"_s, u"nonsense"_s}).exitCode, 2);

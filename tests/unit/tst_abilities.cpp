@@ -43,6 +43,53 @@ struct Board
     bool found = false;
 };
 
+/// A board that takes everything and says nothing more.
+class MuteChannel final : public Channel
+{
+public:
+    explicit MuteChannel(Channel &channel)
+        : m_channel(channel)
+    {
+    }
+    Result<Frame> transact(const Request &request) override
+    {
+        return request.answer ? failure(ErrorCode::Timeout, request.name) : Result<Frame>(Frame());
+    }
+    void post(const Request &) override { }
+    Result<void> sleep(milliseconds duration) override { return m_channel.sleep(duration); }
+    std::unique_ptr<Mailbox> listen(std::function<bool(const FrameView &)>) override
+    {
+        return m_channel.listen([](const FrameView &) { return false; });
+    }
+    Result<void> setLine(const LineSettings &line) override { return m_channel.setLine(line); }
+    void steer(const ControlFrames &) override { }
+    void releaseControl() override { }
+    void stopMotors(const StopPlan &) override { }
+    void expectSilence(milliseconds duration) override { m_channel.expectSilence(duration); }
+    [[nodiscard]] bool cancelled() const override { return false; }
+    void progress(const Progress &) override { }
+    [[nodiscard]] TimePoint now() const override { return m_channel.now(); }
+    [[nodiscard]] LinkObservation observation() const override { return m_channel.observation(); }
+
+private:
+    Channel &m_channel;
+};
+
+/// Arguments that the action takes: its defaults, otherwise the lowest.
+QMap<QString, QString> someArguments(const ActionSpec &action)
+{
+    QMap<QString, QString> texts;
+    for (const ArgumentSpec &argument : action.arguments) {
+        if (*argument.defaultText)
+            continue;
+        texts.insert(QLatin1String(argument.key),
+                     argument.kind == ArgumentKind::Choice
+                         ? QString::fromUtf8(argument.choices.front().name)
+                         : QString::number(argument.min, 'f', 3).remove(u".000"_s));
+    }
+    return texts;
+}
+
 }  // namespace
 
 /// What a device hands out answers with something: nothing is overridden only to return nothing.
@@ -57,6 +104,8 @@ private slots:
     void steeringAnswers_data() { families(); }
     void steeringAnswers();
     void eachAbilityIsAbsentSomewhere();
+    void nothingIsDoneOnASilentBoard_data() { families(); }
+    void nothingIsDoneOnASilentBoard();
 
 private:
     static void families()
@@ -207,6 +256,21 @@ void TestAbilities::eachAbilityIsAbsentSomewhere()
     }
     if (allFamilies().size() > 1)
         QCOMPARE(seen.size(), 12);  // and each is there somewhere
+}
+
+// Where a board says nothing, an action fails, or it is one that no board answers.
+void TestAbilities::nothingIsDoneOnASilentBoard()
+{
+    QFETCH(const QString, family);
+    Board board(family);
+    QVERIFY(board.found);
+    MuteChannel mute(*board.channel);
+    for (const ActionSpec &action : board.device->actions()) {
+        const auto arguments = parseArguments(action, someArguments(action));
+        QVERIFY2(arguments, action.key);
+        const auto done = board.device->perform(mute, QString::fromLatin1(action.key), *arguments);
+        QVERIFY2(done.has_value() == !action.answered, action.key);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestAbilities)

@@ -236,8 +236,9 @@ void ActionsPage::run()
                 m_reply->setPlainText(time + u"  "_s + label + u'\n' + describe(outcome.error()).oneLine());
                 return;
             }
+            const QString state = outcome->answered ? tr("done") : tr("sent");
             QString html = u"<p>%1  <b>%2</b>: %3</p><table>"_s.arg(time, label.toHtmlEscaped(),
-                                                                    tr("done").toHtmlEscaped());
+                                                                    state.toHtmlEscaped());
             for (auto it = outcome->reply.begin(); it != outcome->reply.end(); ++it) {
                 html
                     += u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td style='padding:2px 0'>%2</td></tr>"_s
