@@ -108,6 +108,16 @@
     </message>
 </context>
 <context>
+    <name>Notifications</name>
+    <message numerus="yes">
+        <source>%n part(s) of it cannot be read and are left out, %1 in all.</source>
+        <translation>
+            <numerusform>%n part of it cannot be read and is left out, %1 in all.</numerusform>
+            <numerusform>%n parts of it cannot be read and are left out, %1 in all.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ProfileModel</name>
     <message numerus="yes">
         <source>%n unsaved</source>

@@ -14,6 +14,7 @@ namespace {
 
 constexpr auto kTelemetryWait = 2s;
 constexpr auto kTelemetryPeriod = 20ms;
+constexpr qsizetype kGapsTold = 10;
 
 QString stateText(WriteState state)
 {
@@ -233,7 +234,7 @@ QString dataText(const std::vector<DataChange> &changes)
 
 CommandOption partialOption(bool &on)
 {
-    return switchOption(u"partial"_s, u"parts of the board may be missing from the result"_s, on);
+    return switchOption(u"partial"_s, u"parts of the board, or of a recording, may be missing"_s, on);
 }
 
 void reportMissing(CommandOutcome &outcome, const Configuration &configuration, const QString &where,
@@ -252,6 +253,49 @@ void reportMissing(CommandOutcome &outcome, const Configuration &configuration, 
     for (const QString &name : names)
         parts.append(QJsonObject{{u"missing"_s, name}, {u"where"_s, where}});
     object.insert(u"missing"_s, parts);
+    outcome.json = isList ? QJsonValue(parts) : QJsonValue(object);
+    if (!partial)
+        outcome.exitCode = Refused;
+}
+
+QString leftOutText(const QList<ReplayGap> &gaps)
+{
+    const auto time = [](double value, const QString &unknown) {
+        return std::isnan(value) ? unknown : QString::number(value, 'f', 2) + u" s"_s;
+    };
+    QStringList lines;
+    for (const ReplayGap &gap : gaps.first(std::min(gaps.size(), kGapsTold))) {
+        lines.append(u"damaged from byte %1 on (%2): %3 bytes are left out, from %4 to %5"_s.arg(gap.offset)
+                         .arg(gap.reason)
+                         .arg(gap.bytes)
+                         .arg(time(gap.from, u"the beginning"_s), time(gap.to, u"the end"_s)));
+    }
+    if (gaps.size() > kGapsTold)
+        lines.append(u"and %1 more such places"_s.arg(gaps.size() - kGapsTold));
+    lines.append(u"everything else is here; --partial takes it as it is"_s);
+    return lines.join(u'\n');
+}
+
+void reportLeftOut(CommandOutcome &outcome, const QList<ReplayGap> &gaps, bool partial)
+{
+    if (gaps.isEmpty())
+        return;
+    if (!outcome.note.isEmpty())
+        outcome.note += u'\n';
+    outcome.note += leftOutText(gaps);
+    const auto time = [](double value) { return std::isnan(value) ? QJsonValue() : QJsonValue(value); };
+    const bool isList = outcome.json.isArray();
+    QJsonObject object = outcome.json.toObject();
+    QJsonArray parts = isList ? outcome.json.toArray() : QJsonArray();
+    for (const ReplayGap &gap : gaps) {
+        const QJsonObject part{{u"at"_s, gap.offset},
+                               {u"bytes"_s, gap.bytes},
+                               {u"reason"_s, gap.reason},
+                               {u"from"_s, time(gap.from)},
+                               {u"to"_s, time(gap.to)}};
+        parts.append(isList ? QJsonObject{{u"leftOut"_s, part}} : part);
+    }
+    object.insert(u"leftOut"_s, parts);
     outcome.json = isList ? QJsonValue(parts) : QJsonValue(object);
     if (!partial)
         outcome.exitCode = Refused;

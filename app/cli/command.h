@@ -9,6 +9,7 @@
 #include "protocol/record/boardhistory.h"
 #include "protocol/telemetry/streams.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "protocol/transport/replay.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -195,12 +196,17 @@ template <typename... Each> [[nodiscard]] Commands makeCommands(const CommandCon
                                  const std::vector<ParameterChange> &changes);
 /// Lines for the blocks that differ as a whole.
 [[nodiscard]] QString dataText(const std::vector<DataChange> &changes);
-/// The switch for a result that may lack parts of the board.
+/// The switch for a result that may lack parts of the board, or of a recording.
 [[nodiscard]] CommandOption partialOption(bool &on);
 /// Names what this board or file lacks, in the note and in the document: its "missing", or an entry each of
 /// an array. The exit code is then 1 unless the operator wants a partial result.
 void reportMissing(CommandOutcome &outcome, const Configuration &configuration, const QString &where,
                    bool partial);
+/// Lines that tell what a damaged recording lacks.
+[[nodiscard]] QString leftOutText(const QList<ReplayGap> &gaps);
+/// Adds them to the note, and to the document as reportMissing() does, under "leftOut". The exit code is then
+/// 1 unless the operator wants a partial result.
+void reportLeftOut(CommandOutcome &outcome, const QList<ReplayGap> &gaps, bool partial);
 /// An error in a document: "error", "meaning", "cure" and "detail".
 [[nodiscard]] QJsonObject errorJson(const Error &error);
 /// Adds an error to what came all the same, in the note and in the document (an object). The exit code is 1.

@@ -66,7 +66,7 @@ QString Ctl::helpText() const
     QString text
         = u"gimbalctl --link ADDRESS [--family F] [--json] COMMAND\n\n"
           u"ADDRESS: serial:/dev/ttyUSB0?baud=115200&parity=none, tcp://host:port, udp://host:port,\n"
-          u"         sim:F?seed=1, replay:FILE?speed=4\n"
+          u"         sim:F?seed=1, replay:FILE?speed=4 (if it is damaged: exit code 1 without --partial)\n"
           u"F: %1\n\n"_s.arg(familyKeys(u" or "_s));
     for (const auto &command : m_commands)
         text += u"  %1 %2\n"_s.arg(command->usage().leftJustified(kUsageWidth), command->help());
@@ -155,6 +155,7 @@ Result<void> Ctl::takeOptions(const QCommandLineParser &parser)
     QStringList given = parser.optionNames() + parser.unknownOptionNames();
     for (const GeneralOption &option : kGeneralOptions)
         given.removeAll(QLatin1String(option.name));
+    m_partial = parser.isSet(u"partial"_s);
     QStringList takes;
     for (const CommandOption &option : m_command->options()) {
         takes.append(u"--"_s + option.name + (option.value.isEmpty() ? QString() : u' ' + option.value));
@@ -167,6 +168,8 @@ Result<void> Ctl::takeOptions(const QCommandLineParser &parser)
                 return taken;
         }
     }
+    if (parser.value(u"link"_s).startsWith(u"replay:"_s))  // parts may be missing from any answer then
+        given.removeAll(u"partial"_s);
     if (given.isEmpty())
         return {};
     for (const GeneralOption &option : kGeneralOptions)
@@ -210,13 +213,16 @@ std::optional<int> Ctl::connectToBoard(const QString &link, const QString &famil
         return wrong(address.error().detail);
     // A simulator or recording is checked in full before anything starts.
     if (address->kind() == LinkAddress::Kind::Simulator || address->isReplay()) {
-        if (const auto transport = m_links.transports(*address); !transport) {
+        const auto transport = m_links.transports(*address);
+        if (!transport) {
             if (transport.error().code != ErrorCode::BadFile)
                 return wrong(transport.error().detail);
             QMetaObject::invokeMethod(
                 this, [this, error = transport.error()] { onError(error, Refused); }, Qt::QueuedConnection);
             return {};
         }
+        if (Replay *replay = (*transport)->replay())
+            m_leftOut = replay->state().gaps;
     }
     m_client = std::make_unique<DeviceClient>(m_links.transports, m_context.families);
     connect(m_client.get(), &DeviceClient::stateChanged, this, &Ctl::onState);
@@ -264,6 +270,8 @@ void Ctl::onError(const Error &error, int exitCode)
     if (m_finished)
         return;
     m_finished = true;
+    if (!m_leftOut.isEmpty())
+        m_err << leftOutText(m_leftOut) << "\n";
     m_err << "gimbalctl: " << describe(error).oneLine() << "\n";
     m_err.flush();
     if (m_context.json) {
@@ -305,12 +313,14 @@ void Ctl::finish(const Result<CommandOutcome> &outcome)
         return;
     }
     m_finished = true;
-    if (!outcome->note.isEmpty())
-        onTold(outcome->note);
+    CommandOutcome whole = *outcome;
+    reportLeftOut(whole, m_leftOut, m_partial);
+    if (!whole.note.isEmpty())
+        onTold(whole.note);
     if (m_context.json)
-        m_out << toJsonText(outcome->json);
+        m_out << toJsonText(whole.json);
     else
-        m_out << outcome->text;
+        m_out << whole.text;
     m_out.flush();
-    emit finished(outcome->exitCode);
+    emit finished(whole.exitCode);
 }

@@ -51,6 +51,8 @@ private:
     Command *m_command = nullptr;
     QString m_lastProgress;
     std::unique_ptr<DeviceClient> m_client;
+    QList<ReplayGap> m_leftOut;  // of the recording that is replayed
+    bool m_partial = false;
     bool m_started = false;
     bool m_finished = false;
 };

@@ -48,14 +48,10 @@ struct Opened
 
     [[nodiscard]] QString note() const
     {
-        QString text = u"%1 s recorded, %2 rows, %3 lost"_s
-                           .arg(double(recording.end() - recording.begin()) * 1e-9, 0, 'f', 1)
-                           .arg(store->rows())
-                           .arg(store->lost());
-        if (!recording.damage.isEmpty())
-            text += u"\ndamaged from byte %1 on (%2); everything before is here"_s.arg(recording.damageAt)
-                        .arg(recording.damage);
-        return text;
+        return u"%1 s recorded, %2 rows, %3 lost"_s
+            .arg(double(recording.end() - recording.begin()) * 1e-9, 0, 'f', 1)
+            .arg(store->rows())
+            .arg(store->lost());
     }
 };
 
@@ -139,7 +135,7 @@ public:
     QList<CommandOption> options() override
     {
         return {textOption(u"csv"_s, u"FILE|-"_s, u"where the samples go, - = stdout"_s, m_csv),
-                channelsOption(m_channels)};
+                channelsOption(m_channels), partialOption(m_partial)};
     }
     QString check() const override
     {
@@ -174,12 +170,14 @@ public:
         if (!toScreen)
             outcome.text = u"%1 lines saved to %2\n"_s.arg(*lines).arg(m_csv);
         outcome.json = QJsonObject{{u"lines"_s, *lines}, {u"file"_s, m_csv}};
+        reportLeftOut(outcome, opened->recording.leftOut(), m_partial);
         return outcome;
     }
 
 private:
     QString m_csv;
     QStringList m_channels;
+    bool m_partial = false;
 };
 
 class AnalyzeCommand final : public LocalCommand
@@ -193,7 +191,7 @@ public:
         return u"measure a recording, or the response in an in;out file (.csv)"_s;
     }
     const char *example() const override { return "analyze spectrum flight.rec"; }
-    QList<CommandOption> options() override { return {channelsOption(m_channels)}; }
+    QList<CommandOption> options() override { return {channelsOption(m_channels), partialOption(m_partial)}; }
     QString check() const override
     {
         static const QStringList kinds{u"spectrum"_s, u"holding"_s, u"steps"_s, u"response"_s};
@@ -211,8 +209,13 @@ public:
         if (!opened)
             return tl::unexpected(opened.error());
         Result<CommandOutcome> outcome = measure(arguments().first(), *opened);
-        if (outcome)
+        const QList<ReplayGap> gaps = opened->recording.leftOut();
+        if (outcome) {
             outcome->note = opened->note();
+            reportLeftOut(*outcome, gaps, m_partial);
+        } else if (!gaps.isEmpty()) {
+            emit told(leftOutText(gaps));
+        }
         return outcome;
     }
 
@@ -412,7 +415,9 @@ private:
         outcome.json = json;
         return outcome;
     }
+
     QStringList m_channels;
+    bool m_partial = false;
 };
 
 }  // namespace

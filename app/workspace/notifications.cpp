@@ -4,6 +4,8 @@
 
 #include "app/workspace/editjournal.h"
 #include "app/workspace/linkrecorder.h"
+#include "protocol/client/replaycontrol.h"
+#include "protocol/transport/replay.h"
 
 #include <QLocale>
 
@@ -32,10 +34,28 @@ Notifications::Notifications(DeviceClient &client, const ConfigurationModel &con
                 tr("Restart the board before you use them, and store nothing before."),
                 {}});
     });
+    connect(&m_client, &DeviceClient::statisticsChanged, this, &Notifications::onReplay);
     connect(&m_client, &DeviceClient::boardSpoke, this,
             [this](const QString &text) { notify(tr("The board says: %1").arg(text)); });
     connect(&m_client, &DeviceClient::failsafeActed, this,
             [this] { notify(tr("Control was released because the program did not refresh it in time.")); });
+}
+
+// Going back reopens a recording; its damage is told once.
+void Notifications::onReplay()
+{
+    const auto &state = m_client.replay().state();
+    if (!state || state->gaps.isEmpty() || std::exchange(m_damageTold, true))
+        return;
+    qint64 bytes = 0;
+    for (const ReplayGap &gap : state->gaps)
+        bytes += gap.bytes;
+    report(
+        {tr("This recording is damaged."),
+         tr("%n part(s) of it cannot be read and are left out, %1 in all.", nullptr, int(state->gaps.size()))
+             .arg(QLocale::c().formattedDataSize(bytes)),
+         tr("Everything else is here; where a part is missing, plots have a gap."),
+         state->gaps.first().reason});
 }
 
 void Notifications::report(const ErrorText &text)
@@ -90,6 +110,7 @@ void Notifications::follow(const LinkRecorder &recorder)
 
 void Notifications::onState(DeviceClient::State state)
 {
+    m_damageTold = m_damageTold && state != DeviceClient::State::Disconnected;
     if (state != DeviceClient::State::Connected)
         return;
     if (std::exchange(m_wasLost, false))

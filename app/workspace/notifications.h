@@ -44,8 +44,10 @@ private:
     void onLost(const Error &error);
     void onTelemetryFailed(const Error &error);
     void onMotorsOff(bool confirmed);
+    void onReplay();
 
     DeviceClient &m_client;
     const ConfigurationModel &m_configuration;
     bool m_wasLost = false;
+    bool m_damageTold = false;  // of the recording that is played
 };

@@ -6,14 +6,17 @@
 
 #include <QCryptographicHash>
 #include <QJsonDocument>
+#include <QRegularExpression>
 
 #include <algorithm>
+#include <limits>
 
 using namespace Qt::StringLiterals;
 
 namespace {
 
 constexpr QByteArrayView kMagic = "GIMBALREC 1\n";
+constexpr QByteArrayView kName = "GIMBALREC ";
 constexpr QByteArrayView kChunkMark = "GDCK";
 constexpr qsizetype kChunkHeader = 20;
 constexpr qsizetype kChecksum = 8;
@@ -21,6 +24,9 @@ constexpr qsizetype kPieceHeader = 13;
 constexpr quint32 kLongestChunk = 16U << 20;
 constexpr qsizetype kChunkSize = 64 << 10;
 constexpr qsizetype kLongestDescription = 64 << 10;
+constexpr qint64 kSearchBase = 64 << 20;  // bytes spent on what only looks like a chunk, in addition to
+constexpr qint64 kSearchFactor = 4;  // so many times the file
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 enum ChunkKind : quint8 { DescriptionChunk = 1, PiecesChunk = 2 };
 
@@ -64,6 +70,131 @@ bool readPieces(QByteArrayView content, std::vector<RecordedPiece> &pieces)
     return true;
 }
 
+struct Chunk
+{
+    quint8 kind = 0;
+    QByteArrayView content;
+    [[nodiscard]] qsizetype size() const { return kChunkHeader + content.size(); }
+};
+
+/// Reads the bytes of a recording chunk by chunk, and past those that are damaged.
+class RecordingReader
+{
+public:
+    explicit RecordingReader(const QByteArray &bytes)
+        : m_bytes(bytes)
+        , m_budget(kSearchBase + kSearchFactor * bytes.size())
+    {
+    }
+
+    Result<Recording> read()
+    {
+        qsizetype at = kMagic.size();
+        if (!m_bytes.startsWith(kMagic)) {
+            // Another version is another format; what is no recording at all has no whole chunk there.
+            const bool otherVersion = m_bytes.startsWith(kName) && m_bytes.size() > kName.size()
+                && m_bytes[kName.size()] != kMagic[kName.size()];
+            if (otherVersion || m_bytes.size() <= at || !chunkAt(at))
+                return failure(ErrorCode::BadFile, u"this is not a recording"_s);
+            leaveOut(0, at, u"its first line is damaged"_s);
+        }
+        while (at < m_bytes.size()) {
+            const auto chunk = chunkAt(at);
+            const QString problem = chunk ? take(*chunk) : chunk.error();
+            const qsizetype next = chunk ? at + chunk->size() : nextWhole(at + 1);
+            if (!problem.isEmpty())
+                leaveOut(at, next, problem);
+            at = next;
+        }
+        if (!m_described && !describeFromRemains())
+            return failure(ErrorCode::BadFile, u"the recording is damaged at its very beginning"_s);
+        return std::move(m_recording);
+    }
+
+private:
+    /// The chunk that begins here, or what is wrong with it.
+    [[nodiscard]] tl::expected<Chunk, QString> chunkAt(qsizetype at) const
+    {
+        const QByteArrayView rest = m_bytes.sliced(at);
+        if (rest.size() < kChunkHeader)
+            return tl::unexpected(u"the file ends within a chunk"_s);
+        const auto length = lengthOf(rest);
+        if (!rest.startsWith(kChunkMark) || length > kLongestChunk)
+            return tl::unexpected(u"no chunk begins here"_s);
+        if (qsizetype(length) > rest.size() - kChunkHeader)
+            return tl::unexpected(u"the file ends within a chunk"_s);
+        const QByteArrayView content = rest.sliced(kChunkHeader, length);
+        if (checksum(rest.first(12), content) != rest.sliced(12, kChecksum))
+            return tl::unexpected(u"a checksum is wrong"_s);
+        return Chunk{quint8(rest[4]), content};
+    }
+
+    static quint32 lengthOf(QByteArrayView chunk) { return quint32(readLittleEndian(chunk.sliced(8, 4))); }
+
+    // Anything may look like the beginning of a chunk and claim a long one: what is spent on finding out that
+    // it is none has its limit.
+    [[nodiscard]] qsizetype nextWhole(qsizetype from)
+    {
+        for (from = m_bytes.indexOf(kChunkMark, from); from >= 0 && m_budget > 0;
+             from = m_bytes.indexOf(kChunkMark, from + 1)) {
+            if (chunkAt(from))
+                return from;
+            const QByteArrayView rest = m_bytes.sliced(from);
+            const qint64 claimed = rest.size() < kChunkHeader ? 0 : qint64(lengthOf(rest));
+            m_budget -= kChunkHeader + (claimed <= rest.size() - kChunkHeader ? claimed : 0);
+        }
+        return m_bytes.size();
+    }
+
+    void leaveOut(qsizetype from, qsizetype to, const QString &reason)
+    {
+        m_recording.gaps.push_back({from, to - from, reason, m_recording.pieces.size()});
+    }
+
+    // What is wrong with the content; empty: nothing. Unknown kinds belong to a later version.
+    QString take(const Chunk &chunk)
+    {
+        if (chunk.kind == DescriptionChunk) {
+            const auto document = QJsonDocument::fromJson(chunk.content.toByteArray());
+            if (!document.isObject())
+                return u"the description is not JSON"_s;
+            m_described = true;
+            m_recording.description = document.object();
+        } else if (chunk.kind == PiecesChunk) {
+            const std::size_t before = m_recording.pieces.size();
+            if (!readPieces(chunk.content, m_recording.pieces)) {
+                m_recording.pieces.resize(before);
+                return u"a chunk holds something else than pieces"_s;
+            }
+        }
+        return {};
+    }
+
+    // Without the family nothing can be decoded, so it is looked for in what was left out before the first
+    // piece.
+    bool describeFromRemains()
+    {
+        static const QRegularExpression word(u"\"family\"\\s*:\\s*\"(\\w+)\""_s);
+        for (const Recording::Gap &gap : m_recording.gaps) {
+            if (gap.piece > 0 || m_recording.pieces.empty())
+                break;
+            const QByteArrayView remains
+                = m_bytes.sliced(gap.offset, std::min<qint64>(gap.bytes, kLongestDescription));
+            const auto match = word.match(QString::fromLatin1(remains));
+            if (match.hasMatch())
+                m_recording.description = {{u"family"_s, match.captured(1)}};
+            if (match.hasMatch())
+                return true;
+        }
+        return false;
+    }
+
+    QByteArrayView m_bytes;
+    qint64 m_budget;
+    Recording m_recording;
+    bool m_described = false;
+};
+
 }  // namespace
 
 qint64 Recording::begin() const
@@ -98,50 +229,47 @@ Result<QJsonObject> Recording::describe(const QString &path)
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
-    const auto beginning = fromBytes(file.read(kMagic.size() + kLongestDescription));
+    const QByteArray bytes = file.read(kMagic.size() + kLongestDescription);
+    auto beginning = fromBytes(bytes);
+    if (!beginning && bytes.startsWith(kName))  // what describes it is damaged, and the next chunk is longer
+        beginning = load(path);
     return beginning ? Result<QJsonObject>(beginning->description) : tl::unexpected(beginning.error());
 }
 
 Result<Recording> Recording::fromBytes(const QByteArray &bytes)
 {
-    if (!bytes.startsWith(kMagic))
-        return failure(ErrorCode::BadFile, u"this is not a recording"_s);
-    Recording recording;
-    bool described = false;
-    QByteArrayView rest = QByteArrayView(bytes).sliced(kMagic.size());
-    while (!rest.isEmpty() && recording.damage.isEmpty()) {
-        recording.damageAt = bytes.size() - rest.size();
-        if (rest.size() < kChunkHeader) {
-            recording.damage = u"the file ends within a chunk"_s;
-            break;
-        }
-        const auto kind = quint8(rest[4]);
-        const auto length = quint32(readLittleEndian(rest.sliced(8, 4)));
-        if (!rest.startsWith(kChunkMark) || length > kLongestChunk) {
-            recording.damage = u"no chunk begins here"_s;
-        } else if (qsizetype(length) > rest.size() - kChunkHeader) {
-            recording.damage = u"the file ends within a chunk"_s;
-        } else {
-            const QByteArrayView content = rest.sliced(kChunkHeader, length);
-            if (checksum(rest.first(12), content) != rest.sliced(12, kChecksum)) {
-                recording.damage = u"a checksum is wrong"_s;
-            } else if (kind == DescriptionChunk) {
-                const auto document = QJsonDocument::fromJson(content.toByteArray());
-                described = document.isObject();
-                recording.description = document.object();
-                if (!described)
-                    recording.damage = u"the description is not JSON"_s;
-            } else if (kind == PiecesChunk && !readPieces(content, recording.pieces)) {
-                recording.damage = u"a chunk holds something else than pieces"_s;
-            }  // other kinds belong to a later version and are ignored
-            rest = rest.sliced(kChunkHeader + length);
-        }
+    return RecordingReader(bytes).read();
+}
+
+bool Recording::hasGapBefore(std::size_t piece) const
+{
+    const auto found
+        = std::lower_bound(gaps.begin(), gaps.end(), piece,
+                           [](const Gap &gap, std::size_t number) { return gap.piece < number; });
+    return found != gaps.end() && found->piece == piece;
+}
+
+QList<ReplayGap> Recording::leftOut() const
+{
+    const qint64 first = begin();
+    const auto timeOf = [this, first](std::size_t piece) { return double(pieces[piece].at - first) * 1e-9; };
+    const auto isReceived
+        = [this](std::size_t piece) { return pieces[piece].kind == RecordedPiece::Kind::Received; };
+    QList<ReplayGap> list;
+    double before = kUnknown;
+    std::size_t next = 0;
+    for (const Gap &gap : gaps) {
+        for (; next < gap.piece; ++next)
+            before = isReceived(next) ? timeOf(next) : before;
+        list.append({gap.offset, gap.bytes, gap.reason, before, kUnknown});
     }
-    if (!described)
-        return failure(ErrorCode::BadFile, u"the recording is damaged at its very beginning"_s);
-    if (recording.damage.isEmpty())
-        recording.damageAt = 0;
-    return recording;
+    double after = kUnknown;
+    next = pieces.size();
+    for (std::size_t i = gaps.size(); i-- > 0; list[qsizetype(i)].to = after) {
+        for (; next > gaps[i].piece; --next)
+            after = isReceived(next - 1) ? timeOf(next - 1) : after;
+    }
+    return list;
 }
 
 Result<RecordingWriter> RecordingWriter::create(const QString &path, const QJsonObject &description)

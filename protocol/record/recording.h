@@ -4,6 +4,7 @@
 
 #include "protocol/base/clock.h"
 #include "protocol/base/result.h"
+#include "protocol/transport/replay.h"
 
 #include <QFile>
 #include <QJsonObject>
@@ -31,19 +32,33 @@ struct RecordedPiece
 /// description, 2 pieces), three zero bytes, length of the content (4 bytes), the first eight bytes of the
 /// SHA-1 of all that and of the content, and the content. The description is JSON (family, identity, address,
 /// when). Pieces follow each other without gaps: kind (1 byte), length (4), time (8), bytes. Numbers are
-/// little-endian. A truncated file is valid up to its last complete chunk.
+/// little-endian. A truncated file is valid up to its last complete chunk; a damaged chunk is left out, and
+/// reading goes on with the next one whose checksum is right.
 struct Recording
 {
-    QJsonObject description;
+    /// A part of the file that was left out.
+    struct Gap
+    {
+        qint64 offset = 0;
+        qint64 bytes = 0;
+        QString reason;
+        std::size_t piece = 0;  ///< how many pieces come before it
+    };
+
+    QJsonObject description;  ///< only the family where it is damaged
     std::vector<RecordedPiece> pieces;
-    QString damage;  ///< what is wrong after the part that was read; empty: nothing
-    qint64 damageAt = 0;  ///< offset in the file
+    std::vector<Gap> gaps;  ///< in the order of the file
 
     /// Time of the first and the last received bytes, in nanoseconds.
     [[nodiscard]] qint64 begin() const;
     [[nodiscard]] qint64 end() const;
 
-    /// Reads up to the first damage. Errors: BadFile if it is not a recording or nothing at all can be read.
+    /// Whether something is missing before this piece.
+    [[nodiscard]] bool hasGapBefore(std::size_t piece) const;
+    /// What was left out, with the times between which it lies.
+    [[nodiscard]] QList<ReplayGap> leftOut() const;
+
+    /// Reads past any damage. Errors: BadFile if it is not a recording or nothing at all can be read.
     static Result<Recording> load(const QString &path);
     static Result<Recording> fromBytes(const QByteArray &bytes);
     /// Reads only the description, without the rest. Errors: BadFile.

@@ -14,14 +14,20 @@ std::shared_ptr<TelemetryStore> readTelemetry(const Recording &recording, const 
     const auto framer = family.makeFramer();
     const auto decoder = device.replayDecoder();
     const qint64 begin = recording.begin();
-    for (const RecordedPiece &piece : recording.pieces) {
-        const TimePoint at = store->origin() + std::chrono::nanoseconds(piece.at - begin);
+    TimePoint at = store->origin();
+    const FrameSink sink = [&](const FrameView &frame) { decoder->decode(frame, at, *store); };
+    for (std::size_t i = 0; i < recording.pieces.size(); ++i) {
+        const RecordedPiece &piece = recording.pieces[i];
+        if (recording.hasGapBefore(i)) {
+            framer->flush(sink);
+            store->interrupt();
+        }
+        at = store->origin() + std::chrono::nanoseconds(piece.at - begin);
         if (piece.kind == RecordedPiece::Kind::Sent) {
             framer->sent(asBytes(piece.bytes));
             decoder->sent(piece.bytes);
         } else if (piece.kind == RecordedPiece::Kind::Received) {
-            framer->feed(asBytes(piece.bytes),
-                         [&](const FrameView &frame) { decoder->decode(frame, at, *store); });
+            framer->feed(asBytes(piece.bytes), sink);
         }
     }
     return store;

@@ -32,6 +32,7 @@ ReplayTransport::ReplayTransport(Recording recording, double speed, double from)
     : m_recording(std::move(recording))
     , m_speed(speed)
     , m_position(m_recording.begin() + qint64(from * 1e9))
+    , m_gaps(m_recording.leftOut())
     , m_timer(this)
 {
     for (std::size_t i = 0; i < m_recording.pieces.size(); ++i) {
@@ -80,7 +81,8 @@ QByteArray ReplayTransport::answerTo(const QByteArray &request) const
     const qsizetype chosen = later == found->begin() ? *later : *std::prev(later);
     QByteArray answer;
     for (std::size_t i = std::size_t(chosen) + 1; i < pieces.size(); ++i) {
-        if (pieces[i].kind == RecordedPiece::Kind::Sent)
+        // Behind a gap stand the answers to other requests.
+        if (pieces[i].kind == RecordedPiece::Kind::Sent || m_recording.hasGapBefore(i))
             break;
         if (pieces[i].kind == RecordedPiece::Kind::Reply)
             answer += pieces[i].bytes;
@@ -156,7 +158,7 @@ ReplayState ReplayTransport::state() const
     const qint64 begin = m_recording.begin();
     const qint64 end = m_recording.end();
     return {double(std::clamp(m_position, begin, end) - begin) * 1e-9, double(end - begin) * 1e-9, m_speed,
-            m_paused};
+            m_paused, m_gaps};
 }
 
 void ReplayTransport::deliver()

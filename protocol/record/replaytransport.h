@@ -38,6 +38,7 @@ private:
     Recording m_recording;
     double m_speed;
     qint64 m_position;  // nanoseconds of the recording
+    QList<ReplayGap> m_gaps;
     std::size_t m_next = 0;  // piece that is due next
     QHash<QByteArray, QList<qsizetype>> m_requests;  // what was sent -> pieces
     QTimer m_timer;

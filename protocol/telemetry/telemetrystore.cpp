@@ -41,6 +41,11 @@ void TelemetryGroup::append(double time, std::span<const float> values, double r
     m_end.store(row + 1, std::memory_order_release);
 }
 
+double TelemetryGroup::lastTime() const
+{
+    return m_chunks.back()->times[(end() - 1) % kRowsPerChunk];
+}
+
 void TelemetryGroup::closeBlock(Chunk &chunk, std::size_t firstRow)
 {
     const std::size_t columns = chunk.values.size() / kRowsPerChunk;
@@ -157,6 +162,19 @@ void TelemetryStore::appendGap(TelemetryGroup &group, TimePoint at)
     const std::vector<float> nothing(static_cast<std::size_t>(group.channels().size()),
                                      std::numeric_limits<float>::quiet_NaN());
     group.append(secondsAt(at), nothing, m_retention.load(std::memory_order_relaxed));
+}
+
+void TelemetryStore::interrupt()
+{
+    std::vector<std::shared_ptr<TelemetryGroup>> groups;
+    {
+        const std::lock_guard lock(m_mutex);
+        groups = m_groups;
+    }
+    for (const auto &group : groups) {
+        if (group->end() > 0)
+            appendGap(*group, m_origin + durationFromSeconds(group->lastTime() + 1e-6));
+    }
 }
 
 void TelemetryStore::appendArray(int channel, TimePoint at, std::vector<float> values)

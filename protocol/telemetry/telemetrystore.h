@@ -54,6 +54,7 @@ private:
     friend class TelemetryStore;
     friend class TrackView;
     void append(double time, std::span<const float> values, double retention);
+    [[nodiscard]] double lastTime() const;
     static void closeBlock(Chunk &chunk, std::size_t firstRow);
 
     QList<int> m_channels;
@@ -112,6 +113,8 @@ public:
     std::shared_ptr<TelemetryGroup> defineGroup(QList<int> channels, double period);
     void append(TelemetryGroup &group, TimePoint at, std::span<const float> values);
     void appendGap(TelemetryGroup &group, TimePoint at);
+    /// Everything is interrupted here: a gap in each group that has rows.
+    void interrupt();
     /// A whole array (ChannelSpec::elements) at one instant, e.g. a spectrum; its length is up to what the
     /// board sends.
     void appendArray(int channel, TimePoint at, std::vector<float> values);

@@ -2,6 +2,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QList>
+#include <QString>
+
+/// A part of a recording that cannot be read and is left out.
+struct ReplayGap
+{
+    qint64 offset = 0;  ///< in the file
+    qint64 bytes = 0;
+    QString reason;  ///< what is wrong there, for experts
+    double from = 0;  ///< seconds since the recording's first byte; NaN: nothing was received before
+    double to = 0;  ///< NaN: nothing was received after
+
+    friend bool operator==(const ReplayGap &, const ReplayGap &) = default;
+};
+
 /// Playback state of a recorded link.
 struct ReplayState
 {
@@ -9,6 +24,7 @@ struct ReplayState
     double length = 0;  ///< seconds
     double speed = 1;  ///< multiple of real time
     bool paused = false;
+    QList<ReplayGap> gaps = {};  ///< what the recording lacks
 
     [[nodiscard]] bool hasEnded() const { return position >= length; }
     friend bool operator==(const ReplayState &, const ReplayState &) = default;

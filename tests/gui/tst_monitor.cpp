@@ -234,6 +234,22 @@ void TestMonitor::recordingsFromTheScreen()
         QVERIFY(!named<QPushButton>(monitor, u"Record"_s)->isEnabled());
         m_rig->client().disconnectFromBoard();
     }
+    // A damaged one too, and that something is missing is told, once.
+    QFile stored(now);
+    QVERIFY(stored.open(QIODevice::ReadWrite));
+    const QByteArray byte = QByteArray(1, char(~stored.readAll().at(stored.size() * 3 / 4)));
+    QVERIFY(stored.seek(stored.size() * 3 / 4) && stored.write(byte) == 1);
+    stored.close();
+    QSignalSpy problems(&m_rig->workspace().notifications(), &Notifications::problem);
+    m_rig->window().openFile(now);
+    QTRY_COMPARE_WITH_TIMEOUT(problems.count(), 1, 15000);
+    const auto problem = problems.first().first().value<ErrorText>();
+    QVERIFY2(problem.what.contains(u"damaged"_s) && problem.meaning.startsWith(u"1 part"_s)
+                 && problem.detail == u"a checksum is wrong"_s,
+             qPrintable(problem.oneLine()));
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().telemetry() && m_rig->client().telemetry()->rows() > 300, 10000);
+    m_rig->client().disconnectFromBoard();
+    QCOMPARE(problems.count(), 1);
     // Unplugging ends a recording properly.
     QVERIFY(m_rig->open());
     QVERIFY(recorder.start(now));

@@ -6,6 +6,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 
 #include <csignal>
@@ -76,6 +77,7 @@ private slots:
     void nothingIsNoSuccess_data();
     void nothingIsNoSuccess();
     void recordingsEndWithoutSilence();
+    void damagedRecordingIsReadPastTheDamage();
 
 private:
     [[nodiscard]] QString path(const QString &name) const { return m_dir->filePath(name); }
@@ -172,6 +174,54 @@ void TestCtlFaults::recordingsEndWithoutSilence()
     QVERIFY2(whole.exitCode == 0 && whole.out.count(u'\n') > 500, qPrintable(whole.err));
     const Run more = ctl(replay + QStringList{u"--seconds"_s, u"60"_s});
     QVERIFY2(more.exitCode == 1 && more.err.contains(u"the recording ends after"_s), qPrintable(more.err));
+}
+
+// One flipped byte, anywhere: what it costs is one chunk, and that is told.
+void TestCtlFaults::damagedRecordingIsReadPastTheDamage()
+{
+    const SimProcess simulator({u"--tcp"_s, u"0"_s});
+    const QString file = path(u"flight.rec"_s);
+    QCOMPARE(ctl({u"--link"_s, simulator.address(), u"record"_s, file, u"--seconds"_s, u"2"_s}).exitCode, 0);
+    QFile stored(file);
+    QVERIFY(stored.open(QIODevice::ReadWrite));
+    const QByteArray whole = stored.readAll();
+    const Run before = ctl({u"export"_s, file});
+    QCOMPARE(before.exitCode, 0);
+    const auto lastLine = [](const QString &csv) { return csv.trimmed().section(u'\n', -1); };
+    for (const double place : {0.2, 0.5, 0.8}) {
+        const auto at = qsizetype(double(whole.size()) * place);
+        QByteArray damaged = whole;
+        damaged[at] = char(damaged[at] ^ 0x20);
+        QVERIFY(stored.seek(0) && stored.write(damaged) == damaged.size() && stored.flush());
+
+        const Run run = ctl({u"--json"_s, u"export"_s, file, u"--csv"_s, path(u"flight.csv"_s)});
+        QVERIFY2(run.exitCode == 1 && run.err.contains(u"bytes are left out, from"_s), qPrintable(run.err));
+        const QJsonArray leftOut = run.json().value(u"leftOut"_s).toArray();
+        QCOMPARE(leftOut.size(), 1);
+        const QJsonObject gap = leftOut.first().toObject();
+        QVERIFY(gap.value(u"at"_s).toInt() <= at
+                && gap.value(u"at"_s).toInt() + gap.value(u"bytes"_s).toInt() > at);
+        QFile csv(path(u"flight.csv"_s));
+        QVERIFY(csv.open(QIODevice::ReadOnly));
+        const QString rows = QString::fromUtf8(csv.readAll());
+        QCOMPARE(lastLine(rows), lastLine(before.out));  // behind the damage, at its own time
+        QVERIFY(rows.count(u'\n') > before.out.count(u'\n') / 2);
+        static const QRegularExpression empty(u"\\n[0-9.]+,+\\n"_s);
+        QVERIFY(rows.contains(empty));  // the gap
+        QCOMPARE(ctl({u"export"_s, file, u"--partial"_s}).exitCode, 0);
+
+        const Run spectrum = ctl({u"analyze"_s, u"spectrum"_s, file});
+        QVERIFY2(spectrum.exitCode == 1 && spectrum.out.contains(u"gyro.roll"_s)
+                     && spectrum.err.contains(u"bytes are left out"_s),
+                 qPrintable(spectrum.err));
+        QCOMPARE(ctl({u"analyze"_s, u"spectrum"_s, file, u"--partial"_s}).exitCode, 0);
+        const QStringList replay{u"--link"_s, u"replay:"_s + file};
+        const Run info = ctl(replay + QStringList{u"--json"_s, u"info"_s});
+        QVERIFY2(info.exitCode == 1 && info.err.contains(u"bytes are left out"_s), qPrintable(info.err));
+        QCOMPARE(info.json().value(u"leftOut"_s).toArray(), leftOut);
+        QCOMPARE(ctl(replay + QStringList{u"info"_s, u"--partial"_s}).exitCode, 0);
+    }
+    QCOMPARE(ctl({u"--link"_s, simulator.address(), u"info"_s, u"--partial"_s}).exitCode, 2);
 }
 
 QTEST_GUILESS_MAIN(TestCtlFaults)

@@ -79,7 +79,7 @@ void TestRecording::whatIsWrittenIsRead()
     QVERIFY(read);
     QCOMPARE(read->description, description);
     QVERIFY(read->pieces == pieces);
-    QVERIFY(read->damage.isEmpty());
+    QVERIFY(read->gaps.empty());
     QCOMPARE(read->begin(), qint64(0));
     QCOMPARE(read->end(), qint64(4998) * 1'000'000);
 }
@@ -109,9 +109,13 @@ void TestRecording::cutAnywhereItOpensUpToTheCut()
         QCOMPARE(read->pieces.size(), complete);
         QVERIFY(std::equal(read->pieces.begin(), read->pieces.end(), pieces.begin()));
         const bool clean = length == first || (complete > 0 && ends[complete - 1] == length);
-        QCOMPARE(read->damage.isEmpty(), clean);
-        if (!clean)
-            QCOMPARE(read->damageAt, complete ? ends[complete - 1] : first);
+        QCOMPARE(read->gaps.size(), std::size_t(clean ? 0 : 1));
+        if (clean)
+            continue;
+        const qsizetype at = complete ? ends[complete - 1] : first;
+        QCOMPARE(read->gaps.front().offset, qint64(at));
+        QCOMPARE(read->gaps.front().bytes, qint64(length - at));
+        QCOMPARE(read->gaps.front().piece, complete);
     }
 }
 
@@ -127,7 +131,7 @@ void TestRecording::anyFlippedByteIsFound()
         QByteArray damaged = whole;
         damaged[i] = char(damaged[i] ^ 0x10);
         const auto read = Recording::fromBytes(damaged);
-        QVERIFY2(!read || !read->damage.isEmpty(), qPrintable(u"byte %1"_s.arg(i)));
+        QVERIFY2(!read || !read->gaps.empty(), qPrintable(u"byte %1"_s.arg(i)));
     }
 }
 

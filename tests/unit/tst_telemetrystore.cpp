@@ -33,6 +33,7 @@ private slots:
     void retentionMayChange();
     void viewsKeepWhatTheyHold();
     void gapsAreNoRowsButPlaces();
+    void interruptionIsAGapInEachGroup();
     void groupsFollowOneAnother();
     void rowAtIsTheFirstNotBefore();
     void extentsAreThoseOfTheirRows();
@@ -248,6 +249,27 @@ void TestTelemetryStore::rowAtIsTheFirstNotBefore()
             ++row;
         QCOMPARE(track.rowAt(wanted), row);
     }
+}
+
+void TestTelemetryStore::interruptionIsAGapInEachGroup()
+{
+    TelemetryStore store(3);
+    const auto fast = store.defineGroup({0}, 0.001);
+    const auto polled = store.defineGroup({1}, 0.0);
+    store.defineGroup({2}, 0.0);  // nothing came in it
+    append(store, *fast, 0.5, {1.0F});
+    append(store, *polled, 0.3, {2.0F});
+    store.interrupt();
+    append(store, *fast, 0.501, {3.0F});
+    append(store, *polled, 0.502, {4.0F});
+    for (const int channel : {0, 1}) {
+        const TrackView track = store.tracks(channel).front();
+        QCOMPARE(track.end(), std::size_t(3));
+        QVERIFY(std::isnan(track.value(1)));
+        QVERIFY(track.time(1) > track.time(0) && track.time(1) < track.time(2));
+    }
+    QCOMPARE(store.tracks(2).front().end(), std::size_t(0));
+    QCOMPARE(store.rows(), quint64(4));
 }
 
 void TestTelemetryStore::extentsAreThoseOfTheirRows()
