@@ -1667,6 +1667,18 @@
         <source>The details say what is missing, as far as the board tells.</source>
         <translation>Die Einzelheiten sagen, was fehlt, soweit das Board es mitteilt.</translation>
     </message>
+    <message>
+        <source>There are too few samples.</source>
+        <translation>Es sind zu wenige Messwerte.</translation>
+    </message>
+    <message>
+        <source>From so few nothing can be told that would be true.</source>
+        <translation>Aus so wenigen lässt sich nichts Verlässliches sagen.</translation>
+    </message>
+    <message>
+        <source>Record longer, or choose channels that were recorded.</source>
+        <translation>Länger aufzeichnen oder Kanäle wählen, die aufgezeichnet wurden.</translation>
+    </message>
 </context>
 <context>
     <name>FaceList</name>

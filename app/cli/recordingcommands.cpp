@@ -296,6 +296,7 @@ private:
         const ChannelRoles roles = rolesOf(*opened.device);
         CommandOutcome outcome;
         QJsonObject json;
+        bool anyKnown = false;
         for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
             const auto samples = samplesOf(opened, roles.angle[axis], roles.target[axis]);
             if (!samples)
@@ -306,6 +307,7 @@ private:
             for (const BandQuality &quality : holdingQuality(samples->values, samples->rate)) {
                 if (!quality.known)
                     continue;
+                anyKnown = true;
                 outcome.text += u"  %1 to %2 Hz  %3° RMS  %4° peak\n"_s.arg(quality.band.from)
                                     .arg(quality.band.to, 0, 'g', 3)
                                     .arg(quality.rms, 0, 'f', 4)
@@ -317,6 +319,8 @@ private:
             }
             json.insert(name, bands);
         }
+        if (!anyKnown)
+            return failure(ErrorCode::TooFewSamples, u"not enough for any band of frequencies"_s);
         outcome.json = json;
         return outcome;
     }
@@ -339,6 +343,12 @@ private:
             const auto angle = samplesOf(opened, roles.angle[axis]);
             if (!target || !angle)
                 return tl::unexpected(target ? angle.error() : target.error());
+            if (const double told = double(target->values.size()) / target->rate; told < 2 * kStepRest) {
+                return failure(
+                    ErrorCode::TooFewSamples,
+                    u"%1 s; a target has to rest for %2 s before and after a step"_s.arg(told, 0, 'f', 1)
+                        .arg(kStepRest));
+            }
             const std::vector<StepEvent> events
                 = findSteps(target->values, target->rate, kStepSize, kStepRest);
             for (std::size_t i = 0; i < events.size(); ++i) {

@@ -35,7 +35,7 @@ struct Margins
 };
 
 /// Response from evenly spaced samples of input and output (cross spectrum over input spectrum, Welch).
-/// Samples beyond the shorter series are ignored. Errors: InvalidArgument, see spectrum().
+/// Samples beyond the shorter series are ignored. Errors: those of spectrum().
 [[nodiscard]] Result<FrequencyResponse> frequencyResponse(std::span<const float> input,
                                                           std::span<const float> output, double rate,
                                                           const SpectrumOptions &options = {});

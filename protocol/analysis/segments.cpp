@@ -100,7 +100,7 @@ Result<Segments> Segments::make(std::size_t samples, double rate, const Spectrum
         return failure(ErrorCode::InvalidArgument, u"the sample rate is not known"_s);
     const auto length = std::size_t(options.length);
     if (samples < length) {
-        return failure(ErrorCode::InvalidArgument,
+        return failure(ErrorCode::TooFewSamples,
                        u"%1 samples are fewer than one segment of %2"_s.arg(samples).arg(length));
     }
     const std::size_t hop

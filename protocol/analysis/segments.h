@@ -15,7 +15,7 @@
 class Segments
 {
 public:
-    /// Errors: InvalidArgument, see spectrum().
+    /// Errors: those of spectrum().
     static Result<Segments> make(std::size_t samples, double rate, const SpectrumOptions &options);
     Segments(Segments &&) noexcept;
     ~Segments();

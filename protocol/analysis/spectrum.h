@@ -34,8 +34,8 @@ struct SpectrumPeak
 };
 
 /// Spectrum of evenly spaced samples; the mean of each segment is removed. NaN is not allowed. @param rate
-/// samples per second. Errors: InvalidArgument (length, overlap or rate out of range, fewer samples than one
-/// segment).
+/// samples per second. Errors: InvalidArgument (length, overlap or rate out of range), TooFewSamples (fewer
+/// than one segment).
 [[nodiscard]] Result<Spectrum> spectrum(std::span<const float> samples, double rate,
                                         const SpectrumOptions &options = {});
 

@@ -41,8 +41,7 @@ Result<StepMetrics> stepMetrics(std::span<const float> response, double rate, do
                                 double band)
 {
     if (response.size() < kFewest || !(rate > 0.0))
-        return failure(ErrorCode::InvalidArgument,
-                       u"%1 samples are too few for a step"_s.arg(response.size()));
+        return failure(ErrorCode::TooFewSamples, u"%1 samples are too few for a step"_s.arg(response.size()));
     const std::size_t tail = std::max<std::size_t>(2, response.size() / 10);
     double mean = 0.0;
     for (const float value : response.last(tail))
@@ -139,7 +138,7 @@ Result<StepMeasurement> measureSteps(std::span<const float> target, std::span<co
                                      double rate, double seconds)
 {
     if (target.empty())
-        return failure(ErrorCode::InvalidArgument, u"no samples"_s);
+        return failure(ErrorCode::TooFewSamples, u"no samples"_s);
     const auto [lowest, highest] = std::minmax_element(target.begin(), target.end());
     const double rest = double(target.front());
     const double other

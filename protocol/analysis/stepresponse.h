@@ -31,8 +31,8 @@ struct StepEvent
 
 /// Measures a step that begins with the first sample. Samples are evenly spaced, without NaN. @param rate
 /// samples per second; @param from value before; @param to wanted value; @param band fraction of the step
-/// that counts as settled. Errors: InvalidArgument (fewer than 20 samples, or no difference between from and
-/// to).
+/// that counts as settled. Errors: TooFewSamples (fewer than 20), InvalidArgument (no difference between from
+/// and to).
 [[nodiscard]] Result<StepMetrics> stepMetrics(std::span<const float> response, double rate, double from,
                                               double to, double band = 0.05);
 
@@ -58,7 +58,8 @@ struct StepMeasurement
 };
 
 /// Finds the two levels of a target that alternates between them, cuts out the steps and measures their mean.
-/// @param seconds length of a run. Errors: InvalidArgument (no step, or none that the response follows).
+/// @param seconds length of a run. Errors: TooFewSamples (none), InvalidArgument (no step, or none
+/// that the response follows).
 [[nodiscard]] Result<StepMeasurement>
 measureSteps(std::span<const float> target, std::span<const float> response, double rate, double seconds);
 

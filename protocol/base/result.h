@@ -39,6 +39,7 @@ enum class ErrorCode {
     NotRestored,  ///< values in use were replaced and could not be restored; the detail lists them
     Diverged,  ///< an axis did not follow and was stopped
     NoSamples,  ///< live data do not come, or not any more
+    TooFewSamples,  ///< what was received or recorded is too short to be measured
     NotProven,  ///< commands were sent, but nothing the board reports proves that they took effect
     NoEffect,  ///< the board acknowledged a command, but does not report that it took effect
     Busy,  ///< another job of the same kind is running

@@ -311,7 +311,7 @@ Result<MotionTestResult> Run::collect() const
     if (angle->start != target->start || angle->values.size() != target->values.size())
         return failure(ErrorCode::InvalidArgument, u"target and angle do not come in the same rows"_s);
     if (double(angle->values.size()) / angle->rate < 0.9 * m_plan.duration())
-        return failure(ErrorCode::InvalidArgument,
+        return failure(ErrorCode::TooFewSamples,
                        u"only %1 of %2 s arrived without a hole"_s
                            .arg(double(angle->values.size()) / angle->rate, 0, 'f', 1)
                            .arg(m_plan.duration(), 0, 'f', 1));

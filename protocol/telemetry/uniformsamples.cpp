@@ -84,11 +84,11 @@ Result<UniformSamples> uniformSamples(const TelemetryStore &store, int channel, 
     const std::vector<Sample> samples
         = source == sources.rend() ? std::vector<Sample>() : samplesWithin(*source, from, to);
     if (samples.empty())
-        return failure(ErrorCode::InvalidArgument, u"no samples in this span of time"_s);
+        return failure(ErrorCode::TooFewSamples, u"no samples in this span of time"_s);
     const bool polled = !(source->track.period() > 0.0);
     const double period = polled ? medianPeriod(samples) : source->track.period();
     if (!(period > 0.0))
-        return failure(ErrorCode::InvalidArgument, u"too few samples to tell their rate"_s);
+        return failure(ErrorCode::TooFewSamples, u"too few samples to tell their rate"_s);
 
     UniformSamples best;
     UniformSamples piece;

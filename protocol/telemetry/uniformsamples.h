@@ -21,6 +21,6 @@ struct UniformSamples
 /// and counted; the stream that carries the channel at the end of the span is used. Polled samples arrive at
 /// approximately even intervals: they are interpolated linearly onto an even grid of their median interval.
 /// @param minus channel to subtract, -1 = none; it must come in the same rows. @param from,to seconds since
-/// the store's origin. Errors: InvalidArgument (no samples there, or too few to tell their rate).
+/// the store's origin. Errors: TooFewSamples (no samples there, or too few to tell their rate).
 [[nodiscard]] Result<UniformSamples> uniformSamples(const TelemetryStore &store, int channel, int minus,
                                                     double from, double to);

@@ -78,6 +78,8 @@ private slots:
     void nothingIsNoSuccess();
     void recordingsEndWithoutSilence();
     void damagedRecordingIsReadPastTheDamage();
+    void tooFewSamplesAreNoWrongArgument_data();
+    void tooFewSamplesAreNoWrongArgument();
 
 private:
     [[nodiscard]] QString path(const QString &name) const { return m_dir->filePath(name); }
@@ -222,6 +224,37 @@ void TestCtlFaults::damagedRecordingIsReadPastTheDamage()
         QCOMPARE(ctl(replay + QStringList{u"info"_s, u"--partial"_s}).exitCode, 0);
     }
     QCOMPARE(ctl({u"--link"_s, simulator.address(), u"info"_s, u"--partial"_s}).exitCode, 2);
+}
+
+void TestCtlFaults::tooFewSamplesAreNoWrongArgument_data()
+{
+    QTest::addColumn<QString>("kind");
+    for (const char *kind : {"spectrum", "holding", "steps", "response"})
+        QTest::newRow(kind) << QString::fromLatin1(kind);
+}
+
+// A recording of next to nothing: nobody typed anything wrong.
+void TestCtlFaults::tooFewSamplesAreNoWrongArgument()
+{
+    QFETCH(QString, kind);
+    const SimProcess simulator({u"--tcp"_s, u"0"_s});
+    const QString file = path(u"short.rec"_s);
+    QCOMPARE(ctl({u"--link"_s, simulator.address(), u"record"_s, file, u"--seconds"_s, u"0.5"_s}).exitCode,
+             0);
+    // Only how the link was set up is left.
+    const QStringList analyze{u"--json"_s, u"analyze"_s, kind, file};
+    QFile stored(file);
+    QVERIFY(stored.open(QIODevice::ReadWrite));
+    const QByteArray whole = stored.readAll();
+    const qsizetype second = whole.indexOf("GDCK", whole.indexOf("GDCK", whole.indexOf("GDCK") + 4) + 4);
+    QVERIFY(second > 0 && stored.resize(second));
+    stored.close();
+    const Run run = ctl(analyze);
+    QVERIFY2(run.exitCode == 1, qPrintable(run.out + run.err));
+    for (const QString &part : {u"There are too few samples."_s, u"Record longer"_s})
+        QVERIFY2(run.err.contains(part), qPrintable(run.err));
+    QCOMPARE(run.json().value(u"error"_s).toString(), u"There are too few samples."_s);
+    QVERIFY(!run.json().value(u"cure"_s).toString().isEmpty());
 }
 
 QTEST_GUILESS_MAIN(TestCtlFaults)

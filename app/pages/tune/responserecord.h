@@ -32,7 +32,7 @@ struct ResponseRecord
 /// Finds steps in a motion test. Errors: InvalidArgument (there is no step to measure).
 [[nodiscard]] Result<ResponseRecord> stepRecord(const MotionTestResult &result);
 /// The response of evenly spaced samples. @param fromHz,toHz frequencies that were in the input
-/// Errors: InvalidArgument (too few samples, no frequency with enough motion).
+/// Errors: TooFewSamples, InvalidArgument (no frequency with enough motion).
 [[nodiscard]] Result<ResponseRecord> frequencyRecord(std::vector<float> target, std::vector<float> angle,
                                                      double rate, double fromHz, double toHz);
 
