@@ -436,6 +436,10 @@
         <source>Not known: %1.</source>
         <translation>Nicht bekannt: %1.</translation>
     </message>
+    <message>
+        <source>Left out, as this board does not take them: %1.</source>
+        <translation>Ausgelassen, weil dieses Board sie nicht annimmt: %1.</translation>
+    </message>
 </context>
 <context>
     <name>BoardWriter</name>
@@ -1679,6 +1683,26 @@
         <source>Record longer, or choose channels that were recorded.</source>
         <translation>Länger aufzeichnen oder Kanäle wählen, die aufgezeichnet wurden.</translation>
     </message>
+    <message>
+        <source>Two values exclude each other.</source>
+        <translation>Zwei Werte schließen einander aus.</translation>
+    </message>
+    <message>
+        <source>Change one of the two so that both can hold, then write again.</source>
+        <translation>Einen der beiden so ändern, dass beide gelten können, dann noch einmal schreiben.</translation>
+    </message>
+    <message>
+        <source>No live data come.</source>
+        <translation>Es kommen keine Live-Daten.</translation>
+    </message>
+    <message>
+        <source>The board sends none, or none that can be read; what came before is kept.</source>
+        <translation>Das Board sendet keine oder keine lesbaren; was vorher kam, bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Check cable and power, and that the board still answers; then start again.</source>
+        <translation>Kabel und Versorgung prüfen, und ob das Board noch antwortet; dann neu beginnen.</translation>
+    </message>
 </context>
 <context>
     <name>FaceList</name>
@@ -2447,6 +2471,21 @@
         <source>Restart the board before you use them, and store nothing before.</source>
         <translation>Das Board neu starten, bevor Sie sie benutzen, und vorher nichts speichern.</translation>
     </message>
+    <message>
+        <source>This recording is damaged.</source>
+        <translation>Diese Aufzeichnung ist beschädigt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s) of it cannot be read and are left out, %1 in all.</source>
+        <translation>
+            <numerusform>%n Teil davon ist nicht lesbar und fehlt, insgesamt %1.</numerusform>
+            <numerusform>%n Teile davon sind nicht lesbar und fehlen, insgesamt %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Everything else is here; where a part is missing, plots have a gap.</source>
+        <translation>Alles andere ist da; wo ein Teil fehlt, haben Kurven eine Lücke.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -2892,6 +2931,10 @@
     <message>
         <source>Load</source>
         <translation>Laden</translation>
+    </message>
+    <message>
+        <source>Left out, as these values are not allowed: %1.</source>
+        <translation>Ausgelassen, weil diese Werte nicht erlaubt sind: %1.</translation>
     </message>
 </context>
 <context>
