@@ -18,6 +18,7 @@ namespace {
 
 const QString kFormat = u"gimbaldesk-configuration"_s;
 const QString kNames = u"names"_s;  // among the missing parts
+const Error kNotInFile{ErrorCode::Incomplete, u"not in the file"_s, 0};
 constexpr int kVersion = 1;
 constexpr qint64 kLargestFile = 4 * 1024 * 1024;
 
@@ -145,6 +146,44 @@ QString entryAt(const QByteArray &json, int offset)
     return match.hasMatch() ? u", value of %1"_s.arg(match.captured(1)) : QString();
 }
 
+BoardIdentity identityFrom(const QJsonObject &board)
+{
+    BoardIdentity identity;
+    identity.family = board.value(u"family"_s).toString();
+    identity.model = board.value(u"model"_s).toString();
+    identity.firmware = board.value(u"firmware"_s).toString();
+    identity.firmwareNumber = board.value(u"firmwareNumber"_s).toInt();
+    identity.serial = board.value(u"serial"_s).toString();
+    identity.profileCount = board.value(u"profileCount"_s).toInt(1);
+    for (const QJsonValue &capability : board.value(u"capabilities"_s).toArray())
+        identity.capabilities.insert(capability.toString());
+    return identity;
+}
+
+// Blocks, and which of them the board did not deliver.
+Result<void> readBlocks(Configuration &configuration, const QJsonObject &root)
+{
+    const QJsonArray missing = root.value(u"missing"_s).toArray();
+    const QJsonObject blocks = root.value(u"blocks"_s).toObject();
+    for (int profile = 0; profile < configuration.identity().profileCount; ++profile) {
+        for (const BlockSpec &block : configuration.parameters().blocks()) {
+            const QString name = u"%1/%2"_s.arg(profile + 1).arg(QLatin1String(block.name));
+            if (missing.contains(name))
+                configuration.addMissing({profile, block.id}, kNotInFile);
+            if (!blocks.contains(name))
+                continue;
+            const QByteArray bytes = QByteArray::fromHex(blocks.value(name).toString().toLatin1());
+            // Parameter blocks may have grown since; data blocks are taken as a whole or not at all.
+            if (bytes.size() < block.size || (block.isData() && !block.holds(bytes.size()))) {
+                return failure(ErrorCode::BadFile,
+                               u"block %1 has %2 of %3 bytes"_s.arg(name).arg(bytes.size()).arg(block.size));
+            }
+            configuration.setBlock({profile, block.id}, bytes);
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 QByteArray ConfigurationFile::toJson(const Configuration &configuration, const QString &reason,
@@ -212,16 +251,7 @@ Result<ConfigurationFile> ConfigurationFile::fromJson(const QByteArray &json,
                            .arg(kVersion));
     }
 
-    const QJsonObject board = root.value(u"board"_s).toObject();
-    BoardIdentity identity;
-    identity.family = board.value(u"family"_s).toString();
-    identity.model = board.value(u"model"_s).toString();
-    identity.firmware = board.value(u"firmware"_s).toString();
-    identity.firmwareNumber = board.value(u"firmwareNumber"_s).toInt();
-    identity.serial = board.value(u"serial"_s).toString();
-    identity.profileCount = board.value(u"profileCount"_s).toInt(1);
-    for (const QJsonValue &capability : board.value(u"capabilities"_s).toArray())
-        identity.capabilities.insert(capability.toString());
+    const BoardIdentity identity = identityFrom(root.value(u"board"_s).toObject());
     const auto parameters = makeParameters(identity);
     if (!parameters)
         return failure(ErrorCode::BadFile,
@@ -239,25 +269,8 @@ Result<ConfigurationFile> ConfigurationFile::fromJson(const QByteArray &json,
         return failure(ErrorCode::BadFile, u"active profile %1"_s.arg(active + 1));
     file.configuration.setActiveProfile(active);
 
-    const QJsonArray missing = root.value(u"missing"_s).toArray();
-    const Error notInFile{ErrorCode::Incomplete, u"not in the file"_s, 0};
-    const QJsonObject blocks = root.value(u"blocks"_s).toObject();
-    for (int profile = 0; profile < identity.profileCount; ++profile) {
-        for (const BlockSpec &block : parameters->blocks()) {
-            const QString name = u"%1/%2"_s.arg(profile + 1).arg(QLatin1String(block.name));
-            if (missing.contains(name))
-                file.configuration.addMissing({profile, block.id}, notInFile);
-            if (!blocks.contains(name))
-                continue;
-            const QByteArray bytes = QByteArray::fromHex(blocks.value(name).toString().toLatin1());
-            // Parameter blocks may have grown since; data blocks are taken as a whole or not at all.
-            if (bytes.size() < block.size || (block.isData() && !block.holds(bytes.size()))) {
-                return failure(ErrorCode::BadFile,
-                               u"block %1 has %2 of %3 bytes"_s.arg(name).arg(bytes.size()).arg(block.size));
-            }
-            file.configuration.setBlock({profile, block.id}, bytes);
-        }
-    }
+    if (const auto read = readBlocks(file.configuration, root); !read)
+        return tl::unexpected(read.error());
     QStringList names;
     for (int profile = 0; profile < profiles.size(); ++profile) {
         const QJsonObject object = profiles[profile].toObject();
@@ -267,8 +280,8 @@ Result<ConfigurationFile> ConfigurationFile::fromJson(const QByteArray &json,
             !read)
             return tl::unexpected(read.error());
     }
-    if (missing.contains(kNames))
-        file.configuration.addMissing({0, MissingPart::kProfileNames}, notInFile);
+    if (root.value(u"missing"_s).toArray().contains(kNames))
+        file.configuration.addMissing({0, MissingPart::kProfileNames}, kNotInFile);
     else
         file.configuration.setProfileNames(names);
     if (const auto read

@@ -164,6 +164,23 @@ protected:
     void paintEvent(QPaintEvent *) override { QPainter(this).fillRect(rect(), Qt::white); }
 };
 
+/// Share of a core, in percent, that a window takes which only fills itself.
+double fillingShare()
+{
+    constexpr int kMs = 3000;
+    Filled window;
+    window.resize(1280, 720);
+    window.show();
+    expose();
+    QTimer timer;
+    timer.setTimerType(Qt::PreciseTimer);
+    QObject::connect(&timer, &QTimer::timeout, &window, qOverload<>(&QWidget::update));
+    timer.start(16);
+    const double before = processMs();
+    waitFor(kMs);
+    return (processMs() - before) / kMs * 100.0;
+}
+
 }  // namespace
 
 /// P1-P3: cost of a frame against QLineSeries, against a longer window, against more series.
@@ -210,20 +227,7 @@ void benchPacedPlots(Report &report)
     constexpr int kMs = 10000;
     const double scale = qApp->devicePixelRatio();
     const QString at = scale > 1 ? u", at %1 %"_s.arg(scale * 100) : QString();
-    double floor = 0;
-    {
-        Filled window;
-        window.resize(1280, 720);
-        window.show();
-        expose();
-        QTimer timer;
-        timer.setTimerType(Qt::PreciseTimer);
-        QObject::connect(&timer, &QTimer::timeout, &window, qOverload<>(&QWidget::update));
-        timer.start(16);
-        const double before = processMs();
-        waitFor(3000);
-        floor = (processMs() - before) / 3000 * 100.0;
-    }
+    const double floor = fillingShare();
     struct Case
     {
         double window;
