@@ -9,6 +9,7 @@
 #include <QRegularExpression>
 #include <QTemporaryDir>
 
+#include <cmath>
 #include <csignal>
 
 using namespace Qt::StringLiterals;
@@ -208,7 +209,13 @@ void TestCtlFaults::damagedRecordingIsReadPastTheDamage()
         QFile csv(path(u"flight.csv"_s));
         QVERIFY(csv.open(QIODevice::ReadOnly));
         const QString rows = QString::fromUtf8(csv.readAll());
-        QCOMPARE(lastLine(rows), lastLine(before.out));  // behind the damage, at its own time
+        // Behind the damage, at its own time; times of arrival are smoothed, so the last digit may differ.
+        const QString last = lastLine(rows);
+        const QString undamaged = lastLine(before.out);
+        QCOMPARE(last.section(u',', 1), undamaged.section(u',', 1));
+        QVERIFY2(std::abs(last.section(u',', 0, 0).toDouble() - undamaged.section(u',', 0, 0).toDouble())
+                     < 1e-4,
+                 qPrintable(last));
         QVERIFY(rows.count(u'\n') > before.out.count(u'\n') / 2);
         static const QRegularExpression empty(u"\\n[0-9.]+,+\\n"_s);
         QVERIFY(rows.contains(empty));  // the gap
