@@ -6,6 +6,7 @@
 #include "protocol/record/replaystore.h"
 #include "protocol/record/replaytransport.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "tests/support/pieces.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -21,20 +22,6 @@ using namespace Qt::StringLiterals;
 namespace {
 
 using Kind = RecordedPiece::Kind;
-
-QByteArray fileBytes(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-std::vector<RecordedPiece> somePieces(int count)
-{
-    std::vector<RecordedPiece> pieces;
-    for (int i = 0; i < count; ++i)
-        pieces.push_back({Kind(1 + i % 3), qint64(i) * 1'000'000, QByteArray(i % 50, char('a' + i % 26))});
-    return pieces;
-}
 
 /// A recording of some chunks with twenty pieces each.
 struct Chunks

@@ -10,6 +10,7 @@
 #include "protocol/session/linkstatistics.h"
 #include "protocol/telemetry/streams.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "tests/support/pieces.h"
 
 #include <QBuffer>
 #include <QSignalSpy>
@@ -18,25 +19,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace {
-
 using Kind = RecordedPiece::Kind;
-
-QByteArray fileBytes(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-std::vector<RecordedPiece> somePieces(int count)
-{
-    std::vector<RecordedPiece> pieces;
-    for (int i = 0; i < count; ++i)
-        pieces.push_back({Kind(1 + i % 3), qint64(i) * 1'000'000, QByteArray(i % 50, char('a' + i % 26))});
-    return pieces;
-}
-
-}  // namespace
 
 class TestRecording : public QObject
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/record/recorder.h"
+#include "tests/support/pieces.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -12,12 +13,6 @@ using namespace Qt::StringLiterals;
 namespace {
 
 using Kind = RecordedPiece::Kind;
-
-QByteArray fileBytes(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 // Made by the description of the format alone: three pieces, one before the link's first byte.
 const char *const kPublished = "47494d42414c52454320310a"
