@@ -34,3 +34,19 @@ Result<void> carryOut(Channel &channel, const StopPlan &plan)
         return failure(ErrorCode::NotProven);
     return *stopped ? restored.value_or(Result<void>()) : *stopped;
 }
+
+Result<bool> holdsWithin(Channel &channel, const Request &question, milliseconds limit,
+                         const std::function<bool(const Frame &)> &holds)
+{
+    const TimePoint end = channel.now() + limit;
+    while (channel.now() < end) {
+        const auto answer = channel.transact(question);
+        if (!answer)
+            return tl::unexpected(answer.error());
+        if (holds(*answer))
+            return true;
+        if (const auto slept = channel.sleep(100ms); !slept)
+            return tl::unexpected(slept.error());
+    }
+    return false;
+}

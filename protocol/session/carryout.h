@@ -8,3 +8,7 @@
 /// Carries out a plan over a channel, to the end of what it restores. Errors: NotProven, NotRestored, those
 /// of the channel.
 Result<void> carryOut(Channel &channel, const StopPlan &plan);
+/// Asks again and again, for at most `limit`, until an answer holds. Returns whether one did. Errors: those
+/// of the channel.
+Result<bool> holdsWithin(Channel &channel, const Request &question, milliseconds limit,
+                         const std::function<bool(const Frame &)> &holds);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/simplebgc/device.h"
 
+#include "protocol/session/carryout.h"
 #include "protocol/session/channel.h"
 #include "protocol/session/stopplan.h"
 #include "protocol/simplebgc/actiontable.h"
@@ -435,16 +436,13 @@ Result<void> Device::switchMotorsOn(Channel &channel) const
     const auto done = channel.transact(confirmRequest(CommandId::MotorsOn, {}, kVersion));
     if (!done)
         return tl::unexpected(done.error());
-    const TimePoint limit = channel.now() + kMotorsStart;
-    while (channel.now() < limit) {
-        const auto status = channel.transact(statusRequest());
-        if (!status)
-            return tl::unexpected(status.error());
-        if (areMotorsRunning(*status).value_or(false))
-            return {};
-        if (const auto slept = channel.sleep(100ms); !slept)
-            return slept;
-    }
+    const auto running = holdsWithin(channel, statusRequest(), kMotorsStart, [](const Frame &status) {
+        return areMotorsRunning(status).value_or(false);
+    });
+    if (!running)
+        return tl::unexpected(running.error());
+    if (*running)
+        return {};
     return failure(ErrorCode::NoEffect, u"the board reports that its motors are off"_s);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/base/latestvalues.h"
+#include "protocol/session/carryout.h"
 #include "protocol/session/controlstream.h"
 #include "protocol/session/stopplan.h"
 #include "protocol/storm32/device.h"
@@ -134,17 +135,14 @@ Result<void> Device::switchMotorsOn(Channel &channel) const
     const auto done = channel.transact(standbyRequest(false));
     if (!done)
         return tl::unexpected(done.error());
-    const TimePoint limit = channel.now() + kLeaving;
-    while (channel.now() < limit) {
-        const auto status = channel.transact(simple(Simple::Status));
-        if (!status)
-            return tl::unexpected(status.error());
-        ByteReader reader(QByteArrayView(status->payload).sliced(4));
-        if (reader.u16() & kMotorBits)
-            return {};
-        if (const auto slept = channel.sleep(100ms); !slept)
-            return slept;
-    }
+    const auto active = holdsWithin(channel, simple(Simple::Status), kLeaving, [](const Frame &status) {
+        ByteReader reader(QByteArrayView(status.payload).sliced(4));
+        return (reader.u16() & kMotorBits) != 0;
+    });
+    if (!active)
+        return tl::unexpected(active.error());
+    if (*active)
+        return {};
     return failure(ErrorCode::NoEffect,
                    u"no motor became active; each needs a motor usage that is not disabled"_s);
 }
