@@ -1703,6 +1703,10 @@
         <source>Check cable and power, and that the board still answers; then start again.</source>
         <translation>Kabel und Versorgung prüfen, und ob das Board noch antwortet; dann neu beginnen.</translation>
     </message>
+    <message>
+        <source>%1 of profile %2</source>
+        <translation>%1 von Profil %2</translation>
+    </message>
 </context>
 <context>
     <name>FaceList</name>

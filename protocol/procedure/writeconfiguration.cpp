@@ -463,7 +463,8 @@ void Writer::report(const QString &step, BlockKey key)
         = std::count_if(m_keys.begin(), m_keys.end(), [this](BlockKey k) { return restarts(k); });
     progress.total = int(3 * m_keys.size() + std::size_t(restarting));
     progress.step = step;
-    progress.subject = u"%1, profile %2"_s.arg(QLatin1String(specOf(key).name)).arg(key.profile + 1);
+    progress.subject = QLatin1String(specOf(key).name);
+    progress.profile = m_base.identity().profileCount > 1 ? key.profile : -1;
     m_channel.progress(progress);
 }
 

@@ -184,7 +184,8 @@ Result<Configuration> Device::readConfiguration(Channel &channel)
     int silent = 0;  // questions in a row without an answer
     std::array<bool, BlockCount> wasSilent{};
     const auto read = [&](BlockKey key) -> Result<void> {
-        progress.subject = configuration.partName(key);
+        progress.subject = configuration.blockName(key.block);
+        progress.profile = key.profile;
         channel.progress(progress);
         // A block that was silent in the profile before is not repeated at once.
         auto bytes = askBlock(channel, key, wasSilent[std::size_t(key.block)] ? 0 : kRetries);

@@ -366,6 +366,12 @@ void TestModels::everyProgressHasWords()
         progress.subject = u"PARAMS_3"_s;
         QVERIFY(describe(progress) != progress.step);
     }
+    Progress reading;
+    reading.step = u"read-block"_s;
+    reading.subject = u"PARAMS_3"_s;
+    QCOMPARE(describe(reading), u"Reading PARAMS_3"_s);
+    reading.profile = 1;
+    QCOMPARE(describe(reading), u"Reading PARAMS_3 of profile 2"_s);
 }
 
 QTEST_GUILESS_MAIN(TestModels)

@@ -79,7 +79,7 @@ public:
     {
         QStringList steps;
         for (const Progress &progress : m_board.channel.progressReports())
-            steps.append(progress.step + u' ' + progress.subject.section(u',', 0, 0));
+            steps.append(progress.step + u' ' + progress.subject);
         return steps;
     }
 

@@ -196,20 +196,23 @@ ErrorText describe(const Error &error)
 
 QString describe(const Progress &progress)
 {
+    const QString subject = progress.profile < 0
+        ? progress.subject
+        : Words::tr("%1 of profile %2").arg(progress.subject).arg(progress.profile + 1);
     if (progress.step == u"probe"_s) {
-        return progress.subject.isEmpty() ? Words::tr("Looking for a board")
-                                          : Words::tr("Looking for a board at %1").arg(progress.subject);
+        return subject.isEmpty() ? Words::tr("Looking for a board")
+                                 : Words::tr("Looking for a board at %1").arg(subject);
     }
     if (progress.step == u"read-block"_s)
-        return Words::tr("Reading %1").arg(progress.subject);
+        return Words::tr("Reading %1").arg(subject);
     if (progress.step == u"write-block"_s)
-        return Words::tr("Writing %1").arg(progress.subject);
+        return Words::tr("Writing %1").arg(subject);
     if (progress.step == u"await-restart"_s)
-        return Words::tr("%1 is written; waiting for the board to restart").arg(progress.subject);
+        return Words::tr("%1 is written; waiting for the board to restart").arg(subject);
     if (progress.step == u"verify-block"_s)
-        return Words::tr("Reading back %1").arg(progress.subject);
+        return Words::tr("Reading back %1").arg(subject);
     if (progress.step == u"roll-back"_s)
-        return Words::tr("Putting back %1").arg(progress.subject);
+        return Words::tr("Putting back %1").arg(subject);
     if (progress.step == u"calibrate"_s)
         return Words::tr("Calibrating: keep the camera absolutely still");
     if (progress.step == u"place-sensor"_s)

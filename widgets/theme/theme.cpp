@@ -71,6 +71,7 @@ QToolButton#plotMenu::menu-indicator { image: none; }
 QToolButton#reset { border: none; background: transparent; color: @Changed; padding: 0 4px; min-height: 0; }
 QToolButton#reset:hover { text-decoration: underline; }
 QToolButton#reset:focus { border: 1px solid @Accent; padding: 0 3px; }
+QLineEdit > QToolButton, QLineEdit > QToolButton:focus { border: none; background: transparent; padding: 0; min-height: 0; }
 QPushButton::menu-indicator { image: url(:/icons/down.svg); width: 10px; subcontrol-position: right center; right: 8px; }
 QPushButton#chip { border-radius: 12px; padding: 2px 12px; background: transparent; }
 QPushButton#chip:checked { background: @Accent; color: @AccentText; }
