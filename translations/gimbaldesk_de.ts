@@ -2490,6 +2490,10 @@
         <source>Everything else is here; where a part is missing, plots have a gap.</source>
         <translation>Alles andere ist da; wo ein Teil fehlt, haben Kurven eine Lücke.</translation>
     </message>
+    <message>
+        <source> Its motors were disabled while it was starting and may stay so until it restarts; store nothing before.</source>
+        <translation> Seine Motoren wurden beim Starten stillgelegt und bleiben es womöglich bis zu seinem Neustart; vorher nichts speichern.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>

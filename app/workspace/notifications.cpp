@@ -27,6 +27,7 @@ Notifications::Notifications(DeviceClient &client, const ConfigurationModel &con
     connect(&m_client, &DeviceClient::telemetryFailed, this, &Notifications::onTelemetryFailed);
     connect(&m_client, &DeviceClient::motorsOffFinished, this, &Notifications::onMotorsOff);
     connect(&m_client, &DeviceClient::motorsOffSettled, this, [this](bool restored) {
+        m_leftDisabled = !restored;
         if (!restored)
             report(ErrorText{
                 tr("The motors stay disabled until the board restarts."),
@@ -125,6 +126,11 @@ void Notifications::onLost(const Error &error)
 {
     m_wasLost = true;
     ErrorText text = describe(error);
+    // It replaces what was told of the motors.
+    if (std::exchange(m_leftDisabled, false))
+        text.meaning
+            += tr(" Its motors were disabled while it was starting and may stay so until it restarts; "
+                  "store nothing before.");
     if (m_configuration.changeCount() > 0)
         text.cure += tr(" Unsaved changes are kept.");
     report(text);

@@ -49,5 +49,6 @@ private:
     DeviceClient &m_client;
     const ConfigurationModel &m_configuration;
     bool m_wasLost = false;
+    bool m_leftDisabled = false;  // motors of a board that did not reach standby
     bool m_damageTold = false;  // of the recording that is played
 };

@@ -20,7 +20,7 @@ const QString kFormat = u"gimbaldesk-configuration"_s;
 const QString kNames = u"names"_s;  // among the missing parts
 const Error kNotInFile{ErrorCode::Incomplete, u"not in the file"_s, 0};
 constexpr int kVersion = 1;
-constexpr qint64 kLargestFile = qint64(4) * 1024 * 1024;
+constexpr qint64 kLargestFile = 4 * 1024 * 1024;
 
 QJsonValue valueOf(const ParameterSpec &spec, double raw)
 {

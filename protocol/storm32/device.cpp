@@ -93,7 +93,7 @@ Device::~Device() = default;
 
 // The same request through MAVLink: simple commands unchanged, RC commands without length and checksum
 // (errata 6).
-Request Device::embed(int way, Request plain, QByteArrayView content, std::optional<Simple> id)
+Request Device::embed(int way, const Request &plain, QByteArrayView content, std::optional<Simple> id)
 {
     const mavlink::Message *message
         = mavlink::findMessage(mavlink::number(mavlink::MessageId::TargetSpecific));

@@ -103,7 +103,7 @@ private:
     [[nodiscard]] Result<void> checkNotStopping() const;
     /// The same for a board that is reached in a given way (see m_way).
     [[nodiscard]] static Request rcAt(int way, Rc id, const QByteArray &payload);
-    [[nodiscard]] static Request embed(int way, Request plain, QByteArrayView content,
+    [[nodiscard]] static Request embed(int way, const Request &plain, QByteArrayView content,
                                        std::optional<Simple> id);
     Result<QByteArray> readStream(Channel &channel);
     Result<std::map<int, int>> listParameters(Channel &channel);

@@ -509,11 +509,10 @@ std::span<const BlockSpec> blocksOf(int layout)
 std::vector<std::pair<int, QByteArray>> splitStream(const QByteArray &stream, int words)
 {
     std::vector<std::pair<int, QByteArray>> blocks;
-    const auto bytes = qsizetype(2) * words;
-    if (stream.size() == bytes || stream.size() == bytes + kScriptArea)
-        blocks.emplace_back(Parameters, stream.left(bytes));
-    if (stream.size() == bytes + kScriptArea)
-        blocks.emplace_back(Scripts, stream.mid(bytes));
+    if (stream.size() == 2 * words || stream.size() == 2 * words + kScriptArea)
+        blocks.emplace_back(Parameters, stream.left(2 * words));
+    if (stream.size() == 2 * words + kScriptArea)
+        blocks.emplace_back(Scripts, stream.mid(2 * words));
     return blocks;
 }
 

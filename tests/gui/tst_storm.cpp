@@ -52,6 +52,7 @@ private slots:
     void heartbeatIsEscapedByOneClick();
     void settingsAreShared();
     void settingsFileIsLoadedAndSaved();
+    void disabledMotorsAreToldWithALostLink();
 };
 
 void TestStorm::onlyFittingPagesAreOffered()
@@ -400,6 +401,27 @@ void TestStorm::settingsFileIsLoadedAndSaved()
     m_rig->window().openFile(path);
     QCOMPARE(workspace().offlineFile(), path);
     QCOMPARE(m_rig->raw(u"pid.roll.p"_s), 777);
+}
+
+// The board was starting when it was stopped: its motors are disabled until it is in standby. What is told
+// last stands on the screen.
+void TestStorm::disabledMotorsAreToldWithALostLink()
+{
+    QVERIFY(openStorm());
+    workspace().perform(u"reset"_s, {});
+    QTRY_VERIFY_WITH_TIMEOUT(!workspace().motorsRunning().value_or(true), 10000);
+    QSignalSpy stopped(&m_rig->client(), &DeviceClient::motorsOffFinished);
+    QSignalSpy settled(&m_rig->client(), &DeviceClient::motorsOffSettled);
+    m_rig->client().motorsOff();
+    QTRY_COMPARE_WITH_TIMEOUT(stopped.size(), 1, 10000);
+    QVERIFY(stopped.first().first().toBool());
+    QVERIFY(settled.isEmpty());
+    QStringList told;
+    connect(&workspace().notifications(), &Notifications::problem, this,
+            [&told](const ErrorText &text) { told.append(text.oneLine()); });
+    workspace().changeWorld(u"unplug=0"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Reconnecting, 10000);
+    QVERIFY2(told.last().contains(u"may stay so until it restarts"_s), qPrintable(told.join(u'\n')));
 }
 
 QTEST_MAIN(TestStorm)

@@ -242,15 +242,15 @@ QJsonObject EditStack::toJson() const
 {
     QJsonArray steps;
     for (int i = 0; i < m_stack.count(); ++i) {
-        const QUndoCommand *command = m_stack.command(i);
+        const QUndoCommand &command = *m_stack.command(i);
         QJsonArray edits;
-        if (const auto *single = dynamic_cast<const Edit *>(command))
+        if (const auto *single = dynamic_cast<const Edit *>(&command))
             edits.append(single->toJson());
-        for (int child = 0; child < command->childCount(); ++child) {
-            if (const auto *edit = dynamic_cast<const Edit *>(command->child(child)))
+        for (int child = 0; child < command.childCount(); ++child) {
+            if (const auto *edit = dynamic_cast<const Edit *>(command.child(child)))
                 edits.append(edit->toJson());
         }
-        steps.append(QJsonObject{{u"text"_s, command->text()}, {u"edits"_s, edits}});
+        steps.append(QJsonObject{{u"text"_s, command.text()}, {u"edits"_s, edits}});
     }
     return {{u"steps"_s, steps}, {u"done"_s, m_stack.index()}};
 }
@@ -260,9 +260,9 @@ bool EditStack::restore(const QJsonObject &steps)
     m_stack.clear();
     const QJsonArray list = steps.value(u"steps"_s).toArray();
     int undone = int(list.size()) - steps.value(u"done"_s).toInt();
-    for (const QJsonValue &step : list) {
+    for (const auto &step : list) {
         m_stack.beginMacro(step.toObject().value(u"text"_s).toString());
-        for (const QJsonValue &value : step.toObject().value(u"edits"_s).toArray())
+        for (const auto &value : step.toObject().value(u"edits"_s).toArray())
             restoreEdit(value.toObject());
         m_stack.endMacro();
     }

@@ -216,7 +216,7 @@ QByteArray SimulatedBoard::writeCalibration(QByteArrayView arguments)
     const auto word = [&arguments](int i) { return int(std::int16_t(u16At(arguments, 2 + 2 * i))); };
     const auto take = [&](int first, int count, int from) {
         for (int i = 0; i < count; ++i)
-            m_calibration[std::size_t(first + i)] = word(from + i);
+            m_calibration.at(std::size_t(first) + std::size_t(i)) = word(from + i);
     };
     if (selector == 1 || selector == 5 || selector == 7)
         take(0, 6, 0);
