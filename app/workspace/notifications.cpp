@@ -114,6 +114,7 @@ void Notifications::onState(DeviceClient::State state)
     m_damageTold = m_damageTold && state != DeviceClient::State::Disconnected;
     if (state != DeviceClient::State::Connected)
         return;
+    m_leftDisabled = false;
     if (std::exchange(m_wasLost, false))
         notify(tr("Connected again."));
     if (m_client.address().isReplay())
@@ -127,7 +128,7 @@ void Notifications::onLost(const Error &error)
     m_wasLost = true;
     ErrorText text = describe(error);
     // It replaces what was told of the motors.
-    if (std::exchange(m_leftDisabled, false))
+    if (m_leftDisabled)
         text.meaning
             += tr(" Its motors were disabled while it was starting and may stay so until it restarts; "
                   "store nothing before.");

@@ -242,15 +242,16 @@ QJsonObject EditStack::toJson() const
 {
     QJsonArray steps;
     for (int i = 0; i < m_stack.count(); ++i) {
-        const QUndoCommand &command = *m_stack.command(i);
+        const QUndoCommand *command = m_stack.command(i);
         QJsonArray edits;
-        if (const auto *single = dynamic_cast<const Edit *>(&command))
-            edits.append(single->toJson());
-        for (int child = 0; child < command.childCount(); ++child) {
-            if (const auto *edit = dynamic_cast<const Edit *>(command.child(child)))
+        const auto append = [&edits](const QUndoCommand *one) {
+            if (const auto *edit = dynamic_cast<const Edit *>(one))
                 edits.append(edit->toJson());
-        }
-        steps.append(QJsonObject{{u"text"_s, command.text()}, {u"edits"_s, edits}});
+        };
+        append(command);
+        for (int child = 0; child < command->childCount(); ++child)
+            append(command->child(child));
+        steps.append(QJsonObject{{u"text"_s, command->text()}, {u"edits"_s, edits}});
     }
     return {{u"steps"_s, steps}, {u"done"_s, m_stack.index()}};
 }
