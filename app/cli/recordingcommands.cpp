@@ -40,7 +40,10 @@ struct Opened
             if (family.key != key)
                 continue;
             Opened opened{std::move(*recording), family.makeDevice(), nullptr};
-            opened.store = readTelemetry(opened.recording, family, *opened.device);
+            auto store = readTelemetry(opened.recording, family, *opened.device);
+            if (!store)
+                return failure(store.error().code, path + u": "_s + store.error().detail);
+            opened.store = std::move(*store);
             return opened;
         }
         return failure(ErrorCode::BadFile, u"%1: this program knows no family '%2'"_s.arg(path, key));

@@ -15,6 +15,7 @@ constexpr auto kDrainPeriod = 200ms;
 constexpr std::size_t kSetupPieces = 2000;
 constexpr std::size_t kSaidPieces = 20000;
 constexpr quint64 kPiecesAtOnce = 5000;
+constexpr qsizetype kOpeningBytes = 8 << 10;
 constexpr qsizetype kPieceCost = 64;  // bytes of memory in addition to its content
 
 }  // namespace
@@ -93,6 +94,21 @@ std::pair<std::vector<RecordedPiece>, quint64> Recorder::after(quint64 number) c
     return {std::move(pieces), m_newest - fresh + taken};
 }
 
+std::vector<RecordedPiece> Recorder::opening() const
+{
+    std::vector<RecordedPiece> opening;
+    qsizetype bytes = 0;
+    for (RecordedPiece &piece : after(0).first) {
+        if (piece.kind == RecordedPiece::Kind::Received)
+            continue;
+        bytes += piece.bytes.size() + kPieceCost;
+        if (bytes > kOpeningBytes)
+            break;
+        opening.push_back(std::move(piece));
+    }
+    return opening;
+}
+
 quint64 Recorder::newest() const
 {
     const std::lock_guard lock(m_mutex);
@@ -125,7 +141,9 @@ QJsonObject recordingDescription(const BoardIdentity &identity, const LinkAddres
 Result<std::unique_ptr<RecordingTask>> RecordingTask::start(const Recorder &recorder, const QString &path,
                                                             const QJsonObject &description, bool withPast)
 {
-    auto writer = RecordingWriter::create(path, description);
+    QJsonObject whole = description;
+    whole.insert(u"opening"_s, QString::fromLatin1(toBytes(recorder.opening()).toBase64()));
+    auto writer = RecordingWriter::create(path, whole);
     if (!writer)
         return tl::unexpected(writer.error());
     return std::unique_ptr<RecordingTask>(new RecordingTask(recorder, std::move(*writer), withPast));

@@ -37,6 +37,8 @@ public:
     /// Number of the newest piece, 0 before the first.
     [[nodiscard]] quint64 newest() const;
     /// Seconds of received bytes that are held.
+    /// What was asked and answered first: who the board is.
+    [[nodiscard]] std::vector<RecordedPiece> opening() const;
     [[nodiscard]] double heldSeconds() const;
     [[nodiscard]] qsizetype heldBytes() const;
 

@@ -70,6 +70,18 @@ bool readPieces(QByteArrayView content, std::vector<RecordedPiece> &pieces)
     return true;
 }
 
+void appendPiece(QByteArray &bytes, const RecordedPiece &piece)
+{
+    const auto at = quint64(piece.at);
+    bytes += ByteWriter()
+                 .u8(quint8(piece.kind))
+                 .u32(quint32(piece.bytes.size()))
+                 .u32(quint32(at))
+                 .u32(quint32(at >> 32))
+                 .take();
+    bytes += piece.bytes;
+}
+
 struct Chunk
 {
     quint8 kind = 0;
@@ -160,6 +172,10 @@ private:
                 return u"the description is not JSON"_s;
             m_described = true;
             m_recording.description = document.object();
+            const auto opening
+                = QByteArray::fromBase64(m_recording.description.value(u"opening"_s).toString().toLatin1());
+            if (!readPieces(opening, m_recording.opening))
+                m_recording.opening.clear();
         } else if (chunk.kind == PiecesChunk) {
             const std::size_t before = m_recording.pieces.size();
             if (!readPieces(chunk.content, m_recording.pieces)) {
@@ -272,6 +288,14 @@ QList<ReplayGap> Recording::leftOut() const
     return list;
 }
 
+QByteArray toBytes(const std::vector<RecordedPiece> &pieces)
+{
+    QByteArray bytes;
+    for (const RecordedPiece &piece : pieces)
+        appendPiece(bytes, piece);
+    return bytes;
+}
+
 Result<RecordingWriter> RecordingWriter::create(const QString &path, const QJsonObject &description)
 {
     auto file = std::make_unique<QFile>(path);
@@ -293,14 +317,7 @@ Result<void> RecordingWriter::append(const RecordedPiece &piece)
         if (const auto flushed = flush(); !flushed)
             return flushed;
     }
-    const auto at = quint64(piece.at);
-    m_waiting += ByteWriter()
-                     .u8(quint8(piece.kind))
-                     .u32(quint32(piece.bytes.size()))
-                     .u32(quint32(at))
-                     .u32(quint32(at >> 32))
-                     .take();
-    m_waiting += piece.bytes;
+    appendPiece(m_waiting, piece);
     return m_waiting.size() >= kChunkSize ? flush() : Result<void>();
 }
 

@@ -31,9 +31,10 @@ struct RecordedPiece
 /// What passed over a link, as a file: "GIMBALREC 1\n", then chunks. A chunk is "GDCK", kind (1 byte: 1
 /// description, 2 pieces), three zero bytes, length of the content (4 bytes), the first eight bytes of the
 /// SHA-1 of all that and of the content, and the content. The description is JSON (family, identity, address,
-/// when). Pieces follow each other without gaps: kind (1 byte), length (4), time (8), bytes. Numbers are
-/// little-endian. A truncated file is valid up to its last complete chunk; a damaged chunk is left out, and
-/// reading goes on with the next one whose checksum is right.
+/// when; "opening" repeats the first requests and answers, pieces in base 64, so that damage to them does not
+/// take away whose values these are). Pieces follow each other without gaps: kind (1 byte), length (4), time
+/// (8), bytes. Numbers are little-endian. A truncated file is valid up to its last complete chunk; a damaged
+/// chunk is left out, and reading goes on with the next one whose checksum is right.
 struct Recording
 {
     /// A part of the file that was left out.
@@ -47,6 +48,7 @@ struct Recording
 
     QJsonObject description;  ///< only the family where it is damaged
     std::vector<RecordedPiece> pieces;
+    std::vector<RecordedPiece> opening;  ///< the first requests and answers, as the description repeats them
     std::vector<Gap> gaps;  ///< in the order of the file
 
     /// Time of the first and the last received bytes, in nanoseconds.
@@ -64,6 +66,9 @@ struct Recording
     /// Reads only the description, without the rest. Errors: BadFile.
     static Result<QJsonObject> describe(const QString &path);
 };
+
+/// Pieces as a chunk holds them, to be repeated in a description.
+[[nodiscard]] QByteArray toBytes(const std::vector<RecordedPiece> &pieces);
 
 /// Writes a recording, appending only. A full disk ends it with an error; what was already written stays
 /// valid.

@@ -2,12 +2,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/record/replaystore.h"
 
+#include "protocol/record/recordedboard.h"
 #include "protocol/telemetry/streams.h"
 
 #include <limits>
 
-std::shared_ptr<TelemetryStore> readTelemetry(const Recording &recording, const Family &family,
-                                              const Device &device)
+using namespace Qt::StringLiterals;
+
+Result<std::shared_ptr<TelemetryStore>> readTelemetry(const Recording &recording, const Family &family,
+                                                      Device &device)
+{
+    if (const auto identity = identifyRecorded(recording, family, device); !identity)
+        return failure(
+            ErrorCode::BadFile,
+            u"it does not tell which firmware these values come from (%1)"_s.arg(identity.error().detail));
+    return decodeTelemetry(recording, family, device);
+}
+
+std::shared_ptr<TelemetryStore> decodeTelemetry(const Recording &recording, const Family &family,
+                                                const Device &device)
 {
     auto store = std::make_shared<TelemetryStore>(int(device.channels().size()));
     store->setRetention(std::numeric_limits<double>::infinity());

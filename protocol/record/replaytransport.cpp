@@ -30,16 +30,12 @@ Result<double> numberOption(const LinkAddress &address, const QString &name, dou
 
 ReplayTransport::ReplayTransport(Recording recording, double speed, double from)
     : m_recording(std::move(recording))
+    , m_answers(m_recording)
     , m_speed(speed)
     , m_position(m_recording.begin() + qint64(from * 1e9))
     , m_gaps(m_recording.leftOut())
     , m_timer(this)
 {
-    for (std::size_t i = 0; i < m_recording.pieces.size(); ++i) {
-        const RecordedPiece &piece = m_recording.pieces[i];
-        if (piece.kind == RecordedPiece::Kind::Sent)
-            m_requests[piece.bytes].append(qsizetype(i));
-    }
     m_timer.setInterval(kTick);
     m_timer.setTimerType(Qt::PreciseTimer);
     connect(&m_timer, &QTimer::timeout, this, &ReplayTransport::advance);
@@ -64,30 +60,9 @@ void ReplayTransport::write(QByteArrayView bytes)
         if (!m_open)
             return;
         emit bytesWritten(request.size());
-        if (const QByteArray answer = answerTo(request); !answer.isEmpty())
+        if (const QByteArray answer = m_answers.find(request, m_position); !answer.isEmpty())
             emit received(answer, Clock::now());
     });
-}
-
-QByteArray ReplayTransport::answerTo(const QByteArray &request) const
-{
-    const auto found = m_requests.constFind(request);
-    if (found == m_requests.constEnd())
-        return {};
-    const auto &pieces = m_recording.pieces;
-    const auto later = std::find_if(found->begin(), found->end(), [&](qsizetype index) {
-        return pieces[std::size_t(index)].at > m_position;
-    });
-    const qsizetype chosen = later == found->begin() ? *later : *std::prev(later);
-    QByteArray answer;
-    for (std::size_t i = std::size_t(chosen) + 1; i < pieces.size(); ++i) {
-        // Behind a gap stand the answers to other requests.
-        if (pieces[i].kind == RecordedPiece::Kind::Sent || m_recording.hasGapBefore(i))
-            break;
-        if (pieces[i].kind == RecordedPiece::Kind::Reply)
-            answer += pieces[i].bytes;
-    }
-    return answer;
 }
 
 void ReplayTransport::play()

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/record/recording.h"
+#include "protocol/record/recordedboard.h"
 #include "protocol/transport/transport.h"
 
-#include <QHash>
 #include <QTimer>
 
 /// A recording as a link. Requests get the answer they got then (the last one before the playback position,
@@ -33,14 +32,13 @@ private:
     void advance();
     void deliver();
     void runFromHere();
-    [[nodiscard]] QByteArray answerTo(const QByteArray &request) const;
 
     Recording m_recording;
+    RecordedAnswers m_answers;
     double m_speed;
     qint64 m_position;  // nanoseconds of the recording
     QList<ReplayGap> m_gaps;
     std::size_t m_next = 0;  // piece that is due next
-    QHash<QByteArray, QList<qsizetype>> m_requests;  // what was sent -> pieces
     QTimer m_timer;
     TimePoint m_started{};  // the time assigned to m_begin; all other times keep their distance from it
     qint64 m_begin = 0;

@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char *data, std::size_t siz
     static const Family family = allFamilies().first();
     static const auto device = family.makeDevice();
     if (const auto recording = Recording::fromBytes(bytes))
-        (void)readTelemetry(*recording, family, *device);
+        (void)decodeTelemetry(*recording, family, *device);
     Recording pieces;
     qint64 at = 0;
     for (const QByteArray &part : bytes.split('\n')) {
@@ -19,6 +19,6 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char *data, std::size_t siz
             pieces.pieces.push_back(
                 {RecordedPiece::Kind(1 + quint8(part[0]) % 3), at += 800'000, part.mid(1)});
     }
-    (void)readTelemetry(pieces, family, *device);
+    (void)decodeTelemetry(pieces, family, *device);
     return 0;
 }

@@ -217,7 +217,7 @@ void TestDamagedRecording::polledSamplesHaveAGapToo()
     Recording recording;
     recording.pieces = recorder.after(0).first;
     const auto holes = [&] {
-        const auto store = readTelemetry(recording, *family, *device);
+        const auto store = decodeTelemetry(recording, *family, *device);
         const TrackView track = store->tracks(0).front();
         int found = 0;
         for (std::size_t row = track.begin(); row < track.end(); ++row)

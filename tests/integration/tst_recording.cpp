@@ -328,7 +328,9 @@ void TestRecording::replayIsTheSameBoard()
     const auto recording = Recording::load(file);
     QVERIFY(recording);
     const auto device = allFamilies().first().makeDevice();
-    const auto store = readTelemetry(*recording, allFamilies().first(), *device);
+    const auto read = readTelemetry(*recording, allFamilies().first(), *device);
+    QVERIFY(read);
+    const auto &store = *read;
     QVERIFY2(store->rows() >= rows, qPrintable(u"%1 of %2"_s.arg(store->rows()).arg(rows)));
     QCOMPARE(store->lost(), quint64(0));
     QVERIFY(!store->tracks(wanted.first()).empty());
@@ -384,7 +386,7 @@ void TestRecording::replayFindsTheStreamThatRan()
     Recording recording;
     recording.pieces = recorder.after(0).first;
     const auto device = allFamilies().first().makeDevice();
-    const auto store = readTelemetry(recording, allFamilies().first(), *device);
+    const auto store = decodeTelemetry(recording, allFamilies().first(), *device);
     const auto fastRows = [&store](int channel) {
         std::size_t rows = 0;
         for (TrackView track : store->tracks(channel)) {

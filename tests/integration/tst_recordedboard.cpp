@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/composition/composition.h"
+#include "protocol/client/deviceclient.h"
+#include "protocol/record/recordedboard.h"
+#include "protocol/record/recorder.h"
+#include "protocol/record/replaystore.h"
+#include "protocol/telemetry/streams.h"
+#include "protocol/telemetry/telemetrystore.h"
+
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+using Kind = RecordedPiece::Kind;
+
+Family familyOf(const QString &key)
+{
+    for (const Family &family : allFamilies()) {
+        if (family.key == key)
+            return family;
+    }
+    qFatal("no such family");
+}
+
+/// The newest samples of a channel that are numbers, oldest first.
+std::vector<double> numbersOf(const TelemetryStore &store, int channel)
+{
+    std::vector<double> numbers;
+    if (store.tracks(channel).empty())
+        return numbers;
+    const TrackView track = store.tracks(channel).front();
+    for (std::size_t row = track.begin(); row < track.end(); ++row) {
+        if (!std::isnan(track.value(row)))
+            numbers.push_back(track.value(row));
+    }
+    return numbers;
+}
+
+}  // namespace
+
+/// Whoever reads a recording sees the values that were seen while it was made.
+class TestRecordedBoard : public QObject
+{
+    Q_OBJECT
+private slots:
+    void readersAgree_data();
+    void readersAgree();
+    void openingStandsIn();
+
+private:
+    /// Connects, watches for a while, and keeps what passed over the link.
+    bool record(const QString &link, const QString &family, quint64 rows);
+
+    QTemporaryDir m_dir;
+    QString m_file = m_dir.filePath(u"r.gdrec"_s);
+    std::shared_ptr<const TelemetryStore> m_live;
+};
+
+bool TestRecordedBoard::record(const QString &link, const QString &family, quint64 rows)
+{
+    Recorder recorder;
+    DeviceClient client(allLinks().transports, allFamilies());
+    client.addListener(recorder);
+    client.connectTo(*LinkAddress::parse(link), family);
+    if (!QTest::qWaitFor([&] { return client.isConnected(); }, 20000))
+        return false;
+    const ChannelRoles roles = client.roles();
+    client.subscribe({QList<int>(roles.gyro.begin(), roles.gyro.end()), 0});
+    if (!QTest::qWaitFor([&] { return client.telemetry()->rows() > rows; }, 20000))
+        return false;
+    m_live = client.telemetry();
+    auto task = RecordingTask::start(recorder, m_file,
+                                     recordingDescription(client.identity(), client.address()), true);
+    client.shutDown();
+    client.removeListener(recorder);
+    return task && (*task)->finish();
+}
+
+void TestRecordedBoard::readersAgree_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<QString>("firmware");
+    for (const char *firmware : {"2.40", "2.59", "2.68", "2.73.8"})
+        QTest::addRow("simplebgc %s", firmware) << u"simplebgc"_s << QString::fromLatin1(firmware);
+    for (const char *firmware : {"0.79", "0.90", "0.96"})
+        QTest::addRow("storm32 %s", firmware) << u"storm32"_s << QString::fromLatin1(firmware);
+}
+
+// Live, decoded at once, played back, and exported by the other program: the same to the last digit.
+void TestRecordedBoard::readersAgree()
+{
+    QFETCH(QString, family);
+    QFETCH(QString, firmware);
+    QVERIFY(record(u"sim:%1?firmware=%2&seed=5"_s.arg(family, firmware), family, 40));
+
+    const auto recording = Recording::load(m_file);
+    QVERIFY(recording);
+    const Family made = familyOf(family);
+    const auto device = made.makeDevice();
+    const auto decoded = readTelemetry(*recording, made, *device);
+    QVERIFY2(decoded, qPrintable(decoded ? QString() : decoded.error().detail));
+    QCOMPARE(device->identity().firmware.section(u'b', 0, 0), firmware);
+
+    DeviceClient player(allLinks().transports, allFamilies());
+    player.connectTo(*LinkAddress::parse(u"replay:%1?speed=20"_s.arg(m_file)), family);
+    QTRY_VERIFY_WITH_TIMEOUT(player.isConnected(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(player.telemetry()->rows() >= m_live->rows(), 10000);
+
+    const QString csv = m_dir.filePath(u"r.csv"_s);
+    QProcess ctl;
+    ctl.start(u"" GIMBAL_BIN_DIR "/gimbalctl"_s, {u"export"_s, m_file, u"--csv"_s, csv});
+    QVERIFY(ctl.waitForFinished(30000));
+    QVERIFY2(ctl.exitCode() == 0, ctl.readAllStandardError());
+    QFile file(csv);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QStringList heading = QString::fromUtf8(file.readLine()).trimmed().split(u',');
+    std::vector<QStringList> exported(std::size_t(heading.size()));
+    while (!file.atEnd()) {
+        const QStringList cells = QString::fromUtf8(file.readLine()).trimmed().split(u',');
+        for (qsizetype i = 0; i < cells.size(); ++i) {
+            if (!cells[i].isEmpty())
+                exported.at(std::size_t(i)).append(cells[i]);
+        }
+    }
+
+    int compared = 0;
+    const ChannelTable channels = device->channels();
+    for (int channel = 0; channel < int(channels.size()); ++channel) {
+        const auto live = numbersOf(*m_live, channel);
+        const QString key = QString::fromLatin1(channels[std::size_t(channel)].key);
+        const auto one = numbersOf(**decoded, channel);
+        const auto two = numbersOf(*player.telemetry(), channel);
+        QVERIFY2(one.size() >= live.size() && two.size() >= live.size(), qPrintable(key));
+        // What came before the data were asked for is in the recording too.
+        const auto holdsLive = [&live](const std::vector<double> &all) {
+            return live.empty() || std::search(all.begin(), all.end(), live.begin(), live.end()) != all.end();
+        };
+        QVERIFY2(holdsLive(one) && holdsLive(two), qPrintable(key));
+        const auto column = std::find_if(heading.begin(), heading.end(), [&key](const QString &name) {
+            return name == key || name.startsWith(key + u' ');
+        });
+        if (live.empty())
+            continue;
+        QVERIFY2(column != heading.end(), qPrintable(key));
+        const auto &cells = exported[std::size_t(column - heading.begin())];
+        // A channel of two streams stands in one column.
+        qsizetype at = -1;
+        for (const double value : live) {
+            at = cells.indexOf(QString::number(value, 'g', 7), at + 1);
+            QVERIFY2(at >= 0, qPrintable(key));
+        }
+        ++compared;
+    }
+    QVERIFY2(compared >= 3, qPrintable(QString::number(compared)));
+}
+
+// Damage at the place where the board said who it is takes that away from nobody.
+void TestRecordedBoard::openingStandsIn()
+{
+    QVERIFY(record(u"sim:storm32?firmware=0.96&seed=5"_s, u"storm32"_s, 20));
+    auto recording = Recording::load(m_file);
+    QVERIFY(recording && !recording->opening.empty());
+    std::erase_if(recording->pieces, [](const RecordedPiece &piece) { return piece.kind == Kind::Reply; });
+    const Family family = familyOf(u"storm32"_s);
+    const auto device = family.makeDevice();
+    const auto identity = identifyRecorded(*recording, family, *device);
+    QVERIFY(identity);
+    QCOMPARE(identity->firmware, u"0.96"_s);
+    QVERIFY(readTelemetry(*recording, family, *family.makeDevice()));
+
+    // Without both, nothing is claimed.
+    recording->opening.clear();
+    const auto without = readTelemetry(*recording, family, *family.makeDevice());
+    QVERIFY(!without);
+    QCOMPARE(without.error().code, ErrorCode::BadFile);
+}
+
+QTEST_GUILESS_MAIN(TestRecordedBoard)
+#include "tst_recordedboard.moc"
