@@ -21,6 +21,20 @@ constexpr auto kAutoPidSilence = 15s;  // progress comes every 0.5-1 s
 constexpr auto kAutoPidLimit = 10min;
 constexpr int kStillnessSamples = 25;
 
+// Whether the board speaks of this command: it confirms it, or gives it up.
+bool isAbout(const FrameView &frame, CommandId id)
+{
+    return isConfirmOf(frame, id) || refusalOf(frame, number(id));
+}
+
+Result<Frame> checked(const Result<Frame> &frame, CommandId id)
+{
+    const auto view = [](const Frame &f) { return FrameView{f.id, asBytes(f.payload), f.version, {}}; };
+    if (const auto refusal = frame ? refusalOf(view(*frame), number(id)) : std::nullopt)
+        return tl::unexpected(*refusal);
+    return frame;
+}
+
 const QString kAxisNames[] = {u"roll"_s, u"pitch"_s, u"yaw"_s};
 
 }  // namespace
@@ -52,8 +66,7 @@ Result<ActionReply> Actions::calibrate(CommandId id, const QVariantMap &argument
 
     // Both confirmations are collected from before the command is sent (errata 7: at reception and at the
     // end).
-    const auto confirmations
-        = m_channel.listen([id](const FrameView &frame) { return isConfirmOf(frame, id); });
+    const auto confirmations = m_channel.listen([id](const FrameView &frame) { return isAbout(frame, id); });
     const auto accepted = m_channel.transact(confirmRequest(id, payload, Device::kVersion));
     if (!accepted && !(simple && accepted.error().code == ErrorCode::Timeout))
         return tl::unexpected(accepted.error());
@@ -62,7 +75,7 @@ Result<ActionReply> Actions::calibrate(CommandId id, const QVariantMap &argument
     const auto limit = simple ? kSimpleFormWait : kCalibrationLimit;
     bool finished = false;
     while (!finished && m_channel.now() - started < limit) {
-        const auto end = confirmations->next(200ms);
+        const auto end = checked(confirmations->next(200ms), id);
         if (end) {
             finished = true;
         } else if (end.error().code != ErrorCode::Timeout) {
@@ -176,7 +189,7 @@ Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
             .take();
     };
     const auto reports = m_channel.listen([](const FrameView &frame) {
-        return frame.id == number(CommandId::AutoPid) || isConfirmOf(frame, CommandId::AutoPid);
+        return frame.id == number(CommandId::AutoPid) || isAbout(frame, CommandId::AutoPid);
     });
     const auto accepted
         = m_channel.transact(confirmRequest(CommandId::AutoPid, payload(flags), Device::kVersion));
@@ -188,7 +201,7 @@ Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
     progress.step = u"autotune"_s;
     const TimePoint started = m_channel.now();
     for (;;) {
-        const auto report = reports->next(kAutoPidSilence);
+        const auto report = checked(reports->next(kAutoPidSilence), CommandId::AutoPid);
         if (!report || m_channel.now() - started > kAutoPidLimit) {
             // However the wait ends, the board must not go on shaking the camera.
             m_channel.post(confirmRequest(CommandId::AutoPid, payload(0), Device::kVersion));

@@ -30,21 +30,6 @@ constexpr std::pair<int, const char *> kNames[] = {
 constexpr int kErrorPayload = 6;  // command, code, 4 data bytes
 constexpr int kSeedErrorPayload = 5;  // code, 4 data bytes: the document's form (errata 3.18)
 
-// The board's refusal of this command, if the frame is one. The document's 5-byte form does not name the
-// command; with one request in flight it can only be that one.
-std::optional<Error> refusalOf(const FrameView &frame, int command)
-{
-    if (frame.id != number(CommandId::Error))
-        return {};
-    ByteReader reader(frame.payload);
-    if (frame.payload.size() >= kErrorPayload && reader.u8() != command)
-        return {};
-    if (frame.payload.size() < kSeedErrorPayload)
-        return {};
-    const int code = reader.u8();
-    return Error{ErrorCode::BoardError, commandName(command) + u": "_s + errorCodeText(code), code};
-}
-
 int frameSize(int payload, int version)
 {
     return payload + (version == 2 ? 6 : 5);
@@ -128,6 +113,19 @@ Request confirmRequest(CommandId id, const QByteArray &payload, int version)
 Request silentRequest(CommandId id, const QByteArray &payload, int version)
 {
     return baseRequest(id, payload, version);
+}
+
+std::optional<Error> refusalOf(const FrameView &frame, int command)
+{
+    if (frame.id != number(CommandId::Error))
+        return {};
+    ByteReader reader(frame.payload);
+    if (frame.payload.size() >= kErrorPayload && reader.u8() != command)
+        return {};
+    if (frame.payload.size() < kSeedErrorPayload)
+        return {};
+    const int code = reader.u8();
+    return Error{ErrorCode::BoardError, commandName(command) + u": "_s + errorCodeText(code), code};
 }
 
 bool isConfirmOf(const FrameView &frame, CommandId id)

@@ -77,6 +77,10 @@ constexpr int number(CommandId id)
 /// A request that is not answered.
 [[nodiscard]] Request silentRequest(CommandId id, const QByteArray &payload, int version);
 
+/// The board's refusal of this command, if the frame is one. The document's 5-byte form of ERROR does not
+/// name the command (errata 3.18); with one request in flight it can only be that one.
+[[nodiscard]] std::optional<Error> refusalOf(const FrameView &frame, int command);
+
 /// True for a CONFIRM of this command.
 [[nodiscard]] bool isConfirmOf(const FrameView &frame, CommandId id);
 

@@ -26,6 +26,17 @@ struct VirtualBoard
     VirtualChannel channel;
 };
 
+/// Arguments of an action as an operator types them; the others as they are at first.
+inline QVariantMap argumentsFor(const Device &device, const char *key,
+                                const QMap<QString, QString> &texts = {})
+{
+    for (const ActionSpec &action : device.actions()) {
+        if (qstrcmp(action.key, key) == 0)
+            return parseArguments(action, texts).value();
+    }
+    return {};
+}
+
 /// Bytes from hex text with blanks.
 inline QByteArray hex(const char *text)
 {

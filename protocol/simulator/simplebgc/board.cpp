@@ -315,13 +315,14 @@ void SimulatedBoard::updateCalibration()
     }
     ++calibration.samples;
     calibration.left -= Stabilizer::kCycle;
-    if (calibration.left > 0)
+    const bool fails = m_options.faults.failWith != 0 && calibration.total - calibration.left > 1.0;
+    if (calibration.left > 0 && !fails)
         return;
 
     bool still = m_stabilizer.imuPresent();
     for (std::size_t i = 0; i < kAxisCount; ++i)
         still &= calibration.high[i] - calibration.low[i] < kStillEnough;
-    if (!still && calibration.total < kLongestCalibration && m_stabilizer.imuPresent()) {
+    if (!fails && !still && calibration.total < kLongestCalibration && m_stabilizer.imuPresent()) {
         // It moved: start over, as the firmware does, but not endlessly.
         calibration.left = 4.0;
         calibration.total += 4.0;
@@ -329,7 +330,7 @@ void SimulatedBoard::updateCalibration()
         calibration.samples = 0;
         return;
     }
-    if (still) {
+    if (still && !fails) {
         std::array<double, kAxisCount> mean{};
         for (std::size_t i = 0; i < kAxisCount; ++i)
             mean[i] = calibration.sum[i] / calibration.samples;
@@ -341,7 +342,7 @@ void SimulatedBoard::updateCalibration()
     m_stabilizer.setHeld(false);
     m_stabilizer.resetEstimate();
     m_stabilizer.setMotorsOn(calibration.motorsWereOn);
-    send(CommandId::Confirm, QByteArray(1, static_cast<char>(calibration.command)), calibration.version);
+    sendEnd(calibration.command, calibration.version, fails);
     calibration.left = 0;
 }
 
@@ -398,12 +399,23 @@ void SimulatedBoard::updateAutoPid()
     applyParameters();
     if (m_autoPidReports)
         send(CommandId::AutoPid, progress.encode(), m_autoPidVersion);
-    if (!m_autoPid->isFinished())
+    const bool fails = m_options.faults.failWith != 0 && progress.iteration > 2;
+    if (!m_autoPid->isFinished() && !fails)
         return;
     m_autoPid.reset();
     for (const Axis axis : kAxes)
         m_stabilizer.setTarget(axis, 0.0);
-    send(CommandId::Confirm, QByteArray(1, static_cast<char>(CommandId::AutoPid)), m_autoPidVersion);
+    sendEnd(CommandId::AutoPid, m_autoPidVersion, fails);
+}
+
+// What took long has come to its end, or is given up.
+void SimulatedBoard::sendEnd(CommandId command, int version, bool fails)
+{
+    ByteWriter writer;
+    writer.u8(number(command));
+    if (fails)
+        writer.u8(m_options.faults.failWith).zeros(4);
+    send(fails ? CommandId::Error : CommandId::Confirm, writer.take(), version);
 }
 
 }  // namespace simplebgc

@@ -66,6 +66,7 @@ private:
     void updateFaults();
     void updateTargets();
     void updateCalibration();
+    void sendEnd(CommandId command, int version, bool fails);
     void updateAutoPid();
 
     // commands (commands.cpp)

@@ -37,6 +37,8 @@ const std::vector<Row> &rows()
          [](Faults &f, double v) { f.resetOnWrite = int(v); }},
         {"deaf", -1, 255, "number (STorM32: of its letter) of a command that is never answered, -1 = none",
          [](Faults &f, double v) { f.deaf = int(v); }},
+        {"fail", 0, 255, "SimpleBGC: code of the error with which a calibration or auto-tune ends half-way, 0 = none",
+         [](Faults &f, double v) { f.failWith = int(v); }},
         {"no-imu", 0, 1, "the motion sensor is missing", [](Faults &f, double v) { f.noImu = v != 0; }},
         {"battery", 0, 30, "battery voltage", [](Faults &f, double v) { f.battery = v; }},
         {"unknown-firmware", 0, 1, "reports a version nobody knows",

@@ -20,6 +20,7 @@ struct Faults
     int resetOnWrite
         = 0;  ///< reset-on-write: the n-th parameter block written from now on resets the board half-way
     int deaf = -1;  ///< deaf: number, or letter code, of a command that is never answered; -1 = none
+    int failWith = 0;  ///< fail: error code with which a calibration or auto-tune ends half-way, 0 = none
     bool noImu = false;  ///< no-imu
     double battery = 0;  ///< battery: volts, 0 = normal
     bool unknownFirmware = false;  ///< unknown-firmware: reports an unknown version
