@@ -462,45 +462,6 @@
         <source>The board as it was is kept in %1</source>
         <translation>Das Board, wie es war, liegt in %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n verified</source>
-        <translation>
-            <numerusform>%n bestätigt</numerusform>
-            <numerusform>%n bestätigt</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n put back</source>
-        <translation>
-            <numerusform>%n zurückgelegt</numerusform>
-            <numerusform>%n zurückgelegt</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unknown</source>
-        <translation>
-            <numerusform>%n unbekannt</numerusform>
-            <numerusform>%n unbekannt</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n not written</source>
-        <translation>
-            <numerusform>%n nicht geschrieben</numerusform>
-            <numerusform>%n nicht geschrieben</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n different</source>
-        <translation>
-            <numerusform>%n anders</numerusform>
-            <numerusform>%n anders</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The write is not complete: %1. </source>
-        <translation>Das Schreiben ist nicht vollständig: %1. </translation>
-    </message>
     <message>
         <source>When the board is back it is read again; then the write can be finished or undone.</source>
         <translation>Wenn das Board zurück ist, wird es neu gelesen; dann lässt sich das Schreiben abschließen oder zurücknehmen.</translation>
@@ -1706,6 +1667,63 @@
     <message>
         <source>%1 of profile %2</source>
         <translation>%1 von Profil %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n verified</source>
+        <translation>
+            <numerusform>%n bestätigt</numerusform>
+            <numerusform>%n bestätigt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n put back</source>
+        <translation>
+            <numerusform>%n zurückgelegt</numerusform>
+            <numerusform>%n zurückgelegt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unknown</source>
+        <translation>
+            <numerusform>%n unbekannt</numerusform>
+            <numerusform>%n unbekannt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not written</source>
+        <translation>
+            <numerusform>%n nicht geschrieben</numerusform>
+            <numerusform>%n nicht geschrieben</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n different</source>
+        <translation>
+            <numerusform>%n anders</numerusform>
+            <numerusform>%n anders</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The write is not complete: %1. </source>
+        <translation>Das Schreiben ist nicht vollständig: %1. </translation>
+    </message>
+    <message numerus="yes">
+        <source>What the board holds of %n value(s) could not be read.</source>
+        <translation>
+            <numerusform>Was das Board von %n Wert hat, ließ sich nicht lesen.</numerusform>
+            <numerusform>Was das Board von %n Werten hat, ließ sich nicht lesen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The board was read again: %n value(s) are not as they were before.</source>
+        <translation>
+            <numerusform>Das Board wurde noch einmal gelesen: %n Wert ist nicht wie zuvor.</numerusform>
+            <numerusform>Das Board wurde noch einmal gelesen: %n Werte sind nicht wie zuvor.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The board was read again: it holds the old values.</source>
+        <translation>Das Board wurde noch einmal gelesen: Es hat die alten Werte.</translation>
     </message>
 </context>
 <context>

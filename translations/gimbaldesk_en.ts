@@ -21,6 +21,33 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>Finish: write %n value(s)</source>
+        <translation>
+            <numerusform>Finish: write %n value</numerusform>
+            <numerusform>Finish: write %n values</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Undo: put %n value(s) back</source>
+        <translation>
+            <numerusform>Undo: put %n value back</numerusform>
+            <numerusform>Undo: put %n values back</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ChannelModel</name>
+    <message numerus="yes">
+        <source>%n value(s)</source>
+        <translation>
+            <numerusform>%n value</numerusform>
+            <numerusform>%n values</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ErrorText</name>
+    <message numerus="yes">
         <source>%n verified</source>
         <translation>
             <numerusform>%n verified</numerusform>
@@ -56,27 +83,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Finish: write %n value(s)</source>
+        <source>What the board holds of %n value(s) could not be read.</source>
         <translation>
-            <numerusform>Finish: write %n value</numerusform>
-            <numerusform>Finish: write %n values</numerusform>
+            <numerusform>What the board holds of %n value could not be read.</numerusform>
+            <numerusform>What the board holds of %n values could not be read.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Undo: put %n value(s) back</source>
+        <source>The board was read again: %n value(s) are not as they were before.</source>
         <translation>
-            <numerusform>Undo: put %n value back</numerusform>
-            <numerusform>Undo: put %n values back</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>ChannelModel</name>
-    <message numerus="yes">
-        <source>%n value(s)</source>
-        <translation>
-            <numerusform>%n value</numerusform>
-            <numerusform>%n values</numerusform>
+            <numerusform>The board was read again: %n value is not as it was before.</numerusform>
+            <numerusform>The board was read again: %n values are not as they were before.</numerusform>
         </translation>
     </message>
 </context>

@@ -14,6 +14,7 @@ namespace {
 
 constexpr auto kTelemetryWait = 2s;
 constexpr auto kTelemetryPeriod = 20ms;
+constexpr auto kAbsence = 20s;  // of a board whose link broke during a write
 constexpr qsizetype kGapsTold = 10;
 
 QString stateText(WriteState state)
@@ -26,6 +27,63 @@ QString stateText(WriteState state)
     case WriteState::RolledBack: return u"rolled back"_s;
     }
     return {};
+}
+
+// Something that was sent is unknown because the link broke.
+bool isOpen(const CommandOutcome &outcome)
+{
+    return outcome.report && outcome.report->error && outcome.report->error->code == ErrorCode::LinkClosed
+        && outcome.report->count(WriteState::Unknown) > 0;
+}
+
+// The report comes before what the command has to say beside it.
+void tellReport(CommandOutcome &outcome)
+{
+    if (!outcome.report)
+        return;
+    const WriteReport &report = *outcome.report;
+    QString text;
+    QJsonArray lines;
+    for (const WriteLine &line : report.lines) {
+        QJsonObject object = changeJson({line.spec, line.profile, line.from, line.to});
+        object.insert(u"state"_s, stateText(line.state));
+        if (line.state != WriteState::Unknown)
+            object.insert(u"onBoard"_s, valueJson(*line.spec, line.found));
+        lines.append(object);
+        text += u"%1 %2 %3 -> %4"_s.arg(stateText(line.state).leftJustified(12),
+                                        line.spec->key.leftJustified(28), valueText(*line.spec, line.from),
+                                        valueText(*line.spec, line.to));
+        if (line.state == WriteState::Mismatch)
+            text += u" (the board holds %1)"_s.arg(valueText(*line.spec, line.found));
+        text += u'\n';
+    }
+    QJsonArray data;
+    for (const WriteData &block : report.data) {
+        data.append(
+            QJsonObject{{u"data"_s, QLatin1String(block.spec->data)}, {u"state"_s, stateText(block.state)}});
+        text += u"%1 %2\n"_s.arg(stateText(block.state).leftJustified(12), QLatin1String(block.spec->data));
+    }
+    if (report.namesWritten)
+        text += u"verified     profile names\n"_s;
+    QJsonObject json = outcome.json.toObject();
+    json.insert(u"complete"_s, report.isComplete());
+    json.insert(u"written"_s, lines);
+    json.insert(u"data"_s, data);
+    json.insert(u"namesWritten"_s, report.namesWritten);
+    json.insert(u"snapshot"_s, report.snapshotPath);
+    QStringList notes;
+    if (report.error) {
+        outcome.exitCode = Refused;
+        notes.append(describe(report).oneLine());
+        json.insert(u"error"_s, notes.first());
+    }
+    if (!report.snapshotPath.isEmpty())
+        notes.append(u"snapshot: "_s + report.snapshotPath);
+    if (!outcome.note.isEmpty())
+        notes.append(outcome.note);
+    outcome.text = text + outcome.text;
+    outcome.note = notes.join(u'\n');
+    outcome.json = json;
 }
 
 }  // namespace
@@ -129,12 +187,65 @@ void BoardCommand::submit()
                                  moves() ? DeviceClient::JobKind::Moving : DeviceClient::JobKind::Quiet)
         .then(this, [this](const Result<CommandOutcome> &outcome) {
             // A moving job posts its "stop" last; the link stays open until that has been sent.
-            QTimer::singleShot(outcome ? 0 : 100, this, [this, outcome] { emit finished(outcome); });
+            QTimer::singleShot(outcome ? 0 : 100, this, [this, outcome] {
+                if (!outcome)
+                    emit finished(outcome);
+                else if (isOpen(*outcome))
+                    awaitBoard(*outcome);
+                else
+                    conclude(*outcome);
+            });
         });
+}
+
+// The link broke in the middle of a write. The client connects again by itself; what the board holds is read
+// then.
+void BoardCommand::awaitBoard(const CommandOutcome &outcome)
+{
+    m_interrupted = outcome;
+    emit told(u"the link broke during the write; waiting for the board, to read what it holds"_s);
+    connect(m_client, &DeviceClient::stateChanged, this, &BoardCommand::readAgain);
+    connect(&m_absence, &QTimer::timeout, this, [this] {
+        if (m_interrupted)
+            conclude(*m_interrupted);
+    });
+    m_absence.setSingleShot(true);
+    m_absence.start(kAbsence);
+    readAgain();
+}
+
+void BoardCommand::readAgain()
+{
+    if (!m_client->isConnected() || !m_interrupted
+        || m_client->identity().serial != m_interrupted->report->before.identity().serial)
+        return;
+    m_client
+        ->submit<Configuration>(
+            [](Channel &channel, Device &device) { return device.readConfiguration(channel); })
+        .then(this, [this](const Result<Configuration> &board) {
+            if (!board || !m_interrupted)
+                return;  // lost again: the next connection, or the limit
+            WriteReport report = *m_interrupted->report;
+            report.learn(*board);
+            m_interrupted->report = std::make_shared<const WriteReport>(std::move(report));
+            conclude(*m_interrupted);
+        });
+}
+
+void BoardCommand::conclude(CommandOutcome outcome)
+{
+    m_interrupted.reset();
+    m_absence.stop();
+    tellReport(outcome);
+    emit finished(outcome);
 }
 
 void BoardCommand::stop()
 {
+    if (m_interrupted) {
+        conclude(*m_interrupted);
+        return;
+    }
     if (m_awaiting.isActive()) {
         m_awaiting.stop();
         emit finished(failure(ErrorCode::Cancelled));
@@ -328,44 +439,13 @@ Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Co
 {
     WriteOptions write;
     write.history = &history;
-    const auto report = writeConfiguration(channel, device, base, edited, write);
+    auto report = writeConfiguration(channel, device, base, edited, write);
     if (!report)
         return tl::unexpected(report.error());
     CommandOutcome outcome;
-    QJsonArray lines;
-    for (const WriteLine &line : report->lines) {
-        QJsonObject object = changeJson({line.spec, line.profile, line.from, line.to});
-        object.insert(u"state"_s, stateText(line.state));
-        lines.append(object);
-        outcome.text += u"%1 %2 %3 -> %4\n"_s.arg(
-            stateText(line.state).leftJustified(12), line.spec->key.leftJustified(28),
-            valueText(*line.spec, line.from), valueText(*line.spec, line.to));
-    }
-    QJsonArray data;
-    for (const WriteData &block : report->data) {
-        data.append(
-            QJsonObject{{u"data"_s, QLatin1String(block.spec->data)}, {u"state"_s, stateText(block.state)}});
-        outcome.text
-            += u"%1 %2\n"_s.arg(stateText(block.state).leftJustified(12), QLatin1String(block.spec->data));
-    }
-    if (report->namesWritten)
-        outcome.text += u"verified     profile names\n"_s;
-    if (lines.isEmpty() && data.isEmpty() && !report->namesWritten && report->isComplete())
+    if (report->lines.empty() && report->data.empty() && !report->namesWritten && report->isComplete())
         outcome.text = base.missing().empty() ? u"nothing to write: the board holds these values already\n"_s
                                               : u"nothing to write in what the board delivered\n"_s;
-    QJsonObject json{{u"complete"_s, report->isComplete()},
-                     {u"written"_s, lines},
-                     {u"data"_s, data},
-                     {u"namesWritten"_s, report->namesWritten},
-                     {u"snapshot"_s, report->snapshotPath}};
-    if (report->error) {
-        outcome.exitCode = Refused;
-        outcome.note = describe(*report->error).oneLine();
-        json.insert(u"error"_s, outcome.note);
-    }
-    if (!report->snapshotPath.isEmpty())
-        outcome.note
-            += (outcome.note.isEmpty() ? QString() : u"\n"_s) + u"snapshot: "_s + report->snapshotPath;
-    outcome.json = json;
+    outcome.report = std::make_shared<const WriteReport>(std::move(*report));
     return outcome;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/client/deviceclient.h"
+#include "protocol/configuration/writereport.h"
 #include "protocol/device/abilities.h"
 #include "protocol/device/family.h"
 #include "protocol/procedure/motiontest.h"
@@ -46,6 +47,7 @@ struct CommandOutcome
     QString text;
     QString note;  ///< for people only, on stderr: where the snapshot was saved, how the command went
     int exitCode = 0;
+    std::shared_ptr<const WriteReport> report;  ///< of a write; becomes text and JSON when the command ends
 
     friend bool operator==(const CommandOutcome &, const CommandOutcome &) = default;
 };
@@ -83,6 +85,8 @@ public:
     virtual void start(DeviceClient &client) = 0;
     /// Called instead of start() where no board is needed.
     virtual void startWithoutBoard() { emit finished(failure(ErrorCode::NotConnected)); }
+    /// A lost link is its own affair: it ends by itself, with what it knows.
+    [[nodiscard]] virtual bool reportsLoss() const { return false; }
     /// Ctrl-C: stops whatever moves; the end is reported as usual.
     virtual void stop() = 0;
 
@@ -115,6 +119,7 @@ class BoardCommand : public Command
 public:
     using Command::Command;
 
+    [[nodiscard]] bool reportsLoss() const final { return true; }
     void start(DeviceClient &client) final;
     void stop() final;
 
@@ -131,8 +136,13 @@ protected:
 private:
     void awaitTelemetry(const QList<int> &channels);
     void submit();
+    void awaitBoard(const CommandOutcome &outcome);
+    void readAgain();
+    void conclude(CommandOutcome outcome);
 
     DeviceClient *m_client = nullptr;
+    std::optional<CommandOutcome> m_interrupted;  // waits for the board to come back
+    QTimer m_absence;
     std::shared_ptr<const TelemetryStore> m_telemetry;
     QTimer m_awaiting;
 };

@@ -228,8 +228,10 @@ std::optional<int> Ctl::connectToBoard(const QString &link, const QString &famil
     connect(m_client.get(), &DeviceClient::stateChanged, this, &Ctl::onState);
     connect(m_client.get(), &DeviceClient::connectionFailed, this,
             [this](const Error &error) { onError(error, Refused); });
-    connect(m_client.get(), &DeviceClient::connectionLost, this,
-            [this](const Error &error) { onError(error, Refused); });
+    connect(m_client.get(), &DeviceClient::connectionLost, this, [this](const Error &error) {
+        if (!m_started || !m_command->reportsLoss())
+            onError(error, Refused);
+    });
     connect(m_client.get(), &DeviceClient::progressChanged, this, &Ctl::onProgress);
     connect(m_client.get(), &DeviceClient::boardSpoke, this,
             [this](const QString &text) { onTold(u"the board says: "_s + text); });

@@ -74,19 +74,7 @@ void BoardWriter::onReport(const Result<WriteReport> &result)
         m_notifications.notify(text);
         return;
     }
-    ErrorText text = describe(*result->error);
-    QStringList counts;
-    if (verified > 0)
-        counts.append(tr("%n verified", nullptr, verified));
-    if (const int n = result->count(WriteState::RolledBack))
-        counts.append(tr("%n put back", nullptr, n));
-    if (const int n = result->count(WriteState::Unknown))
-        counts.append(tr("%n unknown", nullptr, n));
-    if (const int n = result->count(WriteState::NotWritten))
-        counts.append(tr("%n not written", nullptr, n));
-    if (const int n = result->count(WriteState::Mismatch))
-        counts.append(tr("%n different", nullptr, n));
-    text.what = tr("The write is not complete: %1. ").arg(counts.join(u", "_s)) + text.what;
+    ErrorText text = describe(*result);
     m_interrupted = result->count(WriteState::Unknown) > 0;
     if (m_interrupted) {
         text.cure = tr("When the board is back it is read again; then the write can be finished or undone.");

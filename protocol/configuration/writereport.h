@@ -7,8 +7,8 @@
 /// Outcome for one changed parameter.
 enum class WriteState {
     Verified,  ///< written, read back, equal
-    Unknown,  ///< sent, but the link broke before it could be read back
-    NotWritten,  ///< never sent, or refused by the board; the old value remains
+    Unknown,  ///< sent, and the board could not be asked since what it holds
+    NotWritten,  ///< never sent, or not taken by the board: it holds the old value
     Mismatch,  ///< read back with another value than written
     RolledBack,  ///< written, then restored because the rest failed
 };
@@ -20,7 +20,15 @@ struct WriteLine
     double from = 0;
     double to = 0;
     WriteState state = WriteState::NotWritten;
-    double found = 0;  ///< value read back, for Mismatch
+    double found = 0;  ///< what the board holds, as last read; of no meaning while Unknown
+
+    /// The state that follows from what was read; asBefore where that is the old value.
+    [[nodiscard]] WriteState read(WriteState asBefore) const
+    {
+        if (sameValue(found, from))
+            return asBefore;
+        return sameValue(found, to) ? WriteState::Verified : WriteState::Mismatch;
+    }
 };
 
 /// The same for a block without parameters.
@@ -45,6 +53,37 @@ struct WriteReport
     Configuration onBoard;  ///< what the board holds now, as far as it is known
 
     [[nodiscard]] bool isComplete() const { return !error; }
+    /// The board was read again later: what was unknown is known as far as it was delivered.
+    void learn(const Configuration &board)
+    {
+        for (WriteLine &line : lines) {
+            const ParameterSpec *spec = board.parameters().find(line.spec->key);
+            const auto raw = spec ? board.raw(*spec, line.profile) : std::nullopt;
+            if (line.state != WriteState::Unknown || !raw)
+                continue;
+            line.found = *raw;
+            line.state = line.read(WriteState::NotWritten);
+        }
+        for (WriteData &block : data) {
+            const QByteArray now = board.block(block.key);
+            if (block.state != WriteState::Unknown || now.isEmpty())
+                continue;
+            block.state = now == before.block(block.key) ? WriteState::NotWritten
+                : now == wanted.block(block.key)         ? WriteState::Verified
+                                                         : WriteState::Mismatch;
+        }
+        onBoard = board;
+    }
+    /// How many values the board is known to hold that it did not hold before.
+    [[nodiscard]] int countOther() const
+    {
+        int n = 0;
+        for (const WriteLine &line : lines)
+            n += line.state != WriteState::Unknown && !sameValue(line.found, line.from);
+        for (const WriteData &block : data)
+            n += block.state != WriteState::Unknown && onBoard.block(block.key) != before.block(block.key);
+        return n;
+    }
     [[nodiscard]] int count(WriteState state) const
     {
         int n = 0;

@@ -38,7 +38,8 @@ private:
     Result<QByteArray> fetch(BlockKey key);
     Result<void> writeNames();
     Result<void> verify();
-    void rollBack();
+    bool rollBack();
+    void readTruth(bool isBack);
     void finishReport(const Error &error);
     // For boards with a WriteBracket.
     Result<void> begin();
@@ -78,8 +79,8 @@ constexpr milliseconds kRestartPause = 1s;
 
 bool isLinkGone(const Error &error)
 {
-    return error.code == ErrorCode::LinkClosed || error.code == ErrorCode::Timeout
-        || error.code == ErrorCode::Cancelled || error.code == ErrorCode::NotConnected;
+    return error.code == ErrorCode::LinkClosed || error.code == ErrorCode::Cancelled
+        || error.code == ErrorCode::NotConnected;
 }
 
 Result<WriteReport> Writer::run()
@@ -94,7 +95,7 @@ Result<WriteReport> Writer::run()
     m_report.onBoard = m_base;
     for (const ParameterChange &change : m_changes)
         m_report.lines.push_back(
-            {change.spec, change.profile, change.from, change.to, WriteState::NotWritten, 0});
+            {change.spec, change.profile, change.from, change.to, WriteState::NotWritten, change.from});
     for (const DataChange &change : m_data)
         m_report.data.push_back({change.spec, change.key, WriteState::NotWritten});
     if (m_changes.empty() && m_data.empty() && !m_namesChanged)
@@ -397,48 +398,60 @@ Result<void> Writer::verify()
 void Writer::finishReport(const Error &error)
 {
     m_report.error = error;
-    if (isLinkGone(error) || m_written.empty())
+    if (m_written.empty() || isLinkGone(error))
         return;
-    rollBack();
+    // Perhaps only an answer was lost.
+    if (error.code == ErrorCode::Timeout && !fetch(*m_written.begin()))
+        return;
+    const bool isBack = rollBack();
+    readTruth(isBack);
 }
 
-// The board still answers: restore the previous values and check that they are there.
-void Writer::rollBack()
+// The board still answers: the previous values are restored. Returns whether all of that was accepted.
+bool Writer::rollBack()
 {
     if (!m_bracketOpen && !restarts(m_keys.front())) {
         if (!begin())
-            return;
+            return false;
         m_bracketOpen = true;
     }
     for (const BlockKey key : m_keys) {
         if (!m_written.contains(key))
             continue;
         if (restarts(key) && std::exchange(m_bracketOpen, false) && !end())
-            return;
+            return false;
         report(u"roll-back"_s, key);
         if (!put(key, m_board.at(key)))
-            return;
+            return false;
     }
     if (m_bracketOpen && !end())
-        return;
-    std::ignore = selectActive();
-    for (const BlockKey key : m_keys) {
-        if (!m_written.contains(key))
-            continue;
+        return false;
+    return selectActive().has_value();
+}
+
+// Whatever was confirmed or refused: what counts is what the board says that it holds.
+void Writer::readTruth(bool isBack)
+{
+    const WriteState asBefore = isBack ? WriteState::RolledBack : WriteState::NotWritten;
+    for (const BlockKey key : m_written) {
         const auto bytes = fetch(key);
-        if (!bytes)
-            return;
+        if (!bytes) {
+            markBlock(key, WriteState::Unknown);
+            continue;
+        }
         m_report.onBoard.setBlock(key, *bytes);
         for (WriteLine &line : m_report.lines) {
-            if (line.spec->row->block != key.block || line.profile != key.profile
-                || line.state == WriteState::Mismatch)
+            if (line.spec->row->block != key.block || line.profile != key.profile)
                 continue;
             line.found = line.spec->read(*bytes).value_or(line.to);
-            line.state = sameValue(line.found, line.from) ? WriteState::RolledBack : WriteState::Mismatch;
+            if (line.state != WriteState::Mismatch)  // which one the board had not taken
+                line.state = line.read(asBefore);
         }
         for (WriteData &data : m_report.data) {
             if (data.key == key && data.state != WriteState::Mismatch)
-                data.state = *bytes == m_board.at(key) ? WriteState::RolledBack : WriteState::Mismatch;
+                data.state = *bytes == m_board.at(key) ? asBefore
+                    : *bytes == patched(key)           ? WriteState::Verified
+                                                       : WriteState::Mismatch;
         }
     }
 }

@@ -81,6 +81,8 @@ private slots:
     void damagedRecordingIsReadPastTheDamage();
     void tooFewSamplesAreNoWrongArgument_data();
     void tooFewSamplesAreNoWrongArgument();
+    void lostLinkInAWriteIsReadAgain_data();
+    void lostLinkInAWriteIsReadAgain();
 
 private:
     [[nodiscard]] QString path(const QString &name) const { return m_dir->filePath(name); }
@@ -264,6 +266,45 @@ void TestCtlFaults::tooFewSamplesAreNoWrongArgument()
         QVERIFY2(run.err.contains(part), qPrintable(run.err));
     QCOMPARE(run.json().value(u"error"_s).toString(), u"There are too few samples."_s);
     QVERIFY(!run.json().value(u"cure"_s).toString().isEmpty());
+}
+
+void TestCtlFaults::lostLinkInAWriteIsReadAgain_data()
+{
+    QTest::addColumn<int>("atWrite");
+    for (int n = 1; n <= 3; ++n)
+        QTest::addRow("block %d", n) << n;
+}
+
+// The board resets itself while it is written, and its port goes with it. What is told afterwards is what it
+// holds.
+void TestCtlFaults::lostLinkInAWriteIsReadAgain()
+{
+    QFETCH(int, atWrite);
+    const QString port = path(u"port"_s);
+    SimProcess simulator({u"--pty"_s, port, u"--fault"_s, u"reset-on-write=%1"_s.arg(atWrite)});
+    const QStringList link{u"--json"_s, u"--link"_s, u"serial:"_s + port};
+    const Run run = ctl(link
+                        + QStringList{u"set"_s, u"pid.roll.p=44"_s, u"filter.pitch.lpf=250"_s,
+                                      u"follow.yaw.lpf=9"_s, u"motion.roll.acc_limit=50"_s});
+    QVERIFY2(run.exitCode == 1, qPrintable(run.err));
+    QVERIFY2(run.err.contains(u"waiting for the board"_s), qPrintable(run.err));
+    QVERIFY(!run.err.contains(u"Nothing was changed"_s));
+    const QJsonObject json = run.json();
+    QVERIFY(QFile::exists(json.value(u"snapshot"_s).toString()));
+    const QJsonArray written = json.value(u"written"_s).toArray();
+    QCOMPARE(written.size(), 4);
+    for (const auto &value : written) {
+        const QJsonObject line = value.toObject();
+        const QString key = line.value(u"key"_s).toString();
+        const QString state = line.value(u"state"_s).toString();
+        QVERIFY2(state != u"unknown"_s, qPrintable(key));
+        const Run now = ctl(link + QStringList{u"get"_s, key});
+        QVERIFY2(now.exitCode == 0, qPrintable(now.err));
+        const QJsonValue held
+            = QJsonDocument::fromJson(now.out.toUtf8()).array().first().toObject().value(u"value"_s);
+        QVERIFY2(line.value(u"onBoard"_s) == held, qPrintable(key + u": "_s + now.out));
+        QCOMPARE(state == u"verified"_s, held == line.value(u"to"_s));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestCtlFaults)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/errortext.h"
 
+#include "protocol/configuration/writereport.h"
+
 #include <QCoreApplication>
 
 #include <array>
@@ -192,6 +194,31 @@ ErrorText describe(const Error &error)
     const ErrorRow &row = kErrors.at(std::size_t(error.code));
     const auto words = [](const char *text) { return text ? Words::tr(text) : QString(); };
     return {words(row.what), words(row.meaning), words(row.cure), error.detail};
+}
+
+ErrorText describe(const WriteReport &report)
+{
+    ErrorText text = describe(report.error.value_or(Error{}));
+    QStringList counts;
+    const auto count = [&](WriteState state, const char *words) {
+        if (const int n = report.count(state))
+            counts.append(Words::tr(words, nullptr, n));
+    };
+    count(WriteState::Verified, QT_TRANSLATE_N_NOOP("ErrorText", "%n verified"));
+    count(WriteState::RolledBack, QT_TRANSLATE_N_NOOP("ErrorText", "%n put back"));
+    count(WriteState::Unknown, QT_TRANSLATE_N_NOOP("ErrorText", "%n unknown"));
+    count(WriteState::NotWritten, QT_TRANSLATE_N_NOOP("ErrorText", "%n not written"));
+    count(WriteState::Mismatch, QT_TRANSLATE_N_NOOP("ErrorText", "%n different"));
+    text.what = Words::tr("The write is not complete: %1. ").arg(counts.join(u", "_s)) + text.what;
+    // Nothing that the error means in general stands beside what was read.
+    if (const int unknown = report.count(WriteState::Unknown))
+        text.meaning = Words::tr("What the board holds of %n value(s) could not be read.", nullptr, unknown);
+    else if (const int other = report.countOther())
+        text.meaning
+            = Words::tr("The board was read again: %n value(s) are not as they were before.", nullptr, other);
+    else
+        text.meaning = Words::tr("The board was read again: it holds the old values.");
+    return text;
 }
 
 QString describe(const Progress &progress)

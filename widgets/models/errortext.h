@@ -5,6 +5,8 @@
 #include "protocol/base/progress.h"
 #include "protocol/base/result.h"
 
+struct WriteReport;
+
 /// An error in the operator's words: what happened, what it means for the gimbal, what to do.
 struct ErrorText
 {
@@ -18,6 +20,9 @@ struct ErrorText
 };
 
 [[nodiscard]] ErrorText describe(const Error &error);
+
+/// A write that was not completed: why, how many values are how, and what the board holds now.
+[[nodiscard]] ErrorText describe(const WriteReport &report);
 
 /// A progress report as a sentence: "Reading PARAMS_3, profile 2".
 [[nodiscard]] QString describe(const Progress &progress);
