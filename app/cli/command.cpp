@@ -80,7 +80,7 @@ void tellReport(CommandOutcome &outcome)
     if (!report.snapshotPath.isEmpty())
         notes.append(u"snapshot: "_s + report.snapshotPath);
     if (!outcome.note.isEmpty())
-        notes.append(outcome.note);
+        notes.append(outcome.note.trimmed());
     outcome.text = text + outcome.text;
     outcome.note = notes.join(u'\n');
     outcome.json = json;

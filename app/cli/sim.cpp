@@ -138,7 +138,8 @@ QString Sim::helpText() const
            u"A simulated gimbal for other programs. Prints \"ready ADDRESS\" and runs until it is told to "
            u"end.\n"
            u"Lines NAME=VALUE on standard input change the world while it runs: pose=1, shake=3, unplug=0.\n"
-           u"The line \"streams\" is answered with how many stream frames were sent and how many skipped.\n\n"_s
+           u"The line \"streams\" is answered with how many stream frames were sent and how many skipped."
+           u"\n\n"_s
         + helpLines(u"family F"_s, {keys().join(u" or "_s)})
         + helpLines(u"pty PATH"_s, {u"a pseudo-terminal, reachable at PATH (a symbolic link)"_s})
         + helpLines(u"tcp PORT"_s, {u"a TCP server on 127.0.0.1, 0 = any free port"_s})

@@ -342,7 +342,8 @@ void TestArchitecture::everyFileNamesItsLicence()
 void TestArchitecture::nothingBlocksOutsideTheWorker()
 {
     static const QRegularExpression blocking(
-        u"processEvents|QEventLoop|waitForReadyRead|waitForBytesWritten|waitForConnected|QThread::m?u?sleep"_s);
+        u"processEvents|QEventLoop|waitForReadyRead|waitForBytesWritten|waitForConnected|"
+        "QThread::m?u?sleep"_s);
     for (const Source &source : sources({u"protocol"_s, u"widgets"_s, u"app"_s}))
         QVERIFY2(!blocking.match(source.text).hasMatch(), qPrintable(source.path));
 }

@@ -30,6 +30,7 @@ constexpr std::array<QRgb, 8> kSeriesDark{0xFFE08FBE, 0xFFCFD34A, 0xFF95AEFF, 0x
                                           0xFF54CBD0, 0xFFC49BF0, 0xFFB6C0CC, 0xFFFF9C94};
 
 // Placeholders @Role; sizes on the 4 px grid.
+// clang-format off
 constexpr QStringView kStyleSheet = uR"(
 QToolTip { color: @Text; background: @Surface; border: 1px solid @Border; padding: 4px; }
 QFrame#bar { background: @Surface; border: none; border-bottom: 1px solid @Border; }
@@ -117,6 +118,7 @@ QSplitter::handle { background: @Background; }
 QProgressBar { border: 1px solid @Border; border-radius: 4px; background: @Background; text-align: center; min-height: 18px; }
 QProgressBar::chunk { background: @Accent; }
 )";
+// clang-format on
 
 double luminance(const QColor &color)
 {

@@ -303,8 +303,8 @@ void SensorPage::showResult()
     else
         m_what->setText(tr("The zeros are found."));
     QString rows
-        = u"<tr><td></td><td align='right' style='padding:2px 12px'>%1</td><td align='right' style='padding:2px 12px'>%2</td></tr>"_s
-              .arg(tr("Zero"), tr("Counts per g"));
+        = u"<tr><td></td><td align='right' style='padding:2px 12px'>%1</td>"
+          "<td align='right' style='padding:2px 12px'>%2</td></tr>"_s.arg(tr("Zero"), tr("Counts per g"));
     for (std::size_t axis = 0; axis < 3; ++axis) {
         rows += u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td align='right' style='padding:2px "
                 u"12px'>%2</td>"

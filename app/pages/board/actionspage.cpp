@@ -240,9 +240,9 @@ void ActionsPage::run()
             QString html = u"<p>%1  <b>%2</b>: %3</p><table>"_s.arg(time, label.toHtmlEscaped(),
                                                                     state.toHtmlEscaped());
             for (auto it = outcome->reply.begin(); it != outcome->reply.end(); ++it) {
-                html
-                    += u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td style='padding:2px 0'>%2</td></tr>"_s
-                           .arg(it.key().toHtmlEscaped(), replyText(it.value()).toHtmlEscaped());
+                html += u"<tr><td style='padding:2px 16px 2px 0'>%1</td>"
+                        "<td style='padding:2px 0'>%2</td></tr>"_s.arg(it.key().toHtmlEscaped(),
+                                                                       replyText(it.value()).toHtmlEscaped());
             }
             html += u"</table>"_s;
             if (!outcome->snapshotPath.isEmpty())

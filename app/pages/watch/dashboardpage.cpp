@@ -173,9 +173,8 @@ void DashboardPage::refreshFacts()
     m_battery->setText(number(workspace().latest(roles.battery), 2, u"V"_s));
     QStringList rows;
     const auto row = [&rows](const QString &name, const QString &text) {
-        rows.append(
-            u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td style='padding:2px 0' align='right'>%2</td></tr>"_s
-                .arg(name, text.toHtmlEscaped()));
+        rows.append(u"<tr><td style='padding:2px 16px 2px 0'>%1</td>"
+                    "<td style='padding:2px 0' align='right'>%2</td></tr>"_s.arg(name, text.toHtmlEscaped()));
     };
     if (roles.current >= 0)
         row(tr("Current"), number(workspace().latest(roles.current), 2, u"A"_s));
