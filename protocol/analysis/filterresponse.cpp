@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/analysis/filterresponse.h"
 
+#include "protocol/base/angles.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -25,5 +27,5 @@ std::complex<double> lowPassResponse(double cornerHz, double hz)
 
 double lagDeg(std::complex<double> response)
 {
-    return -std::arg(response) * 180.0 / std::numbers::pi;
+    return -degrees(std::arg(response));
 }

@@ -3,21 +3,16 @@
 #include "protocol/analysis/frequencyresponse.h"
 
 #include "protocol/analysis/segments.h"
+#include "protocol/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace {
 
 constexpr double kTiny = 1e-300;
 
-double degrees(double radians)
-{
-    return radians * 180.0 / std::numbers::pi;
-}
-
-double decibel(double ratio)
+double amplitudeDecibel(double ratio)
 {
     return 20.0 * std::log10(std::max(ratio, kTiny));
 }
@@ -26,7 +21,7 @@ double decibel(double ratio)
 
 double FrequencyResponse::gainDb(std::size_t bin) const
 {
-    return decibel(std::abs(gain[bin]));
+    return amplitudeDecibel(std::abs(gain[bin]));
 }
 
 double FrequencyResponse::phaseDeg(std::size_t bin) const
@@ -87,7 +82,7 @@ Margins margins(const FrequencyResponse &openLoop, double coherence, double from
         const double s = 1.0 / std::max(std::abs(1.0 + here), kTiny);
         if (s > sensitivity) {
             sensitivity = s;
-            result.sensitivityDb = decibel(s);
+            result.sensitivityDb = amplitudeDecibel(s);
             result.sensitivityHz = hz;
         }
         // Crossings are only searched between neighbouring bins: nothing is known across a gap.
@@ -97,14 +92,14 @@ Margins margins(const FrequencyResponse &openLoop, double coherence, double from
             if ((last.imag() < 0.0) != (here.imag() < 0.0)) {
                 const double share = last.imag() / (last.imag() - here.imag());
                 const double real = last.real() + share * (here.real() - last.real());
-                const double gain = real < 0.0 ? -decibel(-real) : 0.0;
+                const double gain = real < 0.0 ? -amplitudeDecibel(-real) : 0.0;
                 if (real < 0.0 && (!result.gainDb || std::abs(gain) < std::abs(*result.gainDb))) {
                     result.gainDb = gain;
                     result.gainHz = lastHz + share * (hz - lastHz);
                 }
             }
-            const double lastDb = decibel(std::abs(last));
-            const double hereDb = decibel(std::abs(here));
+            const double lastDb = amplitudeDecibel(std::abs(last));
+            const double hereDb = amplitudeDecibel(std::abs(here));
             if ((lastDb < 0.0) != (hereDb < 0.0)) {
                 const double share = lastDb / (lastDb - hereDb);
                 const std::complex<double> crossing = last + share * (here - last);

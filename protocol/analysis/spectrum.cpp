@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDynamicRange = 1e-7;  // of power: 70 dB
 
-double decibel(double power)
+double powerDecibel(double power)
 {
     return 10.0 * std::log10(std::max(power, 1e-30));
 }
@@ -95,12 +95,12 @@ std::vector<SpectrumPeak> findPeaks(const Spectrum &spectrum, int maxCount, doub
         around.assign(density.begin() + std::ptrdiff_t(low), density.begin() + std::ptrdiff_t(high));
         const auto middle = around.begin() + std::ptrdiff_t(around.size() / 2);
         std::nth_element(around.begin(), middle, around.end());
-        const double above = decibel(density[bin]) - decibel(*middle);
+        const double above = powerDecibel(density[bin]) - powerDecibel(*middle);
         if (above < height)
             continue;
-        const double left = decibel(density[bin - 1]);
-        const double top = decibel(density[bin]);
-        const double right = decibel(density[bin + 1]);
+        const double left = powerDecibel(density[bin - 1]);
+        const double top = powerDecibel(density[bin]);
+        const double right = powerDecibel(density[bin + 1]);
         const double curve = left - 2 * top + right;
         const double shift = curve < 0.0 ? std::clamp(0.5 * (left - right) / curve, -0.5, 0.5) : 0.0;
         const double from = edge(density, bin, -1, density[bin] / 2);

@@ -20,8 +20,6 @@ namespace {
 
 constexpr auto kSteerPeriod = 50ms;
 
-const QString kAxisNames[] = {u"roll"_s, u"pitch"_s, u"yaw"_s};
-
 // The board checks nothing. Of variables that no table has, only the board knows what they may be.
 Result<void> checkVariable(const BoardIdentity &identity, const AdjustableValue &wanted)
 {
@@ -112,9 +110,9 @@ Result<ActionReply> Actions::readAngles(const QVariantMap &)
         return tl::unexpected(angles.error());
     ActionReply reply;
     for (std::size_t axis = 0; axis < angles->size(); ++axis) {
-        reply.insert(u"imu."_s + kAxisNames[axis], (*angles)[axis].imu);
-        reply.insert(u"target."_s + kAxisNames[axis], (*angles)[axis].target);
-        reply.insert(u"speed."_s + kAxisNames[axis], (*angles)[axis].targetSpeed);
+        reply.insert(u"imu."_s + axisName(axis), (*angles)[axis].imu);
+        reply.insert(u"target."_s + axisName(axis), (*angles)[axis].target);
+        reply.insert(u"speed."_s + axisName(axis), (*angles)[axis].targetSpeed);
     }
     // Motor angles come from a later command (document revision 0.6); boards without it still report the
     // others.
@@ -124,7 +122,7 @@ Result<ActionReply> Actions::readAngles(const QVariantMap &)
     if (const auto extended = m_channel.transact(request)) {
         if (const auto more = decodeAnglesExt(asBytes(extended->payload))) {
             for (std::size_t axis = 0; axis < more->size(); ++axis)
-                reply.insert(u"motor."_s + kAxisNames[axis], (*more)[axis].rotor);
+                reply.insert(u"motor."_s + axisName(axis), (*more)[axis].rotor);
         }
     }
     return reply;
@@ -189,7 +187,7 @@ Result<ActionReply> Actions::steer(const QVariantMap &arguments)
     Device::Control setpoint{};
     bool any = false;
     for (std::size_t axis = 0; axis < setpoint.size(); ++axis) {
-        const QVariant wanted = arguments.value(kAxisNames[axis]);
+        const QVariant wanted = arguments.value(axisName(axis));
         if (!wanted.isValid() || std::isnan(wanted.toDouble()))
             continue;
         any = true;

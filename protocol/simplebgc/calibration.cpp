@@ -35,8 +35,6 @@ Result<Frame> checked(const Result<Frame> &frame, CommandId id)
     return frame;
 }
 
-const QString kAxisNames[] = {u"roll"_s, u"pitch"_s, u"yaw"_s};
-
 }  // namespace
 
 Result<ActionReply> Actions::calibrateGyro(const QVariantMap &arguments)
@@ -164,7 +162,7 @@ Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
 {
     int flags = AutoPidReport;
     for (int axis = 0; axis < 3; ++axis) {
-        if (arguments.value(kAxisNames[axis]).toBool())
+        if (arguments.value(axisName(axis)).toBool())
             flags |= 1 << axis;
     }
     if (!(flags & 7))
@@ -215,11 +213,11 @@ Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
         last = *decoded;
         progress.done = last.iteration;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            progress.values[u"p."_s + kAxisNames[axis]] = last.p[axis];
-            progress.values[u"i."_s + kAxisNames[axis]] = last.i[axis] * 0.01;
-            progress.values[u"d."_s + kAxisNames[axis]] = last.d[axis];
-            progress.values[u"lpf."_s + kAxisNames[axis]] = last.lpf[axis];
-            progress.values[u"error."_s + kAxisNames[axis]] = double(last.trackingError[axis]);
+            progress.values[u"p."_s + axisName(axis)] = last.p[axis];
+            progress.values[u"i."_s + axisName(axis)] = last.i[axis] * 0.01;
+            progress.values[u"d."_s + axisName(axis)] = last.d[axis];
+            progress.values[u"lpf."_s + axisName(axis)] = last.lpf[axis];
+            progress.values[u"error."_s + axisName(axis)] = double(last.trackingError[axis]);
         }
         m_channel.progress(progress);
     }

@@ -52,7 +52,7 @@ constexpr Choice kEulerOrders[] = {{0, "Pitch, roll, yaw"}, {1, "Roll, pitch, ya
                                    {4, "Yaw, roll, pitch"}, {5, "Yaw, pitch, roll", 0, 2599}};
 constexpr Choice kImus[] = {{1, "Main IMU"}, {2, "Frame IMU"}};
 
-constexpr ParameterRow kRows[] = {
+constexpr ParameterRow kParams3Rows[] = {
     {.key = "state.block3_profile", .label = "Profile of this block", .group = "Board state",
      .help = "The profile this block of values belongs to.",
      .block = Params3, .offset = 0, .max = 255, .level = ViewLevel::Expert, .state = true},
@@ -352,14 +352,14 @@ constexpr ParameterRow kRows[] = {
 };
 // clang-format on
 
-static_assert(coversBlock<kParams3Size>(kRows, Params3, {}));
-static_assert(rangesFit(kRows));
+static_assert(coversBlock<kParams3Size>(kParams3Rows, Params3, {}));
+static_assert(rangesFit(kParams3Rows));
 
 }  // namespace
 
 std::span<const ParameterRow> params3Rows()
 {
-    return kRows;
+    return kParams3Rows;
 }
 
 }  // namespace simplebgc

@@ -18,7 +18,7 @@ constexpr Choice kEncoderSpeeds[] = {{0, "1 MHz"}, {1, "2 MHz"}, {2, "4 MHz"}, {
 
 constexpr double kAngle14 = 0.02197265625;  // degrees per count (errata 0)
 
-constexpr ParameterRow kRows[] = {
+constexpr ParameterRow kParamsExtRows[] = {
     {.key = "state.blockext_profile", .label = "Profile of this block", .group = "Board state",
      .help = "The profile this block of values belongs to.",
      .block = ParamsExt, .offset = 0, .level = ViewLevel::Expert, .state = true},
@@ -144,15 +144,15 @@ constexpr ParameterRow kRows[] = {
 };
 // clang-format on
 
-constexpr std::pair<int, int> kReserved[] = {{49, 2}};
-static_assert(coversBlock<kParamsExtSize>(kRows, ParamsExt, kReserved));
-static_assert(rangesFit(kRows));
+constexpr std::pair<int, int> kParamsExtReserved[] = {{49, 2}};
+static_assert(coversBlock<kParamsExtSize>(kParamsExtRows, ParamsExt, kParamsExtReserved));
+static_assert(rangesFit(kParamsExtRows));
 
 }  // namespace
 
 std::span<const ParameterRow> paramsExtRows()
 {
-    return kRows;
+    return kParamsExtRows;
 }
 
 }  // namespace simplebgc

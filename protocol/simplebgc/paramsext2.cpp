@@ -34,7 +34,7 @@ constexpr Choice kPins[] = {{0, "None"}, {1, "RC_ROLL"}, {2, "RC_PITCH"}, {3, "F
 constexpr Choice kInterruptEvents[] = {{0, "Emergency stop"}, {1, "Entering parking position"}};
 constexpr Choice kMavlinkControl[] = {{0, "Off"}, {1, "Roll and pitch"}, {2, "All axes"}};
 
-constexpr ParameterRow kRows[] = {
+constexpr ParameterRow kParamsExt2Rows[] = {
     {.key = "state.blockext2_profile", .label = "Profile of this block", .group = "Board state",
      .help = "The profile this block of values belongs to.",
      .block = ParamsExt2, .offset = 0, .level = ViewLevel::Expert, .state = true},
@@ -277,15 +277,15 @@ constexpr ParameterRow kRows[] = {
 // clang-format on
 
 // 5-8 and 13-16 belong to the two MAVLink channels; bits 5-7 of STAB_AXIS have no documented meaning.
-constexpr std::pair<int, int> kReserved[] = {{5, 4}, {13, 4}};
-static_assert(coversBlock<kParamsExt2Size>(kRows, ParamsExt2, kReserved));
-static_assert(rangesFit(kRows));
+constexpr std::pair<int, int> kParamsExt2Reserved[] = {{5, 4}, {13, 4}};
+static_assert(coversBlock<kParamsExt2Size>(kParamsExt2Rows, ParamsExt2, kParamsExt2Reserved));
+static_assert(rangesFit(kParamsExt2Rows));
 
 }  // namespace
 
 std::span<const ParameterRow> paramsExt2Rows()
 {
-    return kRows;
+    return kParamsExt2Rows;
 }
 
 }  // namespace simplebgc

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/simplebgc/telemetrytables.h"
 
+#include "protocol/base/angles.h"
 #include "protocol/base/bytes.h"
 #include "protocol/simplebgc/commands.h"
 #include "protocol/simplebgc/units.h"
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numbers>
 
 namespace simplebgc {
 
@@ -263,7 +263,6 @@ constexpr auto kRcChannels = run<18>(RcChannel1, WireField::I16, kRcFineUnit);
 constexpr auto kAcc = three(AccX, kAccUnit);
 
 // Later ones (errata 3.9, bits 9 and up).
-constexpr double kRadian = 180.0 / std::numbers::pi;
 constexpr double kFineAngle = 360.0 / 1048576.0;
 constexpr double kQuaternionUnit = 741453.786;  // the three smaller components are below 1/sqrt(2)
 
@@ -290,7 +289,7 @@ constexpr WireField kAhrs[] = {
     {ExtImuZ, 12, WireField::U8},
 };
 constexpr auto kEncoders = run<3>(EncoderRoll, WireField::U24, 1.0);
-constexpr auto kImuRad = run<3>(ImuRadRoll, WireField::F32, kRadian);
+constexpr auto kImuRad = run<3>(ImuRadRoll, WireField::F32, kDegreesPerRadian);
 constexpr auto kScriptFloats = run<10>(ScriptFloat1, WireField::F32, 1.0);
 constexpr auto kScriptInts = run<10>(ScriptInt1, WireField::I16, 1.0);
 constexpr std::array<WireField, 16> powerState()

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/base/axis.h"
+
+#include <QString>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +17,12 @@ inline constexpr double kControlSpeedUnit = 0.1220740379;  ///< deg/s, CONTROL a
 inline constexpr double kFineSpeedUnit = 0.001;  ///< deg/s, CONTROL with the high-resolution flag
 inline constexpr double kGyroUnit = 0.06103701895;  ///< deg/s
 inline constexpr double kAccUnit = 1.0 / 512.0;  ///< g
+
+/// "roll", "pitch" or "yaw": the last part of a key.
+inline QString axisName(std::size_t axis)
+{
+    return QLatin1String(axisKey(kAxes[axis]));
+}
 
 /// Nearest 16-bit count, clamped to the type's range.
 inline int toCount16(double value, double unit)

@@ -3,6 +3,7 @@
 #include "protocol/storm32/actions.h"
 
 #include "protocol/session/carryout.h"
+#include "protocol/storm32/parametertables.h"
 #include "protocol/storm32/procedures.h"
 #include "protocol/storm32/telemetrytables.h"
 
@@ -14,17 +15,16 @@ namespace storm32 {
 
 namespace {
 
-constexpr int kHeartbeatWord = 112;
 constexpr auto kSettling = 1500ms;
 constexpr int kMinPulse = 700;  // µs (document, CMD_SETPITCH)
 constexpr int kMaxPulse = 2300;
 
 // clang-format off
-constexpr Choice kPanModes[] = {{0, "as set"}, {1, "hold hold pan"}, {2, "hold hold hold"}, {3, "pan pan pan"}, {4, "pan hold hold"},
+constexpr Choice kPanModeChoices[] = {{0, "as set"}, {1, "hold hold pan"}, {2, "hold hold hold"}, {3, "pan pan pan"}, {4, "pan hold hold"},
                                 {5, "pan hold pan"}, {6, "hold pan pan"}};
 // clang-format on
 constexpr Choice kPanSettings[] = {{0, "default"}, {1, "1"}, {2, "2"}, {3, "3"}};
-constexpr Choice kShots[]
+constexpr Choice kShotChoices[]
     = {{0, "off"}, {1, "shutter"}, {2, "shutter-delayed"}, {3, "video-on"}, {4, "video-off"}};
 constexpr Choice kCases[] = {{0, "off"}, {1, "default"}, {2, "1"}, {3, "2"}, {4, "3"}};
 constexpr Choice kRates[] = {{0, "9600"}, {1, "19200"}, {2, "38400"}, {3, "57600"}, {4, "115200"}};
@@ -39,10 +39,10 @@ constexpr ArgumentSpec kPulses[] = {
     {.key = "pitch", .label = "Pitch (0 = middle)", .min = 0, .max = 2300, .unit = "µs", .defaultText = "nan"},
     {.key = "roll", .label = "Roll (0 = middle)", .min = 0, .max = 2300, .unit = "µs", .defaultText = "nan"},
     {.key = "yaw", .label = "Yaw (0 = middle)", .min = 0, .max = 2300, .unit = "µs", .defaultText = "nan"}};
-constexpr ArgumentSpec kPanMode[] = {{.key = "mode", .label = "Pan mode (pitch roll yaw)", .kind = ArgumentKind::Choice, .choices = kPanModes}};
+constexpr ArgumentSpec kPanMode[] = {{.key = "mode", .label = "Pan mode (pitch roll yaw)", .kind = ArgumentKind::Choice, .choices = kPanModeChoices}};
 constexpr ArgumentSpec kPanSetting[] = {{.key = "setting", .label = "Pan mode setting", .kind = ArgumentKind::Choice, .choices = kPanSettings}};
 constexpr ArgumentSpec kStandby[] = {{.key = "on", .label = "Standby", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
-constexpr ArgumentSpec kShot[] = {{.key = "shot", .label = "Shot", .kind = ArgumentKind::Choice, .choices = kShots, .defaultText = "shutter"}};
+constexpr ArgumentSpec kShot[] = {{.key = "shot", .label = "Shot", .kind = ArgumentKind::Choice, .choices = kShotChoices, .defaultText = "shutter"}};
 constexpr ArgumentSpec kScript[] = {
     {.key = "script", .label = "Script", .min = 1, .max = 4},
     {.key = "case", .label = "Case", .kind = ArgumentKind::Choice, .choices = kCases, .defaultText = "default"}};

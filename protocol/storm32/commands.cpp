@@ -58,18 +58,18 @@ constexpr NamedField kDataType[] = {{"type", NamedField::U8, 0}};
 constexpr NamedField kTypedData[] = {{"type", NamedField::U8, 0}, {"data", NamedField::Bytes, 2, 0}};
 constexpr NamedField kMask[] = {{"mask", NamedField::U16, 0, 2}};
 constexpr NamedField kMaskedData[] = {{"mask", NamedField::U16, 0, 2}, {"data", NamedField::Bytes, 2, 0}};
-constexpr NamedField kPulse[] = {{"pulse", NamedField::U16, 0, 2}};
-constexpr NamedField kPanMode[] = {{"mode", NamedField::U8, 0}};
-constexpr NamedField kStandby[] = {{"on", NamedField::U8, 0}};
+constexpr NamedField kPulseField[] = {{"pulse", NamedField::U16, 0, 2}};
+constexpr NamedField kPanModeField[] = {{"mode", NamedField::U8, 0}};
+constexpr NamedField kStandbyField[] = {{"on", NamedField::U8, 0}};
 constexpr NamedField kCamera[] = {{"shot", NamedField::U8, 1}};
-constexpr NamedField kScript[] = {{"script", NamedField::U8, 0}, {"case", NamedField::U8, 1}};
+constexpr NamedField kScriptFields[] = {{"script", NamedField::U8, 0}, {"case", NamedField::U8, 1}};
 // clang-format off
-constexpr NamedField kAngles[] = {{"pitch", NamedField::F32, 0, 4}, {"roll", NamedField::F32, 4, 4}, {"yaw", NamedField::F32, 8, 4},
+constexpr NamedField kAngleFields[] = {{"pitch", NamedField::F32, 0, 4}, {"roll", NamedField::F32, 4, 4}, {"yaw", NamedField::F32, 8, 4},
                                   {"flags", NamedField::U8, 12}, {"type", NamedField::U8, 13}};
 // clang-format on
-constexpr NamedField kPulses[]
+constexpr NamedField kPulseFields[]
     = {{"pitch", NamedField::U16, 0, 2}, {"roll", NamedField::U16, 2, 2}, {"yaw", NamedField::U16, 4, 2}};
-constexpr NamedField kPanSetting[] = {{"setting", NamedField::U8, 0}};
+constexpr NamedField kPanSettingField[] = {{"setting", NamedField::U8, 0}};
 constexpr NamedField kAck[] = {{"code", NamedField::U8, 0}};
 
 // clang-format off
@@ -80,19 +80,19 @@ constexpr RcCommand kRc[] = {
     {Rc::SetParameter, "SETPARAMETER", 4, kIndexAndValue},
     {Rc::GetData, "GETDATA", 1, kDataType, kTypedData},
     {Rc::GetDataFields, "GETDATAFIELDS", 2, kMask, kMaskedData},
-    {Rc::SetPitch, "SETPITCH", 2, kPulse},
-    {Rc::SetRoll, "SETROLL", 2, kPulse},
-    {Rc::SetYaw, "SETYAW", 2, kPulse},
-    {Rc::SetPanMode, "SETPANMODE", 1, kPanMode},
-    {Rc::SetStandby, "SETSTANDBY", 1, kStandby},
+    {Rc::SetPitch, "SETPITCH", 2, kPulseField},
+    {Rc::SetRoll, "SETROLL", 2, kPulseField},
+    {Rc::SetYaw, "SETYAW", 2, kPulseField},
+    {Rc::SetPanMode, "SETPANMODE", 1, kPanModeField},
+    {Rc::SetStandby, "SETSTANDBY", 1, kStandbyField},
     {Rc::DoCamera, "DOCAMERA", 6, kCamera},
-    {Rc::SetScriptControl, "SETSCRIPTCONTROL", 2, kScript},
-    {Rc::SetAngle, "SETANGLE", 14, kAngles},
-    {Rc::SetPitchRollYaw, "SETPITCHROLLYAW", 6, kPulses},
-    {Rc::SetPwmOut, "SETPWMOUT", 2, kPulse},
+    {Rc::SetScriptControl, "SETSCRIPTCONTROL", 2, kScriptFields},
+    {Rc::SetAngle, "SETANGLE", 14, kAngleFields},
+    {Rc::SetPitchRollYaw, "SETPITCHROLLYAW", 6, kPulseFields},
+    {Rc::SetPwmOut, "SETPWMOUT", 2, kPulseField},
     {Rc::RestoreParameter, "RESTOREPARAMETER", 2, kIndex},
     {Rc::RestoreAllParameters, "RESTOREALLPARAMETER", 0},
-    {Rc::ActivePanModeSetting, "ACTIVEPANMODESETTING", 1, kPanSetting},
+    {Rc::ActivePanModeSetting, "ACTIVEPANMODESETTING", 1, kPanSettingField},
 };
 // clang-format on
 

@@ -33,7 +33,6 @@ constexpr mavlink::Address kOwn{82, 67};
 constexpr int kPlain = -1;  // of m_way
 const QString kNoScripts = u"scripts cannot be read while the heartbeat is on"_s;
 constexpr int kDefaultAddress = 71 << 8 | 67;  // errata 6
-constexpr int kHeartbeatWord = 112;
 constexpr int kSystemWord = 110;  // followed by the component
 
 bool isStoring(Simple id)

@@ -32,7 +32,7 @@ struct Entries
     QByteArray scripts;
 };
 
-std::shared_ptr<const ParameterSet> parametersOf(int layout)
+std::shared_ptr<const ParameterSet> parametersOfLayout(int layout)
 {
     return std::make_shared<ParameterSet>(parameterRows(), blocksOf(layout), layout, Capabilities());
 }
@@ -167,7 +167,7 @@ Result<ForeignSettings> readSettings(const QByteArray &text)
     std::shared_ptr<const ParameterSet> best;
     std::optional<int> points;
     for (const int layout : kLayouts) {
-        const auto set = parametersOf(layout);
+        const auto set = parametersOfLayout(layout);
         if (const auto here = fit(*entries, *set); here && (!points || *here > *points)) {
             points = here;
             best = set;

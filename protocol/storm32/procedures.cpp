@@ -36,11 +36,11 @@ constexpr ArgumentSpec kPoles[] = {{.key = "pitch", .label = "Pitch", .min = 12,
 // clang-format on
 constexpr Choice kDirectionChoices[] = {{0, "normal"}, {1, "reversed"}, {2, "auto"}};
 // clang-format off
-constexpr ArgumentSpec kDirections[] = {{.key = "direction", .label = "Direction of all motors", .kind = ArgumentKind::Choice,
+constexpr ArgumentSpec kAllDirections[] = {{.key = "direction", .label = "Direction of all motors", .kind = ArgumentKind::Choice,
                                          .choices = kDirectionChoices, .defaultText = "auto"}};
 // clang-format on
 
-constexpr ActionSpec kActions[] = {
+constexpr ActionSpec kProcedures[] = {
     {.key = "sensors.average",
      .label = "Average of a sensor",
      .help = "What an accelerometer shows over many readings, in counts.",
@@ -97,7 +97,7 @@ constexpr ActionSpec kActions[] = {
      .help = "Auto lets the board find it at the next start; in RAM.",
      .group = "Gimbal configuration",
      .risk = ActionRisk::Writes,
-     .arguments = kDirections,
+     .arguments = kAllDirections,
      .memory = MemoryEffect::ChangesInUse},
     {.key = "setup.start",
      .label = "Set up: enable the motors and start",
@@ -139,7 +139,7 @@ constexpr ActionSpec kActions[] = {
 
 std::span<const ActionSpec> Procedures::all()
 {
-    return kActions;
+    return kProcedures;
 }
 
 // No command reads the EEPROM without changing the RAM: the stored values are loaded and read, then the

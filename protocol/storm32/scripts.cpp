@@ -36,7 +36,7 @@ constexpr Argument kValue{Argument::Value, -32768, 65535};
 constexpr Argument kAngle{Argument::Angle, -325, 325};
 constexpr Argument kByte{Argument::Byte, 0, 255};
 constexpr Argument kSteps{Argument::Signed, -128, 127};
-constexpr Argument kPulse{Argument::Word, 700, 2300};
+constexpr Argument kPulseArgument{Argument::Word, 700, 2300};
 
 struct Statement
 {
@@ -68,14 +68,14 @@ constexpr Statement kStatements[] = {
     {0x0E, "SETANGLEROLL", {kAngle}, 76},
     {0x0F, "SETANGLEYAW", {kAngle}, 76},
     {0x10, "SETANGLE", {kAngle, kAngle, kAngle}, 76},
-    {0x11, "SETPITCH", {kPulse}, 76, false, false},
-    {0x12, "SETROLL", {kPulse}, 76, false, false},
-    {0x13, "SETYAW", {kPulse}, 76, false, false},
-    {0x14, "SETPITCHROLLYAW", {kPulse, kPulse, kPulse}, 76, false, false},
+    {0x11, "SETPITCH", {kPulseArgument}, 76, false, false},
+    {0x12, "SETROLL", {kPulseArgument}, 76, false, false},
+    {0x13, "SETYAW", {kPulseArgument}, 76, false, false},
+    {0x14, "SETPITCHROLLYAW", {kPulseArgument, kPulseArgument, kPulseArgument}, 76, false, false},
     {0x15, "SETSTANDBY", {Argument{Argument::Byte, 0, 1}}, 76},
     {0x16, "DOCAMERA", {Argument{Argument::Byte, 0, 4}}, 76},
     {0x17, "DORECENTER", {}, 76},
-    {0x18, "SETPWM", {kPulse}, 76},
+    {0x18, "SETPWM", {kPulseArgument}, 76},
     {0x19, "SETPANOWAITS", {kByte, kByte, kByte}, 91},
     {0x1A, "SETPANORANGE", {Argument{Argument::Word, 0, 720}}, 91},
     {0x1B, "DOPANO", {kSteps, kSteps}, 91},
@@ -136,7 +136,7 @@ bool endsCase(int code)
 }
 
 // Words separated by spaces; a quoted name is one word, without its quotes. Empty: a quote is not closed.
-std::optional<QStringList> wordsOf(const QString &line)
+std::optional<QStringList> tokensOf(const QString &line)
 {
     QStringList words;
     for (qsizetype at = 0; at < line.size();) {
@@ -197,7 +197,7 @@ private:
 
     Done statement(const QString &line)
     {
-        const auto words = wordsOf(line);
+        const auto words = tokensOf(line);
         if (!words)
             return wrong(QT_TRANSLATE_NOOP("Tables", "a quote is not closed"));
         const Statement *known = findWord(words->first());

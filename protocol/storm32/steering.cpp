@@ -20,7 +20,7 @@ namespace {
 constexpr double kMaxAngle = 720.0;
 constexpr int kLimitedMode = 1;
 constexpr int kPulseMode = 3;  // microseconds from the middle
-constexpr double kMaxPulse = 800.0;
+constexpr double kStickThrow = 800.0;
 constexpr double kMiddlePulse = 1500.0;
 constexpr double kStickRest = 12.0;  // microseconds; an untouched stick is not exactly in its middle
 constexpr auto kLeaving = 3s;  // from standby until motors are active
@@ -43,7 +43,7 @@ std::span<const SteeringMode> Device::modes() const
     static const std::vector<SteeringMode> modes{
         modeOf(kLimitedMode, "angle", "Angle, within the limits of the sticks", 180.0, "°"),
         modeOf(2, "angle-unlimited", "Angle, without limits", kMaxAngle, "°"),
-        modeOf(kPulseMode, "pulse", "Stick positions", kMaxPulse, "µs", 500.0)};
+        modeOf(kPulseMode, "pulse", "Stick positions", kStickThrow, "µs", 500.0)};
     return modes;
 }
 
@@ -77,7 +77,7 @@ ControlFrames Device::controlFrames(const SteeringSetpoint &setpoint) const
         if (std::isnan(value))
             return {};  // no axis can be left out, and no value is known for it
         if (pulses)
-            writer.u16(int(std::lround(kMiddlePulse + std::clamp(value, -kMaxPulse, kMaxPulse))));
+            writer.u16(int(std::lround(kMiddlePulse + std::clamp(value, -kStickThrow, kStickThrow))));
         else
             writer.f32(float(std::clamp(value, -kMaxAngle, kMaxAngle)));
     }

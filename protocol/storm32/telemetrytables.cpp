@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storm32/telemetrytables.h"
 
+#include "protocol/base/angles.h"
 #include "protocol/storm32/commands.h"
 
 #include <QCoreApplication>
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 using namespace Qt::StringLiterals;
 
@@ -55,7 +55,6 @@ constexpr ChannelSpec kChannels[] = {
 static_assert(std::size(kChannels) == ChannelCount);
 
 constexpr int kLinkPresent = 0x0100;
-constexpr double kDegree = 180.0 / std::numbers::pi;
 // After a gap this long nothing is known about the time between.
 constexpr double kGap = 0.5;
 constexpr double kDrift = 2e-4;  // greatest drift of the board's clock against ours
@@ -68,7 +67,7 @@ ChannelTable channelTable()
 }
 
 LiveScales::LiveScales(int firmware)
-    : gyro(firmware >= 93 ? kDegree / 2048.0 : kDegree / 1000.0)
+    : gyro(firmware >= 93 ? kDegreesPerRadian / 2048.0 : kDegreesPerRadian / 1000.0)
     , acc(firmware >= 94       ? 1.0 / 8192.0
               : firmware >= 93 ? 1.0 / 16384.0
                                : 1.0 / 10000.0)
@@ -182,15 +181,15 @@ std::vector<BoardFact> factsOf(unsigned status, unsigned status2, unsigned funct
     if (status2 & 0x0800)
         facts.push_back({QT_TRANSLATE_NOOP("Tables", "IR camera"), {QT_TRANSLATE_NOOP("Tables", "active")}});
     // Two bits for each function input, from the top.
-    static constexpr std::array<const char *, 8> kInputs{
+    static constexpr std::array<const char *, 8> kInputBits{
         QT_TRANSLATE_NOOP("Tables", "Input of pan mode"),  QT_TRANSLATE_NOOP("Tables", "Input of standby"),
         QT_TRANSLATE_NOOP("Tables", "Input of IR camera"), QT_TRANSLATE_NOOP("Tables", "Input of re-center"),
         QT_TRANSLATE_NOOP("Tables", "Input of script 1"),  QT_TRANSLATE_NOOP("Tables", "Input of script 2"),
         QT_TRANSLATE_NOOP("Tables", "Input of script 3"),  QT_TRANSLATE_NOOP("Tables", "Input of script 4")};
     static constexpr std::array<const char *, 4> kLevels{"0", "+500", "-500", "+250"};
-    for (std::size_t input = 0; input < kInputs.size(); ++input) {
+    for (std::size_t input = 0; input < kInputBits.size(); ++input) {
         if (const unsigned level = functions >> (14 - 2 * input) & 3U)
-            facts.push_back({kInputs[input], {kLevels[level]}});
+            facts.push_back({kInputBits[input], {kLevels[level]}});
     }
     return facts;
 }

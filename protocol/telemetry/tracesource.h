@@ -4,6 +4,9 @@
 
 #include "protocol/telemetry/telemetrystore.h"
 
+/// Seconds: samples further apart are not joined by a line, and none older than this speaks for a moment.
+inline constexpr double kTraceGap = 0.6;
+
 /// Where the samples of a trace are: one channel, or the difference of two from the same rows.
 struct TraceSource
 {

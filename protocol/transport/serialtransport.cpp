@@ -10,8 +10,6 @@
 
 namespace {
 
-constexpr qsizetype kReadBuffer = 65536;
-
 ErrorCode codeOf(QSerialPort::SerialPortError error, const QString &text)
 {
     switch (error) {

@@ -7,8 +7,6 @@
 
 namespace {
 
-constexpr qsizetype kReadBuffer = 65536;
-
 QAbstractSocket *makeSocket(LinkAddress::Kind kind, QObject *parent)
 {
     if (kind == LinkAddress::Kind::Udp)

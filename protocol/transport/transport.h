@@ -43,6 +43,9 @@ signals:
     void bytesWritten(qint64 count);
     /// A recorded link: these bytes were sent by the host at that time.
     void replayed(QByteArrayView bytes, TimePoint at);
+
+protected:
+    static constexpr qsizetype kReadBuffer = 65536;  ///< bytes taken from the system at once
 };
 
 /// Makes the transport for an address; called on the I/O thread. Schemes are composed in app/.

@@ -272,6 +272,68 @@ QStringList wrongRows(const QMap<QString, QStringList> &table)
     return wrong;
 }
 
+// What a source or header declares outside of types and functions, and in which namespace: all of a header,
+// the file-local part of a source.
+QMap<QString, QString> declaredNames(const Source &source)
+{
+    static const QRegularExpression opens(u"^namespace (\\w[\\w:]*) \\{"_s);
+    static const QRegularExpression type(
+        u"^(?:template <.*> ?)?(?:struct|class|enum(?: class)?) (\\w+)(?! *;)"_s);
+    static const QRegularExpression alias(u"^using (\\w+) ="_s);
+    static const QRegularExpression constant(
+        u"^[\\w:<>,&* \\[\\]]* (k[A-Z]\\w*)(?:\\[\\w*\\])? *(?:=|\\{|;|$)"_s);
+    static const QRegularExpression function(u"^[\\w:<>,&* \\[\\]]*?[ *&](\\w+)\\("_s);
+    const bool header = source.path.endsWith(u".h"_s);
+    QMap<QString, QString> names;
+    QString inside;
+    bool local = header;
+    for (const QString &line : source.text.split(u'\n')) {
+        if (const auto opening = opens.match(line); opening.hasMatch()) {
+            inside = opening.captured(1);
+        } else if (line == u"namespace {"_s) {
+            local = true;
+        } else if (line == u"}  // namespace"_s) {
+            local = header;
+        } else if (local && !line.isEmpty() && (line[0].isLetter() || line[0] == u'[')) {
+            for (const QRegularExpression &each : {type, alias, constant, function}) {
+                if (const auto match = each.match(line); match.hasMatch()) {
+                    names.insert(match.captured(1), inside);
+                    break;
+                }
+            }
+        }
+    }
+    return names;
+}
+
+// The sources of a folder are compiled together: a local name that a neighbour or a header of the same
+// namespace has as well is an error at best. At worst it hides the other, or joins its overloads, without a
+// word.
+QStringList clashingNames(const QList<Source> &all)
+{
+    QStringList wrong;
+    QMap<QPair<QString, QString>, QString> heads;  // namespace and name: header
+    QMap<QPair<QString, QString>, QString> locals;  // folder and name: source
+    for (const Source &source : all) {
+        const auto names = declaredNames(source);
+        for (auto name = names.begin(); source.path.endsWith(u".h"_s) && name != names.end(); ++name)
+            heads.insert({name.value(), name.key()}, source.path);
+    }
+    for (const Source &source : all) {
+        const auto names = declaredNames(source);
+        for (auto name = names.begin(); source.path.endsWith(u".cpp"_s) && name != names.end(); ++name) {
+            QString &first = locals[{source.path.section(u'/', 0, -2), name.key()}];
+            const QString head = heads.value({name.value(), name.key()});
+            for (const QString &other : {first, head}) {
+                if (!other.isEmpty())
+                    wrong.append(u"%1 is in %2 and %3"_s.arg(name.key(), other, source.path));
+            }
+            first = source.path;
+        }
+    }
+    return wrong;
+}
+
 }  // namespace
 
 class TestArchitecture : public QObject
@@ -284,10 +346,13 @@ private slots:
     void widgetsNameNoFamily();
     void filesAreOfReadableLength();
     void everyFileNamesItsLicence();
+    void localNamesAreUnique();
     void nothingBlocksOutsideTheWorker();
     void theTestItselfFindsViolations_data();
     void theTestItselfFindsViolations();
     void theTestItselfFindsLongFilesAndWrongRows();
+    void theTestItselfFindsClashingNames_data();
+    void theTestItselfFindsClashingNames();
 };
 
 void TestArchitecture::floorsAreKept()
@@ -337,6 +402,17 @@ void TestArchitecture::everyFileNamesItsLicence()
     for (const Source &source : sources({u"protocol"_s, u"widgets"_s, u"app"_s, u"tests"_s}))
         QVERIFY2(source.text.contains(u"SPDX-License-Identifier: GPL-3.0-or-later"_s),
                  qPrintable(source.path));
+}
+
+void TestArchitecture::localNamesAreUnique()
+{
+    const auto all = sources({u"protocol"_s, u"widgets"_s, u"app"_s});
+    qsizetype found = 0;
+    for (const Source &source : all)
+        found += declaredNames(source).size();
+    QVERIFY2(found > 1500, qPrintable(QString::number(found)));
+    const QStringList wrong = clashingNames(all);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
 }
 
 void TestArchitecture::nothingBlocksOutsideTheWorker()
@@ -426,6 +502,46 @@ void TestArchitecture::theTestItselfFindsLongFilesAndWrongRows()
     QCOMPARE(wrongRows(table),
              (QStringList{u"app/pages/watch may see other pages: app/pages/tune"_s,
                           u"widgets/models may see the family protocol/storm32"_s}));
+}
+
+void TestArchitecture::theTestItselfFindsClashingNames_data()
+{
+    QTest::addColumn<QString>("mine");
+    QTest::addColumn<QString>("other");
+    QTest::addColumn<QString>("otherPath");
+    QTest::addColumn<bool>("clash");
+    const QString source = u"app/tour/b.cpp"_s;
+    const QString elsewhere = u"widgets/plot/b.cpp"_s;
+    const QString header = u"widgets/theme/b.h"_s;
+    const auto local = [](const char *line) {
+        return u"namespace {\n\n"_s + QLatin1String(line) + u"\n\n}  // namespace\n"_s;
+    };
+    // clang-format off
+    QTest::newRow("constants") << local("constexpr int kMost = 3;") << local("const QString kMost{};") << source << true;
+    QTest::newRow("tables") << local("constexpr Choice kRows[] = {") << local("constexpr std::array<int, kCount> kRows{1};") << source << true;
+    QTest::newRow("a size is no name") << local("constexpr std::array<int, kCount> kRows{1};") << local("constexpr int kCount = 1;") << source << false;
+    QTest::newRow("a table on two lines") << local("constexpr Choice kRows[]\n    = {};") << local("constexpr int kRows = 1;") << source << true;
+    QTest::newRow("functions") << local("double decibel(double power)") << local("QString decibel(const QString &text)") << source << true;
+    QTest::newRow("returned by pointer") << local("const Row *rowOf(int a)") << local("Result<Row> rowOf(double b)") << source << true;
+    QTest::newRow("types") << local("struct Column\n{") << local("enum Column { A, B };") << source << true;
+    QTest::newRow("an alias") << local("using Table = QMap<int, int>;") << local("class Table : public QObject") << source << true;
+    QTest::newRow("another folder") << local("struct Column\n{") << local("struct Column\n{") << elsewhere << false;
+    QTest::newRow("hides a header's") << local("constexpr int kGap = 3;") << u"inline constexpr int kGap = 8;"_s << header << true;
+    QTest::newRow("overloads a header's") << local("int wordsOf(const QString &line)") << u"[[nodiscard]] int wordsOf(int layout);"_s << header << true;
+    QTest::newRow("a header's of a namespace") << local("constexpr int kGap = 3;") << u"namespace storm32 {\ninline constexpr int kGap = 8;\n}"_s << header << false;
+    QTest::newRow("of the same namespace") << u"namespace storm32 {\n"_s + local("constexpr int kGap = 3;") << u"namespace storm32 {\ninline constexpr int kGap = 8;\n}"_s << header << true;
+    QTest::newRow("a member") << local("struct A\n{\n    int b(int c);\n};") << local("int b(int c)") << source << false;
+    QTest::newRow("not local") << u"int Tour::b(int c)"_s << local("int b(int c)") << source << false;
+    // clang-format on
+}
+
+void TestArchitecture::theTestItselfFindsClashingNames()
+{
+    QFETCH(QString, mine);
+    QFETCH(QString, other);
+    QFETCH(QString, otherPath);
+    QFETCH(bool, clash);
+    QCOMPARE(!clashingNames({{u"app/tour/a.cpp"_s, mine}, {otherPath, other}}).isEmpty(), clash);
 }
 
 QTEST_APPLESS_MAIN(TestArchitecture)

@@ -11,7 +11,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QString valueText(double value)
+QString variableText(double value)
 {
     return std::isnan(value) ? u"–"_s : QString::number(value, 'g', 7);
 }
@@ -149,9 +149,9 @@ QVariant DebugModel::data(const QModelIndex &index, int role) const
     case NameColumn: return row.name;
     case TypeColumn: return row.known ? row.type : tr("unknown type");
     case AxisColumn: return row.axis == Axis::None ? QString() : axisLabel(row.axis);
-    case ValueColumn: return valueText(row.value);
-    case LowColumn: return valueText(row.low);
-    case HighColumn: return valueText(row.high);
+    case ValueColumn: return variableText(row.value);
+    case LowColumn: return variableText(row.low);
+    case HighColumn: return variableText(row.high);
     default: return {};
     }
 }

@@ -26,11 +26,11 @@ namespace {
 constexpr int kMaxFrames = 60;
 constexpr int kTimeSteps = 5;  // parts between the labels of the time axis
 // Room for labels and legend around the plot area.
-constexpr double kLeft = 76;
-constexpr double kTop = 34;
-constexpr double kRight = 20;
+constexpr double kAreaLeft = 76;
+constexpr double kAreaTop = 34;
+constexpr double kAreaRight = 20;
 constexpr double kRightAxis = 64;
-constexpr double kBottom = 30;
+constexpr double kAreaBottom = 30;
 constexpr std::size_t kMaxAxes = 6;  // more would leave no room for the picture
 constexpr qint64 kRateTextMs = 500;
 constexpr qint64 kFitMs = 80;  // before anyone notices that a trace leaves the plot
@@ -341,12 +341,13 @@ void PlotView::resizeEvent(QResizeEvent *event)
 // The same edges in every plot, whatever its labels need, so that stacked plots line up.
 void PlotView::layOut()
 {
-    const double right = kRight + kRightAxis * std::max(m_rightRoom, rightAxes());
-    const double room = std::max(10.0, width() - kLeft - right);
-    chart()->setPlotArea({kLeft, kTop, room, std::max(10.0, height() - kTop - kBottom)});
+    const double right = kAreaRight + kRightAxis * std::max(m_rightRoom, rightAxes());
+    const double room = std::max(10.0, width() - kAreaLeft - right);
+    chart()->setPlotArea({kAreaLeft, kAreaTop, room, std::max(10.0, height() - kAreaTop - kAreaBottom)});
     // The legend is placed by hand; attached to the chart, it would keep the size it had while hidden.
     const double rate = m_rateText.isEmpty() ? 0.0 : QFontMetricsF(font()).horizontalAdvance(m_rateText) + 8;
-    chart()->legend()->setGeometry(kLeft, 2, std::max(10.0, width() - kLeft - kRight - rate), kTop - 4);
+    chart()->legend()->setGeometry(kAreaLeft, 2, std::max(10.0, width() - kAreaLeft - kAreaRight - rate),
+                                   kAreaTop - 4);
     chart()->legend()->update();
 }
 
@@ -510,8 +511,8 @@ void PlotView::drawStill()
     scene()->render(&painter, all, all);
     painter.setFont(font());
     painter.setPen(m_theme.color(ColorRole::Muted));
-    painter.drawText(QRectF(kLeft, 6, width() - kLeft - kRight, kTop - 4), Qt::AlignRight | Qt::AlignVCenter,
-                     m_rateText);
+    painter.drawText(QRectF(kAreaLeft, 6, width() - kAreaLeft - kAreaRight, kAreaTop - 4),
+                     Qt::AlignRight | Qt::AlignVCenter, m_rateText);
 }
 
 void PlotView::drawOverlay(QPainter &painter)

@@ -8,13 +8,6 @@
 #include <cmath>
 #include <limits>
 
-namespace {
-
-// A value older than this says nothing about the moment asked for.
-constexpr double kGapSeconds = 0.6;
-
-}  // namespace
-
 SpanStatistics SpanStatistics::aroundMean() const
 {
     SpanStatistics result = *this;
@@ -62,7 +55,7 @@ SpanStatistics spanStatistics(const TelemetryStore &store, int channel, int minu
 double valueAt(const TelemetryStore &store, int channel, int minus, double time)
 {
     double best = std::numeric_limits<double>::quiet_NaN();
-    double bestTime = time - kGapSeconds;
+    double bestTime = time - kTraceGap;
     for (TraceSource &source : TraceSource::find(store, channel, minus)) {
         source.refresh();
         std::size_t row = source.track.rowAt(time);

@@ -5,13 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-namespace {
-
-// Samples further apart than this are not joined by a line: it is a gap.
-constexpr double kGapSeconds = 0.6;
-
-}  // namespace
-
 void TraceColumns::reset(int width, double pitch, qint64 firstColumn, qint64 limit)
 {
     m_limit = limit;
@@ -113,7 +106,7 @@ void TraceColumns::add(double time, float value)
         return;
     }
     const qint64 column = columnOf(time);
-    if (m_hasLast && time - m_lastTime < kGapSeconds && time >= m_lastTime) {
+    if (m_hasLast && time - m_lastTime < kTraceGap && time >= m_lastTime) {
         // Spans touch the column before; between sparse samples the line is drawn through the columns it
         // crosses.
         const qint64 from = columnOf(m_lastTime);

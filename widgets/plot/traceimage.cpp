@@ -10,14 +10,14 @@
 namespace {
 
 /// The pixels of one column of an image, from the top.
-struct Column
+struct PixelColumn
 {
     QRgb &operator[](qsizetype y) const { return first[y * stride]; }
     QRgb *first;
     qsizetype stride;
 };
 
-Column columnIn(QImage &image, int x)
+PixelColumn columnIn(QImage &image, int x)
 {
     return {reinterpret_cast<QRgb *>(image.bits()) + x, image.bytesPerLine() / qsizetype(sizeof(QRgb))};
 }
@@ -161,7 +161,7 @@ void TraceImage::drawColumns(qint64 first, qint64 last)
 // Part of one column; rows outside the picture are left out.
 void TraceImage::fill(int slot, int top, int bottom, QRgb color)
 {
-    const Column column = columnIn(m_ring, slot);
+    const PixelColumn column = columnIn(m_ring, slot);
     for (int y = std::max(top, 0); y < std::min(bottom, m_height); ++y)
         column[y] = color;
 }
@@ -209,8 +209,8 @@ void TraceImage::paint(QPainter &painter)
         const int from = std::max(0, m_width * i / m_ground.columns - thickness() / 2);
         const int to = std::min(m_width, m_width * i / m_ground.columns - thickness() / 2 + thickness());
         for (int x = from; x < to; ++x) {
-            const Column ring = columnIn(m_ring, (head + x) % m_width);
-            const Column line = columnIn(m_line, x - from);
+            const PixelColumn ring = columnIn(m_ring, (head + x) % m_width);
+            const PixelColumn line = columnIn(m_line, x - from);
             for (int y = 0; y < m_height; ++y)
                 line[y] = ring[y] == surface ? grid : ring[y];
         }

@@ -11,13 +11,13 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double kLowest = 1.0;  // Hz
-constexpr int kLeft = 76;
-constexpr int kTop = 12;
-constexpr int kRight = 84;
-constexpr int kBottom = 30;
+constexpr double kLowestLine = 1.0;  // Hz
+constexpr int kImageLeft = 76;
+constexpr int kImageTop = 12;
+constexpr int kImageRight = 84;
+constexpr int kImageBottom = 30;
 constexpr float kRange = 60.0F;  // decibels from dark to bright
-constexpr float kStep = 10.0F;  // the bright end moves in steps, so that colours do not flicker
+constexpr float kBrightStep = 10.0F;  // the bright end moves in steps, so that colours do not flicker
 
 // Dark violet over teal to yellow: even steps of brightness, told apart by colour-blind eyes.
 // clang-format off
@@ -25,7 +25,7 @@ constexpr std::array<std::array<float, 3>, 6> kColors{{{13, 8, 35}, {62, 35, 110
                                                       {120, 205, 85}, {253, 231, 60}}};
 // clang-format on
 
-float decibel(double density)
+float densityDecibel(double density)
 {
     return 10.0F * std::log10(std::max(float(density), 1e-20F));
 }
@@ -46,7 +46,7 @@ double WaterfallView::frequencyAt(double row) const
 {
     const double share = row / (kRows - 1);
     const double highest = m_rate / 2;
-    return m_logarithmic ? kLowest * std::pow(highest / kLowest, share) : share * highest;
+    return m_logarithmic ? kLowestLine * std::pow(highest / kLowestLine, share) : share * highest;
 }
 
 QRgb WaterfallView::colorOf(float level) const
@@ -66,7 +66,7 @@ float WaterfallView::level(int column, double frequency) const
     const Spectrum &spectrum = m_columns[m_columns.size() - 1 - std::size_t(column)];
     const auto bin
         = std::min(spectrum.density.size() - 1, std::size_t(std::lround(frequency / spectrum.resolution)));
-    return decibel(spectrum.density[bin]);
+    return densityDecibel(spectrum.density[bin]);
 }
 
 void WaterfallView::clear()
@@ -95,11 +95,11 @@ void WaterfallView::add(const Spectrum &spectrum)
         m_columns.pop_front();
     float highest = -200.0F;
     for (std::size_t bin = 1; bin < spectrum.density.size(); ++bin) {
-        if (spectrum.frequency(bin) >= kLowest)
-            highest = std::max(highest, decibel(spectrum.density[bin]));
+        if (spectrum.frequency(bin) >= kLowestLine)
+            highest = std::max(highest, densityDecibel(spectrum.density[bin]));
     }
-    const float top = std::ceil(highest / kStep) * kStep;
-    if (m_columns.size() == 1 || top > m_high || m_high - top > 3 * kStep) {
+    const float top = std::ceil(highest / kBrightStep) * kBrightStep;
+    if (m_columns.size() == 1 || top > m_high || m_high - top > 3 * kBrightStep) {
         m_high = top;
         m_low = top - kRange;
         redraw();
@@ -137,8 +137,8 @@ void WaterfallView::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
     painter.fillRect(rect(), m_theme.color(ColorRole::Surface));
-    const QRectF area(kLeft, kTop, std::max(10, width() - kLeft - kRight),
-                      std::max(10, height() - kTop - kBottom));
+    const QRectF area(kImageLeft, kImageTop, std::max(10, width() - kImageLeft - kImageRight),
+                      std::max(10, height() - kImageTop - kImageBottom));
     // The slot that is overwritten next is the oldest column, so the ring is cut there.
     const double split = area.width() * (kColumns - m_next) / kColumns;
     painter.drawImage(QRectF(area.left(), area.top(), split, area.height()), m_ring,
@@ -153,12 +153,12 @@ void WaterfallView::paintEvent(QPaintEvent *)
         for (const double hz : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 300.0, 400.0, 500.0, 600.0}) {
             const double highest = m_rate / 2;
             const double share
-                = m_logarithmic ? std::log(hz / kLowest) / std::log(highest / kLowest) : hz / highest;
+                = m_logarithmic ? std::log(hz / kLowestLine) / std::log(highest / kLowestLine) : hz / highest;
             const bool shown = m_logarithmic ? hz <= 200.0 || hz == 500.0 : std::fmod(hz, 100.0) == 0.0;
             if (share > 1.0 || !shown)
                 continue;
             const double y = area.bottom() - share * area.height();
-            painter.drawText(QRectF(0, y - metrics.height() / 2, kLeft - 8, metrics.height()),
+            painter.drawText(QRectF(0, y - metrics.height() / 2, kImageLeft - 8, metrics.height()),
                              Qt::AlignRight | Qt::AlignVCenter, tr("%1 Hz").arg(hz));
         }
     }

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/views/axisdial.h"
 
+#include "protocol/base/angles.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QPainter>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 using namespace Qt::StringLiterals;
 
@@ -16,8 +16,8 @@ namespace {
 
 QPointF onCircle(QPointF center, double radius, double degrees)
 {
-    const double radians = degrees * std::numbers::pi / 180.0;
-    return center + QPointF(std::sin(radians), -std::cos(radians)) * radius;
+    const double angle = radians(degrees);
+    return center + QPointF(std::sin(angle), -std::cos(angle)) * radius;
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr auto kCheckDelay = 250ms;
-constexpr int kListWidth = 132;
+constexpr int kScriptListWidth = 132;
 constexpr int kRightWidth = 300;
 constexpr qint64 kLargestText = 65536;
 
@@ -51,7 +51,7 @@ ScriptsPage::ScriptsPage(Workspace &workspace, QWidget *parent)
     for (QPushButton *button : {m_load, m_save, m_revert, m_take})
         header()->addWidget(button);
     m_list->setAccessibleName(tr("Scripts"));
-    m_list->setFixedWidth(kListWidth);
+    m_list->setFixedWidth(kScriptListWidth);
     m_editor->setAccessibleName(tr("Text of the script"));
     m_message->setWordWrap(true);
     m_listing->setAccessibleName(tr("Code of the script"));

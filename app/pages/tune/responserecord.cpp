@@ -12,7 +12,7 @@ namespace {
 constexpr double kRunShare = 0.95;  // of the rest between steps, so that the next step is not included
 constexpr int kMaxPoints = 400;
 constexpr double kCoherence = 0.7;
-constexpr double kFinest = 0.3;  // Hz from bin to bin
+constexpr double kFinestBin = 0.3;  // Hz from bin to bin
 constexpr double kEarlier = 0.45;
 constexpr double kPhaseGap = 300;  // degrees: a larger jump is a wrap-around, not the system
 
@@ -41,7 +41,7 @@ Result<ResponseRecord> frequencyRecord(std::vector<float> target, std::vector<fl
     record.rate = rate;
     record.toHz = std::min(toHz, rate / 2);
     int length = 64;
-    while (length * 4 <= int(std::min(target.size(), angle.size())) && rate / length > kFinest)
+    while (length * 4 <= int(std::min(target.size(), angle.size())) && rate / length > kFinestBin)
         length *= 2;
     auto closed = frequencyResponse(target, angle, rate, {length, 0.5, WindowShape::Hann});
     if (!closed)

@@ -17,7 +17,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr auto kPeriod = 500ms;
+constexpr auto kRefreshPeriod = 500ms;
 
 }  // namespace
 
@@ -56,7 +56,7 @@ VariablesPage::VariablesPage(Workspace &workspace, QWidget *parent)
     connect(save, &QPushButton::clicked, this, [this] { std::ignore = this->workspace().saveLive(); });
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &VariablesPage::onState);
     refreshWhileShown(
-        kPeriod, [this] { m_model.refresh(); },
+        kRefreshPeriod, [this] { m_model.refresh(); },
         [this] { return !m_live->isChecked() || m_table->isEditing(); });
     onState();
 }

@@ -1,21 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Data that the simulated board reports: real-time data, angles, debug variables.
+#include "protocol/base/angles.h"
 #include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/simplebgc/units.h"
 #include "protocol/simulator/simplebgc/board.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 using namespace Qt::StringLiterals;
 
 namespace simplebgc {
 
 namespace {
-
-constexpr double kVectorDegrees = std::numbers::pi / 180.0;
 
 // No document says which firmware introduced which field; here they come in two steps, so that clients also
 // meet boards that have only some.
@@ -27,9 +25,9 @@ quint32 laterCustomFlags(int firmware)
 }
 
 // Roll about x, pitch about y, yaw about z, applied in the order yaw, pitch, roll.
-template <typename Degrees> std::array<double, 4> attitude(Degrees degrees)
+template <typename Angle> std::array<double, 4> attitude(Angle angle)
 {
-    const auto half = [&](Axis axis) { return degrees(axis) * kVectorDegrees / 2.0; };
+    const auto half = [&](Axis axis) { return radians(angle(axis)) / 2.0; };
     const double cr = std::cos(half(Axis::Roll)), sr = std::sin(half(Axis::Roll));
     const double cp = std::cos(half(Axis::Pitch)), sp = std::sin(half(Axis::Pitch));
     const double cy = std::cos(half(Axis::Yaw)), sy = std::sin(half(Axis::Yaw));
@@ -165,7 +163,7 @@ QByteArray SimulatedBoard::laterFields(quint32 flags) const
     }
     if (has(12)) {
         for (const Axis axis : kAxes)
-            writer.f32(float(s.estimate(axis) * kVectorDegrees));
+            writer.f32(float(radians(s.estimate(axis))));
     }
     if (has(13))
         writer.zeros(40);
@@ -224,9 +222,9 @@ QByteArray SimulatedBoard::laterFields(quint32 flags) const
 
 QByteArray SimulatedBoard::attitudeVectors() const
 {
-    const double roll = m_stabilizer.estimate(Axis::Roll) * kVectorDegrees;
-    const double pitch = m_stabilizer.estimate(Axis::Pitch) * kVectorDegrees;
-    const double yaw = m_stabilizer.estimate(Axis::Yaw) * kVectorDegrees;
+    const double roll = radians(m_stabilizer.estimate(Axis::Roll));
+    const double pitch = radians(m_stabilizer.estimate(Axis::Pitch));
+    const double yaw = radians(m_stabilizer.estimate(Axis::Yaw));
     ByteWriter writer;
     writer.f32(float(std::sin(roll)))
         .f32(float(-std::sin(pitch)))

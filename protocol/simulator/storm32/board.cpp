@@ -14,7 +14,6 @@ namespace storm32 {
 namespace {
 
 constexpr double kNominalVoltage = 12.3;
-constexpr double kCountsPerDegree = 65.5;  // of the gyroscope, per second
 constexpr double kRunningFor = 60.0;  // the board has been running for a while when a client connects
 
 // The firmware counts right roll, down and left as positive (errata 3.5); the plant left roll, down and

@@ -24,6 +24,7 @@ public:
     static constexpr double kUnitP = 8.75;
     static constexpr double kUnitI = 0.13;
     static constexpr double kUnitD = 600.0;
+    static constexpr double kCountsPerDegree = 65.5;  ///< of the gyroscope, per second
 
     explicit SimulatedBoard(const SimulatorOptions &options);
     ~SimulatedBoard() override;

@@ -38,7 +38,7 @@ int u16At(QByteArrayView bytes, qsizetype at)
 
 bool SimulatedBoard::isLockedOut() const
 {
-    return !m_options.usb && inUse(112) != 0;  // USB keeps answering everything (errata 6)
+    return !m_options.usb && inUse(kHeartbeatWord) != 0;  // USB keeps answering everything (errata 6)
 }
 
 void SimulatedBoard::reply(const QByteArray &bytes)

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // MAVLink of the simulated STorM32 board (document "Mavlink Communication", errata 6).
+#include "protocol/base/angles.h"
 #include "protocol/simulator/storm32/board.h"
 #include "protocol/storm32/mavlinknames.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -15,7 +15,6 @@ namespace storm32 {
 
 namespace {
 
-constexpr double kRadian = std::numbers::pi / 180.0;
 constexpr double kBeatPeriod = 1.0;
 constexpr double kAttitudePeriod = 0.5;
 constexpr int kUint16 = 3;
@@ -242,13 +241,13 @@ void SimulatedBoard::embedded(QByteArrayView content, const mavlink::Address &fr
 void SimulatedBoard::beat()
 {
     const bool asked = std::exchange(m_attitudeAsked, false);
-    if (inUse(112) == 0 && !asked) {
+    if (inUse(kHeartbeatWord) == 0 && !asked) {
         m_nextBeat = m_now;
         m_nextAttitude = m_now;
         return;
     }
     const int state = this->state();
-    if (inUse(112) != 0 && m_now >= m_nextBeat) {
+    if (inUse(kHeartbeatWord) != 0 && m_now >= m_nextBeat) {
         m_nextBeat = m_now + kBeatPeriod;
         sendMessage(mavlink::MessageId::Heartbeat,
                     {{u"custom_mode"_s, state},
@@ -258,13 +257,13 @@ void SimulatedBoard::beat()
                      {u"system_status"_s, state == 6 ? 4 : 1},
                      {u"mavlink_version"_s, 3}});
     }
-    if (asked || (inUse(112) == 2 && m_heardBeat && m_now >= m_nextAttitude)) {
+    if (asked || (inUse(kHeartbeatWord) == 2 && m_heardBeat && m_now >= m_nextAttitude)) {
         m_nextAttitude = m_now + kAttitudePeriod;
         // Pitch up is positive here; yaw and the rates are always zero.
         sendMessage(mavlink::MessageId::Attitude,
                     {{u"time_boot_ms"_s, uint((m_now - m_started) * 1000.0)},
-                     {u"roll"_s, float(-m_stabilizer.estimate(Axis::Roll) * kRadian)},
-                     {u"pitch"_s, float(-m_stabilizer.estimate(Axis::Pitch) * kRadian)}});
+                     {u"roll"_s, float(radians(-m_stabilizer.estimate(Axis::Roll)))},
+                     {u"pitch"_s, float(radians(-m_stabilizer.estimate(Axis::Pitch)))}});
     }
 }
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Data that the simulated STorM32 board reports (errata 3.3-3.9).
+#include "protocol/base/angles.h"
 #include "protocol/simulator/storm32/board.h"
 #include "protocol/storm32/orientations.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 using namespace Qt::StringLiterals;
 
@@ -14,11 +14,9 @@ namespace storm32 {
 
 namespace {
 
-constexpr double kRadian = std::numbers::pi / 180.0;
 constexpr int kCapabilities = 0xFF03;  // a v1.30 board with all features
 constexpr double kLowCell = 3;  // cells of the simulated battery
 constexpr double kTemperature = 31.0;
-constexpr double kCountsPerDegree = 65.5;
 // The frame's sensor has errors too, in its own axes; calibration finds them.
 constexpr std::array<double, 3> kFrameZero{0.015, -0.02, 0.03};  // g
 constexpr std::array<double, 3> kFrameScale{0.99, 1.015, 1.01};
@@ -112,15 +110,15 @@ std::array<int, 32> SimulatedBoard::liveWords() const
     const double ms = m_now * 1000.0;
     words[5] = int(m_options.firmware < 90 ? std::fmod(ms, 66.0) : std::fmod(ms, 65536.0));
     words[6] = 1500;
-    words[7] = rounded(-s.gyro(Axis::Roll) * kRadian * gyroUnit);
-    words[8] = rounded(s.gyro(Axis::Pitch) * kRadian * gyroUnit);
-    words[9] = rounded(-s.gyro(Axis::Yaw) * kRadian * gyroUnit);
+    words[7] = rounded(radians(-s.gyro(Axis::Roll)) * gyroUnit);
+    words[8] = rounded(radians(s.gyro(Axis::Pitch)) * gyroUnit);
+    words[9] = rounded(radians(-s.gyro(Axis::Yaw)) * gyroUnit);
     words[10] = rounded(s.acc()[1] * accUnit);
     words[11] = rounded(-s.acc()[0] * accUnit);
     words[12] = rounded(s.acc()[2] * accUnit);
-    words[13] = rounded(-std::sin(pitch * kRadian) * 10000.0);
-    words[14] = rounded(std::cos(pitch * kRadian) * std::sin(roll * kRadian) * 10000.0);
-    words[15] = rounded(std::cos(pitch * kRadian) * std::cos(roll * kRadian) * 10000.0);
+    words[13] = rounded(-std::sin(radians(pitch)) * 10000.0);
+    words[14] = rounded(std::cos(radians(pitch)) * std::sin(radians(roll)) * 10000.0);
+    words[15] = rounded(std::cos(radians(pitch)) * std::cos(radians(roll)) * 10000.0);
     const std::array<double, 3> angles{pitch, roll, yaw};
     const bool second = status() & 0x1000;
     const Vector frame = second ? frameAngles() : Vector{};
@@ -198,8 +196,8 @@ SimulatedBoard::Vector SimulatedBoard::frameGravity() const
         const auto &g = m_stabilizer.gravity();
         return {g[1], -g[0], g[2]};
     }
-    const double pitch = m_stabilizer.hand().angle(Axis::Pitch) * kRadian;
-    const double roll = -m_stabilizer.hand().angle(Axis::Roll) * kRadian;
+    const double pitch = radians(m_stabilizer.hand().angle(Axis::Pitch));
+    const double roll = radians(-m_stabilizer.hand().angle(Axis::Roll));
     return {-std::sin(pitch), std::cos(pitch) * std::sin(roll), std::cos(pitch) * std::cos(roll)};
 }
 
@@ -226,8 +224,8 @@ SimulatedBoard::Vector SimulatedBoard::frameAngles() const
             body[axis] += orientations()[told].axes[axis][i] * own[i];
     }
     const double yaw = -m_stabilizer.hand().angle(Axis::Yaw);  // known from the gyroscope only
-    return {-std::atan2(body[0], std::hypot(body[1], body[2])) / kRadian,
-            std::atan2(body[1], body[2]) / kRadian, yaw};
+    return {degrees(-std::atan2(body[0], std::hypot(body[1], body[2]))),
+            degrees(std::atan2(body[1], body[2])), yaw};
 }
 
 // Counts before calibration, in the sensors' own axes: acceleration, angular rate, temperature of the

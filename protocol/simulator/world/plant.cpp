@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/simulator/world/plant.h"
 
+#include "protocol/base/angles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,11 +14,6 @@ constexpr double kMotorLag = 0.004;  // seconds: winding and driver
 constexpr int kSubSteps = 4;  // of the 0.8 ms cycle, so that resonances stay accurate
 constexpr double kSway = 2.0;  // degrees rms of a calm hand
 constexpr double kSwayHz = 0.5;
-
-double radians(double degrees)
-{
-    return degrees * std::numbers::pi / 180.0;
-}
 
 }  // namespace
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/simulator/world/stabilizer.h"
 
+#include "protocol/base/angles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -18,16 +20,6 @@ constexpr double kGyroLag = 0.002;  // seconds: the sensor's own low-pass
 constexpr double kIntegralLimit = 0.6;  // of full torque
 constexpr int kTruePoles = 14;
 constexpr int kTilted = 7;  // pose
-
-double degrees(double radians)
-{
-    return radians * 180.0 / std::numbers::pi;
-}
-
-double radians(double degreeValue)
-{
-    return degreeValue * std::numbers::pi / 180.0;
-}
 
 }  // namespace
 
