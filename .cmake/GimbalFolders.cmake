@@ -41,31 +41,42 @@ gimbal_precompile(gimbal_pch_screen screen.h Qt6::Widgets tl::expected)
 # local to a file have to be unique within its folder. Tools that read compile_commands.json want each file by itself.
 option(GIMBAL_UNITY "Compile the sources of a folder together" ON)
 
-# gimbal_meta_objects(name sources...): moc for the headers that need it. AUTOMOC would take a step and an object of its own for each
-# folder. Headers without meta objects are looked at again when they change.
-function(gimbal_meta_objects name)
-    set(headers ${ARGN})
-    list(FILTER headers INCLUDE REGEX "\\.h$")
-    foreach(header ${headers})
+# gimbal_moc(target source output): AUTOMOC would take a step and an object of its own for each folder. moc gets no include paths: it
+# needs nothing from there, and reading what Qt's headers include takes ten times as long. gimbal_moc_target has to follow in the
+# same directory: listed in a target without dependencies, moc waits for no library.
+function(gimbal_moc target source output)
+    get_filename_component(folder ${output} DIRECTORY)
+    file(MAKE_DIRECTORY ${folder})
+    add_custom_command(OUTPUT ${output} COMMAND Qt6::moc ${source} -o ${output} DEPENDS ${source} VERBATIM)
+    target_sources(${target} PRIVATE ${output})
+    set_property(DIRECTORY APPEND PROPERTY GIMBAL_MOCS ${output})
+endfunction()
+function(gimbal_moc_target name)
+    get_property(mocs DIRECTORY PROPERTY GIMBAL_MOCS)
+    add_custom_target(${name} DEPENDS ${mocs})
+endfunction()
+
+# gimbal_meta_objects(target folder headers...): moc for those that need it. The others are looked at again when they change.
+function(gimbal_meta_objects target folder)
+    foreach(header ${ARGN})
         file(STRINGS ${header} found REGEX "^ *Q_(OBJECT|GADGET|NAMESPACE)" LIMIT_COUNT 1)
         if(found)
-            list(APPEND with ${header})
+            get_filename_component(name ${header} NAME_WE)
+            gimbal_moc(${target} ${header} ${CMAKE_BINARY_DIR}/${folder}/moc_${name}.cpp)
         else()
-            list(APPEND without ${header})
+            set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${header})
         endif()
     endforeach()
-    set_property(DIRECTORY ${CMAKE_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${without})
-    qt_wrap_cpp(mocs ${with} TARGET ${name})
-    target_sources(${name} PRIVATE ${mocs})
 endfunction()
 
 # gimbal_folder(path deps...): a dep with a slash and no '::' is another folder of this repository.
 function(gimbal_folder path)
     string(REPLACE "/" "_" name ${path})
-    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${path}/*.cpp ${CMAKE_SOURCE_DIR}/${path}/*.h)
-    add_library(${name} STATIC ${sources})
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${path}/*.cpp)
+    file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${path}/*.h)
+    add_library(${name} STATIC ${sources} ${headers})
     target_link_libraries(${name} PUBLIC gimbal_options Threads::Threads)
-    gimbal_meta_objects(${name} ${sources})
+    gimbal_meta_objects(${name} ${path} ${headers})
     set_target_properties(${name} PROPERTIES UNITY_BUILD ${GIMBAL_UNITY} UNITY_BUILD_BATCH_SIZE 12)
     if(path MATCHES "^(protocol/|widgets/models|app/composition|app/cli)")
         gimbal_reuse(${name} gimbal_pch_core)
