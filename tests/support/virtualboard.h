@@ -26,6 +26,14 @@ struct VirtualBoard
     VirtualChannel channel;
 };
 
+/// A board with this firmware, e.g. 2663.
+inline SimulatorOptions withFirmware(int firmware)
+{
+    SimulatorOptions options;
+    options.firmware = firmware;
+    return options;
+}
+
 /// Arguments of an action as an operator types them; the others as they are at first.
 inline QVariantMap argumentsFor(const Device &device, const char *key,
                                 const QMap<QString, QString> &texts = {})

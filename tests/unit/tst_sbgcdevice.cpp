@@ -16,13 +16,6 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-SimulatorOptions options(int firmware)
-{
-    SimulatorOptions o;
-    o.firmware = firmware;
-    return o;
-}
-
 Result<FoundBoard> find(VirtualBoard &bench, const LinkAddress &address)
 {
     return findBoard(bench.channel, bench.family, bench.device, allFamilies(), address);
@@ -108,7 +101,7 @@ void TestSbgcDevice::findsRateAndParity()
     QFETCH(int, baud);
     QFETCH(bool, even);
     QFETCH(int, firmware);
-    SimulatorOptions o = options(firmware);
+    SimulatorOptions o = withFirmware(firmware);
     o.usb = false;
     const LineSettings line{baud, even ? Parity::Even : Parity::None};
     VirtualBoard bench(o, line);
@@ -123,7 +116,7 @@ void TestSbgcDevice::findsRateAndParity()
 
 void TestSbgcDevice::explainsSilenceGarbageAndForeigners()
 {
-    SimulatorOptions o = options(2400);
+    SimulatorOptions o = withFirmware(2400);
     o.usb = false;
     VirtualBoard silent(o, LineSettings{115200, Parity::Even});
     const auto address = LinkAddress::serial(u"/dev/x"_s, 115200, Parity::None);
@@ -157,7 +150,7 @@ void TestSbgcDevice::readsEverything_data()
 void TestSbgcDevice::readsEverything()
 {
     QFETCH(int, firmware);
-    VirtualBoard bench(options(firmware));
+    VirtualBoard bench(withFirmware(firmware));
     QVERIFY(bench.identify());
     const auto configuration = bench.device.readConfiguration(bench.channel);
     QVERIFY(configuration);
@@ -291,8 +284,8 @@ void TestSbgcDevice::speedModeStopsAtTheEnd()
 
 void TestSbgcDevice::everyControlModeIsEncoded()
 {
-    VirtualBoard old(options(2439));
-    VirtualBoard now(options(2738));
+    VirtualBoard old(withFirmware(2439));
+    VirtualBoard now(withFirmware(2738));
     QVERIFY(old.identify());
     QVERIFY(now.identify());
     // All but those that steer nothing.

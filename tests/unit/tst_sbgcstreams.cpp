@@ -13,13 +13,6 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-SimulatorOptions options(int firmware)
-{
-    SimulatorOptions o;
-    o.firmware = firmware;
-    return o;
-}
-
 Request fireAndForget(const QByteArray &bytes)
 {
     Request request;
@@ -88,7 +81,7 @@ void TestSbgcStreams::streamsAtFullRateWithoutLoss()
 
 void TestSbgcStreams::oldFirmwareIsPolled()
 {
-    VirtualBoard bench(options(2439));
+    VirtualBoard bench(withFirmware(2439));
     QVERIFY(bench.identify());
     const auto plan = bench.device.subscribe(bench.channel, {}, {});
     QVERIFY(plan);
