@@ -239,6 +239,12 @@ Result<BoardIdentity> Device::identify(Channel &channel)
     m_identity = identity;
     m_words = wordsOf(layout);
     m_parameters = parametersOf(identity);
+    *m_shifted = 0;
+    constexpr std::array kShifting{"rc.roll.offset", "rc.pitch.offset", "rc.yaw.offset", "pan.mode.default"};
+    for (std::size_t i = 0; i < kShifting.size(); ++i) {
+        const ParameterSpec *spec = m_parameters->find(QString::fromLatin1(kShifting[i]));
+        m_shiftWords[i] = spec ? spec->offset / 2 : -1;
+    }
     m_adjustables.clear();
     m_adjustableKeys.clear();
     m_adjustableKeys.reserve(m_parameters->all().size());
@@ -260,7 +266,9 @@ Result<int> Device::readWord(Channel &channel, int word)
     ByteReader reader(reply->payload);
     if (reader.u16() != word)
         return failure(ErrorCode::BadReply, u"another parameter than %1"_s.arg(word));
-    return int(reader.u16());
+    const int raw = reader.u16();
+    learnShift(word, raw);
+    return raw;
 }
 
 // The firmware accepts these frames regardless of their checksum (errata 4), so a value only counts as
@@ -313,7 +321,7 @@ Result<QByteArray> Device::readStream(Channel &channel)
         if (!reply)
             return tl::unexpected(reply.error());
         QByteArray stream = reply->payload;
-        m_stop->correct(stream);
+        takeIn(stream);
         return stream;
     }
     const auto listed = listParameters(channel);
@@ -334,8 +342,17 @@ Result<QByteArray> Device::readStream(Channel &channel)
         progress.done = word + 1;
         channel.progress(progress);
     }
-    m_stop->correct(words);
+    takeIn(words);
     return words;
+}
+
+void Device::takeIn(QByteArray &words)
+{
+    m_stop->correct(words);
+    for (const int word : m_shiftWords) {
+        if (word >= 0 && 2 * word + 2 <= words.size())
+            learnShift(word, ByteReader(QByteArrayView(words).sliced(2 * word, 2)).u16());
+    }
 }
 
 // All parameters in one go, as far as they arrive; the coding of the values depends on the firmware (errata

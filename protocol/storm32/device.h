@@ -106,11 +106,16 @@ private:
     [[nodiscard]] static Request embed(int way, const Request &plain, QByteArrayView content,
                                        std::optional<Simple> id);
     Result<QByteArray> readStream(Channel &channel);
+    /// Words as they were read: with those of the operator where the board holds others for a while, and what
+    /// they say noted.
+    void takeIn(QByteArray &words);
     Result<std::map<int, int>> listParameters(Channel &channel);
     Result<int> readWord(Channel &channel, int word);
     Result<void> writeWord(Channel &channel, int word, int raw);
     Result<void> findWay(Channel &channel, int heartbeat);
     void learnAddress(const QByteArray &stream);
+    /// What a word says about m_shifted; most words say nothing.
+    void learnShift(int word, int raw);
 
     BoardIdentity m_identity;
     std::shared_ptr<const ParameterSet> m_parameters;
@@ -123,6 +128,11 @@ private:
     int m_firmware = 0;  // 79, 90, 96
     int m_words = 0;
     std::shared_ptr<MotorStop> m_stop = std::make_shared<MotorStop>();
+    /// Pan bits (of status2) of the axes whose position has more than one cause: they follow the handle, have
+    /// followed it, or the middle of their stick is set off. Set from what the board reports and never
+    /// cleared, as it does not report where it believes the middle to be.
+    std::shared_ptr<std::atomic<unsigned>> m_shifted = std::make_shared<std::atomic<unsigned>>(0);
+    std::array<int, 4> m_shiftWords{-1, -1, -1, -1};  // offsets of roll, pitch and yaw, default pan mode
     std::optional<std::array<int, 5>> m_yawBefore;  // the input words of yaw while it is aligned
 };
 

@@ -48,21 +48,37 @@ std::span<const SteeringMode> Device::modes() const
 }
 
 // The board reports where the camera is and what its inputs are, but not its targets. An angle holds an axis
-// only if nothing else contributes to its position: angles and stick positions add up (errata 4), and a
-// panning axis counts from where the frame points.
+// only if nothing else contributes to its position. Angles and stick positions add up (errata 4), to the
+// offset of the stick's middle; a panning axis counts from where the frame points, and one that is held again
+// from where the frame pointed then.
 SteeringSetpoint Device::holdingSetpoint(int mode, const LatestValues &latest) const
 {
-    constexpr std::array kPans{0x4000U, 0x2000U, 0x8000U};  // of status2: roll, pitch, yaw
     const double status2 = double(latest.latest(Status2));
+    const unsigned shifted = *m_shifted | (std::isnan(status2) ? ~0U : unsigned(status2));
     SteeringSetpoint setpoint{mode, {}, {}};
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
         const double stick = double(latest.latest(InputRoll + int(axis)));
-        const bool still
-            = std::abs(stick) <= kStickRest && !std::isnan(status2) && !(unsigned(status2) & kPans[axis]);
-        const double angle = still ? double(latest.latest(AngleRoll + int(axis))) : std::nan("");
+        const bool isPlain = std::abs(stick) <= kStickRest && !(shifted & kPanBits[axis]);
+        const double angle = isPlain ? double(latest.latest(AngleRoll + int(axis))) : std::nan("");
         setpoint.inputs.push_back(mode == kPulseMode ? stick : angle);
     }
     return setpoint;
+}
+
+void Device::learnShift(int word, int raw)
+{
+    // Pan modes in their order: hold hold pan, hold hold hold, pan pan pan, pan hold hold, pan hold pan, hold
+    // pan pan, of pitch, roll and yaw (errata 11).
+    constexpr auto kModes = std::to_array<unsigned>(
+        {kPanBits[2], 0, kAllPanBits, kPanBits[1], kPanBits[1] | kPanBits[2], kPanBits[0] | kPanBits[2]});
+    const auto found = std::find(m_shiftWords.begin(), m_shiftWords.end(), word);
+    if (word < 0 || found == m_shiftWords.end())
+        return;
+    const auto at = std::size_t(found - m_shiftWords.begin());
+    if (at < kPanBits.size())
+        *m_shifted |= raw != 0 ? kPanBits[at] : 0;
+    else if (raw >= 0 && raw < int(kModes.size()))
+        *m_shifted |= kModes[std::size_t(raw)];
 }
 
 // Angles, or stick positions, of all axes are sent together. Ours have the signs that the board reports:

@@ -265,7 +265,10 @@ void Decoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store
     if (m_lastTime > 0 && time - m_lastTime > kGap)
         store.appendGap(*m_group, store.origin() + durationFromSeconds(m_lastTime + 1e-3));
     time = std::max(time, m_lastTime);
-    store.append(*m_group, store.origin() + durationFromSeconds(time), liveRow(data, m_scales));
+    const auto row = liveRow(data, m_scales);
+    if (m_panned)
+        *m_panned |= unsigned(row[Status2]) & kAllPanBits;
+    store.append(*m_group, store.origin() + durationFromSeconds(time), row);
     m_lastTime = time;
     m_lastArrival = arrival;
 }

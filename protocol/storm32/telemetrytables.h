@@ -6,6 +6,8 @@
 #include "protocol/telemetry/channelspec.h"
 #include "protocol/telemetry/streams.h"
 
+#include <atomic>
+
 namespace storm32 {
 
 /// Telemetry channels: the 32 words of `d` (errata 3.5) and what is packed into them; the number is the
@@ -61,6 +63,9 @@ struct LiveScales
 /// One row from the data of `d`: a value for each channel, NaN for missing ones. @param data 64 bytes
 [[nodiscard]] std::array<float, ChannelCount> liveRow(Bytes data, const LiveScales &scales);
 inline constexpr int kMotorBits = 0x0038;  ///< of status2: a motor is active (errata 3.8)
+/// Of status2: roll, pitch and yaw follow the handle (errata 3.8).
+inline constexpr std::array<unsigned, 3> kPanBits{0x4000, 0x2000, 0x8000};
+inline constexpr unsigned kAllPanBits = kPanBits[0] | kPanBits[1] | kPanBits[2];
 /// Whether a state means standby (errata 3.7).
 [[nodiscard]] bool isStandby(int state, int firmware);
 /// The name of a state; up to 0.90 state 7 is standby (errata 3.7).
@@ -74,8 +79,10 @@ inline constexpr int kMotorBits = 0x0038;  ///< of status2: a motor is active (e
 class Decoder final : public TelemetryDecoder
 {
 public:
-    explicit Decoder(int firmware)
+    /// @param panned collects the pan bits of all samples
+    explicit Decoder(int firmware, std::shared_ptr<std::atomic<unsigned>> panned = {})
         : m_scales(firmware)
+        , m_panned(std::move(panned))
     {
     }
     void decode(const FrameView &frame, TimePoint at, TelemetryStore &store) override;
@@ -84,6 +91,7 @@ private:
     [[nodiscard]] double timeOf(int stamp, double arrival);
 
     LiveScales m_scales;
+    std::shared_ptr<std::atomic<unsigned>> m_panned;
     std::shared_ptr<TelemetryGroup> m_group;
     int m_lastStamp = -1;
     double m_boardTime = 0;  // seconds, unwrapped

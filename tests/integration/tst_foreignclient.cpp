@@ -56,21 +56,13 @@ public:
         send(frame.append(char(sum & 0xFF)));
     }
 
-    /// Bytes within that time; ends early when so many have come.
-    QByteArray receive(int ms, qsizetype enough = 1 << 20)
+    /// The next bytes, not more than so many; fewer when no more come within that time. What came with
+    /// them stays for the next call: a board that talks unasked may send in the same moment.
+    QByteArray receive(int ms, qsizetype most = 1 << 20)
     {
-        QByteArray bytes;
-        QElapsedTimer timer;
-        timer.start();
-        while (timer.elapsed() < ms && bytes.size() < enough) {
-            pollfd port{m_fd, POLLIN, 0};
-            if (::poll(&port, 1, 10) <= 0)
-                continue;
-            char buffer[4096];
-            const ssize_t count = ::read(m_fd, buffer, sizeof buffer);
-            if (count > 0)
-                bytes.append(buffer, count);
-        }
+        fill(ms, most);
+        const QByteArray bytes = m_pending.left(most);
+        m_pending.remove(0, bytes.size());
         return bytes;
     }
 
@@ -80,7 +72,7 @@ public:
         QElapsedTimer timer;
         timer.start();
         while (timer.elapsed() < ms) {
-            m_pending += receive(20, 1);
+            fill(20, m_pending.size() + 1);
             for (qsizetype at = m_pending.indexOf('>'); at >= 0 && at + 4 < m_pending.size();
                  at = m_pending.indexOf('>', at + 1)) {
                 const int length = quint8(m_pending[at + 2]);
@@ -99,6 +91,21 @@ public:
     }
 
 private:
+    void fill(int ms, qsizetype enough)
+    {
+        QElapsedTimer timer;
+        timer.start();
+        while (timer.elapsed() < ms && m_pending.size() < enough) {
+            pollfd port{m_fd, POLLIN, 0};
+            if (::poll(&port, 1, 10) <= 0)
+                continue;
+            char buffer[4096];
+            const ssize_t count = ::read(m_fd, buffer, sizeof buffer);
+            if (count > 0)
+                m_pending.append(buffer, count);
+        }
+    }
+
     int m_fd;
     QByteArray m_pending;
 };
@@ -267,12 +274,11 @@ void TestForeignClient::speaksStorm()
 
     // The heartbeat locks plain commands out of the UART, and embedding is the way back (section 6).
     QCOMPARE(ask(hex("fa0404") + hex("70000100") + hex("0000"), 6), hex("fb019600622e"));
-    client.receive(200);
     client.send("t");
     QByteArray beats = client.receive(2500);
     QVERIFY2(beats.contains(hex("fe09")), beats.toHex().constData());
-    while (beats.startsWith(char(0xFE)) && beats.size() > 8)
-        beats.remove(0, 8 + quint8(beats[1]));
+    while (beats.startsWith(char(0xFE)))  // the last one may be cut off
+        beats.remove(0, beats.size() > 1 ? 8 + quint8(beats[1]) : 1);
     QVERIFY2(beats.isEmpty(), beats.toHex().constData());  // and no answer between them
     client.send(hex("fe03005243ea4743746893"));  // embedded t
     QVERIFY(client.receive(2000).contains(hex("4743eb52436f")));
