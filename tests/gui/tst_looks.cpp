@@ -10,6 +10,7 @@
 #include "widgets/forms/reviewdialog.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAccessible>
 #include <QCheckBox>
 #include <QComboBox>
@@ -63,6 +64,32 @@ QString clippedText(const QWidget *widget)
     return {};
 }
 
+// An entry of an open list that cannot be read: cut off, hidden, or without contrast.
+QString unreadableEntry(const QComboBox &box)
+{
+    const QWidget *list = box.view()->viewport();
+    const QImage image = box.view()->viewport()->grab().toImage();
+    if (box.view()->sizeHintForColumn(0) > list->width())
+        return u"%1 px in %2"_s.arg(box.view()->sizeHintForColumn(0)).arg(list->width());
+    for (int row = 0; row < box.count(); ++row) {
+        const QRect place = box.view()->visualRect(box.model()->index(row, 0));
+        if (!list->rect().contains(place)) {
+            if (box.count() > box.maxVisibleItems())
+                continue;  // scrolled to
+            return u"%1 is hidden"_s.arg(box.itemText(row));
+        }
+        const QColor ground = image.pixelColor(place.right() - 4, place.center().y());
+        double contrast = 0.0;
+        for (int x = place.left(); x <= place.right(); ++x) {
+            for (int y = place.top(); y <= place.bottom(); ++y)
+                contrast = std::max(contrast, Theme::contrast(image.pixelColor(x, y), ground));
+        }
+        if (contrast < 4.5)
+            return u"%1 has a contrast of %2"_s.arg(box.itemText(row)).arg(contrast);
+    }
+    return {};
+}
+
 }  // namespace
 
 /// What every page has to be whatever is on it: readable in every language at the smallest size, reachable by
@@ -77,6 +104,8 @@ private slots:
     void keyboardReachesEverything_data();
     void keyboardReachesEverything();
     void focusIsSeen();
+    void choicesAreReadable_data();
+    void choicesAreReadable();
     void accessibilityTreeHasNames();
 
 private:
@@ -241,6 +270,40 @@ void TestLooks::focusIsSeen()
         }
     }
     QVERIFY(kinds.size() >= 8);
+}
+
+void TestLooks::choicesAreReadable_data()
+{
+    QTest::addColumn<Theme::Mode>("mode");
+    QTest::newRow("light") << Theme::Mode::Light;
+    QTest::newRow("dark") << Theme::Mode::Dark;
+}
+
+// A list that drops down shows all of its entries, the chosen one too.
+void TestLooks::choicesAreReadable()
+{
+    QFETCH(Theme::Mode, mode);
+    WindowRig rig;
+    rig.theme().setMode(mode);
+    rig.theme().apply();
+    QVERIFY(rig.open());
+    int seen = 0;
+    for (const PageEntry &entry : pageTable()) {
+        rig.window().showPage(QLatin1String(entry.key));
+        QVERIFY(rig.isSettled());
+        for (QComboBox *box : rig.window().findChildren<QComboBox *>()) {
+            if (!box->isVisible() || !box->isEnabled() || box->visibleRegion().isEmpty() || box->count() == 0)
+                continue;
+            ++seen;
+            box->showPopup();
+            QTRY_VERIFY(box->view()->isVisible());
+            const QString wrong = unreadableEntry(*box);
+            QVERIFY2(wrong.isEmpty(),
+                     qPrintable(u"%1, %2: %3"_s.arg(QLatin1String(entry.key), pathOf(box), wrong)));
+            box->hidePopup();
+        }
+    }
+    QVERIFY(seen > 20);
 }
 
 void TestLooks::accessibilityTreeHasNames()
