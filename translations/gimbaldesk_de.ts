@@ -11215,5 +11215,13 @@ Auf dem Board: %1</translation>
         <source>Read the board again, then take another.</source>
         <translation>Das Board noch einmal lesen, dann neu sichern.</translation>
     </message>
+    <message>
+        <source>No board was reached: the motors were not switched off.</source>
+        <translation>Kein Board wurde erreicht: die Motoren sind nicht ausgeschaltet worden.</translation>
+    </message>
+    <message>
+        <source>There is no link yet. The motors are switched off as soon as there is one.</source>
+        <translation>Noch steht keine Verbindung. Die Motoren werden ausgeschaltet, sobald sie steht.</translation>
+    </message>
 </context>
 </TS>

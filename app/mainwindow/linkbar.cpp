@@ -25,6 +25,7 @@ constexpr auto kMotorsRefresh = 100ms;
 LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     : QFrame(parent)
     , m_workspace(workspace)
+    , m_linkPart(new QWidget)
     , m_address(new QComboBox)
     , m_connect(new QPushButton(tr("Connect")))
     , m_state(new QLabel)
@@ -55,12 +56,16 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(Metric::kMargin, Metric::kGap, Metric::kMargin, Metric::kGap);
     layout->setSpacing(Metric::kGap);
-    layout->addWidget(m_address);
-    layout->addWidget(m_connect);
-    layout->addSpacing(Metric::kGap);
-    layout->addWidget(m_state, 1);
-    layout->addWidget(profileLabel);
-    layout->addWidget(m_profile);
+    auto *linkLayout = new QHBoxLayout(m_linkPart);
+    linkLayout->setContentsMargins(0, 0, 0, 0);
+    linkLayout->setSpacing(Metric::kGap);
+    linkLayout->addWidget(m_address);
+    linkLayout->addWidget(m_connect);
+    linkLayout->addSpacing(Metric::kGap);
+    linkLayout->addWidget(m_state, 1);
+    linkLayout->addWidget(profileLabel);
+    linkLayout->addWidget(m_profile);
+    layout->addWidget(m_linkPart, 1);
     layout->addSpacing(Metric::kGap);
     layout->addWidget(m_motors);
 
@@ -200,21 +205,22 @@ void LinkBar::updateProfiles()
 
 void LinkBar::updateMotors()
 {
-    // There are no motors in a recording.
-    const bool connected = m_workspace.client().isConnected() && !m_workspace.client().address().isReplay();
+    // There are no motors in a recording. While the link is down, a stop is kept for when it is back.
+    const bool linked = m_workspace.client().state() != DeviceClient::State::Disconnected
+        && !m_workspace.client().address().isReplay();
     const auto running = m_workspace.motorsRunning();
     // An unknown state counts as running: the button must be able to stop them.
     // So does a board without a command to switch them on: there the button can only stop.
     const Device *device = m_workspace.client().device();
-    const bool canSwitchOn = !connected || (device && device->motorSwitch());
+    const bool canSwitchOn = !linked || (device && device->motorSwitch());
     m_offNext = !running || *running || !canSwitchOn;
-    m_motors->setEnabled(connected);
+    m_motors->setEnabled(linked);
     const QString text = m_offNext ? tr("■ MOTORS OFF") : tr("▶ Motors on");
     if (m_motors->text() != text) {
         m_motors->setText(text);
         m_motors->setAccessibleName(m_offNext ? tr("Switch motors off") : tr("Switch motors on"));
     }
-    const bool red = connected && (!running || *running);
+    const bool red = linked && (!running || *running);
     if (m_motors->property("running").toBool() != red) {
         m_motors->setProperty("running", red);
         repolish(m_motors);

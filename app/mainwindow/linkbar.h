@@ -21,6 +21,8 @@ public:
     /// Puts an address into the field.
     void setAddress(const QString &address);
     void connectOrDisconnect();
+    /// Whether everything but the motors button can be used.
+    void setLinkEnabled(bool enabled) { m_linkPart->setEnabled(enabled); }
     /// Looks for serial ports on another thread and fills the list.
     void scanPorts();
     [[nodiscard]] QPushButton *connectButton() const { return m_connect; }
@@ -34,6 +36,7 @@ private:
     void onMotors();
 
     Workspace &m_workspace;
+    QWidget *m_linkPart;
     QComboBox *m_address;
     QPushButton *m_connect;
     QLabel *m_state;

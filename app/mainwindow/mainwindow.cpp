@@ -10,12 +10,13 @@
 #include "app/mainwindow/palettesource.h"
 #include "app/mainwindow/startpage.h"
 #include "app/pages/program/helppage.h"
+#include "app/workspace/filedialogs.h"
+#include "widgets/forms/panel.h"
 
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QLoggingCategory>
@@ -94,15 +95,21 @@ void MainWindow::layoutFrame()
     middle->setSpacing(0);
     middle->addWidget(m_navigation);
     middle->addLayout(right, 1);
+    m_content = new QWidget;
+    auto *contentLayout = new QVBoxLayout(m_content);
+    contentLayout->setContentsMargins(0, 0, 0, 0);
+    contentLayout->setSpacing(0);
+    contentLayout->addWidget(m_replay);
+    contentLayout->addLayout(middle, 1);
+    contentLayout->addWidget(m_unstoredBar);
+    contentLayout->addWidget(m_unsavedBar);
+    m_panels = new PanelArea(m_content);
     auto *central = new QWidget;
     auto *layout = new QVBoxLayout(central);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_linkBar);
-    layout->addWidget(m_replay);
-    layout->addLayout(middle, 1);
-    layout->addWidget(m_unstoredBar);
-    layout->addWidget(m_unsavedBar);
+    layout->addWidget(m_panels, 1);
     layout->addWidget(m_status);
     setCentralWidget(central);
 }
@@ -115,6 +122,7 @@ void MainWindow::connectFrame()
     connect(&workspace->notifications(), &Notifications::offer, m_offers, &OfferBar::ask);
     connect(m_keys, &MotorsKeys::holdStarted, this,
             [this] { m_messages->showNotice(tr("Hold Esc to switch the motors off.")); });
+    connect(m_panels, &PanelArea::openChanged, this, [this](bool open) { m_linkBar->setLinkEnabled(!open); });
     connect(m_unsavedBar, &UnsavedBar::reviewRequested, this, &MainWindow::review);
     connect(m_unsavedBar, &UnsavedBar::saveFileRequested, this, &MainWindow::askSaveFile);
     connect(m_start, &StartPage::connectRequested, this, [this] {
@@ -144,7 +152,8 @@ void MainWindow::connectFrame()
 void MainWindow::addShortcuts()
 {
     const auto on = [this](const QKeySequence &keys, auto action) {
-        connect(new QShortcut(keys, this), &QShortcut::activated, this, action);
+        // Of the content: none of them while a panel is open.
+        connect(new QShortcut(keys, m_content), &QShortcut::activated, this, action);
     };
     for (int i = 0; i < kNumberedPages; ++i)
         on(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)),
@@ -192,29 +201,20 @@ void MainWindow::askOpenFile()
         showPage(u"backups"_s);  // with a board, the file is compared with it and loaded as edits
         return;
     }
-    auto *dialog = new QFileDialog(this, tr("Open a configuration or a recording"),
-                                   BoardHistory::defaultRoot(), m_workspace->openFilter());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openFile);
-    dialog->open();
+    askOpenPath(
+        this, tr("Open a configuration or a recording"), m_workspace->openFilter(),
+        [this](const QString &path) { openFile(path); }, BoardHistory::defaultRoot());
 }
 
 void MainWindow::askSaveFile()
 {
-    auto *dialog
-        = new QFileDialog(this, tr("Save the configuration"), {}, m_workspace->configurationFilter());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(u"json"_s);
-    dialog->selectFile(u"gimbal.json"_s);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) {
-        if (const auto saved = m_workspace->saveFile(path); !saved)
-            m_messages->showProblem(describe(saved.error()));
-        else
-            m_messages->showNotice(tr("Saved to %1").arg(path));
-    });
-    dialog->open();
+    askSavePath(this, tr("Save the configuration"), u"gimbal.json"_s, m_workspace->configurationFilter(),
+                [this](const QString &path) {
+                    if (const auto saved = m_workspace->saveFile(path); !saved)
+                        m_messages->showProblem(describe(saved.error()));
+                    else
+                        m_messages->showNotice(tr("Saved to %1").arg(path));
+                });
 }
 
 Page *MainWindow::page(const QString &key)
@@ -290,7 +290,7 @@ void MainWindow::review()
     m_review = new ReviewDialog(model.board(), model.edited(), this);
     m_review->setAttribute(Qt::WA_DeleteOnClose);
     connect(m_review, &QDialog::accepted, this, [this] { m_workspace->write(m_review->chosen()); });
-    m_review->open();
+    openPanel(*m_review);
 }
 
 void MainWindow::showPalette()
@@ -303,8 +303,8 @@ void MainWindow::showPalette()
                                  },
                                  [this] { review(); }};
     m_palette = new CommandPalette(paletteEntries(*m_workspace, *m_navigation, targets), this);
-    m_palette->open();
     m_palette->input()->setFocus();
+    openPanel(*m_palette);
 }
 
 void MainWindow::showHelp()
@@ -350,7 +350,7 @@ void MainWindow::askBeforeLeaving(const Leaving &question)
     auto *stay = box->addButton(tr("Stay"), QMessageBox::RejectRole);
     box->setDefaultButton(stay);
     box->setEscapeButton(stay);
-    box->open();
+    openPanel(*box);
 }
 
 void MainWindow::leave()
@@ -361,6 +361,7 @@ void MainWindow::leave()
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
+    m_panels->rejectAll();
     const int changes = m_workspace->configuration().changeCount();
     if (changes > 0 && !m_leaving) {
         askBeforeLeaving({tr("Unsaved changes"), tr("%n change(s) are not on the board.", nullptr, changes),

@@ -17,6 +17,7 @@ class MessageBar;
 class MotorsKeys;
 class Navigation;
 class OfferBar;
+class PanelArea;
 class QStackedWidget;
 class StartPage;
 class StatusStrip;
@@ -39,6 +40,7 @@ public:
     [[nodiscard]] OfferBar *offerBar() const { return m_offers; }
     [[nodiscard]] Navigation *navigation() const { return m_navigation; }
     [[nodiscard]] ReplayBar *replayBar() const { return m_replay; }
+    [[nodiscard]] PanelArea *panels() const { return m_panels; }
     [[nodiscard]] ReviewDialog *reviewDialog() const { return m_review; }
     [[nodiscard]] CommandPalette *commandPalette() const { return m_palette; }
 
@@ -92,6 +94,8 @@ private:
     UnsavedBar *m_unsavedBar;
     UnstoredBar *m_unstoredBar;
     StatusStrip *m_status;
+    QWidget *m_content = nullptr;
+    PanelArea *m_panels = nullptr;
     MotorsKeys *m_keys;
     Settings::ThemeChoice m_themeChoice;
     QHash<QString, Page *> m_pages;

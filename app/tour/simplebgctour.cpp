@@ -158,12 +158,7 @@ void Tour::addTelemetrySteps()
                     3000,
                     {},
                     true});
-    m_steps.append({u"streams"_s,
-                    [monitor] { monitor()->streamsButton()->click(); },
-                    {},
-                    300,
-                    [this] { return m_window.findChild<StreamsDialog *>(); },
-                    true});
+    m_steps.append({u"streams"_s, [monitor] { monitor()->streamsButton()->click(); }, {}, 300, {}, true});
     m_steps.append({{},
                     [this, monitor] {
                         m_window.findChild<StreamsDialog *>()->reject();
@@ -218,8 +213,10 @@ void Tour::addEditSteps()
                         m_window.workspace().edits().undoStack().undo();
                         m_window.review();
                     },
-                    [this] { return m_window.reviewDialog() != nullptr; }, 400,
-                    [this] { return m_window.reviewDialog(); }, false});
+                    [this] { return m_window.reviewDialog() != nullptr; },
+                    400,
+                    {},
+                    false});
     m_steps.append({u"written"_s,
                     [this] { m_window.reviewDialog()->accept(); },
                     [this] { return m_window.workspace().configuration().changeCount() == 0; },
@@ -423,8 +420,10 @@ void Tour::addDialogSteps()
                                    0, 50);
                         m_window.close();
                     },
-                    [this] { return m_window.findChild<QMessageBox *>() != nullptr; }, 300,
-                    [this] { return m_window.findChild<QMessageBox *>(); }, true});
+                    [this] { return m_window.findChild<QMessageBox *>() != nullptr; },
+                    300,
+                    {},
+                    true});
     m_steps.append({{},
                     [this] {
                         m_window.findChild<QMessageBox *>()->reject();

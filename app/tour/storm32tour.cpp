@@ -256,7 +256,7 @@ void Tour::addFamilyBoardSteps(const QString &family)
                     },
                     {},
                     800,
-                    [this] { return m_window.findChild<ShareDialog *>(); },
+                    {},
                     true});
     m_steps.append({{}, [this] { m_window.findChild<ShareDialog *>()->reject(); }, {}, 200, {}, true});
     m_steps.append(
@@ -269,8 +269,10 @@ void Tour::addFamilyBoardSteps(const QString &family)
                  m_window.workspace().edits().edit(set.find(key)->id, 0, raw);
              m_window.review();
          },
-         [this] { return m_window.reviewDialog() != nullptr; }, 400,
-         [this] { return m_window.reviewDialog(); }, true});
+         [this] { return m_window.reviewDialog() != nullptr; },
+         400,
+         {},
+         true});
     m_steps.append({pictureName(family, u"backups"_s),
                     [this] {
                         m_window.reviewDialog()->reject();

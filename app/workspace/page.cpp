@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workspace/page.h"
 
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -31,32 +30,6 @@ Page::Page(Workspace &workspace, const QString &key, const QString &title, QWidg
     m_header->addStretch(1);
     layout->addLayout(m_header);
     layout->addLayout(m_body, 1);
-}
-
-void Page::askSavePath(const QString &title, const QString &name, const QString &filter,
-                       const std::function<void(const QString &)> &chosen)
-{
-    auto *dialog = new QFileDialog(this, title, {}, filter);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QFileInfo(name).suffix());
-    dialog->selectFile(name);
-    // "Settings (*.cfg)" sets the suffix "cfg".
-    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString &chosenFilter) {
-        dialog->setDefaultSuffix(chosenFilter.section(u"*."_s, 1).chopped(1));
-    });
-    connect(dialog, &QFileDialog::fileSelected, this, chosen);
-    dialog->open();
-}
-
-void Page::askOpenPath(const QString &title, const QString &filter,
-                       const std::function<void(const QString &)> &chosen)
-{
-    auto *dialog = new QFileDialog(this, title, {}, filter);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, chosen);
-    dialog->open();
 }
 
 void Page::refreshWhileShown(std::chrono::milliseconds interval, std::function<void()> refresh,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/workspace/filedialogs.h"
 #include "app/workspace/workspace.h"
 
 #include <QTimer>
@@ -35,11 +36,6 @@ protected:
     [[nodiscard]] QVBoxLayout *body() const { return m_body; }
     /// Space in the header, right of the title.
     [[nodiscard]] QHBoxLayout *header() const { return m_header; }
-    /// Asks for a file without blocking; calls back once one was chosen.
-    void askSavePath(const QString &title, const QString &name, const QString &filter,
-                     const std::function<void(const QString &)> &chosen);
-    void askOpenPath(const QString &title, const QString &filter,
-                     const std::function<void(const QString &)> &chosen);
 
     /// Does this when the page comes into view, and again at this interval as long as it is seen and not
     /// paused.

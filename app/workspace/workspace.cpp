@@ -87,8 +87,12 @@ void Workspace::onState(DeviceClient::State state)
 {
     if (state != DeviceClient::State::Connected) {
         m_confirmations.forget();
+        if (state == DeviceClient::State::Disconnected && std::exchange(m_stopWhenConnected, false))
+            m_notifications.notify(tr("No board was reached: the motors were not switched off."));
         return;
     }
+    if (std::exchange(m_stopWhenConnected, false))
+        m_client.motorsOff();
     m_writer.beginLink();
     m_reading = false;
     m_heldSpan.reset();
@@ -391,6 +395,13 @@ void Workspace::setMotors(bool on)
 {
     if (m_client.address().isReplay() && m_client.isConnected()) {
         m_notifications.notify(tr("This is a recording: there are no motors to switch."));
+        return;
+    }
+    const DeviceClient::State state = m_client.state();
+    if (!on && (state == DeviceClient::State::Connecting || state == DeviceClient::State::Reconnecting)) {
+        m_stopWhenConnected = true;
+        m_notifications.notify(
+            tr("There is no link yet. The motors are switched off as soon as there is one."));
         return;
     }
     if (!on) {

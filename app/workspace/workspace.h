@@ -159,6 +159,7 @@ private:
     QString m_unstoredSerial;
     bool m_reading = false;
     bool m_switchingProfile = false;
+    bool m_stopWhenConnected = false;
     mutable quint64 m_lastRows = 0;
     mutable TimePoint m_lastRowsAt{};
 };

@@ -130,24 +130,24 @@ void TestMonitor::peakBecomesANotch()
     };
     // Declined: nothing is changed. Taken: the values of one filter, one step to undo.
     QTest::mouseClick(named<QPushButton>(page, u"Put a notch here…"_s), Qt::LeftButton);
-    QTRY_VERIFY(page->findChild<QMessageBox *>());
-    QVERIFY(page->findChild<QMessageBox *>()->text().contains(u"delays"_s));
-    QTest::keyClick(page->findChild<QMessageBox *>(), Qt::Key_Escape);
-    QTRY_VERIFY(!page->findChild<QMessageBox *>());
+    QTRY_VERIFY(m_rig->window().findChild<QMessageBox *>());
+    QVERIFY(m_rig->window().findChild<QMessageBox *>()->text().contains(u"delays"_s));
+    QTest::keyClick(m_rig->window().findChild<QMessageBox *>(), Qt::Key_Escape);
+    QTRY_VERIFY(!m_rig->window().findChild<QMessageBox *>());
     QCOMPARE(m_rig->model().changeCount(), 0);
     QTest::mouseClick(named<QPushButton>(page, u"Put a notch here…"_s), Qt::LeftButton);
-    QTRY_VERIFY(page->findChild<QMessageBox *>());
-    QTest::keyClick(page->findChild<QMessageBox *>(), Qt::Key_Return);
+    QTRY_VERIFY(m_rig->window().findChild<QMessageBox *>());
+    QTest::keyClick(m_rig->window().findChild<QMessageBox *>(), Qt::Key_Return);
     QTRY_VERIFY(m_rig->model().changeCount() > 0);
     QVERIFY(std::abs(edited(u"notch1.frequency"_s) - hz) <= 1.1);  // the board counts in steps of two
     QVERIFY(edited(u"notch1.width"_s) >= hz / 4 - 1);
     QCOMPARE(edited(u"notch1.gain"_s), 20.0);
     QCOMPARE(int(edited(u"enabled"_s)) & 1, 1);
     // The next one goes into the next filter.
-    QTRY_VERIFY(!page->findChild<QMessageBox *>());
+    QTRY_VERIFY(!m_rig->window().findChild<QMessageBox *>());
     QTest::mouseClick(named<QPushButton>(page, u"Put a notch here…"_s), Qt::LeftButton);
-    QTRY_VERIFY(page->findChild<QMessageBox *>());
-    QTest::keyClick(page->findChild<QMessageBox *>(), Qt::Key_Return);
+    QTRY_VERIFY(m_rig->window().findChild<QMessageBox *>());
+    QTest::keyClick(m_rig->window().findChild<QMessageBox *>(), Qt::Key_Return);
     QTRY_COMPARE(int(edited(u"enabled"_s)) & 3, 3);
     m_rig->workspace().edits().undoStack().undo();
     QCOMPARE(int(edited(u"enabled"_s)) & 3, 1);
@@ -186,8 +186,8 @@ void TestMonitor::notchTakesTheResonanceAway()
     QVERIFY(strength() > 0.0);
     page->peaks()->selectRow(row);
     QTest::mouseClick(named<QPushButton>(page, u"Put a notch here…"_s), Qt::LeftButton);
-    QTRY_VERIFY(page->findChild<QMessageBox *>());
-    QTest::keyClick(page->findChild<QMessageBox *>(), Qt::Key_Return);
+    QTRY_VERIFY(m_rig->window().findChild<QMessageBox *>());
+    QTest::keyClick(m_rig->window().findChild<QMessageBox *>(), Qt::Key_Return);
     QTRY_VERIFY(m_rig->model().changeCount() > 0);
     QVERIFY(writeEdits());
     QCOMPARE(m_rig->model().changeCount(), 0);

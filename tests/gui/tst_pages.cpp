@@ -29,6 +29,7 @@
 #include "widgets/forms/argumentform.h"
 #include "widgets/forms/filtertable.h"
 #include "widgets/forms/liveslider.h"
+#include "widgets/forms/panel.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/reviewdialog.h"
 #include "widgets/forms/valueeditor.h"
@@ -205,8 +206,8 @@ void TestPages::profileSavedAndLoaded()
     QCOMPARE(m_rig->model().changeCount(), 0);
     // Profile 2 of the file into profile 3 here, by the dialog that asks which.
     page->loadInto(path, 2);
-    QTRY_VERIFY(page->findChild<QDialog *>());
-    auto *dialog = page->findChild<QDialog *>();
+    QTRY_VERIFY(window().panels()->isOpen());
+    auto *dialog = window().panels()->findChild<QDialog *>();
     dialog->findChild<QListWidget *>()->setCurrentRow(1);
     QTest::keyClick(dialog->findChild<QListWidget *>(), Qt::Key_Return);
     QTRY_COMPARE(m_rig->model().value(m_rig->spec(u"pid.yaw.p"_s), 2), 77);

@@ -240,8 +240,9 @@ void TestStorm::scriptIsTypedTakenOverAndWritten()
                 .contains(u"DORECENTER"_s));
     // Tab leaves the editor.
     page->editor()->setFocus();
+    QVERIFY(page->editor()->hasFocus());
     QTest::keyClick(page->editor(), Qt::Key_Tab);
-    QVERIFY(!page->editor()->hasFocus());
+    QVERIFY(!page->editor()->hasFocus() && page->isAncestorOf(QApplication::focusWidget()));
 }
 
 void TestStorm::scriptsAreEditedInAFile()
@@ -367,7 +368,7 @@ void TestStorm::settingsAreShared()
     QVERIFY(openStorm());
     auto *page = m_rig->page<BackupsPage>();
     page->findChild<QPushButton *>(u"share"_s)->click();
-    auto *dialog = page->findChild<ShareDialog *>();
+    auto *dialog = m_rig->window().findChild<ShareDialog *>();
     QVERIFY(dialog);
     QVERIFY(dialog->image().width() > 1000 && dialog->image().height() > 500);
     const QString path = m_rig->filePath(u"settings.png"_s);

@@ -326,7 +326,7 @@ void TestTelemetry::streamsByHand()
     auto *page = m_rig->page<MonitorPage>();
     QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().telemetryPlan().rate == 1250.0, 5000);
     QTest::mouseClick(page->streamsButton(), Qt::LeftButton);
-    auto *dialog = page->findChild<StreamsDialog *>();
+    auto *dialog = m_rig->window().findChild<StreamsDialog *>();
     QVERIFY(dialog);
     dialog->byHand()->setChecked(true);
     QVERIFY(!named<QPushButton>(dialog, u"Use"_s)->isEnabled());  // nothing is chosen
@@ -357,7 +357,7 @@ void TestTelemetry::streamsThatDoNotFitAreNotOffered()
     QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().telemetryPlan().streaming, 10000);
     const double before = m_rig->client().telemetryPlan().rate;
     QTest::mouseClick(page->streamsButton(), Qt::LeftButton);
-    auto *dialog = page->findChild<StreamsDialog *>();
+    auto *dialog = m_rig->window().findChild<StreamsDialog *>();
     dialog->byHand()->setChecked(true);
     dialog->check(u"realtime4"_s)->setChecked(true);
     dialog->rate(u"realtime4"_s)->setValue(200);

@@ -334,6 +334,17 @@ QStringList clashingNames(const QList<Source> &all)
     return wrong;
 }
 
+/// Whether a source opens a window that blocks the others.
+bool blocksWindow(const QString &text)
+{
+    static const QRegularExpression always(
+        u"[.>]exec\\(\\)|setModal|setWindowModality|QInputDialog::get|QFileDialog::get|"
+        "QMessageBox::(question|warning|information|critical)\\("_s);
+    static const QRegularExpression open(
+        u"dialog->open\\(\\);|\\w[dD]ialog\\.open\\(\\);|box->open\\(\\);"_s);
+    return always.match(text).hasMatch() || open.match(text).hasMatch();
+}
+
 }  // namespace
 
 class TestArchitecture : public QObject
@@ -348,6 +359,7 @@ private slots:
     void everyFileNamesItsLicence();
     void localNamesAreUnique();
     void nothingBlocksOutsideTheWorker();
+    void dialogsBlockNoWindow();
     void theTestItselfFindsViolations_data();
     void theTestItselfFindsViolations();
     void theTestItselfFindsLongFilesAndWrongRows();
@@ -422,6 +434,25 @@ void TestArchitecture::nothingBlocksOutsideTheWorker()
         "QThread::m?u?sleep"_s);
     for (const Source &source : sources({u"protocol"_s, u"widgets"_s, u"app"_s}))
         QVERIFY2(!blocking.match(source.text).hasMatch(), qPrintable(source.path));
+}
+
+// A dialog is a panel, beneath which the motors can still be switched off (widgets/forms/panel.h). Files are
+// asked for by the platform.
+void TestArchitecture::dialogsBlockNoWindow()
+{
+    const auto all = sources({u"widgets"_s, u"app"_s});
+    for (const Source &source : all) {
+        if (source.path != u"widgets/forms/panel.cpp"_s && source.path != u"app/workspace/filedialogs.cpp"_s)
+            QVERIFY2(!blocksWindow(source.text), qPrintable(source.path));
+    }
+    QVERIFY(std::count_if(all.begin(), all.end(),
+                          [](const Source &source) { return source.text.contains(u"openPanel(*"_s); })
+            >= 5);
+    QVERIFY(blocksWindow(u"auto *dialog = new QDialog(this);\ndialog->open();"_s));
+    QVERIFY(blocksWindow(u"QMessageBox box(this);\nbox.exec();"_s));
+    QVERIFY(blocksWindow(u"if (QMessageBox::question(this, title, text) == QMessageBox::Yes)"_s));
+    QVERIFY(blocksWindow(u"auto *dialog = new QFileDialog(this);\ndialog->open();"_s));
+    QVERIFY(!blocksWindow(u"openPanel(*dialog);\nport->open();\nQApplication::exec();"_s));
 }
 
 void TestArchitecture::theTestItselfFindsViolations_data()

@@ -36,6 +36,7 @@ QToolTip { color: @Text; background: @Surface; border: 1px solid @Border; paddin
 QFrame#bar { background: @Surface; border: none; border-bottom: 1px solid @Border; }
 QFrame#statusBar { background: @Surface; border: none; border-top: 1px solid @Border; }
 QFrame#unsavedBar { background: @SurfaceRaised; border: none; border-top: 2px solid @Changed; }
+QFrame#panel { background: @Background; border: 1px solid @Border; border-radius: 6px; }
 QFrame#card { background: @Surface; border: 1px solid @Border; border-radius: 6px; }
 QFrame#messageBar { background: @Surface; border: 1px solid @Ok; border-left: 4px solid @Ok; border-radius: 4px; }
 QFrame#messageBar[severe="true"] { border-color: @Danger; }

@@ -188,7 +188,7 @@ void ScriptEditor::keyPressEvent(QKeyEvent *event)
 {
     const bool completing = isListActive();
     if (!completing && (event->key() == Qt::Key_Tab || event->key() == Qt::Key_Backtab)) {
-        focusNextPrevChild(event->key() == Qt::Key_Tab);
+        QAbstractScrollArea::focusNextPrevChild(event->key() == Qt::Key_Tab);  // the editor's own refuses
         return;
     }
     QsciScintilla::keyPressEvent(event);

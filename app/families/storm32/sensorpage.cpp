@@ -59,7 +59,7 @@ SensorPage::SensorPage(Workspace &workspace, QWidget *parent)
 
     connect(m_load, &QPushButton::clicked, this, [this] {
         const Family *family = this->workspace().family();
-        askOpenPath(tr("Load a calibration"),
+        askOpenPath(this, tr("Load a calibration"),
                     u"%1 (*.%2)"_s.arg(family->calibrationFile->name, family->calibrationFile->suffix),
                     [this](const QString &path) {
                         if (const auto loaded = loadFile(path); !loaded)
@@ -69,7 +69,7 @@ SensorPage::SensorPage(Workspace &workspace, QWidget *parent)
     connect(m_save, &QPushButton::clicked, this, [this] {
         const Family *family = this->workspace().family();
         const QString suffix = family->calibrationFile->suffix;
-        askSavePath(tr("Save the calibration"), u"calibration."_s + suffix,
+        askSavePath(this, tr("Save the calibration"), u"calibration."_s + suffix,
                     u"%1 (*.%2)"_s.arg(family->calibrationFile->name, suffix), [this](const QString &path) {
                         this->workspace().notifications().reportSaved(saveFile(path), path);
                     });

@@ -3,6 +3,7 @@
 #include "app/pages/board/backupspage.h"
 
 #include "app/pages/board/sharedialog.h"
+#include "widgets/forms/panel.h"
 #include "widgets/models/missingtext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/tablelook.h"
@@ -82,13 +83,13 @@ void BackupsPage::makeHeader()
     auto *saveAs = new QPushButton(tr("Save to a file…"));
     saveAs->setToolTip(tr("Save the values as they are shown, edits included"));
     connect(load, &QPushButton::clicked, this, [this] {
-        askOpenPath(tr("Load a configuration"), workspace().openFilter(), [this](const QString &path) {
+        askOpenPath(this, tr("Load a configuration"), workspace().openFilter(), [this](const QString &path) {
             if (const auto done = workspace().applyFile(path); !done)
                 workspace().notifications().report(done.error());
         });
     });
     connect(saveAs, &QPushButton::clicked, this, [this] {
-        askSavePath(tr("Save the configuration"), u"gimbal.json"_s, workspace().configurationFilter(),
+        askSavePath(this, tr("Save the configuration"), u"gimbal.json"_s, workspace().configurationFilter(),
                     [this](const QString &path) {
                         workspace().notifications().reportSaved(workspace().saveFile(path), path);
                     });
@@ -102,7 +103,7 @@ void BackupsPage::makeHeader()
             return;
         auto *dialog = new ShareDialog(workspace(), this);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
-        dialog->open();
+        openPanel(*dialog);
     });
     for (QPushButton *button : {load, saveAs, share, m_take})
         header()->addWidget(button);
@@ -145,7 +146,7 @@ void BackupsPage::connectAll()
     });
     connect(m_export, &QPushButton::clicked, this, [this] {
         const QString from = chosenPath();
-        askSavePath(tr("Export snapshot"), u"snapshot.json"_s, tr("GimbalDesk configurations (*.json)"),
+        askSavePath(this, tr("Export snapshot"), u"snapshot.json"_s, tr("GimbalDesk configurations (*.json)"),
                     [this, from](const QString &to) {
                         QFile::remove(to);
                         if (QFile::copy(from, to))

@@ -77,7 +77,7 @@ ConsolePage::ConsolePage(Workspace &workspace, QWidget *parent)
             [this](bool on) { m_pause->setText(on ? tr("Continue") : tr("Pause")); });
     connect(clear, &QPushButton::clicked, &m_model, &FrameLogModel::clear);
     connect(save, &QPushButton::clicked, this, [this] {
-        askSavePath(tr("Save frames"), u"frames.txt"_s, tr("Text files (*.txt)"),
+        askSavePath(this, tr("Save frames"), u"frames.txt"_s, tr("Text files (*.txt)"),
                     [this](const QString &path) {
                         const auto saved = saveText(path);
                         if (!saved)

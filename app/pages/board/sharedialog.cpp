@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/board/sharedialog.h"
 
+#include "app/workspace/filedialogs.h"
 #include "widgets/views/settingspicture.h"
 
 #include <QClipboard>
-#include <QFileDialog>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QImageWriter>
@@ -52,15 +52,10 @@ ShareDialog::ShareDialog(Workspace &workspace, QWidget *parent)
         workspace.notifications().notify(tr("The picture is in the clipboard."));
     });
     connect(saveAs, &QPushButton::clicked, this, [this, &workspace] {
-        auto *dialog = new QFileDialog(this, tr("Save the picture"), {}, tr("Pictures (*.png)"));
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-        dialog->setAcceptMode(QFileDialog::AcceptSave);
-        dialog->setDefaultSuffix(u"png"_s);
-        dialog->selectFile(u"settings.png"_s);
-        connect(dialog, &QFileDialog::fileSelected, this, [this, &workspace](const QString &path) {
-            workspace.notifications().reportSaved(save(path), path);
-        });
-        dialog->open();
+        askSavePath(this, tr("Save the picture"), u"settings.png"_s, tr("Pictures (*.png)"),
+                    [this, &workspace](const QString &path) {
+                        workspace.notifications().reportSaved(save(path), path);
+                    });
     });
 }
 

@@ -89,11 +89,12 @@ void DocumentsPage::connectAll()
             chooseDocument();
     });
     connect(m_load, &QPushButton::clicked, this, [this] {
-        askOpenPath(tr("Load a document"), tr("Texts (*)"), [this](const QString &path) { loadFrom(path); });
+        askOpenPath(this, tr("Load a document"), tr("Texts (*)"),
+                    [this](const QString &path) { loadFrom(path); });
     });
     connect(m_save, &QPushButton::clicked, this, [this] {
         const QString suffix = QString::fromLatin1(*m_shown->language ? m_shown->language : "txt");
-        askSavePath(tr("Save the document"), u"%1.%2"_s.arg(tableText(m_shown->data), suffix),
+        askSavePath(this, tr("Save the document"), u"%1.%2"_s.arg(tableText(m_shown->data), suffix),
                     tr("Texts (*)"), [this](const QString &path) { saveTo(path); });
     });
     const ConfigurationModel &configuration = workspace().configuration();

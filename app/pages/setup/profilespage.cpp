@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/setup/profilespage.h"
 
+#include "widgets/forms/panel.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/tablelook.h"
 #include "widgets/views/card.h"
@@ -120,17 +121,17 @@ void ProfilesPage::connectAll()
     });
     connect(m_load, &QPushButton::clicked, this, [this] {
         const int profile = chosen();
-        askOpenPath(tr("Load a profile"), tr(kFilter),
+        askOpenPath(this, tr("Load a profile"), tr(kFilter),
                     [this, profile](const QString &path) { loadInto(path, profile); });
     });
     connect(m_loadAll, &QPushButton::clicked, this, [this] {
-        askOpenPath(tr("Load all profiles"), tr(kFilter), [this](const QString &path) {
+        askOpenPath(this, tr("Load all profiles"), tr(kFilter), [this](const QString &path) {
             if (const auto loaded = workspace().applyFile(path); !loaded)
                 workspace().notifications().report(loaded.error());
         });
     });
     connect(m_save, &QPushButton::clicked, this, [this] {
-        askSavePath(tr("Save profiles"), u"gimbal.json"_s, tr(kFilter),
+        askSavePath(this, tr("Save profiles"), u"gimbal.json"_s, tr(kFilter),
                     [this](const QString &path) { saveTo(path); });
     });
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
@@ -216,7 +217,7 @@ void ProfilesPage::loadInto(const QString &path, int profile)
     connect(list, &QListWidget::itemActivated, dialog, &QDialog::accept);
     connect(dialog, &QDialog::accepted, this,
             [this, path, list, profile] { loadFrom(path, list->currentRow(), profile); });
-    dialog->open();
+    openPanel(*dialog);
 }
 
 void ProfilesPage::saveTo(const QString &path)

@@ -255,7 +255,7 @@ void ScriptsPage::take()
 
 void ScriptsPage::load()
 {
-    askOpenPath(tr("Load a script"), tr("Scripts (*.%1)").arg(language()->suffix()),
+    askOpenPath(this, tr("Load a script"), tr("Scripts (*.%1)").arg(language()->suffix()),
                 [this](const QString &path) {
                     QFile file(path);
                     if (!file.open(QIODevice::ReadOnly) || file.size() > kLargestText) {
@@ -272,7 +272,7 @@ void ScriptsPage::load()
 
 void ScriptsPage::save()
 {
-    askSavePath(tr("Save the script"), u"script%1.%2"_s.arg(m_script + 1).arg(language()->suffix()),
+    askSavePath(this, tr("Save the script"), u"script%1.%2"_s.arg(m_script + 1).arg(language()->suffix()),
                 tr("Scripts (*.%1)").arg(language()->suffix()), [this](const QString &path) {
                     workspace().notifications().reportSaved(writeFile(path, m_texts.value(m_script).toUtf8()),
                                                             path);

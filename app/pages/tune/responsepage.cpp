@@ -104,14 +104,14 @@ ResponsePage::ResponsePage(Workspace &workspace, QWidget *parent)
         m_charts->setRecords(m_records);
     });
     connect(import, &QPushButton::clicked, this, [this] {
-        askOpenPath(tr("Import a measurement"), tr("Text files (*.csv *.txt);;All files (*)"),
+        askOpenPath(this, tr("Import a measurement"), tr("Text files (*.csv *.txt);;All files (*)"),
                     [this](const QString &path) {
                         if (const auto done = importCsv(path); !done)
                             this->workspace().notifications().report(done.error());
                     });
     });
     connect(m_export, &QPushButton::clicked, this, [this] {
-        askSavePath(tr("Export a measurement"), u"response.csv"_s, tr("CSV files (*.csv)"),
+        askSavePath(this, tr("Export a measurement"), u"response.csv"_s, tr("CSV files (*.csv)"),
                     [this](const QString &path) {
                         if (const auto done = exportCsv(path); done)
                             this->workspace().notifications().notify(tr("Measurement saved to %1").arg(path));

@@ -4,6 +4,7 @@
 
 #include "protocol/analysis/holdingquality.h"
 #include "protocol/telemetry/uniformsamples.h"
+#include "widgets/forms/panel.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/plot/waterfallview.h"
 #include "widgets/theme/tablelook.h"
@@ -455,7 +456,7 @@ void SpectrumPage::askNotch()
     connect(accept, &QPushButton::clicked, this, [this, plan = *plan, name] {
         workspace().edits().apply(plan.wanted, tr("Notch %1 of %2").arg(plan.filter.bit + 1).arg(name));
     });
-    m_question->open();
+    openPanel(*m_question);
 }
 
 // The bands, as far as they could be measured.

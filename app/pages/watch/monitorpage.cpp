@@ -5,6 +5,7 @@
 #include "app/pages/watch/streamsdialog.h"
 #include "protocol/record/telemetrycsv.h"
 #include "protocol/telemetry/telemetryplan.h"
+#include "widgets/forms/panel.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/plot/curvechart.h"
 #include "widgets/views/elidedlabel.h"
@@ -370,7 +371,7 @@ void MonitorPage::askLayoutName()
         if (!name.trimmed().isEmpty())
             saveLayout(name.trimmed());
     });
-    dialog->open();
+    openPanel(*dialog);
 }
 
 Result<qint64> MonitorPage::exportCsv(const QString &path)
@@ -405,23 +406,25 @@ Result<void> MonitorPage::exportPicture(const QString &path) const
 
 void MonitorPage::askExport()
 {
-    askSavePath(tr("Save samples"), u"samples.csv"_s, tr("CSV files (*.csv)"), [this](const QString &path) {
-        const auto lines = exportCsv(path);
-        if (lines)
-            workspace().notifications().notify(tr("%1 lines saved to %2").arg(*lines).arg(path));
-        else
-            workspace().notifications().report(lines.error());
-    });
+    askSavePath(this, tr("Save samples"), u"samples.csv"_s, tr("CSV files (*.csv)"),
+                [this](const QString &path) {
+                    const auto lines = exportCsv(path);
+                    if (lines)
+                        workspace().notifications().notify(tr("%1 lines saved to %2").arg(*lines).arg(path));
+                    else
+                        workspace().notifications().report(lines.error());
+                });
 }
 
 void MonitorPage::askPicture()
 {
-    askSavePath(tr("Save picture"), u"plots.png"_s, tr("Pictures (*.png)"), [this](const QString &path) {
-        if (const auto saved = exportPicture(path); saved)
-            workspace().notifications().notify(tr("Picture saved to %1").arg(path));
-        else
-            workspace().notifications().report(saved.error());
-    });
+    askSavePath(this, tr("Save picture"), u"plots.png"_s, tr("Pictures (*.png)"),
+                [this](const QString &path) {
+                    if (const auto saved = exportPicture(path); saved)
+                        workspace().notifications().notify(tr("Picture saved to %1").arg(path));
+                    else
+                        workspace().notifications().report(saved.error());
+                });
 }
 
 Result<void> MonitorPage::publish(const QString &hostAndPort)
@@ -461,14 +464,14 @@ void MonitorPage::askPublish()
         else
             workspace().notifications().report(started.error());
     });
-    dialog->open();
+    openPanel(*dialog);
 }
 
 void MonitorPage::askStreams()
 {
     auto *dialog = new StreamsDialog(workspace(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->open();
+    openPanel(*dialog);
 }
 
 // Idle: a menu with what can be recorded. Recording: one click ends it.
@@ -486,7 +489,7 @@ void MonitorPage::updateRecord()
 void MonitorPage::askRecording(const QString &title, Result<void> (LinkRecorder::*record)(const QString &))
 {
     const QString name = QDateTime::currentDateTime().toString(u"yyyyMMdd-HHmmss"_s) + u".gimbalrec"_s;
-    askSavePath(title, name, tr("Recordings (*.gimbalrec)"), [this, record](const QString &path) {
+    askSavePath(this, title, name, tr("Recordings (*.gimbalrec)"), [this, record](const QString &path) {
         if (const auto done = (workspace().recorder().*record)(path); !done)
             workspace().notifications().report(done.error());
     });

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/forms/panel.h"
+
+#include "widgets/theme/theme.h"
+
+#include <QApplication>
+#include <QDialog>
+#include <QEvent>
+#include <QFrame>
+#include <QLabel>
+#include <QPainter>
+#include <QPointer>
+#include <QPushButton>
+#include <QStyle>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+using namespace Qt::StringLiterals;
+
+/// A shade over the content, with a dialog in a frame in its middle.
+class Panel final : public QWidget
+{
+public:
+    Panel(QDialog &dialog, QWidget *parent)
+        : QWidget(parent)
+        , m_dialog(dialog)
+        , m_frame(new QFrame(this))
+        , m_title(new QLabel(dialog.windowTitle()))
+        , m_first(dialog.focusWidget())
+        , m_wanted(dialog.testAttribute(Qt::WA_Resized) ? dialog.size() : QSize(0, 0))
+    {
+        m_frame->setObjectName(u"panel"_s);
+        m_frame->installEventFilter(this);
+        m_title->setObjectName(u"title"_s);
+        m_title->setContentsMargins(Metric::kMargin, Metric::kGap, Metric::kMargin, 0);
+        auto *layout = new QVBoxLayout(m_frame);
+        layout->setContentsMargins(1, 1, 1, 1);
+        layout->setSpacing(0);
+        layout->addWidget(m_title);
+        dialog.setAttribute(Qt::WA_Moved);  // else it moves itself to the middle of its parent
+        dialog.setParent(m_frame, Qt::Widget);
+        layout->addWidget(&dialog, 1);
+        if (dialog.layout())
+            dialog.layout()->setContentsMargins(Metric::kMargin, Metric::kMargin, Metric::kMargin,
+                                                Metric::kMargin);
+        setAccessibleName(dialog.windowTitle());
+    }
+
+    [[nodiscard]] QDialog &dialog() const { return m_dialog; }
+
+    void start()
+    {
+        show();
+        m_dialog.show();
+        place();
+        firstFocus()->setFocus(Qt::PopupFocusReason);
+    }
+
+    bool eventFilter(QObject *watched, QEvent *event) override
+    {
+        if (event->type() == QEvent::LayoutRequest)
+            place();
+        return QWidget::eventFilter(watched, event);
+    }
+
+protected:
+    void resizeEvent(QResizeEvent *) override { place(); }
+    void paintEvent(QPaintEvent *) override { QPainter(this).fillRect(rect(), QColor(0, 0, 0, 110)); }
+
+private:
+    void place()
+    {
+        constexpr int kAround = Metric::kGap;
+        const QRect room = rect().adjusted(kAround, kAround, -kAround, -kAround);
+        const QSize wanted(m_wanted.width(), m_wanted.height() + m_title->sizeHint().height());
+        const QSize size = m_frame->sizeHint().expandedTo(wanted).boundedTo(room.size());
+        m_frame->setGeometry(QStyle::alignedRect(layoutDirection(), Qt::AlignCenter,
+                                                 size.expandedTo(m_frame->minimumSizeHint()), room));
+    }
+
+    /// The widget that the dialog chose, its default button, or what Tab reaches first.
+    [[nodiscard]] QWidget *firstFocus() const
+    {
+        if (m_first && m_first != &m_dialog)
+            return m_first;
+        const auto buttons = m_dialog.findChildren<QPushButton *>();
+        const auto usual = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton *button) {
+            return button->isDefault() && button->isEnabled();
+        });
+        if (usual != buttons.end())
+            return *usual;
+        for (QWidget *next = m_dialog.nextInFocusChain(); next != &m_dialog;
+             next = next->nextInFocusChain()) {
+            if (m_dialog.isAncestorOf(next) && next->isVisible() && next->isEnabled()
+                && (next->focusPolicy() & Qt::TabFocus))
+                return next;
+        }
+        return &m_dialog;
+    }
+
+    QDialog &m_dialog;
+    QFrame *m_frame;
+    QLabel *m_title;
+    QPointer<QWidget> m_first;  // what the dialog chose; forgotten when it gets another parent
+    QSize m_wanted;
+};
+
+PanelArea::PanelArea(QWidget *content, QWidget *parent)
+    : QWidget(parent)
+    , m_content(content)
+{
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(content);
+}
+
+PanelArea::~PanelArea()
+{
+    for (const Panel *panel : std::as_const(m_panels))
+        panel->dialog().disconnect(this);
+}
+
+void PanelArea::open(QDialog &dialog)
+{
+    const QPointer<QWidget> before = QApplication::focusWidget();
+    const bool wasOpen = isOpen();
+    auto *panel = new Panel(dialog, this);
+    panel->setGeometry(rect());
+    m_panels.append(panel);
+    update(wasOpen);
+    panel->start();
+    const auto close = [this, panel, before] {
+        if (!m_panels.removeOne(panel))
+            return;
+        panel->hide();
+        panel->deleteLater();
+        update(true);
+        if (before && before->isVisible())
+            before->setFocus(Qt::PopupFocusReason);
+    };
+    connect(&dialog, &QDialog::finished, this, close);
+    connect(&dialog, &QObject::destroyed, this, close);
+}
+
+void PanelArea::update(bool wasOpen)
+{
+    m_content->setEnabled(!isOpen());
+    for (Panel *panel : std::as_const(m_panels))
+        panel->setEnabled(panel == m_panels.last());
+    if (wasOpen != isOpen())
+        emit openChanged(isOpen());
+}
+
+void PanelArea::rejectAll()
+{
+    while (isOpen())
+        m_panels.last()->dialog().reject();
+}
+
+void PanelArea::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    for (Panel *panel : std::as_const(m_panels))
+        panel->setGeometry(rect());
+}
+
+void openPanel(QDialog &dialog)
+{
+    QWidget *owner = dialog.parentWidget();
+    if (auto *area = owner ? owner->window()->findChild<PanelArea *>() : nullptr)
+        area->open(dialog);
+    else
+        dialog.open();
+}
