@@ -2514,6 +2514,21 @@
     </message>
 </context>
 <context>
+    <name>NumberBox</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>No number; %1. Back to %2</source>
+        <translation>Keine Zahl; %1. Zurück zu %2</translation>
+    </message>
+    <message>
+        <source>%1. Take %2</source>
+        <translation>%1. %2 nehmen</translation>
+    </message>
+</context>
+<context>
     <name>Pages</name>
     <message>
         <source>Dashboard</source>

@@ -11,6 +11,7 @@
 #include "app/mainwindow/startpage.h"
 #include "app/pages/program/helppage.h"
 #include "app/workspace/filedialogs.h"
+#include "widgets/forms/numberbox.h"
 #include "widgets/forms/panel.h"
 
 #include <QAbstractItemView>
@@ -284,9 +285,11 @@ void MainWindow::review()
     if (m_review || model.isEmpty() || model.changeCount() == 0 || !m_workspace->client().isConnected()
         || !m_workspace->client().identity().writable)
         return;
-    // A value still being typed belongs to the edits as well.
+    // A value still being typed belongs to the edits as well; one that is refused would be missed.
     if (QWidget *focus = QApplication::focusWidget())
         focus->clearFocus();
+    if (NumberBox::refusedIn(*m_stack->currentWidget()))
+        return;
     m_review = new ReviewDialog(model.board(), model.edited(), this);
     m_review->setAttribute(Qt::WA_DeleteOnClose);
     connect(m_review, &QDialog::accepted, this, [this] { m_workspace->write(m_review->chosen()); });

@@ -29,6 +29,7 @@
 #include "widgets/forms/argumentform.h"
 #include "widgets/forms/filtertable.h"
 #include "widgets/forms/liveslider.h"
+#include "widgets/forms/numberbox.h"
 #include "widgets/forms/panel.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/reviewdialog.h"

@@ -16,6 +16,7 @@
 #include "tests/support/named.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/stormwindow.h"
+#include "widgets/forms/numberbox.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -11,6 +11,7 @@
 #include "tests/support/loopmath.h"
 #include "tests/support/named.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/numberbox.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/plot/curvechart.h"
 #include "widgets/plot/spanstatistics.h"

@@ -360,6 +360,7 @@ private slots:
     void localNamesAreUnique();
     void nothingBlocksOutsideTheWorker();
     void dialogsBlockNoWindow();
+    void numbersAreTypedIntoOneKindOfField();
     void theTestItselfFindsViolations_data();
     void theTestItselfFindsViolations();
     void theTestItselfFindsLongFilesAndWrongRows();
@@ -453,6 +454,19 @@ void TestArchitecture::dialogsBlockNoWindow()
     QVERIFY(blocksWindow(u"if (QMessageBox::question(this, title, text) == QMessageBox::Yes)"_s));
     QVERIFY(blocksWindow(u"auto *dialog = new QFileDialog(this);\ndialog->open();"_s));
     QVERIFY(!blocksWindow(u"openPanel(*dialog);\nport->open();\nQApplication::exec();"_s));
+}
+
+// Qt's own fields drop and clip what is typed (widgets/forms/numberbox.h).
+void TestArchitecture::numbersAreTypedIntoOneKindOfField()
+{
+    static const QRegularExpression others(
+        u"new Q(Double)?SpinBox|public Q(Double)?SpinBox|Q(Int|Double)Validator"_s);
+    for (const Source &source : sources({u"widgets"_s, u"app"_s})) {
+        if (source.path != u"widgets/forms/numberbox.h"_s)
+            QVERIFY2(!others.match(source.text).hasMatch(), qPrintable(source.path));
+        else
+            QVERIFY(others.match(source.text).hasMatch());
+    }
 }
 
 void TestArchitecture::theTestItselfFindsViolations_data()

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/forms/argumentform.h"
 
+#include "widgets/forms/numberbox.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/theme.h"
 
@@ -72,12 +73,9 @@ QWidget *ArgumentForm::makeField(const ArgumentSpec &argument)
                                      .arg(QString::fromUtf8(argument.unit)));
         return line;
     }
-    auto *box = new QDoubleSpinBox;
-    box->setRange(argument.min, argument.max);
-    box->setDecimals(argument.kind == ArgumentKind::Integer ? 0 : 2);
+    auto *box = new NumberBox(argument.min, argument.max, argument.kind == ArgumentKind::Integer ? 0 : 2,
+                              *argument.unit ? u' ' + QString::fromUtf8(argument.unit) : QString());
     box->setValue(standard.toDouble());
-    if (*argument.unit)
-        box->setSuffix(u' ' + QString::fromUtf8(argument.unit));
     box->setToolTip(tr("%1 to %2").arg(argument.min).arg(argument.max));
     return box;
 }
@@ -100,9 +98,11 @@ Result<QVariantMap> ArgumentForm::arguments() const
     QMap<QString, QString> texts;
     for (auto it = m_fields.begin(); it != m_fields.end(); ++it) {
         QString text;
+        if (auto *number = qobject_cast<NumberBox *>(it.value()); number && !number->settle())
+            return failure(ErrorCode::OutOfRange, u"%1: %2"_s.arg(it.key(), number->text()));
         if (const auto *line = qobject_cast<QLineEdit *>(it.value()))
             text = line->text().trimmed();
-        else if (const auto *number = qobject_cast<QDoubleSpinBox *>(it.value()))
+        else if (const auto *number = qobject_cast<NumberBox *>(it.value()))
             text = QString::number(number->value(), 'f', number->decimals());
         else if (const auto *box = qobject_cast<QCheckBox *>(it.value()))
             text = box->isChecked() ? u"on"_s : u"off"_s;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/forms/valueeditor.h"
 
+#include "widgets/forms/numberbox.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/theme.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -15,10 +15,10 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
-#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -27,10 +27,10 @@ namespace {
 
 /// A number box that works in raw counts: each step is one count on the wire, or for a float one unit of the
 /// last decimal.
-class NumberBox final : public QDoubleSpinBox
+class ParameterBox final : public NumberBox
 {
 public:
-    explicit NumberBox(const ParameterSpec &spec)
+    explicit ParameterBox(const ParameterSpec &spec)
         : m_spec(spec)
     {
         setKeyboardTracking(false);
@@ -38,7 +38,9 @@ public:
 
     void stepBy(int steps) override
     {
-        if (m_spec.row->wire == WireType::F32)
+        if (isRefused())
+            NumberBox::stepBy(steps);
+        else if (isFloat())
             setValue(value() + steps * std::pow(10.0, -decimals()));
         else
             setValue(m_spec.toDisplay(m_spec.clamped(m_spec.toRaw(value()) + steps * m_spec.row->step)));
@@ -46,16 +48,27 @@ public:
     }
 
 protected:
-    // A click selects the whole number, as Tab does, and so does focus set by the program: what is typed next
-    // replaces it instead of being refused as too large.
-    void focusInEvent(QFocusEvent *event) override
+    [[nodiscard]] double nearestTo(double value) const override
     {
-        QDoubleSpinBox::focusInEvent(event);
-        if (event->reason() == Qt::MouseFocusReason || event->reason() == Qt::OtherFocusReason)
-            QTimer::singleShot(0, this, &QAbstractSpinBox::selectAll);  // after the press has set the cursor
+        if (!isFloat())
+            return m_spec.toDisplay(m_spec.clamped(m_spec.toRaw(value)));
+        const double shown = NumberBox::nearestTo(value);
+        return std::clamp(shown, m_spec.toDisplay(m_spec.row->min), m_spec.toDisplay(m_spec.row->max));
     }
+    // Where a count is coarser than the decimals shown, the nearest one stands for what was typed.
+    [[nodiscard]] bool isSame(double typed, double nearest) const override
+    {
+        const double count = isFloat() ? 0.0 : std::abs(m_spec.row->scale);
+        return NumberBox::isSame(typed, nearest)
+            || (count > 1.001 * std::pow(10.0, -decimals())
+                && NumberBox::isSame(typed, NumberBox::nearestTo(typed))
+                && std::abs(typed - nearest) <= 0.5001 * count);
+    }
+    [[nodiscard]] QString rangeText() const override { return parameterRangeText(m_spec); }
 
 private:
+    [[nodiscard]] bool isFloat() const { return m_spec.row->wire == WireType::F32; }
+
     const ParameterSpec &m_spec;
 };
 
@@ -113,7 +126,7 @@ ValueEditor::ValueEditor(const ParameterSpec &spec, int firmware, QWidget *paren
 
 QWidget *ValueEditor::makeNumber()
 {
-    m_number = new NumberBox(m_spec);
+    m_number = new ParameterBox(m_spec);
     m_number->setDecimals(m_spec.row->decimals);
     m_number->setRange(m_spec.toDisplay(m_spec.row->min), m_spec.toDisplay(m_spec.row->max));
     m_number->setSingleStep(std::abs(m_spec.row->scale));
@@ -178,10 +191,13 @@ void ValueEditor::show(std::optional<double> value, std::optional<double> onBoar
     m_control->setEnabled(value && !m_spec.row->state);
     if (!value)
         return;
+    // What was typed and is no value stays until there is another value.
+    const bool keepsText = m_number && m_number->isRefused() && sameValue(*value, m_raw);
     m_raw = *value;
     m_boardRaw = onBoard.value_or(*value);
     m_updating = true;
-    showValue(*value);
+    if (!keepsText)
+        showValue(*value);
     m_updating = false;
     const bool changed = !sameValue(m_raw, m_boardRaw);
     markChanged(m_control, changed);

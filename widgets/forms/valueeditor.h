@@ -6,9 +6,9 @@
 
 #include <QWidget>
 
+class NumberBox;
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QMenu;
 class QPushButton;
@@ -48,7 +48,7 @@ private:
 
     const ParameterSpec &m_spec;
     QWidget *m_control = nullptr;
-    QDoubleSpinBox *m_number = nullptr;
+    NumberBox *m_number = nullptr;
     QComboBox *m_choice = nullptr;
     QCheckBox *m_toggle = nullptr;
     QPushButton *m_flags = nullptr;

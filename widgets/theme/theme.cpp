@@ -98,6 +98,8 @@ QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus { border: 2px solid @Ac
 QAbstractSpinBox[inactive="true"], QComboBox[inactive="true"], QPushButton[inactive="true"] { color: @Muted; background: @Background; }
 QAbstractSpinBox[changed="true"], QComboBox[changed="true"], QPushButton[changed="true"] { border-left: 4px solid @Changed; }
 QAbstractSpinBox[changed="true"]:focus, QComboBox[changed="true"]:focus { border: 2px solid @Accent; border-left: 4px solid @Changed; }
+QAbstractSpinBox[refused="true"], QAbstractSpinBox[refused="true"]:focus { border: 2px solid @Danger; padding: 1px 5px; color: @Danger; }
+QToolButton#hint { background: @Danger; color: @DangerText; border: none; border-radius: 4px; padding: 2px 8px; min-height: 0; }
 QCheckBox[changed="true"] { border-left: 4px solid @Changed; padding-left: 4px; }
 QCheckBox:focus, QRadioButton:focus { border: 2px solid @Accent; border-radius: 4px; }
 QLabel#title { font-weight: 600; }

@@ -3,6 +3,7 @@
 #include "app/families/storm32/setuppage.h"
 
 #include "app/workspace/wizardparts.h"
+#include "widgets/forms/numberbox.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QCheckBox>
@@ -10,7 +11,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -108,8 +108,7 @@ QWidget *SetupPage::makeGuide()
     poles->setContentsMargins(0, 0, 0, 0);
     poles->setHorizontalSpacing(12);
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-        m_poles[axis] = new QSpinBox;
-        m_poles[axis]->setRange(kMinPoles, kMaxPoles);
+        m_poles[axis] = new NumberBox(kMinPoles, kMaxPoles, 0);
         m_poles[axis]->setSingleStep(2);
         m_poles[axis]->setValue(kDefaultPoles);
         m_poles[axis]->setAccessibleName(tr("Poles, %1").arg(axisLabel(kAxes[axis])));
@@ -329,6 +328,8 @@ void SetupPage::showPoles()
 
 void SetupPage::runStep()
 {
+    if (NumberBox::refusedIn(*this))
+        return;
     QString key;
     QVariantMap arguments;
     switch (m_step) {
@@ -337,7 +338,7 @@ void SetupPage::runStep()
     case Step::Poles:
         key = u"setup.poles"_s;
         for (std::size_t axis = 0; axis < kAxisCount; ++axis)
-            arguments.insert(QString::fromLatin1(axisKey(kAxes[axis])), m_poles[axis]->value());
+            arguments.insert(QString::fromLatin1(axisKey(kAxes[axis])), int(m_poles[axis]->value()));
         break;
     case Step::AutoDirections:
         key = u"setup.directions"_s;

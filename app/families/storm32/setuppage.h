@@ -4,12 +4,12 @@
 
 #include "app/workspace/page.h"
 
+class NumberBox;
 class Card;
 class QCheckBox;
 class QListWidget;
 class QProgressBar;
 class QPushButton;
-class QSpinBox;
 class SimulatedHands;
 
 /// Sets a gimbal up, task by task: how its sensors sit, its motors, where they start. Each task says what to
@@ -42,7 +42,7 @@ public:
     [[nodiscard]] QCheckBox *box(Task task) const { return m_boxes[std::size_t(task)]; }
     [[nodiscard]] QPushButton *continueButton() const { return m_continue; }
     [[nodiscard]] QPushButton *cancelButton() const { return m_cancel; }
-    [[nodiscard]] QSpinBox *poles(Axis axis) const { return m_poles[std::size_t(axis)]; }
+    [[nodiscard]] NumberBox *poles(Axis axis) const { return m_poles[std::size_t(axis)]; }
     [[nodiscard]] double yaw() const { return m_yaw; }
     [[nodiscard]] QString what() const;
     [[nodiscard]] QString sees() const;
@@ -83,7 +83,7 @@ private:
     QLabel *m_sees;
     QProgressBar *m_held;
     QWidget *m_polesForm = nullptr;
-    std::array<QSpinBox *, kAxisCount> m_poles{};
+    std::array<NumberBox *, kAxisCount> m_poles{};
     QWidget *m_yawForm = nullptr;
     QLabel *m_yawText;
     QListWidget *m_report;

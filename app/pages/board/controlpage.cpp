@@ -5,6 +5,7 @@
 #include "protocol/session/controlstream.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "widgets/forms/argumentform.h"
+#include "widgets/forms/numberbox.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/views/attitudeview.h"
 #include "widgets/views/card.h"
@@ -12,7 +13,6 @@
 
 #include <QApplication>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QKeyEvent>
@@ -130,8 +130,10 @@ Card *ControlPage::makeAnglesCard()
     angles->setHorizontalSpacing(12);
     angles->setVerticalSpacing(Metric::kGap);
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-        m_angles[axis] = new QDoubleSpinBox;
+        m_angles[axis] = new NumberBox;
         m_angles[axis]->setDecimals(1);
+        m_angles[axis]->setEmptyAllowed(true);  // unknown
+        m_angles[axis]->setKeyboardTracking(false);  // 5 on the way to 50 is no target
         m_angles[axis]->setAlignment(Qt::AlignRight);
         m_angles[axis]->setAccessibleName(tr("Angle, %1").arg(axisLabel(kAxes[axis])));
         m_angleLabels[axis] = new QLabel(axisLabel(kAxes[axis]));
@@ -158,14 +160,11 @@ void ControlPage::connectAll()
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
         connect(m_angles[axis], &QDoubleSpinBox::valueChanged, this,
                 [this, axis] { m_known[axis] = m_known[axis] || !m_filling; });
-        // What is typed counts even if it is the value that the empty field had.
-        connect(m_angles[axis]->findChild<QLineEdit *>(), &QLineEdit::textEdited, this,
-                [this, axis](const QString &text) {
-                    touch();
-                    m_known[axis] = m_known[axis] || !text.isEmpty();
-                });
+        connect(m_angles[axis]->findChild<QLineEdit *>(), &QLineEdit::textEdited, this, &ControlPage::touch);
+        // What was typed counts even if it is the value that the empty field had.
+        connect(m_angles[axis], &NumberBox::editingFinished, this, [this, axis] { m_known[axis] = true; });
     }
-    for (QDoubleSpinBox *angle : m_angles)
+    for (NumberBox *angle : m_angles)
         connect(angle, &QDoubleSpinBox::valueChanged, this, &ControlPage::touch);
     connect(m_speed, &QSlider::valueChanged, this, [this](int value) {
         m_speedText->setText(tr("%1 °/s").arg(value));
@@ -343,7 +342,7 @@ void ControlPage::showTargets(const SteeringMode *chosen)
     m_filling = true;
     m_roll->setValue(0);
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
-        QDoubleSpinBox *angle = m_angles[axis];
+        NumberBox *angle = m_angles[axis];
         const int at = chosen ? chosen->inputOf(kAxes[axis]) : -1;
         const SteeringInput input = at < 0 ? SteeringInput() : chosen->inputs[std::size_t(at)];
         const bool place = at >= 0 && !input.springsBack;
@@ -381,11 +380,10 @@ void ControlPage::fillInputs()
     for (const SteeringInput &input : chosen->inputs) {
         if (input.axis != Axis::None || qstrcmp(input.key, "speed") == 0)
             continue;
-        auto *box = new QDoubleSpinBox;
-        box->setRange(input.min, input.max);
-        box->setDecimals(2);
+        auto *box = new NumberBox(input.min, input.max, 2,
+                                  *input.unit ? u' ' + QString::fromUtf8(input.unit) : QString());
+        box->setKeyboardTracking(false);
         box->setSingleStep((input.max - input.min) / 20);
-        box->setSuffix(*input.unit ? u' ' + QString::fromUtf8(input.unit) : QString());
         box->setValue(input.centre);
         connect(box, &QDoubleSpinBox::valueChanged, this, [this] { m_touched.start(); });
         addRow(input.label, box);

@@ -8,11 +8,11 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
+class NumberBox;
 class AttitudeView;
 class Card;
 class ControlPad;
 class QComboBox;
-class QDoubleSpinBox;
 class QGridLayout;
 class QPushButton;
 class QSlider;
@@ -66,14 +66,14 @@ private:
     ControlPad *m_pad;
     QSlider *m_roll;
     QLabel *m_rollLabel;
-    std::array<QDoubleSpinBox *, kAxisCount> m_angles{};
+    std::array<NumberBox *, kAxisCount> m_angles{};
     std::array<QLabel *, kAxisCount> m_angleLabels{};
     // Whether the target of an axis is known, from the board or the operator. An axis without one is left
     // alone.
     std::array<bool, kAxisCount> m_known{};
     QGridLayout *m_inputs;  // of the steer card
     std::vector<QWidget *> m_rows;  // of what follows
-    std::map<QByteArray, QDoubleSpinBox *> m_moreInputs;  // neither axis nor speed
+    std::map<QByteArray, NumberBox *> m_moreInputs;  // neither axis nor speed
     std::vector<QComboBox *> m_switches;  // in the order of the board's
     QSlider *m_speed;
     QLabel *m_speedText;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/program/settingspage.h"
 
+#include "widgets/forms/numberbox.h"
 #include "widgets/views/card.h"
 
 #include <QCheckBox>
@@ -9,7 +10,6 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QScrollArea>
-#include <QSpinBox>
 #include <QVBoxLayout>
 
 using namespace Qt::StringLiterals;
@@ -27,10 +27,10 @@ SettingsPage::SettingsPage(Workspace &workspace, QWidget *parent)
     , m_theme(new QComboBox)
     , m_language(new QComboBox)
     , m_temperature(new QComboBox)
-    , m_retention(new QSpinBox)
-    , m_escape(new QSpinBox)
-    , m_speed(new QSpinBox)
-    , m_disarm(new QSpinBox)
+    , m_retention(new NumberBox(1, 60, 0, tr(" min")))
+    , m_escape(new NumberBox(0, 3000, 0, tr(" ms")))
+    , m_speed(new NumberBox(1, 360, 0, tr(" °/s")))
+    , m_disarm(new NumberBox(2, 120, 0, tr(" s")))
     , m_offOnQuit(new QCheckBox(tr("Switch the motors off when the program is closed")))
     , m_memory(new QLabel)
     , m_startLanguage(workspace.settings().language())
@@ -56,19 +56,11 @@ void SettingsPage::fillFields()
     m_temperature->addItem(tr("Degrees Celsius"), false);
     m_temperature->addItem(tr("Degrees Fahrenheit"), true);
     m_temperature->setCurrentIndex(settings.fahrenheit() ? 1 : 0);
-    m_retention->setRange(1, 60);
-    m_retention->setSuffix(tr(" min"));
     m_retention->setValue(settings.retentionMinutes());
-    m_escape->setRange(0, 3000);
     m_escape->setSingleStep(100);
-    m_escape->setSuffix(tr(" ms"));
     m_escape->setSpecialValueText(tr("not by Esc"));
     m_escape->setValue(settings.escapeHoldMs());
-    m_speed->setRange(1, 360);
-    m_speed->setSuffix(tr(" °/s"));
     m_speed->setValue(settings.controlSpeedLimit());
-    m_disarm->setRange(2, 120);
-    m_disarm->setSuffix(tr(" s"));
     m_disarm->setValue(settings.disarmSeconds());
     m_offOnQuit->setChecked(settings.motorsOffOnQuit());
 }
@@ -145,18 +137,18 @@ void SettingsPage::connectAll()
     });
     connect(m_temperature, &QComboBox::activated, this,
             [this, &settings] { settings.setFahrenheit(m_temperature->currentData().toBool()); });
-    connect(m_retention, &QSpinBox::valueChanged, this, [this, &settings](int minutes) {
-        settings.setRetentionMinutes(minutes);
+    connect(m_retention, &NumberBox::valueChanged, this, [this, &settings](double minutes) {
+        settings.setRetentionMinutes(int(minutes));
         updateNotes();
     });
-    connect(m_escape, &QSpinBox::editingFinished, this, [this, &settings] {
-        settings.setEscapeHoldMs(m_escape->value());
+    connect(m_escape, &NumberBox::editingFinished, this, [this, &settings] {
+        settings.setEscapeHoldMs(int(m_escape->value()));
         m_escape->setValue(settings.escapeHoldMs());
     });
-    connect(m_speed, &QSpinBox::valueChanged, this,
-            [&settings](int value) { settings.setControlSpeedLimit(value); });
-    connect(m_disarm, &QSpinBox::valueChanged, this,
-            [&settings](int value) { settings.setDisarmSeconds(value); });
+    connect(m_speed, &NumberBox::valueChanged, this,
+            [&settings](double value) { settings.setControlSpeedLimit(int(value)); });
+    connect(m_disarm, &NumberBox::valueChanged, this,
+            [&settings](double value) { settings.setDisarmSeconds(int(value)); });
     connect(m_offOnQuit, &QCheckBox::toggled, this,
             [&settings](bool on) { settings.setMotorsOffOnQuit(on); });
 }

@@ -4,9 +4,9 @@
 
 #include "app/workspace/page.h"
 
+class NumberBox;
 class QCheckBox;
 class QComboBox;
-class QSpinBox;
 
 /// What the operator can choose about the program itself.
 class SettingsPage final : public Page
@@ -24,10 +24,10 @@ private:
     QComboBox *m_theme;
     QComboBox *m_language;
     QComboBox *m_temperature;
-    QSpinBox *m_retention;
-    QSpinBox *m_escape;
-    QSpinBox *m_speed;
-    QSpinBox *m_disarm;
+    NumberBox *m_retention;
+    NumberBox *m_escape;
+    NumberBox *m_speed;
+    NumberBox *m_disarm;
     QCheckBox *m_offOnQuit;
     QLabel *m_memory;
     QString m_startLanguage;

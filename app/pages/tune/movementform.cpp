@@ -2,22 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/tune/movementform.h"
 
-#include <QDoubleSpinBox>
+#include "widgets/forms/numberbox.h"
+
 #include <QLabel>
-#include <QSpinBox>
 
 using namespace Qt::StringLiterals;
 
 namespace {
 
-QDoubleSpinBox *makeField(double low, double high, double value, int decimals, const QString &suffix)
+NumberBox *makeField(double low, double high, double value, int decimals, const QString &suffix)
 {
-    auto *field = new QDoubleSpinBox;
-    field->setRange(low, high);
-    field->setDecimals(decimals);
+    auto *field = new NumberBox(low, high, decimals, suffix);
     field->setSingleStep(decimals ? 0.1 : 1);
     field->setValue(value);
-    field->setSuffix(suffix);
     return field;
 }
 
@@ -25,7 +22,7 @@ QDoubleSpinBox *makeField(double low, double high, double value, int decimals, c
 
 MovementForm::MovementForm()
     : m_degrees(makeField(0.2, MotionTestPlan::kMaxDegrees, 2, 1, tr("°")))
-    , m_count(new QSpinBox)
+    , m_count(makeField(2, 40, 6, 0, {}))
     , m_rest(makeField(0.3, 5, 1, 1, tr(" s")))
     , m_from(makeField(0.1, 20, 0.5, 1, tr(" Hz")))
     , m_to(makeField(1, 20, 15, 1, tr(" Hz")))
@@ -33,8 +30,6 @@ MovementForm::MovementForm()
     , m_limit(makeField(0.5, 20, 4, 1, tr("°")))
 {
     m_degrees->setToolTip(tr("How far the axis is moved; as small as can still be told from its noise"));
-    m_count->setRange(2, 40);
-    m_count->setValue(6);
     m_count->setSingleStep(2);
     m_limit->setToolTip(
         tr("If the axis moves further than this beyond the movement itself, the motors are switched off"));
@@ -73,7 +68,7 @@ MotionTestPlan MovementForm::plan(MotionTestPlan::Kind kind, Axis axis) const
     plan.kind = kind;
     plan.axis = axis;
     plan.degrees = m_degrees->value();
-    plan.steps = m_count->value();
+    plan.steps = int(m_count->value());
     plan.rest = m_rest->value();
     plan.fromHz = m_from->value();
     plan.toHz = m_to->value();

@@ -6,8 +6,7 @@
 
 #include <QFormLayout>
 
-class QDoubleSpinBox;
-class QSpinBox;
+class NumberBox;
 
 /// How far, how often and how fast a test moves an axis.
 class MovementForm final : public QFormLayout
@@ -23,11 +22,11 @@ public:
     [[nodiscard]] double seconds() const;
 
 private:
-    QDoubleSpinBox *m_degrees;
-    QSpinBox *m_count;
-    QDoubleSpinBox *m_rest;
-    QDoubleSpinBox *m_from;
-    QDoubleSpinBox *m_to;
-    QDoubleSpinBox *m_seconds;
-    QDoubleSpinBox *m_limit;
+    NumberBox *m_degrees;
+    NumberBox *m_count;
+    NumberBox *m_rest;
+    NumberBox *m_from;
+    NumberBox *m_to;
+    NumberBox *m_seconds;
+    NumberBox *m_limit;
 };

@@ -5,6 +5,7 @@
 #include "app/pages/tune/movementform.h"
 #include "app/pages/tune/responsecharts.h"
 #include "protocol/record/responsecsv.h"
+#include "widgets/forms/numberbox.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/tablelook.h"
 #include "widgets/views/card.h"
@@ -275,6 +276,8 @@ void ResponsePage::start()
         workspace().client().cancelMovingJobs();
         return;
     }
+    if (NumberBox::refusedIn(*this))
+        return;
     const auto test = testKind();
     if (!test) {
         measureOwnMotion();

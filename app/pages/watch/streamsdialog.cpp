@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/watch/streamsdialog.h"
 
+#include "widgets/forms/numberbox.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QCheckBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -35,7 +35,8 @@ StreamsDialog::StreamsDialog(Workspace &workspace, QWidget *parent)
     (now.isEmpty() ? m_automatic : m_byHand)->setChecked(true);
     const QList<StreamSpec> offered = workspace.client().device()->streamControl()->streams();
     for (const StreamSpec &spec : offered) {
-        Row row{spec, new QCheckBox(spec.label), new QDoubleSpinBox, new QLabel};
+        Row row{spec, new QCheckBox(spec.label), new NumberBox(0, spec.maxRate, 0, tr(" samples/s")),
+                new QLabel};
         const auto wish = std::find_if(now.begin(), now.end(),
                                        [&](const StreamChoice &each) { return each.key == spec.key; });
         row.check->setChecked(wish != now.end());
@@ -43,10 +44,7 @@ StreamsDialog::StreamsDialog(Workspace &workspace, QWidget *parent)
             spec.choosesChannels
                 ? tr("Carries the channels that are shown, at the rate you choose")
                 : tr("Carries %n channel(s), all of them each time", nullptr, int(spec.channels.size())));
-        row.rate->setRange(0, spec.maxRate);
-        row.rate->setDecimals(0);
         row.rate->setSpecialValueText(tr("as fast as possible"));
-        row.rate->setSuffix(tr(" samples/s"));
         row.rate->setValue(wish == now.end() ? 0 : wish->rate);
         row.rate->setAccessibleName(tr("Rate of %1").arg(spec.label));
         row.use->setObjectName(u"muted"_s);
@@ -70,6 +68,8 @@ StreamsDialog::StreamsDialog(Workspace &workspace, QWidget *parent)
     m_apply->setObjectName(u"primary"_s);
     m_apply->setDefault(true);
     connect(m_apply, &QPushButton::clicked, this, [this] {
+        if (NumberBox::refusedIn(*this))
+            return;
         m_workspace.telemetry().setStreams(chosen());
         accept();
     });
@@ -105,7 +105,7 @@ QCheckBox *StreamsDialog::check(const QString &stream) const
     return row == m_rows.end() ? nullptr : row->check;
 }
 
-QDoubleSpinBox *StreamsDialog::rate(const QString &stream) const
+NumberBox *StreamsDialog::rate(const QString &stream) const
 {
     const auto row = std::find_if(m_rows.begin(), m_rows.end(),
                                   [&](const Row &each) { return each.spec.key == stream; });

@@ -6,8 +6,8 @@
 
 #include <QDialog>
 
+class NumberBox;
 class QCheckBox;
-class QDoubleSpinBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -22,7 +22,7 @@ public:
 
     [[nodiscard]] QRadioButton *byHand() const { return m_byHand; }
     [[nodiscard]] QCheckBox *check(const QString &stream) const;
-    [[nodiscard]] QDoubleSpinBox *rate(const QString &stream) const;
+    [[nodiscard]] NumberBox *rate(const QString &stream) const;
     [[nodiscard]] QLabel *verdict() const { return m_verdict; }
 
 protected:
@@ -33,7 +33,7 @@ private:
     {
         StreamSpec spec;
         QCheckBox *check;
-        QDoubleSpinBox *rate;
+        NumberBox *rate;
         QLabel *use;
     };
     [[nodiscard]] QList<StreamChoice> chosen() const;

@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/setup/parameterspage.h"
+#include "tests/support/windowrig.h"
+#include "widgets/forms/argumentform.h"
+#include "widgets/forms/numberbox.h"
+#include "widgets/forms/parameterform.h"
+#include "widgets/forms/valueeditor.h"
+#include "widgets/models/parametermodel.h"
+
+#include <QClipboard>
+#include <QLineEdit>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr double kNothing = -12345.0;  // what is typed is no value
+
+/// Types over what stands in a field and leaves it by Tab.
+void typeInto(QWidget *field, const QString &text)
+{
+    field->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+    if (text.isEmpty()) {
+        QTest::keyClick(field, Qt::Key_Delete);
+    } else if (std::any_of(text.begin(), text.end(), [](QChar c) { return c.unicode() > 0x7F; })) {
+        QGuiApplication::clipboard()->setText(text);
+        QTest::keyClick(field, Qt::Key_V, Qt::ControlModifier);
+    } else {
+        QTest::keyClicks(field, text);
+    }
+    QTest::keyClick(field, Qt::Key_Tab);
+}
+
+QToolButton *hintIn(const QWidget &window)
+{
+    return window.findChild<QToolButton *>(u"hint"_s);
+}
+
+}  // namespace
+
+/// What is typed into a field for a number is taken as it is meant or not at all, and never changed unsaid.
+class TestNumberBox : public QObject
+{
+    Q_OBJECT
+private slots:
+    void typed_data();
+    void typed();
+    void enterAndEscape();
+    void anEmptyFieldStaysEmpty();
+    void parametersKeepWhatWasTyped();
+    void actionsRefuseWhatTheyWereNotTold();
+    void countsAndSteps_data();
+    void countsAndSteps();
+};
+
+void TestNumberBox::typed_data()
+{
+    QTest::addColumn<double>("low");
+    QTest::addColumn<double>("high");
+    QTest::addColumn<int>("decimals");
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<double>("value");  // kNothing: it is refused
+    QTest::addColumn<QString>("nearest");  // then: what is offered
+    const auto row = [](const char *name, double low, double high, int decimals, const QString &text,
+                        double value, const QString &nearest = {}) {
+        QTest::newRow(name) << low << high << decimals << text << value << nearest;
+    };
+    row("whole", 0, 255, 0, u"35"_s, 35);
+    row("point", 0, 2.55, 2, u"0.2"_s, 0.2);
+    row("comma", 0, 2.55, 2, u"0,2"_s, 0.2);
+    row("comma first", 0, 2.55, 2, u",25"_s, 0.25);
+    row("comma last", 0, 10, 2, u"3,"_s, 3);
+    row("negative", -10, 10, 1, u"-2,5"_s, -2.5);
+    row("minus sign", -10, 10, 1, u"\u22122.5"_s, -2.5);
+    row("plus sign", -10, 10, 1, u"+2.5"_s, 2.5);
+    row("with its unit", 0, 90, 1, u"12,5 °"_s, 12.5);
+    row("unit without space", 0, 90, 1, u"12,5°"_s, 12.5);
+    row("the bounds belong", 0, 255, 0, u"255"_s, 255);
+    row("too large", 0, 255, 0, u"300"_s, kNothing, u"255"_s);
+    row("far too large", 0, 99, 0, u"99999"_s, kNothing, u"99"_s);
+    row("too small", 2, 40, 0, u"1"_s, kNothing, u"2"_s);
+    row("too large with decimals", 0, 2.55, 2, u"3"_s, kNothing, u"2.55"_s);
+    row("decimals in whole numbers", 0, 255, 0, u"35.6"_s, kNothing, u"36"_s);
+    row("more decimals", 0, 10, 2, u"1,239"_s, kNothing, u"1.24"_s);
+    row("grouped, English", 0, 9999, 1, u"1,000.5"_s, kNothing);
+    row("grouped, German", 0, 9999, 1, u"1.000,5"_s, kNothing);
+    row("grouped by a space", 0, 9999, 0, u"1 000"_s, kNothing);
+    row("word", 0, 255, 0, u"all"_s, kNothing);
+    row("exponent", 0, 255, 0, u"1e2"_s, kNothing);
+    row("not a number", 0, 255, 0, u"nan"_s, kNothing);
+    row("infinite", 0, 255, 0, u"inf"_s, kNothing);
+    row("nothing", 0, 255, 0, QString(), kNothing);
+}
+
+void TestNumberBox::typed()
+{
+    QFETCH(const double, low);
+    QFETCH(const double, high);
+    QFETCH(const int, decimals);
+    QFETCH(const QString, text);
+    QFETCH(const double, value);
+    QFETCH(const QString, nearest);
+    for (const bool tracking : {false, true}) {
+        QWidget window;
+        auto *box = new NumberBox(low, high, decimals, u" °"_s);
+        box->setKeyboardTracking(tracking);
+        auto *layout = new QVBoxLayout(&window);
+        layout->addWidget(box);
+        layout->addWidget(new QLineEdit);
+        window.resize(400, 200);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        const double before = low + 1;
+        box->setValue(before);
+        typeInto(box, text);
+        QCOMPARE(box->isRefused(), value == kNothing);
+        if (value != kNothing) {
+            QCOMPARE(box->value(), value);
+            QVERIFY(!hintIn(window));
+            continue;
+        }
+        // It stands there as it was typed, and the field tells what it takes.
+        QCOMPARE(box->text().remove(u" °"_s), text);
+        if (!tracking)
+            QCOMPARE(box->value(), before);
+        QToolButton *hint = hintIn(window);
+        QVERIFY(hint && hint->isVisible() && window.rect().contains(hint->geometry()));
+        QVERIFY(hint->text().contains(box->textFromValue(high)));
+        const double offered = nearest.isEmpty() ? box->value() : nearest.toDouble();
+        hint->click();
+        QCOMPARE(box->value(), offered);
+        QCOMPARE(NumberBox::numberIn(box->cleanText()), offered);
+        QVERIFY(!box->isRefused());
+        QTRY_VERIFY(!hintIn(window));
+    }
+}
+
+void TestNumberBox::enterAndEscape()
+{
+    QWidget window;
+    auto *box = new NumberBox(0, 255, 0);
+    auto *layout = new QVBoxLayout(&window);
+    layout->addWidget(box);
+    box->setKeyboardTracking(false);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    box->setValue(7);
+    box->selectAll();
+    QTest::keyClicks(box, u"300"_s);
+    QVERIFY(!box->isRefused());  // not before it is finished
+    QTest::keyClick(box, Qt::Key_Return);
+    QVERIFY(box->isRefused());
+    QCOMPARE(box->text(), u"300"_s);
+    QTest::keyClick(box, Qt::Key_Backspace);
+    QVERIFY(!box->isRefused());
+    QTest::keyClick(box, Qt::Key_Return);
+    QCOMPARE(box->value(), 30.0);
+    // Esc brings the value back, an arrow key takes the nearest one.
+    QTest::keyClicks(box, u"300"_s);
+    QTest::keyClick(box, Qt::Key_Return);
+    QTest::keyClick(box, Qt::Key_Escape);
+    QCOMPARE(box->text(), u"30"_s);
+    QTest::keyClicks(box, u"300"_s);
+    QTest::keyClick(box, Qt::Key_Return);
+    QTest::keyClick(box, Qt::Key_Up);
+    QCOMPARE(box->value(), 255.0);
+    QVERIFY(!box->isRefused());
+}
+
+void TestNumberBox::anEmptyFieldStaysEmpty()
+{
+    QWidget window;
+    auto *box = new NumberBox(-180, 180, 1, u"°"_s);
+    box->setEmptyAllowed(true);
+    auto *layout = new QVBoxLayout(&window);
+    layout->addWidget(box);
+    layout->addWidget(new QLineEdit);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    box->clear();
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Tab);
+    QVERIFY(!box->isRefused());
+    QVERIFY(NumberBox::numberIn(box->cleanText()) != 0.0);  // no zero that nobody typed
+    typeInto(box, u"0"_s);
+    QCOMPARE(box->text(), u"0.0°"_s);
+}
+
+void TestNumberBox::parametersKeepWhatWasTyped()
+{
+    WindowRig rig;
+    QVERIFY(rig.open());
+    rig.window().showPage(u"parameters"_s);
+    auto *page = rig.page<ParametersPage>();
+    page->showParameter(u"pid.roll.p"_s);
+    const auto field = [&rig, page](const QString &key) {
+        return qobject_cast<NumberBox *>(page->form()->editor(rig.spec(key).id)->control());
+    };
+    NumberBox *p = field(u"pid.roll.p"_s);
+    QVERIFY(p);
+    const double before = p->value();
+    typeInto(p, u"300"_s);
+    QVERIFY(p->isRefused());
+    QCOMPARE(rig.model().changeCount(), 0);
+    // What was typed would be missed in a review.
+    rig.edit(u"pid.yaw.p"_s, 0, 44);
+    rig.window().review();
+    QVERIFY(!rig.window().reviewDialog());
+    QVERIFY(p->hasFocus());
+    rig.workspace().edits().undoStack().undo();
+    // Another field is edited, another page shown: it stands there still.
+    typeInto(field(u"pid.roll.i"_s), u"0,2"_s);
+    QCOMPARE(rig.model().changeCount(), 1);
+    QCOMPARE(rig.spec(u"pid.roll.i"_s).toDisplay(*rig.model().value(rig.spec(u"pid.roll.i"_s), 0)), 0.2);
+    rig.window().showPage(u"console"_s);
+    rig.window().showPage(u"parameters"_s);
+    QCOMPARE(p->text(), u"300"_s);
+    QVERIFY(p->isRefused());
+    // A value from elsewhere takes its place.
+    rig.edit(u"pid.roll.p"_s, 0, 44);
+    QCOMPARE(p->text(), u"44"_s);
+    QVERIFY(!p->isRefused());
+    rig.workspace().edits().undoStack().undo();
+    QCOMPARE(p->value(), before);
+}
+
+// Nothing is done with the value from before while another one stands in the field.
+void TestNumberBox::actionsRefuseWhatTheyWereNotTold()
+{
+    WindowRig rig;
+    QVERIFY(rig.open(u"sim:storm32"_s));
+    const auto actions = rig.client().device()->actions();
+    const auto output = std::find_if(actions.begin(), actions.end(),
+                                     [](const ActionSpec &spec) { return qstrcmp(spec.key, "pwm") == 0; });
+    QVERIFY(output != actions.end());
+    ArgumentForm form(*output);
+    form.show();
+    QVERIFY(QTest::qWaitForWindowActive(&form));
+    auto *box = form.findChild<NumberBox *>();
+    QVERIFY(box);
+    typeInto(box, u"99999"_s);
+    QVERIFY(!form.arguments());
+    QCOMPARE(form.arguments().error().code, ErrorCode::OutOfRange);
+    typeInto(box, u"1600"_s);
+    QVERIFY(form.arguments());
+    // Typed, and not even left.
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(box, u"5"_s);
+    QVERIFY(!form.arguments());
+    QVERIFY(box->isRefused());
+}
+
+void TestNumberBox::countsAndSteps_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::newRow("SimpleBGC") << u"sim:simplebgc"_s;
+    QTest::newRow("STorM32") << u"sim:storm32"_s;
+}
+
+// Registers hold counts: the nearest one stands for what was typed where it is coarser than what is shown,
+// but a value that its declaration has no step for is refused.
+void TestNumberBox::countsAndSteps()
+{
+    QFETCH(const QString, address);
+    WindowRig rig;
+    QVERIFY(rig.open(address));
+    int coarse = 0;
+    int stepped = 0;
+    for (const ParameterSpec &spec : std::as_const(rig.model()).edited().parameters().all()) {
+        if (spec.row->kind != ValueKind::Number || spec.row->state)
+            continue;
+        QWidget window;
+        auto *editor = new ValueEditor(spec, rig.client().identity().firmwareNumber);
+        auto *layout = new QVBoxLayout(&window);
+        layout->addWidget(editor);
+        layout->addWidget(new QLineEdit);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        auto *box = qobject_cast<NumberBox *>(editor->control());
+        QVERIFY(box);
+        editor->show(spec.row->min, spec.row->min);
+        std::optional<double> edited;
+        connect(editor, &ValueEditor::edited, this, [&edited](double raw) { edited = raw; });
+        // The text of each value is that value.
+        const double raw = spec.clamped((spec.row->min + spec.row->max) / 2 + 1);
+        const QString text = box->textFromValue(spec.toDisplay(raw));
+        typeInto(box, text);
+        QVERIFY2(!box->isRefused(), qPrintable(spec.key + u": "_s + text));
+        if (raw != spec.row->min) {
+            QVERIFY2(edited, qPrintable(spec.key));
+            QVERIFY2(std::abs(*edited - raw) <= 1, qPrintable(spec.key));
+        }
+        const double unit = std::pow(10.0, -box->decimals());
+        coarse += std::abs(spec.row->scale) > 1.001 * unit;
+        if (spec.row->step > 1 && spec.row->wire != WireType::F32) {
+            ++stepped;
+            edited.reset();
+            typeInto(box, box->textFromValue(spec.toDisplay(spec.row->min + 1)));
+            QVERIFY2(box->isRefused() && !edited, qPrintable(spec.key));
+        }
+    }
+    QVERIFY(address.contains(u"storm32"_s) ? stepped > 0 : coarse > 0);
+}
+
+QTEST_MAIN(TestNumberBox)
+#include "tst_numberbox.moc"
