@@ -4296,6 +4296,13 @@ Spitze %2°</translation>
     </message>
 </context>
 <context>
+    <name>StaleCover</name>
+    <message>
+        <source>No data since %1</source>
+        <translation>Keine Daten seit %1</translation>
+    </message>
+</context>
+<context>
     <name>StartPage</name>
     <message>
         <source>No gimbal yet</source>
@@ -4367,6 +4374,10 @@ Spitze %2°</translation>
     <message>
         <source>no errors</source>
         <translation>keine Fehler</translation>
+    </message>
+    <message>
+        <source>no live data</source>
+        <translation>keine Live-Daten</translation>
     </message>
 </context>
 <context>

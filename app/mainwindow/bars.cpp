@@ -349,6 +349,14 @@ void StatusStrip::refresh()
     }
     const bool bad = m_lastBad > 0 && m_badAt.isValid() && m_badAt.elapsed() < kBadTimeMs;
     m_link->setText(dot(bad ? ColorRole::Warning : ColorRole::Ok) + text);
+    if (m_workspace.freshness().staleSince()) {
+        // What they said is old; the views say since when.
+        m_battery->setText(u"<span style='color:%1'>%2</span>"_s.arg(theme.color(ColorRole::Warning).name(),
+                                                                     tr("no live data")));
+        m_temperature->clear();
+        m_faults->clear();
+        return;
+    }
     const ChannelRoles &roles = m_workspace.roles();
     const double volts = m_workspace.latest(roles.battery);
     m_battery->setText(std::isnan(volts) ? QString() : tr("%1 V").arg(volts, 0, 'f', 1));

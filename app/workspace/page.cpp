@@ -32,6 +32,11 @@ Page::Page(Workspace &workspace, const QString &key, const QString &title, QWidg
     layout->addLayout(m_body, 1);
 }
 
+void Page::coverWhenStale(QWidget &view, const Freshness::Channels &channels, StaleCover::Look look)
+{
+    workspace().freshness().watch(*new StaleCover(workspace().theme(), view, look), channels);
+}
+
 void Page::refreshWhileShown(std::chrono::milliseconds interval, std::function<void()> refresh,
                              std::function<bool()> isPaused)
 {

@@ -37,6 +37,10 @@ protected:
     /// Space in the header, right of the title.
     [[nodiscard]] QHBoxLayout *header() const { return m_header; }
 
+    /// Covers a view of live data while these channels are stale; none = all.
+    void coverWhenStale(QWidget &view, const Freshness::Channels &channels = {},
+                        StaleCover::Look look = StaleCover::Look::Veil);
+
     /// Does this when the page comes into view, and again at this interval as long as it is seen and not
     /// paused.
     void refreshWhileShown(std::chrono::milliseconds interval, std::function<void()> refresh,

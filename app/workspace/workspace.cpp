@@ -37,6 +37,7 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     , m_live(m_client, m_configuration)
     , m_notifications(m_client, m_configuration)
     , m_telemetry(m_client)
+    , m_freshness(m_client)
     , m_edits(m_configuration)
     , m_journal(m_configuration, m_edits, m_history)
     , m_recorder(m_client)

@@ -6,6 +6,7 @@
 #include "app/workspace/boardwriter.h"
 #include "app/workspace/confirmations.h"
 #include "app/workspace/editjournal.h"
+#include "app/workspace/freshness.h"
 #include "app/workspace/linkmarks.h"
 #include "app/workspace/linkrecorder.h"
 #include "app/workspace/notifications.h"
@@ -49,6 +50,7 @@ public:
     [[nodiscard]] LinkRecorder &recorder() { return m_recorder; }
     [[nodiscard]] Notifications &notifications() { return m_notifications; }
     [[nodiscard]] TelemetrySubscriptions &telemetry() { return m_telemetry; }
+    [[nodiscard]] Freshness &freshness() { return m_freshness; }
     /// What happened on this link, for the plots.
     [[nodiscard]] PlotMarks &marks() { return m_marks; }
     /// Adds a mark at this moment.
@@ -143,6 +145,7 @@ private:
     LiveModel m_live;
     Notifications m_notifications;
     TelemetrySubscriptions m_telemetry;
+    Freshness m_freshness;
     EditStack m_edits;
     BoardHistory m_history;
     EditJournal m_journal;

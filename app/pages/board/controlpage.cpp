@@ -149,6 +149,9 @@ Card *ControlPage::makeAnglesCard()
 
 void ControlPage::connectAll()
 {
+    const auto angles = [this] { return ChannelRoles::present({workspace().roles().angle}); };
+    coverWhenStale(*m_attitude, angles);
+    coverWhenStale(*m_now, angles, StaleCover::Look::Fade);
     connect(m_pad, &ControlPad::moved, this, &ControlPage::touch);
     connect(m_pad, &ControlPad::moved, this, &ControlPage::pointWithPad);
     connect(m_roll, &QSlider::valueChanged, this, &ControlPage::touch);

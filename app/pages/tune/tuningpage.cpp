@@ -97,6 +97,13 @@ void TuningPage::makeBody()
         rightLayout->addWidget(plot, 1);
         plot->setMarks(&workspace().marks());
         m_plots.append(plot);
+        coverWhenStale(
+            *plot,
+            [this] {
+                const ChannelRoles &roles = this->workspace().roles();
+                return ChannelRoles::present({roles.angle, roles.gyro});
+            },
+            StaleCover::Look::Tag);
     }
     rightLayout->addWidget(makeFigures());
     auto *split = new QHBoxLayout;

@@ -93,6 +93,13 @@ DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
     columns->addLayout(told, 2);
     body()->addLayout(columns, 1);
 
+    const auto angles = [this] { return ChannelRoles::present({this->workspace().roles().angle}); };
+    coverWhenStale(*m_attitude, angles);
+    for (AxisDial *dial : m_dials)
+        coverWhenStale(*dial, angles, StaleCover::Look::Fade);
+    coverWhenStale(*m_motorCard, [this] { return this->workspace().roles().motors; });
+    coverWhenStale(*m_battery, {}, StaleCover::Look::Fade);
+    coverWhenStale(*m_facts, {}, StaleCover::Look::Fade);
     m_timer.setInterval(kRefresh);
     connect(&m_timer, &QTimer::timeout, this, &DashboardPage::refresh);
     connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &DashboardPage::updateLimits);

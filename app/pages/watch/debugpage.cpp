@@ -53,7 +53,12 @@ DebugPage::DebugPage(Workspace &workspace, QWidget *parent)
     note->setWordWrap(true);
     body()->addWidget(note);
     body()->addWidget(m_table, 3);
-    body()->addWidget(m_plots, 3);
+    auto *plots = new QWidget;
+    auto *plotsLayout = new QVBoxLayout(plots);
+    plotsLayout->setContentsMargins(0, 0, 0, 0);
+    plotsLayout->addWidget(m_plots);
+    body()->addWidget(plots, 3);
+    coverWhenStale(*plots, {}, StaleCover::Look::Tag);
 
     connect(clear, &QPushButton::clicked, &m_model, &DebugModel::clearBounds);
     connect(m_pause, &QPushButton::toggled, this, [this](bool on) {

@@ -129,6 +129,7 @@ void MonitorPage::makeBody()
     rightLayout->setContentsMargins(0, 0, 0, 0);
     rightLayout->addWidget(m_stack, 1);
     rightLayout->addWidget(m_arrayChart, 1);
+    coverWhenStale(*right, {}, StaleCover::Look::Tag);
     m_arrayChart->hide();
     rightLayout->addWidget(m_empty);
     auto *split = new QSplitter;

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/views/stalecover.h"
+
+#include <QEvent>
+#include <QPainter>
+#include <QSplitter>
+
+using namespace Qt::StringLiterals;
+
+StaleCover::StaleCover(const Theme &theme, QWidget &view, Look look)
+    : QWidget(&view)
+    , m_theme(theme)
+    , m_look(look)
+{
+    Q_ASSERT(!qobject_cast<QSplitter *>(&view));
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    view.installEventFilter(this);
+    hide();
+}
+
+void StaleCover::setSince(const std::optional<QDateTime> &since)
+{
+    const QString text = since ? tr("No data since %1").arg(since->toString(u"HH:mm:ss"_s)) : QString();
+    if (text == m_text && isHidden() == text.isEmpty())
+        return;
+    m_text = text;
+    setAccessibleName(text);
+    setToolTip(text);
+    setVisible(since.has_value());
+    if (!since)
+        return;
+    setGeometry(parentWidget()->rect());
+    raise();
+    update();
+}
+
+bool StaleCover::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Resize)
+        setGeometry(parentWidget()->rect());
+    return QWidget::eventFilter(watched, event);
+}
+
+void StaleCover::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (m_look != Look::Tag) {
+        QColor veil = m_theme.color(ColorRole::Surface);
+        veil.setAlpha(190);
+        painter.fillRect(rect(), veil);
+    }
+    if (m_look == Look::Fade)
+        return;
+    const QFontMetrics metrics = painter.fontMetrics();
+    const QString text = metrics.elidedText(m_text, Qt::ElideLeft, width() - 2 * Metric::kGap);
+    QRect tag(0, 0, metrics.horizontalAdvance(text) + 2 * Metric::kGap, metrics.height() + Metric::kGap);
+    if (m_look == Look::Veil)
+        tag.moveCenter(rect().center());
+    else
+        tag.moveTopRight(rect().topRight() + QPoint(-Metric::kGap, Metric::kGap));
+    painter.setPen(QPen(m_theme.color(ColorRole::Warning), 1));
+    painter.setBrush(m_theme.color(ColorRole::Surface));
+    painter.drawRoundedRect(tag, 4, 4);
+    painter.drawText(tag, Qt::AlignCenter, text);
+}

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/theme/theme.h"
+
+#include <QDateTime>
+#include <QWidget>
+
+#include <optional>
+
+/// Lies over a view of live data once there are none: what is shown then is old, and says since when. Lets
+/// the mouse through.
+class StaleCover final : public QWidget
+{
+    Q_OBJECT
+public:
+    enum class Look {
+        Veil,  ///< fades the view and says since when
+        Fade,  ///< fades it: the time stands beside it
+        Tag,  ///< leaves it as it is: what it shows is past anyway
+    };
+    /// @param view is covered, and owns the cover; no splitter, which would make room for it
+    StaleCover(const Theme &theme, QWidget &view, Look look = Look::Veil);
+
+    /// Empty: the data are live.
+    void setSince(const std::optional<QDateTime> &since);
+    [[nodiscard]] QString text() const { return m_text; }
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    const Theme &m_theme;
+    Look m_look;
+    QString m_text;
+};
