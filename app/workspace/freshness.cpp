@@ -4,6 +4,7 @@
 
 #include "protocol/telemetry/telemetryplan.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "protocol/transport/linkaddress.h"
 
 #include <algorithm>
 

@@ -131,7 +131,7 @@ void TestStormHold::anglesThatHoldAreKnownOrLeftOut()
     const auto before = angles();
     const SteeringSetpoint hold = device.holdingSetpoint(kUnlimitedAngle, *m_store);
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-        const QString name = kAll[qsizetype(axis)];
+        const QString &name = kAll[qsizetype(axis)];
         QVERIFY2(std::isnan(hold.inputs[axis]) != known.contains(name), qPrintable(name));
         QVERIFY2(std::isnan(hold.inputs[axis]) || qAbs(hold.inputs[axis] - before[axis]) < 1e-3,
                  qPrintable(name));

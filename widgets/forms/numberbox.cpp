@@ -214,7 +214,8 @@ void NumberBox::focusInEvent(QFocusEvent *event)
         QTimer::singleShot(0, this, &QAbstractSpinBox::selectAll);  // after the press has set the cursor
 }
 
-// The base class would put the old value in the place of what was typed.
+// The base class would put the old value in the place of what was typed, here and where it is hidden and
+// shown. NOLINTBEGIN(bugprone-parent-virtual-call)
 void NumberBox::focusOutEvent(QFocusEvent *event)
 {
     setRefused(!isTaken(typed()));
@@ -246,6 +247,8 @@ void NumberBox::showEvent(QShowEvent *event)
     if (m_refused)
         showHint();
 }
+
+// NOLINTEND(bugprone-parent-virtual-call)
 
 void NumberBox::moveEvent(QMoveEvent *event)
 {

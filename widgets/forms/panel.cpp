@@ -29,6 +29,7 @@ public:
         , m_dialog(dialog)
         , m_frame(new QFrame(this))
         , m_title(new QLabel(dialog.windowTitle()))
+        , m_before(QApplication::focusWidget())
         , m_first(dialog.focusWidget())
         , m_wanted(dialog.testAttribute(Qt::WA_Resized) ? dialog.size() : QSize(0, 0))
     {
@@ -57,6 +58,13 @@ public:
         m_dialog.show();
         place();
         firstFocus()->setFocus(Qt::PopupFocusReason);
+    }
+
+    /// To what had it before the dialog.
+    void giveFocusBack() const
+    {
+        if (m_before && m_before->isVisible())
+            m_before->setFocus(Qt::PopupFocusReason);
     }
 
     bool eventFilter(QObject *watched, QEvent *event) override
@@ -104,6 +112,7 @@ private:
     QDialog &m_dialog;
     QFrame *m_frame;
     QLabel *m_title;
+    QPointer<QWidget> m_before;
     QPointer<QWidget> m_first;  // what the dialog chose; forgotten when it gets another parent
     QSize m_wanted;
 };
@@ -125,24 +134,24 @@ PanelArea::~PanelArea()
 
 void PanelArea::open(QDialog &dialog)
 {
-    const QPointer<QWidget> before = QApplication::focusWidget();
     const bool wasOpen = isOpen();
     auto *panel = new Panel(dialog, this);
     panel->setGeometry(rect());
     m_panels.append(panel);
     update(wasOpen);
     panel->start();
-    const auto close = [this, panel, before] {
-        if (!m_panels.removeOne(panel))
-            return;
-        panel->hide();
-        panel->deleteLater();
-        update(true);
-        if (before && before->isVisible())
-            before->setFocus(Qt::PopupFocusReason);
-    };
-    connect(&dialog, &QDialog::finished, this, close);
-    connect(&dialog, &QObject::destroyed, this, close);
+    connect(&dialog, &QDialog::finished, this, [this, panel] { close(panel); });
+    connect(&dialog, &QObject::destroyed, this, [this, panel] { close(panel); });
+}
+
+void PanelArea::close(Panel *panel)
+{
+    if (!m_panels.removeOne(panel))
+        return;
+    panel->hide();
+    panel->deleteLater();
+    update(true);
+    panel->giveFocusBack();
 }
 
 void PanelArea::update(bool wasOpen)

@@ -33,6 +33,7 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
+    void close(Panel *panel);
     void update(bool wasOpen);
 
     QWidget *m_content;

@@ -188,7 +188,8 @@ void ScriptEditor::keyPressEvent(QKeyEvent *event)
 {
     const bool completing = isListActive();
     if (!completing && (event->key() == Qt::Key_Tab || event->key() == Qt::Key_Backtab)) {
-        QAbstractScrollArea::focusNextPrevChild(event->key() == Qt::Key_Tab);  // the editor's own refuses
+        // The editor's own refuses. NOLINTNEXTLINE(bugprone-parent-virtual-call)
+        QAbstractScrollArea::focusNextPrevChild(event->key() == Qt::Key_Tab);
         return;
     }
     QsciScintilla::keyPressEvent(event);
