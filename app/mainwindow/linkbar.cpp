@@ -19,6 +19,8 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr auto kMotorsRefresh = 100ms;
+// Pressed twice in a hurry, the motors stay off.
+constexpr qint64 kNoOnAfterOffMs = 1500;
 
 }  // namespace
 
@@ -48,6 +50,7 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     m_profile->setToolTip(tr("Active profile of the board"));
     m_profile->setMinimumWidth(140);
     m_motors->setObjectName(u"motors"_s);
+    m_motors->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard where it was
     m_motors->setToolTip(tr("F12 switches the motors off from anywhere"));
     auto *profileLabel = new QLabel(tr("&Profile"));
     profileLabel->setObjectName(u"muted"_s);
@@ -214,7 +217,8 @@ void LinkBar::updateMotors()
     const Device *device = m_workspace.client().device();
     const bool canSwitchOn = !linked || (device && device->motorSwitch());
     m_offNext = !running || *running || !canSwitchOn;
-    m_motors->setEnabled(linked);
+    const bool tooSoon = !m_offNext && m_pressedOff.isValid() && m_pressedOff.elapsed() < kNoOnAfterOffMs;
+    m_motors->setEnabled(linked && !tooSoon);
     const QString text = m_offNext ? tr("■ MOTORS OFF") : tr("▶ Motors on");
     if (m_motors->text() != text) {
         m_motors->setText(text);
@@ -229,5 +233,7 @@ void LinkBar::updateMotors()
 
 void LinkBar::onMotors()
 {
+    if (m_offNext)
+        m_pressedOff.start();
     m_workspace.setMotors(!m_offNext);
 }

@@ -5,6 +5,7 @@
 #include "app/workspace/workspace.h"
 #include "protocol/transport/portlist.h"
 
+#include <QElapsedTimer>
 #include <QFrame>
 
 class QComboBox;
@@ -45,4 +46,5 @@ private:
     QTimer m_refresh;
     QString m_progress;
     bool m_offNext = true;  // what the motors button does when pressed
+    QElapsedTimer m_pressedOff;
 };

@@ -286,8 +286,8 @@ void MainWindow::review()
         || !m_workspace->client().identity().writable)
         return;
     // A value still being typed belongs to the edits as well; one that is refused would be missed.
-    if (QWidget *focus = QApplication::focusWidget())
-        focus->clearFocus();
+    if (QWidget *focus = QApplication::focusWidget(); focus && (focus->clearFocus(), true))
+        focus->setFocus();
     if (NumberBox::refusedIn(*m_stack->currentWidget()))
         return;
     m_review = new ReviewDialog(model.board(), model.edited(), this);

@@ -191,6 +191,12 @@ void TestNumberBox::anEmptyFieldStaysEmpty()
     QVERIFY(NumberBox::numberIn(box->cleanText()) != 0.0);  // no zero that nobody typed
     typeInto(box, u"0"_s);
     QCOMPARE(box->text(), u"0.0°"_s);
+    // Emptied by the program: what was refused is gone.
+    typeInto(box, u"500"_s);
+    QVERIFY(box->isRefused() && hintIn(window));
+    box->clear();
+    QVERIFY(!box->isRefused());
+    QTRY_VERIFY(!hintIn(window));
 }
 
 void TestNumberBox::parametersKeepWhatWasTyped()
@@ -209,6 +215,17 @@ void TestNumberBox::parametersKeepWhatWasTyped()
     typeInto(p, u"300"_s);
     QVERIFY(p->isRefused());
     QCOMPARE(rig.model().changeCount(), 0);
+    // One hint at a time; the field with the focus has it.
+    NumberBox *yaw = field(u"pid.yaw.p"_s);
+    typeInto(yaw, u"999"_s);
+    QVERIFY(yaw->isRefused() && p->isRefused());
+    const auto hints = [page] { return page->findChildren<QToolButton *>(u"hint"_s).size(); };
+    QCOMPARE(hints(), 1);
+    p->setFocus();
+    QCOMPARE(hints(), 1);
+    QVERIFY(hintIn(*page)->text().contains(u"255"_s));
+    typeInto(yaw, u"40"_s);
+    QVERIFY(!yaw->isRefused());
     // What was typed would be missed in a review.
     rig.edit(u"pid.yaw.p"_s, 0, 44);
     rig.window().review();

@@ -92,8 +92,17 @@ void TestPanels::motorsGoOffBeneathEachDialog()
     QVERIFY(motors()->isEnabled());
     QVERIFY(!motors()->geometry().isEmpty());
     click(motors());
+    // In a hurry twice: they stay off, and the keyboard stays in the dialog.
+    click(motors());
     QVERIFY(motorsAre(false));
-    QVERIFY(dialog->isVisible());  // and it stays as it was
+    click(motors());
+    QVERIFY(m_rig->boardGoesOn(1.0));
+    QCOMPARE(workspace().motorsRunning(), false);
+    QVERIFY(dialog->isVisible());
+    QVERIFY(dialog->isAncestorOf(QApplication::focusWidget()));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+    QTRY_VERIFY(!window().panels()->isOpen());
+    QTRY_VERIFY_WITH_TIMEOUT(motors()->isEnabled(), 5000);  // to switch them on
 }
 
 // What a dialog with a window of its own would do, and that the click of these tests is one that can be
@@ -150,6 +159,15 @@ void TestPanels::focusComesBack()
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     QVERIFY(!window().panels()->isOpen());
     QCOMPARE(QApplication::focusWidget(), button);
+    // After a review, the field that was edited.
+    window().showPage(u"parameters"_s);
+    QWidget *field = window().page(u"parameters"_s)->findChild<QWidget *>(u"pid.roll.p"_s);
+    QVERIFY(field);
+    field->setFocus();
+    QVERIFY(open(u"review"_s));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+    QVERIFY(!window().panels()->isOpen());
+    QCOMPARE(QApplication::focusWidget(), field);
 }
 
 void TestPanels::smallWindowHoldsThem()

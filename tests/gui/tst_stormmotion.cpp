@@ -13,6 +13,7 @@
 #include "protocol/telemetry/streams.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "tests/support/loopmath.h"
+#include "tests/support/measure.h"
 #include "tests/support/named.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/stormwindow.h"
@@ -244,16 +245,8 @@ void TestStormMotion::stepsAreMeasuredWithoutToldTargets()
     const auto *ways = qobject_cast<QStandardItemModel *>(page->wayChoice()->model());
     QVERIFY(ways->item(0)->isEnabled() && !ways->item(1)->isEnabled() && !ways->item(2)->isEnabled());
     named<QComboBox>(page, u"Axis"_s)->setCurrentIndex(2);  // nothing pulls at yaw
-    const auto measure = [&]() -> ResponseRecord {
-        const auto before = page->records().size();
-        QTest::mouseClick(page->armButton(), Qt::LeftButton);
-        QTest::mouseClick(page->startButton(), Qt::LeftButton);
-        if (!page->isRunning()
-            || !QTest::qWaitFor([&] { return page->records().size() == before + 1; }, 30000))
-            return {};
-        return page->records().back();
-    };
-    const ResponseRecord usual = measure();
+    const auto measured = [page] { return measure(*page) ? page->records().back() : ResponseRecord(); };
+    const ResponseRecord usual = measured();
     QVERIFY(std::abs(workspace().latest(yaw)) < 1.0);
     QVERIFY(usual.steps.metrics.riseSeconds);
     AxisGains gains;
@@ -277,7 +270,7 @@ void TestStormMotion::stepsAreMeasuredWithoutToldTargets()
     m_rig->edit(u"pid.yaw.d"_s, 0, m_rig->raw(u"pid.yaw.d"_s) / 3);
     QVERIFY(writeAll());
     m_rig->page<ResponsePage>();
-    const ResponseRecord lively = measure();
+    const ResponseRecord lively = measured();
     QVERIFY2(
         lively.steps.metrics.overshoot > usual.steps.metrics.overshoot + 10,
         qPrintable(u"%1 after %2"_s.arg(lively.steps.metrics.overshoot).arg(usual.steps.metrics.overshoot)));
@@ -400,9 +393,7 @@ void TestStormMotion::wholeDayOverAPseudoTerminal()
 
     auto *response = m_rig->page<ResponsePage>();
     QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning().value_or(false), 40000);
-    QTest::mouseClick(response->armButton(), Qt::LeftButton);
-    QTest::mouseClick(response->startButton(), Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(response->records().size(), std::size_t(1), 40000);
+    QVERIFY(measure(*response));
 
     auto *control = m_rig->page<ControlPage>();
     named<QComboBox>(control, u"Mode of control"_s)

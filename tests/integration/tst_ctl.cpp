@@ -79,6 +79,19 @@ private slots:
     void stormIsSteeredAndTuned();
 
 private:
+    /// A measurement runs in real time: where the machine stood still, telemetry has a hole, and the program
+    /// says so and to try again.
+    Run measure(const QStringList &arguments, bool withLink = true)
+    {
+        constexpr int kTries = 4;
+        Run run;
+        for (int i = 0; i < kTries; ++i) {
+            run = ctl(arguments, withLink);
+            if (!run.err.contains(u"without a hole"_s) && !run.err.contains(u"no telemetry for"_s))
+                break;
+        }
+        return run;
+    }
     Run ctl(const QStringList &arguments, bool withLink = true)
     {
         QStringList all{u"--history"_s, m_dir->filePath(u"history"_s)};
@@ -285,10 +298,11 @@ void TestCtl::publishesForOthers()
 void TestCtl::measuresByMoving()
 {
     const QString file = m_dir->filePath(u"sweep.csv"_s);
-    const Run steps = ctl({u"measure"_s, u"steps"_s, u"yaw"_s, u"steps=2"_s, u"rest=0.8"_s});
+    const Run steps = measure({u"measure"_s, u"steps"_s, u"yaw"_s, u"steps=2"_s, u"rest=0.8"_s});
     QVERIFY2(steps.exitCode == 0 && steps.out.contains(u"2 steps: rise"_s),
              qPrintable(steps.out + steps.err));
-    const Run sweep = ctl({u"measure"_s, u"sweep"_s, u"yaw"_s, u"seconds=8"_s, u"to=8"_s, u"--csv"_s, file});
+    const Run sweep
+        = measure({u"measure"_s, u"sweep"_s, u"yaw"_s, u"seconds=8"_s, u"to=8"_s, u"--csv"_s, file});
     QVERIFY2(sweep.exitCode == 0 && sweep.out.contains(u"phase margin"_s), qPrintable(sweep.out + sweep.err));
     const Run again = ctl({u"analyze"_s, u"response"_s, file}, false);
     QVERIFY2(again.exitCode == 0 && again.out.contains(u"phase margin"_s), qPrintable(again.out + again.err));
@@ -756,7 +770,8 @@ void TestCtl::stormIsSteeredAndTuned()
 
     QString said;
     const auto overshoot = [&] {
-        const Run measured = ask({u"--json"_s, u"measure"_s, u"steps"_s, u"yaw"_s});
+        const Run measured
+            = measure(link + QStringList{u"--json"_s, u"measure"_s, u"steps"_s, u"yaw"_s}, false);
         said = measured.err;
         return measured.exitCode == 0 ? measured.json().object().value(u"overshootPercent"_s).toDouble(-1)
                                       : -1.0;

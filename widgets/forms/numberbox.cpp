@@ -69,15 +69,13 @@ QRect freePlace(const QWidget *hint, const QRect &field, const QWidget &canvas)
 NumberBox::NumberBox(QWidget *parent)
     : QDoubleSpinBox(parent)
 {
-    connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
+    // Typed on, emptied, or replaced by a value from elsewhere, which the line keeps to itself.
+    const auto lookAgain = [this] {
         if (m_refused)
             setRefused(!isTaken(typed()));
-    });
-    // A value from elsewhere replaces what was typed.
-    connect(this, &QDoubleSpinBox::textChanged, this, [this] {
-        if (m_refused && isTaken(typed()))
-            setRefused(false);
-    });
+    };
+    connect(lineEdit(), &QLineEdit::textChanged, this, lookAgain);
+    connect(this, &QDoubleSpinBox::textChanged, this, lookAgain);
 }
 
 NumberBox::NumberBox(double low, double high, int decimals, const QString &suffix)
@@ -212,6 +210,8 @@ void NumberBox::focusInEvent(QFocusEvent *event)
     QDoubleSpinBox::focusInEvent(event);
     if (event->reason() == Qt::MouseFocusReason || event->reason() == Qt::OtherFocusReason)
         QTimer::singleShot(0, this, &QAbstractSpinBox::selectAll);  // after the press has set the cursor
+    if (m_refused)
+        showHint();
 }
 
 // The base class would put the old value in the place of what was typed, here and where it is hidden and
@@ -272,6 +272,12 @@ void NumberBox::setRefused(bool refused)
 
 void NumberBox::showHint()
 {
+    // One at a time: of several, they would cover each other. A red field shows its own when it gets the
+    // focus.
+    static QPointer<NumberBox> owner;
+    if (owner && owner != this)
+        delete owner->m_hint;
+    owner = this;
     QWidget *canvas = canvasOf(this);
     if (!m_hint) {
         m_hint = new QToolButton(canvas);
