@@ -140,7 +140,10 @@ void PanelArea::open(QDialog &dialog)
     m_panels.append(panel);
     update(wasOpen);
     panel->start();
-    connect(&dialog, &QDialog::finished, this, [this, panel] { close(panel); });
+    connect(&dialog, &QDialog::finished, this, [this, panel] {
+        panel->dialog().disconnect(this);  // it may outlive this area's end
+        close(panel);
+    });
     connect(&dialog, &QObject::destroyed, this, [this, panel] { close(panel); });
 }
 
