@@ -211,10 +211,7 @@ void MainWindow::askSaveFile()
 {
     askSavePath(this, tr("Save the configuration"), u"gimbal.json"_s, m_workspace->configurationFilter(),
                 [this](const QString &path) {
-                    if (const auto saved = m_workspace->saveFile(path); !saved)
-                        m_messages->showProblem(describe(saved.error()));
-                    else
-                        m_messages->showNotice(tr("Saved to %1").arg(path));
+                    m_workspace->notifications().reportSaved(m_workspace->saveFile(path), path);
                 });
 }
 
@@ -286,8 +283,10 @@ void MainWindow::review()
         || !m_workspace->client().identity().writable)
         return;
     // A value still being typed belongs to the edits as well; one that is refused would be missed.
-    if (QWidget *focus = QApplication::focusWidget(); focus && (focus->clearFocus(), true))
+    if (QWidget *focus = QApplication::focusWidget()) {
+        focus->clearFocus();
         focus->setFocus();
+    }
     if (NumberBox::refusedIn(*m_stack->currentWidget()))
         return;
     m_review = new ReviewDialog(model.board(), model.edited(), this);

@@ -253,7 +253,7 @@ void NumberBox::showEvent(QShowEvent *event)
 void NumberBox::moveEvent(QMoveEvent *event)
 {
     QDoubleSpinBox::moveEvent(event);
-    if (m_refused)
+    if (m_hint)
         showHint();
 }
 
