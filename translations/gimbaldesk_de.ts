@@ -988,12 +988,20 @@
         <translation>Ziel</translation>
     </message>
     <message>
-        <source>Functions</source>
-        <translation>Funktionen</translation>
-    </message>
-    <message>
         <source>Armed, but nothing is sent yet: the angles that hold the camera are unknown. Set each of them, or press “To the middle”.</source>
         <translation>Scharf, aber noch wird nichts gesendet: Welche Winkel die Kamera halten, ist unbekannt. Jeden einstellen oder „Zur Mitte“ drücken.</translation>
+    </message>
+    <message>
+        <source>Not in pan mode since it started</source>
+        <translation>Seit dem Start nie im Pan-Modus</translation>
+    </message>
+    <message>
+        <source>The board does not report its targets, and an axis that has followed the handle counts its angles from there. If you know that none has since the board was switched on, by remote control or otherwise, the camera can be held where it is.</source>
+        <translation>Das Board meldet seine Ziele nicht, und eine Achse, die dem Griff gefolgt ist, zählt ihre Winkel von dort. Wenn Sie wissen, dass seit dem Einschalten keine gefolgt ist, auch nicht durch die Fernsteuerung, kann die Kamera dort gehalten werden, wo sie ist.</translation>
+    </message>
+    <message>
+        <source>Armed, but nothing is sent yet: the board does not report its targets, and it was running before this link. Set each angle, press “To the middle”, or tick “%1” if that is so.</source>
+        <translation>Scharf, aber noch wird nichts gesendet: Das Board meldet seine Ziele nicht und lief schon vor dieser Verbindung. Jeden Winkel einstellen, „Zur Mitte“ drücken oder, wenn es so ist, „%1“ ankreuzen.</translation>
     </message>
 </context>
 <context>
@@ -1798,6 +1806,13 @@
     <message>
         <source>Bytes</source>
         <translation>Bytes</translation>
+    </message>
+</context>
+<context>
+    <name>FunctionsCard</name>
+    <message>
+        <source>Functions</source>
+        <translation>Funktionen</translation>
     </message>
 </context>
 <context>

@@ -60,6 +60,13 @@ struct SteeringSetpoint
     bool holds = false;  ///< nothing was moved since arming: no limit applies to the present position
 };
 
+/// What another than this link may have told a board since it started, if the board itself does not report
+/// it.
+enum class SteeredBefore {
+    Unknown,
+    Never,  ///< by the operator's word
+};
+
 /// Boards that can be steered. The I/O thread streams set-points under the dead-man rule.
 class Steering
 {
@@ -67,9 +74,10 @@ public:
     virtual ~Steering() = default;
     [[nodiscard]] virtual std::span<const SteeringMode> modes() const = 0;
     [[nodiscard]] virtual std::span<const SteeringSwitch> switches() const = 0;
-    /// Set-points that keep everything where it is now, so that arming moves nothing. NaN where the position
-    /// is unknown.
-    [[nodiscard]] virtual SteeringSetpoint holdingSetpoint(int mode, const LatestValues &latest) const = 0;
+    /// Set-points that keep everything where it is now, so that arming moves nothing. NaN where it is not
+    /// known what does. @param steeredBefore what the board was told before this link
+    [[nodiscard]] virtual SteeringSetpoint holdingSetpoint(int mode, const LatestValues &latest,
+                                                           SteeredBefore steeredBefore) const = 0;
     /// The frames to send; an empty set-point if nothing is to be sent.
     [[nodiscard]] virtual ControlFrames controlFrames(const SteeringSetpoint &setpoint) const = 0;
 

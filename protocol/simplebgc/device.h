@@ -85,7 +85,8 @@ public:
     [[nodiscard]] const Steering *steering() const override { return this; }
     [[nodiscard]] std::span<const SteeringMode> modes() const override { return m_steeringModes; }
     [[nodiscard]] std::span<const SteeringSwitch> switches() const override { return {}; }
-    [[nodiscard]] SteeringSetpoint holdingSetpoint(int mode, const LatestValues &latest) const override;
+    [[nodiscard]] SteeringSetpoint holdingSetpoint(int mode, const LatestValues &latest,
+                                                   SteeredBefore steeredBefore) const override;
     [[nodiscard]] ControlFrames controlFrames(const SteeringSetpoint &setpoint) const override;
 
     [[nodiscard]] const MotorSwitch *motorSwitch() const override { return this; }

@@ -89,7 +89,7 @@ std::vector<SteeringMode> steeringModes(int firmware)
     return modes;
 }
 
-SteeringSetpoint Device::holdingSetpoint(int mode, const LatestValues &latest) const
+SteeringSetpoint Device::holdingSetpoint(int mode, const LatestValues &latest, SteeredBefore) const
 {
     SteeringSetpoint setpoint{mode, {}, {}};
     const SteeringMode *known = steeringMode(mode);

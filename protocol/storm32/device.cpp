@@ -239,7 +239,7 @@ Result<BoardIdentity> Device::identify(Channel &channel)
     m_identity = identity;
     m_words = wordsOf(layout);
     m_parameters = parametersOf(identity);
-    *m_shifted = 0;
+    m_history = std::make_shared<PanHistory>();
     constexpr std::array kShifting{"rc.roll.offset", "rc.pitch.offset", "rc.yaw.offset", "pan.mode.default"};
     for (std::size_t i = 0; i < kShifting.size(); ++i) {
         const ParameterSpec *spec = m_parameters->find(QString::fromLatin1(kShifting[i]));

@@ -9,6 +9,7 @@
 #include "protocol/session/controlstream.h"
 #include "protocol/storm32/commands.h"
 #include "protocol/storm32/motorstop.h"
+#include "protocol/storm32/telemetrytables.h"
 #include "protocol/telemetry/telemetryplan.h"
 
 #include <atomic>
@@ -64,7 +65,8 @@ public:
     [[nodiscard]] const Steering *steering() const override { return this; }
     [[nodiscard]] std::span<const SteeringMode> modes() const override;
     [[nodiscard]] std::span<const SteeringSwitch> switches() const override { return {}; }
-    [[nodiscard]] SteeringSetpoint holdingSetpoint(int mode, const LatestValues &latest) const override;
+    [[nodiscard]] SteeringSetpoint holdingSetpoint(int mode, const LatestValues &latest,
+                                                   SteeredBefore steeredBefore) const override;
     [[nodiscard]] ControlFrames controlFrames(const SteeringSetpoint &setpoint) const override;
 
     [[nodiscard]] const MotorSwitch *motorSwitch() const override { return this; }
@@ -114,7 +116,7 @@ private:
     Result<void> writeWord(Channel &channel, int word, int raw);
     Result<void> findWay(Channel &channel, int heartbeat);
     void learnAddress(const QByteArray &stream);
-    /// What a word says about m_shifted; most words say nothing.
+    /// What a word says about m_history; most words say nothing.
     void learnShift(int word, int raw);
 
     BoardIdentity m_identity;
@@ -128,10 +130,7 @@ private:
     int m_firmware = 0;  // 79, 90, 96
     int m_words = 0;
     std::shared_ptr<MotorStop> m_stop = std::make_shared<MotorStop>();
-    /// Pan bits (of status2) of the axes whose position has more than one cause: they follow the handle, have
-    /// followed it, or the middle of their stick is set off. Set from what the board reports and never
-    /// cleared, as it does not report where it believes the middle to be.
-    std::shared_ptr<std::atomic<unsigned>> m_shifted = std::make_shared<std::atomic<unsigned>>(0);
+    std::shared_ptr<PanHistory> m_history = std::make_shared<PanHistory>();
     std::array<int, 4> m_shiftWords{-1, -1, -1, -1};  // offsets of roll, pitch and yaw, default pan mode
     std::optional<std::array<int, 5>> m_yawBefore;  // the input words of yaw while it is aligned
 };

@@ -50,11 +50,15 @@ std::span<const SteeringMode> Device::modes() const
 // The board reports where the camera is and what its inputs are, but not its targets. An angle holds an axis
 // only if nothing else contributes to its position. Angles and stick positions add up (errata 4), to the
 // offset of the stick's middle; a panning axis counts from where the frame points, and one that is held again
-// from where the frame pointed then.
-SteeringSetpoint Device::holdingSetpoint(int mode, const LatestValues &latest) const
+// from where the frame pointed then. That may have happened before this link: through a cable that was pulled
+// in between, by a remote control, by another program.
+SteeringSetpoint Device::holdingSetpoint(int mode, const LatestValues &latest,
+                                         SteeredBefore steeredBefore) const
 {
     const double status2 = double(latest.latest(Status2));
-    const unsigned shifted = *m_shifted | (std::isnan(status2) ? ~0U : unsigned(status2));
+    const bool knowsBoard
+        = !std::isnan(status2) && (m_history->sawStart || steeredBefore == SteeredBefore::Never);
+    const unsigned shifted = m_history->shifted | (knowsBoard ? unsigned(status2) : ~0U);
     SteeringSetpoint setpoint{mode, {}, {}};
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
         const double stick = double(latest.latest(InputRoll + int(axis)));
@@ -76,9 +80,9 @@ void Device::learnShift(int word, int raw)
         return;
     const auto at = std::size_t(found - m_shiftWords.begin());
     if (at < kPanBits.size())
-        *m_shifted |= raw != 0 ? kPanBits[at] : 0;
+        m_history->shifted |= raw != 0 ? kPanBits[at] : 0;
     else if (raw >= 0 && raw < int(kModes.size()))
-        *m_shifted |= kModes[std::size_t(raw)];
+        m_history->shifted |= kModes[std::size_t(raw)];
 }
 
 // Angles, or stick positions, of all axes are sent together. Ours have the signs that the board reports:

@@ -38,7 +38,7 @@ Result<TelemetryPlan> Device::subscribe(Channel &, const Subscription &subscript
     const double wire
         = line ? line->secondsFor(plan.poll->replyBytes + qsizetype(plan.poll->bytes.size())) : 0.0;
     plan.rate = 1.0 / (std::max(0.01, wire) + 0.003);
-    plan.decoder = std::make_shared<Decoder>(m_firmware, m_shifted);
+    plan.decoder = std::make_shared<Decoder>(m_firmware, m_history);
     return plan;
 }
 

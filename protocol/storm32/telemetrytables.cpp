@@ -57,6 +57,9 @@ static_assert(std::size(kChannels) == ChannelCount);
 constexpr int kLinkPresent = 0x0100;
 // After a gap this long nothing is known about the time between.
 constexpr double kGap = 0.5;
+// The first state with turning motors. Only a start leads through those before it; leaving standby does not
+// (errata 3.7).
+constexpr float kMotorsTurn = 4;
 constexpr double kDrift = 2e-4;  // greatest drift of the board's clock against ours
 
 }  // namespace
@@ -266,8 +269,11 @@ void Decoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store
         store.appendGap(*m_group, store.origin() + durationFromSeconds(m_lastTime + 1e-3));
     time = std::max(time, m_lastTime);
     const auto row = liveRow(data, m_scales);
-    if (m_panned)
-        *m_panned |= unsigned(row[Status2]) & kAllPanBits;
+    if (m_history) {
+        m_history->shifted |= unsigned(row[Status2]) & kAllPanBits;
+        if (row[State] < kMotorsTurn)
+            m_history->sawStart = true;
+    }
     store.append(*m_group, store.origin() + durationFromSeconds(time), row);
     m_lastTime = time;
     m_lastArrival = arrival;

@@ -75,14 +75,25 @@ inline constexpr unsigned kAllPanBits = kPanBits[0] | kPanBits[1] | kPanBits[2];
 /// Status bits and state as faults with causes. @param bits status; @param state the state
 [[nodiscard]] std::vector<BoardFault> faultsOf(unsigned bits, unsigned state);
 
+/// What was seen of a board since its start that says what the angles of its axes are counted from; it does
+/// not report that itself. Written by the worker and the I/O thread, read by the GUI.
+struct PanHistory
+{
+    /// Pan bits (of status2) of the axes whose position has more than one cause: they follow the handle, have
+    /// followed it, or the middle of their stick is set off. Never cleared.
+    std::atomic<unsigned> shifted = 0;
+    /// The board was met before its motors turned. Otherwise an axis may have followed the handle before.
+    std::atomic<bool> sawStart = false;
+};
+
 /// Turns answers to `d`, GETDATA and embedded `d` into rows.
 class Decoder final : public TelemetryDecoder
 {
 public:
-    /// @param panned collects the pan bits of all samples
-    explicit Decoder(int firmware, std::shared_ptr<std::atomic<unsigned>> panned = {})
+    /// @param history gathers what all samples say about it
+    explicit Decoder(int firmware, std::shared_ptr<PanHistory> history = {})
         : m_scales(firmware)
-        , m_panned(std::move(panned))
+        , m_history(std::move(history))
     {
     }
     void decode(const FrameView &frame, TimePoint at, TelemetryStore &store) override;
@@ -91,7 +102,7 @@ private:
     [[nodiscard]] double timeOf(int stamp, double arrival);
 
     LiveScales m_scales;
-    std::shared_ptr<std::atomic<unsigned>> m_panned;
+    std::shared_ptr<PanHistory> m_history;
     std::shared_ptr<TelemetryGroup> m_group;
     int m_lastStamp = -1;
     double m_boardTime = 0;  // seconds, unwrapped

@@ -7,6 +7,7 @@
 #include "tests/support/stormwindow.h"
 #include "widgets/models/parametermodel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -262,7 +263,10 @@ QString TestStormSteering::steerAndArm(int mode, const PerAxis &where, bool pans
 {
     // Angles and stick positions add up, and an axis that pans counts from the frame: then it is not known
     // what angle is to be held, and nothing is sent before one is chosen.
-    const auto isKnown = [mode, pans](int steered) { return steered == kPulse || (mode != kPulse && !pans); };
+    bool watched = true;  // since the board's start
+    const auto isKnown = [mode, pans, &watched](int steered) {
+        return steered == kPulse || (mode != kPulse && !pans && watched);
+    };
     const auto inEachMode = [this, mode, isKnown] {
         for (const int other : {kLimitedAngle, kUnlimitedAngle, kPulse, mode}) {
             choose(other);
@@ -282,8 +286,18 @@ QString TestStormSteering::steerAndArm(int mode, const PerAxis &where, bool pans
     m_page->setArmed(true);
     if (!reconnect() || m_page->isArmed())
         return u"the cable was pulled"_s;
-    const QString wrong = inEachMode();
-    return wrong.isEmpty() ? wrong : u"after the cable was pulled, "_s + wrong;
+    // Nobody knows what happened to it meanwhile, until the operator says so.
+    auto *word = named<QCheckBox>(m_page, u"Not in pan mode since it started"_s);
+    for (const bool given : {false, true}) {
+        const bool isAsked = !pans && mode != kPulse;
+        if (!QTest::qWaitFor([&] { return word->isVisible() == isAsked; }, 3000) || word->isChecked())
+            return u"the operator's word"_s;
+        word->setChecked(given && isAsked);
+        watched = given;
+        if (const QString wrong = inEachMode(); !wrong.isEmpty())
+            return u"after the cable was pulled, word %1, "_s.arg(given) + wrong;
+    }
+    return {};
 }
 
 QTEST_MAIN(TestStormSteering)

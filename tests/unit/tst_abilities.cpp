@@ -228,7 +228,7 @@ void TestAbilities::steeringAnswers()
     const TelemetryStore nothing(int(board.device->channels().size()));
     for (const SteeringMode &mode : steering->modes()) {
         QVERIFY2(!mode.inputs.empty(), mode.key);
-        const SteeringSetpoint hold = steering->holdingSetpoint(mode.id, nothing);
+        const SteeringSetpoint hold = steering->holdingSetpoint(mode.id, nothing, SteeredBefore::Never);
         QCOMPARE(hold.mode, mode.id);
         QCOMPARE(hold.inputs.size(), mode.inputs.size());
         SteeringSetpoint centre{mode.id, {}, hold.switches};

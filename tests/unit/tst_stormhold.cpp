@@ -7,6 +7,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -33,16 +34,39 @@ class TestStormHold : public QObject
 private slots:
     void anglesThatHoldAreKnownOrLeftOut_data();
     void anglesThatHoldAreKnownOrLeftOut();
+    void whatHappenedBeforeTheLinkIsNotKnown_data();
+    void whatHappenedBeforeTheLinkIsNotKnown();
 
 private:
+    bool meet();
     void look(double seconds);
     bool perform(const QString &action, const QVariantMap &arguments = {});
     std::array<double, kAxisCount> angles();
+    SteeringSetpoint holdingSetpoint(int mode, SteeredBefore steeredBefore)
+    {
+        return m_rig->device.holdingSetpoint(mode, *m_store, steeredBefore);
+    }
 
     std::unique_ptr<StormRig> m_rig;
     std::unique_ptr<TelemetryStore> m_store;
     std::optional<TelemetryPlan> m_plan;
 };
+
+/// A new link to the board: all that was known of it is forgotten.
+bool TestStormHold::meet()
+{
+    storm32::Device &device = m_rig->device;
+    if (!device.identify(m_rig->channel) || !device.readConfiguration(m_rig->channel))
+        return false;
+    m_store = std::make_unique<TelemetryStore>(int(device.channels().size()));
+    const auto plan = device.subscribe(m_rig->channel, {}, {});
+    if (!plan)
+        return false;
+    m_plan = *plan;
+    m_rig->channel.setTap(
+        [this](const FrameView &frame, TimePoint at) { m_plan->decoder->decode(frame, at, *m_store); });
+    return true;
+}
 
 /// The telemetry of so many seconds.
 void TestStormHold::look(double seconds)
@@ -99,14 +123,7 @@ void TestStormHold::anglesThatHoldAreKnownOrLeftOut()
     for (auto word = words.begin(); word != words.end(); ++word)
         m_rig->board().set(word.key(), word.value());
     storm32::Device &device = m_rig->device;
-    QVERIFY(device.identify(m_rig->channel));
-    QVERIFY(device.readConfiguration(m_rig->channel));
-    m_store = std::make_unique<TelemetryStore>(int(device.channels().size()));
-    const auto plan = device.subscribe(m_rig->channel, {}, {});
-    QVERIFY(plan);
-    m_plan = *plan;
-    m_rig->channel.setTap(
-        [this](const FrameView &frame, TimePoint at) { m_plan->decoder->decode(frame, at, *m_store); });
+    QVERIFY(meet());
     look(5);  // in a hand
 
     if (then == u"hold") {
@@ -129,7 +146,7 @@ void TestStormHold::anglesThatHoldAreKnownOrLeftOut()
     look(12);
 
     const auto before = angles();
-    const SteeringSetpoint hold = device.holdingSetpoint(kUnlimitedAngle, *m_store);
+    const SteeringSetpoint hold = holdingSetpoint(kUnlimitedAngle, SteeredBefore::Never);
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         const QString &name = kAll[qsizetype(axis)];
         QVERIFY2(std::isnan(hold.inputs[axis]) != known.contains(name), qPrintable(name));
@@ -138,7 +155,7 @@ void TestStormHold::anglesThatHoldAreKnownOrLeftOut()
     }
     // Sent, it moves nothing; what is not known is not sent. Stick positions are always known.
     for (const int mode : {kUnlimitedAngle, kPulse}) {
-        const QByteArray frame = device.controlFrames(device.holdingSetpoint(mode, *m_store)).setpoint;
+        const QByteArray frame = device.controlFrames(holdingSetpoint(mode, SteeredBefore::Never)).setpoint;
         QCOMPARE(frame.isEmpty(), mode == kUnlimitedAngle && known != kAll);
         if (frame.isEmpty())
             continue;
@@ -149,6 +166,52 @@ void TestStormHold::anglesThatHoldAreKnownOrLeftOut()
         for (std::size_t axis = 0; axis < kAxisCount; ++axis)
             QVERIFY2(qAbs(angles()[axis] - before[axis]) < 0.3, qPrintable(kAll[qsizetype(axis)]));
     }
+}
+
+void TestStormHold::whatHappenedBeforeTheLinkIsNotKnown_data()
+{
+    QTest::addColumn<int>("firmware");
+    for (const int firmware : {79, 90, 96})
+        QTest::addRow("0.%d", firmware) << firmware;
+}
+
+// Axes that followed the handle and are held again look like those that never did.
+void TestStormHold::whatHappenedBeforeTheLinkIsNotKnown()
+{
+    QFETCH(const int, firmware);
+    m_rig = std::make_unique<StormRig>(stormOptions(firmware));
+    m_rig->board().set(kPanDefault, 1);
+    QVERIFY(meet());
+    look(12);
+    QVERIFY(perform(u"pan.mode"_s, {{u"mode"_s, kPanPanPan}}));
+    look(4);
+    QVERIFY(perform(u"pan.mode"_s, {{u"mode"_s, kHoldHoldHold}}));
+    m_rig->change(u"shake=0"_s);
+    look(12);
+    const auto unknown = [this](SteeredBefore steeredBefore) {
+        const SteeringSetpoint hold = holdingSetpoint(kUnlimitedAngle, steeredBefore);
+        return std::count_if(hold.inputs.begin(), hold.inputs.end(),
+                             [](double input) { return std::isnan(input); });
+    };
+    for (int link = 0; link < 2; ++link) {
+        // This link has seen it, whatever the operator says; the next one has not.
+        QCOMPARE(unknown(SteeredBefore::Unknown), 3);
+        QCOMPARE(unknown(SteeredBefore::Never), link == 0 ? 3 : 0);
+        QVERIFY(meet());
+        look(1);
+    }
+    // Standby is no start.
+    QVERIFY(perform(u"standby"_s, {{u"on"_s, true}}));
+    look(2);
+    QVERIFY(perform(u"standby"_s, {{u"on"_s, false}}));
+    look(5);
+    QCOMPARE(unknown(SteeredBefore::Unknown), 3);
+    // A board that starts has not panned.
+    QVERIFY(perform(u"restart"_s));
+    m_rig->board().set(kPanDefault, 1);
+    QVERIFY(meet());
+    look(12);
+    QCOMPARE(unknown(SteeredBefore::Unknown), 0);
 }
 
 QTEST_GUILESS_MAIN(TestStormHold)

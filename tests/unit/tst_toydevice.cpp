@@ -360,7 +360,7 @@ void TestToyDevice::steersWithNamedInputs()
     QVERIFY(!rig.board().areOutputsOn());
     QCOMPARE(rig.board().heard(Command::Release), 1);
     // Arming alone moves nothing.
-    rig.steer(rig.device.holdingSetpoint(1, *rig.store), 200ms);
+    rig.steer(rig.device.holdingSetpoint(1, *rig.store, SteeredBefore::Unknown), 200ms);
     QCOMPARE(rig.board().control(), (std::array{0.0F, 0.0F, 0.0F}));
     QVERIFY(!rig.board().areOutputsOn());
 }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/board/controlpage.h"
 
+#include "app/pages/board/functionscard.h"
 #include "protocol/session/controlstream.h"
 #include "protocol/telemetry/telemetrystore.h"
-#include "widgets/forms/argumentform.h"
 #include "widgets/forms/numberbox.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/views/attitudeview.h"
@@ -12,15 +12,13 @@
 #include "widgets/views/controlpad.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
-#include <QFormLayout>
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QSlider>
 #include <QVBoxLayout>
 
@@ -44,6 +42,7 @@ ControlPage::ControlPage(Workspace &workspace, QWidget *parent)
     , m_mode(new QComboBox)
     , m_arm(new QPushButton)
     , m_center(new QPushButton(tr("To the middle")))
+    , m_neverPanned(new QCheckBox(tr("Not in pan mode since it started")))
     , m_pad(new ControlPad(workspace.theme()))
     , m_roll(new QSlider(Qt::Horizontal))
     , m_rollLabel(new QLabel(axisLabel(Axis::Roll)))
@@ -53,7 +52,7 @@ ControlPage::ControlPage(Workspace &workspace, QWidget *parent)
     , m_state(new QLabel)
     , m_now(new QLabel)
     , m_attitude(new AttitudeView(workspace.theme()))
-    , m_functions(new Card(tr("Functions")))
+    , m_functions(new FunctionsCard(workspace))
 {
     makeHeader();
     makeBody();
@@ -142,6 +141,12 @@ Card *ControlPage::makeAnglesCard()
         angles->addWidget(m_angles[axis], int(axis), 1);
     }
     angles->addWidget(m_center, 3, 1);
+    m_neverPanned->setToolTip(tr(
+        "The board does not report its targets, and an axis that has followed the handle counts its angles "
+        "from there. If you know that none has since the board was switched on, by remote control or "
+        "otherwise, the camera can be held where it is."));
+    m_neverPanned->hide();
+    angles->addWidget(m_neverPanned, 4, 0, 1, 2);
     angles->setColumnStretch(1, 1);
     goal->content()->addLayout(angles);
     return goal;
@@ -174,6 +179,7 @@ void ControlPage::connectAll()
         touch();
     });
     connect(m_center, &QPushButton::clicked, this, &ControlPage::center);
+    connect(m_neverPanned, &QCheckBox::toggled, this, &ControlPage::onWord);
     connect(m_arm, &QPushButton::toggled, this, &ControlPage::setArmed);
     connect(m_mode, &QComboBox::currentIndexChanged, this, &ControlPage::onMode);
     connect(&workspace().client(), &DeviceClient::stateChanged, this, &ControlPage::onState);
@@ -235,55 +241,6 @@ void ControlPage::center()
     touch();
 }
 
-// Actions that belong to steering: each with its fields and a button.
-void ControlPage::fillFunctions()
-{
-    auto *rows = new QWidget;
-    auto *grid = new QGridLayout(rows);
-    grid->setContentsMargins(0, 0, Metric::kGap, 0);
-    grid->setHorizontalSpacing(Metric::kGap);
-    grid->setVerticalSpacing(12);
-    grid->setColumnStretch(0, 1);
-    int line = 0;
-    const Device *tables = workspace().tables();
-    for (const ActionSpec &action : tables ? tables->actions() : std::span<const ActionSpec>()) {
-        if (!action.whileSteering)
-            continue;
-        auto *form = new ArgumentForm(action);
-        auto *button = new QPushButton(tableText(action.label));
-        // A single field needs no label beside the button's text; a check box does.
-        if (action.arguments.size() == 1 && action.arguments.front().kind != ArgumentKind::Toggle) {
-            for (QLabel *label : form->findChildren<QLabel *>())
-                label->hide();
-            static_cast<QFormLayout *>(form->layout())->setHorizontalSpacing(0);
-        }
-        button->setToolTip(tableText(action.help));
-        grid->addWidget(form, line, 0, Qt::AlignVCenter);
-        grid->addWidget(button, line++, 1, action.arguments.size() > 1 ? Qt::AlignBottom : Qt::AlignVCenter);
-        connect(button, &QPushButton::clicked, this, [this, form, key = QString::fromLatin1(action.key)] {
-            if (const auto arguments = form->arguments())
-                workspace().perform(key, *arguments);
-            else
-                workspace().notifications().report(arguments.error());
-        });
-    }
-    grid->setRowStretch(line, 1);
-    auto *scroll = m_functions->findChild<QScrollArea *>();
-    if (!scroll) {
-        scroll = new QScrollArea;
-        scroll->setWidgetResizable(true);
-        scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-        m_functions->content()->addWidget(scroll, 1);
-    }
-    delete scroll->takeWidget();
-    scroll->setWidget(rows);
-    scroll->setMinimumWidth(rows->minimumSizeHint().width()
-                            + scroll->verticalScrollBar()->sizeHint().width());
-    m_functions->setVisible(line > 0);
-    for (QWidget *widget : rows->findChildren<QWidget *>())
-        widget->installEventFilter(this);
-}
-
 const Steering *ControlPage::steering() const
 {
     const Device *device = workspace().client().device();
@@ -300,6 +257,7 @@ void ControlPage::onState()
     const DeviceClient &client = workspace().client();
     if (!client.isConnected()) {
         setArmed(false);
+        m_neverPanned->setChecked(false);
     } else if (steering()) {
         // Another family's modes have the same numbers.
         const QString family = client.identity().family;
@@ -314,7 +272,9 @@ void ControlPage::onState()
         onMode();
     }
     const bool ready = client.isConnected() && client.identity().writable && steering();
-    fillFunctions();
+    m_functions->fill();
+    for (QWidget *widget : m_functions->findChildren<QWidget *>())
+        widget->installEventFilter(this);
     m_functions->setEnabled(ready);
     m_arm->setEnabled(ready);
     m_mode->setEnabled(ready);
@@ -415,6 +375,7 @@ void ControlPage::setArmed(bool on)
     if (allowed && !isArmed()) {
         m_pad->reset();
         m_touched.start();
+        m_known = {};
         takeHold();
         m_moved = false;
         m_send.start();
@@ -449,6 +410,11 @@ QString ControlPage::stateText() const
 {
     if (!isArmed())
         return tr("Not armed: nothing is sent. Choose a mode, then arm.");
+    if (steering() && steering()->controlFrames(setpoint()).setpoint.isEmpty() && wordIsNeeded()
+        && !m_neverPanned->isChecked())
+        return tr("Armed, but nothing is sent yet: the board does not report its targets, and it was running "
+                  "before this link. Set each angle, press “To the middle”, or tick “%1” if that is so.")
+            .arg(m_neverPanned->text());
     if (steering() && steering()->controlFrames(setpoint()).setpoint.isEmpty())
         return tr("Armed, but nothing is sent yet: the angles that hold the camera are unknown. Set each of "
                   "them, or press “To the middle”.");
@@ -457,17 +423,48 @@ QString ControlPage::stateText() const
         .arg(workspace().settings().disarmSeconds());
 }
 
-// The targets start at the present position, so that arming moves nothing.
+SteeringSetpoint ControlPage::holdingSetpoint(SteeredBefore steeredBefore) const
+{
+    return steering()->holdingSetpoint(mode()->id, *workspace().client().telemetry(), steeredBefore);
+}
+
+// More would be known if the operator said that nobody has steered the board before.
+bool ControlPage::wordIsNeeded() const
+{
+    if (!mode() || !mode()->isPositional() || !workspace().client().telemetry())
+        return false;
+    const auto known = [this](SteeredBefore steeredBefore) {
+        const std::vector<double> inputs = holdingSetpoint(steeredBefore).inputs;
+        return std::count_if(inputs.begin(), inputs.end(), [](double input) { return !std::isnan(input); });
+    };
+    return known(SteeredBefore::Unknown) < known(SteeredBefore::Never);
+}
+
+void ControlPage::onWord(bool given)
+{
+    if (!given)
+        setArmed(false);  // what was taken for known is not
+    if (!isArmed())
+        return;
+    m_touched.start();
+    takeHold();
+    tick();
+}
+
+// Targets that are not known yet start at the present position, so that arming moves nothing.
 void ControlPage::takeHold()
 {
     const SteeringMode *chosen = mode();
-    const SteeringSetpoint now = steering()->holdingSetpoint(chosen->id, *workspace().client().telemetry());
+    const SteeringSetpoint now
+        = holdingSetpoint(m_neverPanned->isChecked() ? SteeredBefore::Never : SteeredBefore::Unknown);
     m_filling = true;
     for (std::size_t i = 0; i < std::min(chosen->inputs.size(), now.inputs.size()); ++i) {
         const SteeringInput &input = chosen->inputs[i];
         if (input.axis == Axis::None || input.springsBack)
             continue;
         const auto axis = std::size_t(input.axis);
+        if (m_known[axis])
+            continue;
         m_known[axis] = !std::isnan(now.inputs[i]);
         if (m_known[axis])
             m_angles[axis]->setValue(now.inputs[i]);
@@ -522,6 +519,7 @@ void ControlPage::tick()
 
 void ControlPage::updateNow()
 {
+    m_neverPanned->setVisible(wordIsNeeded());
     const ChannelRoles &roles = workspace().roles();
     const auto value = [this](int channel) { return workspace().latest(channel); };
     m_attitude->setAttitude(value(roles.angle[0]), value(roles.angle[1]), value(roles.angle[2]));

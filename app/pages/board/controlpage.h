@@ -12,6 +12,8 @@ class NumberBox;
 class AttitudeView;
 class Card;
 class ControlPad;
+class FunctionsCard;
+class QCheckBox;
 class QComboBox;
 class QGridLayout;
 class QPushButton;
@@ -48,10 +50,12 @@ private:
     void center();
     void onState();
     void onMode();
-    void fillFunctions();
     void tick();
     void updateNow();
     void takeHold();
+    [[nodiscard]] SteeringSetpoint holdingSetpoint(SteeredBefore steeredBefore) const;
+    [[nodiscard]] bool wordIsNeeded() const;
+    void onWord(bool given);
     [[nodiscard]] QString stateText() const;
     void touch();
     void fillInputs();
@@ -63,6 +67,7 @@ private:
     QComboBox *m_mode;
     QPushButton *m_arm;
     QPushButton *m_center;
+    QCheckBox *m_neverPanned;  // the operator's word, for boards that do not say
     ControlPad *m_pad;
     QSlider *m_roll;
     QLabel *m_rollLabel;
@@ -80,7 +85,7 @@ private:
     QLabel *m_state;
     QLabel *m_now;
     AttitudeView *m_attitude;
-    Card *m_functions;  // other actions offered while steering
+    FunctionsCard *m_functions;
     QTimer m_send;
     QTimer m_refresh;
     QElapsedTimer m_touched;  // since the operator last moved something

@@ -197,7 +197,7 @@ std::span<const SteeringSwitch> ToyDevice::switches() const
     return kSwitches;
 }
 
-SteeringSetpoint ToyDevice::holdingSetpoint(int mode, const LatestValues &) const
+SteeringSetpoint ToyDevice::holdingSetpoint(int mode, const LatestValues &, SteeredBefore) const
 {
     return {mode, {0, 0, 0}, {0}};
 }

@@ -29,7 +29,8 @@ public:
     [[nodiscard]] const Steering *steering() const override { return this; }
     [[nodiscard]] std::span<const SteeringMode> modes() const override;
     [[nodiscard]] std::span<const SteeringSwitch> switches() const override;
-    [[nodiscard]] SteeringSetpoint holdingSetpoint(int mode, const LatestValues &latest) const override;
+    [[nodiscard]] SteeringSetpoint holdingSetpoint(int mode, const LatestValues &latest,
+                                                   SteeredBefore steeredBefore) const override;
     [[nodiscard]] ControlFrames controlFrames(const SteeringSetpoint &setpoint) const override;
 
 private:

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/board/functionscard.h"
+
+#include "widgets/forms/argumentform.h"
+
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+FunctionsCard::FunctionsCard(Workspace &workspace, QWidget *parent)
+    : Card(tr("Functions"), parent)
+    , m_workspace(workspace)
+    , m_scroll(new QScrollArea)
+{
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    content()->addWidget(m_scroll, 1);
+}
+
+void FunctionsCard::fill()
+{
+    auto *rows = new QWidget;
+    auto *grid = new QGridLayout(rows);
+    grid->setContentsMargins(0, 0, Metric::kGap, 0);
+    grid->setHorizontalSpacing(Metric::kGap);
+    grid->setVerticalSpacing(12);
+    grid->setColumnStretch(0, 1);
+    int line = 0;
+    const Device *tables = m_workspace.tables();
+    for (const ActionSpec &action : tables ? tables->actions() : std::span<const ActionSpec>()) {
+        if (!action.whileSteering)
+            continue;
+        auto *form = new ArgumentForm(action);
+        auto *button = new QPushButton(tableText(action.label));
+        // A single field needs no label beside the button's text; a check box does.
+        if (action.arguments.size() == 1 && action.arguments.front().kind != ArgumentKind::Toggle) {
+            for (QLabel *label : form->findChildren<QLabel *>())
+                label->hide();
+            static_cast<QFormLayout *>(form->layout())->setHorizontalSpacing(0);
+        }
+        button->setToolTip(tableText(action.help));
+        grid->addWidget(form, line, 0, Qt::AlignVCenter);
+        grid->addWidget(button, line++, 1, action.arguments.size() > 1 ? Qt::AlignBottom : Qt::AlignVCenter);
+        connect(button, &QPushButton::clicked, this, [this, form, key = QString::fromLatin1(action.key)] {
+            if (const auto arguments = form->arguments())
+                m_workspace.perform(key, *arguments);
+            else
+                m_workspace.notifications().report(arguments.error());
+        });
+    }
+    grid->setRowStretch(line, 1);
+    delete m_scroll->takeWidget();
+    m_scroll->setWidget(rows);
+    m_scroll->setMinimumWidth(rows->minimumSizeHint().width()
+                              + m_scroll->verticalScrollBar()->sizeHint().width());
+    setVisible(line > 0);
+}
