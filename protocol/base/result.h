@@ -41,6 +41,7 @@ enum class ErrorCode {
     NoSamples,  ///< live data do not come, or not any more
     TooFewSamples,  ///< what was received or recorded is too short to be measured
     NotProven,  ///< commands were sent, but nothing the board reports proves that they took effect
+    NotInUse,  ///< the board confirmed a live value, but uses another
     NoEffect,  ///< the board acknowledged a command, but does not report that it took effect
     Busy,  ///< another job of the same kind is running
 };

@@ -71,6 +71,7 @@ public:
     virtual ~LiveAccess() = default;
     [[nodiscard]] virtual std::span<const AdjustableSpec> adjustables() const = 0;
     virtual Result<std::vector<AdjustableValue>> readAdjustables(Channel &channel, const QList<int> &ids) = 0;
+    /// Proven by reading back. Errors: NotInUse with what the board uses instead.
     virtual Result<void> writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) = 0;
     /// The action that stores the values in use.
     [[nodiscard]] virtual QString storeAction() const = 0;

@@ -29,6 +29,7 @@ constexpr int kPauseBetweenLooks = 50;
 constexpr int kActiveProfileOffset = 59;  // of REALTIME_DATA_3
 constexpr int kMotorFlagOffset = 57;  // of REALTIME_DATA_3: bit 0, the motors run
 constexpr auto kMotorsStart = 2s;
+constexpr int kLiveRetries = 1;
 
 struct BlockCommands
 {
@@ -390,7 +391,37 @@ Result<std::vector<AdjustableValue>> Device::readAdjustables(Channel &channel, c
     return values;
 }
 
+// A confirmation proves nothing: what the board uses then does.
 Result<void> Device::writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values)
+{
+    QList<int> ids;
+    for (const AdjustableValue &value : values)
+        ids.append(value.id);
+    QStringList wrong;
+    for (int attempt = 0; attempt <= kLiveRetries; ++attempt) {
+        if (const auto sent = sendAdjustables(channel, values); !sent)
+            return sent;
+        const auto back = readAdjustables(channel, ids);
+        if (!back)
+            return tl::unexpected(back.error());
+        wrong.clear();
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const double wanted = std::round(values[i].value);
+            const auto found = std::find_if(back->begin(), back->end(), [&](const AdjustableValue &value) {
+                return value.id == values[i].id;
+            });
+            if (found == back->end() || found->value != wanted)
+                wrong += u"variable %1: %2 was written, %3 read"_s.arg(values[i].id)
+                             .arg(wanted)
+                             .arg(found == back->end() ? u"nothing"_s : QString::number(found->value));
+        }
+        if (wrong.isEmpty())
+            return {};
+    }
+    return failure(ErrorCode::NotInUse, wrong.join(u"; "));
+}
+
+Result<void> Device::sendAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) const
 {
     for (std::size_t first = 0; first < values.size(); first += kAdjVarsPerCommand) {
         std::vector<AdjVar> part;

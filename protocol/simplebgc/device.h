@@ -129,6 +129,7 @@ public:
 private:
     friend class Actions;
 
+    Result<void> sendAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) const;
     Result<QByteArray> askBlock(Channel &channel, BlockKey key, int retries);
     [[nodiscard]] bool canStream() const { return m_identity.firmwareNumber >= 2590; }
     [[nodiscard]] ControlCommand encodeControl(const Control &control) const;

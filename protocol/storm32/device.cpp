@@ -497,7 +497,9 @@ Result<void> Device::writeAdjustables(Channel &channel, const std::vector<Adjust
         if (!(value.value >= known->min && value.value <= known->max))
             return failure(ErrorCode::OutOfRange,
                            u"%1 is outside %2 to %3"_s.arg(value.value).arg(known->min).arg(known->max));
-        const auto done = writeWord(channel, value.id, int(value.value));
+        auto done = writeWord(channel, value.id, int(value.value));
+        if (!done && done.error().code == ErrorCode::VerifyFailed)
+            done.error().code = ErrorCode::NotInUse;
         if (!done)
             return done;
     }

@@ -66,6 +66,25 @@ private:
     int m_writes = 0;
 };
 
+/// A board that confirms live values and does not take them, so many times.
+class NotTaking final : public ChannelProxy
+{
+public:
+    NotTaking(Channel &channel, int times)
+        : ChannelProxy(channel)
+        , m_times(times)
+    {
+    }
+    Result<Frame> transact(const Request &request) override
+    {
+        const bool isSet = request.name == u"SET_ADJ_VARS_VAL"_s || request.name == u"SETPARAMETER"_s;
+        return isSet && m_times-- > 0 ? Frame{} : ChannelProxy::transact(request);
+    }
+
+private:
+    int m_times;
+};
+
 /// A board that was read, the edits, and how to look into its memory.
 struct Board
 {
@@ -85,6 +104,8 @@ class TestWriteTruth : public QObject
 private slots:
     void everyValueIsTold_data();
     void everyValueIsTold();
+    void liveValuesAreReadBack_data();
+    void liveValuesAreReadBack();
 };
 
 void TestWriteTruth::everyValueIsTold_data()
@@ -170,6 +191,46 @@ void TestWriteTruth::everyValueIsTold()
         QCOMPARE(text.meaning.contains(u"it holds the old values"_s), other == 0);
     else
         QVERIFY2(text.meaning.contains(u"could not be read"_s), qPrintable(text.meaning));
+}
+
+void TestWriteTruth::liveValuesAreReadBack_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<int>("lost");
+    for (const QString &family : {u"simplebgc"_s, u"storm32"_s}) {
+        for (const int lost : {0, 1, 100})
+            QTest::addRow("%s, %d times not taken", qPrintable(family), lost) << family << lost;
+    }
+}
+
+// A live value counts as changed when the board reports it, not when it confirms it.
+void TestWriteTruth::liveValuesAreReadBack()
+{
+    QFETCH(const QString, family);
+    QFETCH(const int, lost);
+    VirtualBoard sbgc;
+    StormRig storm;
+    Device &device = family == u"simplebgc"_s ? static_cast<Device &>(sbgc.device) : storm.device;
+    NotTaking channel(family == u"simplebgc"_s ? static_cast<Channel &>(sbgc.channel) : storm.channel, lost);
+    QVERIFY(device.identify(channel));
+    const QList<int> ids{0, 1};
+    const auto before = device.live()->readAdjustables(channel, ids);
+    QVERIFY(before);
+    std::vector<AdjustableValue> wanted = *before;
+    for (AdjustableValue &value : wanted)
+        value.value += 7;
+    const auto done = device.live()->writeAdjustables(channel, wanted);
+    const bool isTaken = lost < 2;
+    QCOMPARE(done.has_value(), isTaken);
+    if (!isTaken) {
+        QCOMPARE(done.error().code, ErrorCode::NotInUse);
+        const QString told = u"%1 was written, %2 read"_s.arg(wanted[0].value).arg((*before)[0].value);
+        QVERIFY2(done.error().detail.contains(told), qPrintable(done.error().detail));
+    }
+    const auto after = device.live()->readAdjustables(channel, ids);
+    QVERIFY(after);
+    for (std::size_t i = 0; i < after->size(); ++i)
+        QCOMPARE((*after)[i].value, isTaken ? wanted[i].value : (*before)[i].value);
 }
 
 QTEST_GUILESS_MAIN(TestWriteTruth)
