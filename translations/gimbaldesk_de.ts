@@ -1733,6 +1733,18 @@
         <source>The board was read again: it holds the old values.</source>
         <translation>Das Board wurde noch einmal gelesen: Es hat die alten Werte.</translation>
     </message>
+    <message>
+        <source>The board does not use the value that was set.</source>
+        <translation>Das Board benutzt den gesetzten Wert nicht.</translation>
+    </message>
+    <message>
+        <source>It confirmed the value and reports another. Nothing that is stored was changed.</source>
+        <translation>Es hat den Wert bestätigt und meldet einen anderen. Gespeichertes wurde nicht geändert.</translation>
+    </message>
+    <message>
+        <source>See whether a remote control, a script or another program sets it too, then try again.</source>
+        <translation>Prüfen Sie, ob Fernsteuerung, Skript oder ein anderes Programm ihn ebenfalls setzt, und versuchen Sie es dann erneut.</translation>
+    </message>
 </context>
 <context>
     <name>FaceList</name>
@@ -2348,10 +2360,6 @@
         <translation>weitergesendet: %1</translation>
     </message>
     <message>
-        <source>silent for %1 s</source>
-        <translation>%1 s still</translation>
-    </message>
-    <message>
         <source>Lost: samples that were sent and never arrived. Silent: the board sent nothing at all, as while it calibrates.</source>
         <translation>Verloren: Messwerte, die gesendet wurden und nie ankamen. Still: das Board sandte gar nichts, wie während einer Kalibrierung.</translation>
     </message>
@@ -2362,6 +2370,10 @@
     <message>
         <source>Place in the array</source>
         <translation>Stelle im Feld</translation>
+    </message>
+    <message>
+        <source>%1 s of silence in all</source>
+        <translation>insgesamt %1 s Stille</translation>
     </message>
 </context>
 <context>

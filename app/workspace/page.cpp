@@ -37,6 +37,11 @@ void Page::coverWhenStale(QWidget &view, const Freshness::Channels &channels, St
     workspace().freshness().watch(*new StaleCover(workspace().theme(), view, look), channels);
 }
 
+void Page::fadeWhenStale(QAbstractScrollArea &table, const QHeaderView &header, int column)
+{
+    workspace().freshness().watch(*new StaleCover(workspace().theme(), table, header, column));
+}
+
 void Page::refreshWhileShown(std::chrono::milliseconds interval, std::function<void()> refresh,
                              std::function<bool()> isPaused)
 {

@@ -11,7 +11,9 @@
 #include <chrono>
 #include <functional>
 
+class QAbstractScrollArea;
 class QHBoxLayout;
+class QHeaderView;
 class QLabel;
 class QVBoxLayout;
 
@@ -40,6 +42,8 @@ protected:
     /// Covers a view of live data while these channels are stale; none = all.
     void coverWhenStale(QWidget &view, const Freshness::Channels &channels = {},
                         StaleCover::Look look = StaleCover::Look::Veil);
+    /// Fades the column of a table that shows live data, while there are none.
+    void fadeWhenStale(QAbstractScrollArea &table, const QHeaderView &header, int column);
 
     /// Does this when the page comes into view, and again at this interval as long as it is seen and not
     /// paused.

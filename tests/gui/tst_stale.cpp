@@ -3,12 +3,14 @@
 #include "app/mainwindow/bars.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "tests/support/windowrig.h"
+#include "widgets/models/channelmodel.h"
 #include "widgets/plot/plotview.h"
 #include "widgets/views/attitudeview.h"
 #include "widgets/views/axisdial.h"
 #include "widgets/views/stalecover.h"
 
 #include <QLabel>
+#include <QTreeView>
 
 using namespace Qt::StringLiterals;
 
@@ -92,6 +94,18 @@ void TestStale::viewsAreCoveredWhileNothingComes()
         rig.window().messageBar()->hide();
         QVERIFY(rig.isSettled());
         QCOMPARE(placesOn(*page), places);  // it takes no room
+        if (const auto *table = page->findChild<QTreeView *>()) {
+            const auto covers = table->findChildren<StaleCover *>(QString(), Qt::FindDirectChildrenOnly);
+            QCOMPARE(covers.size(), 1);
+            QVERIFY(covers.front()->isVisible());
+            // Over the numbers, not over names and boxes to tick.
+            const QModelIndex cell
+                = table->model()->index(0, ChannelModel::ValueColumn, table->model()->index(0, 0));
+            QRect number = table->visualRect(cell);
+            number.moveTopLeft(table->viewport()->mapTo(table, number.topLeft()));
+            QVERIFY(covers.front()->geometry().contains(number));
+            QCOMPARE(covers.front()->width(), number.width());
+        }
         for (const QString &fault : goOn)
             rig.workspace().changeWorld(fault);
         QTRY_VERIFY2_WITH_TIMEOUT(shown(*page).isEmpty(), qPrintable(key), 30000);

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/views/stalecover.h"
 
+#include <QAbstractScrollArea>
 #include <QEvent>
+#include <QHeaderView>
 #include <QPainter>
 #include <QSplitter>
 
@@ -12,11 +14,31 @@ StaleCover::StaleCover(const Theme &theme, QWidget &view, Look look)
     : QWidget(&view)
     , m_theme(theme)
     , m_look(look)
+    , m_area([&view] { return view.rect(); })
 {
     Q_ASSERT(!qobject_cast<QSplitter *>(&view));
     setAttribute(Qt::WA_TransparentForMouseEvents);
     view.installEventFilter(this);
     hide();
+}
+
+StaleCover::StaleCover(const Theme &theme, QAbstractScrollArea &table, const QHeaderView &header, int column)
+    : StaleCover(theme, table, Look::Fade)
+{
+    m_area = [&table, &header, column] {
+        const QRect cells = table.viewport()->geometry();
+        return QRect(cells.x() + header.sectionViewportPosition(column), cells.y(),
+                     header.sectionSize(column), cells.height())
+            & cells;
+    };
+    connect(&header, &QHeaderView::sectionResized, this, &StaleCover::place);
+    connect(&header, &QHeaderView::geometriesChanged, this, &StaleCover::place);
+    table.viewport()->installEventFilter(this);
+}
+
+void StaleCover::place()
+{
+    setGeometry(m_area());
 }
 
 void StaleCover::setSince(const std::optional<QDateTime> &since)
@@ -30,7 +52,7 @@ void StaleCover::setSince(const std::optional<QDateTime> &since)
     setVisible(since.has_value());
     if (!since)
         return;
-    setGeometry(parentWidget()->rect());
+    place();
     raise();
     update();
 }
@@ -38,7 +60,7 @@ void StaleCover::setSince(const std::optional<QDateTime> &since)
 bool StaleCover::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() == QEvent::Resize)
-        setGeometry(parentWidget()->rect());
+        place();
     return QWidget::eventFilter(watched, event);
 }
 

@@ -7,7 +7,11 @@
 #include <QDateTime>
 #include <QWidget>
 
+#include <functional>
 #include <optional>
+
+class QAbstractScrollArea;
+class QHeaderView;
 
 /// Lies over a view of live data once there are none: what is shown then is old, and says since when. Lets
 /// the mouse through.
@@ -22,6 +26,8 @@ public:
     };
     /// @param view is covered, and owns the cover; no splitter, which would make room for it
     StaleCover(const Theme &theme, QWidget &view, Look look = Look::Veil);
+    /// Fades only one column of a table. @param header is the table's
+    StaleCover(const Theme &theme, QAbstractScrollArea &table, const QHeaderView &header, int column);
 
     /// Empty: the data are live.
     void setSince(const std::optional<QDateTime> &since);
@@ -32,7 +38,10 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
+    void place();
+
     const Theme &m_theme;
     Look m_look;
+    std::function<QRect()> m_area;  // of the view
     QString m_text;
 };

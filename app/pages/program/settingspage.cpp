@@ -17,6 +17,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int kLabelWidth = 230;
+constexpr int kMaxWidth = 720;  // of the cards
 constexpr double kBytesPerSample = 4.9;  // with its share of the index
 constexpr double kPolledRate = 100;  // samples per second that no polled board reaches
 
@@ -70,13 +71,13 @@ void SettingsPage::makeBody()
     m_memory->setObjectName(u"muted"_s);
     m_memory->setWordWrap(true);
     m_restart->setObjectName(u"muted"_s);
-    auto *holder = new QWidget;
-    auto *column = new QVBoxLayout(holder);
+    auto *cards = new QWidget;
+    cards->setMaximumWidth(kMaxWidth);
+    auto *column = new QVBoxLayout(cards);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(12);
     const auto section = [column](const QString &title) {
         auto *card = new Card(title);
-        card->setMaximumWidth(720);
         auto *form = new QFormLayout;
         form->setSpacing(Metric::kGap);
         form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
@@ -119,6 +120,12 @@ void SettingsPage::makeBody()
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     about->addRow(text);
     column->addStretch(1);
+    // Beside a stretch, because only a row asks for the height at the width that the cards really get.
+    auto *holder = new QWidget;
+    auto *line = new QHBoxLayout(holder);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->addWidget(cards, 1);
+    line->addStretch();
     auto *scroll = new QScrollArea;
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

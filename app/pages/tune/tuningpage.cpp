@@ -15,6 +15,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QShortcut>
 #include <QSlider>
 #include <QSplitter>
@@ -83,8 +84,6 @@ void TuningPage::makeBody()
 {
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_scroll->setMinimumWidth(kControlsWidth);
-    m_scroll->setMaximumWidth(kMaxControlsWidth);
     auto *right = new QWidget;
     auto *rightLayout = new QVBoxLayout(right);
     rightLayout->setContentsMargins(0, 0, 0, 0);
@@ -265,8 +264,13 @@ void TuningPage::rebuild()
     delete m_scroll->takeWidget();
     m_gains = nullptr;
     m_set = set;
-    if (m_set)
+    if (m_set) {
         m_scroll->setWidget(makeControls());
+        const int needed = m_scroll->widget()->minimumSizeHint().width()
+            + m_scroll->verticalScrollBar()->sizeHint().width();
+        m_scroll->setMinimumWidth(std::max(kControlsWidth, needed));
+        m_scroll->setMaximumWidth(std::max(kMaxControlsWidth, needed));
+    }
     m_before = {};
     updateState();
 }

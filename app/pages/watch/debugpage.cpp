@@ -59,6 +59,7 @@ DebugPage::DebugPage(Workspace &workspace, QWidget *parent)
     plotsLayout->addWidget(m_plots);
     body()->addWidget(plots, 3);
     coverWhenStale(*plots, {}, StaleCover::Look::Tag);
+    fadeWhenStale(*m_table, *m_table->horizontalHeader(), DebugModel::ValueColumn);
 
     connect(clear, &QPushButton::clicked, &m_model, &DebugModel::clearBounds);
     connect(m_pause, &QPushButton::toggled, this, [this](bool on) {

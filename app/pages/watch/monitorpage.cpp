@@ -122,6 +122,7 @@ void MonitorPage::makeBody()
     m_tree->header()->setSectionResizeMode(ChannelModel::NameColumn, QHeaderView::Stretch);
     m_tree->setIndentation(14);
     m_tree->setMinimumWidth(292);
+    fadeWhenStale(*m_tree, *m_tree->header(), ChannelModel::ValueColumn);
     m_empty->setObjectName(u"muted"_s);
     m_empty->setAlignment(Qt::AlignCenter);
     auto *right = new QWidget;
@@ -507,7 +508,7 @@ void MonitorPage::updateNote()
     QStringList parts{
         tr("%1 lost").arg(store->lost())};  // the most important part first: the end may be elided
     if (store->silences() > 0)
-        parts.append(tr("silent for %1 s").arg(store->silentSeconds(), 0, 'f', 1));
+        parts.append(tr("%1 s of silence in all").arg(store->silentSeconds(), 0, 'f', 1));
     if (const LinkRecorder &recorder = workspace().recorder(); recorder.isRecording())
         parts.append(tr("● recording, %1").arg(QLocale::c().formattedDataSize(recorder.size())));
     if (workspace().client().address().isReplay())
