@@ -3,6 +3,7 @@
 #include "app/composition/composition.h"
 #include "app/mainwindow/mainwindow.h"
 #include "app/mainwindow/navigation.h"
+#include "app/mainwindow/pagetable.h"
 #include "app/mainwindow/translations.h"
 #include "app/tour/tour.h"
 #include "app/tour/tourrunner.h"
@@ -52,15 +53,24 @@ int runWholeTour(const QString &folder, const QStringList &more)
     return QApplication::exec();
 }
 
-// Pictures can be taken without a screen.
-void allowPicturesWithoutScreen(int argc, char **argv)
+// Pictures and help need no screen. False if there is none for what does.
+bool prepareScreen(int argc, char **argv)
 {
-    const bool hasScreen
-        = qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY");
-    for (int i = 1; i < argc; ++i) {
-        if (qstrcmp(argv[i], "--tour") == 0 && !hasScreen && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
-            qputenv("QT_QPA_PLATFORM", "offscreen");
+    for (const char *name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
+        if (!qEnvironmentVariableIsEmpty(name))
+            return true;
     }
+    for (int i = 1; i < argc; ++i) {
+        for (const char *option : {"--tour", "--help", "--help-all", "-h", "--version", "-v"}) {
+            if (qstrcmp(argv[i], option) == 0) {
+                qputenv("QT_QPA_PLATFORM", "offscreen");
+                return true;
+            }
+        }
+        if (qstrcmp(argv[i], "-platform") == 0)
+            return true;
+    }
+    return false;
 }
 
 void addOptions(QCommandLineParser &parser)
@@ -85,6 +95,14 @@ void addOptions(QCommandLineParser &parser)
     parser.addOptions({link, demo, tour, tourAll, everything, page, themeOption, language});
     parser.addHelpOption();
     parser.addVersionOption();
+}
+
+QStringList pageKeys()
+{
+    QStringList keys;
+    for (const PageEntry &entry : pageTable())
+        keys.append(QLatin1String(entry.key));
+    return keys;
 }
 
 // What is wrong with the command line; empty if nothing.
@@ -163,7 +181,10 @@ std::unique_ptr<Tour> beginTour(MainWindow &window, const QCommandLineParser &pa
 
 int main(int argc, char **argv)
 {
-    allowPicturesWithoutScreen(argc, argv);
+    if (!prepareScreen(argc, argv))
+        return wrong(
+            u"there is no display (DISPLAY and WAYLAND_DISPLAY are empty): start it on a desktop, take "
+            "pictures with --tour DIR, or use gimbalctl"_s);
     const QApplication application(argc, argv);
     QApplication::setApplicationName(u"gimbaldesk"_s);
     QApplication::setApplicationDisplayName(u"GimbalDesk"_s);
@@ -205,7 +226,7 @@ int main(int argc, char **argv)
     // What only some boards have is shown once such a board is connected.
     if (const QString page = parser.value(u"page"_s);
         parser.isSet(u"page"_s) && !window.showPage(page) && !window.navigation()->awaitPage(page))
-        return wrong(u"there is no page '%1'"_s.arg(page));
+        return wrong(u"there is no page '%1', only %2"_s.arg(page, pageKeys().join(u", "_s)));
     window.show();
     const auto guide = tour ? beginTour(window, parser, theme, code) : nullptr;
     if (!tour && !address->isEmpty())

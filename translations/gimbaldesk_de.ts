@@ -79,6 +79,10 @@
         <source>sent</source>
         <translation>gesendet</translation>
     </message>
+    <message>
+        <source>The gimbal is being set up.</source>
+        <translation>Der Gimbal wird gerade eingerichtet.</translation>
+    </message>
 </context>
 <context>
     <name>AdjustableModel</name>
@@ -467,10 +471,6 @@
         <translation>Wenn das Board zurück ist, wird es neu gelesen; dann lässt sich das Schreiben abschließen oder zurücknehmen.</translation>
     </message>
     <message>
-        <source>The interrupted write was complete: all %1 values are on the board.</source>
-        <translation>Das unterbrochene Schreiben war vollständig: alle %1 Werte sind auf dem Board.</translation>
-    </message>
-    <message>
         <source>The last write was interrupted: %1 of %2 values are not on the board.</source>
         <translation>Das letzte Schreiben wurde unterbrochen: %1 von %2 Werten sind nicht auf dem Board.</translation>
     </message>
@@ -499,6 +499,10 @@
     <message>
         <source>What could be read of the board as it was is kept in %1</source>
         <translation>Was vom Board, wie es war, zu lesen war, liegt in %1</translation>
+    </message>
+    <message>
+        <source>The interrupted write was complete: every value is on the board.</source>
+        <translation>Das unterbrochene Schreiben war vollständig: Alle Werte sind auf dem Board.</translation>
     </message>
 </context>
 <context>
@@ -1329,10 +1333,6 @@
         <translation>Der Anschluss ist offen, aber kein Board antwortet.</translation>
     </message>
     <message>
-        <source>All rates and parities were tried.</source>
-        <translation>Alle Raten und Paritäten wurden versucht.</translation>
-    </message>
-    <message>
         <source>Check that the board has power, that RX and TX are crossed, and that this is the right port.</source>
         <translation>Prüfen Sie, ob das Board Strom hat, RX und TX gekreuzt sind und dies der richtige Anschluss ist.</translation>
     </message>
@@ -1745,6 +1745,22 @@
         <source>See whether a remote control, a script or another program sets it too, then try again.</source>
         <translation>Prüfen Sie, ob Fernsteuerung, Skript oder ein anderes Programm ihn ebenfalls setzt, und versuchen Sie es dann erneut.</translation>
     </message>
+    <message>
+        <source>Not one byte came back; the details say what was tried.</source>
+        <translation>Kein einziges Byte kam zurück; die Einzelheiten sagen, was versucht wurde.</translation>
+    </message>
+    <message>
+        <source>The connection stands, but no board answers.</source>
+        <translation>Die Verbindung steht, aber kein Board antwortet.</translation>
+    </message>
+    <message>
+        <source>Not one byte came back.</source>
+        <translation>Kein einziges Byte kam zurück.</translation>
+    </message>
+    <message>
+        <source>Check that this is the gimbal&apos;s address and port, that the board behind it has power, and that nobody else is connected to it.</source>
+        <translation>Prüfen Sie, ob Adresse und Port stimmen, das Board dahinter Strom hat und niemand sonst damit verbunden ist.</translation>
+    </message>
 </context>
 <context>
     <name>FaceList</name>
@@ -2059,10 +2075,6 @@
 </context>
 <context>
     <name>MainWindow</name>
-    <message>
-        <source>Hold Esc to switch the motors off.</source>
-        <translation>Esc halten, um die Motoren auszuschalten.</translation>
-    </message>
     <message>
         <source>Save the configuration</source>
         <translation>Konfiguration speichern</translation>
@@ -2485,10 +2497,6 @@
         <translation>Live-Daten ließen sich nicht starten. </translation>
     </message>
     <message>
-        <source>Motors are off.</source>
-        <translation>Motoren sind aus.</translation>
-    </message>
-    <message>
         <source>The board did not confirm that the motors are off.</source>
         <translation>Das Board hat nicht bestätigt, dass die Motoren aus sind.</translation>
     </message>
@@ -2535,6 +2543,18 @@
         <source> Its motors were disabled while it was starting and may stay so until it restarts; store nothing before.</source>
         <translation> Seine Motoren wurden beim Starten stillgelegt und bleiben es womöglich bis zu seinem Neustart; vorher nichts speichern.</translation>
     </message>
+    <message>
+        <source>The camera was stopped.</source>
+        <translation>Die Kamera wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Arm again when the computer is less busy.</source>
+        <translation>Schalten Sie wieder scharf, wenn der Rechner weniger zu tun hat.</translation>
+    </message>
+    <message>
+        <source>The motors were switched off.</source>
+        <translation>Die Motoren wurden ausgeschaltet.</translation>
+    </message>
 </context>
 <context>
     <name>NumberBox</name>
@@ -2549,6 +2569,17 @@
     <message>
         <source>%1. Take %2</source>
         <translation>%1. %2 nehmen</translation>
+    </message>
+    <message>
+        <source>Whole numbers, %1</source>
+        <translation>Ganze Zahlen, %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n decimal(s), %1</source>
+        <translation>
+            <numerusform>Höchstens %n Nachkommastelle, %1</numerusform>
+            <numerusform>Höchstens %n Nachkommastellen, %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3343,6 +3374,10 @@
         <source>Not compared, because it could not be read: %1.</source>
         <translation>Nicht verglichen, weil nicht gelesen: %1.</translation>
     </message>
+    <message>
+        <source>These values go to the board. They are read back and compared, and a copy of what could be read of the board is kept before the first write.</source>
+        <translation>Diese Werte gehen auf das Board. Sie werden zurückgelesen und verglichen, und vor dem ersten Schreiben wird gesichert, was vom Board gelesen werden konnte.</translation>
+    </message>
 </context>
 <context>
     <name>ScriptsPage</name>
@@ -3838,7 +3873,7 @@
     </message>
     <message>
         <source>Set the gimbal up after building it, or after changing a motor or a sensor.</source>
-        <translation>Richten Sie das Gimbal nach dem Bau ein, oder nachdem Sie einen Motor oder Sensor getauscht haben.</translation>
+        <translation>Richten Sie den Gimbal nach dem Bau ein, oder nachdem Sie einen Motor oder Sensor getauscht haben.</translation>
     </message>
     <message>
         <source>Tick the tasks. The motors are disabled first; you are told before they start. Nothing is stored before the end, so switching the board off takes everything back.</source>
@@ -3898,7 +3933,7 @@
     </message>
     <message>
         <source>Everything is set. Store it, and start the gimbal?</source>
-        <translation>Alles ist eingestellt. Speichern und das Gimbal starten?</translation>
+        <translation>Alles ist eingestellt. Speichern und den Gimbal starten?</translation>
     </message>
     <message>
         <source>A snapshot of the board as it was is kept. The motors start.</source>
@@ -3914,7 +3949,7 @@
     </message>
     <message>
         <source>The gimbal is set up.</source>
-        <translation>Das Gimbal ist eingerichtet.</translation>
+        <translation>Der Gimbal ist eingerichtet.</translation>
     </message>
     <message>
         <source>Begin again</source>
@@ -4401,6 +4436,10 @@ Spitze %2°</translation>
     <message>
         <source>no live data</source>
         <translation>keine Live-Daten</translation>
+    </message>
+    <message>
+        <source>Hold Esc to switch the motors off.</source>
+        <translation>Esc halten, um die Motoren auszuschalten.</translation>
     </message>
 </context>
 <context>
@@ -11271,6 +11310,26 @@ Auf dem Board: %1</translation>
     <message>
         <source>There is no link yet. The motors are switched off as soon as there is one.</source>
         <translation>Noch steht keine Verbindung. Die Motoren werden ausgeschaltet, sobald sie steht.</translation>
+    </message>
+    <message>
+        <source>They may still be running.</source>
+        <translation>Sie laufen vielleicht noch.</translation>
+    </message>
+    <message>
+        <source>Hold the camera and disconnect the power.</source>
+        <translation>Halten Sie die Kamera und trennen Sie den Strom.</translation>
+    </message>
+    <message>
+        <source>The gimbal is being set up.</source>
+        <translation>Der Gimbal wird gerade eingerichtet.</translation>
+    </message>
+    <message>
+        <source>Storing and starting the motors are steps of the setup.</source>
+        <translation>Speichern und Starten der Motoren sind Schritte des Einrichtens.</translation>
+    </message>
+    <message>
+        <source>Go on with it, or cancel it first.</source>
+        <translation>Führen Sie es fort oder brechen Sie es zuerst ab.</translation>
     </message>
 </context>
 </TS>

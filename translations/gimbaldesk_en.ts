@@ -135,6 +135,16 @@
     </message>
 </context>
 <context>
+    <name>NumberBox</name>
+    <message numerus="yes">
+        <source>At most %n decimal(s), %1</source>
+        <translation>
+            <numerusform>At most %n decimal, %1</numerusform>
+            <numerusform>At most %n decimals, %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ProfileModel</name>
     <message numerus="yes">
         <source>%n unsaved</source>

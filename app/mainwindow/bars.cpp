@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bars.h"
 
+#include "app/mainwindow/motorskeys.h"
 #include "protocol/session/linkstatistics.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "widgets/models/parametermodel.h"
@@ -91,13 +92,22 @@ void MessageBar::showProblem(const ErrorText &text)
     show();
 }
 
-void MessageBar::showNotice(const QString &text)
+void MessageBar::showNotice(const QString &text, Notice kind)
 {
+    const QString sign = kind == Notice::Done ? u"✓ "_s : kind == Notice::Hint ? u"ℹ "_s : u"⚠ "_s;
     m_full = text;
-    m_text->setText(u"✓ "_s + text.toHtmlEscaped());
+    m_text->setText(sign + text.toHtmlEscaped());
     setSevere(false);
     show();
     m_hide.start(kNoticeTime);
+    if (kind == Notice::Attention)
+        m_hide.stop();
+}
+
+void MessageBar::withdraw(const QString &text)
+{
+    if (text == m_full)
+        hide();
 }
 
 QString MessageBar::text() const
@@ -253,6 +263,7 @@ UnstoredBar::UnstoredBar(Workspace &workspace, QWidget *parent)
     });
     connect(m_back, &QPushButton::clicked, this, &UnstoredBar::goBack);
     connect(&workspace, &Workspace::unstoredChanged, this, &UnstoredBar::refresh);
+    connect(&workspace, &Workspace::guidedChanged, this, &UnstoredBar::refresh);
     connect(&workspace.live(), &LiveModel::changeCountChanged, this, &UnstoredBar::refresh);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &UnstoredBar::refresh);
     refresh();
@@ -286,7 +297,8 @@ void UnstoredBar::refresh()
     m_text->setText(
         more ? tr("Values in use on the board are not stored: a restart loses them.")
              : tr("%n value(s) in use on the board, not stored: a restart loses them.", nullptr, live));
-    m_back->setEnabled(!more || !reloadAction().isEmpty());
+    m_back->setEnabled((!more || !reloadAction().isEmpty()) && !m_workspace.isGuided());
+    m_store->setEnabled(!m_workspace.isGuided());
     setVisible(connected && (more || live > 0));
 }
 
@@ -297,6 +309,7 @@ StatusStrip::StatusStrip(Workspace &workspace, QWidget *parent)
     , m_battery(new QLabel)
     , m_temperature(new QLabel)
     , m_faults(new QLabel)
+    , m_hint(new QLabel)
 {
     setObjectName(u"statusBar"_s);
     auto *layout = new QHBoxLayout(this);
@@ -308,11 +321,20 @@ StatusStrip::StatusStrip(Workspace &workspace, QWidget *parent)
     }
     m_link->setToolTip(tr("Frames received per second, samples lost, answer time"));
     layout->addStretch(1);
+    m_hint->setObjectName(u"warning"_s);
+    layout->addWidget(m_hint);
     connect(&workspace.client(), &DeviceClient::statisticsChanged, this, &StatusStrip::refresh);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &StatusStrip::refresh);
     connect(&workspace.theme(), &Theme::changed, this, &StatusStrip::refresh);
     connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &StatusStrip::refresh);
     refresh();
+}
+
+void StatusStrip::follow(const MotorsKeys &keys)
+{
+    connect(&keys, &MotorsKeys::holdStarted, this,
+            [this] { m_hint->setText(tr("Hold Esc to switch the motors off.")); });
+    connect(&keys, &MotorsKeys::holdEnded, m_hint, &QLabel::clear);
 }
 
 void StatusStrip::refresh()
@@ -348,8 +370,9 @@ void StatusStrip::refresh()
         m_badAt.start();
     }
     const bool bad = m_lastBad > 0 && m_badAt.isValid() && m_badAt.elapsed() < kBadTimeMs;
-    m_link->setText(dot(bad ? ColorRole::Warning : ColorRole::Ok) + text);
-    if (m_workspace.freshness().staleSince()) {
+    const bool stale = m_workspace.freshness().staleSince().has_value();
+    m_link->setText(dot(bad || stale ? ColorRole::Warning : ColorRole::Ok) + text);
+    if (stale) {
         // What they said is old; the views say since when.
         m_battery->setText(u"<span style='color:%1'>%2</span>"_s.arg(theme.color(ColorRole::Warning).name(),
                                                                      tr("no live data")));

@@ -8,6 +8,7 @@
 #include <QFrame>
 #include <QTimer>
 
+class MotorsKeys;
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
@@ -21,8 +22,10 @@ class MessageBar final : public QFrame
 public:
     explicit MessageBar(QWidget *parent = nullptr);
     void showProblem(const ErrorText &text);
-    /// Disappears by itself.
-    void showNotice(const QString &text);
+    /// Disappears by itself, unless it asks for attention.
+    void showNotice(const QString &text, Notice kind);
+    /// Takes this away if it is what is shown.
+    void withdraw(const QString &text);
     [[nodiscard]] QString text() const;
 
 private:
@@ -109,6 +112,8 @@ class StatusStrip final : public QFrame
     Q_OBJECT
 public:
     explicit StatusStrip(Workspace &workspace, QWidget *parent = nullptr);
+    /// Says what the keys do while they are held.
+    void follow(const MotorsKeys &keys);
 
 private:
     void refresh();
@@ -120,4 +125,5 @@ private:
     QLabel *m_battery;
     QLabel *m_temperature;
     QLabel *m_faults;
+    QLabel *m_hint;
 };

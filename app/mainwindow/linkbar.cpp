@@ -31,6 +31,7 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     , m_address(new QComboBox)
     , m_connect(new QPushButton(tr("Connect")))
     , m_state(new QLabel)
+    , m_profileLabel(new QLabel(tr("&Profile")))
     , m_profile(new QComboBox)
     , m_motors(new QPushButton)
 {
@@ -52,9 +53,8 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     m_motors->setObjectName(u"motors"_s);
     m_motors->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard where it was
     m_motors->setToolTip(tr("F12 switches the motors off from anywhere"));
-    auto *profileLabel = new QLabel(tr("&Profile"));
-    profileLabel->setObjectName(u"muted"_s);
-    profileLabel->setBuddy(m_profile);
+    m_profileLabel->setObjectName(u"muted"_s);
+    m_profileLabel->setBuddy(m_profile);
 
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(Metric::kMargin, Metric::kGap, Metric::kMargin, Metric::kGap);
@@ -66,7 +66,7 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     linkLayout->addWidget(m_connect);
     linkLayout->addSpacing(Metric::kGap);
     linkLayout->addWidget(m_state, 1);
-    linkLayout->addWidget(profileLabel);
+    linkLayout->addWidget(m_profileLabel);
     linkLayout->addWidget(m_profile);
     layout->addWidget(m_linkPart, 1);
     layout->addSpacing(Metric::kGap);
@@ -198,6 +198,9 @@ void LinkBar::updateProfiles()
     const QSignalBlocker blocker(m_profile);
     m_profile->clear();
     const ConfigurationModel &model = m_workspace.configuration();
+    const bool isOnlyOne = !model.isEmpty() && model.board().identity().profileCount < 2;
+    m_profileLabel->setVisible(!isOnlyOne);
+    m_profile->setVisible(!isOnlyOne);
     if (model.isEmpty())
         return;
     for (int profile = 0; profile < model.board().identity().profileCount; ++profile)
@@ -218,7 +221,8 @@ void LinkBar::updateMotors()
     const bool canSwitchOn = !linked || (device && device->motorSwitch());
     m_offNext = !running || *running || !canSwitchOn;
     const bool tooSoon = !m_offNext && m_pressedOff.isValid() && m_pressedOff.elapsed() < kNoOnAfterOffMs;
-    m_motors->setEnabled(linked && !tooSoon);
+    const bool isItsStep = !m_offNext && m_workspace.isGuided();
+    m_motors->setEnabled(linked && !tooSoon && !isItsStep);
     const QString text = m_offNext ? tr("■ MOTORS OFF") : tr("▶ Motors on");
     if (m_motors->text() != text) {
         m_motors->setText(text);

@@ -41,7 +41,8 @@ private:
     QComboBox *m_address;
     QPushButton *m_connect;
     QLabel *m_state;
-    QComboBox *m_profile;
+    QLabel *m_profileLabel;
+    QComboBox *m_profile;  // hidden where there is only one
     QPushButton *m_motors;
     QTimer m_refresh;
     QString m_progress;

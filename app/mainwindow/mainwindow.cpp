@@ -120,9 +120,9 @@ void MainWindow::connectFrame()
     Workspace *workspace = m_workspace.get();
     connect(&workspace->notifications(), &Notifications::problem, m_messages, &MessageBar::showProblem);
     connect(&workspace->notifications(), &Notifications::notice, m_messages, &MessageBar::showNotice);
+    connect(&workspace->notifications(), &Notifications::withdrawn, m_messages, &MessageBar::withdraw);
     connect(&workspace->notifications(), &Notifications::offer, m_offers, &OfferBar::ask);
-    connect(m_keys, &MotorsKeys::holdStarted, this,
-            [this] { m_messages->showNotice(tr("Hold Esc to switch the motors off.")); });
+    m_status->follow(*m_keys);
     connect(m_panels, &PanelArea::openChanged, this, [this](bool open) { m_linkBar->setLinkEnabled(!open); });
     connect(m_unsavedBar, &UnsavedBar::reviewRequested, this, &MainWindow::review);
     connect(m_unsavedBar, &UnsavedBar::saveFileRequested, this, &MainWindow::askSaveFile);

@@ -119,8 +119,7 @@ void BoardWriter::offerRepair()
         }
     }
     if (missing == 0) {
-        m_notifications.notify(
-            tr("The interrupted write was complete: all %1 values are on the board.").arg(landed));
+        m_notifications.notify(tr("The interrupted write was complete: every value is on the board."));
         return;
     }
     Offer question;

@@ -15,6 +15,7 @@ namespace {
 constexpr auto kLookEvery = 100ms;
 constexpr double kStaleSeconds = 0.5;
 constexpr double kStalePeriods = 3.0;
+constexpr double kFirstSeconds = 3.0;  // from the connection until the first sample
 
 }  // namespace
 
@@ -38,8 +39,14 @@ std::optional<QDateTime> Freshness::staleSince(const QList<int> &channels) const
     }
     for (const int channel : channels)
         newest = std::max(newest, store->latestAt(channel));
-    if (newest == TimePoint{})
-        return {};
+    if (newest == TimePoint{}) {
+        // Some boards never send one of the channels; a board that sends none at all is noticed.
+        const bool isAsked = m_client.isConnected() && store->rows() == 0;
+        const double waited = seconds(Clock::now() - store->origin());
+        if (!isAsked || waited < kFirstSeconds)
+            return {};
+        return QDateTime::currentDateTime().addMSecs(-qint64(waited * 1000.0));
+    }
     const double rate = m_client.telemetryPlan().rate;
     const double age = seconds(Clock::now() - newest);
     if (age < std::max(kStaleSeconds, rate > 0 ? kStalePeriods / rate : 0.0))

@@ -18,8 +18,8 @@ class Freshness final : public QObject
 public:
     explicit Freshness(DeviceClient &client);
 
-    /// When the newest sample of these channels came; empty while they are live, before the first sample, and
-    /// for recordings. @param channels none = all
+    /// When the newest sample of these channels came, or when the board was connected if none has come at all
+    /// since; empty while they are live, and for recordings. @param channels none = all
     [[nodiscard]] std::optional<QDateTime> staleSince(const QList<int> &channels = {}) const;
 
     using Channels = std::function<QList<int>()>;

@@ -21,8 +21,7 @@ Notifications::Notifications(DeviceClient &client, const ConfigurationModel &con
     , m_configuration(configuration)
 {
     connect(&m_client, &DeviceClient::stateChanged, this, &Notifications::onState);
-    connect(&m_client, &DeviceClient::connectionFailed, this,
-            qOverload<const Error &>(&Notifications::report));
+    connect(&m_client, &DeviceClient::connectionFailed, this, &Notifications::onConnectionFailed);
     connect(&m_client, &DeviceClient::connectionLost, this, &Notifications::onLost);
     connect(&m_client, &DeviceClient::telemetryFailed, this, &Notifications::onTelemetryFailed);
     connect(&m_client, &DeviceClient::motorsOffFinished, this, &Notifications::onMotorsOff);
@@ -37,9 +36,13 @@ Notifications::Notifications(DeviceClient &client, const ConfigurationModel &con
     });
     connect(&m_client, &DeviceClient::statisticsChanged, this, &Notifications::onReplay);
     connect(&m_client, &DeviceClient::boardSpoke, this,
-            [this](const QString &text) { notify(tr("The board says: %1").arg(text)); });
-    connect(&m_client, &DeviceClient::failsafeActed, this,
-            [this] { notify(tr("Control was released because the program did not refresh it in time.")); });
+            [this](const QString &text) { notify(tr("The board says: %1").arg(text), Notice::Hint); });
+    connect(&m_client, &DeviceClient::failsafeActed, this, [this] {
+        report({tr("Control was released because the program did not refresh it in time."),
+                tr("The camera was stopped."),
+                tr("Arm again when the computer is less busy."),
+                {}});
+    });
 }
 
 // Going back reopens a recording; its damage is told once.
@@ -69,9 +72,9 @@ void Notifications::report(const Error &error)
     emit problem(describe(error));
 }
 
-void Notifications::notify(const QString &text)
+void Notifications::notify(const QString &text, Notice kind)
 {
-    emit notice(text);
+    emit notice(text, kind);
 }
 
 void Notifications::reportSaved(const Result<void> &saved, const QString &path)
@@ -112,15 +115,26 @@ void Notifications::follow(const LinkRecorder &recorder)
 void Notifications::onState(DeviceClient::State state)
 {
     m_damageTold = m_damageTold && state != DeviceClient::State::Disconnected;
+    if (state != DeviceClient::State::Reconnecting && !m_linkProblem.isEmpty())
+        emit withdrawn(std::exchange(m_linkProblem, {}));
+    if (state == DeviceClient::State::Disconnected)
+        m_wasLost = false;  // given up
     if (state != DeviceClient::State::Connected)
         return;
     m_leftDisabled = false;
     if (std::exchange(m_wasLost, false))
         notify(tr("Connected again."));
     if (m_client.address().isReplay())
-        notify(tr("This is a recording: everything can be looked at, nothing can be changed."));
+        notify(tr("This is a recording: everything can be looked at, nothing can be changed."), Notice::Hint);
     else if (!m_client.identity().writable)
         report({ErrorCode::ReadOnly, m_client.identity().firmware, 0});
+}
+
+void Notifications::onConnectionFailed(const Error &error)
+{
+    const ErrorText text = describe(error);
+    m_linkProblem = text.oneLine();
+    report(text);
 }
 
 void Notifications::onLost(const Error &error)
@@ -134,6 +148,7 @@ void Notifications::onLost(const Error &error)
                   "store nothing before.");
     if (m_configuration.changeCount() > 0)
         text.cure += tr(" Unsaved changes are kept.");
+    m_linkProblem = text.oneLine();
     report(text);
 }
 
@@ -147,7 +162,7 @@ void Notifications::onTelemetryFailed(const Error &error)
 void Notifications::onMotorsOff(bool confirmed)
 {
     if (confirmed) {
-        notify(tr("Motors are off."));
+        notify(tr("The motors were switched off."));
         return;
     }
     report({tr("The board did not confirm that the motors are off."),

@@ -13,6 +13,13 @@ class LinkRecorder;
 /// The link has ended or the request was withdrawn: no news for whoever asked without being told to.
 [[nodiscard]] bool isEndOfLink(const Error &error);
 
+/// What a message that is no problem means.
+enum class Notice {
+    Done,  ///< something went well
+    Hint,  ///< good to know
+    Attention,  ///< something is not as wished; stays until it is closed
+};
+
 /// Messages and questions to the operator. Events of the link are reported by this class itself.
 class Notifications final : public QObject
 {
@@ -23,8 +30,7 @@ public:
     /// Something the operator must know.
     void report(const ErrorText &text);
     void report(const Error &error);
-    /// Something that went well.
-    void notify(const QString &text);
+    void notify(const QString &text, Notice kind = Notice::Done);
     /// How saving a file went.
     void reportSaved(const Result<void> &saved, const QString &path);
     void ask(const Offer &question);
@@ -36,11 +42,14 @@ public:
 
 signals:
     void problem(const ErrorText &text);
-    void notice(const QString &text);
+    void notice(const QString &text, Notice kind);
+    /// What was told under this text holds no longer.
+    void withdrawn(const QString &text);
     void offer(const Offer &offer);
 
 private:
     void onState(DeviceClient::State state);
+    void onConnectionFailed(const Error &error);
     void onLost(const Error &error);
     void onTelemetryFailed(const Error &error);
     void onMotorsOff(bool confirmed);
@@ -49,6 +58,7 @@ private:
     DeviceClient &m_client;
     const ConfigurationModel &m_configuration;
     bool m_wasLost = false;
+    QString m_linkProblem;  // what was told of the link
     bool m_leftDisabled = false;  // motors of a board that did not reach standby
     bool m_damageTold = false;  // of the recording that is played
 };

@@ -89,7 +89,12 @@ void Workspace::onState(DeviceClient::State state)
     if (state != DeviceClient::State::Connected) {
         m_confirmations.forget();
         if (state == DeviceClient::State::Disconnected && std::exchange(m_stopWhenConnected, false))
-            m_notifications.notify(tr("No board was reached: the motors were not switched off."));
+            m_notifications.report({tr("No board was reached: the motors were not switched off."),
+                                    tr("They may still be running."),
+                                    tr("Hold the camera and disconnect the power."),
+                                    {}});
+        if (state == DeviceClient::State::Disconnected)
+            setGuided(false);
         return;
     }
     if (std::exchange(m_stopWhenConnected, false))
@@ -195,7 +200,8 @@ void Workspace::offerLeftover(int steps)
     question.text = tr("%n unsaved step(s) of an earlier run belong to this board.", nullptr, steps);
     question.choices.append({tr("Restore them"), [this] {
                                  if (!m_journal.restoreLeftover())
-                                     m_notifications.notify(tr("None of it fits this board any more."));
+                                     m_notifications.notify(tr("None of it fits this board any more."),
+                                                            Notice::Attention);
                              }});
     question.choices.append({tr("Throw them away"), [this] { m_journal.dropLeftover(); }});
     m_notifications.ask(question);
@@ -224,7 +230,8 @@ Result<void> Workspace::openFile(const QString &path)
     tellMissing(file->configuration);
     if (!file->unknownKeys.isEmpty()) {
         m_notifications.notify(tr("%n entry(s) of the file are unknown and were left out.", nullptr,
-                                  int(file->unknownKeys.size())));
+                                  int(file->unknownKeys.size())),
+                               Notice::Attention);
     }
     return {};
 }
@@ -252,12 +259,14 @@ Result<void> Workspace::applyFile(const QString &path, std::optional<int> from, 
     if (!file->missingKeys.isEmpty()) {
         m_notifications.notify(tr("%n value(s) are not in the file and got their defaults: %1", nullptr,
                                   int(file->missingKeys.size()))
-                                   .arg(file->missingKeys.mid(0, 8).join(u", "_s)));
+                                   .arg(file->missingKeys.mid(0, 8).join(u", "_s)),
+                               Notice::Attention);
     }
     if (!skipped.isEmpty()) {
         m_notifications.notify(tr("%n value(s) of the file do not fit this board and were left out: %1",
                                   nullptr, int(skipped.size()))
-                                   .arg(skipped.mid(0, 8).join(u", "_s)));
+                                   .arg(skipped.mid(0, 8).join(u", "_s)),
+                               Notice::Attention);
     }
     return {};
 }
@@ -347,6 +356,10 @@ void Workspace::changeWorld(const QString &assignment)
 
 QFuture<bool> Workspace::saveLive()
 {
+    if (m_guided) {
+        tellGuided();
+        return QtFuture::makeReadyFuture(false);
+    }
     return perform(m_client.device() && m_client.device()->live() ? m_client.device()->live()->storeAction()
                                                                   : QString(),
                    {})
@@ -392,21 +405,40 @@ void Workspace::useProfile(int profile)
         });
 }
 
+void Workspace::setGuided(bool guided)
+{
+    if (std::exchange(m_guided, guided) != guided)
+        emit guidedChanged();
+}
+
+void Workspace::tellGuided()
+{
+    m_notifications.report({tr("The gimbal is being set up."),
+                            tr("Storing and starting the motors are steps of the setup."),
+                            tr("Go on with it, or cancel it first."),
+                            {}});
+}
+
 void Workspace::setMotors(bool on)
 {
     if (m_client.address().isReplay() && m_client.isConnected()) {
-        m_notifications.notify(tr("This is a recording: there are no motors to switch."));
+        m_notifications.notify(tr("This is a recording: there are no motors to switch."), Notice::Hint);
         return;
     }
     const DeviceClient::State state = m_client.state();
     if (!on && (state == DeviceClient::State::Connecting || state == DeviceClient::State::Reconnecting)) {
         m_stopWhenConnected = true;
         m_notifications.notify(
-            tr("There is no link yet. The motors are switched off as soon as there is one."));
+            tr("There is no link yet. The motors are switched off as soon as there is one."),
+            Notice::Attention);
         return;
     }
     if (!on) {
         m_client.motorsOff();
+        return;
+    }
+    if (m_guided) {
+        tellGuided();
         return;
     }
     m_client

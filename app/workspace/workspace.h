@@ -88,6 +88,10 @@ public:
     [[nodiscard]] bool isSimulated() const;
     void changeWorld(const QString &assignment);
     void setMotors(bool on);
+    /// While a wizard leads through several steps, storing and starting the motors are steps of its own:
+    /// nothing else on the screen does that then.
+    void setGuided(bool guided);
+    [[nodiscard]] bool isGuided() const { return m_guided; }
     /// The span of time in a paused plot, in seconds since the store's origin.
     void setHeldSpan(std::optional<std::pair<double, double>> span) { m_heldSpan = span; }
     [[nodiscard]] std::optional<std::pair<double, double>> heldSpan() const { return m_heldSpan; }
@@ -120,6 +124,7 @@ public:
 signals:
     void boardRead();
     void unstoredChanged();
+    void guidedChanged();
     /// A snapshot was added to the board's history.
     void snapshotTaken();
     /// The world around the simulated gimbal was changed: a fault as NAME=VALUE.
@@ -134,6 +139,7 @@ private:
     void keepMissing(Configuration &read) const;
     void tellMissing(const Configuration &configuration);
     void setUnstored(bool unstored);
+    void tellGuided();
     void offerWayOut();
     void followActiveProfile();
 
@@ -159,6 +165,7 @@ private:
     mutable QString m_tablesOf;
     Confirmations m_confirmations;
     bool m_unstored = false;
+    bool m_guided = false;
     QString m_unstoredSerial;
     bool m_reading = false;
     bool m_switchingProfile = false;

@@ -16,6 +16,7 @@ enum class ErrorCode {
     PortBusy,  ///< another program holds the port
     HostUnreachable,  ///< the TCP or UDP peer refused or does not exist
     Silent,  ///< the port is open, but nothing ever answered
+    SilentPeer,  ///< a network address to which a connection stands, but which sends nothing
     Garbage,  ///< bytes arrive, but no frame of a known protocol
     WrongProtocol,  ///< frames of another family arrive
     ReadOnly,  ///< the firmware is unknown to us: nothing may be written

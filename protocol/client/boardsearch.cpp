@@ -11,7 +11,8 @@ constexpr auto kRetryPause = 500ms;
 // The board may belong to another family or use another baud rate.
 bool isNotHere(ErrorCode code)
 {
-    return code == ErrorCode::Silent || code == ErrorCode::Garbage || code == ErrorCode::WrongProtocol;
+    return code == ErrorCode::Silent || code == ErrorCode::SilentPeer || code == ErrorCode::Garbage
+        || code == ErrorCode::WrongProtocol;
 }
 
 }  // namespace

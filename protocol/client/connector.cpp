@@ -10,6 +10,12 @@ namespace {
 
 // USB adapters and boards that reset on opening need a moment before they listen.
 constexpr auto kSettle = 20ms;
+constexpr auto kPatience = 5s;  // for a board that starts
+
+QString lineText(const LineSettings &line)
+{
+    return (line.parity == Parity::Even ? u"%1 8E1"_s : u"%1 8N1"_s).arg(line.baud);
+}
 
 Progress tryingProgress(int done, int total, const std::optional<LineSettings> &line)
 {
@@ -18,7 +24,7 @@ Progress tryingProgress(int done, int total, const std::optional<LineSettings> &
     progress.total = total;
     progress.step = u"probe"_s;
     if (line)
-        progress.subject = (line->parity == Parity::Even ? u"%1 8E1"_s : u"%1 8N1"_s).arg(line->baud);
+        progress.subject = lineText(*line);
     return progress;
 }
 
@@ -41,10 +47,12 @@ QList<std::optional<LineSettings>> linesToTry(const Family &family, const LinkAd
         lines.append(LineSettings{address.baud().value_or(preferred.baud),
                                   address.parity().value_or(preferred.parity)});
     }
+    QList<std::optional<LineSettings>> usual = lines;
+    usual.removeIf([preferred = lines.first()->baud](const auto &line) { return line->baud != preferred; });
     if (search == Search::DefaultRate)
-        lines.removeIf(
-            [preferred = lines.first()->baud](const auto &line) { return line->baud != preferred; });
-    return lines;
+        return usual;
+    // A board that was starting when it was asked hears now.
+    return lines.size() > usual.size() ? lines + usual : lines;
 }
 
 }  // namespace
@@ -63,14 +71,20 @@ QString recogniseProtocol(std::span<const Family> known, const QByteArray &heard
 Result<FoundBoard> findBoard(Channel &channel, const Family &family, Device &device,
                              std::span<const Family> known, const LinkAddress &address, Search search)
 {
-    const auto lines = linesToTry(family, address, search);
+    auto lines = linesToTry(family, address, search);
+    // With rate and parity given, a board may take its time to start.
+    const bool isGiven = lines.first() && address.baud() && address.parity();
+    const TimePoint until = channel.now() + (isGiven ? kPatience : 0s);
+    QStringList tried;
     for (qsizetype i = 0; i < lines.size(); ++i) {
-        const auto &line = lines[i];
+        const auto line = lines[i];
         channel.progress(tryingProgress(int(i), int(lines.size()), line));
         if (line) {
             if (const auto set = channel.setLine(*line); !set)
                 continue;  // this port cannot do that rate; the others may still work
         }
+        if (line && !tried.contains(lineText(*line)))
+            tried.append(lineText(*line));
         if (const auto slept = channel.sleep(kSettle); !slept)
             return tl::unexpected(slept.error());
         const auto answered = device.probe(channel);
@@ -82,6 +96,8 @@ Result<FoundBoard> findBoard(Channel &channel, const Family &family, Device &dev
             if (const QString other = recogniseProtocol(known, channel.observation().lastBytes);
                 !other.isEmpty())
                 return failure(ErrorCode::WrongProtocol, other);
+            if (isGiven && i + 1 == lines.size() && channel.now() < until)
+                lines.append(line);
             continue;
         }
         auto identity = device.identify(channel);
@@ -95,7 +111,11 @@ Result<FoundBoard> findBoard(Channel &channel, const Family &family, Device &dev
         return failure(
             ErrorCode::Garbage,
             u"%1 bytes: %2"_s.arg(seen.bytesIn).arg(QString::fromLatin1(seen.lastBytes.left(16).toHex(' '))));
-    return failure(ErrorCode::Silent, address.toString());
+    if (address.kind() == LinkAddress::Kind::Tcp || address.kind() == LinkAddress::Kind::Udp)
+        return failure(ErrorCode::SilentPeer, address.toString());
+    return failure(ErrorCode::Silent,
+                   tried.isEmpty() ? address.toString()
+                                   : u"%1; tried: %2"_s.arg(address.toString(), tried.join(u", "_s)));
 }
 
 Result<QList<Family>> familiesFor(const QList<Family> &known, const LinkAddress &address,

@@ -63,6 +63,8 @@ private slots:
     void startCardLeadsToTheSimulator();
     void connectByKeyboard();
     void badAddressIsExplained();
+    void givingUpTakesItsMessageAway();
+    void onlySuccessHasATick();
     void editReviewWriteByMouse();
     void editReviewWriteByKeyboard();
     void untickedChangesStayUnsaved();
@@ -155,6 +157,38 @@ void TestMainWindow::badAddressIsExplained()
     QVERIFY(m_window->messageBar()->text().contains(u"nonsense"_s));
     m_window->openLink(u"serial:/dev/nonexistent"_s);
     QTRY_VERIFY(m_window->messageBar()->text().contains(u"no such port"_s));
+}
+
+// The program does not go on connecting, so the message that it does is gone.
+void TestMainWindow::givingUpTakesItsMessageAway()
+{
+    QVERIFY(open());
+    m_window->workspace().changeWorld(u"unplug=0"_s);
+    QTRY_COMPARE(client().state(), DeviceClient::State::Reconnecting);
+    QVERIFY(m_window->messageBar()->isVisible());
+    QVERIFY(m_window->messageBar()->text().contains(u"connects again by itself"_s));
+    QTest::mouseClick(m_window->findChild<LinkBar *>()->connectButton(), Qt::LeftButton);
+    QTRY_COMPARE(client().state(), DeviceClient::State::Disconnected);
+    QTRY_VERIFY(!m_window->messageBar()->isVisible());
+}
+
+void TestMainWindow::onlySuccessHasATick()
+{
+    const auto shown = [this] { return m_window->messageBar()->findChild<QLabel *>()->text(); };
+    Notifications &told = m_window->workspace().notifications();
+    for (const auto &[kind, sign] :
+         {std::pair(Notice::Done, u"✓"_s), {Notice::Hint, u"ℹ"_s}, {Notice::Attention, u"⚠"_s}}) {
+        told.notify(u"this"_s, kind);
+        QCOMPARE(shown(), sign + u" this"_s);
+    }
+    // A stop that was kept and never sent is no success.
+    QStringList problems;
+    connect(&told, &Notifications::problem, this,
+            [&problems](const ErrorText &text) { problems.append(text.what); });
+    m_window->openLink(u"sim:simplebgc?fault=deaf=86"_s);
+    m_window->workspace().setMotors(false);
+    m_window->findChild<LinkBar *>()->connectOrDisconnect();
+    QTRY_VERIFY2(!problems.filter(u"No board was reached"_s).isEmpty(), qPrintable(problems.join(u"; "_s)));
 }
 
 void TestMainWindow::editReviewWriteByMouse()

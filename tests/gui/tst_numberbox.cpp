@@ -133,6 +133,10 @@ void TestNumberBox::typed()
         QToolButton *hint = hintIn(window);
         QVERIFY(hint && hint->isVisible() && window.rect().contains(hint->geometry()));
         QVERIFY(hint->text().contains(box->textFromValue(high)));
+        const double typed = NumberBox::numberIn(text);
+        const bool isInside = typed >= low && typed <= high;
+        QCOMPARE(hint->text().startsWith(u"Whole numbers"_s), isInside && decimals == 0);
+        QCOMPARE(hint->text().startsWith(u"At most %1 decimal"_s.arg(decimals)), isInside && decimals > 0);
         const double offered = nearest.isEmpty() ? box->value() : nearest.toDouble();
         hint->click();
         QCOMPARE(box->value(), offered);

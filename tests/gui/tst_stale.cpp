@@ -29,6 +29,7 @@ private slots:
     void viewsAreCoveredWhileNothingComes();
     void everyViewOfLiveDataHasACover();
     void recordingsAreNeverStale();
+    void aBoardWithoutLiveDataIsNoticed();
 
 private:
     /// Of the views of live data on a page.
@@ -147,6 +148,24 @@ void TestStale::recordingsAreNeverStale()
         QTest::qWaitFor([&rig] { return rig.client().telemetry() && rig.client().telemetry()->rows() > 0; }));
     rig.window().showPage(u"dashboard"_s);
     QVERIFY(!QTest::qWaitFor([&rig] { return !shown(*rig.window().page(u"dashboard"_s)).isEmpty(); }, 1500));
+}
+
+// Connected, everything read, and not one sample: that looks like a board at rest.
+void TestStale::aBoardWithoutLiveDataIsNoticed()
+{
+    WindowRig rig;
+    rig.window().openLink(u"sim:storm32?fault=deaf=100"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(rig.client().isConnected() && !rig.model().isEmpty(), 15000);
+    for (const QString &key : kPages) {
+        QVERIFY(rig.window().showPage(key));
+        QTRY_VERIFY2_WITH_TIMEOUT(!shown(*rig.window().page(key)).isEmpty(), qPrintable(key), 15000);
+    }
+    QVERIFY(rig.client().isConnected());
+    const auto labels = rig.window().findChildren<QLabel *>();
+    QTRY_VERIFY(std::any_of(labels.begin(), labels.end(),
+                            [](const QLabel *label) { return label->text().contains(u"no live data"_s); }));
+    rig.workspace().changeWorld(u"deaf=-1"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(shown(*rig.window().page(kPages.last())).isEmpty(), 30000);
 }
 
 QTEST_MAIN(TestStale)

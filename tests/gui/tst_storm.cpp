@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/navigation.h"
+#include "app/pages/board/actionspage.h"
 #include "app/pages/board/backupspage.h"
 #include "app/pages/board/consolepage.h"
 #include "app/pages/board/sharedialog.h"
@@ -18,6 +19,7 @@
 #include "widgets/views/scripteditor.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -27,6 +29,7 @@
 #include <QSlider>
 #include <QTableWidget>
 #include <QTest>
+#include <QTextBrowser>
 
 using namespace Qt::StringLiterals;
 
@@ -53,6 +56,7 @@ private slots:
     void settingsAreShared();
     void settingsFileIsLoadedAndSaved();
     void disabledMotorsAreToldWithALostLink();
+    void repliesAndProfilesBelongToTheirBoard();
 };
 
 void TestStorm::onlyFittingPagesAreOffered()
@@ -424,6 +428,25 @@ void TestStorm::disabledMotorsAreToldWithALostLink()
     const auto lost = [&told] { return told.filter(u"The link to the board broke"_s); };
     QTRY_VERIFY_WITH_TIMEOUT(!lost().isEmpty(), 10000);
     QVERIFY2(lost().first().contains(u"may stay so until it restarts"_s), qPrintable(told.join(u'\n')));
+}
+
+void TestStorm::repliesAndProfilesBelongToTheirBoard()
+{
+    const QComboBox *profiles = named<QComboBox>(&m_rig->window(), u"Active profile"_s);
+    QVERIFY(openStorm());
+    auto *page = m_rig->page<ActionsPage>();
+    QVERIFY(page->showAction(u"status"_s));
+    page->runButton()->click();
+    QTRY_VERIFY(page->reply()->toPlainText().contains(u"done"_s));
+    QVERIFY(!profiles->isVisible());  // there is nothing to choose
+    // The same board again: what it said still holds.
+    QVERIFY(openStorm());
+    QVERIFY(page->reply()->toPlainText().contains(u"done"_s));
+#if GIMBAL_WITH_SIMPLEBGC
+    QVERIFY(m_rig->open());
+    QVERIFY2(page->reply()->toPlainText().isEmpty(), qPrintable(page->reply()->toPlainText()));
+    QTRY_VERIFY(profiles->isVisible());
+#endif
 }
 
 QTEST_MAIN(TestStorm)

@@ -3,6 +3,7 @@
 #include "app/families/storm32/sensorpage.h"
 #include "app/families/storm32/setuppage.h"
 #include "app/mainwindow/bars.h"
+#include "app/pages/board/actionspage.h"
 #include "app/pages/board/controlpage.h"
 #include "app/pages/tune/responsepage.h"
 #include "app/pages/tune/tuningpage.h"
@@ -179,15 +180,35 @@ void TestStormMotion::setupCanBeCancelled()
          {SetupPage::Task::Orientation, SetupPage::Task::Poles, SetupPage::Task::AutoDirections})
         page->box(task)->setChecked(false);
     workspace().changeWorld(u"battery=7"_s);
+    const auto *motors = named<QPushButton>(&m_rig->window(), u"Switch motors off"_s);
     page->continueButton()->click();
     QTRY_COMPARE_WITH_TIMEOUT(page->step(), SetupPage::Step::AskStart, 8000);
+    // Until it ends or is cancelled, nothing else stores or starts the motors.
+    auto *bar = m_rig->window().findChild<UnstoredBar *>();
+    auto *store = named<QPushButton>(bar, u"Store on the board"_s);
+    auto *actions = m_rig->page<ActionsPage>();
+    QVERIFY(bar->isVisible() && !store->isEnabled() && !bar->backButton()->isEnabled());
+    QTRY_COMPARE(motors->accessibleName(), u"Switch motors on"_s);
+    QTRY_VERIFY(!motors->isEnabled());
+    for (const QString &key : {u"store"_s, u"motors.on"_s, u"restart"_s}) {
+        QVERIFY2(actions->showAction(key), qPrintable(key));
+        QVERIFY2(!actions->runButton()->isEnabled(), qPrintable(key));
+    }
+    QVERIFY(actions->showAction(u"status"_s) && actions->runButton()->isEnabled());
+    QSignalSpy problems(&workspace().notifications(), &Notifications::problem);
+    workspace().setMotors(true);
+    QVERIFY(!workspace().saveLive().result());
+    QCOMPARE(problems.size(), 2);
+    QCOMPARE(inUse(79), 3);
+    m_rig->page<SetupPage>();
     page->continueButton()->click();
     QTRY_VERIFY2(page->sees().contains(u"battery"_s), qPrintable(page->sees()));
     page->cancelButton()->click();
     QCOMPARE(page->step(), SetupPage::Step::Choose);
     QVERIFY(workspace().isUnstored());  // the motors are disabled, and it says so
     QTRY_COMPARE(inUse(79), 3);
-    m_rig->window().findChild<UnstoredBar *>()->backButton()->click();
+    QVERIFY(store->isEnabled() && bar->backButton()->isEnabled());
+    bar->backButton()->click();
     QTRY_COMPARE_WITH_TIMEOUT(inUse(79), 0, 8000);
     // Nothing ticked: nothing to begin.
     for (int task = 0; task < SetupPage::kTasks; ++task)

@@ -290,7 +290,7 @@ void TestToyWindow::isSteeredAndStopped()
     QTRY_VERIFY(!control->isArmed());
     QCOMPARE(throttle->value(), 0.0);
     QCOMPARE(arm->currentIndex(), 0);
-    QTRY_COMPARE(window().messageBar()->text().contains(u"Motors are off"_s), true);
+    QTRY_COMPARE(window().messageBar()->text().contains(u"switched off"_s), true);
 }
 
 void TestToyWindow::actionIsConfirmedEachTime()

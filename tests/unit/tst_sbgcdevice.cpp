@@ -4,6 +4,7 @@
 #include "protocol/client/connector.h"
 #include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/simplebgc/units.h"
+#include "tests/support/channelproxy.h"
 #include "tests/support/lossychannel.h"
 #include "tests/support/virtualboard.h"
 
@@ -21,6 +22,28 @@ Result<FoundBoard> find(VirtualBoard &bench, const LinkAddress &address)
     return findBoard(bench.channel, bench.family, bench.device, allFamilies(), address);
 }
 
+/// A board that hears nothing until it has started.
+class Starting final : public ChannelProxy
+{
+public:
+    Starting(Channel &channel, milliseconds time)
+        : ChannelProxy(channel)
+        , m_ready(channel.now() + time)
+    {
+    }
+    Result<Frame> transact(const Request &request) override
+    {
+        if (now() >= m_ready)
+            return ChannelProxy::transact(request);
+        if (const auto slept = sleep((request.retries + 1) * request.timeout); !slept)
+            return tl::unexpected(slept.error());
+        return failure(ErrorCode::Timeout, request.name);
+    }
+
+private:
+    TimePoint m_ready;
+};
+
 }  // namespace
 
 /// The family's sequential code against the simulated board in virtual time.
@@ -32,6 +55,8 @@ private slots:
     void unknownFirmwareIsReadOnly();
     void findsRateAndParity_data();
     void findsRateAndParity();
+    void findsABoardThatStartsLate_data();
+    void findsABoardThatStartsLate();
     void explainsSilenceGarbageAndForeigners();
     void readsEverything_data();
     void readsEverything();
@@ -112,6 +137,38 @@ void TestSbgcDevice::findsRateAndParity()
     QCOMPARE(found->line->parity, firmware < 2410 ? Parity::Even : Parity::None);
     // It says what it tries.
     QVERIFY(bench.channel.progressReports().front().subject.contains(u"115200 8N1"_s));
+}
+
+void TestSbgcDevice::findsABoardThatStartsLate_data()
+{
+    QTest::addColumn<int>("baud");  // 0: not given
+    QTest::addColumn<bool>("isThere");
+    QTest::newRow("all rates") << 0 << true;
+    QTest::newRow("given") << 115200 << true;
+    QTest::newRow("given, and not there") << 57600 << false;
+}
+
+void TestSbgcDevice::findsABoardThatStartsLate()
+{
+    QFETCH(const int, baud);
+    QFETCH(const bool, isThere);
+    SimulatorOptions o = withFirmware(2590);
+    o.usb = false;
+    VirtualBoard bench(o, LineSettings{115200, Parity::None});
+    Starting channel(bench.channel, 3s);
+    const auto address
+        = baud ? LinkAddress::serial(u"/dev/x"_s, baud, Parity::None) : LinkAddress::serial(u"/dev/x"_s);
+    const TimePoint began = bench.channel.now();
+    const auto found = findBoard(channel, bench.family, bench.device, allFamilies(), address);
+    QCOMPARE(found.has_value(), isThere);
+    if (isThere) {
+        QCOMPARE(found->line->baud, 115200);
+        return;
+    }
+    QVERIFY(bench.channel.now() - began >= 5s);
+    // It says what was tried, and nothing else.
+    QVERIFY2(found.error().detail.contains(u"57600 8N1"_s), qPrintable(found.error().detail));
+    QVERIFY(!found.error().detail.contains(u"115200"_s));
 }
 
 void TestSbgcDevice::explainsSilenceGarbageAndForeigners()

@@ -286,9 +286,13 @@ void NumberBox::showHint()
         connect(m_hint, &QToolButton::clicked, this, &NumberBox::takeNearest);
     }
     const double number = numberIn(typed());
+    const bool isInside = number >= minimum() && number <= maximum();
+    const QString range = !isInside ? rangeText()
+        : decimals() == 0           ? tr("Whole numbers, %1").arg(rangeText())
+                                    : tr("At most %n decimal(s), %1", nullptr, decimals()).arg(rangeText());
     const QString text = std::isnan(number)
-        ? tr("No number; %1. Back to %2").arg(rangeText(), textFromValue(value()))
-        : tr("%1. Take %2").arg(rangeText(), textFromValue(nearestTo(number)));
+        ? tr("No number; %1. Back to %2").arg(range, textFromValue(value()))
+        : tr("%1. Take %2").arg(range, textFromValue(nearestTo(number)));
     m_hint->setText(text);
     setAccessibleDescription(text);
     m_hint->adjustSize();

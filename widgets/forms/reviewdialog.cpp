@@ -26,8 +26,11 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     setWindowTitle(tr("Review and write"));
     resize(760, 460);
     auto *intro = new QLabel(
-        tr("These values go to the board. They are read back and compared, and a copy of the whole "
-           "board is kept before the first write."));
+        board.missing().empty()
+            ? tr("These values go to the board. They are read back and compared, and a copy of the whole "
+                 "board is kept before the first write.")
+            : tr("These values go to the board. They are read back and compared, and a copy of what could be "
+                 "read of the board is kept before the first write."));
     intro->setWordWrap(true);
     m_table->setModel(&m_changes);
     m_table->setAccessibleName(tr("Changes to write"));

@@ -76,16 +76,15 @@ void AttitudeView::paintEvent(QPaintEvent *)
                 painter.drawText(QRectF(half + 4, y - 9, 40, 18), Qt::AlignVCenter, QString::number(degrees));
         }
         painter.restore();
+        // The camera, fixed in the middle.
+        painter.setPen(QPen(m_theme.color(ColorRole::Accent), 3));
+        painter.drawLine(center + QPointF(-60, 0), center + QPointF(-20, 0));
+        painter.drawLine(center + QPointF(20, 0), center + QPointF(60, 0));
+        painter.drawEllipse(center, 3, 3);
     } else {
         painter.setPen(m_theme.color(ColorRole::Muted));
         painter.drawText(area, Qt::AlignCenter, tr("No attitude yet"));
     }
-
-    // The camera, fixed in the middle.
-    painter.setPen(QPen(m_theme.color(ColorRole::Accent), 3));
-    painter.drawLine(center + QPointF(-60, 0), center + QPointF(-20, 0));
-    painter.drawLine(center + QPointF(20, 0), center + QPointF(60, 0));
-    painter.drawEllipse(center, 3, 3);
 
     // Heading strip at the top.
     const QRectF strip(area.left(), area.top(), area.width(), 24);

@@ -242,6 +242,7 @@ void SetupPage::next()
 void SetupPage::enter(Step step)
 {
     m_step = step;
+    workspace().setGuided(step != Step::Choose && step != Step::Done);
     m_failed = m_running = false;
     m_held->setVisible(step == Step::Orientation);
     m_held->setValue(0);
@@ -422,6 +423,7 @@ void SetupPage::finished(const Result<ActionOutcome> &outcome)
     case Step::Finish:
         m_running = true;
         updateState();
+        workspace().setGuided(false);
         workspace().saveLive().then(this, [this, run = m_run](bool stored) {
             if (run != m_run)
                 return;

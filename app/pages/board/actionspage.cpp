@@ -109,6 +109,7 @@ ActionsPage::ActionsPage(Workspace &workspace, QWidget *parent)
     connect(m_run, &QPushButton::clicked, this, &ActionsPage::run);
     connect(m_cancel, &QPushButton::clicked, &workspace.client(), &DeviceClient::cancelJobs);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &ActionsPage::fillList);
+    connect(&workspace, &Workspace::guidedChanged, this, &ActionsPage::updateRun);
     new QShortcut(QKeySequence::Find, this, [this] { m_search->setFocus(); });
     fillList();
 }
@@ -119,6 +120,8 @@ void ActionsPage::fillList()
     updateRun();
     if (!client.isConnected())
         return;
+    if (std::exchange(m_board, client.identity().serial) != client.identity().serial)
+        m_reply->clear();  // another board's
     const QString before = m_action ? QString::fromLatin1(m_action->key) : QString();
     m_list->clear();
     QMap<QString, QTreeWidgetItem *> groups;
@@ -209,7 +212,9 @@ void ActionsPage::updateRun()
     m_run->setObjectName(red ? u"danger"_s : u"primary"_s);
     repolish(m_run);
     m_run->setEnabled(connected && m_action && !m_running
-                      && (workspace().client().identity().writable || m_action->risk == ActionRisk::Safe));
+                      && (m_action->risk == ActionRisk::Safe
+                          || (workspace().client().identity().writable && !workspace().isGuided())));
+    m_run->setToolTip(workspace().isGuided() ? tr("The gimbal is being set up.") : QString());
     m_cancel->setVisible(m_running);
     m_list->setEnabled(connected && !m_running);
 }

@@ -45,6 +45,7 @@ private:
     QPushButton *m_run;
     QPushButton *m_cancel;
     QTextBrowser *m_reply;
+    QString m_board;  // whose reply it is
     std::optional<ActionSpec> m_action;
     bool m_running = false;
 };

@@ -510,7 +510,8 @@ void ControlPage::tick()
     if (m_touched.elapsed() > 1000LL * workspace().settings().disarmSeconds() && !m_pad->isHeld()) {
         setArmed(false);
         workspace().notifications().notify(tr("Control was disarmed: nothing was moved for %1 s.")
-                                               .arg(workspace().settings().disarmSeconds()));
+                                               .arg(workspace().settings().disarmSeconds()),
+                                           Notice::Hint);
         return;
     }
     workspace().client().setControl(setpoint());

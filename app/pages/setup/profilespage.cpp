@@ -117,7 +117,8 @@ void ProfilesPage::connectAll()
             = workspace().edits().copyProfile(chosen(), m_target->currentData().toInt());
         if (!leftOut.isEmpty())
             workspace().notifications().notify(
-                tr("Left out, as these values are not allowed: %1.").arg(leftOut.join(u"; "_s)));
+                tr("Left out, as these values are not allowed: %1.").arg(leftOut.join(u"; "_s)),
+                Notice::Attention);
     });
     connect(m_load, &QPushButton::clicked, this, [this] {
         const int profile = chosen();

@@ -322,7 +322,7 @@ void ResponsePage::onFailed(const Error &error)
     workspace().mark(error.code == ErrorCode::Diverged ? PlotMark::Kind::Fault : PlotMark::Kind::Note,
                      tr("Test was ended"));
     if (error.code == ErrorCode::Cancelled)
-        workspace().notifications().notify(tr("The test was ended; control was given back."));
+        workspace().notifications().notify(tr("The test was ended; control was given back."), Notice::Hint);
     else
         workspace().notifications().report(error);
     setArmed(false);
@@ -448,7 +448,8 @@ Result<void> ResponsePage::importCsv(const QString &path)
     add(std::move(record), Axis::None);
     if (samples->rateAssumed)
         workspace().notifications().notify(
-            tr("The file does not state its rate; %1 samples/s are assumed.").arg(samples->rate));
+            tr("The file does not state its rate; %1 samples/s are assumed.").arg(samples->rate),
+            Notice::Attention);
     return {};
 }
 

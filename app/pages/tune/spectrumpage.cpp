@@ -425,7 +425,8 @@ void SpectrumPage::askNotch()
     const auto plan = planNotch(m_lines[std::size_t(row)]);
     if (!plan) {
         workspace().notifications().notify(
-            tr("All notch filters of this axis are in use; change one of them on Parameters."));
+            tr("All notch filters of this axis are in use; change one of them on Parameters."),
+            Notice::Attention);
         return;
     }
     // The cost of the notch before anything is changed: its phase lag at typical crossover frequencies.

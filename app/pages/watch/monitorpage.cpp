@@ -354,7 +354,8 @@ void MonitorPage::useLayout(const QString &name)
 {
     const PlotLayout layout = PlotLayout::fromJson(workspace().settings().plotLayout(name), table());
     if (layout.plots.isEmpty()) {
-        workspace().notifications().notify(tr("This board has none of the channels of “%1”.").arg(name));
+        workspace().notifications().notify(tr("This board has none of the channels of “%1”.").arg(name),
+                                           Notice::Attention);
         return;
     }
     m_stack->setPlots(layout.plots);
@@ -462,7 +463,8 @@ void MonitorPage::askPublish()
         if (const auto started = publish(address.trimmed()); started)
             workspace().notifications().notify(
                 tr("What is ticked now is sent to %1 until you stop it in the same menu.")
-                    .arg(address.trimmed()));
+                    .arg(address.trimmed()),
+                Notice::Hint);
         else
             workspace().notifications().report(started.error());
     });
