@@ -155,7 +155,7 @@ void TestSbgcDevice::findsABoardThatStartsLate()
     SimulatorOptions o = withFirmware(2590);
     o.usb = false;
     VirtualBoard bench(o, LineSettings{115200, Parity::None});
-    Starting channel(bench.channel, 3s);
+    Starting channel(bench.channel, baud ? 3s : 5s);  // later than its own rate's turn
     const auto address
         = baud ? LinkAddress::serial(u"/dev/x"_s, baud, Parity::None) : LinkAddress::serial(u"/dev/x"_s);
     const TimePoint began = bench.channel.now();
