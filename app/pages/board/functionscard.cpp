@@ -3,6 +3,7 @@
 #include "app/pages/board/functionscard.h"
 
 #include "widgets/forms/argumentform.h"
+#include "widgets/models/parametermodel.h"
 
 #include <QFormLayout>
 #include <QGridLayout>
