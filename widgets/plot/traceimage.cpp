@@ -140,8 +140,9 @@ void TraceImage::drawColumns(qint64 first, qint64 last)
             continue;
         const auto [low, high] = m_ranges[trace.scale];
         const double perUnit = high > low ? (m_height - 1) / (high - low) : 0.0;
-        const auto row = [&](float value) {
-            return std::clamp(m_height - 1 - (double(value) - low) * perUnit, -2.0, double(m_height) + 1.0);
+        const auto row = [this, perUnit, bottom = low](float value) {
+            return std::clamp(m_height - 1 - (double(value) - bottom) * perUnit, -2.0,
+                              double(m_height) + 1.0);
         };
         const QRgb color = trace.color.rgb();
         for (qint64 column = first; column <= last; ++column) {

@@ -182,7 +182,7 @@ QByteArray SimulatedBoard::liveFields(int mask) const
     writer.u16(mask);
     for (std::size_t bit = 0; bit < kFields.size(); ++bit) {
         for (int i = 0; asked >> bit & 1 && i < kFields[bit].count; ++i)
-            writer.u16(live[std::size_t(kFields[bit].first + i)] & 0xFFFF);
+            writer.u16(live[std::size_t(kFields[bit].first) + std::size_t(i)] & 0xFFFF);
     }
     if (asked & 0x0080)
         writer.u16(live[31]);
