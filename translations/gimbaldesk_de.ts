@@ -2544,8 +2544,8 @@
         <translation> Seine Motoren wurden beim Starten stillgelegt und bleiben es womöglich bis zu seinem Neustart; vorher nichts speichern.</translation>
     </message>
     <message>
-        <source>The camera was stopped.</source>
-        <translation>Die Kamera wurde angehalten.</translation>
+        <source>The board was told to stop.</source>
+        <translation>Dem Board wurde gesagt, dass es anhalten soll.</translation>
     </message>
     <message>
         <source>Arm again when the computer is less busy.</source>

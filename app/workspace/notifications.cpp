@@ -39,7 +39,7 @@ Notifications::Notifications(DeviceClient &client, const ConfigurationModel &con
             [this](const QString &text) { notify(tr("The board says: %1").arg(text), Notice::Hint); });
     connect(&m_client, &DeviceClient::failsafeActed, this, [this] {
         report({tr("Control was released because the program did not refresh it in time."),
-                tr("The camera was stopped."),
+                tr("The board was told to stop."),
                 tr("Arm again when the computer is less busy."),
                 {}});
     });

@@ -265,8 +265,11 @@ void Decoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store
     }
     const double arrival = store.secondsAt(at);
     double time = timeOf(ByteReader(data.subspan(10)).u16(), arrival);
-    if (m_lastTime > 0 && time - m_lastTime > kGap)
+    if (m_lastTime > 0 && time - m_lastTime > kGap) {
         store.appendGap(*m_group, store.origin() + durationFromSeconds(m_lastTime + 1e-3));
+        if (m_history)
+            m_history->sawStart = false;  // an axis may have followed the handle meanwhile
+    }
     time = std::max(time, m_lastTime);
     const auto row = liveRow(data, m_scales);
     if (m_history) {

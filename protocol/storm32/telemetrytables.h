@@ -82,7 +82,8 @@ struct PanHistory
     /// Pan bits (of status2) of the axes whose position has more than one cause: they follow the handle, have
     /// followed it, or the middle of their stick is set off. Never cleared.
     std::atomic<unsigned> shifted = 0;
-    /// The board was met before its motors turned. Otherwise an axis may have followed the handle before.
+    /// The board was met before its motors turned, and watched since without a gap. Otherwise an axis may
+    /// have followed the handle before.
     std::atomic<bool> sawStart = false;
 };
 

@@ -63,8 +63,11 @@ bool TestStormHold::meet()
     if (!plan)
         return false;
     m_plan = *plan;
-    m_rig->channel.setTap(
-        [this](const FrameView &frame, TimePoint at) { m_plan->decoder->decode(frame, at, *m_store); });
+    // Virtual time, counted from where the store begins.
+    const Duration ahead = m_store->origin() + 1s - m_rig->channel.now();
+    m_rig->channel.setTap([this, ahead](const FrameView &frame, TimePoint at) {
+        m_plan->decoder->decode(frame, at + ahead, *m_store);
+    });
     return true;
 }
 
@@ -212,6 +215,10 @@ void TestStormHold::whatHappenedBeforeTheLinkIsNotKnown()
     QVERIFY(meet());
     look(12);
     QCOMPARE(unknown(SteeredBefore::Unknown), 0);
+    // Nobody knows what it did while nothing was heard of it.
+    QVERIFY(m_rig->channel.sleep(2s));
+    look(1);
+    QCOMPARE(unknown(SteeredBefore::Unknown), 3);
 }
 
 QTEST_GUILESS_MAIN(TestStormHold)
