@@ -6,6 +6,7 @@
 #include "protocol/session/linkstatistics.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "widgets/models/parametermodel.h"
+#include "widgets/views/elidedlabel.h"
 
 #include <QClipboard>
 #include <QFileInfo>
@@ -48,6 +49,7 @@ MessageBar::MessageBar(QWidget *parent)
     m_copy->setToolTip(tr("Copy everything that technical support needs"));
     m_close->setText(u"✕"_s);
     m_close->setAccessibleName(tr("Close message"));
+    m_close->setToolTip(tr("Close (Esc); F6 leads here and back"));
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, Metric::kGap, Metric::kGap, Metric::kGap);
     auto *texts = new QVBoxLayout;
@@ -55,10 +57,10 @@ MessageBar::MessageBar(QWidget *parent)
     texts->addWidget(m_text);
     texts->addWidget(m_detail);
     layout->addLayout(texts, 1);
-    layout->addWidget(m_more, 0, Qt::AlignVCenter);
-    layout->addWidget(m_copy, 0, Qt::AlignVCenter);
+    // At the top: they stay where they are when details unfold.
+    for (QToolButton *button : {m_more, m_copy, m_close})
+        layout->addWidget(button, 0, Qt::AlignTop);
     connect(m_more, &QToolButton::toggled, m_detail, &QWidget::setVisible);
-    layout->addWidget(m_close, 0, Qt::AlignVCenter);
     connect(m_copy, &QToolButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(m_full); });
     connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
     m_hide.setSingleShot(true);
@@ -118,13 +120,20 @@ QString MessageBar::text() const
 OfferBar::OfferBar(QWidget *parent)
     : QFrame(parent)
     , m_text(new QLabel)
-    , m_row(new QHBoxLayout(this))
+    , m_row(new QHBoxLayout)
+    , m_fold(new QToolButton)
 {
     setObjectName(u"offerBar"_s);
     m_text->setWordWrap(true);
-    m_row->setContentsMargins(12, Metric::kGap, Metric::kGap, Metric::kGap);
+    m_fold->setCheckable(true);
     m_row->setSpacing(Metric::kGap);
     m_row->addWidget(m_text, 1);
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(12, Metric::kGap, Metric::kGap, Metric::kGap);
+    layout->setSpacing(Metric::kGap);
+    layout->addLayout(m_row, 1);
+    layout->addWidget(m_fold);
+    connect(m_fold, &QToolButton::toggled, this, &OfferBar::setFolded);
     hide();
 }
 
@@ -133,6 +142,8 @@ void OfferBar::ask(const Offer &offer)
     m_offers.append(offer);
     if (m_offers.size() == 1)
         showFirst();
+    else
+        setFolded(m_fold->isChecked());
 }
 
 void OfferBar::clear()
@@ -143,11 +154,14 @@ void OfferBar::clear()
 
 void OfferBar::showFirst()
 {
-    for (QPushButton *button : std::exchange(m_buttons, {}))
+    for (QPushButton *button : std::exchange(m_buttons, {})) {
+        button->hide();
         button->deleteLater();
-    setVisible(!m_offers.isEmpty());
-    if (m_offers.isEmpty())
+    }
+    if (m_offers.isEmpty()) {
+        hide();
         return;
+    }
     m_text->setText(m_offers.first().text);
     for (const Offer::Choice &choice : m_offers.first().choices) {
         auto *button = new QPushButton(choice.text);
@@ -160,6 +174,22 @@ void OfferBar::showFirst()
         m_row->addWidget(button);
         m_buttons.append(button);
     }
+    m_fold->setChecked(false);
+    setFolded(false);
+    show();
+}
+
+// It gives the page free without being answered.
+void OfferBar::setFolded(bool folded)
+{
+    m_text->setVisible(!folded);
+    for (QPushButton *button : std::as_const(m_buttons))
+        button->setVisible(!folded);
+    m_fold->setText(folded ? tr("%n open question(s)", nullptr, int(m_offers.size())) : u"▴"_s);
+    m_fold->setAccessibleName(folded ? m_fold->text() : tr("Fold the question"));
+    m_fold->setToolTip(folded ? text() : tr("Fold the question; it stays open. F6 leads here and back"));
+    setMaximumWidth(folded ? sizeHint().width() : QWIDGETSIZE_MAX);
+    updateGeometry();
 }
 
 QString OfferBar::text() const
@@ -170,7 +200,7 @@ QString OfferBar::text() const
 UnsavedBar::UnsavedBar(Workspace &workspace, QWidget *parent)
     : QFrame(parent)
     , m_workspace(workspace)
-    , m_text(new QLabel)
+    , m_text(new ElidedLabel)
     , m_undo(new QPushButton(tr("&Undo")))
     , m_redo(new QPushButton(tr("&Redo")))
     , m_discard(new QPushButton(tr("&Discard")))
@@ -183,12 +213,11 @@ UnsavedBar::UnsavedBar(Workspace &workspace, QWidget *parent)
     layout->setContentsMargins(Metric::kMargin, Metric::kGap, Metric::kMargin, Metric::kGap);
     layout->setSpacing(Metric::kGap);
     m_text->setObjectName(u"changed"_s);
-    layout->addWidget(m_text);
-    layout->addStretch(1);
-    for (QPushButton *button : {m_undo, m_redo, m_discard})
+    layout->addWidget(m_text, 1);
+    // What comes and goes with the link stands where it moves none of the others.
+    for (QPushButton *button : {m_saveFile, m_undo, m_redo, m_discard})
         layout->addWidget(button);
-    layout->addSpacing(Metric::kMargin);
-    layout->addWidget(m_saveFile);
+    layout->addSpacing(Metric::kGap);
     layout->addWidget(m_write);
     connect(m_saveFile, &QPushButton::clicked, this, &UnsavedBar::saveFileRequested);
     QUndoStack &stack = workspace.edits().undoStack();
@@ -222,7 +251,7 @@ void UnsavedBar::refresh()
         text += u' ' + tr("in %1 profiles").arg(profiles);
     if (count == 0)
         text = tr("No unsaved changes");
-    m_text->setText(text);
+    m_text->setFullText(text);
     m_undo->setEnabled(stack.canUndo());
     m_redo->setEnabled(stack.canRedo());
     m_undo->setToolTip(stack.canUndo() ? tr("Undo: %1 (Ctrl+Z)").arg(stack.undoText()) : QString());
@@ -242,19 +271,19 @@ void UnsavedBar::refresh()
 UnstoredBar::UnstoredBar(Workspace &workspace, QWidget *parent)
     : QFrame(parent)
     , m_workspace(workspace)
-    , m_text(new QLabel)
-    , m_back(new QPushButton(tr("Back to what is stored")))
+    , m_text(new ElidedLabel)
+    , m_back(new QPushButton(tr("Revert all")))
     , m_store(new QPushButton(tr("Store on the board")))
 {
     setObjectName(u"unsavedBar"_s);
     m_text->setObjectName(u"changed"_s);
     m_store->setObjectName(u"primary"_s);
+    m_back->setToolTip(tr("Put the stored values into use at once"));
     m_store->setToolTip(tr("Keep everything that is in use; a snapshot is taken first"));
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(Metric::kMargin, Metric::kGap, Metric::kMargin, Metric::kGap);
     layout->setSpacing(Metric::kGap);
-    layout->addWidget(m_text);
-    layout->addStretch(1);
+    layout->addWidget(m_text, 1);
     layout->addWidget(m_back);
     layout->addWidget(m_store);
     connect(m_store, &QPushButton::clicked, this, [this] {
@@ -294,7 +323,7 @@ void UnstoredBar::refresh()
     const bool connected = m_workspace.client().isConnected() && m_workspace.client().identity().writable;
     const int live = m_workspace.live().changeCount();
     const bool more = m_workspace.isUnstored();
-    m_text->setText(
+    m_text->setFullText(
         more ? tr("Values in use on the board are not stored: a restart loses them.")
              : tr("%n value(s) in use on the board, not stored: a restart loses them.", nullptr, live));
     m_back->setEnabled((!more || !reloadAction().isEmpty()) && !m_workspace.isGuided());

@@ -8,13 +8,14 @@
 #include <QFrame>
 #include <QTimer>
 
+class ElidedLabel;
 class MotorsKeys;
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QToolButton;
 
-/// What the operator must know, below the link bar: cause, meaning, cure; details folded; a button that
+/// What the operator must know, over the page: cause, meaning, cure; details folded; a button that
 /// copies it all. Questions stay beside it until they are answered.
 class MessageBar final : public QFrame
 {
@@ -40,7 +41,8 @@ private:
     QString m_full;
 };
 
-/// A question with its answers as buttons; stays until one was chosen. Questions queue up.
+/// A question with its answers as buttons; stays until one was chosen, and can be folded meanwhile. Questions
+/// queue up.
 class OfferBar final : public QFrame
 {
     Q_OBJECT
@@ -54,10 +56,12 @@ public:
 
 private:
     void showFirst();
+    void setFolded(bool folded);
 
     QList<Offer> m_offers;
     QLabel *m_text;
     QHBoxLayout *m_row;
+    QToolButton *m_fold;
     QList<QPushButton *> m_buttons;
 };
 
@@ -77,7 +81,7 @@ private:
     void refresh();
 
     Workspace &m_workspace;
-    QLabel *m_text;
+    ElidedLabel *m_text;
     QPushButton *m_undo;
     QPushButton *m_redo;
     QPushButton *m_discard;
@@ -101,7 +105,7 @@ private:
     [[nodiscard]] QString reloadAction() const;
 
     Workspace &m_workspace;
-    QLabel *m_text;
+    ElidedLabel *m_text;
     QPushButton *m_back;
     QPushButton *m_store;
 };

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/linkbar.h"
 
+#include "app/workspace/question.h"
 #include "widgets/models/parametermodel.h"
+#include "widgets/views/elidedlabel.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -14,6 +16,8 @@
 #include <QSignalBlocker>
 #include <QThreadPool>
 
+#include <algorithm>
+
 using namespace Qt::StringLiterals;
 
 namespace {
@@ -21,6 +25,8 @@ namespace {
 constexpr auto kMotorsRefresh = 100ms;
 // Pressed twice in a hurry, the motors stay off.
 constexpr qint64 kNoOnAfterOffMs = 1500;
+constexpr int kAddressWidth = 250;
+constexpr int kShortAddressWidth = 110;
 
 }  // namespace
 
@@ -28,25 +34,33 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     : QFrame(parent)
     , m_workspace(workspace)
     , m_linkPart(new QWidget)
+    , m_linkLayout(new QHBoxLayout(m_linkPart))
     , m_address(new QComboBox)
     , m_connect(new QPushButton(tr("Connect")))
-    , m_state(new QLabel)
+    , m_badge(new QLabel)
+    , m_recording(new QLabel(tr("● REC")))
+    , m_dot(new QLabel)
+    , m_state(new ElidedLabel)
     , m_profileLabel(new QLabel(tr("&Profile")))
     , m_profile(new QComboBox)
     , m_motors(new QPushButton)
 {
-    setObjectName(u"bar"_s);
+    setObjectName(u"linkBar"_s);
     m_address->setEditable(true);
     m_address->setInsertPolicy(QComboBox::NoInsert);
-    m_address->setMinimumWidth(250);
+    m_address->setMinimumWidth(kAddressWidth);
     m_address->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     m_address->setAccessibleName(tr("Port or address of the board"));
     m_address->setToolTip(tr("Serial port, tcp://host:port, or the simulated gimbal"));
     m_address->lineEdit()->setPlaceholderText(tr("Port or tcp://host:port"));
     m_connect->setObjectName(u"primary"_s);
-    m_state->setTextFormat(Qt::RichText);
-    m_state->setMinimumWidth(80);
-    m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    for (QLabel *badge : {m_badge, m_recording}) {
+        badge->setObjectName(u"badge"_s);
+        badge->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+        badge->hide();
+    }
+    m_recording->setProperty("kind", u"recording"_s);
+    m_state->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
     m_profile->setAccessibleName(tr("Active profile"));
     m_profile->setToolTip(tr("Active profile of the board"));
     m_profile->setMinimumWidth(140);
@@ -59,15 +73,14 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(Metric::kMargin, Metric::kGap, Metric::kMargin, Metric::kGap);
     layout->setSpacing(Metric::kGap);
-    auto *linkLayout = new QHBoxLayout(m_linkPart);
-    linkLayout->setContentsMargins(0, 0, 0, 0);
-    linkLayout->setSpacing(Metric::kGap);
-    linkLayout->addWidget(m_address);
-    linkLayout->addWidget(m_connect);
-    linkLayout->addSpacing(Metric::kGap);
-    linkLayout->addWidget(m_state, 1);
-    linkLayout->addWidget(m_profileLabel);
-    linkLayout->addWidget(m_profile);
+    m_linkPart->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_linkLayout->setContentsMargins(0, 0, 0, 0);
+    m_linkLayout->setSpacing(Metric::kGap);
+    for (QWidget *part : std::initializer_list<QWidget *>{m_address, m_connect, m_badge, m_recording, m_dot})
+        m_linkLayout->addWidget(part);
+    m_linkLayout->addWidget(m_state, 1);
+    m_linkLayout->addWidget(m_profileLabel);
+    m_linkLayout->addWidget(m_profile);
     layout->addWidget(m_linkPart, 1);
     layout->addSpacing(Metric::kGap);
     layout->addWidget(m_motors);
@@ -75,7 +88,8 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     connect(m_connect, &QPushButton::clicked, this, &LinkBar::connectOrDisconnect);
     connect(m_address->lineEdit(), &QLineEdit::returnPressed, this, &LinkBar::connectOrDisconnect);
     connect(m_motors, &QPushButton::clicked, this, &LinkBar::onMotors);
-    connect(m_profile, &QComboBox::activated, this, [this](int index) { m_workspace.useProfile(index); });
+    connect(m_profile, &QComboBox::activated, this,
+            [this](int index) { askToUseProfile(m_workspace, index, this, [this] { updateProfiles(); }); });
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &LinkBar::updateState);
     connect(&workspace.client(), &DeviceClient::progressChanged, this, [this](const Progress &progress) {
         m_progress = describe(progress);
@@ -91,13 +105,64 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     connect(&configuration, &ConfigurationModel::activeProfileChanged, this, &LinkBar::updateProfiles);
     connect(&configuration, &ConfigurationModel::shownProfileChanged, this, &LinkBar::updateProfiles);
     connect(&workspace.theme(), &Theme::changed, this, &LinkBar::updateState);
+    connect(&configuration, &ConfigurationModel::boardReset, this, &LinkBar::updateBadges);
+    connect(&workspace.recorder(), &LinkRecorder::recordingChanged, this, &LinkBar::updateBadges);
+    connect(&workspace.client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
+        const LinkAddress &address = m_workspace.client().address();
+        const bool isKept = !address.isReplay() && address.kind() != LinkAddress::Kind::Simulator;
+        if (state == DeviceClient::State::Connected && isKept)
+            m_workspace.settings().addRecentAddress(address.toString());
+    });
     m_refresh.setInterval(kMotorsRefresh);
     connect(&m_refresh, &QTimer::timeout, this, &LinkBar::updateMotors);
     m_refresh.start();
+    keepWidth(m_connect, {tr("Connect"), tr("Cancel"), tr("Give up"), tr("Disconnect")});
+    keepWidth(m_motors, {tr("■ STOP MOTORS"), tr("▶ Start motors")});
     showPorts({});
     updateState();
     updateProfiles();
     scanPorts();
+}
+
+// It says now this and now that, and nothing beside it moves.
+void LinkBar::keepWidth(QPushButton *button, const QStringList &texts)
+{
+    const QString before = button->text();
+    button->ensurePolished();
+    int width = 0;
+    for (const QString &text : texts) {
+        button->setText(text);
+        width = std::max(width, button->sizeHint().width());
+    }
+    button->setText(before);
+    button->setMinimumWidth(width);
+}
+
+void LinkBar::resizeEvent(QResizeEvent *event)
+{
+    QFrame::resizeEvent(event);
+    giveWay();
+}
+
+// What can be seen elsewhere goes first; the motors button never does.
+void LinkBar::giveWay()
+{
+    const QMargins around = layout()->contentsMargins();
+    const int room
+        = width() - around.left() - around.right() - m_motors->minimumWidth() - 3 * layout()->spacing();
+    m_state->show();
+    m_profileLabel->setVisible(m_hasProfiles);
+    m_profile->setVisible(m_hasProfiles);
+    m_address->setMinimumWidth(kAddressWidth);
+    const auto isTight = [this, room] { return m_linkLayout->minimumSize().width() > room; };
+    for (QWidget *part : std::initializer_list<QWidget *>{m_state, m_profileLabel}) {
+        if (isTight())
+            part->hide();
+    }
+    if (isTight())
+        m_address->setMinimumWidth(kShortAddressWidth);
+    if (isTight())
+        m_profile->hide();
 }
 
 void LinkBar::setAddress(const QString &address)
@@ -125,15 +190,37 @@ void LinkBar::scanPorts()
 
 void LinkBar::showPorts(const QList<PortInfo> &ports)
 {
-    const QString typed = m_address->currentText();
-    const bool chosen = m_address->count() > 0;
-    m_address->clear();
+    const QString before = typedAddress();
+    const bool isFirst = m_address->count() == 0;
+    const QStringList recent = m_workspace.settings().recentAddresses();
+    QList<std::pair<QString, QString>> present;
     for (const PortInfo &port : ports)
-        m_address->addItem(port.label(), u"serial:"_s + port.path);
+        present.append({u"serial:"_s + port.path, port.label()});
+    m_address->clear();
+    for (const QString &address : recent) {
+        const auto port = std::find_if(present.begin(), present.end(),
+                                       [&address](const auto &each) { return each.first == address; });
+        m_address->addItem(port == present.end() ? address : port->second, address);
+    }
+    for (const auto &[address, label] : std::as_const(present)) {
+        if (!recent.contains(address))
+            m_address->addItem(label, address);
+    }
     for (const Family &family : m_workspace.client().families())
         m_address->addItem(tr("Simulated %1").arg(family.name), u"sim:"_s + family.key);
-    if (chosen)
-        m_address->setEditText(typed);
+    // The last one used, else a port that is there; never a simulated board that nobody asked for.
+    const QString first = !recent.isEmpty() ? recent.first()
+        : present.isEmpty()                 ? QString()
+                                            : present.first().first;
+    m_address->setCurrentIndex(-1);
+    setAddress(isFirst || before.isEmpty() ? first : before);
+}
+
+QString LinkBar::typedAddress() const
+{
+    const QString text = m_address->currentText().trimmed();
+    const int known = m_address->findText(text);
+    return known < 0 ? text : m_address->itemData(known).toString();
 }
 
 void LinkBar::connectOrDisconnect()
@@ -143,11 +230,7 @@ void LinkBar::connectOrDisconnect()
         client.disconnectFromBoard();
         return;
     }
-    QString text = m_address->currentText().trimmed();
-    const int known = m_address->findText(text);
-    if (known >= 0)
-        text = m_address->itemData(known).toString();
-    const auto address = LinkAddress::parse(text);
+    const auto address = LinkAddress::parse(typedAddress());
     if (!address) {
         m_workspace.notifications().report(address.error());
         return;
@@ -184,13 +267,52 @@ void LinkBar::updateState()
         m_connect->setText(tr("Disconnect"));
         break;
     }
-    m_state->setText(u"<span style='color:%1'>●</span> %2"_s.arg(dot, text.toHtmlEscaped()));
-    m_state->setToolTip(text);
+    m_dot->setText(u"<span style='color:%1'>●</span>"_s.arg(dot));
+    m_state->setFullText(text);
     m_connect->setObjectName(client.state() == DeviceClient::State::Disconnected ? u"primary"_s : QString());
     repolish(m_connect);
     m_address->setEnabled(client.state() == DeviceClient::State::Disconnected);
     m_profile->setEnabled(!m_workspace.configuration().isEmpty());
     updateMotors();
+    updateBadges();
+}
+
+void LinkBar::updateBadges()
+{
+    const DeviceClient &client = m_workspace.client();
+    const bool linked = client.state() != DeviceClient::State::Disconnected;
+    const QString file = m_workspace.offlineFile();
+    QString text;
+    QString meaning;
+    QString kind;
+    if (linked && client.address().isReplay()) {
+        text = tr("REPLAY");
+        meaning = tr("A recording is played: nothing here happens now, and nothing can be changed.");
+    } else if (linked && client.address().kind() == LinkAddress::Kind::Simulator) {
+        text = tr("SIMULATED");
+        meaning = tr("A simulated gimbal: no real motor moves.");
+    } else if (client.isConnected() && !client.identity().writable) {
+        text = tr("READ ONLY");
+        meaning = tr("Nothing can be written to this board.");
+        kind = u"readonly"_s;
+    } else if (!linked && !m_workspace.configuration().isEmpty()) {
+        text = tr("OFFLINE");
+        meaning = file.isEmpty() ? tr("No board is connected: what is shown was read before.")
+                                 : tr("No board is connected: what is shown is the file %1.").arg(file);
+    }
+    m_badge->setText(text);
+    m_badge->setAccessibleName(meaning);
+    m_badge->setToolTip(meaning);
+    m_badge->setProperty("kind", kind);
+    repolish(m_badge);
+    m_badge->setVisible(!text.isEmpty());
+    const LinkRecorder &recorder = m_workspace.recorder();
+    m_recording->setVisible(recorder.isRecording());
+    m_recording->setToolTip(tr("The link is being recorded to %1").arg(recorder.path()));
+    m_recording->setAccessibleName(m_recording->toolTip());
+    setProperty("marked", !text.isEmpty() && kind.isEmpty());
+    repolish(this);
+    giveWay();
 }
 
 void LinkBar::updateProfiles()
@@ -198,9 +320,8 @@ void LinkBar::updateProfiles()
     const QSignalBlocker blocker(m_profile);
     m_profile->clear();
     const ConfigurationModel &model = m_workspace.configuration();
-    const bool isOnlyOne = !model.isEmpty() && model.board().identity().profileCount < 2;
-    m_profileLabel->setVisible(!isOnlyOne);
-    m_profile->setVisible(!isOnlyOne);
+    m_hasProfiles = model.isEmpty() || model.board().identity().profileCount >= 2;
+    giveWay();
     if (model.isEmpty())
         return;
     for (int profile = 0; profile < model.board().identity().profileCount; ++profile)
@@ -222,8 +343,9 @@ void LinkBar::updateMotors()
     m_offNext = !running || *running || !canSwitchOn;
     const bool tooSoon = !m_offNext && m_pressedOff.isValid() && m_pressedOff.elapsed() < kNoOnAfterOffMs;
     const bool isItsStep = !m_offNext && m_workspace.isGuided();
-    m_motors->setEnabled(linked && !tooSoon && !isItsStep);
-    const QString text = m_offNext ? tr("■ MOTORS OFF") : tr("▶ Motors on");
+    // Beneath a panel it only stops.
+    m_motors->setEnabled(linked && !tooSoon && !isItsStep && (m_offNext || m_linkPart->isEnabled()));
+    const QString text = m_offNext ? tr("■ STOP MOTORS") : tr("▶ Start motors");
     if (m_motors->text() != text) {
         m_motors->setText(text);
         m_motors->setAccessibleName(m_offNext ? tr("Switch motors off") : tr("Switch motors on"));
@@ -237,7 +359,10 @@ void LinkBar::updateMotors()
 
 void LinkBar::onMotors()
 {
-    if (m_offNext)
-        m_pressedOff.start();
-    m_workspace.setMotors(!m_offNext);
+    if (!m_offNext) {
+        askToStartMotors(m_workspace, this);
+        return;
+    }
+    m_pressedOff.start();
+    m_workspace.setMotors(false);
 }

@@ -8,11 +8,14 @@
 #include <QElapsedTimer>
 #include <QFrame>
 
+class ElidedLabel;
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 
-/// The top of the window: the link, the board's identity, its profile, and the motors button.
+/// The top of the window: the link, what is looked at, the board's identity, its profile, and the motors
+/// button. Where room is short everything else gives way to that button.
 class LinkBar final : public QFrame
 {
     Q_OBJECT
@@ -29,20 +32,32 @@ public:
     [[nodiscard]] QPushButton *connectButton() const { return m_connect; }
     [[nodiscard]] QComboBox *addressBox() const { return m_address; }
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
     void showPorts(const QList<PortInfo> &ports);
     void updateState();
     void updateProfiles();
     void updateMotors();
+    void updateBadges();
+    void giveWay();
     void onMotors();
+    void keepWidth(QPushButton *button, const QStringList &texts);
+    [[nodiscard]] QString typedAddress() const;
 
     Workspace &m_workspace;
     QWidget *m_linkPart;
+    QHBoxLayout *m_linkLayout;
     QComboBox *m_address;
     QPushButton *m_connect;
-    QLabel *m_state;
+    QLabel *m_badge;  // what is looked at, if it is no live board
+    QLabel *m_recording;
+    QLabel *m_dot;
+    ElidedLabel *m_state;
     QLabel *m_profileLabel;
-    QComboBox *m_profile;  // hidden where there is only one
+    QComboBox *m_profile;
+    bool m_hasProfiles = true;  // more than one
     QPushButton *m_motors;
     QTimer m_refresh;
     QString m_progress;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/mainwindow.h"
 
+#include "app/mainwindow/bannerarea.h"
 #include "app/mainwindow/bars.h"
+#include "app/mainwindow/footbar.h"
 #include "app/mainwindow/linkbar.h"
 #include "app/mainwindow/motorskeys.h"
 #include "app/mainwindow/navigation.h"
@@ -11,6 +13,7 @@
 #include "app/mainwindow/startpage.h"
 #include "app/pages/program/helppage.h"
 #include "app/workspace/filedialogs.h"
+#include "app/workspace/question.h"
 #include "widgets/forms/numberbox.h"
 #include "widgets/forms/panel.h"
 
@@ -21,8 +24,6 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QLoggingCategory>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -47,9 +48,11 @@ MainWindow::MainWindow(Links links, QList<Family> families, Theme &theme, Settin
     , m_offers(new OfferBar)
     , m_navigation(new Navigation)
     , m_stack(new QStackedWidget)
+    , m_banners(new BannerArea(*m_stack))
     , m_start(new StartPage)
     , m_unsavedBar(new UnsavedBar(*m_workspace))
     , m_unstoredBar(new UnstoredBar(*m_workspace))
+    , m_foot(new FootBar(*m_workspace, {m_unstoredBar, m_unsavedBar}))
     , m_status(new StatusStrip(*m_workspace))
     , m_keys(new MotorsKeys(*m_workspace, this))
     , m_themeChoice(settings.theme())
@@ -62,6 +65,7 @@ MainWindow::MainWindow(Links links, QList<Family> families, Theme &theme, Settin
     connectFrame();
     addShortcuts();
     m_start->setLeftovers(m_workspace->history().unsavedBases());
+    m_start->setRecent(settings.recentAddresses(), settings.recentFiles());
     m_navigation->setCurrentPage(QLatin1String(pageTable().front().key));
     updateOffered();
     updateStart();
@@ -80,30 +84,20 @@ MainWindow::~MainWindow()
 void MainWindow::layoutFrame()
 {
     m_stack->addWidget(m_start);
-    auto *messageHolder = new QWidget;
-    auto *messageLayout = new QVBoxLayout(messageHolder);
-    messageLayout->setContentsMargins(Metric::kMargin, Metric::kGap, Metric::kMargin, 0);
-    messageLayout->setSpacing(Metric::kGap);
-    messageLayout->addWidget(m_offers);
-    messageLayout->addWidget(m_messages);
-    auto *right = new QVBoxLayout;
-    right->setContentsMargins(0, 0, 0, 0);
-    right->setSpacing(0);
-    right->addWidget(messageHolder);
-    right->addWidget(m_stack, 1);
+    m_banners->add(*m_offers, BannerArea::Closing::Never);
+    m_banners->add(*m_messages, BannerArea::Closing::ByEsc);
     auto *middle = new QHBoxLayout;
     middle->setContentsMargins(0, 0, 0, 0);
     middle->setSpacing(0);
     middle->addWidget(m_navigation);
-    middle->addLayout(right, 1);
+    middle->addWidget(m_banners, 1);
     m_content = new QWidget;
     auto *contentLayout = new QVBoxLayout(m_content);
     contentLayout->setContentsMargins(0, 0, 0, 0);
     contentLayout->setSpacing(0);
     contentLayout->addWidget(m_replay);
     contentLayout->addLayout(middle, 1);
-    contentLayout->addWidget(m_unstoredBar);
-    contentLayout->addWidget(m_unsavedBar);
+    contentLayout->addWidget(m_foot);
     m_panels = new PanelArea(m_content);
     auto *central = new QWidget;
     auto *layout = new QVBoxLayout(central);
@@ -132,6 +126,8 @@ void MainWindow::connectFrame()
     });
     connect(m_start, &StartPage::fileRequested, this, &MainWindow::askOpenFile);
     connect(m_start, &StartPage::leftoverRequested, this, &MainWindow::openFile);
+    connect(m_start, &StartPage::addressRequested, this, &MainWindow::openLink);
+    connect(m_start, &StartPage::pathRequested, this, &MainWindow::openFile);
     connect(m_start, &StartPage::demoRequested, this,
             [this] { openLink(u"sim:"_s + m_workspace->defaultFamily()); });
     connect(m_navigation, &Navigation::pageChosen, this, &MainWindow::updateStart);
@@ -190,9 +186,12 @@ void MainWindow::openLink(const QString &address)
 
 void MainWindow::openFile(const QString &path)
 {
-    if (const auto opened = m_workspace->openFile(path); !opened)
+    if (const auto opened = m_workspace->openFile(path); !opened) {
         m_messages->showProblem(describe(opened.error()));
-    else if (!m_workspace->offlineFile().isEmpty())
+        return;
+    }
+    m_workspace->settings().addRecentFile(path);
+    if (!m_workspace->offlineFile().isEmpty())
         showPage(u"parameters"_s);
 }
 
@@ -303,7 +302,7 @@ void MainWindow::showPalette()
                                      showPage(key);
                                      return page(key);
                                  },
-                                 [this] { review(); }};
+                                 [this] { review(); }, [this] { askToStartMotors(*m_workspace, this); }};
     m_palette = new CommandPalette(paletteEntries(*m_workspace, *m_navigation, targets), this);
     m_palette->input()->setFocus();
     openPanel(*m_palette);
@@ -340,52 +339,52 @@ void MainWindow::paintEvent(QPaintEvent *event)
         qCDebug(logStart) << "first paint";
 }
 
-void MainWindow::askBeforeLeaving(const Leaving &question)
-{
-    auto *box
-        = new QMessageBox(QMessageBox::NoIcon, question.title, question.text, QMessageBox::NoButton, this);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    connect(box->addButton(question.keep, QMessageBox::AcceptRole), &QPushButton::clicked, this,
-            question.onKeep);
-    connect(box->addButton(question.lose, QMessageBox::DestructiveRole), &QPushButton::clicked, this,
-            question.onLose);
-    auto *stay = box->addButton(tr("Stay"), QMessageBox::RejectRole);
-    box->setDefaultButton(stay);
-    box->setEscapeButton(stay);
-    openPanel(*box);
-}
-
 void MainWindow::leave()
 {
     m_leaving = true;
     close();
 }
 
+// What would be lost on leaving, with the two ways out; the third is to stay.
+bool MainWindow::isAskedBeforeLeaving()
+{
+    const int changes = m_workspace->configuration().changeCount();
+    if (changes > 0) {
+        askInPanel({tr("Unsaved changes"),
+                    tr("%n change(s) are not on the board.", nullptr, changes),
+                    {{tr("Quit and keep for next time"), [this] { leave(); }},
+                     {tr("Discard and quit"),
+                      [this] {
+                          m_workspace->edits().discardAll();
+                          leave();
+                      },
+                      true}},
+                    tr("Stay")},
+                   this);
+        return true;
+    }
+    const bool isInUse = m_workspace->isUnstored() || m_workspace->live().changeCount() > 0;
+    if (!isInUse || !m_workspace->client().isConnected() || !m_workspace->client().identity().writable)
+        return false;
+    const auto storeAndLeave = [this] {
+        m_workspace->saveLive().then(this, [this](bool stored) {
+            if (stored)
+                leave();
+        });
+    };
+    askInPanel(
+        {tr("Not stored"),
+         tr("The board uses values that it has not stored. They are lost when it is switched off."),
+         {{tr("Store and quit"), storeAndLeave}, {tr("Quit without storing"), [this] { leave(); }, true}},
+         tr("Stay")},
+        this);
+    return true;
+}
+
 void MainWindow::closeEvent(QCloseEvent *event)
 {
     m_panels->rejectAll();
-    const int changes = m_workspace->configuration().changeCount();
-    if (changes > 0 && !m_leaving) {
-        askBeforeLeaving({tr("Unsaved changes"), tr("%n change(s) are not on the board.", nullptr, changes),
-                          tr("Quit and keep for next time"), [this] { leave(); }, tr("Discard and quit"),
-                          [this] {
-                              m_workspace->edits().discardAll();
-                              leave();
-                          }});
-        event->ignore();
-        return;
-    }
-    if (m_workspace->isUnstored() && m_workspace->client().isConnected() && !m_leaving) {
-        const auto storeAndLeave = [this] {
-            m_workspace->saveLive().then(this, [this](bool stored) {
-                if (stored)
-                    leave();
-            });
-        };
-        askBeforeLeaving(
-            {tr("Not stored"),
-             tr("The board uses values that it has not stored. They are lost when it is switched off."),
-             tr("Store and quit"), storeAndLeave, tr("Quit without storing"), [this] { leave(); }});
+    if (!m_leaving && isAskedBeforeLeaving()) {
         event->ignore();
         return;
     }

@@ -10,8 +10,8 @@
 #include <QMainWindow>
 #include <QPointer>
 
-#include <functional>
-
+class BannerArea;
+class FootBar;
 class LinkBar;
 class MessageBar;
 class MotorsKeys;
@@ -69,18 +69,8 @@ private:
     void updateOffered();
     void askOpenFile();
     void askSaveFile();
-    /// What would be lost on leaving, with the two ways out; the third is to stay.
-    struct Leaving
-    {
-        QString title;
-        QString text;
-        QString keep;
-        std::function<void()> onKeep;
-        QString lose;
-        std::function<void()> onLose;
-    };
-    void askBeforeLeaving(const Leaving &question);
     void leave();
+    [[nodiscard]] bool isAskedBeforeLeaving();
     void applyTheme();
 
     std::unique_ptr<Workspace> m_workspace;
@@ -90,9 +80,11 @@ private:
     OfferBar *m_offers;
     Navigation *m_navigation;
     QStackedWidget *m_stack;
+    BannerArea *m_banners;
     StartPage *m_start;
     UnsavedBar *m_unsavedBar;
     UnstoredBar *m_unstoredBar;
+    FootBar *m_foot;
     StatusStrip *m_status;
     QWidget *m_content = nullptr;
     PanelArea *m_panels = nullptr;

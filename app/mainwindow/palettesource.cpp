@@ -37,7 +37,7 @@ QList<PaletteEntry> paletteEntries(Workspace &workspace, const Navigation &navig
                              [&workspace] { workspace.setMotors(false); }));
     if (workspace.client().isConnected())
         entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Motors on"), {}, {},
-                                 [&workspace] { workspace.setMotors(true); }));
+                                 targets.startMotors));
     if (!workspace.configuration().isEmpty()) {
         entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Review and write"),
                                  u"Ctrl+S"_s, {}, targets.review));

@@ -19,12 +19,23 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int kMaxLeftovers = 3;
+constexpr int kMaxRecent = 3;
+constexpr int kRecentWidth = 480;
+
+void removeRows(QLayout &layout)
+{
+    while (QLayoutItem *item = layout.takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+}
 
 }  // namespace
 
 StartPage::StartPage(QWidget *parent)
     : QWidget(parent)
     , m_leftovers(new QVBoxLayout)
+    , m_recent(new QVBoxLayout)
 {
     auto *card = new Card({});
     card->setMaximumWidth(600);
@@ -60,6 +71,7 @@ StartPage::StartPage(QWidget *parent)
     card->content()->addWidget(text);
     card->content()->addLayout(buttons);
     card->content()->addWidget(hint);
+    card->content()->addLayout(m_recent);
     card->content()->addLayout(m_leftovers);
     auto *layout = new QVBoxLayout(this);
     auto *row = new QHBoxLayout;
@@ -74,12 +86,32 @@ StartPage::StartPage(QWidget *parent)
     connect(open, &QPushButton::clicked, this, &StartPage::fileRequested);
 }
 
+void StartPage::setRecent(const QStringList &addresses, const QStringList &files)
+{
+    removeRows(*m_recent);
+    if (addresses.isEmpty() && files.isEmpty())
+        return;
+    auto *title = new QLabel(tr("Lately:"));
+    title->setObjectName(u"muted"_s);
+    m_recent->addWidget(title);
+    const auto add = [this](const QString &text, const QString &tip, auto chosen) {
+        auto *button = new QPushButton;
+        button->setText(
+            button->fontMetrics().elidedText(text, Qt::ElideMiddle, kRecentWidth).replace(u'&', u"&&"_s));
+        button->setAccessibleName(text);
+        button->setToolTip(tip);
+        connect(button, &QPushButton::clicked, this, chosen);
+        m_recent->addWidget(button, 0, Qt::AlignLeft);
+    };
+    for (const QString &address : addresses.mid(0, kMaxRecent))
+        add(tr("Connect to %1").arg(address), address, [this, address] { emit addressRequested(address); });
+    for (const QString &path : files.mid(0, kMaxRecent))
+        add(tr("Open %1").arg(QFileInfo(path).fileName()), path, [this, path] { emit pathRequested(path); });
+}
+
 void StartPage::setLeftovers(const QStringList &bases)
 {
-    while (QLayoutItem *item = m_leftovers->takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
+    removeRows(*m_leftovers);
     if (bases.isEmpty())
         return;
     auto *title = new QLabel(tr("Unsaved changes of an earlier run:"));

@@ -16,13 +16,18 @@ public:
 
     /// Files with unsaved edits of earlier runs.
     void setLeftovers(const QStringList &bases);
+    /// What was looked at lately, the latest first.
+    void setRecent(const QStringList &addresses, const QStringList &files);
 
 signals:
     void connectRequested();
     void demoRequested();
     void fileRequested();
     void leftoverRequested(const QString &base);
+    void addressRequested(const QString &address);
+    void pathRequested(const QString &path);
 
 private:
     QVBoxLayout *m_leftovers;
+    QVBoxLayout *m_recent;
 };

@@ -17,6 +17,8 @@ const QString Settings::kSpeedLimit = u"safety/controlSpeedLimit"_s;
 const QString Settings::kDisarm = u"safety/disarmSeconds"_s;
 const QString Settings::kMotorsOffOnQuit = u"safety/motorsOffOnQuit"_s;
 const QString Settings::kLastAddress = u"link/lastAddress"_s;
+const QString Settings::kRecentAddresses = u"link/recentAddresses"_s;
+const QString Settings::kRecentFiles = u"files/recent"_s;
 const QString Settings::kLayout = u"layout/"_s;
 const QString Settings::kPlotLayouts = u"data/plotLayouts"_s;
 
@@ -38,6 +40,15 @@ void Settings::set(const QString &key, const QVariant &value)
         return;
     m_file.setValue(key, value);
     emit changed();
+}
+
+void Settings::addRecent(const QString &key, const QString &text)
+{
+    constexpr qsizetype kKept = 6;
+    QStringList recent = m_file.value(key).toStringList();
+    recent.removeAll(text);
+    recent.prepend(text);
+    set(key, recent.mid(0, kKept));
 }
 
 // The file may have been edited by hand, so numbers are clamped to their range.

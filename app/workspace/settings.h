@@ -42,6 +42,14 @@ public:
 
     [[nodiscard]] QString lastAddress() const { return m_file.value(kLastAddress).toString(); }
     void setLastAddress(const QString &address) { set(kLastAddress, address); }
+    /// Addresses of boards that were reached and files that were opened, the latest first.
+    [[nodiscard]] QStringList recentAddresses() const
+    {
+        return m_file.value(kRecentAddresses).toStringList();
+    }
+    void addRecentAddress(const QString &address) { addRecent(kRecentAddresses, address); }
+    [[nodiscard]] QStringList recentFiles() const { return m_file.value(kRecentFiles).toStringList(); }
+    void addRecentFile(const QString &path) { addRecent(kRecentFiles, path); }
     /// Sizes of windows and splitters, by name.
     [[nodiscard]] QByteArray layout(const QString &name) const
     {
@@ -60,8 +68,9 @@ signals:
 
 private:
     static const QString kTheme, kLanguage, kFahrenheit, kRetention, kEscapeHold, kSpeedLimit, kDisarm,
-        kMotorsOffOnQuit, kLastAddress, kLayout, kPlotLayouts;
+        kMotorsOffOnQuit, kLastAddress, kRecentAddresses, kRecentFiles, kLayout, kPlotLayouts;
     void set(const QString &key, const QVariant &value);
+    void addRecent(const QString &key, const QString &text);
     [[nodiscard]] int number(const QString &key, int standard, int low, int high) const;
 
     QSettings m_file;

@@ -12,6 +12,7 @@
 #include "tests/support/named.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/panel.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/reviewdialog.h"
 #include "widgets/forms/valueeditor.h"
@@ -99,6 +100,14 @@ private:
     template <typename P> P *page() { return m_rig->page<P>(); }
     int raw(const QString &key, int profile = 0) { return m_rig->raw(key, profile); }
     QString filePath(const QString &name) { return m_rig->filePath(name); }
+    void answerQuestion(const QString &answer)
+    {
+        for (QPushButton *button : m_window->panels()->findChildren<QPushButton *>()) {
+            if (button->text().remove(u'&') == answer)
+                return button->click();
+        }
+        QFAIL("nothing was asked");
+    }
     QDoubleSpinBox *numberBox(const QString &key)
     {
         auto *parameters = page<ParametersPage>();
@@ -316,6 +325,7 @@ void TestMainWindow::profileSwitch()
     QVERIFY(box->itemText(1).contains(u"Studio"_s));
     box->setFocus();
     QTest::keyClick(box, Qt::Key_Down);
+    answerQuestion(u"Switch profile"_s);
     QTRY_COMPARE_WITH_TIMEOUT(model().board().activeProfile(), 1, 10000);
     QCOMPARE(numberBox(u"pid.roll.p"_s)->value(), 45.0);
     // The board really changed: its telemetry says so.
@@ -334,6 +344,7 @@ void TestMainWindow::motorsOffByMouse()
     QTRY_VERIFY(!motors->property("running").toBool());
     QTRY_VERIFY(motors->isEnabled());  // not at once: pressed twice in a hurry they stay off
     QTest::mouseClick(motors, Qt::LeftButton);
+    answerQuestion(u"Start motors"_s);
     QTRY_COMPARE_WITH_TIMEOUT(m_window->workspace().motorsRunning().value_or(false), true, 5000);
 }
 

@@ -328,7 +328,7 @@ void TestToyWindow::motorsAreNeverSwitchedOn()
     auto *motors = window().findChild<QPushButton *>(u"motors"_s);
     QTRY_COMPARE(m_rig->workspace().motorsRunning().value_or(true), false);
     QTRY_VERIFY(!motors->property("running").toBool());
-    QVERIFY2(motors->text().contains(u"MOTORS OFF"_s), qPrintable(motors->text()));
+    QVERIFY2(motors->text().contains(u"STOP MOTORS"_s), qPrintable(motors->text()));
     QVERIFY(motors->isEnabled());
 }
 

@@ -34,6 +34,12 @@ constexpr std::array<QRgb, 8> kSeriesDark{0xFFE08FBE, 0xFFCFD34A, 0xFF95AEFF, 0x
 constexpr QStringView kStyleSheet = uR"(
 QToolTip { color: @Text; background: @Surface; border: 1px solid @Border; padding: 4px; }
 QFrame#bar { background: @Surface; border: none; border-bottom: 1px solid @Border; }
+QFrame#linkBar { background: @Surface; border: none; border-bottom: 3px solid @Border; }
+QFrame#linkBar[marked="true"] { border-bottom-color: @Changed; }
+QFrame#footBar { background: @Background; border: none; border-top: 1px solid @Border; }
+QLabel#badge { background: @Changed; color: @Surface; border-radius: 4px; padding: 3px 8px; font-weight: 700; }
+QLabel#badge[kind="readonly"] { background: @SurfaceRaised; color: @Text; border: 1px solid @Muted; padding: 2px 7px; }
+QLabel#badge[kind="recording"] { background: @Danger; color: @DangerText; }
 QFrame#statusBar { background: @Surface; border: none; border-top: 1px solid @Border; }
 QFrame#unsavedBar { background: @SurfaceRaised; border: none; border-top: 2px solid @Changed; }
 QFrame#panel { background: @Background; border: 1px solid @Border; border-radius: 6px; }

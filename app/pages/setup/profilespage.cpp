@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/setup/profilespage.h"
 
+#include "app/workspace/question.h"
 #include "widgets/forms/panel.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/tablelook.h"
@@ -109,7 +110,7 @@ void ProfilesPage::connectAll()
         text.cure = tr("Choose a shorter one.");
         workspace().notifications().report(text);
     });
-    connect(m_active, &QPushButton::clicked, this, [this] { workspace().useProfile(chosen()); });
+    connect(m_active, &QPushButton::clicked, this, [this] { askToUseProfile(workspace(), chosen(), this); });
     connect(m_rename, &QPushButton::clicked, this,
             [this] { m_table->edit(m_model.index(chosen(), ProfileModel::NameColumn)); });
     connect(m_copy, &QPushButton::clicked, this, [this] {

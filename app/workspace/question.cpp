@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workspace/question.h"
+
+#include "app/workspace/workspace.h"
+#include "widgets/forms/panel.h"
+#include "widgets/models/parametermodel.h"
+
+#include <QCoreApplication>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace {
+
+struct Questions
+{
+    Q_DECLARE_TR_FUNCTIONS(Questions)
+};
+
+// What was asked belongs to this link.
+void withdrawWithTheLink(Workspace &workspace, QDialog *panel)
+{
+    QObject::connect(&workspace.client(), &DeviceClient::stateChanged, panel, &QDialog::reject);
+}
+
+}  // namespace
+
+QDialog *askInPanel(const Question &question, QWidget *parent)
+{
+    auto *box
+        = new QMessageBox(QMessageBox::NoIcon, question.title, question.text, QMessageBox::NoButton, parent);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    for (const Question::Answer &answer : question.answers) {
+        const auto role = answer.loses ? QMessageBox::DestructiveRole : QMessageBox::AcceptRole;
+        QObject::connect(box->addButton(answer.text, role), &QPushButton::clicked, parent, answer.chosen);
+    }
+    QPushButton *stay = box->addButton(question.stay, QMessageBox::RejectRole);
+    box->setDefaultButton(stay);
+    box->setEscapeButton(stay);
+    openPanel(*box);
+    return box;
+}
+
+void askToStartMotors(Workspace &workspace, QWidget *parent)
+{
+    Question question{Questions::tr("Start the motors?"),
+                      Questions::tr("The gimbal moves at once. Keep hands and cables clear of it."),
+                      {{Questions::tr("Start motors"), [&workspace] { workspace.setMotors(true); }}},
+                      Questions::tr("Leave them off")};
+    withdrawWithTheLink(workspace, askInPanel(question, parent));
+}
+
+void askToUseProfile(Workspace &workspace, int profile, QWidget *parent,
+                     const std::function<void()> &otherwise)
+{
+    const ConfigurationModel &model = std::as_const(workspace).configuration();
+    const bool isHarmless = !workspace.client().isConnected() || workspace.client().address().isReplay()
+        || !workspace.motorsRunning().value_or(true) || model.isEmpty()
+        || profile == model.board().activeProfile();
+    if (isHarmless) {
+        workspace.useProfile(profile);
+        return;
+    }
+    const QString name = profileLabel(model.edited(), profile);
+    Question question{
+        Questions::tr("Switch to profile %1, %2?").arg(profile + 1).arg(name),
+        workspace.motorsRunning() ? Questions::tr("The motors are running: its settings act at once.")
+                                  : Questions::tr("The motors may be running: its settings act at once."),
+        {{Questions::tr("Switch profile"), [&workspace, profile] { workspace.useProfile(profile); }}},
+        Questions::tr("Stay in profile %1").arg(model.board().activeProfile() + 1)};
+    QDialog *panel = askInPanel(question, parent);
+    withdrawWithTheLink(workspace, panel);
+    if (otherwise)
+        QObject::connect(panel, &QDialog::finished, parent, otherwise);
+}

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QList>
+#include <QString>
+
+#include <functional>
+
+class QDialog;
+class QWidget;
+class Workspace;
+
+/// Something to decide before it goes on.
+struct Question
+{
+    struct Answer
+    {
+        QString text;  ///< what the button does, in its words
+        std::function<void()> chosen;
+        bool loses = false;  ///< something that cannot be had back
+    };
+    QString title;
+    QString text;
+    QList<Answer> answers;
+    QString stay;  ///< the way out, which is what Return and Esc do
+};
+
+/// Asks in a panel of that widget's window. @return the panel, which destroys itself; whoever asks rejects
+/// it when there is nothing left to decide
+QDialog *askInPanel(const Question &question, QWidget *parent);
+
+/// Starts the motors once the operator has said so again: the gimbal moves at once.
+void askToStartMotors(Workspace &workspace, QWidget *parent);
+
+/// Makes a profile the active one, after asking where motors run or may run.
+/// @param otherwise done when the operator stays where he is
+void askToUseProfile(Workspace &workspace, int profile, QWidget *parent,
+                     const std::function<void()> &otherwise = {});
