@@ -5,6 +5,7 @@
 #include "app/mainwindow/motorskeys.h"
 #include "protocol/session/linkstatistics.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/views/elidedlabel.h"
 
@@ -388,11 +389,11 @@ void StatusStrip::refresh()
     const auto store = client.telemetry();
     const quint64 damaged = link.framing.headerErrors + link.framing.bodyErrors;
     const quint64 lost = store ? store->lost() : 0;
-    QString text = tr("%1/s · %2 lost").arg(link.framesPerSecond, 0, 'f', 0).arg(lost);
+    QString text = tr("%1/s · %2 lost").arg(numberText(link.framesPerSecond, 0)).arg(lost);
     if (damaged > 0)
         text += u" · "_s + tr("%1 damaged").arg(damaged);
     if (link.roundTrip)
-        text += u" · "_s + tr("%1 ms").arg(seconds(*link.roundTrip) * 1000, 0, 'f', 1);
+        text += u" · "_s + tr("%1 ms").arg(numberText(seconds(*link.roundTrip) * 1000, 1));
     // The colour shows the present state; the numbers cover the whole connection.
     if (damaged + lost != m_lastBad) {
         m_lastBad = damaged + lost;
@@ -411,7 +412,7 @@ void StatusStrip::refresh()
     }
     const ChannelRoles &roles = m_workspace.roles();
     const double volts = m_workspace.latest(roles.battery);
-    m_battery->setText(std::isnan(volts) ? QString() : tr("%1 V").arg(volts, 0, 'f', 1));
+    m_battery->setText(std::isnan(volts) ? QString() : tr("%1 V").arg(numberText(volts, 1)));
     const double celsius = m_workspace.latest(roles.temperature);
     m_temperature->setText(temperatureText(celsius, m_workspace.settings().fahrenheit()));
     const auto faults = m_workspace.faults();

@@ -4,6 +4,7 @@
 
 #include "protocol/client/replaycontrol.h"
 #include "protocol/transport/replay.h"
+#include "widgets/models/numbertext.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -46,7 +47,7 @@ ReplayBar::ReplayBar(Workspace &workspace, QWidget *parent)
     m_place->setSingleStep(int(kStepsPerSecond));
     m_place->setTracking(false);  // playback moves when the slider is released
     for (const double speed : kSpeeds)
-        m_speed->addItem(tr("%1×").arg(speed), speed);
+        m_speed->addItem(tr("%1×").arg(shortNumberText(speed)), speed);
     m_speed->setCurrentIndex(2);
     m_speed->setAccessibleName(tr("Speed of the recording"));
     auto *layout = new QHBoxLayout(this);
@@ -107,7 +108,7 @@ void ReplayBar::showState()
     if (m_speed->currentData().toDouble() != state->speed) {
         int place = m_speed->findData(state->speed);
         if (place < 0) {  // from the address
-            m_speed->addItem(tr("%1×").arg(state->speed), state->speed);
+            m_speed->addItem(tr("%1×").arg(shortNumberText(state->speed)), state->speed);
             place = m_speed->count() - 1;
         }
         m_speed->setCurrentIndex(place);

@@ -3,6 +3,7 @@
 #include "app/workspace/linkmarks.h"
 
 #include "protocol/configuration/writereport.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <algorithm>
@@ -100,7 +101,7 @@ void LinkMarks::look(double profile, const std::vector<BoardFault> &faults)
     m_faults = keys;
     if (store->silences() > m_silences) {
         add(PlotMark::Kind::Note,
-            tr("The board was silent for %1 s").arg(store->silentSeconds() - m_silentSeconds, 0, 'f', 1));
+            tr("The board was silent for %1 s").arg(numberText(store->silentSeconds() - m_silentSeconds, 1)));
         m_silences = store->silences();
         m_silentSeconds = store->silentSeconds();
     }

@@ -6,8 +6,7 @@
 #include "app/workspace/linkrecorder.h"
 #include "protocol/client/replaycontrol.h"
 #include "protocol/transport/replay.h"
-
-#include <QLocale>
+#include "widgets/models/numbertext.h"
 
 #include <utility>
 
@@ -57,7 +56,7 @@ void Notifications::onReplay()
     report(
         {tr("This recording is damaged."),
          tr("%n part(s) of it cannot be read and are left out, %1 in all.", nullptr, int(state->gaps.size()))
-             .arg(QLocale::c().formattedDataSize(bytes)),
+             .arg(sizeText(bytes)),
          tr("Everything else is here; where a part is missing, plots have a gap."),
          state->gaps.first().reason});
 }
@@ -102,7 +101,7 @@ void Notifications::follow(const EditJournal &journal)
 void Notifications::follow(const LinkRecorder &recorder)
 {
     connect(&recorder, &LinkRecorder::finished, this, [this](const QString &path, qint64 bytes) {
-        notify(tr("Recording saved to %1 (%2)").arg(path, QLocale::c().formattedDataSize(bytes)));
+        notify(tr("Recording saved to %1 (%2)").arg(path, sizeText(bytes)));
     });
     connect(&recorder, &LinkRecorder::failed, this, [this](const Error &error) {
         ErrorText text = describe(error);

@@ -4,6 +4,7 @@
 
 #include "protocol/record/configurationformats.h"
 #include "widgets/models/missingtext.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QFileInfo>
@@ -24,8 +25,8 @@ QString temperatureText(double celsius, bool fahrenheit)
 {
     if (std::isnan(celsius))
         return {};
-    return fahrenheit ? Workspace::tr("%1 °F").arg(celsius * 1.8 + 32.0, 0, 'f', 0)
-                      : Workspace::tr("%1 °C").arg(celsius, 0, 'f', 0);
+    return fahrenheit ? Workspace::tr("%1 °F").arg(numberText(celsius * 1.8 + 32.0, 0))
+                      : Workspace::tr("%1 °C").arg(numberText(celsius, 0));
 }
 
 Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings &settings, QObject *parent)
@@ -265,7 +266,7 @@ Result<void> Workspace::applyFile(const QString &path, std::optional<int> from, 
     if (!skipped.isEmpty()) {
         m_notifications.notify(tr("%n value(s) of the file do not fit this board and were left out: %1",
                                   nullptr, int(skipped.size()))
-                                   .arg(skipped.mid(0, 8).join(u", "_s)),
+                                   .arg(withNumbers(skipped.mid(0, 8).join(u", "_s))),
                                Notice::Attention);
     }
     return {};

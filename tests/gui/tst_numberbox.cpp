@@ -6,6 +6,7 @@
 #include "widgets/forms/numberbox.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/valueeditor.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QClipboard>
@@ -133,14 +134,14 @@ void TestNumberBox::typed()
         QToolButton *hint = hintIn(window);
         QVERIFY(hint && hint->isVisible() && window.rect().contains(hint->geometry()));
         QVERIFY(hint->text().contains(box->textFromValue(high)));
-        const double typed = NumberBox::numberIn(text);
+        const double typed = typedNumber(text);
         const bool isInside = typed >= low && typed <= high;
         QCOMPARE(hint->text().startsWith(u"Whole numbers"_s), isInside && decimals == 0);
         QCOMPARE(hint->text().startsWith(u"At most %1 decimal"_s.arg(decimals)), isInside && decimals > 0);
         const double offered = nearest.isEmpty() ? box->value() : nearest.toDouble();
         hint->click();
         QCOMPARE(box->value(), offered);
-        QCOMPARE(NumberBox::numberIn(box->cleanText()), offered);
+        QCOMPARE(typedNumber(box->cleanText()), offered);
         QVERIFY(!box->isRefused());
         QTRY_VERIFY(!hintIn(window));
     }
@@ -192,7 +193,7 @@ void TestNumberBox::anEmptyFieldStaysEmpty()
     box->setFocus();
     QTest::keyClick(box, Qt::Key_Tab);
     QVERIFY(!box->isRefused());
-    QVERIFY(NumberBox::numberIn(box->cleanText()) != 0.0);  // no zero that nobody typed
+    QVERIFY(typedNumber(box->cleanText()) != 0.0);  // no zero that nobody typed
     typeInto(box, u"0"_s);
     QCOMPARE(box->text(), u"0.0°"_s);
     // Emptied by the program: what was refused is gone.

@@ -361,6 +361,7 @@ private slots:
     void nothingBlocksOutsideTheWorker();
     void dialogsBlockNoWindow();
     void numbersAreTypedIntoOneKindOfField();
+    void numbersAreWrittenInOnePlace();
     void theTestItselfFindsViolations_data();
     void theTestItselfFindsViolations();
     void theTestItselfFindsLongFilesAndWrongRows();
@@ -467,6 +468,22 @@ void TestArchitecture::numbersAreTypedIntoOneKindOfField()
         else
             QVERIFY(others.match(source.text).hasMatch());
     }
+}
+
+// On screen a number is written as the operator's language does (widgets/models/numbertext.h). Two write for
+// the wire and for files.
+void TestArchitecture::numbersAreWrittenInOnePlace()
+{
+    static const QRegularExpression written(u", '[efg]'[,)]|asprintf|QLocale::c\\(\\)\\.|setNum\\("_s);
+    static const QStringList own{u"widgets/models/numbertext.cpp"_s, u"widgets/models/framelogmodel.cpp"_s,
+                                 u"widgets/forms/argumentform.cpp"_s};
+    for (const Source &source : sources({u"widgets"_s, u"app"_s})) {
+        const bool screen = !source.path.startsWith(u"app/cli/"_s) && !own.contains(source.path);
+        QVERIFY2(!screen || !written.match(source.text).hasMatch(), qPrintable(source.path));
+    }
+    QVERIFY(written.match(u"tr(\"%1 V\").arg(volts, 0, 'f', 1)"_s).hasMatch());
+    QVERIFY(written.match(u"QString::number(value, 'g')"_s).hasMatch());
+    QVERIFY(!written.match(u"numberText(volts, 1)"_s).hasMatch());
 }
 
 void TestArchitecture::theTestItselfFindsViolations_data()

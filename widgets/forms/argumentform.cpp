@@ -3,6 +3,7 @@
 #include "widgets/forms/argumentform.h"
 
 #include "widgets/forms/numberbox.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/theme.h"
 
@@ -12,6 +13,9 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -36,6 +40,17 @@ ArgumentForm::ArgumentForm(const ActionSpec &action, const QStringList &hidden, 
         layout->addRow(name, field);
         m_fields.insert(QLatin1String(argument.key), field);
     }
+}
+
+// A number may have been typed with a comma; on the wire and in messages it has a point.
+QString ArgumentForm::textIn(const QLineEdit &line, const QString &key) const
+{
+    const QString text = line.text().trimmed();
+    const auto argument
+        = std::find_if(m_action.arguments.begin(), m_action.arguments.end(),
+                       [&key](const ArgumentSpec &each) { return key == QLatin1String(each.key); });
+    const bool isNumber = argument != m_action.arguments.end() && argument->kind != ArgumentKind::Text;
+    return isNumber && !std::isnan(typedNumber(text)) ? QString(text).replace(u',', u'.') : text;
 }
 
 QWidget *ArgumentForm::makeField(const ArgumentSpec &argument)
@@ -68,15 +83,15 @@ QWidget *ArgumentForm::makeField(const ArgumentSpec &argument)
     if (standard == u"nan"_s) {
         auto *line = new QLineEdit;
         line->setPlaceholderText(tr("leave alone (%1 to %2 %3)")
-                                     .arg(argument.min)
-                                     .arg(argument.max)
+                                     .arg(shortNumberText(argument.min))
+                                     .arg(shortNumberText(argument.max))
                                      .arg(QString::fromUtf8(argument.unit)));
         return line;
     }
     auto *box = new NumberBox(argument.min, argument.max, argument.kind == ArgumentKind::Integer ? 0 : 2,
                               *argument.unit ? u' ' + QString::fromUtf8(argument.unit) : QString());
     box->setValue(standard.toDouble());
-    box->setToolTip(tr("%1 to %2").arg(argument.min).arg(argument.max));
+    box->setToolTip(tr("%1 to %2").arg(shortNumberText(argument.min), shortNumberText(argument.max)));
     return box;
 }
 
@@ -101,7 +116,7 @@ Result<QVariantMap> ArgumentForm::arguments() const
         if (auto *number = qobject_cast<NumberBox *>(it.value()); number && !number->settle())
             return failure(ErrorCode::OutOfRange, u"%1: %2"_s.arg(it.key(), number->text()));
         if (const auto *line = qobject_cast<QLineEdit *>(it.value()))
-            text = line->text().trimmed();
+            text = textIn(*line, it.key());
         else if (const auto *number = qobject_cast<NumberBox *>(it.value()))
             text = QString::number(number->value(), 'f', number->decimals());
         else if (const auto *box = qobject_cast<QCheckBox *>(it.value()))

@@ -6,6 +6,8 @@
 
 #include <QWidget>
 
+class QLineEdit;
+
 /// Fields for the arguments of an action, made from their declarations.
 class ArgumentForm final : public QWidget
 {
@@ -23,6 +25,7 @@ public:
 
 private:
     [[nodiscard]] QWidget *makeField(const ArgumentSpec &argument);
+    [[nodiscard]] QString textIn(const QLineEdit &line, const QString &key) const;
 
     ActionSpec m_action;
     QMap<QString, QWidget *> m_fields;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/forms/editstack.h"
 
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QElapsedTimer>
@@ -227,7 +228,8 @@ QStringList EditStack::applyProfile(const Configuration &wanted, int from, int t
         if (canHold(spec, to, *then))
             changes.push_back({&spec, to, *now, *then});
         else
-            leftOut.append(u"%1 = %2, allowed %3"_s.arg(spec.key, spec.format(*then), spec.allowedText()));
+            leftOut.append(
+                withNumbers(u"%1 = %2, allowed %3"_s.arg(spec.key, spec.format(*then), spec.allowedText())));
     }
     if (changes.empty())
         return leftOut;

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/forms/numberbox.h"
 
+#include "widgets/models/numbertext.h"
 #include "widgets/theme/theme.h"
 
 #include <QAbstractScrollArea>
 #include <QFocusEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QRegularExpression>
 #include <QTimer>
 #include <QToolButton>
 
@@ -91,13 +91,9 @@ NumberBox::~NumberBox()
     delete m_hint;
 }
 
-double NumberBox::numberIn(const QString &text)
+QString NumberBox::textFromValue(double value) const
 {
-    static const QRegularExpression number(u"^[+\\-\\x{2212}]?(\\d+([.,]\\d*)?|[.,]\\d+)$"_s);
-    QString plain = text.trimmed();
-    if (!number.match(plain).hasMatch())
-        return std::nan("");
-    return plain.replace(u',', u'.').replace(QChar(0x2212), u'-').toDouble();
+    return numberText(value, decimals());
 }
 
 QString NumberBox::typed() const
@@ -123,7 +119,7 @@ bool NumberBox::isTaken(const QString &text) const
         return true;
     if (text == textFromValue(value()) || (!specialValueText().isEmpty() && text == specialValueText()))
         return true;  // what the board holds, in range or not
-    const double number = numberIn(text);
+    const double number = typedNumber(text);
     return !std::isnan(number) && isSame(number, nearestTo(number));
 }
 
@@ -137,7 +133,7 @@ double NumberBox::valueFromText(const QString &shown) const
     const QString text = bare(shown);
     if (!specialValueText().isEmpty() && text == specialValueText())
         return minimum();
-    const double number = text == textFromValue(value()) ? value() : numberIn(text);
+    const double number = text == textFromValue(value()) ? value() : typedNumber(text);
     return std::isnan(number) ? value() : number;
 }
 
@@ -285,7 +281,7 @@ void NumberBox::showHint()
         m_hint->setFocusPolicy(Qt::NoFocus);  // the arrow keys in the field do the same
         connect(m_hint, &QToolButton::clicked, this, &NumberBox::takeNearest);
     }
-    const double number = numberIn(typed());
+    const double number = typedNumber(typed());
     const bool isInside = number >= minimum() && number <= maximum();
     const QString range = !isInside ? rangeText()
         : decimals() == 0           ? tr("Whole numbers, %1").arg(rangeText())
@@ -303,7 +299,7 @@ void NumberBox::showHint()
 
 void NumberBox::takeNearest()
 {
-    const double number = numberIn(typed());
+    const double number = typedNumber(typed());
     const double wanted = std::isnan(number) ? value() : nearestTo(number);
     lineEdit()->setText(prefix() + textFromValue(value()) + suffix());
     setRefused(false);

@@ -30,11 +30,10 @@ public:
     /// The first field in a form whose text is refused, with the focus; null if all are settled. What the
     /// form would do with the value from before is not what the operator sees.
     static NumberBox *refusedIn(QWidget &form);
-    /// The number in a text, NaN if there is none or it is not the only way to read it.
-    [[nodiscard]] static double numberIn(const QString &text);
 
     QValidator::State validate(QString &text, int &position) const override;
     double valueFromText(const QString &text) const override;
+    QString textFromValue(double value) const override;
     void fixup(QString &text) const override;
     /// From a refused text, the nearest value.
     void stepBy(int steps) override;

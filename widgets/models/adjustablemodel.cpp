@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/adjustablemodel.h"
 
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <cmath>
@@ -101,20 +102,22 @@ QVariant AdjustableModel::data(const QModelIndex &index, int role) const
     if (role == Qt::TextAlignmentRole && (index.column() == ValueColumn || index.column() == NumberColumn))
         return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::EditRole && index.column() == ValueColumn)
-        return value ? isFloat(index.row()) ? QVariant(plainNumber(*value)) : QVariant(int(*value))
-                     : QVariant();
+        return value
+            ? isFloat(index.row()) ? QVariant(numberText(plainNumber(*value))) : QVariant(int(*value))
+            : QVariant();
     if (role == Qt::ToolTipRole && index.column() == ValueColumn)
         return tr("Takes effect at once, in volatile memory, from %1 to %2")
-            .arg(plainNumber(spec.min), plainNumber(spec.max));
+            .arg(numberText(plainNumber(spec.min)), numberText(plainNumber(spec.max)));
     if (role != Qt::DisplayRole)
         return {};
     switch (index.column()) {
     case NumberColumn: return spec.id;
     case NameColumn: return tableText(spec.label);
     case GroupColumn: return tableText(spec.group);
-    case ValueColumn: return value ? plainNumber(*value) : u"–"_s;
+    case ValueColumn: return value ? numberText(plainNumber(*value)) : u"–"_s;
     case MeaningColumn: return meaning(index.row());
-    case RangeColumn: return tr("%1 to %2").arg(plainNumber(spec.min), plainNumber(spec.max));
+    case RangeColumn:
+        return tr("%1 to %2").arg(numberText(plainNumber(spec.min)), numberText(plainNumber(spec.max)));
     case KeyColumn: return QLatin1String(spec.key);
     default: return {};
     }
@@ -125,13 +128,14 @@ bool AdjustableModel::setData(const QModelIndex &index, const QVariant &value, i
     if (role != Qt::EditRole || index.column() != ValueColumn || !m_client.isConnected())
         return false;
     const AdjustableSpec &spec = m_specs[std::size_t(index.row())];
-    bool ok = false;
-    const double wanted = value.toDouble(&ok);
-    if (!ok || (!isFloat(index.row()) && wanted != std::trunc(wanted)) || wanted < spec.min
+    const double wanted = typedNumber(value.toString());
+    if (std::isnan(wanted) || (!isFloat(index.row()) && wanted != std::trunc(wanted)) || wanted < spec.min
         || wanted > spec.max) {
-        emit failed(
-            {ErrorCode::OutOfRange,
-             tr("%1: %2 to %3").arg(tableText(spec.label), plainNumber(spec.min), plainNumber(spec.max)), 0});
+        emit failed({ErrorCode::OutOfRange,
+                     tr("%1: %2 to %3")
+                         .arg(tableText(spec.label), numberText(plainNumber(spec.min)),
+                              numberText(plainNumber(spec.max))),
+                     0});
         return false;
     }
     m_client

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/channelmodel.h"
 
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QMimeData>
@@ -17,14 +18,6 @@ namespace {
 constexpr quintptr kGroupRow = 0;
 
 }  // namespace
-
-QString measuredText(double value, int decimals)
-{
-    const QString text = QString::number(value, 'f', decimals);
-    const bool zero
-        = std::none_of(text.begin(), text.end(), [](QChar digit) { return digit >= u'1' && digit <= u'9'; });
-    return zero && text.startsWith(u'-') ? text.mid(1) : text;
-}
 
 const QString ChannelModel::kMimeType = u"application/x-gimbaldesk-channels"_s;
 
@@ -144,7 +137,7 @@ QVariant ChannelModel::data(const QModelIndex &index, int role) const
             return values && !values->empty() ? tr("%n value(s)", nullptr, int(values->size())) : u"–"_s;
         }
         const float value = m_store ? m_store->latest(channel) : std::numeric_limits<float>::quiet_NaN();
-        return std::isnan(value) ? u"–"_s : measuredText(double(value), spec.decimals);
+        return std::isnan(value) ? u"–"_s : numberText(double(value), spec.decimals);
     }
     case UnitColumn: return QString::fromUtf8(spec.unit);
     default: return {};

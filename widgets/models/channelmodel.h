@@ -9,9 +9,6 @@
 
 class QMimeData;
 
-/// A measured value with this many decimals; values that round to zero have no sign.
-[[nodiscard]] QString measuredText(double value, int decimals);
-
 /// Telemetry channels in groups, each with a tick and its live value.
 class ChannelModel final : public QAbstractItemModel
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/debugmodel.h"
 
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <cmath>
@@ -13,7 +14,7 @@ namespace {
 
 QString variableText(double value)
 {
-    return std::isnan(value) ? u"–"_s : QString::number(value, 'g', 7);
+    return std::isnan(value) ? u"–"_s : shortNumberText(value, 7);
 }
 
 struct DebugRead

@@ -3,6 +3,7 @@
 #include "widgets/models/errortext.h"
 
 #include "protocol/configuration/writereport.h"
+#include "widgets/models/numbertext.h"
 
 #include <QCoreApplication>
 
@@ -201,7 +202,7 @@ ErrorText describe(const Error &error)
 {
     const ErrorRow &row = kErrors.at(std::size_t(error.code));
     const auto words = [](const char *text) { return text ? Words::tr(text) : QString(); };
-    return {words(row.what), words(row.meaning), words(row.cure), error.detail};
+    return {words(row.what), words(row.meaning), words(row.cure), withNumbers(error.detail)};
 }
 
 ErrorText describe(const WriteReport &report)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/framelogmodel.h"
 
+#include "widgets/models/numbertext.h"
+
 using namespace Qt::StringLiterals;
 
 FrameLogModel::FrameLogModel(DeviceClient &client, QObject *parent)
@@ -102,10 +104,10 @@ QVariant FrameLogModel::data(const QModelIndex &index, int role) const
     if (role != Qt::DisplayRole)
         return {};
     switch (index.column()) {
-    case TimeColumn: return timeText(row);
+    case TimeColumn: return numberText(timeText(row));
     case DirectionColumn: return row.frame.fromBoard ? tr("← board") : tr("→ board");
     case NameColumn: return textOf(row).name;
-    case FieldsColumn: return textOf(row).fields;
+    case FieldsColumn: return withNumbers(textOf(row).fields);
     case BytesColumn: return QString::fromLatin1(row.frame.bytes.toHex(' '));
     default: return {};
     }

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/parametermodel.h"
 
+#include "widgets/models/numbertext.h"
+
 #include <QCoreApplication>
 
 using namespace Qt::StringLiterals;
 
 QString tableText(const char *text)
 {
-    return QCoreApplication::translate("Tables", text);
+    return withNumbers(QCoreApplication::translate("Tables", text));
 }
 
 QString axisLabel(Axis axis)
@@ -62,7 +64,7 @@ QString parameterValueText(const ParameterSpec &spec, double raw)
     }
     case ValueKind::Number: break;
     }
-    return spec.rounded(raw);
+    return numberText(spec.rounded(raw));
 }
 
 QString parameterQuantityText(const ParameterSpec &spec, double raw)
@@ -76,7 +78,7 @@ QString parameterRangeText(const ParameterSpec &spec)
     if (spec.row->kind != ValueKind::Number)
         return {};
     QString text = QCoreApplication::translate("Tables", "%1 to %2")
-                       .arg(spec.rounded(spec.row->min), spec.rounded(spec.row->max));
+                       .arg(numberText(spec.rounded(spec.row->min)), numberText(spec.rounded(spec.row->max)));
     if (*spec.row->unit)
         text += u' ' + QString::fromUtf8(spec.row->unit);
     return text;
@@ -147,8 +149,12 @@ QVariant ParameterModel::data(const QModelIndex &index, int role) const
         if (index.column() == ValueColumn || index.column() == BoardColumn || index.column() == DefaultColumn)
             return QVariant(Qt::AlignRight | Qt::AlignVCenter);
         return {};
-    case Qt::EditRole:
-        return index.column() == ValueColumn && value ? QVariant(spec.format(*value)) : QVariant();
+    case Qt::EditRole: {
+        const bool isNumber = spec.row->kind == ValueKind::Number;
+        return index.column() == ValueColumn && value
+            ? QVariant(isNumber ? numberText(spec.format(*value)) : spec.format(*value))
+            : QVariant();
+    }
     case Qt::DisplayRole: break;
     default: return {};
     }
@@ -172,7 +178,10 @@ bool ParameterModel::setData(const QModelIndex &index, const QVariant &value, in
     if (role != Qt::EditRole || index.column() != ValueColumn)
         return false;
     const ParameterSpec &spec = specAt(index.row());
-    const auto raw = spec.parse(value.toString());
+    const double number = typedNumber(value.toString());
+    const auto raw = spec.row->kind == ValueKind::Number && !std::isnan(number)
+        ? std::optional(spec.toRaw(number))
+        : spec.parse(value.toString());
     if (!raw || !spec.accepts(*raw))
         return false;
     emit editRequested(spec.id, *raw);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plot/curvechart.h"
 
+#include "widgets/plot/chartnumbers.h"
+
 #include <QChart>
 #include <QGraphicsLayout>
 #include <QLegendMarker>
@@ -30,6 +32,7 @@ CurveChart::CurveChart(const Theme &theme, const QString &name, QWidget *parent)
     : QChartView(parent)
     , m_theme(theme)
 {
+    writeNumbers(*chart());
     chart()->setAnimationOptions(QChart::NoAnimation);
     chart()->setBackgroundVisible(false);
     chart()->setMargins({0, 0, 0, 0});

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plot/iterationchart.h"
 
+#include "widgets/plot/chartnumbers.h"
+
 #include <QChart>
 #include <QLegendMarker>
 #include <QLineSeries>
@@ -18,6 +20,7 @@ IterationChart::IterationChart(const Theme &theme, const QString &title, QWidget
     , m_values(new QValueAxis(this))
 {
     chart()->setTitle(title);
+    writeNumbers(*chart());
     chart()->setAnimationOptions(QChart::NoAnimation);
     chart()->setBackgroundVisible(false);
     chart()->setMargins({0, 0, 4, 0});

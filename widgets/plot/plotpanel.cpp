@@ -3,6 +3,7 @@
 #include "widgets/plot/plotpanel.h"
 
 #include "widgets/models/channelmodel.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/tablelook.h"
 
@@ -112,15 +113,14 @@ void PlotPanel::refreshFigures()
         const auto text = [&](double value) {
             return figures.samples == 0
                 ? u"–"_s
-                : u"%1 %2"_s.arg(measuredText(value, spec.decimals + 1), QString::fromUtf8(spec.unit))
+                : u"%1 %2"_s.arg(numberText(value, spec.decimals + 1), QString::fromUtf8(spec.unit))
                       .trimmed();
         };
         const int row = int(i);
         m_figures->item(row, Mean)->setText(text(figures.mean));
         m_figures->item(row, Rms)->setText(text(figures.rms));
         m_figures->item(row, PeakToPeak)->setText(text(figures.high - figures.low));
-        m_figures->item(row, Rate)->setText(figures.rate > 0 ? QString::number(figures.rate, 'f', 0)
-                                                             : u"–"_s);
+        m_figures->item(row, Rate)->setText(figures.rate > 0 ? numberText(figures.rate, 0) : u"–"_s);
         m_figures->item(row, Name)->setData(Qt::DecorationRole, m_view->curveColor(qsizetype(i)));
     }
 }

@@ -3,7 +3,9 @@
 #include "widgets/plot/plotview.h"
 
 #include "widgets/models/channelmodel.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
+#include "widgets/plot/chartnumbers.h"
 #include "widgets/plot/plotoverlay.h"
 #include "widgets/plot/spanstatistics.h"
 
@@ -43,6 +45,7 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
     , m_timeAxis(new QValueAxis(this))
 {
     QChart *plot = chart();  // the view's own; replacing it would leak this one
+    writeNumbers(*plot);
     plot->setAnimationOptions(QChart::NoAnimation);
     plot->setBackgroundVisible(false);
     plot->setBackgroundRoundness(0);
@@ -411,7 +414,7 @@ void PlotView::updateRateText()
         }
     }
     m_rateTimer.start();
-    const auto number = [](double value) { return QString::number(value, 'g', 4); };
+    const auto number = [](double value) { return shortNumberText(value, 4); };
     QString text;
     if (fastest <= 0)
         text = irregular ? tr("polled") : QString();
@@ -460,12 +463,12 @@ QStringList PlotView::cursorTexts() const
             texts.append(u"%1  –"_s.arg(curveName(i)));
             continue;
         }
-        QString text = u"%1  %2 %3"_s.arg(curveName(i), measuredText(value, spec.decimals), unit);
+        QString text = u"%1  %2 %3"_s.arg(curveName(i), numberText(value, spec.decimals), unit);
         const double before
             = m_reference ? valueAt(*m_store, curve.channel, curve.minus, *m_reference) : std::nan("");
         if (!std::isnan(before))
             text += u"  (Δ %1%2)"_s.arg(value < before ? u""_s : u"+"_s,
-                                        measuredText(value - before, spec.decimals));
+                                        numberText(value - before, spec.decimals));
         texts.append(text);
     }
     return texts;
@@ -543,7 +546,9 @@ void PlotView::drawOverlay(QPainter &painter)
     QString time = m_store ? m_store->wallClockAt(*m_cursor).toString(u"HH:mm:ss.zzz"_s) : QString();
     if (m_reference && *m_reference != *m_cursor) {
         const double apart = *m_cursor - *m_reference;
-        time += tr("  Δ %1 s (%2 Hz)").arg(apart, 0, 'f', 4).arg(std::abs(1.0 / apart), 0, 'g', 4);
+        time += tr("  Δ %1 s (%2 Hz)")
+                    .arg(numberText(apart, 4))
+                    .arg(shortNumberText(std::abs(1.0 / apart), 4));
     }
     lines.append({time, {}});
     const QStringList texts = cursorTexts();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plot/spectrumchart.h"
 
+#include "widgets/models/numbertext.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -113,7 +115,8 @@ void SpectrumChart::setPeaks(const std::vector<std::pair<const Spectrum *, Spect
     for (const auto &[spectrum, peak] : peaks) {
         const auto bin = std::min(spectrum->density.size() - 1,
                                   std::size_t(std::lround(peak.frequency / spectrum->resolution)));
-        words.append({{peak.frequency, levelOf(*spectrum, bin)}, tr("%1 Hz").arg(peak.frequency, 0, 'f', 1)});
+        words.append(
+            {{peak.frequency, levelOf(*spectrum, bin)}, tr("%1 Hz").arg(numberText(peak.frequency, 1))});
     }
     setLabels(words);
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plot/waterfallview.h"
 
+#include "widgets/models/numbertext.h"
+
 #include <QPainter>
 
 #include <algorithm>
@@ -159,14 +161,14 @@ void WaterfallView::paintEvent(QPaintEvent *)
                 continue;
             const double y = area.bottom() - share * area.height();
             painter.drawText(QRectF(0, y - metrics.height() / 2, kImageLeft - 8, metrics.height()),
-                             Qt::AlignRight | Qt::AlignVCenter, tr("%1 Hz").arg(hz));
+                             Qt::AlignRight | Qt::AlignVCenter, tr("%1 Hz").arg(shortNumberText(hz)));
         }
     }
     const double seconds = kColumns * m_hop;
     for (int i = 0; i <= 4; ++i) {
         const double x = area.left() + area.width() * i / 4;
         painter.drawText(QRectF(x - 40, area.bottom() + 6, 80, metrics.height()), Qt::AlignCenter,
-                         tr("%1 s").arg(-seconds * (4 - i) / 4, 0, 'f', 0));
+                         tr("%1 s").arg(numberText(-seconds * (4 - i) / 4, 0)));
     }
     // What the colours mean.
     const QRectF bar(area.right() + 12, area.top(), 12, area.height());
@@ -176,7 +178,7 @@ void WaterfallView::paintEvent(QPaintEvent *)
                          QColor::fromRgb(colorOf(m_low + share * (m_high - m_low))));
     }
     painter.drawText(QRectF(bar.right() + 6, bar.top() - 2, 60, metrics.height()), Qt::AlignLeft,
-                     tr("%1 dB").arg(double(m_high)));
+                     tr("%1 dB").arg(shortNumberText(double(m_high))));
     painter.drawText(QRectF(bar.right() + 6, bar.bottom() - metrics.height() + 2, 60, metrics.height()),
-                     Qt::AlignLeft, tr("%1 dB").arg(double(m_low)));
+                     Qt::AlignLeft, tr("%1 dB").arg(shortNumberText(double(m_low))));
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/views/attitudeview.h"
 
+#include "widgets/models/numbertext.h"
+
 #include <QPainter>
 #include <QPainterPath>
 
@@ -32,9 +34,9 @@ void AttitudeView::setAttitude(double roll, double pitch, double yaw)
     m_pitch = pitch;
     m_yaw = std::isnan(yaw) ? 0.0 : yaw;
     setAccessibleDescription(m_valid ? tr("Roll %1°, pitch %2°, yaw %3°")
-                                           .arg(roll, 0, 'f', 1)
-                                           .arg(pitch, 0, 'f', 1)
-                                           .arg(m_yaw, 0, 'f', 1)
+                                           .arg(numberText(roll, 1))
+                                           .arg(numberText(pitch, 1))
+                                           .arg(numberText(m_yaw, 1))
                                      : tr("No data"));
     update();
 }

@@ -3,6 +3,7 @@
 #include "widgets/views/axisdial.h"
 
 #include "protocol/base/angles.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QPainter>
@@ -40,9 +41,8 @@ void AxisDial::setValues(double angle, double target, double power)
     m_angle = shown(angle);
     m_target = shown(target);
     m_power = power;
-    const auto said = [](double value, int decimals) {
-        return std::isnan(value) ? u"–"_s : QString::number(value, 'f', decimals);
-    };
+    const auto said
+        = [](double value, int decimals) { return std::isnan(value) ? u"–"_s : numberText(value, decimals); };
     setAccessibleDescription(m_valid ? tr("Angle %1°, target %2°, motor power %3 %")
                                            .arg(said(angle, 1), said(target, 1), said(power, 0))
                                      : tr("No data"));
@@ -102,11 +102,11 @@ void AxisDial::paintEvent(QPaintEvent *)
     double y = center.y() + radius + 4;
     painter.setPen(m_theme.color(ColorRole::Text));
     painter.drawText(QRectF(0, y, width() / 2.0 - 4, line), Qt::AlignRight | Qt::AlignVCenter,
-                     m_valid ? u"%1°"_s.arg(m_angle, 0, 'f', 1) : u"–"_s);
+                     m_valid ? u"%1°"_s.arg(numberText(m_angle, 1)) : u"–"_s);
     painter.setFont(font());
     painter.setPen(muted);
     painter.drawText(QRectF(width() / 2.0 + 4, y, width() / 2.0 - 4, line), Qt::AlignLeft | Qt::AlignVCenter,
-                     m_valid && !std::isnan(m_target) ? u"→ %1°"_s.arg(m_target, 0, 'f', 1) : QString());
+                     m_valid && !std::isnan(m_target) ? u"→ %1°"_s.arg(numberText(m_target, 1)) : QString());
     if (std::isnan(m_power))
         return;  // not every board tells it
     y += line + 4;
@@ -119,5 +119,5 @@ void AxisDial::paintEvent(QPaintEvent *)
         QRectF(bar.left(), bar.top(), bar.width() * std::clamp(m_power, 0.0, 100.0) / 100.0, 6), 3, 3);
     painter.setPen(muted);
     painter.drawText(QRectF(0, y + 8, width(), line), Qt::AlignCenter,
-                     tr("Motor power %1 %").arg(m_power, 0, 'f', 0));
+                     tr("Motor power %1 %").arg(numberText(m_power, 0)));
 }

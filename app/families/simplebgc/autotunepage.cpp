@@ -3,6 +3,7 @@
 #include "app/families/simplebgc/autotunepage.h"
 
 #include "widgets/forms/argumentform.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/plot/iterationchart.h"
 #include "widgets/theme/tablelook.h"
@@ -256,7 +257,7 @@ void AutoTunePage::fillTable()
         const QStringList cells{parameterLabel(spec), text(before), text(now),
                                 change == 0.0 ? QString()
                                               : (change > 0 ? u"▲ "_s : u"▼ "_s)
-                                        + QString::number(std::abs(change), 'g', 3)};
+                                        + shortNumberText(std::abs(change), 3)};
         for (int column = 0; column < cells.size(); ++column) {
             auto *item = new QTableWidgetItem(cells[column]);
             if (column > 0)

@@ -3,6 +3,7 @@
 #include "app/families/simplebgc/calibrationpage.h"
 
 #include "app/workspace/wizardparts.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/plot/spanstatistics.h"
 #include "widgets/views/sensorcube.h"
 
@@ -238,7 +239,7 @@ QString CalibrationPage::waitingFor() const
     if (std::isnan(m_motion))
         return tr("Waiting for live data of the sensor.");
     if (m_motion > kStillEnough)
-        return tr("It moves (%1 °/s). Waiting until it is still.").arg(m_motion, 0, 'f', 1);
+        return tr("It moves (%1 °/s). Waiting until it is still.").arg(numberText(m_motion, 1));
     if (m_kind == Kind::Level && m_face != 0)
         return tr("Still, but not level: %1. Waiting for Z up.").arg(faceName(m_face));
     if (m_kind == Kind::SixPositions && m_face < 0)
@@ -344,16 +345,18 @@ void CalibrationPage::showResult()
             name.toHtmlEscaped(), value.toHtmlEscaped());
     };
     if (gyro) {
-        row(tr("Drift before"), tr("%1 °/s").arg(m_quality.biasBefore, 0, 'f', 2));
-        row(tr("Drift now"), tr("%1 °/s").arg(m_quality.biasAfter, 0, 'f', 2));
-        row(tr("Noise of the sensor"), tr("%1 °/s").arg(m_quality.noise, 0, 'f', 2));
-        html += u"</table><p>%1</p>"_s.arg(tr("Good is a drift below %1 °/s.").arg(kGoodBias));
-    } else {
-        row(tr("Error against gravity"), tr("%1 g").arg(m_quality.level, 0, 'f', 4));
-        row(tr("That is a tilt of about"),
-            tr("%1°").arg(std::asin(std::min(1.0, figure)) * 180 / 3.14159265358979, 0, 'f', 2));
+        row(tr("Drift before"), tr("%1 °/s").arg(numberText(m_quality.biasBefore, 2)));
+        row(tr("Drift now"), tr("%1 °/s").arg(numberText(m_quality.biasAfter, 2)));
+        row(tr("Noise of the sensor"), tr("%1 °/s").arg(numberText(m_quality.noise, 2)));
         html += u"</table><p>%1</p>"_s.arg(
-            tr("Good is an error below %1 g; the noise of the sensor is part of it.").arg(kGoodLevel));
+            tr("Good is a drift below %1 °/s.").arg(shortNumberText(kGoodBias)));
+    } else {
+        row(tr("Error against gravity"), tr("%1 g").arg(numberText(m_quality.level, 4)));
+        row(tr("That is a tilt of about"),
+            tr("%1°").arg(numberText(std::asin(std::min(1.0, figure)) * 180 / 3.14159265358979, 2)));
+        html += u"</table><p>%1</p>"_s.arg(
+            tr("Good is an error below %1 g; the noise of the sensor is part of it.")
+                .arg(shortNumberText(kGoodLevel)));
     }
     html += u"<p>%1</p>"_s.arg(
         tr("The result is stored in the sensor's memory; the settings as they were are among the backups."));

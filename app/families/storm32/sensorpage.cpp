@@ -4,6 +4,7 @@
 
 #include "app/workspace/files.h"
 #include "app/workspace/wizardparts.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/views/sensorcube.h"
 
 #include <QComboBox>
@@ -233,7 +234,7 @@ void SensorPage::onProgress(const Progress &progress)
     QString rows;
     const auto row = [&rows](const QString &name, double number, int decimals, const QString &unit) {
         rows += u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td align='right'>%2 %3</td></tr>"_s.arg(
-            name, QString::number(number, 'f', decimals), unit);
+            name, numberText(number, decimals), unit);
     };
     row(u"X"_s, value(u"x"_s), 3, u"g"_s);
     row(u"Y"_s, value(u"y"_s), 3, u"g"_s);
@@ -314,10 +315,11 @@ void SensorPage::showResult()
     }
     QString html = u"<table>%1</table>"_s.arg(rows);
     if (measured && six)
-        html += u"<p>%1</p>"_s.arg(
-            tr("Quality: %1 g off axis; good is below %2 g.").arg(m_quality, 0, 'f', 4).arg(kGoodQuality));
+        html += u"<p>%1</p>"_s.arg(tr("Quality: %1 g off axis; good is below %2 g.")
+                                       .arg(numberText(m_quality, 4))
+                                       .arg(shortNumberText(kGoodQuality)));
     if (m_calibration.temperature != 0)
-        html += u"<p>%1</p>"_s.arg(tr("Measured at %1 °C.").arg(m_calibration.temperature, 0, 'f', 1));
+        html += u"<p>%1</p>"_s.arg(tr("Measured at %1 °C.").arg(numberText(m_calibration.temperature, 1)));
     html += u"<p>%1</p>"_s.arg(
         tr("Nothing is on the board yet. Storing replaces the calibration of the sensor chosen above."));
     m_result->setText(html);

@@ -4,6 +4,7 @@
 
 #include "app/workspace/wizardparts.h"
 #include "widgets/forms/numberbox.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QCheckBox>
@@ -124,9 +125,10 @@ QWidget *SetupPage::makeGuide()
     yaw->setContentsMargins(0, 0, 0, 0);
     yaw->setSpacing(Metric::kGap);
     const auto button = [&](double by) {
-        auto *make = new QPushButton(u"%1%2°"_s.arg(by > 0 ? u"+"_s : u"−"_s).arg(std::abs(by)));
-        make->setAccessibleName(by > 0 ? tr("Turn by %1° to the left").arg(by)
-                                       : tr("Turn by %1° to the right").arg(-by));
+        auto *make
+            = new QPushButton(u"%1%2°"_s.arg(by > 0 ? u"+"_s : u"−"_s).arg(shortNumberText(std::abs(by))));
+        make->setAccessibleName(by > 0 ? tr("Turn by %1° to the left").arg(shortNumberText(by))
+                                       : tr("Turn by %1° to the right").arg(shortNumberText(-by)));
         connect(make, &QPushButton::clicked, this, [this, by] { moveYaw(by); });
         yaw->addWidget(make);
     };
@@ -392,9 +394,9 @@ void SetupPage::finished(const Result<ActionOutcome> &outcome)
         break;
     case Step::Poles:
         note(tr("✓ Poles: roll %1, pitch %2, yaw %3")
-                 .arg(m_poles[0]->value())
-                 .arg(m_poles[1]->value())
-                 .arg(m_poles[2]->value()));
+                 .arg(shortNumberText(m_poles[0]->value()))
+                 .arg(shortNumberText(m_poles[1]->value()))
+                 .arg(shortNumberText(m_poles[2]->value())));
         break;
     case Step::AutoDirections: note(tr("✓ Directions will be found at the start.")); break;
     case Step::Start: note(tr("✓ The board works normally.")); break;
@@ -412,7 +414,7 @@ void SetupPage::finished(const Result<ActionOutcome> &outcome)
         break;
     case Step::AlignYaw:
         if (!std::exchange(m_yawBegun, true)) {
-            m_sees->setText(tr("The buttons turn it within %1° either way.").arg(kMaxYaw));
+            m_sees->setText(tr("The buttons turn it within %1° either way.").arg(shortNumberText(kMaxYaw)));
             updateState();
             m_continue->setFocus();
             return;
@@ -467,7 +469,7 @@ void SetupPage::cancel()
 void SetupPage::moveYaw(double by)
 {
     m_yaw = std::clamp(m_yaw + by, -kMaxYaw, kMaxYaw);
-    m_yawText->setText(u"%1°"_s.arg(std::abs(m_yaw) < 0.05 ? 0.0 : m_yaw, 0, 'f', 1));
+    m_yawText->setText(u"%1°"_s.arg(numberText(std::abs(m_yaw) < 0.05 ? 0.0 : m_yaw, 1)));
     workspace().perform(u"setup.yaw_move"_s, {{u"angle"_s, m_yaw}});
 }
 
@@ -481,9 +483,9 @@ void SetupPage::onProgress(const Progress &progress)
         m_what->setText(tilt ? tr("Tilt camera and frame about 45° down, without rolling them.")
                              : tr("Hold camera and frame level and still."));
         m_sees->setText(tr("The sensor shows x %1 g, y %2 g, z %3 g. %4")
-                            .arg(progress.values.value(u"x"_s), 0, 'f', 2)
-                            .arg(progress.values.value(u"y"_s), 0, 'f', 2)
-                            .arg(progress.values.value(u"z"_s), 0, 'f', 2)
+                            .arg(numberText(progress.values.value(u"x"_s), 2))
+                            .arg(numberText(progress.values.value(u"y"_s), 2))
+                            .arg(numberText(progress.values.value(u"z"_s), 2))
                             .arg(progress.values.value(u"held"_s) > 0 ? tr("Good: hold it so.")
                                      : tilt ? tr("Waiting until one axis shows the tilt and the other none.")
                                             : tr("Waiting until one axis points straight up.")));

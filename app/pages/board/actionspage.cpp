@@ -3,6 +3,7 @@
 #include "app/pages/board/actionspage.h"
 
 #include "widgets/forms/argumentform.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/views/card.h"
 
@@ -33,7 +34,7 @@ QString replyText(const QVariant &value)
         return parts.join(u", "_s);
     }
     if (value.typeId() == QMetaType::Double)
-        return QString::number(value.toDouble(), 'g', 7);
+        return shortNumberText(value.toDouble(), 7);
     if (value.typeId() == QMetaType::Bool)
         return value.toBool() ? ActionsPage::tr("yes") : ActionsPage::tr("no");
     return value.toString();

@@ -5,6 +5,7 @@
 #include "app/pages/board/sharedialog.h"
 #include "widgets/forms/panel.h"
 #include "widgets/models/missingtext.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/tablelook.h"
 #include "widgets/views/card.h"
@@ -240,7 +241,8 @@ void BackupsPage::showDifferences()
     if (!missing.empty())
         text += u' ' + tr("Not known: %1.").arg(missingText(model.edited(), missing));
     if (!skipped.isEmpty())
-        text += u' ' + tr("Left out, as this board does not take them: %1.").arg(skipped.join(u"; "_s));
+        text += u' '
+            + tr("Left out, as this board does not take them: %1.").arg(withNumbers(skipped.join(u"; "_s)));
     for (const DataChange &change : blocks)
         text += u' ' + tr("%1 differ.").arg(tableText(change.spec->data));
     if (names)

@@ -6,6 +6,7 @@
 #include "protocol/session/controlstream.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "widgets/forms/numberbox.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/views/attitudeview.h"
 #include "widgets/views/card.h"
@@ -525,7 +526,8 @@ void ControlPage::updateNow()
     const auto value = [this](int channel) { return workspace().latest(channel); };
     m_attitude->setAttitude(value(roles.angle[0]), value(roles.angle[1]), value(roles.angle[2]));
     const auto text = [](double number) {
-        return std::isnan(number) ? u"–"_s : u"%1°"_s.arg(std::abs(number) < 0.05 ? 0.0 : number, 0, 'f', 1);
+        return std::isnan(number) ? u"–"_s
+                                  : u"%1°"_s.arg(numberText(std::abs(number) < 0.05 ? 0.0 : number, 1));
     };
     QString rows = u"<tr><td></td><td align='right'>%1</td><td align='right'>%2</td></tr>"_s.arg(
         tr("is"), tr("target"));

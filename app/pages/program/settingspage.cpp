@@ -3,6 +3,7 @@
 #include "app/pages/program/settingspage.h"
 
 #include "widgets/forms/numberbox.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/views/card.h"
 
 #include <QCheckBox>
@@ -168,6 +169,6 @@ void SettingsPage::updateNotes()
     m_memory->setText(tr("At most %1 MB with 24 channels at full rate. The last ten minutes of the link "
                          "itself, for recordings, "
                          "take up to %2 MB more.")
-                          .arg(m_retention->value() * bytesPerMinute / 1e6, 0, 'f', 0)
-                          .arg(double(Recorder::kMaxBytes) / 1e6, 0, 'f', 0));
+                          .arg(numberText(m_retention->value() * bytesPerMinute / 1e6, 0))
+                          .arg(numberText(double(Recorder::kMaxBytes) / 1e6, 0)));
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/tune/gaincard.h"
 
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/theme.h"
 
@@ -127,11 +128,11 @@ void GainCard::refresh(std::size_t axis)
     if (!row.stability->isSliderDown())
         row.stability->setValue(int(std::lround(stability)));
     m_filling = false;
-    row.dampingText->setText(QString::number(damping, 'f', 0));
-    row.stabilityText->setText(QString::number(stability, 'f', 0));
+    row.dampingText->setText(numberText(damping, 0));
+    row.stabilityText->setText(numberText(stability, 0));
     const PidShape shape = m_shape->shapeOf(*gains);
     row.shape->setText(tr("f₀ %1 Hz · d %2 · τ %3 ms")
-                           .arg(shape.frequency, 0, 'f', 1)
-                           .arg(shape.damping, 0, 'f', 2)
-                           .arg(shape.delayMs, 0, 'f', 1));
+                           .arg(numberText(shape.frequency, 1))
+                           .arg(numberText(shape.damping, 2))
+                           .arg(numberText(shape.delayMs, 1)));
 }

@@ -6,6 +6,7 @@
 #include "app/pages/tune/responsecharts.h"
 #include "protocol/record/responsecsv.h"
 #include "widgets/forms/numberbox.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/tablelook.h"
 #include "widgets/views/card.h"
@@ -37,7 +38,7 @@ constexpr int kMovementWidth = 300;
 
 QString msText(std::optional<double> seconds)
 {
-    return seconds ? ResponsePage::tr("%1 ms").arg(*seconds * 1000.0, 0, 'f', 0) : u"–"_s;
+    return seconds ? ResponsePage::tr("%1 ms").arg(numberText(*seconds * 1000.0, 0)) : u"–"_s;
 }
 
 }  // namespace
@@ -245,11 +246,12 @@ void ResponsePage::setArmed(bool armed)
     else if (m_running)
         m_state->setText(tr("The axis is being moved. Keep your hands off the camera."));
     else if (armed && tellsTargets())
-        m_state->setText(tr("Armed: Start moves the axis by %1°. Keep clear.").arg(m_movement->degrees()));
+        m_state->setText(tr("Armed: Start moves the axis by %1°. Keep clear.")
+                             .arg(shortNumberText(m_movement->degrees())));
     else if (armed)
         m_state->setText(
             tr("Armed: Start brings the camera to its middle, then moves the axis by %1°. Keep clear.")
-                .arg(m_movement->degrees()));
+                .arg(shortNumberText(m_movement->degrees())));
     else
         m_state->setText(tr("Not armed: nothing moves. The motors must run and hold the camera."));
     m_state->setObjectName(armed || m_running ? u"warning"_s : u"muted"_s);
@@ -401,17 +403,18 @@ void ResponsePage::showRecords()
         QStringList cells;
         if (steps) {
             cells = {msText(record.steps.metrics.riseSeconds),
-                     tr("%1 %").arg(record.steps.metrics.overshoot, 0, 'f', 1),
+                     tr("%1 %").arg(numberText(record.steps.metrics.overshoot, 1)),
                      msText(record.steps.metrics.settlingSeconds),
-                     tr("%1 %").arg(100.0 * record.steps.metrics.error, 0, 'f', 1)};
+                     tr("%1 %").arg(numberText(100.0 * record.steps.metrics.error, 1))};
         } else {
             const Margins &m = record.margins;
-            cells = {m.phaseDeg ? tr("%1° at %2 Hz").arg(*m.phaseDeg, 0, 'f', 0).arg(*m.phaseHz, 0, 'f', 1)
-                                : u"–"_s,
-                     m.gainDb ? tr("%1 dB at %2 Hz").arg(*m.gainDb, 0, 'f', 1).arg(*m.gainHz, 0, 'f', 1)
-                              : u"–"_s,
-                     m.phaseHz ? tr("%1 Hz").arg(*m.phaseHz, 0, 'f', 1) : u"–"_s,
-                     tr("%1 dB at %2 Hz").arg(m.sensitivityDb, 0, 'f', 1).arg(m.sensitivityHz, 0, 'f', 1)};
+            cells = {
+                m.phaseDeg ? tr("%1° at %2 Hz").arg(numberText(*m.phaseDeg, 0)).arg(numberText(*m.phaseHz, 1))
+                           : u"–"_s,
+                m.gainDb ? tr("%1 dB at %2 Hz").arg(numberText(*m.gainDb, 1)).arg(numberText(*m.gainHz, 1))
+                         : u"–"_s,
+                m.phaseHz ? tr("%1 Hz").arg(numberText(*m.phaseHz, 1)) : u"–"_s,
+                tr("%1 dB at %2 Hz").arg(numberText(m.sensitivityDb, 1)).arg(numberText(m.sensitivityHz, 1))};
         }
         auto *name = new QStandardItem(record.name);
         name->setCheckable(true);
@@ -447,9 +450,9 @@ Result<void> ResponsePage::importCsv(const QString &path)
         m_way->setCurrentIndex(m_way->findData(int(Way::OwnMotion)));
     add(std::move(record), Axis::None);
     if (samples->rateAssumed)
-        workspace().notifications().notify(
-            tr("The file does not state its rate; %1 samples/s are assumed.").arg(samples->rate),
-            Notice::Attention);
+        workspace().notifications().notify(tr("The file does not state its rate; %1 samples/s are assumed.")
+                                               .arg(shortNumberText(samples->rate)),
+                                           Notice::Attention);
     return {};
 }
 

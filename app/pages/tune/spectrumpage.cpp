@@ -5,6 +5,7 @@
 #include "protocol/analysis/holdingquality.h"
 #include "protocol/telemetry/uniformsamples.h"
 #include "widgets/forms/panel.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/plot/waterfallview.h"
 #include "widgets/theme/tablelook.h"
@@ -231,7 +232,8 @@ void SpectrumPage::offerHeldSpan()
     if (held && m_span->count() == last)
         m_span->addItem(QString());
     if (held)
-        m_span->setItemText(last, tr("as held on Monitor, %1 s").arg(held->second - held->first, 0, 'g', 3));
+        m_span->setItemText(
+            last, tr("as held on Monitor, %1 s").arg(shortNumberText(held->second - held->first, 3)));
     else if (m_span->count() > last)
         m_span->removeItem(last);
 }
@@ -282,10 +284,12 @@ void SpectrumPage::refresh()
         for (const SpectrumPeak &peak : findPeaks(*result, kPeaks, kSlowest))
             m_lines.push_back({kAxes[i], peak});
         QString note = tr("%1 samples/s, lines of %2 Hz, %n average(s)", nullptr, result->segments)
-                           .arg(result->rate, 0, 'f', 0)
-                           .arg(result->resolution, 0, 'g', 2);
+                           .arg(numberText(result->rate, 0))
+                           .arg(shortNumberText(result->resolution, 2));
         if (samples->polled)  // polled values have not passed an anti-aliasing filter
-            note = tr("%1; anything above %2 Hz shows up lower").arg(note).arg(result->rate / 2, 0, 'f', 0);
+            note = tr("%1; anything above %2 Hz shows up lower")
+                       .arg(note)
+                       .arg(numberText(result->rate / 2, 0));
         m_note->setFullText(note);
         m_now.push_back({axisLabel(kAxes[i]), kAxes[i], std::move(*result), false});
     }
@@ -365,9 +369,9 @@ void SpectrumPage::showPeaks(const QString &unit)
     for (int row = 0; row < int(m_lines.size()); ++row) {
         const auto &[axis, peak] = m_lines[std::size_t(row)];
         setText(m_peaks, row, 0, axisLabel(axis));
-        setText(m_peaks, row, 1, tr("%1 Hz").arg(peak.frequency, 0, 'f', 1));
-        setText(m_peaks, row, 2, u"%1 %2"_s.arg(peak.rms, 0, 'g', 3).arg(unit));
-        setText(m_peaks, row, 3, tr("%1 Hz").arg(peak.width, 0, 'f', 1));
+        setText(m_peaks, row, 1, tr("%1 Hz").arg(numberText(peak.frequency, 1)));
+        setText(m_peaks, row, 2, u"%1 %2"_s.arg(shortNumberText(peak.rms, 3)).arg(unit));
+        setText(m_peaks, row, 3, tr("%1 Hz").arg(numberText(peak.width, 1)));
     }
     updateNotch();
 }
@@ -433,15 +437,17 @@ void SpectrumPage::askNotch()
     QStringList costs;
     for (const double hz : kCostHz) {
         if (hz < plan->shape.hz * kCostShare)
-            costs.append(tr("%1° at %2 Hz").arg(lagDeg(notchResponse(plan->shape, hz)), 0, 'f', 0).arg(hz));
+            costs.append(tr("%1° at %2 Hz")
+                             .arg(numberText(lagDeg(notchResponse(plan->shape, hz)), 0))
+                             .arg(shortNumberText(hz)));
     }
     const QString name = axisLabel(plan->axis);
     QString text = tr("%1, notch %2: %3 Hz, width %4 Hz, depth %5 dB.")
                        .arg(name)
                        .arg(plan->filter.bit + 1)
-                       .arg(plan->shape.hz)
-                       .arg(plan->shape.width)
-                       .arg(plan->shape.depthDb);
+                       .arg(shortNumberText(plan->shape.hz))
+                       .arg(shortNumberText(plan->shape.width))
+                       .arg(shortNumberText(plan->shape.depthDb));
     if (!costs.isEmpty())
         text += u"\n\n"_s
             + tr("It delays the loop: %1. Every degree is taken from the phase margin.")
@@ -467,7 +473,9 @@ void SpectrumPage::nameBands(const std::vector<BandQuality> &measured)
     for (std::size_t i = 0; i < kHoldingBands.size(); ++i) {
         const Band &band = i < measured.size() && measured[i].known ? measured[i].band : kHoldingBands[i];
         setText(m_bands, int(i), 0,
-                u"%1\n%2–%3 Hz"_s.arg(names[qsizetype(i)]).arg(band.from, 0, 'g', 2).arg(band.to, 0, 'f', 0));
+                u"%1\n%2–%3 Hz"_s.arg(names[qsizetype(i)])
+                    .arg(shortNumberText(band.from, 2))
+                    .arg(numberText(band.to, 0)));
     }
 }
 
@@ -477,12 +485,12 @@ void SpectrumPage::showBands()
         for (std::size_t band = 0; band < m_left[axis].size(); ++band) {
             const Left &left = m_left[axis][band];
             QString text = left.known
-                ? tr("%1° RMS\n%2° peak").arg(left.rms, 0, 'f', 3).arg(left.peak, 0, 'f', 3)
+                ? tr("%1° RMS\n%2° peak").arg(numberText(left.rms, 3)).arg(numberText(left.peak, 3))
                 : u"–"_s;
             if (m_before && left.known && (*m_before)[axis][band].known && (*m_before)[axis][band].rms > 0) {
                 const double change = (left.rms / (*m_before)[axis][band].rms - 1.0) * 100.0;
-                text = tr("%1° RMS").arg(left.rms, 0, 'f', 3)
-                    + u"\n%1 %2 %"_s.arg(change > 0 ? u"▲"_s : u"▼"_s).arg(std::abs(change), 0, 'f', 0);
+                text = tr("%1° RMS").arg(numberText(left.rms, 3))
+                    + u"\n%1 %2 %"_s.arg(change > 0 ? u"▲"_s : u"▼"_s).arg(numberText(std::abs(change), 0));
             }
             setText(m_bands, int(band), int(axis) + 1, text);
         }

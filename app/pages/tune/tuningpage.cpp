@@ -5,6 +5,7 @@
 #include "app/pages/tune/gaincard.h"
 #include "widgets/forms/liveslider.h"
 #include "widgets/forms/valueeditor.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/plot/plotview.h"
 #include "widgets/plot/spanstatistics.h"
@@ -42,7 +43,7 @@ QPushButton *makeButton(const QString &text, const QString &tip)
 
 QString figure(double value)
 {
-    return std::isnan(value) ? u"–"_s : u"%1°"_s.arg(value, 0, 'f', 3);
+    return std::isnan(value) ? u"–"_s : u"%1°"_s.arg(numberText(value, 3));
 }
 
 }  // namespace
@@ -117,7 +118,7 @@ void TuningPage::makeBody()
 // The angle error in figures, now and before.
 QWidget *TuningPage::makeFigures()
 {
-    auto *figures = new Card(tr("Angle error, last %1 s").arg(kFigureSpan));
+    auto *figures = new Card(tr("Angle error, last %1 s").arg(shortNumberText(kFigureSpan)));
     auto *grid = new QGridLayout;
     grid->setHorizontalSpacing(12);
     grid->setVerticalSpacing(Metric::kUnit);
@@ -369,7 +370,7 @@ void TuningPage::updateFigures()
             = before && before->rms > 0 ? 100.0 * (span.rms / before->rms - 1.0) : std::nan("");
         cells[4]->setText(std::isnan(change) ? u"–"_s
                                              : (change < 0 ? u"▼ "_s : u"▲ "_s)
-                                  + u"%1 %"_s.arg(std::abs(change), 0, 'f', 0));
+                                  + u"%1 %"_s.arg(numberText(std::abs(change), 0)));
         const QString name = std::isnan(change) || std::abs(change) < 5 ? u"muted"_s
             : change < 0                                                ? u"ok"_s
                                                                         : u"warning"_s;

@@ -4,6 +4,7 @@
 
 #include "protocol/session/linkstatistics.h"
 #include "widgets/models/missingtext.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/views/attitudeview.h"
 #include "widgets/views/axisdial.h"
@@ -29,7 +30,7 @@ QString number(double value, int decimals, const QString &unit)
 {
     if (std::isnan(value))
         return u"–"_s;
-    const QString text = QString::number(value, 'f', decimals);
+    const QString text = numberText(value, decimals);
     return unit.isEmpty() ? text : text + u' ' + unit;
 }
 
@@ -204,10 +205,10 @@ void DashboardPage::refreshFacts()
     row(tr("Control cycle"), number(workspace().latest(roles.cycleTime), 0, u"µs"_s));
     row(tr("Sensor bus errors"), number(workspace().latest(roles.busErrors), 0, {}));
     const LinkStatistics &link = workspace().client().statistics();
-    row(tr("Frames received"), tr("%1 per second").arg(link.framesPerSecond, 0, 'f', 0));
+    row(tr("Frames received"), tr("%1 per second").arg(numberText(link.framesPerSecond, 0)));
     row(tr("Damaged frames"), QString::number(link.framing.headerErrors + link.framing.bodyErrors));
     row(tr("Answer time"),
-        link.roundTrip ? tr("%1 ms").arg(seconds(*link.roundTrip) * 1000, 0, 'f', 1) : u"–"_s);
+        link.roundTrip ? tr("%1 ms").arg(numberText(seconds(*link.roundTrip) * 1000, 1)) : u"–"_s);
     m_facts->setText(u"<table width='100%'>%1</table>"_s.arg(rows.join(QString())));
 }
 

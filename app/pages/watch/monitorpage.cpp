@@ -6,6 +6,7 @@
 #include "protocol/record/telemetrycsv.h"
 #include "protocol/telemetry/telemetryplan.h"
 #include "widgets/forms/panel.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/plot/curvechart.h"
 #include "widgets/views/elidedlabel.h"
@@ -15,7 +16,6 @@
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QLabel>
-#include <QLocale>
 #include <QMenu>
 #include <QPushButton>
 #include <QSaveFile>
@@ -63,7 +63,9 @@ MonitorPage::MonitorPage(Workspace &workspace, QWidget *parent)
 void MonitorPage::makeHeader()
 {
     for (const double seconds : kWindows)
-        m_window->addItem(seconds < 120 ? tr("%1 s").arg(seconds) : tr("%1 min").arg(seconds / 60), seconds);
+        m_window->addItem(seconds < 120 ? tr("%1 s").arg(shortNumberText(seconds))
+                                        : tr("%1 min").arg(shortNumberText(seconds / 60)),
+                          seconds);
     m_window->setCurrentIndex(kDefaultWindow);
     m_window->setAccessibleName(tr("Time shown"));
     m_window->setToolTip(tr("Time shown"));
@@ -315,7 +317,7 @@ void MonitorPage::showSeconds(double seconds)
         m_window->setCurrentIndex(known);
         return;
     }
-    const QString text = tr("%1 s").arg(seconds, 0, 'g', 3);
+    const QString text = tr("%1 s").arg(shortNumberText(seconds, 3));
     if (m_window->count() == custom)
         m_window->addItem(text, seconds);
     m_window->setItemText(custom, text);
@@ -510,16 +512,16 @@ void MonitorPage::updateNote()
     QStringList parts{
         tr("%1 lost").arg(store->lost())};  // the most important part first: the end may be elided
     if (store->silences() > 0)
-        parts.append(tr("%1 s of silence in all").arg(store->silentSeconds(), 0, 'f', 1));
+        parts.append(tr("%1 s of silence in all").arg(numberText(store->silentSeconds(), 1)));
     if (const LinkRecorder &recorder = workspace().recorder(); recorder.isRecording())
-        parts.append(tr("● recording, %1").arg(QLocale::c().formattedDataSize(recorder.size())));
+        parts.append(tr("● recording, %1").arg(sizeText(recorder.size())));
     if (workspace().client().address().isReplay())
         parts.append(tr("recording"));
     else if (plan.streaming && plan.budget.capacity > 0)
         parts.append(tr("%1 % of the line")
-                         .arg(100.0 * plan.budget.bytesPerSecond() / plan.budget.capacity, 0, 'f', 0));
+                         .arg(numberText(100.0 * plan.budget.bytesPerSecond() / plan.budget.capacity, 0)));
     else if (plan.poll)
-        parts.append(tr("polled, up to %1 samples/s").arg(plan.rate, 0, 'f', 0));
+        parts.append(tr("polled, up to %1 samples/s").arg(numberText(plan.rate, 0)));
     if (m_publication)
         parts.append(tr("sent on: %1").arg(m_publication->sent()));
     m_note->setFullText(

@@ -3,6 +3,7 @@
 #include "app/pages/watch/streamsdialog.h"
 
 #include "widgets/forms/numberbox.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QCheckBox>
@@ -146,9 +147,9 @@ void StreamsDialog::update()
             const auto row = std::find_if(m_rows.begin(), m_rows.end(),
                                           [&](const Row &each) { return each.spec.key == use.key; });
             row->use->setText(tr("%1 samples/s, %2 bytes each, %3 bytes/s")
-                                  .arg(use.rate, 0, 'f', 0)
+                                  .arg(numberText(use.rate, 0))
                                   .arg(use.frameBytes)
-                                  .arg(use.bytesPerSecond(), 0, 'f', 0));
+                                  .arg(numberText(use.bytesPerSecond(), 0)));
         }
         const double used = budget->bytesPerSecond();
         fits = budget->fits();
@@ -156,19 +157,19 @@ void StreamsDialog::update()
             const double share = 100.0 * used / budget->capacity;
             m_line->setValue(std::min(100, int(std::lround(share))));
             text = tr("%1 of %2 bytes/s, %3 % of the line.")
-                       .arg(used, 0, 'f', 0)
-                       .arg(budget->capacity, 0, 'f', 0)
-                       .arg(share, 0, 'f', 0);
+                       .arg(numberText(used, 0))
+                       .arg(numberText(budget->capacity, 0))
+                       .arg(numberText(share, 0));
         } else {
             m_line->setValue(0);
-            text = tr("%1 bytes/s. This link sets no limit.").arg(used, 0, 'f', 0);
+            text = tr("%1 bytes/s. This link sets no limit.").arg(numberText(used, 0));
         }
         if (!fits)
             text += u' '
                 + tr("That is too much: %1 % may be used, the rest is kept for commands. Lower a rate, look "
                      "at fewer "
                      "channels, or set a faster serial speed.")
-                      .arg(StreamBudget::kShare * 100);
+                      .arg(shortNumberText(StreamBudget::kShare * 100));
     }
     m_verdict->setText(text);
     m_verdict->setObjectName(fits ? u"muted"_s : u"warning"_s);
