@@ -28,6 +28,7 @@ constexpr std::array kGeneralOptions{
     GeneralOption{"family", "F", "who is there; without it gimbalctl finds out who answers"},
     GeneralOption{"json", "", "one JSON document on stdout"},
     GeneralOption{"history", "DIR", "where snapshots of boards are kept"},
+    GeneralOption{"board", "NAME", "which board without a serial number it is"},
     GeneralOption{"version", "", "which version this is"},
 };
 // clang-format on
@@ -143,6 +144,7 @@ std::optional<int> Ctl::takeCommand(const QCommandLineParser &parser)
     m_context.json = parser.isSet(u"json"_s);
     if (parser.isSet(u"history"_s))
         m_context.history = BoardHistory(parser.value(u"history"_s));
+    m_board = parser.value(u"board"_s);
     if (const auto taken = takeOptions(parser); !taken)
         return wrong(taken.error().detail);
     if (const QString problem = m_command->check(); !problem.isEmpty())
@@ -257,8 +259,35 @@ void Ctl::onState(DeviceClient::State state)
 {
     if (state != DeviceClient::State::Connected || m_started)
         return;
+    if (const auto known = knowBoard(); !known) {
+        onError(known.error(), known.error().code == ErrorCode::InvalidArgument ? WrongArguments : Refused);
+        return;
+    }
     m_started = true;
     m_command->start(*m_client);
+}
+
+// Boards without a serial number may look the same. Nothing is asked here: what is not said is told.
+Result<void> Ctl::knowBoard()
+{
+    const BoardIdentity &identity = m_client->identity();
+    BoardHistory &history = m_context.history;
+    if (m_client->address().isReplay())
+        return {};
+    const auto known = history.meet(identity);
+    if (!m_board.isEmpty())
+        return history.choose(identity, m_board);
+    const QStringList names = history.names(identity);
+    if (known == BoardHistory::Acquaintance::Ambiguous) {
+        onTold(u"boards that look like this one are known: %1; say which it is with --board NAME. "
+               "Until then its snapshots are kept apart"_s.arg(names.join(u", "_s)));
+    } else if (known == BoardHistory::Acquaintance::Unnamed
+               && !(names.isEmpty() && history.snapshots(identity.serial).isEmpty())) {
+        onTold(u"this board has no serial number%1; name it once with --board NAME, so that it shares its "
+               "snapshots with no other"_s.arg(
+                   names.isEmpty() ? QString() : u" and looks like none of "_s + names.join(u", "_s)));
+    }
+    return {};
 }
 
 void Ctl::onTold(const QString &line)

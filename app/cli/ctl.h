@@ -38,6 +38,7 @@ private:
 
     void stop();
     void onState(DeviceClient::State state);
+    Result<void> knowBoard();
     void onError(const Error &error, int exitCode);
     void onProgress(const Progress &progress);
     void onTold(const QString &line);
@@ -49,6 +50,7 @@ private:
     CommandContext m_context;
     Commands m_commands;  // the client's threads may use one, so they outlive it
     Command *m_command = nullptr;
+    QString m_board;  // what the operator calls it
     QString m_lastProgress;
     std::unique_ptr<DeviceClient> m_client;
     QList<ReplayGap> m_leftOut;  // of the recording that is replayed

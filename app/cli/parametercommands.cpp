@@ -51,18 +51,24 @@ public:
         QStringList capabilities(identity.capabilities.begin(), identity.capabilities.end());
         capabilities.sort();
         CommandOutcome outcome;
-        outcome.json = QJsonObject{{u"family"_s, identity.family},
-                                   {u"model"_s, identity.model},
-                                   {u"firmware"_s, identity.firmware},
-                                   {u"serial"_s, identity.serial},
-                                   {u"profiles"_s, identity.profileCount},
-                                   {u"usb"_s, identity.usb},
-                                   {u"writable"_s, identity.writable},
-                                   {u"capabilities"_s, QJsonArray::fromStringList(capabilities)},
-                                   {u"extra"_s, QJsonObject::fromVariantMap(identity.extra)}};
+        QJsonObject known{{u"family"_s, identity.family},
+                          {u"model"_s, identity.model},
+                          {u"firmware"_s, identity.firmware},
+                          {u"serial"_s, identity.serial},
+                          {u"profiles"_s, identity.profileCount},
+                          {u"usb"_s, identity.usb},
+                          {u"writable"_s, identity.writable},
+                          {u"capabilities"_s, QJsonArray::fromStringList(capabilities)},
+                          {u"extra"_s, QJsonObject::fromVariantMap(identity.extra)}};
+        // What the operator calls it, where it has no number of its own.
+        const QString called = history().nameOf(identity.serial);
+        if (!called.isEmpty())
+            known.insert(u"called"_s, called);
+        outcome.json = known;
         // Its own name, where the family has one.
         const QString own = identity.extra.value(u"name"_s).toString();
         outcome.text = (own.isEmpty() ? QString() : u"name         %1\n"_s.arg(own))
+            + (called.isEmpty() ? QString() : u"called       %1\n"_s.arg(called))
             + u"board        %1\nfirmware     %2%3\nserial       %4\nprofiles     %5\nport         %6\n"
               u"can          %7\n"_s
                   .arg(identity.model, identity.firmware, identity.writable ? QString() : u" (read-only)"_s,

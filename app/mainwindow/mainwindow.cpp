@@ -144,6 +144,7 @@ void MainWindow::connectFrame()
         updateStart();
     });
     connect(&workspace->settings(), &Settings::changed, this, &MainWindow::applyTheme);
+    connect(&workspace->naming(), &BoardNaming::asked, this, [this] { showPage(u"backups"_s); });
 }
 
 void MainWindow::addShortcuts()

@@ -70,6 +70,20 @@ void EditJournal::flush()
         write();
 }
 
+void EditJournal::moveWith(const std::function<void()> &change)
+{
+    flush();
+    if (std::exchange(m_hasFile, false) && !m_leftover)
+        m_history.dropUnsaved(m_serial);
+    m_leftover.reset();
+    m_serial.clear();
+    change();
+    if (m_configuration.isEmpty())
+        return;
+    onBoard();
+    m_timer.start();
+}
+
 // New edits replace those of an earlier run that the operator has not decided about; these are kept as a
 // snapshot.
 void EditJournal::keepUndecided()

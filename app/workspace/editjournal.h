@@ -7,6 +7,8 @@
 
 #include <QTimer>
 
+#include <functional>
+
 /// Keeps the undo stack in a file beside the board's snapshots while anything is unsaved, so that a crash
 /// loses nothing.
 class EditJournal final : public QObject
@@ -22,6 +24,8 @@ public:
     void dropLeftover();
     /// Writes pending edits now.
     void flush();
+    /// The board's history becomes another one by what is done here: pending edits go with it.
+    void moveWith(const std::function<void()> &change);
 
 signals:
     /// The board now shown has edits from an earlier run.

@@ -41,6 +41,7 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     , m_freshness(m_client)
     , m_edits(m_configuration)
     , m_journal(m_configuration, m_edits, m_history)
+    , m_naming(m_client, m_history, m_journal, m_notifications)
     , m_recorder(m_client)
     , m_linkMarks(m_client, m_configuration, m_live, m_marks)
     , m_writer(m_client, m_configuration, m_live, m_edits, m_history, m_notifications)

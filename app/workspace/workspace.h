@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/composition/links.h"
+#include "app/workspace/boardnaming.h"
 #include "app/workspace/boardwriter.h"
 #include "app/workspace/confirmations.h"
 #include "app/workspace/editjournal.h"
@@ -47,6 +48,7 @@ public:
     [[nodiscard]] LiveModel &live() { return m_live; }
     [[nodiscard]] Settings &settings() { return m_settings; }
     [[nodiscard]] EditJournal &journal() { return m_journal; }
+    [[nodiscard]] BoardNaming &naming() { return m_naming; }
     [[nodiscard]] LinkRecorder &recorder() { return m_recorder; }
     [[nodiscard]] Notifications &notifications() { return m_notifications; }
     [[nodiscard]] TelemetrySubscriptions &telemetry() { return m_telemetry; }
@@ -155,6 +157,7 @@ private:
     EditStack m_edits;
     BoardHistory m_history;
     EditJournal m_journal;
+    BoardNaming m_naming;  // hears of a board before those that use its history
     LinkRecorder m_recorder;
     QString m_offlineFile;
     std::optional<std::pair<double, double>> m_heldSpan;

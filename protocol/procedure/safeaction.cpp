@@ -93,6 +93,13 @@ Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QStr
     if (!reply)
         return tl::unexpected(reply.error());
     outcome.reply = std::move(*reply);
+    // A board without a serial number that was renamed here keeps its history.
+    if (const QString look = outcome.reply.take(BoardHistory::kLook).toString(); !look.isEmpty()) {
+        if (const auto kept
+            = history.follow(device.identity(), look, outcome.reply.value(u"name"_s).toString());
+            !kept)
+            return tl::unexpected(kept.error());
+    }
     // A calibration whose confirmation never came says so itself.
     outcome.answered = it->answered && outcome.reply.value(u"confirmed"_s, true).toBool();
     return outcome;

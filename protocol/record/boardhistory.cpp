@@ -34,14 +34,6 @@ QString BoardHistory::defaultRoot()
     return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + u"/gimbaldesk/history"_s;
 }
 
-QString BoardHistory::folder(const QString &serial) const
-{
-    // The serial number comes from the board: it must not lead out of the folder.
-    QString name = serial;
-    name.replace(QRegularExpression(u"[^A-Za-z0-9-]"_s), u"_"_s);
-    return m_root + u'/' + (name.isEmpty() ? u"unknown"_s : name.left(80));
-}
-
 Result<QString> BoardHistory::save(const Configuration &configuration, const QString &reason) const
 {
     const QString folderPath = folder(configuration.identity().serial);

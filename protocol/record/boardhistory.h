@@ -7,10 +7,27 @@
 #include <QJsonObject>
 
 /// Snapshots of all boards that were connected to this computer, one folder per board, named by its serial
-/// number.
+/// number. Boards without a number of their own look alike: the operator names them, and the names stand in
+/// `boards.json` beside the folders. What a family gives as the serial number of such a board (its look) then
+/// leads to the folder of the board that looks so now.
 class BoardHistory
 {
 public:
+    /// BoardIdentity::extra, true: the serial number is only a look that other boards may share.
+    static inline const QString kUnnumbered = QStringLiteral("unnumbered");
+    /// BoardIdentity::extra: key of the action that stores a name (its argument "name") on the board.
+    static inline const QString kNameAction = QStringLiteral("name.action");
+    /// ActionReply: how the board looks after the action, as a serial number.
+    static inline const QString kLook = QStringLiteral("look");
+
+    /// How well a board is known when it connects.
+    enum class Acquaintance {
+        Numbered,  ///< by its own number
+        Named,  ///< one named board looks so
+        Unnamed,  ///< no named board looks so
+        Ambiguous,  ///< several do, and none was chosen
+    };
+
     /// Snapshots live below this folder; by default in the user's application data.
     explicit BoardHistory(QString root = defaultRoot());
     [[nodiscard]] static QString defaultRoot();
@@ -30,7 +47,39 @@ public:
     /// Files with the configuration that unsaved edits of any board started from, newest first.
     [[nodiscard]] QStringList unsavedBases() const;
 
+    /// A board has connected: from here on its look is that of no board that was renamed away from it.
+    Acquaintance meet(const BoardIdentity &identity) const;
+    [[nodiscard]] Acquaintance acquaintance(const BoardIdentity &identity) const;
+    /// Names of this family's boards without a number, those that look so first.
+    [[nodiscard]] QStringList names(const BoardIdentity &identity) const;
+    /// What the operator called the board; empty if it has no name.
+    [[nodiscard]] QString nameOf(const QString &serial) const;
+    /// The board connected now is the one of that name: a known one, which looks otherwise from now on, or a
+    /// new one, which takes over what was kept under its look. Errors: InvalidArgument (no name, or a board
+    /// with a number), BadFile.
+    Result<void> choose(const BoardIdentity &identity, const QString &name);
+    /// Another board may connect: which of several alike the last one was is no longer known.
+    void forgetChoice() { m_chosen.clear(); }
+    /// The board has been given another look: its history goes with it. A board that nobody has named gets
+    /// this name. Errors: BadFile.
+    Result<void> follow(const BoardIdentity &identity, const QString &look, const QString &name) const;
+
 private:
+    struct Named
+    {
+        QString name;
+        QString family;
+        QString folder;
+        QString look;
+        QString before;  ///< its look when it connected, if it was renamed since
+    };
     [[nodiscard]] QString folder(const QString &serial) const;
+    [[nodiscard]] QList<Named> named() const;
+    [[nodiscard]] const Named *find(const QList<Named> &all, const QString &serial) const;
+    [[nodiscard]] static QString freeFolder(const QList<Named> &all, const QString &serial);
+    [[nodiscard]] QString folderName(const QList<Named> &all, const QString &serial) const;
+    Result<void> save(const QList<Named> &all) const;
+
     QString m_root;
+    QString m_chosen;  ///< the board that is connected, where several look the same
 };

@@ -47,6 +47,12 @@ constexpr std::array<BlockCommands, BlockCount> kBlockCommands{{
 // EXECUTE_MENU numbers of "use profile 1..5" (errata 4.1).
 constexpr std::array<int, kProfileCount> kProfileActions{1, 2, 3, 14, 15};
 
+// Bytes that are all 0 or all 0xFF were never written.
+bool isNumber(const QByteArray &bytes)
+{
+    return bytes.count('\0') < bytes.size() && bytes.count('\xFF') < bytes.size();
+}
+
 Capabilities capabilitiesOf(const BoardInfo &info)
 {
     Capabilities capabilities;
@@ -141,13 +147,19 @@ Result<BoardIdentity> Device::identify(Channel &channel)
 
     // Boards without BOARD_INFO_3 still have to be told apart in the history, as far as possible.
     identity.serial = u"sbgc-%1-%2"_s.arg(info->boardVersion).arg(info->extraId, 8, 16, QChar(u'0'));
+    identity.extra.insert(u"unnumbered"_s, true);
     const auto more
         = channel.transact(replyRequest(CommandId::BoardInfo3, {}, CommandId::BoardInfo3, 69, kVersion));
     if (!more && (more.error().code == ErrorCode::Cancelled || more.error().code == ErrorCode::LinkClosed))
         return tl::unexpected(more.error());
     if (more) {
         if (const auto info3 = BoardInfo3::decode(asBytes(more->payload))) {
-            identity.serial = QString::fromLatin1(info3->deviceId.toHex());
+            // A number that was never given is none; the processor has one as well.
+            const bool hasNumber = isNumber(info3->deviceId);
+            const QByteArray &number = hasNumber || !isNumber(info3->mcuId) ? info3->deviceId : info3->mcuId;
+            identity.serial = QString::fromLatin1(number.toHex());
+            if (isNumber(number))
+                identity.extra.remove(u"unnumbered"_s);
             identity.extra.insert(u"mcu_id"_s, QString::fromLatin1(info3->mcuId.toHex()));
             identity.extra.insert(u"eeprom_size"_s, info3->eepromSize);
         }

@@ -3,6 +3,7 @@
 #include "protocol/storm32/actions.h"
 
 #include "protocol/session/carryout.h"
+#include "protocol/storm32/look.h"
 #include "protocol/storm32/parametertables.h"
 #include "protocol/storm32/procedures.h"
 #include "protocol/storm32/telemetrytables.h"
@@ -302,13 +303,31 @@ Result<ActionReply> Actions::perform(const QString &key, const QVariantMap &argu
         if (name.size() > 16)
             return failure(ErrorCode::InvalidArgument,
                            u"a name has up to 16 letters, not %1"_s.arg(name.size()));
-        return simple(Simple::SetName, name.leftJustified(16, ' '));
+        return setName(name);
     }
     if (key == u"rate"_s)
         return simple(Simple::SetBaudRate, ByteWriter().u8(number("rate")).u8(0).take());
     if (auto done = performSimple(key))
         return *std::move(done);
     return Procedures(m_device, m_channel).perform(key, arguments);
+}
+
+// The board is asked for its name again: its history follows what it says.
+Result<ActionReply> Actions::setName(const QByteArray &name)
+{
+    if (const auto set = simple(Simple::SetName, name.leftJustified(16, ' ')); !set)
+        return set;
+    const auto reply = m_channel.transact(m_device.simple(Simple::Version));
+    if (!reply)
+        return tl::unexpected(reply.error());
+    if (reply->payload.size() != 54)
+        return failure(ErrorCode::BadReply, u"v: %1 bytes"_s.arg(reply->payload.size()));
+    BoardIdentity now;
+    describeLook(now, reply->payload);
+    const QString wanted = QString::fromLatin1(name).trimmed();
+    if (const QString is = now.extra.value(u"name"_s).toString(); is != wanted)
+        return failure(ErrorCode::VerifyFailed, u"the board calls itself %1, not %2"_s.arg(is, wanted));
+    return ActionReply{{u"name"_s, wanted}, {u"look"_s, now.serial}};
 }
 
 // Commands without arguments; empty if the action is not one of them.

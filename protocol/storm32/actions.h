@@ -23,6 +23,7 @@ public:
 
 private:
     Result<ActionReply> simple(Simple id, QByteArrayView arguments = {});
+    Result<ActionReply> setName(const QByteArray &name);
     /// @param values of the command's fields, see RcCommand
     Result<ActionReply> rc(Rc id, const QVariantMap &values);
     std::optional<Result<ActionReply>> performSimple(const QString &key);

@@ -6,6 +6,7 @@
 #include "protocol/session/channel.h"
 #include "protocol/storm32/files.h"
 #include "protocol/storm32/framer.h"
+#include "protocol/storm32/look.h"
 #include "protocol/storm32/parametertables.h"
 #include "protocol/storm32/scriptlanguage.h"
 
@@ -62,12 +63,6 @@ bool isRepeatable(Simple id)
 bool isRepeatable(Rc id)
 {
     return id != Rc::DoCamera && id != Rc::SetScriptControl;
-}
-
-QString textOf(QByteArrayView bytes)
-{
-    const QByteArray all = bytes.toByteArray();
-    return QString::fromLatin1(all.constData(), qstrnlen(all.constData(), size_t(all.size()))).trimmed();
 }
 
 // 79 is "0.79", 200 is "2.00".
@@ -209,16 +204,11 @@ Result<BoardIdentity> Device::identify(Channel &channel)
 
     BoardIdentity identity;
     identity.family = u"storm32"_s;
-    const QString name = textOf(QByteArrayView(reply->payload).sliced(16, 16));
-    const QString type = textOf(QByteArrayView(reply->payload).sliced(32, 16));
-    identity.model = u"STorM32 %1"_s.arg(type);
     identity.firmware = firmwareText(m_firmware);
     identity.firmwareNumber = layout;  // the tables depend on the layout
-    // The board has no serial number: its name and type must do.
-    identity.serial = u"storm32-"_s + QString::fromLatin1((name + u' ' + type).toLatin1().toHex());
+    describeLook(identity, reply->payload);
     identity.profileCount = 1;
     identity.writable = isKnownLayout(layout);
-    identity.extra.insert(u"name"_s, name);
     identity.extra.insert(u"layout"_s, layout);
     identity.extra.insert(u"firmware"_s, m_firmware);
     identity.extra.insert(u"embedded"_s, isEmbedded());

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/ctlrun.h"
 #include "tests/support/simprocess.h"
 
 #include <QDir>
@@ -13,59 +14,6 @@
 #include <csignal>
 
 using namespace Qt::StringLiterals;
-
-namespace {
-
-struct Run
-{
-    int exitCode = -1;
-    QString out;
-    QString err;
-    [[nodiscard]] QJsonObject json() const { return QJsonDocument::fromJson(out.toUtf8()).object(); }
-};
-
-/// gimbalctl while it runs. What it prints goes to files, so that it can be watched.
-class Running
-{
-public:
-    Running(const QString &folder, const QStringList &arguments)
-        : m_out(folder + u"/out"_s)
-        , m_err(folder + u"/err"_s)
-    {
-        m_process.setStandardOutputFile(m_out);
-        m_process.setStandardErrorFile(m_err);
-        m_process.start(QStringLiteral(GIMBAL_BIN_DIR "/gimbalctl"),
-                        QStringList{u"--history"_s, folder + u"/history"_s} + arguments);
-    }
-    ~Running()
-    {
-        m_process.kill();
-        m_process.waitForFinished();
-    }
-    Running(const Running &) = delete;
-    Running &operator=(const Running &) = delete;
-
-    [[nodiscard]] QString printed() const { return text(m_out); }
-    Run finish(int ms = 30000)
-    {
-        if (!QTest::qWaitFor([this] { return m_process.state() == QProcess::NotRunning; }, ms))
-            return {-1, text(m_out), u"it does not end: "_s + text(m_err)};
-        return {m_process.exitCode(), text(m_out), text(m_err)};
-    }
-
-private:
-    static QString text(const QString &path)
-    {
-        QFile file(path);
-        return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-    }
-
-    QString m_out;
-    QString m_err;
-    QProcess m_process;
-};
-
-}  // namespace
 
 /// gimbalctl against boards and files that fail: it ends, says so, and keeps what it has.
 class TestCtlFaults : public QObject

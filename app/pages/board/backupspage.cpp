@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/board/backupspage.h"
 
+#include "app/pages/board/boardnamedialog.h"
 #include "app/pages/board/sharedialog.h"
 #include "widgets/forms/panel.h"
 #include "widgets/models/missingtext.h"
@@ -69,6 +70,8 @@ BackupsPage::BackupsPage(Workspace &workspace, QWidget *parent)
     , m_take(new QPushButton(tr("Take a snapshot now")))
     , m_restore(new QPushButton(tr("Restore as edits")))
     , m_export(new QPushButton(tr("Export…")))
+    , m_board(new QLabel)
+    , m_which(new QPushButton(tr("Which board…")))
 {
     makeHeader();
     makeBody();
@@ -133,6 +136,13 @@ void BackupsPage::makeBody()
     line->addWidget(m_restore);
     card->content()->addLayout(line);
     card->content()->addWidget(m_differences, 1);
+    m_board->setWordWrap(true);
+    m_which->setToolTip(tr("Say which board this is"));
+    auto *board = new QHBoxLayout;
+    board->setSpacing(Metric::kGap);
+    board->addWidget(m_board, 1);
+    board->addWidget(m_which);
+    body()->addLayout(board);
     body()->addWidget(m_table, 1);
     body()->addWidget(card, 1);
 }
@@ -157,6 +167,10 @@ void BackupsPage::connectAll()
                     });
     });
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &BackupsPage::showDifferences);
+    connect(m_which, &QPushButton::clicked, this, &BackupsPage::askName);
+    connect(&workspace().naming(), &BoardNaming::asked, this, &BackupsPage::askWhatIsOpen);
+    connect(&workspace().naming(), &BoardNaming::changed, this, &BackupsPage::reload);
+    connect(&workspace().client(), &DeviceClient::stateChanged, this, &BackupsPage::reload);
     connect(&workspace(), &Workspace::snapshotTaken, this, &BackupsPage::reload);
     connect(&workspace().configuration(), &ConfigurationModel::boardReset, this, &BackupsPage::reload);
     connect(&workspace().configuration(), &ConfigurationModel::storedChanged, this,
@@ -167,6 +181,20 @@ void BackupsPage::showEvent(QShowEvent *event)
 {
     Page::showEvent(event);
     reload();
+    askWhatIsOpen();
+}
+
+void BackupsPage::askName()
+{
+    auto *dialog = new BoardNameDialog(workspace(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    openPanel(*dialog);
+}
+
+void BackupsPage::askWhatIsOpen()
+{
+    if (isVisible() && workspace().naming().takeQuestion())
+        askName();
 }
 
 QString BackupsPage::chosenPath() const
@@ -182,6 +210,11 @@ void BackupsPage::reload()
         return;
     const ConfigurationModel &model = workspace().configuration();
     const QString before = chosenPath();
+    const BoardNaming &naming = workspace().naming();
+    m_board->setText(naming.name().isEmpty() ? tr("This board has no serial number and no name yet.")
+                                             : tr("Board “%1”. It has no serial number.").arg(naming.name()));
+    m_board->setVisible(naming.isNeeded());
+    m_which->setVisible(naming.isNeeded());
     m_table->setRowCount(0);
     m_take->setEnabled(!model.isEmpty());
     const QStringList paths

@@ -4,6 +4,7 @@
 
 #include "app/workspace/page.h"
 
+class QLabel;
 class QPushButton;
 class QTableWidget;
 
@@ -24,6 +25,8 @@ private:
     void makeHeader();
     void makeBody();
     void connectAll();
+    void askName();
+    void askWhatIsOpen();
     void reload();
     void showDifferences();
     [[nodiscard]] QString chosenPath() const;
@@ -34,4 +37,6 @@ private:
     QPushButton *m_take;
     QPushButton *m_restore;
     QPushButton *m_export;
+    QLabel *m_board;
+    QPushButton *m_which;
 };

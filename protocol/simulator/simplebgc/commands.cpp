@@ -104,6 +104,10 @@ bool SimulatedBoard::handleRead(const Frame &frame)
         BoardInfo3 info;
         info.deviceId = ByteWriter().bytes("GDSIM").u32(m_options.seed).take();
         info.mcuId = QByteArray("SIMULATEDMCU");
+        if (const int filler = m_options.own.value(u"number"_s, -1); filler >= 0) {
+            info.deviceId.fill(char(filler));
+            info.mcuId.fill(char(filler));
+        }
         info.eepromSize = 32768;
         reply(frame, CommandId::BoardInfo3, info.encode());
         return true;

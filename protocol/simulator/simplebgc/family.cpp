@@ -32,6 +32,14 @@ Result<void> readBoard(SimulatorSetup &setup, const QString &text)
     return {};
 }
 
+Result<void> readNumber(SimulatorSetup &setup, const QString &text)
+{
+    if (text != u"00"_s && text != u"ff"_s)
+        return failure(ErrorCode::InvalidArgument, u"number is 00 or ff, not '%1'"_s.arg(text));
+    setup.options.own[u"number"_s] = text.toInt(nullptr, 16);
+    return {};
+}
+
 Result<void> readParity(SimulatorSetup &setup, const QString &text)
 {
     if (text != u"none"_s && text != u"even"_s)
@@ -44,16 +52,18 @@ Result<void> readParity(SimulatorSetup &setup, const QString &text)
 
 SimulatedFamily simulatedFamily()
 {
-    return {u"simplebgc"_s,
-            {LinkAddress::Kind::Serial, LinkAddress::Kind::Tcp},
-            {u"2.59 (default), 2.40 ... 2.73.8"_s, parseFirmware},
-            {{u"board"_s, u"N"_s, {u"board version times ten, default 30"_s}, readBoard},
-             {u"parity"_s,
-              u"P"_s,
-              {u"none or even. Firmware 2.40 knows only even, later ones take both."_s,
-               u"Linux pseudo-terminals carry no parity: there it changes the timing only"_s},
-              readParity}},
-            [](const SimulatorOptions &options) { return std::make_unique<SimulatedBoard>(options); }};
+    return {
+        u"simplebgc"_s,
+        {LinkAddress::Kind::Serial, LinkAddress::Kind::Tcp},
+        {u"2.59 (default), 2.40 ... 2.73.8"_s, parseFirmware},
+        {{u"board"_s, u"N"_s, {u"board version times ten, default 30"_s}, readBoard},
+         {u"number"_s, u"XX"_s, {u"00 or ff: no number of its own, but bytes of that kind"_s}, readNumber},
+         {u"parity"_s,
+          u"P"_s,
+          {u"none or even. Firmware 2.40 knows only even, later ones take both."_s,
+           u"Linux pseudo-terminals carry no parity: there it changes the timing only"_s},
+          readParity}},
+        [](const SimulatorOptions &options) { return std::make_unique<SimulatedBoard>(options); }};
 }
 
 }  // namespace simplebgc
