@@ -274,6 +274,9 @@ Result<void> Ctl::knowBoard()
     BoardHistory &history = m_context.history;
     if (m_client->address().isReplay())
         return {};
+    if (const QString left = identity.extra.value(u"streams.left"_s).toString(); !left.isEmpty())
+        onTold(u"the board sends data that an earlier program has left on and that could not be stopped: %1; "
+               "switch it off and on again"_s.arg(left));
     const auto known = history.meet(identity);
     if (!m_board.isEmpty())
         return history.choose(identity, m_board);

@@ -127,6 +127,10 @@ void Notifications::onState(DeviceClient::State state)
         notify(tr("This is a recording: everything can be looked at, nothing can be changed."), Notice::Hint);
     else if (!m_client.identity().writable)
         report({ErrorCode::ReadOnly, m_client.identity().firmware, 0});
+    if (const QString left = m_client.identity().extra.value(u"streams.left"_s).toString(); !left.isEmpty())
+        report({tr("The board sends data that nobody here has ordered."),
+                tr("An earlier program has left them on; they take room on the line from everything else."),
+                tr("Switch the board off and on again."), left});
 }
 
 void Notifications::onConnectionFailed(const Error &error)

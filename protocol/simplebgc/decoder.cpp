@@ -18,6 +18,14 @@ constexpr double kGapRows = 3.0;
 constexpr double kMinGap = 0.05;
 constexpr double kQuiet = 0.05;  // seconds
 
+// All of these fields have a known size.
+bool isDocumented(quint32 flags)
+{
+    for (const CustomField &field : customFields())
+        flags &= ~(1U << field.bit);
+    return flags == 0;
+}
+
 bool isStatus(int id)
 {
     return id == number(CommandId::RealtimeData3) || id == number(CommandId::RealtimeData4);
@@ -91,7 +99,10 @@ void Decoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store
         shareFields();
         flow = find();
     }
-    if (flow != m_flows.end() && !flow->fields.empty()
+    // A CUSTOM of another size has other fields: a stream that somebody else has ordered.
+    const bool isOther = flow != m_flows.end() && flow->customFlags && isDocumented(flow->customFlags)
+        && frame.payload.size() != std::size_t(customSize(flow->customFlags));
+    if (flow != m_flows.end() && !isOther && !flow->fields.empty()
         && frame.payload.size() >= std::size_t(flow->payloadSize)) {
         // The first frame after a silence may have been one of another stream.
         const bool quiet = flow->heard && *flow->heard < m_silenceEnd;

@@ -170,9 +170,11 @@ Result<BoardIdentity> Device::identify(Channel &channel)
     m_steeringModes = steeringModes(identity.firmwareNumber);
     m_actions = availableActions(identity);
     m_streams.clear();
+    if (const auto stopped = endLeftovers(channel); !stopped)
+        return tl::unexpected(stopped.error());
     if (const auto found = findCustomFields(channel); !found)
         return tl::unexpected(found.error());
-    return identity;
+    return m_identity;
 }
 
 std::vector<NotchFilter> Device::notchesOf(Axis axis) const

@@ -135,6 +135,7 @@ private:
     [[nodiscard]] ControlCommand encodeControl(const Control &control) const;
     Result<TelemetryPlan> startPolling(Channel &channel);
     void stopStreams(Channel &channel);
+    Result<void> endLeftovers(Channel &channel);
     Result<void> findCustomFields(Channel &channel);
     Result<void> setStream(Channel &channel, const DataStream &stream);
 

@@ -3,6 +3,7 @@
 #include "protocol/session/channel.h"
 #include "protocol/simplebgc/decoder.h"
 #include "protocol/simplebgc/device.h"
+#include "protocol/simplebgc/leftoverstreams.h"
 #include "protocol/simplebgc/telemetrytables.h"
 
 #include <algorithm>
@@ -94,6 +95,24 @@ QList<StreamChoice> arranged(const Subscription &subscription, quint32 known)
 ChannelTable Device::channels() const
 {
     return channelTable(m_identity.firmwareNumber);
+}
+
+// What a killed program has ordered goes on, and could be taken for answers.
+Result<void> Device::endLeftovers(Channel &channel)
+{
+    if (!canStream())
+        return {};
+    const auto left = stopLeftoverStreams(channel, {m_identity.firmwareNumber, kVersion});
+    if (!left)
+        return tl::unexpected(left.error());
+    QStringList texts;
+    for (const LeftoverStream &stream : *left)
+        texts.append(u"%1 (%2 bytes, %3/s)"_s.arg(commandName(stream.command))
+                         .arg(stream.size)
+                         .arg(std::lround(stream.rate)));
+    if (!texts.isEmpty())
+        m_identity.extra.insert(u"streams.left"_s, texts.join(u", "_s));
+    return {};
 }
 
 // Finds out which of the later fields of CUSTOM this firmware has. A field that it does not know adds nothing

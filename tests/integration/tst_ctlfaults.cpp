@@ -31,6 +31,7 @@ private slots:
     void tooFewSamplesAreNoWrongArgument();
     void lostLinkInAWriteIsReadAgain_data();
     void lostLinkInAWriteIsReadAgain();
+    void streamsOfAKilledProgramAreStopped();
 
 private:
     [[nodiscard]] QString path(const QString &name) const { return m_dir->filePath(name); }
@@ -253,6 +254,27 @@ void TestCtlFaults::lostLinkInAWriteIsReadAgain()
         QVERIFY2(line.value(u"onBoard"_s) == held, qPrintable(key + u": "_s + now.out));
         QCOMPARE(state == u"verified"_s, held == line.value(u"to"_s));
     }
+}
+
+// It had no time to stop what it had ordered.
+void TestCtlFaults::streamsOfAKilledProgramAreStopped()
+{
+    SimProcess simulator({u"--pty"_s, path(u"board"_s)});
+    const QStringList link{u"--link"_s, u"serial:"_s + path(u"board"_s)};
+    for (const QString &channels : {u"imu.angle.roll,gyro.roll"_s, u"target.angle.yaw,gyro.roll"_s}) {
+        Running running(m_dir->path(), link + QStringList{u"monitor"_s, u"--channels"_s, channels});
+        QVERIFY(QTest::qWaitFor([&] { return running.printed().count(u'\n') > 50; }, 20000));
+        running.kill();
+    }
+    const quint64 before = simulator.streams().all;
+    QTRY_VERIFY(simulator.streams().all > before + 500);
+    const Run run = ctl(link + QStringList{u"--json"_s, u"info"_s});
+    QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+    QVERIFY2(!run.err.contains(u"left on"_s), qPrintable(run.err));
+    const quint64 after = simulator.streams().all;
+    QCOMPARE(ctl(link + QStringList{u"get"_s, u"pid.roll.p"_s}).exitCode, 0);
+    // Each run orders a status of its own, 25 times a second; what was left came 2500 times.
+    QVERIFY(simulator.streams().all < after + 100);
 }
 
 QTEST_GUILESS_MAIN(TestCtlFaults)

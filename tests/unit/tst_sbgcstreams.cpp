@@ -43,6 +43,10 @@ private slots:
     void lossIsFoundWithoutStamps();
     void silenceIsNoLoss_data();
     void silenceIsNoLoss();
+    void leftoversAreStopped_data();
+    void leftoversAreStopped();
+    void whatCannotBeStoppedIsTold();
+    void foreignCustomIsNotTakenForOurs();
 };
 
 void TestSbgcStreams::streamsAtFullRateWithoutLoss()
@@ -416,6 +420,96 @@ void TestSbgcStreams::silenceIsNoLoss()
     const double newest = tracks[0].time(tracks[0].end() - 1);
     QVERIFY2(std::abs(newest - store.secondsAt(bench.channel.now())) < 0.02,
              qPrintable(QString::number(newest)));
+}
+
+void TestSbgcStreams::leftoversAreStopped_data()
+{
+    using Orders = QList<QPair<int, quint32>>;  // interval, flags of CUSTOM
+    QTest::addColumn<int>("firmware");
+    QTest::addColumn<int>("baud");  // 0: USB
+    QTest::addColumn<Orders>("orders");
+    QTest::newRow("2.59, one") << 2590 << 0 << Orders{{1, 0x11}};
+    QTest::newRow("2.59, 2510 frames/s") << 2590 << 0 << Orders{{1, 0x13}, {1, 0x1D}};
+    QTest::newRow("2.59, two of one size") << 2590 << 0 << Orders{{1, 0x13}, {2, 0x15}};
+    QTest::newRow("2.59, all fields") << 2590 << 0 << Orders{{1, 0x1FF}};
+    QTest::newRow("2.59, 115200") << 2590 << 115200 << Orders{{3, 0x13}};
+    QTest::newRow("2.73, later fields") << 2738 << 0 << Orders{{1, 0x13}, {1, 0x40001 | 1U << 22}};
+}
+
+// A program was killed: its streams are of no use to the next one, and could be taken for answers.
+void TestSbgcStreams::leftoversAreStopped()
+{
+    using Orders = QList<QPair<int, quint32>>;
+    QFETCH(int, firmware);
+    QFETCH(int, baud);
+    QFETCH(Orders, orders);
+    SimulatorOptions o = withFirmware(firmware);
+    o.usb = baud == 0;
+    std::optional<LineSettings> line;
+    if (baud > 0)
+        line = LineSettings{baud, Parity::None};
+    VirtualBoard bench(o, line);
+    if (line)
+        std::ignore = bench.channel.setLine(*line);
+    QVERIFY(bench.identify());
+    const QList<int> fast = bench.device.fastChannels();
+    const auto order = [&](const DataStream &stream) {
+        return bench.channel.transact(confirmRequest(CommandId::DataStreamInterval, stream.encode(), 1));
+    };
+    QVERIFY(order({25, 100, QByteArray(8, '\0')}));
+    QVERIFY(order({56, 20, QByteArray(1, '\1') + QByteArray(7, '\0')}));
+    for (const auto &[interval, flags] : orders)
+        QVERIFY(order({88, interval, ByteWriter().u32(flags).zeros(4).take()}));
+
+    int heard = 0;
+    bench.channel.setTap([&](const FrameView &, TimePoint) { ++heard; });
+    std::ignore = bench.channel.sleep(500ms);
+    QVERIFY(heard > 20);
+    simplebgc::Device next;
+    const TimePoint begun = bench.channel.now();
+    const auto identity = next.identify(bench.channel);
+    QVERIFY(identity);
+    QVERIFY2(bench.channel.now() - begun < 7s, "it took too long");
+    QVERIFY2(!identity->extra.contains(u"streams.left"_s),
+             qPrintable(identity->extra.value(u"streams.left"_s).toString()));
+    QCOMPARE(next.fastChannels(), fast);
+    heard = 0;
+    std::ignore = bench.channel.sleep(2s);
+    QCOMPARE(heard, 0);
+}
+
+// Nobody knows what it was ordered with: it goes on, and is told.
+void TestSbgcStreams::whatCannotBeStoppedIsTold()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    const DataStream strange{88, 10, ByteWriter().u32(0x11).u32(7).take()};
+    QVERIFY(bench.channel.transact(confirmRequest(CommandId::DataStreamInterval, strange.encode(), 1)));
+    simplebgc::Device next;
+    const auto identity = next.identify(bench.channel);
+    QVERIFY(identity);
+    const QString left = identity->extra.value(u"streams.left"_s).toString();
+    QVERIFY2(left.contains(u"REALTIME_DATA_CUSTOM (14 bytes, 100/s)"_s), qPrintable(left));
+}
+
+// Frames of a stream that somebody else has ordered have other fields.
+void TestSbgcStreams::foreignCustomIsNotTakenForOurs()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    const ChannelRoles roles = rolesOf(bench.device);
+    const auto plan = bench.device.subscribe(bench.channel, {{roles.angle[0]}, 100}, {});
+    QVERIFY(plan);
+    TelemetryStore store(int(bench.device.channels().size()));
+    bench.channel.setTap(
+        [&](const FrameView &frame, TimePoint at) { plan->decoder->decode(frame, at, store); });
+    std::ignore = bench.channel.sleep(1s);
+    const auto rows = store.tracks(roles.angle[0])[0].end();
+    const DataStream foreign{88, 10, ByteWriter().u32(0x1F0).zeros(4).take()};
+    QVERIFY(bench.channel.transact(confirmRequest(CommandId::DataStreamInterval, foreign.encode(), 1)));
+    std::ignore = bench.channel.sleep(1s);
+    const auto more = store.tracks(roles.angle[0])[0].end() - rows;
+    QVERIFY2(more >= 95 && more <= 105, qPrintable(QString::number(more)));
 }
 
 QTEST_APPLESS_MAIN(TestSbgcStreams)
