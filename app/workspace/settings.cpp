@@ -20,6 +20,7 @@ const QString Settings::kLastAddress = u"link/lastAddress"_s;
 const QString Settings::kRecentAddresses = u"link/recentAddresses"_s;
 const QString Settings::kRecentFiles = u"files/recent"_s;
 const QString Settings::kLayout = u"layout/"_s;
+const QString Settings::kCutTrials = u"trials/"_s;
 const QString Settings::kPlotLayouts = u"data/plotLayouts"_s;
 
 Settings::Settings(const QString &path, QObject *parent)
@@ -115,4 +116,13 @@ void Settings::setPlotLayout(const QString &name, const QByteArray &json)
     else
         layouts.insert(name, json);
     m_file.setValue(kPlotLayouts, layouts);
+}
+
+void Settings::setCutTrial(const QString &board, const QByteArray &note)
+{
+    if (note.isEmpty())
+        m_file.remove(kCutTrials + board);
+    else
+        m_file.setValue(kCutTrials + board, note);
+    m_file.sync();
 }

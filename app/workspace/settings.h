@@ -63,12 +63,19 @@ public:
     /// Keeps an arrangement under a name; an empty one forgets it.
     void setPlotLayout(const QString &name, const QByteArray &json);
 
+    /// What a trial may have left on a board when it was cut off, by the board's serial number; empty: none.
+    [[nodiscard]] QByteArray cutTrial(const QString &board) const
+    {
+        return m_file.value(kCutTrials + board).toByteArray();
+    }
+    void setCutTrial(const QString &board, const QByteArray &note);
+
 signals:
     void changed();
 
 private:
     static const QString kTheme, kLanguage, kFahrenheit, kRetention, kEscapeHold, kSpeedLimit, kDisarm,
-        kMotorsOffOnQuit, kLastAddress, kRecentAddresses, kRecentFiles, kLayout, kPlotLayouts;
+        kMotorsOffOnQuit, kLastAddress, kRecentAddresses, kRecentFiles, kLayout, kPlotLayouts, kCutTrials;
     void set(const QString &key, const QVariant &value);
     void addRecent(const QString &key, const QString &text);
     [[nodiscard]] int number(const QString &key, int standard, int low, int high) const;

@@ -10,6 +10,7 @@
 #include "app/workspace/freshness.h"
 #include "app/workspace/linkmarks.h"
 #include "app/workspace/linkrecorder.h"
+#include "app/workspace/notchadviser.h"
 #include "app/workspace/notifications.h"
 #include "app/workspace/settings.h"
 #include "app/workspace/telemetrysubscriptions.h"
@@ -53,6 +54,7 @@ public:
     [[nodiscard]] Notifications &notifications() { return m_notifications; }
     [[nodiscard]] TelemetrySubscriptions &telemetry() { return m_telemetry; }
     [[nodiscard]] Freshness &freshness() { return m_freshness; }
+    [[nodiscard]] NotchAdviser &notches() { return m_notches; }
     /// What happened on this link, for the plots.
     [[nodiscard]] PlotMarks &marks() { return m_marks; }
     /// Adds a mark at this moment.
@@ -167,6 +169,7 @@ private:
     mutable std::unique_ptr<Device> m_tables;  // of the file's family, while no board is connected
     mutable QString m_tablesOf;
     Confirmations m_confirmations;
+    NotchAdviser m_notches{*this};
     bool m_unstored = false;
     bool m_guided = false;
     QString m_unstoredSerial;

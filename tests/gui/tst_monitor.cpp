@@ -14,11 +14,15 @@
 #include "widgets/plot/spectrumchart.h"
 
 #include <QGraphicsTextItem>
+#include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QUndoStack>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -32,11 +36,19 @@ private slots:
 
     void scalesStayInsideWhenThePlotsShrink();
     void spectrumFindsTheResonance();
-    void peakBecomesANotch();
+    void tunedGimbalIsOfferedNoNotch();
+    void harmfulTrialEndsWithoutItsPage();
+    void cutTrialIsMadeGood();
     void notchTakesTheResonanceAway();
     void recordingsFromTheScreen();
 
 private:
+    bool openTuned();
+    bool writeEdits();
+    [[nodiscard]] int rowOf(const SpectrumPage &page, Axis axis, double hz) const;
+    /// The board's first notch of that axis is in use, as last read.
+    [[nodiscard]] bool hasNotch(Axis axis);
+
     std::unique_ptr<WindowRig> m_rig;
 };
 
@@ -110,87 +122,163 @@ void TestMonitor::spectrumFindsTheResonance()
     QCOMPARE(page->bands()->item(1, 1)->text(), held);
 }
 
-void TestMonitor::peakBecomesANotch()
+bool TestMonitor::writeEdits()
+{
+    QSignalSpy written(&m_rig->workspace(), &Workspace::writeFinished);
+    m_rig->workspace().write(std::as_const(m_rig->model()).edited());
+    return written.wait(15000) && m_rig->model().changeCount() == 0;
+}
+
+// What auto-tune finds on the simulated gimbal in a hand that shakes.
+bool TestMonitor::openTuned()
+{
+    if (!m_rig->open())
+        return false;
+    m_rig->workspace().changeWorld(u"shake=8"_s);
+    const QHash<QString, int> gains{{u"roll.p"_s, 84},  {u"roll.i"_s, 14},  {u"roll.d"_s, 51},
+                                    {u"pitch.p"_s, 84}, {u"pitch.i"_s, 19}, {u"pitch.d"_s, 52},
+                                    {u"yaw.p"_s, 38},   {u"yaw.i"_s, 8},    {u"yaw.d"_s, 88}};
+    for (auto it = gains.begin(); it != gains.end(); ++it)
+        m_rig->edit(u"pid."_s + it.key(), 0, it.value());
+    return writeEdits();
+}
+
+int TestMonitor::rowOf(const SpectrumPage &page, Axis axis, double hz) const
+{
+    for (int row = 0; row < page.peaks()->rowCount(); ++row) {
+        const double found = page.peaks()->item(row, 1)->text().section(u' ', 0, 0).toDouble();
+        if (page.peaks()->item(row, 0)->text() == axisLabel(axis) && std::abs(found / hz - 1.0) < 0.1)
+            return row;
+    }
+    return -1;
+}
+
+bool TestMonitor::hasNotch(Axis axis)
+{
+    const QString key = u"filter.%1.enabled"_s.arg(QLatin1String(axisKey(axis)));
+    return flagBits(m_rig->raw(key)) & 1U;
+}
+
+void TestMonitor::tunedGimbalIsOfferedNoNotch()
+{
+    QVERIFY(openTuned());
+    auto *page = m_rig->page<SpectrumPage>();
+    QVERIFY(!page->notchButton()->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(rowOf(*page, Axis::Yaw, 51.8) >= 0, 20000);
+    QVERIFY(m_rig->boardGoesOn(10));
+    QTRY_VERIFY_WITH_TIMEOUT(rowOf(*page, Axis::Yaw, 51.8) >= 0, 20000);
+    QTest::mouseClick(page->pauseButton(), Qt::LeftButton);
+    page->peaks()->selectRow(rowOf(*page, Axis::Yaw, 51.8));
+    QVERIFY2(page->advice()->text().contains(u"no notch is offered"_s), qPrintable(page->advice()->text()));
+    QVERIFY(!page->notchButton()->isEnabled());
+}
+
+// Nobody looks on: the operator has left the page.
+void TestMonitor::harmfulTrialEndsWithoutItsPage()
+{
+    QVERIFY(openTuned());
+    m_rig->page<SpectrumPage>();
+    NotchAdviser &adviser = m_rig->workspace().notches();
+    QVERIFY(m_rig->boardGoesOn(2));
+    const auto plan = adviser.plan(Axis::Yaw, {51.8, 0.17, 1.4, 22});
+    QVERIFY(plan);
+    QSignalSpy notices(&m_rig->workspace().notifications(), &Notifications::notice);
+    adviser.start(*plan);
+    QVERIFY(adviser.isRunning());
+    m_rig->window().showPage(u"dashboard"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(!adviser.isRunning(), 30000);
+    QVERIFY2(adviser.outcome().contains(u"oscillate"_s), qPrintable(adviser.outcome()));
+    QVERIFY(adviser.outcome().contains(u"back on the board"_s));
+    QCOMPARE(notices.last().at(0).toString(), adviser.outcome());
+    QCOMPARE(notices.last().at(1).value<Notice>(), Notice::Attention);
+    QCOMPARE(m_rig->model().changeCount(), 0);
+    // The board says so as well, and holds still.
+    m_rig->workspace().readBoard();
+    QVERIFY(m_rig->jobsAreDone());
+    QVERIFY(!hasNotch(Axis::Yaw));
+    QCOMPARE(m_rig->raw(u"filter.yaw.notch1.frequency"_s), 0.0);
+}
+
+void TestMonitor::cutTrialIsMadeGood()
 {
     QVERIFY(m_rig->open());
-    auto *page = m_rig->page<SpectrumPage>();
-    QVERIFY(!named<QPushButton>(page, u"Put a notch here…"_s)->isEnabled());
-    QTRY_VERIFY_WITH_TIMEOUT(page->peaks()->rowCount() > 0, 20000);
-    QTest::mouseClick(page->pauseButton(), Qt::LeftButton);
-    page->peaks()->selectRow(0);
-    QVERIFY(named<QPushButton>(page, u"Put a notch here…"_s)->isEnabled());
-    const QString axis = page->peaks()->item(0, 0)->text();
-    const double hz = page->peaks()->item(0, 1)->text().section(u' ', 0, 0).toDouble();
-    const QString key = axis == axisLabel(Axis::Roll) ? u"roll"_s
-        : axis == axisLabel(Axis::Pitch)              ? u"pitch"_s
-                                                      : u"yaw"_s;
-    const auto edited = [&](const QString &name) {
-        const ParameterSpec &spec = m_rig->spec(u"filter."_s + key + u'.' + name);
-        return spec.toDisplay(std::as_const(m_rig->model()).edited().raw(spec, 0).value());
-    };
-    // Declined: nothing is changed. Taken: the values of one filter, one step to undo.
-    QTest::mouseClick(named<QPushButton>(page, u"Put a notch here…"_s), Qt::LeftButton);
-    QTRY_VERIFY(m_rig->window().findChild<QMessageBox *>());
-    QVERIFY(m_rig->window().findChild<QMessageBox *>()->text().contains(u"delays"_s));
-    QTest::keyClick(m_rig->window().findChild<QMessageBox *>(), Qt::Key_Escape);
-    QTRY_VERIFY(!m_rig->window().findChild<QMessageBox *>());
-    QCOMPARE(m_rig->model().changeCount(), 0);
-    QTest::mouseClick(named<QPushButton>(page, u"Put a notch here…"_s), Qt::LeftButton);
-    QTRY_VERIFY(m_rig->window().findChild<QMessageBox *>());
-    QTest::keyClick(m_rig->window().findChild<QMessageBox *>(), Qt::Key_Return);
-    QTRY_VERIFY(m_rig->model().changeCount() > 0);
-    QVERIFY(std::abs(edited(u"notch1.frequency"_s) - hz) <= 1.1);  // the board counts in steps of two
-    QVERIFY(edited(u"notch1.width"_s) >= hz / 4 - 1);
-    QCOMPARE(edited(u"notch1.gain"_s), 20.0);
-    QCOMPARE(int(edited(u"enabled"_s)) & 1, 1);
-    // The next one goes into the next filter.
-    QTRY_VERIFY(!m_rig->window().findChild<QMessageBox *>());
-    QTest::mouseClick(named<QPushButton>(page, u"Put a notch here…"_s), Qt::LeftButton);
-    QTRY_VERIFY(m_rig->window().findChild<QMessageBox *>());
-    QTest::keyClick(m_rig->window().findChild<QMessageBox *>(), Qt::Key_Return);
-    QTRY_COMPARE(int(edited(u"enabled"_s)) & 3, 3);
-    m_rig->workspace().edits().undoStack().undo();
-    QCOMPARE(int(edited(u"enabled"_s)) & 3, 1);
-    m_rig->workspace().edits().undoStack().undo();
-    QCOMPARE(m_rig->model().changeCount(), 0);
+    QVERIFY(m_rig->boardGoesOn(2));
+    NotchAdviser &adviser = m_rig->workspace().notches();
+    const auto plan = adviser.plan(Axis::Pitch, {150, 0.1, 2, 20});
+    QVERIFY(plan);
+    bool cut = false;
+    const auto onProgress
+        = connect(&m_rig->client(), &DeviceClient::progressChanged, this, [&](const Progress &p) {
+              if (p.step == u"measure-after"_s && !std::exchange(cut, true))
+                  m_rig->client().disconnectFromBoard();
+          });
+    adviser.start(*plan);
+    QTRY_VERIFY_WITH_TIMEOUT(!adviser.isRunning(), 30000);
+    QVERIFY(cut);
+    disconnect(onProgress);
+    QVERIFY2(adviser.outcome().contains(u"could not be taken back"_s), qPrintable(adviser.outcome()));
+    // The program starts anew, and the same board is connected again.
+    QSignalSpy notices(&m_rig->workspace().notifications(), &Notifications::notice);
+    QSignalSpy written(&m_rig->workspace(), &Workspace::writeFinished);
+    QVERIFY(m_rig->open());
+    QTRY_COMPARE_WITH_TIMEOUT(written.count(), 1, 15000);
+    QVERIFY(std::any_of(notices.begin(), notices.end(), [](const QList<QVariant> &notice) {
+        return notice.at(0).toString().contains(u"was cut off"_s);
+    }));
+    m_rig->workspace().readBoard();
+    QVERIFY(m_rig->jobsAreDone());
+    QVERIFY(!hasNotch(Axis::Pitch));
+    QVERIFY(m_rig->settings().cutTrial(m_rig->client().identity().serial).isEmpty());
 }
 
 void TestMonitor::notchTakesTheResonanceAway()
 {
     QVERIFY(m_rig->open());
     const double resonance = simulatedMechanics(Axis::Roll).resonanceHz;
-    const auto writeEdits = [this] {
-        QSignalSpy written(&m_rig->workspace(), &Workspace::writeFinished);
-        m_rig->workspace().write(std::as_const(m_rig->model()).edited());
-        return written.wait(15000);
-    };
     // Gains that make the structure ring.
     m_rig->edit(u"pid.roll.p"_s, 0, 100);
     m_rig->edit(u"pid.roll.d"_s, 0, 60);
     QVERIFY(writeEdits());
     auto *page = m_rig->page<SpectrumPage>();
-    // Strength of the line at the resonance, 0 without one; its row.
-    int row = -1;
     const auto strength = [&] {
-        for (row = 0; row < page->peaks()->rowCount(); ++row) {
-            const double hz = page->peaks()->item(row, 1)->text().section(u' ', 0, 0).toDouble();
-            if (page->peaks()->item(row, 0)->text() == axisLabel(Axis::Roll)
-                && std::abs(hz / resonance - 1.0) < 0.2)
-                return page->peaks()->item(row, 2)->text().section(u' ', 0, 0).toDouble();
-        }
-        return 0.0;
+        const int row = rowOf(*page, Axis::Roll, 1.06 * resonance);
+        return row < 0 ? 0.0 : page->peaks()->item(row, 2)->text().section(u' ', 0, 0).toDouble();
     };
+    QTRY_VERIFY_WITH_TIMEOUT(strength() > 0.0, 25000);
+    QVERIFY(m_rig->boardGoesOn(10));
     QTRY_VERIFY_WITH_TIMEOUT(strength() > 0.0, 25000);
     const double before = strength();
     QTest::mouseClick(page->pauseButton(), Qt::LeftButton);
-    QVERIFY(strength() > 0.0);
-    page->peaks()->selectRow(row);
-    QTest::mouseClick(named<QPushButton>(page, u"Put a notch here…"_s), Qt::LeftButton);
-    QTRY_VERIFY(m_rig->window().findChild<QMessageBox *>());
-    QTest::keyClick(m_rig->window().findChild<QMessageBox *>(), Qt::Key_Return);
-    QTRY_VERIFY(m_rig->model().changeCount() > 0);
-    QVERIFY(writeEdits());
+    page->peaks()->selectRow(rowOf(*page, Axis::Roll, 1.06 * resonance));
+    QVERIFY2(page->notchButton()->isEnabled(), qPrintable(page->advice()->text()));
+    // Declined: nothing happens.
+    const auto question = [this] { return m_rig->window().findChild<QMessageBox *>(); };
+    QTest::mouseClick(page->notchButton(), Qt::LeftButton);
+    QTRY_VERIFY(question());
+    QVERIFY(question()->text().contains(u"delays"_s) && question()->text().contains(u"not been measured"_s));
+    QTest::keyClick(question(), Qt::Key_Escape);
+    QTRY_VERIFY(!question());
+    QVERIFY(!m_rig->workspace().notches().isRunning());
+    // Tried: measured, and nothing stays before the operator wants it to.
+    QSignalSpy offers(&m_rig->workspace().notifications(), &Notifications::offer);
+    QTest::mouseClick(page->notchButton(), Qt::LeftButton);
+    QTRY_VERIFY(question());
+    QTest::keyClick(question(), Qt::Key_Return);
+    QVERIFY(m_rig->workspace().notches().isRunning());
+    QTRY_COMPARE(page->notchButton()->text(), u"End the trial"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_rig->workspace().notches().isRunning(), 30000);
+    QVERIFY2(offers.count() == 1, qPrintable(m_rig->workspace().notches().outcome()));
     QCOMPARE(m_rig->model().changeCount(), 0);
+    m_rig->workspace().readBoard();
+    QVERIFY(m_rig->jobsAreDone());
+    QVERIFY(!hasNotch(Axis::Roll));
+    QTest::mouseClick(named<QPushButton>(&m_rig->window(), u"Take over as an edit"_s), Qt::LeftButton);
+    QTRY_VERIFY(m_rig->model().changeCount() > 0);
+    m_rig->workspace().edits().undoStack().undo();  // one step
+    QCOMPARE(m_rig->model().changeCount(), 0);
+    m_rig->workspace().edits().undoStack().redo();
+    QVERIFY(writeEdits());
+    QVERIFY(hasNotch(Axis::Roll));
     QTest::mouseClick(page->pauseButton(), Qt::LeftButton);
     // What was measured before the notch leaves the span; then a third is left at most.
     QTRY_VERIFY_WITH_TIMEOUT(strength() < before / 3, 25000);

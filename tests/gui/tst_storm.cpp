@@ -283,7 +283,7 @@ void TestStorm::spectrumOfPolledSamples()
         return page->bands()->item(2, 0)->text().section(u'–', 1).section(u' ', 0, 0).toDouble();
     };
     QTRY_VERIFY2(end() > 30 && end() < 60, qPrintable(page->bands()->item(2, 0)->text()));
-    QVERIFY(!named<QPushButton>(page, u"Put a notch here…"_s)
+    QVERIFY(!named<QPushButton>(page, u"Try a notch here…"_s)
                  ->isVisible());  // such a board has no filter to put there
 }
 

@@ -265,6 +265,10 @@ QString describe(const Progress &progress)
         return Words::tr("Auto-tune, iteration %1").arg(progress.done);
     if (progress.step == u"motion-test"_s)
         return Words::tr("Measuring how the axis follows");
+    if (progress.step == u"measure-before"_s)
+        return Words::tr("Measuring without the notch");
+    if (progress.step == u"measure-after"_s)
+        return Words::tr("Measuring with the notch");
     if (progress.step == u"steer"_s)
         return Words::tr("Steering");
     return progress.step;

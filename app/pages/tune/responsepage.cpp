@@ -361,6 +361,8 @@ void ResponsePage::add(Result<ResponseRecord> record, Axis axis)
         return;
     }
     record->axis = axis;
+    if (record->kind == ResponseRecord::Kind::Frequency && axis != Axis::None)
+        workspace().notches().keepLoop(axis, {openLoop(record->closed), record->fromHz, record->toHz});
     if (record->name.isEmpty())
         record->name = u"%1 %2"_s.arg(axisLabel(axis), QDateTime::currentDateTime().toString(u"HH:mm:ss"_s));
     m_records.push_back(std::move(*record));

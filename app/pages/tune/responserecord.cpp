@@ -39,6 +39,7 @@ Result<ResponseRecord> frequencyRecord(std::vector<float> target, std::vector<fl
     ResponseRecord record;
     record.kind = ResponseRecord::Kind::Frequency;
     record.rate = rate;
+    record.fromHz = fromHz;
     record.toHz = std::min(toHz, rate / 2);
     int length = 64;
     while (length * 4 <= int(std::min(target.size(), angle.size())) && rate / length > kFinestBin)

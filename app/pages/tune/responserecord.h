@@ -26,6 +26,7 @@ struct ResponseRecord
     // Frequency.
     FrequencyResponse closed;
     Margins margins;
+    double fromHz = 0;  ///< lowest frequency in the target
     double toHz = 0;  ///< highest frequency in the target
 };
 

@@ -23,6 +23,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 using namespace Qt::StringLiterals;
 
@@ -31,14 +33,9 @@ namespace {
 constexpr auto kPeriod = 500ms;
 constexpr std::array<int, 4> kSpans{5, 10, 30, 60};  // seconds
 constexpr int kDefaultSpan = 1;
-constexpr int kPeaks = 3;  // of each axis
+constexpr int kPeaks = 5;  // of each axis
 constexpr double kFinest = 0.5;  // Hz
-constexpr double kNotchDepthDb = 20.0;
-constexpr double kMinNotchWidth = 0.25;  // of its frequency
-constexpr std::array<double, 3> kCostHz{5, 10, 20};
-constexpr double kCostShare = 0.7;  // of the notch's frequency: nearer it, the lag says little
 constexpr double kWaterfallSpan = 1.0;  // seconds in one column
-constexpr double kSlowest = 5.0;  // Hz: below it nothing is a vibration
 
 // The finest resolution that leaves at least eight segments to average.
 int segmentLength(const UniformSamples &samples)
@@ -77,7 +74,8 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
     , m_viewMenu(new QMenu(m_view))
     , m_pause(new QPushButton(tr("Pause")))
     , m_compare(new QPushButton(tr("Compare")))
-    , m_notch(new QPushButton(tr("Put a notch here…")))
+    , m_notch(new QPushButton(tr("Try a notch here…")))
+    , m_advice(new QLabel)
     , m_note(new ElidedLabel)
     , m_pictures(new QStackedWidget)
     , m_chart(new SpectrumChart(workspace.theme()))
@@ -106,9 +104,12 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
 
     auto *peaks = new Card(tr("Peaks"));
     peaks->content()->addWidget(m_peaks, 1);
-    m_notch->setToolTip(tr("A filter that takes the chosen peak out of the loop, as an edit to review"));
+    m_notch->setToolTip(
+        tr("Tries a filter that takes the chosen peak out of the loop, and measures what it does"));
+    m_advice->setWordWrap(true);
+    m_advice->setObjectName(u"muted"_s);
     auto *notchRow = new QHBoxLayout;
-    notchRow->addStretch(1);
+    notchRow->addWidget(m_advice, 1);
     notchRow->addWidget(m_notch);
     peaks->content()->addLayout(notchRow);
     auto *bands = new Card(tr("Angle error by band"));
@@ -143,6 +144,7 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
     });
     connect(m_notch, &QPushButton::clicked, this, &SpectrumPage::askNotch);
     connect(m_peaks, &QTableWidget::itemSelectionChanged, this, &SpectrumPage::updateNotch);
+    connect(&workspace.notches(), &NotchAdviser::changed, this, &SpectrumPage::updateNotch);
     updateNotch();
     connect(m_signal, &QComboBox::activated, this, [this] {
         fillWaterfall();
@@ -281,8 +283,9 @@ void SpectrumPage::refresh()
         if (!result)
             continue;
         m_unit = QString::fromUtf8(table[std::size_t(channel)].unit);
-        for (const SpectrumPeak &peak : findPeaks(*result, kPeaks, kSlowest))
-            m_lines.push_back({kAxes[i], peak});
+        for (const SpectrumPeak &peak : findPeaks(*result, kPeaks, kVibrationFrom))
+            m_lines.push_back({kAxes[i], peak, result->bandRms(kVibrationFrom, result->rate / 2),
+                               commandedRms(kAxes[i], peak, from, to)});
         QString note = tr("%1 samples/s, lines of %2 Hz, %n average(s)", nullptr, result->segments)
                            .arg(numberText(result->rate, 0))
                            .arg(shortNumberText(result->resolution, 2));
@@ -367,7 +370,8 @@ void SpectrumPage::showPeaks(const QString &unit)
 {
     m_peaks->setRowCount(int(m_lines.size()));
     for (int row = 0; row < int(m_lines.size()); ++row) {
-        const auto &[axis, peak] = m_lines[std::size_t(row)];
+        const Axis axis = m_lines[std::size_t(row)].axis;
+        const SpectrumPeak &peak = m_lines[std::size_t(row)].peak;
         setText(m_peaks, row, 0, axisLabel(axis));
         setText(m_peaks, row, 1, tr("%1 Hz").arg(numberText(peak.frequency, 1)));
         setText(m_peaks, row, 2, u"%1 %2"_s.arg(shortNumberText(peak.rms, 3)).arg(unit));
@@ -376,93 +380,81 @@ void SpectrumPage::showPeaks(const QString &unit)
     updateNotch();
 }
 
+const SpectrumPage::Line *SpectrumPage::chosenLine() const
+{
+    const int row = m_peaks->currentRow();
+    return row >= 0 && row < int(m_lines.size()) ? &m_lines[std::size_t(row)] : nullptr;
+}
+
+// How much of a line the target makes, in the unit of the samples.
+double SpectrumPage::commandedRms(Axis axis, const SpectrumPeak &peak, double from, double to) const
+{
+    const int channel = workspace().roles().target[std::size_t(axis)];
+    const auto target = uniformSamples(*workspace().client().telemetry(), channel, -1, from, to);
+    const auto moved = target
+        ? spectrum(target->values, target->rate, {segmentLength(*target), 0.5, m_window})
+        : Result<Spectrum>(tl::unexpected(target.error()));
+    if (!moved)
+        return 0.0;
+    const double reach = std::max(peak.width, 2.0 * moved->resolution);
+    const double rms = moved->bandRms(peak.frequency - reach, peak.frequency + reach);
+    return signal() == Signal::Gyro ? rms * 2.0 * std::numbers::pi * peak.frequency : rms;
+}
+
 void SpectrumPage::updateNotch()
 {
     const Device *device = workspace().client().device();
     const NotchFilters *notches = device ? device->notchFilters() : nullptr;
-    const int row = m_peaks->currentRow();
-    m_notch->setVisible(!device || (notches && std::any_of(kAxes.begin(), kAxes.end(), [notches](Axis axis) {
-                                        return !notches->notchesOf(axis).empty();
-                                    })));
-    m_notch->setEnabled(notches && workspace().client().isConnected()
-                        && workspace().client().identity().writable && !workspace().configuration().isEmpty()
-                        && row >= 0 && row < int(m_lines.size())
-                        && !notches->notchesOf(m_lines[std::size_t(row)].axis).empty());
-}
-
-// The first filter of that axis that is not in use takes the peak. Empty: all are.
-std::optional<SpectrumPage::NotchPlan> SpectrumPage::planNotch(const Line &line)
-{
-    const Configuration &edited = std::as_const(workspace().configuration()).edited();
-    const int profile = workspace().configuration().shownProfile();
-    const NotchFilters *notches = workspace().client().device()->notchFilters();
-    for (const NotchFilter &filter : notches ? notches->notchesOf(line.axis) : std::vector<NotchFilter>()) {
-        const ParameterSpec *enabled = edited.parameters().find(filter.enabled);
-        const ParameterSpec *frequency = edited.parameters().find(filter.frequency);
-        const ParameterSpec *width = edited.parameters().find(filter.width);
-        const ParameterSpec *depth = edited.parameters().find(filter.depth);
-        const auto bits = enabled ? edited.raw(*enabled, profile) : std::nullopt;
-        if (!bits || !frequency || !width || !depth || flagBits(*bits) & (1U << filter.bit))
-            continue;
-        NotchPlan plan{filter, line.axis, {}, edited};
-        const auto put = [&plan, profile](const ParameterSpec &spec, double value) {
-            const double raw = spec.clamped(spec.toRaw(value));
-            plan.wanted.setRaw(spec, profile, raw);
-            return spec.toDisplay(raw);
-        };
-        // A resonance wanders with temperature and load: twice its width, a quarter of its frequency at
-        // least.
-        plan.shape.hz = put(*frequency, line.peak.frequency);
-        plan.shape.width = put(*width, std::max(2.0 * line.peak.width, line.peak.frequency * kMinNotchWidth));
-        plan.shape.depthDb = put(*depth, kNotchDepthDb);
-        plan.wanted.setRaw(*enabled, profile, flagBits(*bits) | (1U << filter.bit));
-        return plan;
+    const bool has = notches && std::any_of(kAxes.begin(), kAxes.end(), [notches](Axis axis) {
+                         return !notches->notchesOf(axis).empty();
+                     });
+    NotchAdviser &adviser = workspace().notches();
+    m_notch->setVisible(!device || has);
+    m_advice->setVisible(has);
+    m_notch->setText(adviser.isRunning() ? tr("End the trial") : tr("Try a notch here…"));
+    if (adviser.isRunning()) {
+        m_notch->setEnabled(true);
+        m_advice->setText(tr("A notch is being tried. Leave gimbal and sticks as they are."));
+        return;
     }
-    return {};
+    m_notch->setEnabled(false);
+    const Line *line = chosenLine();
+    if (!has || !workspace().client().isConnected() || !workspace().client().identity().writable
+        || workspace().configuration().isEmpty() || !line) {
+        m_advice->setText(adviser.outcome());
+        return;
+    }
+    const auto plan = adviser.plan(line->axis, line->peak);
+    if (!plan) {
+        m_advice->setText(tr("All notch filters of this axis are in use; change one of them on Parameters."));
+        return;
+    }
+    const NotchAdvice advice = adviser.advise(*plan, line->wholeRms, line->commandedRms);
+    const QString obstacle = advice.isOffered() ? adviser.obstacle() : QString();
+    m_advice->setText(obstacle.isEmpty() ? adviser.inWords(*plan, advice) : obstacle);
+    m_notch->setEnabled(advice.isOffered() && obstacle.isEmpty());
 }
 
 void SpectrumPage::askNotch()
 {
-    const int row = m_peaks->currentRow();
-    if (row < 0 || row >= int(m_lines.size()) || m_question)
-        return;
-    const auto plan = planNotch(m_lines[std::size_t(row)]);
-    if (!plan) {
-        workspace().notifications().notify(
-            tr("All notch filters of this axis are in use; change one of them on Parameters."),
-            Notice::Attention);
+    NotchAdviser &adviser = workspace().notches();
+    if (adviser.isRunning()) {
+        adviser.stop();
         return;
     }
-    // The cost of the notch before anything is changed: its phase lag at typical crossover frequencies.
-    QStringList costs;
-    for (const double hz : kCostHz) {
-        if (hz < plan->shape.hz * kCostShare)
-            costs.append(tr("%1° at %2 Hz")
-                             .arg(numberText(lagDeg(notchResponse(plan->shape, hz)), 0))
-                             .arg(shortNumberText(hz)));
-    }
-    const QString name = axisLabel(plan->axis);
-    QString text = tr("%1, notch %2: %3 Hz, width %4 Hz, depth %5 dB.")
-                       .arg(name)
-                       .arg(plan->filter.bit + 1)
-                       .arg(shortNumberText(plan->shape.hz))
-                       .arg(shortNumberText(plan->shape.width))
-                       .arg(shortNumberText(plan->shape.depthDb));
-    if (!costs.isEmpty())
-        text += u"\n\n"_s
-            + tr("It delays the loop: %1. Every degree is taken from the phase margin.")
-                  .arg(costs.join(u", "_s));
-    text += u"\n\n"_s + tr("Nothing is on the board before you review and write.");
-    m_question
-        = new QMessageBox(QMessageBox::NoIcon, tr("Put a notch here"), text, QMessageBox::NoButton, this);
+    const Line *line = chosenLine();
+    const auto plan = line ? adviser.plan(line->axis, line->peak) : std::nullopt;
+    if (!plan || m_question)
+        return;
+    const NotchAdvice advice = adviser.advise(*plan, line->wholeRms, line->commandedRms);
+    m_question = new QMessageBox(QMessageBox::NoIcon, tr("Try a notch here"), adviser.question(*plan, advice),
+                                 QMessageBox::NoButton, this);
     m_question->setAttribute(Qt::WA_DeleteOnClose);
-    auto *accept = m_question->addButton(tr("Take over as an edit"), QMessageBox::AcceptRole);
+    auto *accept = m_question->addButton(tr("Try it"), QMessageBox::AcceptRole);
     auto *leave = m_question->addButton(tr("Leave it"), QMessageBox::RejectRole);
     m_question->setDefaultButton(accept);
     m_question->setEscapeButton(leave);
-    connect(accept, &QPushButton::clicked, this, [this, plan = *plan, name] {
-        workspace().edits().apply(plan.wanted, tr("Notch %1 of %2").arg(plan.filter.bit + 1).arg(name));
-    });
+    connect(accept, &QPushButton::clicked, this, [&adviser, plan = *plan] { adviser.start(plan); });
     openPanel(*m_question);
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "app/workspace/page.h"
-#include "protocol/analysis/filterresponse.h"
 #include "protocol/analysis/holdingquality.h"
 #include "protocol/analysis/spectrum.h"
 #include "widgets/plot/spectrumchart.h"
@@ -14,6 +13,7 @@
 
 class ElidedLabel;
 class QComboBox;
+class QLabel;
 class QPushButton;
 class QTableWidget;
 class QMenu;
@@ -33,6 +33,9 @@ public:
     [[nodiscard]] WaterfallView *waterfall() const { return m_waterfall; }
     [[nodiscard]] QMenu *viewMenu() const { return m_viewMenu; }
     [[nodiscard]] QPushButton *pauseButton() const { return m_pause; }
+    [[nodiscard]] QPushButton *notchButton() const { return m_notch; }
+    /// What is advised about the chosen peak, or how the last trial went.
+    [[nodiscard]] QLabel *advice() const { return m_advice; }
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -44,14 +47,8 @@ private:
     {
         Axis axis = Axis::None;
         SpectrumPeak peak;
-    };
-    /// A notch that would take a peak out, with values the board can hold.
-    struct NotchPlan
-    {
-        NotchFilter filter;
-        Axis axis = Axis::None;
-        NotchShape shape;
-        Configuration wanted;
+        double wholeRms = 0;  // of the axis, vibration of all frequencies
+        double commandedRms = 0;  // what the target makes of the line
     };
     /// RMS of one axis in one band, and what it was when the operator pressed Compare.
     struct Left
@@ -75,7 +72,8 @@ private:
     void showPeaks(const QString &unit);
     void updateNotch();
     void askNotch();
-    [[nodiscard]] std::optional<NotchPlan> planNotch(const Line &line);
+    [[nodiscard]] const Line *chosenLine() const;
+    [[nodiscard]] double commandedRms(Axis axis, const SpectrumPeak &peak, double from, double to) const;
     void nameBands(const std::vector<BandQuality> &measured);
     void showBands();
     [[nodiscard]] Signal signal() const;
@@ -87,6 +85,7 @@ private:
     QPushButton *m_pause;
     QPushButton *m_compare;
     QPushButton *m_notch;
+    QLabel *m_advice;
     ElidedLabel *m_note;
     QStackedWidget *m_pictures;
     SpectrumChart *m_chart;

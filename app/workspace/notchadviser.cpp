@@ -1,0 +1,351 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workspace/notchadviser.h"
+
+#include "app/workspace/workspace.h"
+#include "widgets/models/numbertext.h"
+#include "widgets/models/parametermodel.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr double kDepthDb = 20.0;
+constexpr double kMinWidth = 0.25;  // of its frequency
+constexpr std::array<double, 3> kCostHz{5, 10, 20};
+constexpr double kCostShare = 0.7;  // of the notch's frequency: nearer it, the lag says little
+constexpr double kTrialSeconds = 6.0;
+
+}  // namespace
+
+Configuration NotchAdviser::Plan::appliedTo(Configuration configuration) const
+{
+    for (const auto &[key, raw] : values) {
+        if (const ParameterSpec *spec = configuration.parameters().find(key))
+            std::ignore = configuration.setRaw(*spec, profile, raw);
+    }
+    const ParameterSpec *enabled = configuration.parameters().find(filter.enabled);
+    if (const auto bits = enabled ? configuration.raw(*enabled, profile) : std::nullopt)
+        std::ignore = configuration.setRaw(*enabled, profile, flagBits(*bits) | (1U << filter.bit));
+    return configuration;
+}
+
+NotchAdviser::NotchAdviser(Workspace &workspace)
+    : m_workspace(workspace)
+{
+    connect(&workspace, &Workspace::boardRead, this, &NotchAdviser::makeGood);
+    connect(&workspace.live(), &LiveModel::modelReset, this, &NotchAdviser::forgetLoops);
+    connect(&workspace.live(), &LiveModel::valueChanged, this, &NotchAdviser::forgetLoops);
+}
+
+NotchAdviser::~NotchAdviser() = default;
+
+std::optional<NotchAdviser::Plan> NotchAdviser::plan(Axis axis, const SpectrumPeak &peak) const
+{
+    const ConfigurationModel &model = m_workspace.configuration();
+    const Device *device = m_workspace.client().device();
+    const NotchFilters *notches = device && !model.isEmpty() ? device->notchFilters() : nullptr;
+    if (!notches)
+        return {};
+    const Configuration &board = model.board();
+    const int profile = board.activeProfile();
+    for (const NotchFilter &filter : notches->notchesOf(axis)) {
+        const ParameterSpec *enabled = board.parameters().find(filter.enabled);
+        const auto isFree = [&](const Configuration &configuration) {
+            const auto bits = enabled ? configuration.raw(*enabled, profile) : std::nullopt;
+            return bits && !(flagBits(*bits) & (1U << filter.bit));
+        };
+        const ParameterSpec *frequency = board.parameters().find(filter.frequency);
+        const ParameterSpec *width = board.parameters().find(filter.width);
+        const ParameterSpec *depth = board.parameters().find(filter.depth);
+        if (!frequency || !width || !depth || !isFree(board) || !isFree(model.edited()))
+            continue;
+        Plan plan{axis, peak, filter, {}, profile, {}};
+        const auto put = [&plan](const ParameterSpec &spec, double value) {
+            const double raw = spec.clamped(spec.toRaw(value));
+            plan.values.emplace_back(spec.key, raw);
+            return spec.toDisplay(raw);
+        };
+        // A resonance wanders with temperature and load: twice its width, a quarter of its frequency at
+        // least.
+        plan.shape.hz = put(*frequency, peak.frequency);
+        plan.shape.width = put(*width, std::max(2.0 * peak.width, peak.frequency * kMinWidth));
+        plan.shape.depthDb = put(*depth, kDepthDb);
+        return plan;
+    }
+    return {};
+}
+
+NotchAdvice NotchAdviser::advise(const Plan &plan, double wholeRms, double commandedRms) const
+{
+    const auto &loop = m_loops[std::size_t(plan.axis)];
+    return adviseNotch({plan.peak, wholeRms, commandedRms, plan.shape, loop ? &*loop : nullptr});
+}
+
+QString NotchAdviser::name(const Plan &plan) const
+{
+    return tr("Notch %1 of %2").arg(plan.filter.bit + 1).arg(axisLabel(plan.axis));
+}
+
+QString NotchAdviser::inWords(const Plan &plan, const NotchAdvice &advice) const
+{
+    const QString line = tr("%1, %2 Hz").arg(axisLabel(plan.axis)).arg(numberText(plan.peak.frequency, 1));
+    switch (advice.finding) {
+    case NotchAdvice::Finding::TooWeak:
+        return tr("%1: no notch is offered. Without this line the axis would vibrate %2 % less; the delay "
+                  "would cost more.")
+            .arg(line)
+            .arg(numberText(100.0 * advice.gain, 0));
+    case NotchAdvice::Finding::TooBroad:
+        return tr("%1: no notch is offered. The line is too broad for a resonance: it is what shakes the "
+                  "gimbal, or how the loop reacts to it.")
+            .arg(line);
+    case NotchAdvice::Finding::Commanded:
+        return tr("%1: no notch is offered. The target itself moves like that.").arg(line);
+    case NotchAdvice::Finding::OwnLoop:
+        return tr("%1: no notch is offered. The loop itself amplifies there, as measured on Response: lower "
+                  "P or D of this axis.")
+            .arg(line);
+    case NotchAdvice::Finding::CostsMargin:
+        return tr("%1: no notch is offered. It would leave the loop a phase margin of %2° of the %3° "
+                  "measured.")
+            .arg(line)
+            .arg(numberText(advice.after->phaseDeg.value_or(0.0), 0))
+            .arg(numberText(advice.before->phaseDeg.value_or(0.0), 0));
+    case NotchAdvice::Finding::TryIt: break;
+    }
+    return tr("%1: may be a resonance or a motor, %2 % of the vibration. A trial shows whether a notch "
+              "helps.")
+        .arg(line)
+        .arg(numberText(100.0 * advice.gain, 0));
+}
+
+QString NotchAdviser::question(const Plan &plan, const NotchAdvice &advice) const
+{
+    QStringList parts{tr("%1, notch %2: %3 Hz, width %4 Hz, depth %5 dB.")
+                          .arg(axisLabel(plan.axis))
+                          .arg(plan.filter.bit + 1)
+                          .arg(shortNumberText(plan.shape.hz))
+                          .arg(shortNumberText(plan.shape.width))
+                          .arg(shortNumberText(plan.shape.depthDb))};
+    QStringList costs;
+    for (const double hz : kCostHz) {
+        if (hz < plan.shape.hz * kCostShare)
+            costs.append(tr("%1° at %2 Hz")
+                             .arg(numberText(lagDeg(notchResponse(plan.shape, hz)), 0))
+                             .arg(shortNumberText(hz)));
+    }
+    if (!costs.isEmpty())
+        parts.append(tr("It delays the loop: %1. Every degree is taken from the phase margin.")
+                         .arg(costs.join(u", "_s)));
+    if (advice.before && advice.before->phaseDeg && advice.after->phaseDeg) {
+        parts.append(tr("The loop as measured has a phase margin of %1° at %2 Hz; with the notch it has %3°.")
+                         .arg(numberText(*advice.before->phaseDeg, 0))
+                         .arg(numberText(*advice.before->phaseHz, 1))
+                         .arg(numberText(*advice.after->phaseDeg, 0)));
+    } else {
+        parts.append(
+            tr("How much phase this loop can spare has not been measured (a sweep on Response does), "
+               "so only the trial shows whether it bears the notch."));
+    }
+    parts.append(
+        tr("This board cannot use a notch without storing it. The trial measures for %1 s, writes the "
+           "notch to profile %2, measures for %1 s again and writes the old values back in any "
+           "case, at once if an axis begins to oscillate. Leave gimbal and sticks as they are "
+           "meanwhile.")
+            .arg(kTrialSeconds)
+            .arg(plan.profile + 1));
+    return parts.join(u"\n\n"_s);
+}
+
+QString NotchAdviser::obstacle() const
+{
+    if (m_workspace.live().changeCount() > 0)
+        return tr("Values in use are not stored; a trial would replace them. Store or revert them on Tuning "
+                  "first.");
+    if (m_workspace.motorsRunning() == false)
+        return tr("The motors are off: there is nothing to measure.");
+    return {};
+}
+
+void NotchAdviser::start(const Plan &plan)
+{
+    if (isRunning())
+        return;
+    if (const QString why = obstacle(); !why.isEmpty()) {
+        m_workspace.notifications().notify(why, Notice::Attention);
+        return;
+    }
+    DeviceClient &client = m_workspace.client();
+    const Configuration board = std::as_const(m_workspace.configuration()).board();
+    NotchTrialPlan trial;
+    trial.axis = plan.axis;
+    trial.hz = plan.peak.frequency;
+    trial.width = plan.peak.width;
+    trial.seconds = kTrialSeconds;
+    trial.base = board;
+    trial.wanted = plan.appliedTo(board);
+    m_stop = std::make_shared<std::atomic<bool>>(false);
+    noteTrial(plan, board);
+    // The samples must come whether a page shows them or not.
+    m_workspace.telemetry().subscribe(this, [this] {
+        const ChannelRoles &roles = m_workspace.roles();
+        return ChannelRoles::present({roles.gyro, roles.angle, roles.target});
+    });
+    m_workspace.mark(PlotMark::Kind::Note, tr("Trial of a notch begins"));
+    client
+        .submit<NotchTrialResult>([trial, stop = m_stop, store = client.telemetry(),
+                                   history = m_workspace.history()](Channel &channel, Device &device) {
+            WriteOptions options;
+            options.history = &history;
+            return tryNotch(channel, device, *store, trial, options, *stop);
+        })
+        .then(this, [this, plan](const Result<NotchTrialResult> &result) { onResult(plan, result); });
+    emit changed();
+}
+
+void NotchAdviser::stop()
+{
+    if (m_stop)
+        *m_stop = true;
+}
+
+void NotchAdviser::onResult(const Plan &plan, const Result<NotchTrialResult> &result)
+{
+    m_stop = nullptr;
+    m_workspace.telemetry().subscribe(this, [] { return QList<int>(); });
+    m_workspace.mark(PlotMark::Kind::Note, tr("Trial of a notch is over"));
+    Notifications &notifications = m_workspace.notifications();
+    if (!result) {
+        m_workspace.settings().setCutTrial(boardName(), {});
+        m_outcome = tr("%1 was not tried; nothing was changed on the board.").arg(name(plan));
+        if (result.error().code == ErrorCode::Cancelled)
+            notifications.notify(m_outcome, Notice::Hint);
+        else if (!isEndOfLink(result.error()))
+            notifications.report(result.error());
+    } else {
+        tell(plan, *result);
+    }
+    emit changed();
+}
+
+void NotchAdviser::tell(const Plan &plan, const NotchTrialResult &result)
+{
+    using Verdict = NotchTrialResult::Verdict;
+    Notifications &notifications = m_workspace.notifications();
+    const QString back = result.isTakenBack
+        ? tr("The values from before are back on the board.")
+        : tr("The notch could not be taken back; that is done when this board is read again.");
+    if (result.isTakenBack)
+        m_workspace.settings().setCutTrial(boardName(), {});
+    const Vibration &before = result.before;
+    const Vibration &after = result.after;
+    const QString figures
+        = tr("Before and with it, %1 s each: the line %2 and %3 °/s RMS, all vibration %4 and %5 °/s, angle "
+             "error %6° and %7°.")
+              .arg(kTrialSeconds)
+              .arg(numberText(before.line, 2))
+              .arg(numberText(after.line, 2))
+              .arg(numberText(before.whole, 2))
+              .arg(numberText(after.whole, 2))
+              .arg(std::isnan(before.error) ? u"–"_s : numberText(before.error, 3),
+                   std::isnan(after.error) ? u"–"_s : numberText(after.error, 3));
+    Notice kind = Notice::Attention;
+    switch (result.verdict) {
+    case Verdict::Better:
+        m_outcome = tr("%1 helps.").arg(name(plan)) + u' ' + figures + u' ' + back;
+        if (result.isTakenBack) {
+            notifications.ask({m_outcome,
+                               {{tr("Take over as an edit"),
+                                 [this, plan] {
+                                     const Configuration &edited
+                                         = std::as_const(m_workspace.configuration()).edited();
+                                     if (edited.parameters().find(plan.filter.enabled))
+                                         m_workspace.edits().apply(plan.appliedTo(edited), name(plan));
+                                 }},
+                                {tr("Leave it"), [] {}}}});
+            return;
+        }
+        break;
+    case Verdict::NoBetter:
+        m_outcome = tr("%1 is not worth its delay.").arg(name(plan)) + u' ' + figures + u' ' + back;
+        kind = Notice::Hint;
+        break;
+    case Verdict::Worse:
+        m_outcome = tr("%1 makes it worse.").arg(name(plan)) + u' ' + figures + u' ' + back;
+        break;
+    case Verdict::Oscillates:
+        m_outcome
+            = tr("%1 makes %2 oscillate (%3 °/s RMS within a quarter of a second; all vibration before: "
+                 "%4 °/s on %5). The trial was ended at once.")
+                  .arg(name(plan), axisLabel(result.peakAxis))
+                  .arg(numberText(result.peak, 1))
+                  .arg(numberText(before.whole, 2))
+                  .arg(axisLabel(plan.axis))
+            + u' ' + back;
+        break;
+    case Verdict::Ended:
+        m_outcome
+            = tr("The trial of %1 was ended before it could show anything.").arg(name(plan)) + u' ' + back;
+        if (result.isTakenBack && result.ended && result.ended->code == ErrorCode::Cancelled)
+            kind = Notice::Hint;
+        else if (result.ended && !isEndOfLink(*result.ended))
+            m_outcome += u' ' + describe(*result.ended).oneLine();
+        break;
+    }
+    notifications.notify(m_outcome, kind);
+    if (!result.isTakenBack && m_workspace.client().isConnected())
+        m_workspace.readBoard();
+}
+
+QString NotchAdviser::boardName() const
+{
+    const BoardIdentity &identity = m_workspace.client().identity();
+    return identity.serial.isEmpty() ? u"-"_s : identity.serial;
+}
+
+// Kept on the disk until the old values are proven to be back: the program may end in the middle.
+void NotchAdviser::noteTrial(const Plan &plan, const Configuration &board)
+{
+    QJsonArray values;
+    for (const ParameterChange &change : board.changesTo(plan.appliedTo(board)))
+        values.append(
+            QJsonObject{{u"key"_s, change.spec->key}, {u"old"_s, change.from}, {u"trial"_s, change.to}});
+    const QJsonObject note{{u"name"_s, name(plan)}, {u"profile"_s, plan.profile}, {u"values"_s, values}};
+    m_workspace.settings().setCutTrial(boardName(), QJsonDocument(note).toJson(QJsonDocument::Compact));
+}
+
+// After the board was read: values of a trial that was cut off give way to those from before.
+void NotchAdviser::makeGood()
+{
+    const QByteArray kept = m_workspace.settings().cutTrial(boardName());
+    if (kept.isEmpty() || isRunning() || !m_workspace.client().isConnected()
+        || !m_workspace.client().identity().writable || m_workspace.isWriting())
+        return;
+    const QJsonObject note = QJsonDocument::fromJson(kept).object();
+    const Configuration &board = std::as_const(m_workspace.configuration()).board();
+    Configuration old = board;
+    const int profile = note[u"profile"_s].toInt();
+    for (const QJsonValue &each : note[u"values"_s].toArray()) {
+        const ParameterSpec *spec = board.parameters().find(each[u"key"_s].toString());
+        if (spec && sameValue(board.raw(*spec, profile), each[u"trial"_s].toDouble()))
+            std::ignore = old.setRaw(*spec, profile, each[u"old"_s].toDouble());
+    }
+    if (board.changesTo(old).empty()) {
+        m_workspace.settings().setCutTrial(boardName(), {});
+        return;
+    }
+    m_workspace.notifications().notify(tr("The trial of %1 was cut off and the notch is still on the board: "
+                                          "the values from before are written "
+                                          "back.")
+                                           .arg(note[u"name"_s].toString()),
+                                       Notice::Attention);
+    m_workspace.write(old);
+}

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/analysis/notchadvice.h"
+#include "protocol/device/abilities.h"
+#include "protocol/procedure/notchtrial.h"
+
+#include <QObject>
+
+#include <array>
+#include <atomic>
+#include <memory>
+
+class Workspace;
+
+/// Judges notches before they are offered, tries them on the board and tells what came out. A trial always
+/// ends with the values from before on the board; what was better is offered as an edit. It goes on without
+/// any page. One that was cut off (by the end of the link or of the program) is made good when that board is
+/// read again.
+class NotchAdviser final : public QObject
+{
+    Q_OBJECT
+public:
+    explicit NotchAdviser(Workspace &workspace);
+    ~NotchAdviser() override;
+
+    /// A notch that would take a line out of the active profile, with values that the board can hold.
+    struct Plan
+    {
+        Axis axis = Axis::None;
+        SpectrumPeak peak;
+        NotchFilter filter;
+        NotchShape shape;
+        int profile = 0;
+        std::vector<std::pair<QString, double>> values;  ///< key, raw value
+
+        /// The configuration with this notch in it and in use.
+        [[nodiscard]] Configuration appliedTo(Configuration configuration) const;
+    };
+
+    /// The first filter of the axis that is in use neither on the board nor in the edits. Empty: there is
+    /// none.
+    [[nodiscard]] std::optional<Plan> plan(Axis axis, const SpectrumPeak &peak) const;
+    /// @param wholeRms,commandedRms as in NotchEvidence
+    [[nodiscard]] NotchAdvice advise(const Plan &plan, double wholeRms, double commandedRms) const;
+    /// The advice in a sentence for the operator.
+    [[nodiscard]] QString inWords(const Plan &plan, const NotchAdvice &advice) const;
+    /// What trying it means: the notch, its cost for the loop as far as known, what will be done.
+    [[nodiscard]] QString question(const Plan &plan, const NotchAdvice &advice) const;
+    /// Why nothing can be tried now; empty if it can.
+    [[nodiscard]] QString obstacle() const;
+
+    void start(const Plan &plan);
+    /// Ends the trial; the old values are written back.
+    void stop();
+    [[nodiscard]] bool isRunning() const { return m_stop != nullptr; }
+    /// The last trial in words; empty before the first.
+    [[nodiscard]] const QString &outcome() const { return m_outcome; }
+
+    /// The open loop of an axis as just measured; forgotten when gains or board change.
+    void keepLoop(Axis axis, const MeasuredLoop &loop) { m_loops[std::size_t(axis)] = loop; }
+    void forgetLoops() { m_loops = {}; }
+
+signals:
+    /// A trial has begun or ended.
+    void changed();
+
+private:
+    [[nodiscard]] QString name(const Plan &plan) const;
+    void onResult(const Plan &plan, const Result<NotchTrialResult> &result);
+    void tell(const Plan &plan, const NotchTrialResult &result);
+    void noteTrial(const Plan &plan, const Configuration &board);
+    void makeGood();
+    [[nodiscard]] QString boardName() const;
+
+    Workspace &m_workspace;
+    std::shared_ptr<std::atomic<bool>> m_stop;  // of the running trial
+    QString m_outcome;
+    std::array<std::optional<MeasuredLoop>, kAxisCount> m_loops;
+};
