@@ -117,6 +117,7 @@ void MainWindow::connectFrame()
     connect(&workspace->notifications(), &Notifications::withdrawn, m_messages, &MessageBar::withdraw);
     connect(&workspace->notifications(), &Notifications::offer, m_offers, &OfferBar::ask);
     m_status->follow(*m_keys);
+    m_keys->serve(*m_linkBar->motorsButton());
     connect(m_panels, &PanelArea::openChanged, this, [this](bool open) { m_linkBar->setLinkEnabled(!open); });
     connect(m_unsavedBar, &UnsavedBar::reviewRequested, this, &MainWindow::review);
     connect(m_unsavedBar, &UnsavedBar::saveFileRequested, this, &MainWindow::askSaveFile);

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/motorskeys.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QKeyEvent>
+#include <QMouseEvent>
 
 namespace {
 
@@ -31,6 +33,8 @@ MotorsKeys::MotorsKeys(Workspace &workspace, QObject *parent)
 
 bool MotorsKeys::eventFilter(QObject *watched, QEvent *event)
 {
+    if (event->type() == QEvent::MouseButtonPress)
+        pressedOutside(*static_cast<QMouseEvent *>(event));
     const bool press = event->type() == QEvent::KeyPress;
     const bool release = event->type() == QEvent::KeyRelease;
     if (!press && !release && event->type() != QEvent::ShortcutOverride)
@@ -53,11 +57,21 @@ bool MotorsKeys::eventFilter(QObject *watched, QEvent *event)
     return QObject::eventFilter(watched, event);
 }
 
+// Under X11 the press that closes a menu or a list reaches nothing else.
+void MotorsKeys::pressedOutside(const QMouseEvent &press)
+{
+    if (!m_button || !m_button->isVisible() || !QApplication::activePopupWidget()
+        || press.button() != Qt::LeftButton || !m_workspace.motorsRunning().value_or(true))
+        return;
+    if (m_button->rect().contains(m_button->mapFromGlobal(press.globalPosition().toPoint())))
+        m_button->click();
+}
+
 void MotorsKeys::escapePressed()
 {
     m_letGo.stop();
     const int ms = m_workspace.settings().escapeHoldMs();
-    if (m_down || ms == 0 || !m_workspace.client().isConnected())
+    if (m_down || ms == 0 || m_workspace.client().state() == DeviceClient::State::Disconnected)
         return;
     m_down = true;
     m_hold.start(ms);

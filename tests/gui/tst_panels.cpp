@@ -3,20 +3,72 @@
 #include "app/mainwindow/linkbar.h"
 #include "app/mainwindow/navigation.h"
 #include "app/pages/board/backupspage.h"
+#include "app/pages/setup/profilespage.h"
+#include "app/pages/tune/spectrumpage.h"
 #include "app/pages/watch/monitorpage.h"
+#include "tests/support/named.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/panel.h"
 
 #include <QDialog>
+#include <QDirIterator>
+#include <QMenu>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTableView>
+#include <QTableWidget>
 
 using namespace Qt::StringLiterals;
 
 namespace {
 
 const QString kDemo = u"sim:simplebgc"_s;
+
+/// A place in the sources that opens a panel, and what these tests call what it opens.
+struct PanelSite
+{
+    const char *name;
+    const char *place;  // file and function
+};
+constexpr PanelSite kSites[]{
+    {"review", "app/mainwindow/mainwindow.cpp review"},
+    {"palette", "app/mainwindow/mainwindow.cpp showPalette"},
+    {"unsaved", "app/mainwindow/mainwindow.cpp askBeforeLeaving"},
+    {"streams", "app/pages/watch/monitorpage.cpp askStreams"},
+    {"layout", "app/pages/watch/monitorpage.cpp askLayoutName"},
+    {"publish", "app/pages/watch/monitorpage.cpp askPublish"},
+    {"share", "app/pages/board/backupspage.cpp makeHeader"},
+    {"notch", "app/pages/tune/spectrumpage.cpp askNotch"},
+    {"profile", "app/pages/setup/profilespage.cpp loadInto"},
+};
+
+/// Every function that opens a panel, with its file.
+QStringList panelSites()
+{
+    static const QRegularExpression start(u"^\\w.*?(\\w+)\\([^;]*$"_s);
+    static const QRegularExpression opens(u"(openPanel\\(|->open\\(\\*)"_s);
+    const QDir root(QStringLiteral(GIMBAL_SOURCE_DIR));
+    QStringList found;
+    for (const QString &folder : {u"app"_s, u"widgets"_s}) {
+        QDirIterator it(root.filePath(folder), {u"*.cpp"_s}, QDir::Files, QDirIterator::Subdirectories);
+        while (it.hasNext()) {
+            QFile file(it.next());
+            const QString path = root.relativeFilePath(file.fileName());
+            if (path == u"widgets/forms/panel.cpp"_s || !file.open(QIODevice::ReadOnly))
+                continue;
+            QString function;
+            for (const QString &line : QString::fromUtf8(file.readAll()).split(u'\n')) {
+                if (const auto match = start.match(line); match.hasMatch())
+                    function = match.captured(1);
+                if (opens.match(line).hasMatch())
+                    found.append(path + u' ' + function);
+            }
+        }
+    }
+    found.sort();
+    return found;
+}
 
 }  // namespace
 
@@ -27,13 +79,20 @@ class TestPanels : public QObject
 private slots:
     void init() { m_rig = std::make_unique<WindowRig>(); }
     void cleanup() { m_rig.reset(); }
+    void eachDialogIsTried();
     void motorsGoOffBeneathEachDialog_data();
     void motorsGoOffBeneathEachDialog();
+    void keysStopThemInEachDialog_data() { motorsGoOffBeneathEachDialog_data(); }
+    void keysStopThemInEachDialog();
+    void stopIsKeptBeneathEachDialog_data() { motorsGoOffBeneathEachDialog_data(); }
+    void stopIsKeptBeneathEachDialog();
+    void motorsGoOffBesideAnOpenMenu();
     void windowsWouldBlockThem();
     void contentIsOutOfReach();
     void focusComesBack();
     void smallWindowHoldsThem();
     void closingTheWindowAsksOnceMore();
+    void stopIsKeptUntilThereIsALink_data();
     void stopIsKeptUntilThereIsALink();
 
 private:
@@ -52,9 +111,23 @@ private:
     }
     /// Opens that dialog the operator's way; null if none came.
     QDialog *open(const QString &name);
+    void chooseInMenu(const QString &text);
 
     std::unique_ptr<WindowRig> m_rig;
 };
+
+void TestPanels::chooseInMenu(const QString &text)
+{
+    for (QMenu *menu : m_rig->page<MonitorPage>()->findChildren<QMenu *>()) {
+        emit menu->aboutToShow();
+        for (QAction *action : menu->actions()) {
+            if (action->text() == text) {
+                action->trigger();
+                return;
+            }
+        }
+    }
+}
 
 QDialog *TestPanels::open(const QString &name)
 {
@@ -70,6 +143,24 @@ QDialog *TestPanels::open(const QString &name)
         m_rig->page<MonitorPage>()->streamsButton()->click();
     else if (name == u"share"_s && window().showPage(u"backups"_s))
         m_rig->page<BackupsPage>()->findChild<QPushButton *>(u"share"_s)->click();
+    else if (name == u"layout"_s)
+        chooseInMenu(u"Keep this layout…"_s);
+    else if (name == u"publish"_s)
+        chooseInMenu(u"Send to PlotJuggler (UDP)…"_s);
+    else if (name == u"profile"_s) {
+        const QString path = m_rig->filePath(u"profiles.json"_s);
+        if (!workspace().saveFile(path))
+            return nullptr;
+        m_rig->page<ProfilesPage>()->loadInto(path, 2);
+    } else if (name == u"notch"_s) {
+        auto *page = m_rig->page<SpectrumPage>();
+        if (!QTest::qWaitFor([page] { return page->peaks()->rowCount() > 0; }, 20000))
+            return nullptr;
+        if (!page->pauseButton()->isChecked())
+            page->pauseButton()->click();
+        page->peaks()->selectRow(0);
+        named<QPushButton>(page, u"Put a notch here…"_s)->click();
+    }
     if (!QTest::qWaitFor([this] { return window().panels()->isOpen(); }, 5000))
         return nullptr;
     return window().panels()->findChild<QDialog *>();
@@ -78,8 +169,18 @@ QDialog *TestPanels::open(const QString &name)
 void TestPanels::motorsGoOffBeneathEachDialog_data()
 {
     QTest::addColumn<QString>("name");
-    for (const char *name : {"review", "palette", "unsaved", "streams", "share"})
-        QTest::newRow(name) << QString::fromLatin1(name);
+    for (const PanelSite &site : kSites)
+        QTest::newRow(site.name) << QString::fromLatin1(site.name);
+}
+
+// A place that opens a panel and is not in the list above is not tried beneath: it belongs there.
+void TestPanels::eachDialogIsTried()
+{
+    QStringList tried;
+    for (const PanelSite &site : kSites)
+        tried.append(QString::fromLatin1(site.place));
+    tried.sort();
+    QCOMPARE(panelSites().join(u'\n'), tried.join(u'\n'));
 }
 
 void TestPanels::motorsGoOffBeneathEachDialog()
@@ -103,6 +204,79 @@ void TestPanels::motorsGoOffBeneathEachDialog()
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     QTRY_VERIFY(!window().panels()->isOpen());
     QTRY_VERIFY_WITH_TIMEOUT(motors()->isEnabled(), 5000);  // to switch them on
+}
+
+void TestPanels::keysStopThemInEachDialog()
+{
+    QFETCH(QString, name);
+    QVERIFY(m_rig->open(kDemo));
+    for (const Qt::Key key : {Qt::Key_F12, Qt::Key_Escape}) {
+        workspace().setMotors(true);
+        QVERIFY(motorsAre(true));
+        const QPointer<QDialog> dialog = open(name);
+        QVERIFY(dialog);
+        QTest::keyPress(QApplication::focusWidget(), key);
+        QVERIFY(motorsAre(false));
+        // Esc has closed it as well, as ever; F12 means nothing else.
+        QCOMPARE(window().panels()->isOpen(), key == Qt::Key_F12);
+        QTest::keyRelease(&window(), key);
+        window().panels()->rejectAll();
+        QTRY_VERIFY(!dialog);
+        workspace().edits().discardAll();
+    }
+    // Without a link nothing can be stopped, and that is said.
+    QDialog *dialog = open(name);
+    QVERIFY(dialog);
+    m_rig->client().disconnectFromBoard();
+    QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
+    QVERIFY(!motors()->isEnabled());
+    QSignalSpy told(&workspace().notifications(), &Notifications::problem);
+    QTest::keyClick(&window(), Qt::Key_F12);
+    QTRY_COMPARE(told.count(), 1);
+}
+
+// By the button, F12, and Esc held: while a link that was lost comes back, and while one is being made.
+void TestPanels::stopIsKeptBeneathEachDialog()
+{
+    QFETCH(QString, name);
+    QVERIFY(m_rig->open(kDemo));
+    QVERIFY(motorsAre(true));
+    QVERIFY(open(name));
+    workspace().changeWorld(u"replug=1"_s);
+    workspace().changeWorld(u"unplug=0"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Reconnecting, 10000);
+    QTRY_VERIFY(motors()->isEnabled());
+    QSignalSpy kept(&workspace().notifications(), &Notifications::notice);
+    click(motors());
+    QCOMPARE(kept.count(), 1);
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 20000);
+    QVERIFY(motorsAre(false));
+    if (!window().panels()->isOpen())
+        QVERIFY(open(name));
+    m_rig->client().disconnectFromBoard();
+    QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
+    window().openLink(kDemo);
+    QCOMPARE(m_rig->client().state(), DeviceClient::State::Connecting);
+    QVERIFY(motors()->isEnabled());
+    kept.clear();
+    click(motors());
+    QCOMPARE(kept.count(), 1);
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 20000);
+    QVERIFY(motorsAre(false));
+}
+
+// The click that closes a menu counts for what lies beneath it.
+void TestPanels::motorsGoOffBesideAnOpenMenu()
+{
+    QVERIFY(m_rig->open(kDemo));
+    QVERIFY(motorsAre(true));
+    QMenu menu;
+    menu.addAction(u"anything"_s);
+    menu.popup(window().mapToGlobal(window().rect().center()));
+    QTRY_VERIFY(menu.isVisible());
+    click(motors());
+    QTRY_VERIFY(!menu.isVisible());
+    QVERIFY(motorsAre(false));
 }
 
 // What a dialog with a window of its own would do, and that the click of these tests is one that can be
@@ -199,15 +373,29 @@ void TestPanels::closingTheWindowAsksOnceMore()
     QCOMPARE(workspace().configuration().changeCount(), 1);
 }
 
+void TestPanels::stopIsKeptUntilThereIsALink_data()
+{
+    QTest::addColumn<QString>("by");
+    for (const char *by : {"button", "F12", "Esc"})
+        QTest::newRow(by) << QString::fromLatin1(by);
+}
+
 void TestPanels::stopIsKeptUntilThereIsALink()
 {
+    QFETCH(QString, by);
     QVERIFY(m_rig->open(kDemo));
     QVERIFY(motorsAre(true));
-    workspace().changeWorld(u"replug=2"_s);
+    workspace().changeWorld(u"replug=4"_s);
     workspace().changeWorld(u"unplug=0"_s);
     QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Reconnecting, 10000);
     QTRY_VERIFY(motors()->isEnabled());
-    click(motors());
+    QSignalSpy kept(&workspace().notifications(), &Notifications::notice);
+    if (by == u"button"_s)
+        click(motors());
+    else
+        QTest::keyPress(&window(), by == u"F12"_s ? Qt::Key_F12 : Qt::Key_Escape);
+    QTRY_COMPARE(kept.count(), 1);
+    QCOMPARE(m_rig->client().state(), DeviceClient::State::Reconnecting);
     QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 20000);
     QVERIFY(motorsAre(false));
 }
