@@ -31,22 +31,29 @@ const ActionSpec *findAction(const Device &device, const QString &key)
 }
 
 // An action that no board answers is sent; whether it was done nobody can tell.
-CommandOutcome doneOutcome(const QString &key, const ActionReply &reply, bool answered = true)
+CommandOutcome doneOutcome(const QString &key, const ActionReply &reply, bool answered = true,
+                           const ActionSpec *action = nullptr)
 {
     const QString state = answered ? u"done"_s : u"sent"_s;
     CommandOutcome outcome;
-    outcome.json = QJsonObject{{u"action"_s, key},
-                               {u"done"_s, answered},
-                               {u"state"_s, state},
-                               {u"reply"_s, QJsonObject::fromVariantMap(reply)}};
+    QJsonObject units;
     for (auto it = reply.begin(); it != reply.end(); ++it) {
         QStringList values;
         for (const QVariant &value :
              it->typeId() == QMetaType::QVariantList ? it->toList() : QVariantList{*it})
             values.append(value.typeId() == QMetaType::Double ? QString::number(value.toDouble(), 'g', 6)
                                                               : value.toString());
-        outcome.text += u"%1 %2\n"_s.arg(it.key().leftJustified(20), values.join(u' '));
+        const QString unit = action ? replyUnit(*action, it.key()) : QString();
+        outcome.text += u"%1 %2%3\n"_s.arg(it.key().leftJustified(20), values.join(u' '),
+                                           unit.isEmpty() ? QString() : u' ' + unit);
+        if (!unit.isEmpty())
+            units.insert(it.key(), unit);
     }
+    outcome.json = QJsonObject{{u"action"_s, key},
+                               {u"done"_s, answered},
+                               {u"state"_s, state},
+                               {u"reply"_s, QJsonObject::fromVariantMap(reply)},
+                               {u"units"_s, units}};
     if (outcome.text.isEmpty())
         outcome.text = state + u'\n';
     return outcome;
@@ -108,7 +115,7 @@ Result<CommandOutcome> ActionCommand::run(Channel &channel, Device &device)
     const auto done = performSafely(channel, device, actionKey(), *arguments, history(), {}, latest());
     if (!done)
         return tl::unexpected(done.error());
-    CommandOutcome outcome = doneOutcome(actionKey(), done->reply, done->answered);
+    CommandOutcome outcome = doneOutcome(actionKey(), done->reply, done->answered, action);
     if (!done->snapshotPath.isEmpty()) {
         QJsonObject json = outcome.json.toObject();
         json.insert(u"snapshot"_s, done->snapshotPath);

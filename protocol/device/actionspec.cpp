@@ -59,6 +59,16 @@ Result<QVariant> parseArgument(const ArgumentSpec &argument, const QString &text
 
 }  // namespace
 
+QString replyUnit(const ActionSpec &action, const QString &key)
+{
+    const QString parts = u'.' + key + u'.';
+    for (const ReplyUnit &unit : action.units) {
+        if (parts.contains(u'.' + QLatin1String(unit.part) + u'.'))
+            return QString::fromUtf8(unit.unit);
+    }
+    return {};
+}
+
 Result<QVariantMap> parseArguments(const ActionSpec &action, const QMap<QString, QString> &texts)
 {
     QVariantMap values;

@@ -38,6 +38,13 @@ struct ArgumentSpec
 /// "calibrated" and "outputs".
 enum class Condition : std::uint8_t { Disarmed, Calibrated, MotorsOff };
 
+/// The unit of figures in a reply.
+struct ReplyUnit
+{
+    const char *part = "";  ///< a part of the figure's key between dots: "imu" for "imu.roll", "gyro.bias"
+    const char *unit = "";
+};
+
 /// A named command: everything a protocol can do that is neither a parameter nor telemetry.
 struct ActionSpec
 {
@@ -55,11 +62,15 @@ struct ActionSpec
     std::span<const Condition> needs{};
     const char *confirm = "";  ///< what the operator has to confirm each time: "The propellers are off."
     milliseconds silence{0};  ///< how long the board says nothing afterwards
+    std::span<const ReplyUnit> units{};  ///< of the reply's figures; the first that fits counts
     bool answered = true;  ///< false: the board does not even confirm it, so it is sent at best, never done
 };
 
 /// The reply: figures and texts by key, e.g. {"angle.roll": 1.25}.
 using ActionReply = QVariantMap;
+
+/// The unit of a figure in the action's reply ("°"); empty where it has none.
+QString replyUnit(const ActionSpec &action, const QString &key);
 
 /// Checks texts against the specs and fills in defaults. Errors: InvalidArgument naming the argument, its
 /// type and range.

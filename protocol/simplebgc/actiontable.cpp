@@ -78,8 +78,13 @@ constexpr ArgumentSpec kResetArguments[] = {
 constexpr ArgumentSpec kDefaultsArguments[] = {
     {.key = "what", .label = "What", .kind = ArgumentKind::Choice, .choices = kDefaultsScope}};
 
+constexpr ReplyUnit kAngleUnits[] = {{"speed", "°/s"}, {"imu", "°"}, {"target", "°"}, {"motor", "°"}};
+constexpr ReplyUnit kStillnessUnits[] = {{"gyro", "°/s"}, {"acc", "g"}};
+constexpr ReplyUnit kTuningUnits[] = {{"error", "°"}, {"lpf", "Hz"}};
+
 constexpr ActionSpec kActions[] = {
-    {.key = "angles", .label = "Read angles", .help = "Camera, target and motor angles.", .group = "Read"},
+    {.key = "angles", .label = "Read angles", .help = "Camera, target and motor angles.", .group = "Read",
+     .units = kAngleUnits},
     {.key = "debug.list", .label = "List debug variables", .help = "Names and types of the board's inner variables.",
      .group = "Read"},
     {.key = "debug.read", .label = "Read debug variables", .help = "Values of the board's inner variables.",
@@ -104,10 +109,12 @@ constexpr ActionSpec kActions[] = {
      .group = "Variables", .risk = ActionRisk::Writes},
     {.key = "calibrate.gyro", .label = "Calibrate gyroscope",
      .help = "Measures the zero of the gyroscope. The camera must stand absolutely still.", .group = "Calibration",
-     .risk = ActionRisk::Writes, .arguments = kCalibrationArguments, .isProcedure = true},
+     .risk = ActionRisk::Writes, .arguments = kCalibrationArguments, .isProcedure = true,
+     .units = kStillnessUnits},
     {.key = "calibrate.acc", .label = "Calibrate accelerometer",
      .help = "Measures the zero of the accelerometer in this position. The sensor must be level and still.",
-     .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kCalibrationArguments, .isProcedure = true},
+     .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kCalibrationArguments, .isProcedure = true,
+     .units = kStillnessUnits},
     {.key = "calibrate.battery", .label = "Calibrate voltage sensor",
      .help = "Tells the board the true battery voltage.", .group = "Calibration", .risk = ActionRisk::Writes,
      .arguments = kBatteryArguments, .capability = "battery"},
@@ -115,7 +122,8 @@ constexpr ActionSpec kActions[] = {
      .help = "Takes the present position as the neutral point of following.", .group = "Calibration",
      .risk = ActionRisk::Writes, .isProcedure = true},
     {.key = "autotune", .label = "Auto-tune PID", .help = "The board searches gains by moving the camera.",
-     .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kAutoTuneArguments, .isProcedure = true},
+     .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kAutoTuneArguments, .isProcedure = true,
+     .units = kTuningUnits},
     {.key = "reset", .label = "Restart board", .help = "Restarts the controller; motors go off meanwhile.",
      .group = "Board", .risk = ActionRisk::Moves, .arguments = kResetArguments},
     {.key = "defaults", .label = "Factory defaults", .help = "Overwrites a profile, or everything, with defaults.",

@@ -52,10 +52,13 @@ constexpr ArgumentSpec kName[] = {{.key = "name", .label = "Name", .kind = Argum
 constexpr ArgumentSpec kRate[] = {{.key = "rate", .label = "Rate", .kind = ArgumentKind::Choice, .choices = kRates, .defaultText = "115200"}};
 constexpr ArgumentSpec kWord[] = {{.key = "word", .label = "Number of the word", .min = 0, .max = 124}};
 
+constexpr ReplyUnit kStatusUnits[] = {{"voltage", "V"}};
+constexpr ReplyUnit kSensorUnits[] = {{"temperature", "°C"}};
+
 constexpr ActionSpec kActions[] = {
-    {.key = "status", .label = "Read status", .help = "State, status bits, bus errors and voltage.", .group = "Read"},
+    {.key = "status", .label = "Read status", .help = "State, status bits, bus errors and voltage.", .group = "Read", .units = kStatusUnits},
     {.key = "calibration.read", .label = "Read calibration", .help = "Zeros and scales of both sensors.", .group = "Read"},
-    {.key = "sensors.raw", .label = "Read raw sensors", .help = "Counts of both sensors before calibration.", .group = "Read"},
+    {.key = "sensors.raw", .label = "Read raw sensors", .help = "Counts of both sensors before calibration.", .group = "Read", .units = kSensorUnits},
     {.key = "motors.on", .label = "Motors on", .help = "Leaves standby.", .group = "Motion", .risk = ActionRisk::Moves},
     {.key = "motors.off", .label = "Motors off", .help = "Standby: all motors are without current.", .group = "Motion"},
     {.key = "angle", .label = "Set angles", .help = "Turns the camera to these angles; down, right and left are positive.",

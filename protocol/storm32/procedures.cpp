@@ -40,13 +40,16 @@ constexpr ArgumentSpec kAllDirections[] = {{.key = "direction", .label = "Direct
                                          .choices = kDirectionChoices, .defaultText = "auto"}};
 // clang-format on
 
+constexpr ReplyUnit kReadingUnits[] = {{"temperature", "°C"}, {"quality", "g"}};
+
 constexpr ActionSpec kProcedures[] = {
     {.key = "sensors.average",
      .label = "Average of a sensor",
      .help = "What an accelerometer shows over many readings, in counts.",
      .group = "Read",
      .arguments = kAverage,
-     .isProcedure = true},
+     .isProcedure = true,
+     .units = kReadingUnits},
     {.key = "stored.compare",
      .label = "Compare with what is stored",
      .help = "Reloads what is stored for a moment, puts what is in use back and tells what differs.",
@@ -58,14 +61,16 @@ constexpr ActionSpec kProcedures[] = {
      .group = "Calibration",
      .risk = ActionRisk::Writes,
      .arguments = kCalibrate,
-     .isProcedure = true},
+     .isProcedure = true,
+     .units = kReadingUnits},
     {.key = "calibrate.six",
      .label = "Calibrate an accelerometer, six positions",
      .help = "Finds zeros and scales; each face has to lie up once. Do it with the motors off, on USB power.",
      .group = "Calibration",
      .risk = ActionRisk::Writes,
      .arguments = kCalibrate,
-     .isProcedure = true},
+     .isProcedure = true,
+     .units = kReadingUnits},
     {.key = "calibration.write",
      .label = "Write a calibration",
      .help = "Zeros and scales of one accelerometer; stored at once.",

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/forms/argumentform.h"
 
+#include "widgets/forms/formrows.h"
 #include "widgets/forms/numberbox.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
@@ -40,6 +41,7 @@ ArgumentForm::ArgumentForm(const ActionSpec &action, const QStringList &hidden, 
         layout->addRow(name, field);
         m_fields.insert(QLatin1String(argument.key), field);
     }
+    alignLabels(*layout);
 }
 
 // A number may have been typed with a comma; on the wire and in messages it has a point.

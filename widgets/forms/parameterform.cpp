@@ -17,6 +17,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+constexpr int kLabelWidth = 148;  // of all labels, so that all fields begin at the same place
+
 QLabel *makeLabel(const QString &text, const char *objectName)
 {
     auto *label = new QLabel(text);
@@ -140,7 +142,7 @@ QWidget *ParameterForm::makeMatrix(const QList<QList<int>> &rows)
     auto *grid = new QGridLayout(widget);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(Metric::kGap);
-    grid->setVerticalSpacing(Metric::kUnit);
+    grid->setVerticalSpacing(Metric::kGap);
     for (int axis = 0; axis < kAxisCount; ++axis) {
         auto *head = makeLabel(axisLabel(kAxes[std::size_t(axis)]), "muted");
         head->setAlignment(Qt::AlignCenter);
@@ -148,8 +150,6 @@ QWidget *ParameterForm::makeMatrix(const QList<QList<int>> &rows)
         grid->setColumnMinimumWidth(axis + 1, 112);
         grid->setColumnStretch(axis + 1, 2);
     }
-    grid->setColumnMinimumWidth(0, 156);
-    grid->setColumnStretch(0, 1);
     grid->setColumnStretch(4, 1);
     int line = 1;
     for (const QList<int> &row : rows) {
@@ -160,6 +160,7 @@ QWidget *ParameterForm::makeMatrix(const QList<QList<int>> &rows)
             name->setText(u"⚠ "_s + name->text());
         name->setToolTip(tableText(first.row->help));
         name->setWordWrap(true);
+        name->setFixedWidth(kLabelWidth);
         grid->addWidget(name, line, 0, Qt::AlignLeft | Qt::AlignVCenter);
         for (const int id : row)
             grid->addWidget(makeEditor(id), line, int(set.at(id).axis) + 1, Qt::AlignTop);
@@ -176,7 +177,7 @@ QWidget *ParameterForm::makeFields(const QList<int> &parameters)
     const ParameterSet &set = *m_set;
     auto *widget = new QWidget;
     auto *grid = new QGridLayout(widget);
-    grid->setContentsMargins(0, Metric::kUnit, 0, 0);
+    grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(Metric::kMargin);
     grid->setVerticalSpacing(Metric::kGap);
     for (int i = 0; i < parameters.size(); ++i) {
@@ -192,14 +193,14 @@ QWidget *ParameterForm::makeFields(const QList<int> &parameters)
             text.prepend(u"⚠ "_s);
         auto *name = makeLabel(text, spec.row->risk == Risk::Red ? "warning" : "label");
         name->setWordWrap(true);
+        name->setFixedWidth(kLabelWidth);
         name->setToolTip(tableText(spec.row->help));
         ValueEditor *editor = makeEditor(parameters[i]);
         name->setBuddy(editor->control());
         row->addWidget(name, 0, 0);
         row->addWidget(editor, 0, 1, Qt::AlignTop);
         row->addWidget(makeLabel(QString::fromUtf8(spec.row->unit), "unit"), 0, 2);
-        row->setColumnStretch(0, 5);
-        row->setColumnStretch(1, 5);
+        row->setColumnStretch(1, 1);
         row->setColumnMinimumWidth(2, 28);
         grid->addWidget(cell, i / m_columns, i % m_columns, Qt::AlignTop | Qt::AlignLeft);
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/forms/valueeditor.h"
 
+#include "widgets/forms/flagsbutton.h"
 #include "widgets/forms/numberbox.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/theme.h"
@@ -14,7 +15,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -168,7 +168,7 @@ QWidget *ValueEditor::makeToggle()
 
 QWidget *ValueEditor::makeFlags(int firmware)
 {
-    m_flags = new QPushButton;
+    m_flags = new FlagsButton;
     m_flagsMenu = new QMenu(m_flags);
     for (const Choice &choice : m_spec.choices(firmware)) {
         QAction *action = m_flagsMenu->addAction(tableText(choice.name));
@@ -181,8 +181,6 @@ QWidget *ValueEditor::makeFlags(int firmware)
         });
     }
     m_flags->setMenu(m_flagsMenu);
-    m_flags->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    m_flags->setMinimumWidth(96);
     return m_flags;
 }
 
@@ -262,14 +260,9 @@ void ValueEditor::showValue(double raw)
 
 void ValueEditor::updateFlagsText(double raw)
 {
-    int count = 0;
-    for (QAction *action : m_flagsMenu->actions()) {
-        const bool on = flagBits(raw) & (1U << action->data().toInt());
-        action->setChecked(on);
-        count += on;
-    }
-    m_flags->setText(count == 0 ? tr("None") : tr("%n set", nullptr, count));
-    m_flags->setToolTip(parameterValueText(m_spec, raw));
+    for (QAction *action : m_flagsMenu->actions())
+        action->setChecked(flagBits(raw) & (1U << action->data().toInt()));
+    m_flags->setWords(parameterValueText(m_spec, raw));
 }
 
 bool ValueEditor::eventFilter(QObject *watched, QEvent *event)

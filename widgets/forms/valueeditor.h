@@ -6,12 +6,12 @@
 
 #include <QWidget>
 
+class FlagsButton;
 class NumberBox;
 class QCheckBox;
 class QComboBox;
 class QLabel;
 class QMenu;
-class QPushButton;
 class QToolButton;
 
 /// The control for one parameter: number box, choice, tick or flags, made from its declaration. Shows what
@@ -51,7 +51,7 @@ private:
     NumberBox *m_number = nullptr;
     QComboBox *m_choice = nullptr;
     QCheckBox *m_toggle = nullptr;
-    QPushButton *m_flags = nullptr;
+    FlagsButton *m_flags = nullptr;
     QMenu *m_flagsMenu = nullptr;
     QToolButton *m_reset;
     QString m_inactive;

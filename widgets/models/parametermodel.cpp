@@ -182,8 +182,10 @@ bool ParameterModel::setData(const QModelIndex &index, const QVariant &value, in
     const auto raw = spec.row->kind == ValueKind::Number && !std::isnan(number)
         ? std::optional(spec.toRaw(number))
         : spec.parse(value.toString());
-    if (!raw || !spec.accepts(*raw))
+    if (!raw || !spec.accepts(*raw)) {
+        emit refused(spec.id, value.toString());
         return false;
+    }
     emit editRequested(spec.id, *raw);
     return true;
 }

@@ -39,6 +39,8 @@ public:
 signals:
     /// Somebody typed a value; whoever owns the undo stack makes an edit of it.
     void editRequested(int parameter, double raw);
+    /// Somebody typed what is no value of this parameter.
+    void refused(int parameter, const QString &text);
 
 private:
     [[nodiscard]] int rows() const override { return m_rows; }

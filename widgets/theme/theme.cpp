@@ -81,6 +81,8 @@ QToolButton#reset:hover { text-decoration: underline; }
 QToolButton#reset:focus { border: 1px solid @Accent; padding: 0 3px; }
 QLineEdit > QToolButton, QLineEdit > QToolButton:focus { border: none; background: transparent; padding: 0; min-height: 0; }
 QPushButton::menu-indicator { image: url(:/icons/down.svg); width: 10px; subcontrol-position: right center; right: 8px; }
+QPushButton[field="true"] { background: @Surface; padding: 2px 6px; min-height: 22px; text-align: left; }
+QPushButton[field="true"]:focus { border: 2px solid @Accent; padding: 1px 5px; }
 QPushButton#chip { border-radius: 12px; padding: 2px 12px; background: transparent; }
 QPushButton#chip:checked { background: @Accent; color: @AccentText; }
 QLineEdit, QComboBox, QAbstractSpinBox { background: @Surface; border: 1px solid @Border; border-radius: 4px; padding: 2px 6px; min-height: 22px; }

@@ -234,7 +234,7 @@ void ActionsPage::run()
     const bool rereads = m_action->risk == ActionRisk::Writes || m_action->risk == ActionRisk::Destroys;
     workspace()
         .perform(QString::fromLatin1(m_action->key), *arguments)
-        .then(this, [this, label, rereads](const Result<ActionOutcome> &outcome) {
+        .then(this, [this, action = *m_action, label, rereads](const Result<ActionOutcome> &outcome) {
             m_running = false;
             updateRun();
             const QString time = QTime::currentTime().toString(u"HH:mm:ss"_s);
@@ -247,8 +247,9 @@ void ActionsPage::run()
                                                                     state.toHtmlEscaped());
             for (auto it = outcome->reply.begin(); it != outcome->reply.end(); ++it) {
                 html += u"<tr><td style='padding:2px 16px 2px 0'>%1</td>"
-                        "<td style='padding:2px 0'>%2</td></tr>"_s.arg(it.key().toHtmlEscaped(),
-                                                                       replyText(it.value()).toHtmlEscaped());
+                        "<td style='padding:2px 0'>%2 %3</td></tr>"_s.arg(
+                            it.key().toHtmlEscaped(), replyText(it.value()).toHtmlEscaped(),
+                            replyUnit(action, it.key()));
             }
             html += u"</table>"_s;
             if (!outcome->snapshotPath.isEmpty())

@@ -13,6 +13,8 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 FunctionsCard::FunctionsCard(Workspace &workspace, QWidget *parent)
     : Card(tr("Functions"), parent)
     , m_workspace(workspace)
@@ -38,15 +40,20 @@ void FunctionsCard::fill()
             continue;
         auto *form = new ArgumentForm(action);
         auto *button = new QPushButton(tableText(action.label));
-        // A single field needs no label beside the button's text; a check box does.
-        if (action.arguments.size() == 1 && action.arguments.front().kind != ArgumentKind::Toggle) {
+        // The card is narrow: a field has its label above it, a check box beside it.
+        const bool ticks
+            = std::any_of(action.arguments.begin(), action.arguments.end(),
+                          [](const ArgumentSpec &argument) { return argument.kind == ArgumentKind::Toggle; });
+        if (!ticks) {
+            auto *fields = static_cast<QFormLayout *>(form->layout());
+            fields->setRowWrapPolicy(QFormLayout::WrapAllRows);
+            fields->setVerticalSpacing(Metric::kUnit);
             for (QLabel *label : form->findChildren<QLabel *>())
-                label->hide();
-            static_cast<QFormLayout *>(form->layout())->setHorizontalSpacing(0);
+                label->setMinimumHeight(0);
         }
         button->setToolTip(tableText(action.help));
         grid->addWidget(form, line, 0, Qt::AlignVCenter);
-        grid->addWidget(button, line++, 1, action.arguments.size() > 1 ? Qt::AlignBottom : Qt::AlignVCenter);
+        grid->addWidget(button, line++, 1, ticks ? Qt::AlignVCenter : Qt::AlignBottom);
         connect(button, &QPushButton::clicked, this, [this, form, key = QString::fromLatin1(action.key)] {
             if (const auto arguments = form->arguments())
                 m_workspace.perform(key, *arguments);

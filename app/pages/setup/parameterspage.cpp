@@ -3,6 +3,7 @@
 #include "app/pages/setup/parameterspage.h"
 
 #include "widgets/forms/helpcard.h"
+#include "widgets/forms/parameterdelegate.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/valueeditor.h"
 #include "widgets/theme/tablelook.h"
@@ -49,6 +50,7 @@ constexpr int kGroupsColumn = 168;
 constexpr int kHelpColumn = 248;
 constexpr int kNarrowColumn = 196;
 constexpr int kNarrowPage = 1000;
+constexpr int kShownTyped = 40;  // characters of what was typed, in a message about it
 
 QPushButton *makeChip(const QString &text)
 {
@@ -124,6 +126,8 @@ void ParametersPage::makeBody()
     m_proxy->setSourceModel(&m_model);
     m_table->setModel(m_proxy);
     m_table->setAccessibleName(tr("All parameters"));
+    m_table->setItemDelegate(
+        new ParameterDelegate(workspace().configuration(), workspace().theme(), m_table));
     setPlainRows(*m_table);
     m_table->setAlternatingRowColors(true);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -143,7 +147,10 @@ void ParametersPage::makeBody()
 void ParametersPage::connectAll()
 {
     connect(m_search, &QLineEdit::textChanged, this, &ParametersPage::refilter);
-    connect(m_level, &QComboBox::currentIndexChanged, this, &ParametersPage::refilter);
+    connect(m_level, &QComboBox::currentIndexChanged, this, [this] {
+        updateGroupMarks();
+        refilter();
+    });
     for (QPushButton *chip : {m_onlyChanged, m_onlyNonDefault, m_onlyRed})
         connect(chip, &QPushButton::toggled, this, &ParametersPage::refilter);
     connect(m_asTable, &QPushButton::toggled, this, [this](bool on) {
@@ -162,6 +169,7 @@ void ParametersPage::connectAll()
     connect(&m_model, &ParameterModel::editRequested, this, [this](int parameter, double raw) {
         workspace().edits().edit(parameter, workspace().configuration().shownProfile(), raw);
     });
+    connect(&m_model, &ParameterModel::refused, this, &ParametersPage::onRefused);
     connect(&workspace().configuration(), &ConfigurationModel::boardReset, this, &ParametersPage::onBoard);
     connect(&workspace().configuration(), &ConfigurationModel::valueChanged, this,
             &ParametersPage::updateGroupMarks);
@@ -277,6 +285,11 @@ void ParametersPage::updateGroupMarks()
     const ConfigurationModel &model = workspace().configuration();
     if (model.isEmpty())
         return;
+    QSet<QString> offered;
+    for (const ParameterSpec &spec : model.board().parameters().all()) {
+        if (int(spec.row->level) <= m_level->currentData().toInt())
+            offered.insert(QLatin1String(spec.row->group));
+    }
     QHash<QString, int> counts;
     for (const ParameterChange &change : model.changes())
         ++counts[QLatin1String(change.spec->row->group)];
@@ -289,7 +302,26 @@ void ParametersPage::updateGroupMarks()
         QFont font = item->font();
         font.setBold(count > 0);
         item->setFont(font);
+        item->setHidden(count == 0 && !offered.contains(group));
     }
+    // A level that leaves nothing of the group that is shown goes on to the first that it leaves.
+    for (int i = 0; i < m_groups->count() && m_groups->currentItem() && m_groups->currentItem()->isHidden();
+         ++i) {
+        if (!m_groups->item(i)->isHidden())
+            m_groups->setCurrentRow(i);
+    }
+}
+
+void ParametersPage::onRefused(int parameter, const QString &text)
+{
+    const ParameterSpec &spec = workspace().configuration().edited().parameters().at(parameter);
+    const QString range = parameterRangeText(spec);
+    workspace().notifications().notify(range.isEmpty()
+                                           ? tr("%1: “%2” is no value of it. The value is as before.")
+                                                 .arg(parameterLabel(spec), text.left(kShownTyped))
+                                           : tr("%1: “%2” is no value from %3. The value is as before.")
+                                                 .arg(parameterLabel(spec), text.left(kShownTyped), range),
+                                       Notice::Attention);
 }
 
 void ParametersPage::showGroup(int row)

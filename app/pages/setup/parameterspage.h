@@ -43,6 +43,7 @@ private:
     void onBoard();
     void refilter();
     void updateGroupMarks();
+    void onRefused(int parameter, const QString &text);
     [[nodiscard]] bool matches(const ParameterSpec &spec) const;
 
     ParameterModel m_model;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/tune/movementform.h"
 
+#include "widgets/forms/formrows.h"
 #include "widgets/forms/numberbox.h"
 
 #include <QLabel>
@@ -40,6 +41,7 @@ MovementForm::MovementForm()
     addRow(tr("To"), m_to);
     addRow(tr("Duration"), m_seconds);
     addRow(tr("Stop beyond"), m_limit);
+    alignLabels(*this);
     for (QWidget *field :
          {static_cast<QWidget *>(m_degrees), static_cast<QWidget *>(m_count), static_cast<QWidget *>(m_rest),
           static_cast<QWidget *>(m_from), static_cast<QWidget *>(m_to), static_cast<QWidget *>(m_seconds),
