@@ -2,9 +2,99 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/device/abilities.h"
 
+#include "protocol/session/channel.h"
 #include "protocol/session/framer.h"
 
+#include <algorithm>
+#include <cmath>
+
 using namespace Qt::StringLiterals;
+
+namespace {
+
+// Writes that follow one another this closely are one change: a slider that is dragged.
+constexpr auto kOneChange = 2s;
+
+QList<int> idsOf(const std::vector<AdjustableValue> &values)
+{
+    QList<int> ids;
+    for (const AdjustableValue &value : values)
+        ids.append(value.id);
+    return ids;
+}
+
+const AdjustableValue *findValue(const std::vector<AdjustableValue> &values, int id)
+{
+    const auto it = std::find_if(values.begin(), values.end(),
+                                 [id](const AdjustableValue &value) { return value.id == id; });
+    return it == values.end() ? nullptr : &*it;
+}
+
+}  // namespace
+
+Result<void> LiveAccess::writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values)
+{
+    // A board that does not tell refuses the write, too, or it cannot be taken back.
+    const auto before = readAdjustables(channel, idsOf(values));
+    const auto done = putAdjustables(channel, values);
+    // Also after a failure: some of them may be in use.
+    if (before)
+        note(channel.now(), *before, values);
+    return done;
+}
+
+void LiveAccess::note(TimePoint now, const std::vector<AdjustableValue> &before,
+                      const std::vector<AdjustableValue> &after)
+{
+    const std::lock_guard lock(m_mutex);
+    if (!m_change || now - m_change->until > kOneChange)
+        m_change = LiveChange{now, now, {}, {}};
+    m_change->until = now;
+    for (const AdjustableValue &value : after) {
+        const AdjustableValue *was = findValue(before, value.id);
+        if (!was)
+            continue;
+        // What matters is what was in use before the first of the writes.
+        if (!findValue(m_change->before, value.id)) {
+            m_change->before.push_back(*was);
+            m_change->after.push_back(value);
+        } else {
+            for (AdjustableValue &known : m_change->after) {
+                if (known.id == value.id)
+                    known.value = value.value;
+            }
+        }
+    }
+}
+
+std::optional<LiveChange> LiveAccess::lastChange() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_change;
+}
+
+Result<LiveChange> LiveAccess::takeBack(Channel &channel)
+{
+    const std::optional<LiveChange> change = lastChange();
+    if (!change || change->before.empty())
+        return failure(ErrorCode::NoEffect, u"nothing was changed live"_s);
+    const auto inUse = readAdjustables(channel, idsOf(change->after));
+    if (!inUse)
+        return tl::unexpected(inUse.error());
+    for (const AdjustableValue &value : change->after) {
+        const AdjustableValue *now = findValue(*inUse, value.id);
+        if (!now || now->value != std::round(value.value))
+            return failure(ErrorCode::Conflict,
+                           u"variable %1: %2 was written, %3 is in use"_s.arg(value.id)
+                               .arg(value.value)
+                               .arg(now ? QString::number(now->value) : u"nothing"_s));
+    }
+    if (const auto done = putAdjustables(channel, change->before); !done)
+        return tl::unexpected(done.error());
+    const std::lock_guard lock(m_mutex);
+    m_change.reset();
+    return *change;
+}
 
 FrameText FrameInspector::describeFrames(QByteArrayView bytes, Framer &framer) const
 {

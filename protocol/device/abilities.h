@@ -3,12 +3,14 @@
 #pragma once
 
 #include "protocol/analysis/pidshape.h"
+#include "protocol/base/clock.h"
 #include "protocol/base/frame.h"
 #include "protocol/base/result.h"
 #include "protocol/configuration/parameterspec.h"
 #include "protocol/device/actionspec.h"
 
 #include <functional>
+#include <mutex>
 
 class Channel;
 class Framer;
@@ -64,17 +66,46 @@ struct AdjustableValue
     double value = 0;
 };
 
-/// Variables whose changes take effect at once, without touching what is stored.
+/// Live variables that were changed: one write, or several in quick succession (a slider that is dragged).
+struct LiveChange
+{
+    TimePoint from{};  ///< of the first write, as its channel tells the time
+    TimePoint until{};  ///< of the last one
+    std::vector<AdjustableValue> before;  ///< what the board used before the first write
+    std::vector<AdjustableValue> after;  ///< what it was told to use, variable by variable as in `before`
+};
+
+/// Variables whose changes take effect at once, without touching what is stored. What was changed last can be
+/// taken back by whoever notices that it did harm. Reading and writing may happen on two threads.
 class LiveAccess
 {
 public:
     virtual ~LiveAccess() = default;
     [[nodiscard]] virtual std::span<const AdjustableSpec> adjustables() const = 0;
     virtual Result<std::vector<AdjustableValue>> readAdjustables(Channel &channel, const QList<int> &ids) = 0;
-    /// Proven by reading back. Errors: NotInUse with what the board uses instead.
-    virtual Result<void> writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) = 0;
+    /// Proven by reading back. Errors: NotInUse with what the board uses instead. What was in use before is
+    /// noted first.
+    Result<void> writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values);
     /// The action that stores the values in use.
     [[nodiscard]] virtual QString storeAction() const = 0;
+
+    /// What was changed last; empty before the first change and once it was taken back.
+    [[nodiscard]] std::optional<LiveChange> lastChange() const;
+    /// Puts the values from before the last change into use again, proven by reading back. Errors: Conflict
+    /// if the board uses others than were written, so that somebody else changed them since (nothing is
+    /// written then); NoEffect if there is no change to take back; those of writing.
+    Result<LiveChange> takeBack(Channel &channel);
+
+protected:
+    /// What writeAdjustables() does on the wire.
+    virtual Result<void> putAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) = 0;
+
+private:
+    void note(TimePoint now, const std::vector<AdjustableValue> &before,
+              const std::vector<AdjustableValue> &after);
+
+    mutable std::mutex m_mutex;
+    std::optional<LiveChange> m_change;
 };
 
 /// Boards that stream the data they are asked for.
@@ -203,6 +234,8 @@ public:
     [[nodiscard]] virtual std::vector<BoardFact> facts(const std::function<double(int)> &latest) const = 0;
     /// The value of the channel with the role "state" in words.
     [[nodiscard]] virtual QString statusText(int state) const = 0;
+    /// In that state the board holds what it stabilises; in the others it starts up, levels or stands by.
+    [[nodiscard]] virtual bool isStabilising(int state) const = 0;
     /// Text of a message that the board sends to the operator; empty for other frames.
     [[nodiscard]] virtual QString messageText(const FrameView &frame) const = 0;
     [[nodiscard]] virtual std::optional<ConnectOffer> connectOffer() const = 0;

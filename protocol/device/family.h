@@ -22,6 +22,7 @@ struct FamilyLink
 struct Nouns
 {
     const char *load = "camera";  ///< "the camera stands still"
+    bool flies = false;  ///< switching its motors off makes it fall: the program itself never does that
 };
 
 /// A family of controllers as the program's table of families lists it.

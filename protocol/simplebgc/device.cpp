@@ -406,7 +406,7 @@ Result<std::vector<AdjustableValue>> Device::readAdjustables(Channel &channel, c
 }
 
 // A confirmation proves nothing: what the board uses then does.
-Result<void> Device::writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values)
+Result<void> Device::putAdjustables(Channel &channel, const std::vector<AdjustableValue> &values)
 {
     QList<int> ids;
     for (const AdjustableValue &value : values)

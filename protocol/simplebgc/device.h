@@ -67,7 +67,6 @@ public:
     [[nodiscard]] const LiveAccess *live() const override { return this; }
     [[nodiscard]] std::span<const AdjustableSpec> adjustables() const override;
     Result<std::vector<AdjustableValue>> readAdjustables(Channel &channel, const QList<int> &ids) override;
-    Result<void> writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) override;
     [[nodiscard]] QString storeAction() const override;
 
     InnerVariables *innerVariables() override { return this; }
@@ -128,6 +127,8 @@ public:
 
 private:
     friend class Actions;
+
+    Result<void> putAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) override;
 
     Result<void> sendAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) const;
     Result<QByteArray> askBlock(Channel &channel, BlockKey key, int retries);

@@ -476,7 +476,7 @@ Result<std::vector<AdjustableValue>> Device::readAdjustables(Channel &channel, c
     return values;
 }
 
-Result<void> Device::writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values)
+Result<void> Device::putAdjustables(Channel &channel, const std::vector<AdjustableValue> &values)
 {
     for (const AdjustableValue &value : values) {
         const auto known = std::find_if(m_adjustables.begin(), m_adjustables.end(),

@@ -59,7 +59,6 @@ public:
     [[nodiscard]] const LiveAccess *live() const override { return this; }
     [[nodiscard]] std::span<const AdjustableSpec> adjustables() const override { return m_adjustables; }
     Result<std::vector<AdjustableValue>> readAdjustables(Channel &channel, const QList<int> &ids) override;
-    Result<void> writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) override;
     [[nodiscard]] QString storeAction() const override;
 
     [[nodiscard]] const Steering *steering() const override { return this; }
@@ -85,6 +84,7 @@ public:
     [[nodiscard]] const StatusWords *statusWords() const override { return this; }
     [[nodiscard]] std::vector<BoardFact> facts(const std::function<double(int)> &latest) const override;
     [[nodiscard]] QString statusText(int state) const override;
+    [[nodiscard]] bool isStabilising(int state) const override;
     [[nodiscard]] QString messageText(const FrameView &frame) const override;
     [[nodiscard]] std::optional<ConnectOffer> connectOffer() const override;
 
@@ -96,6 +96,8 @@ public:
 private:
     friend class Actions;
     friend class Procedures;
+
+    Result<void> putAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) override;
 
     /// A request in the form this board accepts: plain, or embedded.
     [[nodiscard]] Request simple(Simple id, QByteArrayView arguments = {}) const;

@@ -67,6 +67,12 @@ QString Device::statusText(int state) const
     return stateName(state, m_firmware);
 }
 
+// Standby, start and levelling come before state 6, or have numbers of their own (errata 3.7).
+bool Device::isStabilising(int state) const
+{
+    return state == 6;
+}
+
 QString Device::messageText(const FrameView &frame) const
 {
     if (frame.id != FrameId::kMavlink + mavlink::number(mavlink::MessageId::StatusText))

@@ -30,6 +30,7 @@ ChannelRoles::ChannelRoles(ChannelTable table, const QSet<QString> &capabilities
         gyro[i] = find("rate." + axis);
         acc[i] = find("acceleration." + QByteArray(kDirections[i]));
         frameAngle[i] = find("frame." + axis);
+        input[i] = find("input." + axis);
         motorPower[i] = find("motor." + axis + ".output");
     }
     for (int n = 1, motor = 0; (motor = find("motor." + QByteArray::number(n) + ".output")) >= 0; ++n)

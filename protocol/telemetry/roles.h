@@ -12,6 +12,7 @@
 /// Finds channels by their meaning, independent of the family's names (ChannelSpec::role):
 ///   attitude.AXIS, target.AXIS, rate.AXIS   angle, target angle and angular rate of what is stabilised
 ///   acceleration.x/y/z, frame.AXIS          of its sensor; attitude of the frame it hangs on
+///   input.AXIS                              what it is steered with from outside, in any unit
 ///   motor.N.output, motor.AXIS.output       N from 1
 ///   battery, current, temperature, cycle_time, bus_errors
 ///   armed, calibrated, outputs              three different things: ready to fly, level known, motors driven
@@ -29,6 +30,7 @@ public:
     std::array<int, 3> gyro{-1, -1, -1};
     std::array<int, 3> acc{-1, -1, -1};  ///< x, y, z
     std::array<int, 3> frameAngle{-1, -1, -1};
+    std::array<int, 3> input{-1, -1, -1};
     std::array<int, 3> motorPower{-1, -1, -1};  ///< of the motor that turns that axis
     QList<int> motors;  ///< outputs of numbered motors, in order
     int battery = -1;

@@ -231,6 +231,7 @@ Family toyFamily()
     family.timing.heartbeat = [] { return toy::encode(Command::Heartbeat); };
     family.timing.silenceLimit = 1000ms;
     family.nouns.load = "drone";
+    family.nouns.flies = true;
     family.makeFramer = [] { return std::make_unique<toy::ToyFramer>(); };
     family.makeDevice = [] { return std::make_unique<ToyDevice>(); };
     family.makeParameters = parametersOf;
