@@ -70,6 +70,7 @@ void DeviceClient::Private::takePlan(const TelemetryPlan &arranged, const Subscr
         link->setPoll(arranged.poll, arranged.pollInterval);
         link->setShutdownFrames(arranged.shutdownFrames);
     });
+    supervision->setPeriod(arranged.rate > 0 ? 1.0 / arranged.rate : 0.0);
     emit q.telemetryPlanChanged();
     if (subscription != asked)
         requestTelemetry();

@@ -66,6 +66,7 @@ DeviceClient::Private::Private(DeviceClient &client, TransportFactory makeTransp
     workerThread.start();
     statisticsTimer.setInterval(kStatisticsPeriod);
     connect(&statisticsTimer, &QTimer::timeout, &q, [this] { pollStatistics(); });
+    startSupervision();
 }
 
 DeviceClient::DeviceClient(
@@ -173,6 +174,7 @@ void DeviceClient::Private::shutDown()
 {
     if (!ioThread.isRunning())
         return;
+    supervision.reset();
     statisticsTimer.stop();
     session->disconnect(&q);
     cancelJobs();
@@ -301,6 +303,9 @@ void DeviceClient::Private::finishAttempt(const std::shared_ptr<Attempt> &attemp
     plan = {};
     statistics = {};
     statisticsTimer.start();
+    // A recording is watched by who looks at it: there is nothing to stop.
+    if (!address.isReplay())
+        supervision->begin({store, device, roles, found->candidate.family.nouns.flies});
     setState(State::Connected);
     requestTelemetry();
 }
@@ -358,32 +363,40 @@ void DeviceClient::cancelMovingJobs()
 
 void DeviceClient::motorsOff()
 {
+    d->stopMotors();
+}
+
+void DeviceClient::Private::stopMotors(const std::function<void(bool proven)> &proven)
+{
     std::optional<StopPlan> wanted;
     {
-        const std::lock_guard lock(d->urgentMutex);
-        wanted = d->stopPlan;
+        const std::lock_guard lock(urgentMutex);
+        wanted = stopPlan;
     }
+    const auto tell = [this, proven](bool isProven) {
+        if (proven)
+            proven(isProven);
+        back([this, isProven] { emit q.motorsOffFinished(isProven); });
+    };
     if (!wanted) {
-        d->back([this] { emit motorsOffFinished(false); });
+        tell(false);
         return;
     }
-    d->later([this, link = d->session, wanted = std::move(*wanted)] {
+    later([this, link = session, wanted = std::move(*wanted), tell] {
         link->stopMotors(
-            wanted,
+            wanted, [tell](const Result<void> &result) { tell(result.has_value()); },
             [this](const Result<void> &result) {
-                d->back([this, proven = result.has_value()] { emit motorsOffFinished(proven); });
-            },
-            [this](const Result<void> &result) {
-                d->back([this, restored = result.has_value()] { emit motorsOffSettled(restored); });
+                back([this, restored = result.has_value()] { emit q.motorsOffSettled(restored); });
             });
     });
-    d->cancelMovingJobs();
+    cancelMovingJobs();
 }
 
 void DeviceClient::setControl(const SteeringSetpoint &setpoint)
 {
     if (d->state != State::Connected || !d->device->steering())
         return;
+    d->supervision->noteSteering();
     d->later([link = d->session, wanted = d->device->steering()->controlFrames(setpoint)] {
         link->refreshControl(wanted);
     });
@@ -391,14 +404,19 @@ void DeviceClient::setControl(const SteeringSetpoint &setpoint)
 
 void DeviceClient::releaseControl()
 {
-    if (d->state == State::Connected)
-        d->later([link = d->session] { link->endControl(); });
+    if (d->state != State::Connected)
+        return;
+    d->supervision->noteRelease();
+    d->later([link = d->session] { link->endControl(); });
 }
 
 void DeviceClient::Private::setState(State next)
 {
-    if (std::exchange(state, next) != next)
-        emit q.stateChanged(next);
+    if (std::exchange(state, next) == next)
+        return;
+    if (supervision && next != State::Connected)
+        supervision->end();
+    emit q.stateChanged(next);
 }
 
 std::unique_ptr<SessionChannel> DeviceClient::Private::makeChannel(std::shared_ptr<JobControl> job,

@@ -14,9 +14,11 @@ class LinkAddress;
 class ReplayControl;
 class TelemetryStore;
 class Transport;
+struct AlarmReport;
 struct Family;
 struct LinkStatistics;
 struct SteeringSetpoint;
+struct SupervisorRules;
 
 /// The only way from the GUI thread to the board. Owns the I/O thread (session) and the worker thread (device
 /// and procedure code, one job at a time). Never blocks; every function that talks to a board returns a
@@ -88,6 +90,10 @@ public:
     void setControl(const SteeringSetpoint &setpoint);
     void releaseControl();
 
+    /// What the supervisor looks for and does; by default it works with the rules' own defaults. It acts by
+    /// itself, whatever the worker and the GUI are doing.
+    void setSupervisorRules(const SupervisorRules &rules);
+
     /// Selects the telemetry to request from the board; kept across reconnections.
     void subscribe(const Subscription &subscription);
 
@@ -108,6 +114,9 @@ signals:
     void motorsOffSettled(bool restored);
     /// Set-points were not refreshed in time: the board was stopped and control released.
     void failsafeActed();
+    /// The supervisor noticed something, or what it does about it has got on, or it is over. Reports with
+    /// the same number are about the same alarm.
+    void alarmChanged(const AlarmReport &report);
     /// The board sent a text message by itself.
     void boardSpoke(const QString &text);
 

@@ -6,6 +6,7 @@
 #include "protocol/client/deviceclient.h"
 #include "protocol/client/framelog.h"
 #include "protocol/client/replaycontrol.h"
+#include "protocol/client/supervision.h"
 #include "protocol/session/session.h"
 #include "protocol/telemetry/telemetryfeed.h"
 #include "protocol/telemetry/telemetryplan.h"
@@ -39,6 +40,9 @@ struct DeviceClient::Private
     void followWay();
     void cancelJobs();
     void cancelMovingJobs();
+    void startSupervision();
+    /// @param proven called on the I/O thread once it is known, beside the signals
+    void stopMotors(const std::function<void(bool proven)> &proven = {});
     void closeSession();
     void shutDown();
     std::unique_ptr<SessionChannel> makeChannel(std::shared_ptr<JobControl> control,
@@ -90,4 +94,5 @@ struct DeviceClient::Private
     std::mutex urgentMutex;  // motorsOff() may be called from any thread
     std::optional<StopPlan> stopPlan;
     std::vector<std::weak_ptr<JobControl>> movingJobs;
+    std::unique_ptr<Supervision> supervision;
 };

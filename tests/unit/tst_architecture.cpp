@@ -29,9 +29,9 @@ const QMap<QString, QStringList> &allowed()
     static const QStringList family = device + QStringList{u"protocol/device"_s};
     static const QStringList board{u"protocol/base"_s, u"protocol/transport"_s, u"protocol/simulator/world"_s};
     static const QStringList shown{u"protocol/base"_s, u"protocol/analysis"_s, u"protocol/telemetry"_s, u"protocol/device"_s,
-                                   u"protocol/configuration"_s, u"protocol/client"_s};
+                                   u"protocol/configuration"_s, u"protocol/supervisor"_s, u"protocol/client"_s};
     static const QStringList drawn = shown + QStringList{u"widgets/models"_s, u"widgets/theme"_s};
-    static const QStringList core = family + QStringList{u"protocol/client"_s, u"protocol/record"_s, u"protocol/procedure"_s};
+    static const QStringList core = family + QStringList{u"protocol/supervisor"_s, u"protocol/client"_s, u"protocol/record"_s, u"protocol/procedure"_s};
     static const QStringList shared = core + QStringList{u"app/composition"_s, u"widgets/models"_s, u"widgets/theme"_s, u"widgets/forms"_s,
                                                          u"widgets/plot"_s, u"widgets/views"_s};
     static const QStringList page = shared + QStringList{u"app/workspace"_s};
@@ -46,7 +46,8 @@ const QMap<QString, QStringList> &allowed()
         {u"protocol/configuration"_s, {u"protocol/base"_s}},
         {u"protocol/telemetry"_s, session},
         {u"protocol/device"_s, device},
-        {u"protocol/client"_s, family},
+        {u"protocol/supervisor"_s, family},
+        {u"protocol/client"_s, family + QStringList{u"protocol/supervisor"_s}},
         {u"protocol/simplebgc"_s, family},
         {u"protocol/mavlink"_s, {u"protocol/base"_s}},
         {u"protocol/storm32"_s, family + QStringList{u"protocol/mavlink"_s}},

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/session/sessionchannel.h"
+#include "protocol/supervisor/alarmreport.h"
+#include "protocol/supervisor/supervisedstore.h"
+
+#include <QThread>
+#include <QTimer>
+
+/// Runs the supervisor on a thread of its own, beside the worker and the GUI, on what the I/O thread puts
+/// into the store, and does what the rules say: motors off in the urgent lane, or the last live change taken
+/// back on a second thread, because both have to work while the worker is busy. Except where stated,
+/// functions may be called from any thread.
+class Supervision
+{
+public:
+    /// What it needs of the client. Called on its threads.
+    struct Hooks
+    {
+        /// Stops the motors; the callback comes from any thread.
+        std::function<void(const std::function<void(bool proven)> &)> stop;
+        std::function<std::unique_ptr<Channel>(std::shared_ptr<JobControl>)> makeChannel;
+        /// A job moves the board.
+        std::function<bool()> isMoving;
+        std::function<void(const AlarmReport &)> report;
+    };
+    struct Board
+    {
+        std::shared_ptr<TelemetryStore> store;
+        std::shared_ptr<Device> device;
+        ChannelRoles roles;
+        bool flies = false;
+    };
+
+    explicit Supervision(Hooks hooks);
+    /// Ends its threads.
+    ~Supervision();
+    Supervision(const Supervision &) = delete;
+    Supervision &operator=(const Supervision &) = delete;
+
+    void setRules(const SupervisorRules &rules);
+    /// A board is connected.
+    void begin(const Board &board);
+    void end();
+    /// Expected time between samples in seconds; 0: not known.
+    void setPeriod(double seconds) { m_period = seconds; }
+    /// A set-point was sent.
+    void noteSteering();
+    void noteRelease() { m_steeredAt = Duration::rep{}; }
+
+private:
+    // On the supervisor's thread.
+    void start(const Board &board);
+    void tick();
+    [[nodiscard]] SupervisedSituation situation();
+    void act(const Alarm &alarm);
+    void stopFor(AlarmReport report);
+    void takeBackFor(const AlarmReport &report);
+    void tookBack(int number, const Result<LiveChange> &change);
+    void followUp();
+    void tell(const AlarmReport &report);
+    [[nodiscard]] AlarmReport *find(int number);
+
+    Hooks m_hooks;
+    QThread m_thread;
+    QThread m_rescueThread;
+    QObject *m_watcher;
+    QObject *m_rescuer;
+    QTimer *m_timer;
+    std::shared_ptr<JobControl> m_control = std::make_shared<JobControl>();
+    std::atomic<double> m_period = 0;
+    std::atomic<Duration::rep> m_steeredAt{};  // ticks of the clock
+
+    std::optional<Board> m_board;
+    std::unique_ptr<SupervisedStore> m_source;
+    std::unique_ptr<Supervisor> m_supervisor;
+    SupervisorRules m_rules;
+    std::vector<AlarmReport> m_reports;  // those that are not over
+    std::vector<std::pair<int, double>> m_helps;  // changes taken back, and when it has to have helped
+    int m_count = 0;
+};

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/base/axis.h"
+
+#include <QString>
+
+#include <array>
+#include <optional>
+
+/// What the supervisor looks for.
+enum class AlarmKind {
+    Runaway,  ///< away from its target beyond a limit, and going on
+    Oscillation,  ///< the angular rate swings in a narrow band
+    Limit,  ///< where it was never steered to, beyond the limits of its angles
+    Saturation,  ///< away from its target for long: the motor cannot do what it is told
+    Sensor,  ///< a motion sensor is missing or not sound
+    Heat,
+    Battery,
+    Stale,  ///< no live data while it is steered
+    Count
+};
+inline constexpr std::size_t kAlarmKinds = std::size_t(AlarmKind::Count);
+
+/// What the program does about it, beside telling it.
+enum class AlarmAction {
+    Warn,
+    TakeBack,  ///< the last live change, if there was one just before
+    TakeBackElseOff,  ///< the same; where there was none, or it does not help, motors off
+    MotorsOff,
+};
+
+/// What the samples show to be the cause. Where they do not, the words name the possible ones.
+enum class AlarmCause {
+    Unknown,
+    SwappedAxes,  ///< two axes run away together, each driven by the other's error
+    WrongDirection,  ///< an axis is pushed away from its target
+    TooMuchGain,
+    Resonance,
+    Fault,  ///< the board says so itself: see Alarm::fault
+};
+
+/// Something that went wrong. Plain data; its words are made in widgets/models/alarmtext.h.
+struct Alarm
+{
+    AlarmKind kind = AlarmKind::Runaway;
+    AlarmCause cause = AlarmCause::Unknown;
+    Axis axis = Axis::None;
+    Axis other = Axis::None;  ///< the second axis concerned
+    double time = 0;  ///< seconds, as the samples tell it
+    /// Runaway, Limit, Saturation: degrees; Oscillation: deg/s RMS; Heat: °C; Battery: volts; Stale: seconds.
+    double value = 0;
+    double limit = 0;  ///< in the same unit; Battery: volts of all cells
+    double hertz = 0;  ///< of an oscillation
+    /// Samples come too slowly to tell the frequency: it may be higher.
+    bool isHertzVague = false;
+    /// It began after a value was changed live.
+    bool isAfterChange = false;
+    QString fault;  ///< BoardFault::key
+
+    /// The same thing going on.
+    [[nodiscard]] bool isSame(const Alarm &alarm) const { return kind == alarm.kind && axis == alarm.axis; }
+    friend bool operator==(const Alarm &, const Alarm &) = default;
+};
+
+/// What the operator has chosen.
+struct SupervisorRules
+{
+    /// What may be chosen for a kind: a change is taken back only where it may be the cause.
+    [[nodiscard]] static constexpr bool offers(AlarmKind kind, AlarmAction action)
+    {
+        return action == AlarmAction::Warn || action == AlarmAction::MotorsOff
+            || kind <= AlarmKind::Saturation;
+    }
+
+    std::array<AlarmAction, kAlarmKinds> actions{AlarmAction::MotorsOff, AlarmAction::TakeBack};
+    double runawayDeg = 25.0;  ///< away from its target
+    double oscillation = 4.0;  ///< deg/s RMS
+    double cellVolts = 3.4;  ///< below this the battery is low
+    double hotCelsius = 70.0;
+    /// Lowest and highest angle that each axis may be steered to, in degrees.
+    std::array<std::optional<std::pair<double, double>>, kAxisCount> angles{};
+
+    [[nodiscard]] AlarmAction action(AlarmKind kind) const { return actions[std::size_t(kind)]; }
+    friend bool operator==(const SupervisorRules &, const SupervisorRules &) = default;
+};

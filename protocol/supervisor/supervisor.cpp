@@ -1,0 +1,511 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/supervisor/supervisor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr double kPast = 1.0;  // seconds of angles that are kept
+constexpr double kPastStep = 0.008;  // between them
+constexpr double kSlope = 0.05;  // seconds over which an angle's rate is measured
+constexpr double kAfterStart = 0.3;  // motors that were switched on find their place first
+
+// Runaway: this fast away from the target and not slowing down, for so long and so many samples.
+constexpr double kAwayRate = 40.0;
+constexpr double kAwayTime = 0.06;
+constexpr int kAwaySamples = 2;
+constexpr double kNotSlower = 0.9;
+// Or twice as far, however slowly.
+constexpr double kCreepTimes = 2.0;
+constexpr double kCreepRate = 8.0;
+constexpr double kCreepTime = 0.25;
+// Without targets an axis is compared with where it stood: it has to be further off and faster, because a
+// hand or a remote control may have moved it. Yaw follows whoever carries the gimbal.
+constexpr double kAnchorTimes = 2.0;
+constexpr double kAnchorRate = 120.0;
+constexpr double kAnchorRateYaw = 300.0;
+constexpr double kStillRate = 15.0;  // deg/s
+constexpr double kStillTime = 0.3;
+constexpr double kInputStep = 5.0;  // change of an input that counts as steering
+constexpr double kAfterSteering = 2.0;  // seconds
+
+// What tells two axes that drive each other from one that turns the wrong way.
+constexpr double kTogether = 0.95;  // correlation of the errors
+constexpr double kAlikeLow = 0.4;  // their ratio
+constexpr double kAlikeHigh = 2.5;
+constexpr double kSwing = 5.0;  // degrees: an error that changes sign like this oscillates
+
+constexpr double kLookEvery = 0.08;
+constexpr double kChangeCounts = 10.0;  // seconds during which a live change may be the cause
+constexpr double kAfterChange = 0.5;  // of the limit for oscillations
+constexpr double kThanCalm = 3.0;  // times as rough as it was before
+constexpr double kCalmShare = 0.05;  // of a new value in the average
+constexpr int kOscillatingLooks = 2;
+constexpr double kTargetStep = 3.0;  // degrees
+constexpr double kMoving = 2.5;  // seconds that a move may take
+constexpr double kFastHz = 15.0;  // no move looks like that
+constexpr double kResonanceFrom = 25.0;  // Hz: faster than gains alone make a gimbal swing
+constexpr double kAfterProcedure = 1.0;
+
+constexpr double kFar = 8.0;  // degrees off the target
+constexpr double kFarTime = 3.0;
+constexpr double kStillFar = 0.7;  // of the error at the beginning
+constexpr double kBeyond = 5.0;  // degrees beyond a limit
+constexpr double kBeyondTime = 0.5;
+
+constexpr double kFullCell = 4.25;  // volts
+constexpr double kNoBattery = 5.0;  // volts: supplied by USB
+constexpr double kCellRise = 0.1;  // until a low battery is none any more
+constexpr double kCooler = 5.0;
+constexpr double kSensorsFound = 5.0;  // seconds that a board that starts may look for its sensors
+constexpr double kStaleTime = 0.5;
+constexpr double kStalePeriods = 3.0;
+constexpr double kOver = 1.0;  // seconds without the cause
+
+double wrapped(double degrees)
+{
+    return std::remainder(degrees, 360.0);
+}
+
+bool isKnown(double value)
+{
+    return !std::isnan(value);
+}
+
+}  // namespace
+
+bool Supervisor::Lasting::holds(bool is, double now, double duration)
+{
+    if (!is) {
+        since = -1;
+        return false;
+    }
+    if (since < 0 || now < since)
+        since = now;
+    return now - since >= duration;
+}
+
+QSet<AlarmKind> Supervisor::possible(const ChannelRoles &roles)
+{
+    const auto any = [](const std::array<int, 3> &channels) {
+        return std::any_of(channels.begin(), channels.end(), [](int channel) { return channel >= 0; });
+    };
+    QSet<AlarmKind> kinds{AlarmKind::Stale};
+    if (any(roles.angle))
+        kinds.insert(AlarmKind::Runaway);
+    if (any(roles.gyro))
+        kinds.insert(AlarmKind::Oscillation);
+    if (any(roles.angle) && any(roles.target))
+        kinds += {AlarmKind::Saturation, AlarmKind::Limit};
+    if (roles.faults >= 0)
+        kinds.insert(AlarmKind::Sensor);
+    if (roles.temperature >= 0)
+        kinds.insert(AlarmKind::Heat);
+    if (roles.battery >= 0)
+        kinds.insert(AlarmKind::Battery);
+    return kinds;
+}
+
+void Supervisor::interrupt()
+{
+    for (AxisState &state : m_axes) {
+        state.past.clear();
+        state.oscillation.clear();
+        state.awaySince = state.farSince = state.beyondSince = -1;
+        state.anchor = SupervisedSample::kNone;
+        state.stillSince = -1;
+    }
+}
+
+void Supervisor::add(const SupervisedSample &sample)
+{
+    if (m_lastSample >= 0
+        && sample.time - m_lastSample > std::max(kStaleTime, kStalePeriods * m_situation.period))
+        interrupt();
+    m_lastSample = std::max(m_lastSample, sample.time);
+    if (isKnown(sample.outputs)) {
+        const bool was = m_outputs > 0;
+        m_outputs = sample.outputs;
+        if (m_outputs > 0 && (!was || m_drivenSince < 0))
+            m_drivenSince = sample.time;
+    }
+    if (isKnown(sample.battery))
+        m_battery = sample.battery;
+    if (isKnown(sample.temperature))
+        m_temperature = sample.temperature;
+    if (m_situation.isSteered)
+        m_steeredAt = sample.time;
+    if (m_situation.isProcedure)
+        m_busyAt = sample.time;
+    for (std::size_t axis = 0; axis < m_axes.size(); ++axis)
+        addAxis(axis, sample);
+}
+
+void Supervisor::addAxis(std::size_t axis, const SupervisedSample &sample)
+{
+    AxisState &state = m_axes[axis];
+    if (isKnown(sample.rate[axis]))
+        state.oscillation.add(sample.time, sample.rate[axis]);
+    if (isKnown(sample.input[axis])) {
+        if (!isKnown(state.input) || std::abs(sample.input[axis] - state.input) > kInputStep) {
+            if (isKnown(state.input))
+                m_steeredAt = sample.time;
+            state.input = sample.input[axis];
+        }
+    }
+    if (isKnown(sample.target[axis])) {
+        state.target = sample.target[axis];
+        m_hasTargets = true;
+        if (!isKnown(state.movedFrom) || std::abs(wrapped(state.target - state.movedFrom)) > kTargetStep) {
+            state.movedAt = sample.time;
+            state.movedFrom = state.target;
+        }
+    }
+    const double angle = sample.angle[axis];
+    if (!isKnown(angle))
+        return;
+    while (!state.past.empty() && sample.time - state.past.front().time > kPast)
+        state.past.pop_front();
+    // The rate comes from the angles: what the gyroscope calls positive differs between boards.
+    const Past *from = nullptr;
+    for (auto it = state.past.rbegin(); it != state.past.rend(); ++it) {
+        from = &*it;
+        if (sample.time - it->time >= kSlope)
+            break;
+    }
+    const double span = from ? sample.time - from->time : 0.0;
+    const double rate = span > 0.5 * kSlope ? wrapped(angle - from->angle) / span : 0.0;
+    if (!m_hasTargets)
+        watchAnchor(state, sample.time, angle, rate);
+    const double reference = m_hasTargets ? state.target : state.anchor;
+    state.error = isKnown(reference) ? wrapped(reference - angle) : SupervisedSample::kNone;
+    state.away = !isKnown(state.error) ? 0.0 : state.error > 0 ? -rate : rate;
+    if (state.past.empty() || sample.time - state.past.back().time >= kPastStep)
+        state.past.push_back({sample.time, angle, state.error});
+    watchRunaway(axis, sample.time);
+    watchPlace(axis, sample.time);
+}
+
+// Where an axis stands still is taken for its target, until somebody moves it.
+void Supervisor::watchAnchor(AxisState &state, double time, double angle, double rate)
+{
+    if (std::abs(rate) > kStillRate) {
+        state.stillSince = -1;
+        return;
+    }
+    if (state.stillSince < 0)
+        state.stillSince = time;
+    if (time - state.stillSince >= kStillTime)
+        state.anchor = angle;
+}
+
+bool Supervisor::isDriven(double time) const
+{
+    if (!m_situation.isStabilising)
+        return false;
+    return !isKnown(m_outputs) || (m_outputs > 0 && time - m_drivenSince >= kAfterStart);
+}
+
+bool Supervisor::isChangedSince(double time) const
+{
+    return m_situation.changedAt && *m_situation.changedAt >= time;
+}
+
+void Supervisor::watchRunaway(std::size_t axis, double time)
+{
+    AxisState &state = m_axes[axis];
+    const bool isAnchored = !m_hasTargets;
+    if (!isDriven(time) || !isKnown(state.error)
+        || (isAnchored && (time - m_steeredAt < kAfterSteering || time - m_busyAt < kAfterSteering))) {
+        state.awaySince = -1;
+        return;
+    }
+    const double limit = m_rules.runawayDeg * (isAnchored ? kAnchorTimes : 1.0);
+    const double fast = !isAnchored ? kAwayRate : kAxes[axis] == Axis::Yaw ? kAnchorRateYaw : kAnchorRate;
+    const double error = std::abs(state.error);
+    const bool isFast = error > limit && state.away > fast;
+    const bool creeps = !isAnchored && error > kCreepTimes * limit && state.away > kCreepRate;
+    if (!isFast && !creeps) {
+        state.awaySince = -1;
+        return;
+    }
+    // What is being caught slows down.
+    if (state.awaySince < 0 || state.away < kNotSlower * state.awayFirst) {
+        state.awaySince = time;
+        state.awayFirst = state.away;
+        state.awaySamples = 0;
+    }
+    ++state.awaySamples;
+    const double lasted = time - state.awaySince;
+    if (state.awaySamples > kAwaySamples - 1 && lasted >= (isFast ? kAwayTime : kCreepTime))
+        raise(explainRunaway(axis, time));
+}
+
+Alarm Supervisor::explainRunaway(std::size_t axis, double time) const
+{
+    const AxisState &state = m_axes[axis];
+    Alarm alarm;
+    alarm.kind = AlarmKind::Runaway;
+    alarm.axis = kAxes[axis];
+    alarm.time = time;
+    alarm.value = std::abs(state.error);
+    alarm.limit = m_rules.runawayDeg * (m_hasTargets ? 1.0 : kAnchorTimes);
+    alarm.isAfterChange = isChangedSince(time - kChangeCounts);
+    // An error that swung to and fro has outgrown its loop.
+    int swings = 0;
+    double side = 0;
+    for (const Past &past : state.past) {
+        if (std::abs(past.error) < kSwing)
+            continue;
+        swings += side != 0 && side * past.error < 0;
+        side = past.error;
+    }
+    if (swings >= 2) {
+        alarm.cause = AlarmCause::TooMuchGain;
+        return alarm;
+    }
+    if (state.away <= kAwayRate)
+        return alarm;
+    alarm.cause = AlarmCause::WrongDirection;
+    for (std::size_t i = 0; i < m_axes.size(); ++i) {
+        const AxisState &second = m_axes[i];
+        if (i == axis || !isKnown(second.error) || second.away <= 0
+            || std::abs(second.error) < 0.25 * std::abs(state.error))
+            continue;
+        alarm.other = kAxes[i];
+        // Axes that drive each other diverge in step, with errors of the same size, and faster than either
+        // could alone; two that turn the wrong way each go their own way.
+        double both = 0;
+        double one = 0;
+        double two = 0;
+        const std::size_t count = std::min(state.past.size(), second.past.size());
+        for (std::size_t k = 1; k <= count; ++k) {
+            const double a = state.past[state.past.size() - k].error;
+            const double b = second.past[second.past.size() - k].error;
+            if (!isKnown(a) || !isKnown(b))
+                continue;
+            both += a * b;
+            one += a * a;
+            two += b * b;
+        }
+        const double together = one > 0 && two > 0 ? std::abs(both) / std::sqrt(one * two) : 0.0;
+        const double ratio = one > 0 ? std::sqrt(two / one) : 0.0;
+        if (together >= kTogether && ratio > kAlikeLow && ratio < kAlikeHigh)
+            alarm.cause = AlarmCause::SwappedAxes;
+        break;
+    }
+    return alarm;
+}
+
+void Supervisor::watchPlace(std::size_t axis, double time)
+{
+    AxisState &state = m_axes[axis];
+    const bool isWatched = isDriven(time) && m_hasTargets && isKnown(state.error)
+        && time - m_busyAt >= kAfterProcedure && !m_situation.isProcedure;
+    if (!isWatched || std::abs(state.error) < kFar) {
+        state.farSince = -1;
+    } else if (state.farSince < 0 || std::abs(state.error) < kStillFar * state.farError) {
+        state.farSince = time;
+        state.farError = std::abs(state.error);
+    } else if (time - state.farSince >= kFarTime) {
+        Alarm alarm;
+        alarm.kind = AlarmKind::Saturation;
+        alarm.axis = kAxes[axis];
+        alarm.time = time;
+        alarm.value = std::abs(state.error);
+        alarm.limit = kFar;
+        alarm.isAfterChange = isChangedSince(time - kChangeCounts);
+        raise(alarm);
+    }
+    const auto &angles = m_rules.angles[axis];
+    const double angle = isKnown(state.error) ? state.target - state.error : SupervisedSample::kNone;
+    const bool isSent = angles && isKnown(state.target)
+        && (state.target < angles->first - 1.0 || state.target > angles->second + 1.0);
+    const double beyond
+        = !angles || !isKnown(angle) ? 0.0 : std::max(angles->first - angle, angle - angles->second);
+    if (!isWatched || isSent || beyond < kBeyond) {
+        state.beyondSince = -1;
+    } else if (state.beyondSince < 0) {
+        state.beyondSince = time;
+    } else if (time - state.beyondSince >= kBeyondTime) {
+        Alarm alarm;
+        alarm.kind = AlarmKind::Limit;
+        alarm.axis = kAxes[axis];
+        alarm.time = time;
+        alarm.value = angle;
+        alarm.limit = angle > angles->second ? angles->second : angles->first;
+        alarm.isAfterChange = isChangedSince(time - kChangeCounts);
+        raise(alarm);
+    }
+}
+
+void Supervisor::watchOscillation(std::size_t axis, double now)
+{
+    AxisState &state = m_axes[axis];
+    const bool isWatched = isDriven(now) && !m_situation.isProcedure && now - m_busyAt >= kAfterProcedure;
+    const double roughness = state.oscillation.roughness();
+    const bool isChanged = isChangedSince(now - kChangeCounts);
+    if (!isChanged && roughness < m_rules.oscillation)
+        state.calm += kCalmShare * (roughness - state.calm);
+    double least = m_rules.oscillation;
+    if (isChanged)
+        least = std::max(kAfterChange * m_rules.oscillation, std::min(kThanCalm * state.calm, least));
+    // Going to another place is a slow swing, too.
+    const bool isMoved = now - state.movedAt < kMoving || now - m_drivenSince < kMoving
+        || (!m_hasTargets && now - m_steeredAt < kMoving);
+    const auto finding = isWatched && roughness > 0 ? state.oscillation.look(least, isMoved ? kFastHz : 0.0)
+                                                    : std::optional<OscillationDetector::Finding>();
+    state.oscillating = finding ? state.oscillating + 1 : 0;
+    if (state.oscillating >= kOscillatingLooks)
+        raise(explainOscillation(axis, now, *finding));
+}
+
+Alarm Supervisor::explainOscillation(std::size_t axis, double now,
+                                     const OscillationDetector::Finding &finding) const
+{
+    Alarm alarm;
+    alarm.kind = AlarmKind::Oscillation;
+    alarm.axis = kAxes[axis];
+    alarm.time = now;
+    alarm.value = finding.rms;
+    alarm.limit = m_rules.oscillation;
+    alarm.hertz = finding.hertz;
+    alarm.isHertzVague = finding.isHertzVague;
+    alarm.isAfterChange = isChangedSince(now - kChangeCounts);
+    // Values that were changed just before are the cause; otherwise a frequency that no gimbal as a whole
+    // can follow belongs to a part of its structure.
+    if (alarm.isAfterChange || (finding.hertz < kResonanceFrom && !finding.isHertzVague))
+        alarm.cause = AlarmCause::TooMuchGain;
+    else if (!finding.isHertzVague)
+        alarm.cause = AlarmCause::Resonance;
+    return alarm;
+}
+
+QString Supervisor::faultOf(AlarmKind kind) const
+{
+    static const std::array<std::pair<AlarmKind, QStringList>, 3> keys{{
+        {AlarmKind::Sensor, {u"no-sensor"_s, u"imu-error"_s, u"imu2-error"_s}},
+        {AlarmKind::Battery, {u"battery-empty"_s, u"low-battery"_s}},
+        {AlarmKind::Heat, {u"protection"_s}},
+    }};
+    for (const auto &[of, wanted] : keys) {
+        for (const QString &key : wanted) {
+            if (of == kind && m_situation.faults.contains(key))
+                return key;
+        }
+    }
+    return {};
+}
+
+void Supervisor::watchBoard(double now)
+{
+    const auto lasts = [&](AlarmKind kind, bool is, double duration) {
+        return m_lasting[std::size_t(kind)].holds(is, now, duration);
+    };
+    const auto tell = [&](AlarmKind kind, double value, double limit) {
+        Alarm alarm;
+        alarm.kind = kind;
+        alarm.time = now;
+        alarm.value = value;
+        alarm.limit = limit;
+        alarm.fault = faultOf(kind);
+        alarm.cause = alarm.fault.isEmpty() ? AlarmCause::Unknown : AlarmCause::Fault;
+        raise(alarm);
+    };
+    const bool isStarting = !m_situation.isStabilising || m_situation.isProcedure;
+    if (lasts(AlarmKind::Sensor, !faultOf(AlarmKind::Sensor).isEmpty(), isStarting ? kSensorsFound : 0.5))
+        tell(AlarmKind::Sensor, 0, 0);
+    if (lasts(AlarmKind::Heat, m_temperature > m_rules.hotCelsius || !faultOf(AlarmKind::Heat).isEmpty(),
+              2.0))
+        tell(AlarmKind::Heat, m_temperature, m_rules.hotCelsius);
+    // A battery does not gain cells; one that is nearly flat looks like one with fewer.
+    if (m_battery > kNoBattery)
+        m_cells = std::max(m_cells, int(std::ceil(m_battery / kFullCell)));
+    const double low = m_cells * m_rules.cellVolts;
+    const bool isLow = (m_battery > kNoBattery && m_battery < low) || !faultOf(AlarmKind::Battery).isEmpty();
+    if (lasts(AlarmKind::Battery, isLow, 3.0))
+        tell(AlarmKind::Battery, m_battery, low);
+    if (!m_situation.isSteered)
+        m_steeringSince = -1;
+    else if (m_steeringSince < 0)
+        m_steeringSince = now;
+    const double silent = now - std::max(m_lastSample, m_steeringSince);
+    const double patience = std::max(kStaleTime, kStalePeriods * m_situation.period);
+    if (m_situation.isSteered && silent > patience)
+        tell(AlarmKind::Stale, silent, patience);
+}
+
+void Supervisor::look(double now)
+{
+    if (now - m_lastLook < kLookEvery && now >= m_lastLook)
+        return;
+    m_lastLook = now;
+    for (std::size_t axis = 0; axis < m_axes.size(); ++axis)
+        watchOscillation(axis, now);
+    watchBoard(now);
+    for (auto it = m_active.begin(); it != m_active.end();) {
+        if (!it->over.holds(isOver(it->alarm, now), now, kOver)) {
+            ++it;
+            continue;
+        }
+        m_ended.push_back(it->alarm);
+        it = m_active.erase(it);
+    }
+}
+
+bool Supervisor::isOver(const Alarm &alarm, double now) const
+{
+    const AxisState *axis = alarm.axis == Axis::None ? nullptr : &m_axes[std::size_t(alarm.axis)];
+    const bool isOff = !isDriven(now) && now - m_drivenSince > kAfterStart;
+    switch (alarm.kind) {
+    case AlarmKind::Runaway: return isOff || std::abs(axis->error) < alarm.limit / 2;
+    case AlarmKind::Oscillation: return isOff || axis->oscillation.roughness() < alarm.value / 2;
+    case AlarmKind::Limit: return axis->beyondSince < 0;
+    case AlarmKind::Saturation: return axis->farSince < 0;
+    case AlarmKind::Sensor: return faultOf(AlarmKind::Sensor).isEmpty();
+    case AlarmKind::Heat:
+        return faultOf(AlarmKind::Heat).isEmpty() && !(m_temperature > m_rules.hotCelsius - kCooler);
+    case AlarmKind::Battery:
+        return faultOf(AlarmKind::Battery).isEmpty()
+            && !(m_battery < m_cells * (m_rules.cellVolts + kCellRise) && m_battery > kNoBattery);
+    case AlarmKind::Stale: return !m_situation.isSteered || now - m_lastSample < kStaleTime;
+    case AlarmKind::Count: break;
+    }
+    return true;
+}
+
+bool Supervisor::isActive(AlarmKind kind, Axis axis) const
+{
+    return std::any_of(m_active.begin(), m_active.end(), [&](const Active &active) {
+        return active.alarm.kind == kind && (active.alarm.axis == axis || active.alarm.other == axis);
+    });
+}
+
+void Supervisor::raise(const Alarm &alarm)
+{
+    if (isActive(alarm.kind, alarm.axis))
+        return;
+    // A runaway is told, not what follows from it.
+    if ((alarm.kind == AlarmKind::Saturation || alarm.kind == AlarmKind::Limit)
+        && isActive(AlarmKind::Runaway, alarm.axis))
+        return;
+    if (alarm.kind == AlarmKind::Limit && isActive(AlarmKind::Saturation, alarm.axis))
+        return;
+    m_active.push_back({alarm, {}});
+    m_raised.push_back(alarm);
+}
+
+std::vector<Alarm> Supervisor::takeRaised()
+{
+    return std::exchange(m_raised, {});
+}
+
+std::vector<Alarm> Supervisor::takeEnded()
+{
+    return std::exchange(m_ended, {});
+}

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/supervisor/alarm.h"
+#include "protocol/supervisor/oscillation.h"
+#include "protocol/telemetry/roles.h"
+
+#include <QSet>
+#include <QStringList>
+
+#include <deque>
+#include <limits>
+#include <vector>
+
+/// What arrived at one instant, by role (see ChannelRoles); NaN is what did not.
+struct SupervisedSample
+{
+    static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    using Axes = std::array<double, kAxisCount>;
+
+    double time = 0;  ///< seconds
+    Axes angle{kNone, kNone, kNone};
+    Axes target{kNone, kNone, kNone};
+    Axes rate{kNone, kNone, kNone};
+    Axes input{kNone, kNone, kNone};
+    double outputs = kNone;
+    double battery = kNone;
+    double temperature = kNone;
+};
+
+/// What the samples do not tell.
+struct SupervisedSituation
+{
+    bool isSteered = false;  ///< this program steers
+    /// A procedure moves the board on purpose, or the board is still starting: only a runaway is looked for,
+    /// and nothing at all while it does not stabilise.
+    bool isProcedure = false;
+    bool isStabilising = true;
+    /// When values were changed live last, in the samples' seconds.
+    std::optional<double> changedAt;
+    double period = 0;  ///< expected time between samples in seconds; 0: not known
+    QStringList faults;  ///< keys of what the board reports (BoardFault::key)
+};
+
+/// Looks at live data for what must not go on. Fed with samples of one board; has no clock, no thread and
+/// knows no family. What a board does not send is not watched.
+class Supervisor
+{
+public:
+    /// What can be watched on a board with these channels.
+    [[nodiscard]] static QSet<AlarmKind> possible(const ChannelRoles &roles);
+
+    void setRules(const SupervisorRules &rules) { m_rules = rules; }
+    [[nodiscard]] const SupervisorRules &rules() const { return m_rules; }
+    void setSituation(const SupervisedSituation &situation) { m_situation = situation; }
+    void add(const SupervisedSample &sample);
+    /// Samples are missing here.
+    void interrupt();
+
+    /// To be called every 20 to 100 ms. @param now in the samples' seconds
+    void look(double now);
+    /// What has been noticed since the last call, in order. The same thing is told again only after it was
+    /// over.
+    [[nodiscard]] std::vector<Alarm> takeRaised();
+    /// What was told and is over.
+    [[nodiscard]] std::vector<Alarm> takeEnded();
+
+private:
+    struct Past
+    {
+        double time = 0;
+        double angle = 0;
+        double error = 0;
+    };
+    struct AxisState
+    {
+        std::deque<Past> past;  // about a second
+        OscillationDetector oscillation;
+        double error = SupervisedSample::kNone;
+        double away = 0;  // deg/s away from the target
+        double target = SupervisedSample::kNone;
+        double anchor = SupervisedSample::kNone;  // where it stood still last, on boards without targets
+        double stillSince = -1;
+        double input = SupervisedSample::kNone;
+        double awaySince = -1;
+        double awayFirst = 0;  // deg/s when that began
+        int awaySamples = 0;
+        double farSince = -1;
+        double farError = 0;
+        double beyondSince = -1;
+        double movedAt = -1e9;  // its target moved by more than a little
+        double movedFrom = SupervisedSample::kNone;
+        int oscillating = 0;  // looks in a row
+        double calm = 0.5;  // RMS of the rate while all was well
+    };
+    // A condition that has to last before it counts, and to be absent before it is over.
+    struct Lasting
+    {
+        double since = -1;
+        [[nodiscard]] bool holds(bool is, double now, double duration);
+    };
+    struct Active
+    {
+        Alarm alarm;
+        Lasting over;
+    };
+
+    void addAxis(std::size_t axis, const SupervisedSample &sample);
+    void watchAnchor(AxisState &state, double time, double angle, double rate);
+    void watchRunaway(std::size_t axis, double time);
+    void watchPlace(std::size_t axis, double time);
+    void watchOscillation(std::size_t axis, double now);
+    void watchBoard(double now);
+    [[nodiscard]] Alarm explainRunaway(std::size_t axis, double time) const;
+    [[nodiscard]] Alarm explainOscillation(std::size_t axis, double now,
+                                           const OscillationDetector::Finding &finding) const;
+    [[nodiscard]] bool isDriven(double time) const;
+    [[nodiscard]] bool isChangedSince(double time) const;
+    [[nodiscard]] bool isOver(const Alarm &alarm, double now) const;
+    void raise(const Alarm &alarm);
+    [[nodiscard]] bool isActive(AlarmKind kind, Axis axis) const;
+    [[nodiscard]] QString faultOf(AlarmKind kind) const;
+
+    SupervisorRules m_rules;
+    SupervisedSituation m_situation;
+    std::array<AxisState, kAxisCount> m_axes;
+    bool m_hasTargets = false;
+    double m_outputs = SupervisedSample::kNone;
+    double m_drivenSince = -1;
+    double m_steeredAt = -1e9;  // by this program or from outside
+    double m_busyAt = -1e9;  // a procedure ran
+    double m_lastSample = -1;
+    double m_steeringSince = -1;
+    double m_battery = SupervisedSample::kNone;
+    int m_cells = 0;
+    double m_temperature = SupervisedSample::kNone;
+    double m_lastLook = -1e9;
+    std::array<Lasting, kAlarmKinds> m_lasting;
+    std::vector<Active> m_active;
+    std::vector<Alarm> m_raised;
+    std::vector<Alarm> m_ended;
+};

@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/composition/composition.h"
+#include "protocol/base/framelistener.h"
+#include "protocol/client/deviceclient.h"
+#include "protocol/device/abilities.h"
+#include "protocol/session/channel.h"
+#include "protocol/session/stopplan.h"
+#include "protocol/supervisor/alarmreport.h"
+#include "protocol/telemetry/streams.h"
+#include "protocol/telemetry/telemetrystore.h"
+#include "protocol/transport/linkaddress.h"
+#include "tests/support/boardtime.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QThread>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// When certain bytes went out. Filled on the I/O thread.
+class SentWatch final : public FrameListener
+{
+public:
+    void frameReceived(const FrameView &, TimePoint, bool) override { }
+    void bytesSent(QByteArrayView bytes, TimePoint at) override
+    {
+        const std::lock_guard lock(m_mutex);
+        if (!m_at && !m_wanted.isEmpty() && bytes.indexOf(m_wanted) >= 0)
+            m_at = at;
+    }
+    void expect(const QByteArray &wanted)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_wanted = wanted;
+        m_at.reset();
+    }
+    [[nodiscard]] std::optional<TimePoint> at() const
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_at;
+    }
+
+private:
+    mutable std::mutex m_mutex;
+    QByteArray m_wanted;
+    std::optional<TimePoint> m_at;
+};
+
+}  // namespace
+
+/// The supervisor of a client, on simulated boards in real time.
+class TestSupervision : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init();
+    void cleanup();
+    void runawayIsStopped_data();
+    void runawayIsStopped();
+    void oscillationIsTakenBack();
+    void operatorChoosesToBeWarnedOnly();
+
+private:
+    void open(const QString &address);
+    void subscribe();
+    /// Runs code on the worker and waits for its end.
+    template <typename T> Result<T> ask(std::function<Result<T>(Channel &, Device &)> job);
+    double inUse(int variable);
+
+    std::unique_ptr<DeviceClient> m_client;
+    std::unique_ptr<SentWatch> m_sent;
+    QList<AlarmReport> m_reports;
+    Links m_links = allLinks();
+    LinkAddress m_address;
+};
+
+void TestSupervision::init()
+{
+    m_reports.clear();
+    m_sent = std::make_unique<SentWatch>();
+    m_client = std::make_unique<DeviceClient>(m_links.transports, allFamilies());
+    m_client->addListener(*m_sent);
+    connect(m_client.get(), &DeviceClient::alarmChanged, this,
+            [this](const AlarmReport &report) { m_reports.append(report); });
+}
+
+void TestSupervision::cleanup()
+{
+    m_client->shutDown();
+    m_client.reset();
+}
+
+// A board of its own for each test: simulated boards keep what happened to them.
+void TestSupervision::open(const QString &address)
+{
+    static int seed = 100;
+    m_address = LinkAddress::parse(u"%1?seed=%2"_s.arg(address).arg(++seed)).value();
+    m_client->connectTo(m_address);
+    QTRY_VERIFY_WITH_TIMEOUT(m_client->isConnected(), 15000);
+    subscribe();
+    QTRY_VERIFY_WITH_TIMEOUT(m_client->telemetry()->rows() > 0, 5000);
+    QVERIFY(m_client->roles().outputs >= 0);
+    QTRY_VERIFY_WITH_TIMEOUT(m_client->telemetry()->latest(m_client->roles().outputs) > 0, 20000);
+}
+
+void TestSupervision::subscribe()
+{
+    const ChannelRoles &roles = m_client->roles();
+    Subscription wanted;
+    if (m_client->device()->streamControl())
+        wanted.channels = ChannelRoles::present({roles.angle, roles.target, roles.gyro});
+    m_client->subscribe(wanted);
+}
+
+template <typename T> Result<T> TestSupervision::ask(std::function<Result<T>(Channel &, Device &)> job)
+{
+    auto future = m_client->submit<T>(std::move(job));
+    if (!QTest::qWaitFor([&] { return future.isFinished(); }, 15000))
+        qFatal("no answer");
+    return future.result();
+}
+
+double TestSupervision::inUse(int variable)
+{
+    const auto values = ask<std::vector<AdjustableValue>>([variable](Channel &channel, Device &device) {
+        return device.live()->readAdjustables(channel, {variable});
+    });
+    return values ? values->front().value : -1;
+}
+
+void TestSupervision::runawayIsStopped_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::addColumn<double>("limit");
+    QTest::newRow("SimpleBGC") << u"sim:simplebgc"_s << 25.0;
+    QTest::newRow("STorM32") << u"sim:storm32"_s << 50.0;  // it has no targets
+}
+
+// With a worker that is busy and a screen that hangs.
+void TestSupervision::runawayIsStopped()
+{
+    QFETCH(QString, address);
+    QFETCH(double, limit);
+    open(address);
+    // The simulated STorM32 levels first; its supervisor waits until it holds.
+    const StatusWords *words = m_client->device()->statusWords();
+    QTRY_VERIFY_WITH_TIMEOUT(
+        !words || words->isStabilising(int(m_client->telemetry()->latest(m_client->roles().state))), 20000);
+    QVERIFY(boardGoesOn(*m_client, 1.5));
+    QVERIFY(m_reports.isEmpty());
+    auto busy = m_client->submit<bool>([](Channel &channel, Device &) -> Result<bool> {
+        static_cast<void>(channel.sleep(6s));
+        return true;
+    });
+    m_sent->expect(m_client->device()->stopPlan().means.front().requests.front().bytes);
+    const auto store = m_client->telemetry();
+    const std::array<int, 3> angles = m_client->roles().angle;
+    const double began = store->now();
+    QVERIFY(m_links.changeWorld(m_address, u"swapped-axes=1"_s));
+    // Nothing of this thread's event loop runs meanwhile.
+    const TimePoint patience = Clock::now() + 5s;
+    while (!m_sent->at() && Clock::now() < patience)
+        QThread::msleep(5);
+    QVERIFY(m_sent->at());
+    QVERIFY(!busy.isFinished());
+    // From the first sample beyond the limit until the stop was on the wire.
+    std::optional<double> beyond;
+    for (const int channel : {angles[0], angles[1]}) {
+        for (TrackView &track : store->tracks(channel)) {
+            track.refresh();
+            for (std::size_t row = track.rowAt(began); row < track.end(); ++row) {
+                if (std::abs(track.value(row)) > float(limit)) {
+                    beyond = std::min(beyond.value_or(1e9), track.time(row));
+                    break;
+                }
+            }
+        }
+    }
+    QVERIFY(beyond);
+    const double reaction = store->secondsAt(*m_sent->at()) - *beyond;
+    qInfo() << "stopped" << reaction << "s after the limit was passed";
+    QVERIFY(reaction < 0.5);
+    // And it is told as soon as the screen is back.
+    QTRY_VERIFY_WITH_TIMEOUT(!m_reports.isEmpty() && m_reports.last().outcome == AlarmOutcome::Done, 5000);
+    QCOMPARE(m_reports.first().alarm.kind, AlarmKind::Runaway);
+    QCOMPARE(m_reports.first().alarm.cause, AlarmCause::SwappedAxes);
+    QCOMPARE(m_reports.last().action, AlarmAction::MotorsOff);
+    QTRY_VERIFY_WITH_TIMEOUT(m_client->telemetry()->latest(m_client->roles().outputs) == 0, 5000);
+    m_client->cancelJobs();
+}
+
+void TestSupervision::oscillationIsTakenBack()
+{
+    open(u"sim:simplebgc"_s);
+    QVERIFY(boardGoesOn(*m_client, 1.5));
+    constexpr int kPitchD = 7;  // PID_D, pitch: adjustable variable
+    const double before = inUse(kPitchD);
+    const auto done = ask<bool>([](Channel &channel, Device &device) -> Result<bool> {
+        const auto written = device.live()->writeAdjustables(channel, {{kPitchD, 255}});
+        return written ? Result<bool>(true) : tl::unexpected(written.error());
+    });
+    QVERIFY(done);
+    auto busy = m_client->submit<bool>([](Channel &channel, Device &) -> Result<bool> {
+        static_cast<void>(channel.sleep(4s));
+        return true;
+    });
+    const double began = m_client->telemetry()->now();
+    QThread::msleep(2000);  // the screen hangs
+    QVERIFY(!busy.isFinished());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_reports.isEmpty() && m_reports.last().outcome == AlarmOutcome::Done, 3000);
+    const AlarmReport &report = m_reports.last();
+    QCOMPARE(report.alarm.kind, AlarmKind::Oscillation);
+    QCOMPARE(report.alarm.axis, Axis::Pitch);
+    QCOMPARE(report.alarm.cause, AlarmCause::TooMuchGain);
+    QVERIFY(report.change.has_value());
+    QCOMPARE(report.change->before.front().value, before);
+    qInfo() << "noticed" << report.alarm.time - began << "s after the change," << report.alarm.value
+            << "deg/s at" << report.alarm.hertz << "Hz";
+    m_client->cancelJobs();
+    QTRY_VERIFY(busy.isFinished());
+    QCOMPARE(inUse(kPitchD), before);
+    QTRY_VERIFY_WITH_TIMEOUT(m_reports.last().isOver, 5000);
+}
+
+void TestSupervision::operatorChoosesToBeWarnedOnly()
+{
+    SupervisorRules rules;
+    rules.actions.fill(AlarmAction::Warn);
+    m_client->setSupervisorRules(rules);
+    open(u"sim:simplebgc"_s);
+    QVERIFY(boardGoesOn(*m_client, 1.0));
+    QVERIFY(m_links.changeWorld(m_address, u"swapped-axes=1"_s));
+    QTRY_VERIFY_WITH_TIMEOUT(!m_reports.isEmpty(), 5000);
+    QCOMPARE(m_reports.first().action, AlarmAction::Warn);
+    QVERIFY(boardGoesOn(*m_client, 1.0));
+    QVERIFY(m_client->telemetry()->latest(m_client->roles().outputs) > 0);
+}
+
+QTEST_GUILESS_MAIN(TestSupervision)
+#include "tst_supervision.moc"

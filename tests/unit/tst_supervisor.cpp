@@ -1,0 +1,620 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/supervisor/supervisedstore.h"
+#include "tests/support/stormrig.h"
+#include "tests/support/virtualboard.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// A supervisor beside a simulated board, in virtual time.
+class Watched
+{
+public:
+    Watched(VirtualChannel &channel, Device &device, double rate)
+        : m_channel(channel)
+        , m_device(device)
+        , m_store(std::make_shared<TelemetryStore>(int(device.channels().size()), channel.now()))
+        , m_origin(channel.now())
+    {
+        const ChannelRoles roles = rolesOf(device);
+        Subscription wanted;
+        wanted.rate = rate;
+        if (device.streamControl())
+            wanted.channels = ChannelRoles::present({roles.angle, roles.target, roles.gyro});
+        const auto plan = device.subscribe(channel, wanted, {});
+        if (!plan)
+            qFatal("no telemetry: %s", qPrintable(plan.error().detail));
+        m_decoder = plan->decoder;
+        m_poll = plan->poll;
+        m_period = 1.0 / plan->rate;
+        channel.setTap(
+            [this](const FrameView &frame, TimePoint at) { m_decoder->decode(frame, at, *m_store); });
+        // The store's own present is that of the real clock; the board lives in virtual time.
+        m_watched = std::make_unique<SupervisedStore>(
+            m_store, std::shared_ptr<const Device>(&device, [](auto *) {}), roles);
+        supervisor.setRules(SupervisorRules());
+    }
+    ~Watched() { m_channel.setTap({}); }
+    Watched(const Watched &) = delete;
+    Watched &operator=(const Watched &) = delete;
+
+    [[nodiscard]] double now() const { return seconds(m_channel.now() - m_origin); }
+    /// Lets the board go on until there is an alarm, at most for so long.
+    std::optional<Alarm> run(double length)
+    {
+        const double end = now() + length;
+        double nextLook = now();
+        while (now() < end) {
+            if (m_poll)
+                m_channel.transact(*m_poll);
+            else
+                static_cast<void>(m_channel.sleep(20ms));
+            if (now() < nextLook)
+                continue;
+            nextLook = now() + 0.02;
+            SupervisedSituation situation = m_watched->situation();
+            situation.period = m_period;
+            situation.isSteered = isSteered;
+            situation.isProcedure = isProcedure;
+            supervisor.setSituation(situation);
+            m_watched->feed(supervisor);
+            supervisor.look(now());
+            for (const Alarm &alarm : supervisor.takeEnded())
+                ended.push_back(alarm);
+            const auto raised = supervisor.takeRaised();
+            if (!raised.empty())
+                return raised.front();
+        }
+        return {};
+    }
+    [[nodiscard]] const TelemetryStore &store() const { return *m_store; }
+
+    Supervisor supervisor;
+    std::vector<Alarm> ended;
+    bool isSteered = false;
+    bool isProcedure = false;
+
+private:
+    VirtualChannel &m_channel;
+    Device &m_device;
+    std::shared_ptr<TelemetryStore> m_store;
+    TimePoint m_origin;
+    std::shared_ptr<TelemetryDecoder> m_decoder;
+    std::optional<Request> m_poll;
+    double m_period = 0;
+    std::unique_ptr<SupervisedStore> m_watched;
+};
+
+/// What an alarm says, for a failed test.
+QByteArray told(const std::optional<Alarm> &alarm)
+{
+    if (!alarm)
+        return "no alarm";
+    return u"kind %1 cause %2 axis %3 other %4 value %5 hz %6 at %7"_s.arg(int(alarm->kind))
+        .arg(int(alarm->cause))
+        .arg(QLatin1String(axisKey(alarm->axis)), QLatin1String(axisKey(alarm->other)))
+        .arg(alarm->value)
+        .arg(alarm->hertz)
+        .arg(alarm->time)
+        .toUtf8();
+}
+
+constexpr double kStart = 3.0;  // seconds in which nothing is wrong
+constexpr std::array<double, 3> kRates{1250, 100, 25};
+
+/// A SimpleBGC board that holds its camera.
+struct Bench : VirtualBoard
+{
+    explicit Bench(unsigned seed = 1, double rate = 1250)
+        : VirtualBoard(withSeed(seed))
+    {
+        if (!identify())
+            qFatal("no board");
+        watched = std::make_unique<Watched>(channel, device, rate);
+    }
+    static SimulatorOptions withSeed(unsigned seed)
+    {
+        SimulatorOptions options;
+        options.seed = seed;
+        return options;
+    }
+    void change(const QString &fault)
+    {
+        if (!faults.set(fault))
+            qFatal("no such fault: %s", qPrintable(fault));
+        board().setFaults(faults);
+    }
+    [[nodiscard]] double now() const { return watched->now(); }
+
+    Faults faults;
+    std::unique_ptr<Watched> watched;
+};
+
+struct StormBench : StormRig
+{
+    explicit StormBench(unsigned seed = 1)
+        : StormRig([seed] {
+            SimulatorOptions wanted = stormOptions(96);
+            wanted.seed = seed;
+            return wanted;
+        }())
+    {
+        if (!device.identify(channel))
+            qFatal("no board");
+        watched = std::make_unique<Watched>(channel, device, 0);
+    }
+    std::unique_ptr<Watched> watched;
+};
+
+}  // namespace
+
+/// The supervisor on simulated boards of both families.
+class TestSupervisor : public QObject
+{
+    Q_OBJECT
+private slots:
+    void swappedAxesAreNamed_data();
+    void swappedAxesAreNamed();
+    void wrongDirectionIsNamed_data();
+    void wrongDirectionIsNamed();
+    void stormRunsAway_data();
+    void stormRunsAway();
+    void tooMuchGainIsNamed_data();
+    void tooMuchGainIsNamed();
+    void changeIsTakenBackOnce_data();
+    void changeIsTakenBackOnce();
+    void resonanceIsNamed();
+    void outgrownOscillationIsNoWrongDirection();
+    void blockedAxisIsTold();
+    void boardsFaultsAreTold_data();
+    void boardsFaultsAreTold();
+    void stormsFaultsAreTold();
+    void heatIsTold();
+    void limitIsTold();
+    void staleDataAreToldWhileSteering();
+    void alarmIsOverAndToldAgain();
+    void whatABoardLacksIsNotWatched();
+    void ordinaryDayHasNoAlarm_data();
+    void ordinaryDayHasNoAlarm();
+    void hourWithoutAlarm_data();
+    void hourWithoutAlarm();
+};
+
+void TestSupervisor::swappedAxesAreNamed_data()
+{
+    QTest::addColumn<double>("rate");
+    QTest::addColumn<unsigned>("seed");
+    for (const double rate : kRates) {
+        for (unsigned seed = 1; seed <= 5; ++seed)
+            QTest::addRow("%g/s, seed %u", rate, seed) << rate << seed;
+    }
+}
+
+void TestSupervisor::swappedAxesAreNamed()
+{
+    QFETCH(double, rate);
+    QFETCH(unsigned, seed);
+    Bench bench(seed, rate);
+    const auto calm = bench.watched->run(kStart);
+    QVERIFY2(!calm, told(calm));
+    bench.change(u"swapped-axes=1"_s);
+    const auto alarm = bench.watched->run(3);
+    qInfo() << told(alarm);
+    QVERIFY(alarm);
+    QCOMPARE(alarm->kind, AlarmKind::Runaway);
+    QVERIFY2(alarm->cause == AlarmCause::SwappedAxes, told(alarm));
+    QVERIFY(alarm->value < 90);
+}
+
+void TestSupervisor::wrongDirectionIsNamed_data()
+{
+    QTest::addColumn<double>("rate");
+    QTest::addColumn<int>("axis");
+    for (const double rate : kRates) {
+        for (int axis = 0; axis < 3; ++axis)
+            QTest::addRow("%g/s, %s", rate, axisKey(kAxes[std::size_t(axis)])) << rate << axis;
+    }
+}
+
+void TestSupervisor::wrongDirectionIsNamed()
+{
+    QFETCH(double, rate);
+    QFETCH(int, axis);
+    Bench bench(3, rate);
+    QVERIFY(!bench.watched->run(kStart));
+    bench.board().store(u"motor.%1.invert"_s.arg(QLatin1String(axisKey(kAxes[std::size_t(axis)]))), 0, 1);
+    const auto alarm = bench.watched->run(3);
+    qInfo() << told(alarm);
+    QVERIFY(alarm);
+    QCOMPARE(alarm->kind, AlarmKind::Runaway);
+    QCOMPARE(alarm->axis, kAxes[std::size_t(axis)]);
+    QVERIFY2(alarm->cause == AlarmCause::WrongDirection, told(alarm));
+    QVERIFY(alarm->other == Axis::None);
+}
+
+void TestSupervisor::stormRunsAway_data()
+{
+    QTest::addColumn<unsigned>("seed");
+    for (unsigned seed = 1; seed <= 4; ++seed)
+        QTest::addRow("seed %u", seed) << seed;
+}
+
+void TestSupervisor::stormRunsAway()
+{
+    QFETCH(unsigned, seed);
+    StormBench bench(seed);
+    const auto calm = bench.watched->run(15);
+    QVERIFY2(!calm, told(calm));
+    bench.change(u"swapped-axes=1"_s);
+    const auto alarm = bench.watched->run(3);
+    qInfo() << told(alarm);
+    QVERIFY(alarm);
+    QCOMPARE(alarm->kind, AlarmKind::Runaway);
+    QVERIFY2(alarm->cause == AlarmCause::SwappedAxes, told(alarm));
+}
+
+void TestSupervisor::tooMuchGainIsNamed_data()
+{
+    QTest::addColumn<double>("rate");
+    QTest::addColumn<int>("p");
+    QTest::addColumn<int>("i");
+    QTest::addColumn<int>("d");
+    for (const double rate : {1250.0, 400.0}) {
+        QTest::addRow("D at %g/s", rate) << rate << 30 << 12 << 255;
+        QTest::addRow("P at %g/s", rate) << rate << 255 << 12 << 5;
+        QTest::addRow("I at %g/s", rate) << rate << 30 << 255 << 25;
+    }
+    QTest::addRow("P, polled") << 25.0 << 255 << 12 << 5;
+}
+
+void TestSupervisor::tooMuchGainIsNamed()
+{
+    QFETCH(double, rate);
+    QFETCH(int, p);
+    QFETCH(int, i);
+    QFETCH(int, d);
+    Bench bench(7, rate);
+    QVERIFY(!bench.watched->run(kStart));
+    const double began = bench.now();
+    QVERIFY(bench.device.writeAdjustables(bench.channel, {{1, double(p)}, {4, double(i)}, {7, double(d)}}));
+    const auto alarm = bench.watched->run(5);
+    qInfo() << told(alarm) << "after" << bench.now() - began;
+    QVERIFY(alarm);
+    QCOMPARE(alarm->kind, AlarmKind::Oscillation);
+    QCOMPARE(alarm->axis, Axis::Pitch);
+    QVERIFY2(alarm->cause == AlarmCause::TooMuchGain, told(alarm));
+    QVERIFY(alarm->isAfterChange);
+    // What was in use before is known, and put back.
+    const auto back = bench.device.takeBack(bench.channel);
+    QVERIFY(back);
+    QCOMPARE(back->before.size(), 3U);
+    QCOMPARE(bench.board().inUse(u"pid.pitch.d"_s), 25);
+    QVERIFY(!bench.watched->run(5));
+    QCOMPARE(bench.watched->ended.size(), 1U);
+}
+
+void TestSupervisor::changeIsTakenBackOnce_data()
+{
+    QTest::addColumn<bool>("others");
+    QTest::newRow("ours") << false;
+    QTest::newRow("somebody else's meanwhile") << true;
+}
+
+// A slider that is dragged is one change; what somebody else has set since is kept.
+void TestSupervisor::changeIsTakenBackOnce()
+{
+    QFETCH(bool, others);
+    Bench bench;
+    QCOMPARE(bench.device.takeBack(bench.channel).error().code, ErrorCode::NoEffect);
+    const int before = bench.board().inUse(u"pid.pitch.d"_s);
+    for (const double value : {60.0, 90.0, 120.0}) {
+        QVERIFY(bench.device.writeAdjustables(bench.channel, {{7, value}}));
+        QVERIFY(bench.channel.sleep(500ms));
+    }
+    QCOMPARE(bench.device.lastChange()->before.front().value, double(before));
+    if (others)
+        bench.board().store(u"pid.pitch.d"_s, 0, 70);
+    const auto back = bench.device.takeBack(bench.channel);
+    QCOMPARE(back.has_value(), !others);
+    if (others)
+        QCOMPARE(back.error().code, ErrorCode::Conflict);
+    QCOMPARE(bench.board().inUse(u"pid.pitch.d"_s), others ? 70 : before);
+}
+
+void TestSupervisor::resonanceIsNamed()
+{
+    Bench bench(7, 1250);
+    QVERIFY(!bench.watched->run(kStart));
+    bench.board().store(u"pid.pitch.d"_s, 0, 255);
+    const auto alarm = bench.watched->run(5);
+    qInfo() << told(alarm);
+    QVERIFY(alarm);
+    QCOMPARE(alarm->kind, AlarmKind::Oscillation);
+    QVERIFY(!alarm->isAfterChange);
+    QCOMPARE(alarm->cause, AlarmCause::Resonance);
+    // The plant's own mode, shifted by the loop.
+    QVERIFY(alarm->hertz > 50 && alarm->hertz < 110);
+    QVERIFY(!alarm->isHertzVague);
+}
+
+/// Samples of one axis, made up.
+SupervisedSample sampleOf(double time, double angle, double rate, double target = 0)
+{
+    SupervisedSample sample;
+    sample.time = time;
+    sample.angle = {angle, 0, 0};
+    sample.target = {target, 0, 0};
+    sample.rate = {rate, 0, 0};
+    sample.outputs = 1;
+    return sample;
+}
+
+void TestSupervisor::outgrownOscillationIsNoWrongDirection()
+{
+    Supervisor supervisor;
+    std::vector<Alarm> runaways;
+    for (double time = 0; time < 6; time += 0.005) {
+        const double swing = 0.5 * std::exp(1.2 * time);
+        supervisor.add(sampleOf(time, swing * std::sin(8 * time), swing * 8 * std::cos(8 * time)));
+        supervisor.look(time);
+        for (const Alarm &alarm : supervisor.takeRaised()) {
+            if (alarm.kind == AlarmKind::Runaway)
+                runaways.push_back(alarm);
+        }
+    }
+    for (const Alarm &alarm : runaways)
+        QCOMPARE(alarm.cause, AlarmCause::TooMuchGain);
+}
+
+void TestSupervisor::blockedAxisIsTold()
+{
+    Supervisor supervisor;
+    std::vector<Alarm> alarms;
+    for (double time = 0; time < 12; time += 0.02) {
+        supervisor.add(sampleOf(time, 0, 0, time > 2 && time < 8 ? 12 : 0));
+        supervisor.look(time);
+        for (const Alarm &alarm : supervisor.takeRaised())
+            alarms.push_back(alarm);
+    }
+    QCOMPARE(alarms.size(), 1U);
+    QCOMPARE(alarms.front().kind, AlarmKind::Saturation);
+    QVERIFY(alarms.front().time > 4.9 && alarms.front().time < 5.3);
+    QCOMPARE(supervisor.takeEnded().size(), 1U);
+}
+
+void TestSupervisor::boardsFaultsAreTold_data()
+{
+    QTest::addColumn<QString>("fault");
+    QTest::addColumn<AlarmKind>("kind");
+    QTest::newRow("sensor") << u"no-imu=1"_s << AlarmKind::Sensor;
+    QTest::newRow("battery") << u"battery=9.9"_s << AlarmKind::Battery;
+}
+
+void TestSupervisor::boardsFaultsAreTold()
+{
+    QFETCH(QString, fault);
+    QFETCH(AlarmKind, kind);
+    Bench bench(2, 100);
+    QVERIFY(!bench.watched->run(kStart));
+    bench.change(fault);
+    const auto alarm = bench.watched->run(8);
+    QVERIFY2(alarm && alarm->kind == kind, told(alarm));
+    bench.change(fault.section(u'=', 0, 0) + (kind == AlarmKind::Battery ? u"=12.3"_s : u"=0"_s));
+    QVERIFY(!bench.watched->run(8));
+    QCOMPARE(bench.watched->ended.size(), 1U);
+}
+
+void TestSupervisor::stormsFaultsAreTold()
+{
+    for (const auto &[fault, kind] :
+         {std::pair(u"no-imu=1"_s, AlarmKind::Sensor), {u"battery=9.9"_s, AlarmKind::Battery}}) {
+        StormBench bench;
+        QVERIFY(!bench.watched->run(15));
+        bench.change(fault);
+        const auto alarm = bench.watched->run(8);
+        QVERIFY2(alarm && alarm->kind == kind, told(alarm));
+    }
+}
+
+void TestSupervisor::heatIsTold()
+{
+    Supervisor supervisor;
+    SupervisorRules rules;
+    rules.hotCelsius = 60;
+    supervisor.setRules(rules);
+    std::vector<Alarm> alarms;
+    for (double time = 0; time < 20; time += 0.1) {
+        SupervisedSample sample;
+        sample.time = time;
+        sample.temperature = time < 5 ? 40 : 61;
+        supervisor.add(sample);
+        supervisor.look(time);
+        for (const Alarm &alarm : supervisor.takeRaised())
+            alarms.push_back(alarm);
+    }
+    QCOMPARE(alarms.size(), 1U);
+    QCOMPARE(alarms.front().kind, AlarmKind::Heat);
+    QCOMPARE(alarms.front().value, 61.0);
+}
+
+void TestSupervisor::limitIsTold()
+{
+    Supervisor supervisor;
+    SupervisorRules rules;
+    rules.angles[0] = {-30.0, 30.0};
+    supervisor.setRules(rules);
+    std::vector<Alarm> alarms;
+    for (double time = 0; time < 8; time += 0.02) {
+        // First steered beyond, which is somebody's wish; then it creeps there by itself.
+        const double angle = time < 4 ? 36 : 28 + std::min(8.0, 4 * (time - 4));
+        supervisor.add(sampleOf(time, angle, 0, time < 4 ? 36 : 29));
+        supervisor.look(time);
+        for (const Alarm &alarm : supervisor.takeRaised())
+            alarms.push_back(alarm);
+    }
+    QCOMPARE(alarms.size(), 1U);
+    QCOMPARE(alarms.front().kind, AlarmKind::Limit);
+    QVERIFY(alarms.front().time > 6);
+    QCOMPARE(alarms.front().limit, 30.0);
+}
+
+void TestSupervisor::staleDataAreToldWhileSteering()
+{
+    Supervisor supervisor;
+    std::vector<Alarm> alarms;
+    SupervisedSituation situation;
+    situation.period = 0.01;
+    for (double time = 0; time < 9; time += 0.02) {
+        situation.isSteered = time > 4;
+        supervisor.setSituation(situation);
+        if (time < 2 || (time > 3.5 && time < 6) || time > 8)
+            supervisor.add(sampleOf(time, 0, 0));
+        supervisor.look(time);
+        for (const Alarm &alarm : supervisor.takeRaised())
+            alarms.push_back(alarm);
+    }
+    QCOMPARE(alarms.size(), 1U);
+    QCOMPARE(alarms.front().kind, AlarmKind::Stale);
+    QVERIFY(alarms.front().time > 6.45 && alarms.front().time < 6.7);
+}
+
+void TestSupervisor::alarmIsOverAndToldAgain()
+{
+    Supervisor supervisor;
+    int raised = 0;
+    int ended = 0;
+    for (double time = 0; time < 30; time += 0.1) {
+        SupervisedSample sample;
+        sample.time = time;
+        sample.battery = std::fmod(time, 10.0) < 5 ? 12.3 : 9.6;
+        supervisor.add(sample);
+        supervisor.look(time);
+        raised += int(supervisor.takeRaised().size());
+        ended += int(supervisor.takeEnded().size());
+    }
+    QCOMPARE(raised, 3);
+    QCOMPARE(ended, 2);
+}
+
+void TestSupervisor::whatABoardLacksIsNotWatched()
+{
+    const simplebgc::Device full;
+    const storm32::Device without;
+    const auto all = Supervisor::possible(rolesOf(full));
+    QCOMPARE(all.size(), qsizetype(kAlarmKinds));
+    const auto some = Supervisor::possible(rolesOf(without));
+    QVERIFY(some.contains(AlarmKind::Runaway) && some.contains(AlarmKind::Oscillation));
+    QVERIFY(!some.contains(AlarmKind::Saturation) && !some.contains(AlarmKind::Limit));
+    QVERIFY(!some.contains(AlarmKind::Heat));
+}
+
+void TestSupervisor::ordinaryDayHasNoAlarm_data()
+{
+    QTest::addColumn<double>("rate");
+    QTest::addColumn<unsigned>("seed");
+    for (const double rate : kRates) {
+        for (const unsigned seed : {11U, 12U})
+            QTest::addRow("%g/s, seed %u", rate, seed) << rate << seed;
+    }
+}
+
+// Motors off and on, another profile, a calibration, a camera that is held, moved by hand, a restart.
+void TestSupervisor::ordinaryDayHasNoAlarm()
+{
+    QFETCH(double, rate);
+    QFETCH(unsigned, seed);
+    Bench bench(seed, rate);
+    Stabilizer &gimbal = bench.board().stabilizer();
+    const auto quiet = [&](double length) {
+        const auto alarm = bench.watched->run(length);
+        if (alarm)
+            qWarning() << told(alarm);
+        return !alarm;
+    };
+    QVERIFY(quiet(2));
+    for (int round = 0; round < 3; ++round) {
+        gimbal.setMotorsOn(false);
+        QVERIFY(quiet(4));  // it falls
+        gimbal.setMotorsOn(true);
+        QVERIFY(quiet(3));
+        QVERIFY(bench.device.selectProfile(bench.channel, round));
+        QVERIFY(quiet(3));
+    }
+    gimbal.setMotorsOn(false);
+    for (double angle = 0; angle < 170; angle += 4) {
+        gimbal.plant(Axis::Pitch).setAngle(angle);
+        QVERIFY(quiet(0.04));
+    }
+    gimbal.plant(Axis::Pitch).setAngle(40);
+    QVERIFY(quiet(2));
+    gimbal.setMotorsOn(true);
+    QVERIFY(quiet(5));
+    const auto calibrated = bench.device.perform(bench.channel, u"calibrate.gyro"_s,
+                                                 argumentsFor(bench.device, "calibrate.gyro"));
+    QVERIFY(calibrated);
+    QVERIFY(quiet(10));
+}
+
+void TestSupervisor::hourWithoutAlarm_data()
+{
+    QTest::addColumn<bool>("storm");
+    QTest::addColumn<unsigned>("seed");
+    QTest::newRow("simplebgc") << false << 1U;
+    QTest::newRow("storm32") << true << 1U;
+    QTest::newRow("simplebgc-shortly") << false << 2U;  // another hand, and not at the full rate
+    QTest::newRow("storm32-shortly") << true << 2U;
+}
+
+// Shaken, and steered the whole time: to places, and by rate.
+void TestSupervisor::hourWithoutAlarm()
+{
+    QFETCH(bool, storm);
+    QFETCH(unsigned, seed);
+    SimulatedNoise operatorsHand(seed);
+    const int minutes = seed == 1 ? 60 : 10;
+    const auto hour = [&](auto &bench, const auto &steer) {
+        bench.change(u"shake=2"_s);
+        // Calibrated: otherwise yaw drifts until it is at its stop, and that is told rightly.
+        SimulatedImu &imu = bench.board().stabilizer().imu();
+        imu.gyroCorrection = imu.gyroBias;
+        QVERIFY(!bench.watched->run(15));
+        for (int minute = 0; minute < minutes; ++minute) {
+            bench.change(u"shake=%1"_s.arg(minute % 3 == 0 ? 8 : 1 + minute % 5));
+            for (int move = 0; move < 20; ++move) {
+                bench.watched->isSteered = true;
+                steer(bench, kAxes[std::size_t(move) % 3]);
+                const auto alarm = bench.watched->run(3);
+                QVERIFY2(!alarm, told(alarm));
+            }
+        }
+    };
+    if (storm) {
+        StormBench bench(seed);
+        hour(bench, [&](StormBench &b, Axis axis) {
+            const double angle = operatorsHand.uniform() * 40 - 20;
+            SteeringSetpoint wanted;
+            const SteeringMode &mode = b.device.modes().front();
+            wanted.mode = mode.id;
+            wanted.inputs.assign(mode.inputs.size(), SupervisedSample::kNone);
+            if (const int input = mode.inputOf(axis); input >= 0)
+                wanted.inputs[std::size_t(input)] = std::clamp(angle, mode.inputs[std::size_t(input)].min,
+                                                               mode.inputs[std::size_t(input)].max);
+            b.channel.steer(b.device.controlFrames(wanted));
+        });
+        return;
+    }
+    Bench bench(seed, seed == 1 ? 1250 : 200);
+    hour(bench, [&](Bench &b, Axis axis) {
+        // Jumps, as an angle mode without limits makes them.
+        b.board().stabilizer().setTarget(axis, operatorsHand.uniform() * 80 - 40);
+    });
+}
+
+QTEST_APPLESS_MAIN(TestSupervisor)
+#include "tst_supervisor.moc"
