@@ -3,7 +3,7 @@
 #include "app/cli/ctl.h"
 
 #include "app/cli/signalwatcher.h"
-#include "widgets/models/errortext.h"
+#include "widgets/models/alarmtext.h"
 
 #include <QCommandLineParser>
 #include <QJsonDocument>
@@ -237,6 +237,10 @@ std::optional<int> Ctl::connectToBoard(const QString &link, const QString &famil
     connect(m_client.get(), &DeviceClient::progressChanged, this, &Ctl::onProgress);
     connect(m_client.get(), &DeviceClient::boardSpoke, this,
             [this](const QString &text) { onTold(u"the board says: "_s + text); });
+    connect(m_client.get(), &DeviceClient::alarmChanged, this, [this](const AlarmReport &report) {
+        if (!report.isOver && report.outcome != AlarmOutcome::Acting)
+            onTold(u"alarm: "_s + describe(report, m_client->device()->parameters().get()).oneLine());
+    });
     auto *watcher = new SignalWatcher(this);
     connect(watcher, &SignalWatcher::stopRequested, this, &Ctl::stop);
     m_command->prepare(*m_client);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/mainwindow.h"
 
+#include "app/mainwindow/alarmbar.h"
 #include "app/mainwindow/bannerarea.h"
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/footbar.h"
@@ -24,7 +25,6 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QLoggingCategory>
-#include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -35,7 +35,6 @@ Q_LOGGING_CATEGORY(logStart, "gimbal.start", QtWarningMsg)
 namespace {
 
 const QString kWindowLayout = u"window"_s;
-constexpr int kNumberedPages = 9;
 
 }  // namespace
 
@@ -107,6 +106,7 @@ void MainWindow::layoutFrame()
     layout->addWidget(m_panels, 1);
     layout->addWidget(m_status);
     setCentralWidget(central);
+    new AlarmBar(m_workspace->alarms(), m_panels);
 }
 
 void MainWindow::connectFrame()
@@ -146,33 +146,6 @@ void MainWindow::connectFrame()
     });
     connect(&workspace->settings(), &Settings::changed, this, &MainWindow::applyTheme);
     connect(&workspace->naming(), &BoardNaming::asked, this, [this] { showPage(u"backups"_s); });
-}
-
-void MainWindow::addShortcuts()
-{
-    const auto on = [this](const QKeySequence &keys, auto action) {
-        // Of the content: none of them while a panel is open.
-        connect(new QShortcut(keys, m_content), &QShortcut::activated, this, action);
-    };
-    for (int i = 0; i < kNumberedPages; ++i)
-        on(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)),
-           [this, i] { showPage(m_navigation->pageOfNumber(i + 1)); });
-    QUndoStack *stack = &m_workspace->edits().undoStack();
-    on(QKeySequence::Undo, [stack] { stack->undo(); });
-    on(QKeySequence::Redo, [stack] { stack->redo(); });
-    on(QKeySequence(Qt::CTRL | Qt::Key_S), [this] {
-        if (m_workspace->client().isConnected())
-            review();
-        else if (!m_workspace->configuration().isEmpty())
-            askSaveFile();
-    });
-    on(QKeySequence(Qt::CTRL | Qt::Key_O), [this] { askOpenFile(); });
-    on(QKeySequence(Qt::CTRL | Qt::Key_K), [this] { showPalette(); });
-    on(QKeySequence(Qt::Key_F1), [this] { showHelp(); });
-    on(QKeySequence(QKeySequence::Refresh), [this] {
-        if (m_workspace->client().isConnected())
-            m_workspace->readBoard();
-    });
 }
 
 void MainWindow::openLink(const QString &address)

@@ -5,6 +5,8 @@
 #include <QStandardPaths>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -16,12 +18,23 @@ const QString Settings::kEscapeHold = u"safety/escapeHoldMs"_s;
 const QString Settings::kSpeedLimit = u"safety/controlSpeedLimit"_s;
 const QString Settings::kDisarm = u"safety/disarmSeconds"_s;
 const QString Settings::kMotorsOffOnQuit = u"safety/motorsOffOnQuit"_s;
+const QString Settings::kAlarmSound = u"supervisor/sound"_s;
+const QString Settings::kSupervisor = u"supervisor/"_s;
 const QString Settings::kLastAddress = u"link/lastAddress"_s;
 const QString Settings::kRecentAddresses = u"link/recentAddresses"_s;
 const QString Settings::kRecentFiles = u"files/recent"_s;
 const QString Settings::kLayout = u"layout/"_s;
 const QString Settings::kCutTrials = u"trials/"_s;
 const QString Settings::kPlotLayouts = u"data/plotLayouts"_s;
+
+namespace {
+
+// Names in the file, in the order of the enumerations.
+constexpr std::array<const char *, kAlarmKinds> kKindNames{"runaway", "oscillation", "limit",   "saturation",
+                                                           "sensor",  "heat",        "battery", "stale"};
+constexpr std::array<const char *, 4> kActionNames{"warn", "back", "back-else-off", "off"};
+
+}  // namespace
 
 Settings::Settings(const QString &path, QObject *parent)
     : QObject(parent)
@@ -58,6 +71,52 @@ int Settings::number(const QString &key, int standard, int low, int high) const
     bool ok = false;
     const int value = m_file.value(key, standard).toInt(&ok);
     return ok ? std::clamp(value, low, high) : standard;
+}
+
+double Settings::real(const QString &key, double standard, double low, double high) const
+{
+    bool ok = false;
+    const double value = m_file.value(key, standard).toDouble(&ok);
+    return ok && std::isfinite(value) ? std::clamp(value, low, high) : standard;
+}
+
+SupervisorRules Settings::supervisorRules() const
+{
+    SupervisorRules rules;
+    for (std::size_t kind = 0; kind < kAlarmKinds; ++kind) {
+        const QString name = m_file.value(kSupervisor + QLatin1String(kKindNames[kind])).toString();
+        const auto found = std::find_if(kActionNames.begin(), kActionNames.end(),
+                                        [&name](const char *known) { return name == QLatin1String(known); });
+        if (found == kActionNames.end())
+            continue;
+        const auto action = AlarmAction(found - kActionNames.begin());
+        if (SupervisorRules::offers(AlarmKind(kind), action))
+            rules.actions[kind] = action;
+    }
+    rules.runawayDeg = real(kSupervisor + u"runawayDegrees"_s, rules.runawayDeg, 5, 90);
+    rules.oscillation = real(kSupervisor + u"oscillationRate"_s, rules.oscillation, 1, 100);
+    rules.cellVolts = real(kSupervisor + u"cellVolts"_s, rules.cellVolts, 2.5, 4.2);
+    rules.hotCelsius = real(kSupervisor + u"hotCelsius"_s, rules.hotCelsius, 30, 120);
+    return rules;
+}
+
+void Settings::setSupervisorRules(const SupervisorRules &rules)
+{
+    const SupervisorRules before = supervisorRules();
+    // Only what was changed: what stays at its default follows the default of later versions.
+    for (std::size_t kind = 0; kind < kAlarmKinds; ++kind) {
+        if (rules.actions[kind] != before.actions[kind])
+            set(kSupervisor + QLatin1String(kKindNames[kind]),
+                QString::fromLatin1(kActionNames[std::size_t(rules.actions[kind])]));
+    }
+    const auto put = [this](const QString &key, double value, double was) {
+        if (value != was)
+            set(kSupervisor + key, value);
+    };
+    put(u"runawayDegrees"_s, rules.runawayDeg, before.runawayDeg);
+    put(u"oscillationRate"_s, rules.oscillation, before.oscillation);
+    put(u"cellVolts"_s, rules.cellVolts, before.cellVolts);
+    put(u"hotCelsius"_s, rules.hotCelsius, before.hotCelsius);
 }
 
 Settings::ThemeChoice Settings::theme() const

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/supervisor/alarm.h"
+
 #include <QObject>
 #include <QSettings>
 
@@ -40,6 +42,14 @@ public:
     [[nodiscard]] bool motorsOffOnQuit() const { return m_file.value(kMotorsOffOnQuit, false).toBool(); }
     void setMotorsOffOnQuit(bool on) { set(kMotorsOffOnQuit, on); }
 
+    /// What the supervisor looks for and does; the limits of angles are the board's own and not in here.
+    [[nodiscard]] SupervisorRules supervisorRules() const;
+    /// Angles 5 to 90 degrees, oscillations 1 to 100 deg/s, cells 2.5 to 4.2 V, 30 to 120 °C.
+    void setSupervisorRules(const SupervisorRules &rules);
+    /// An alarm makes a sound.
+    [[nodiscard]] bool alarmSound() const { return m_file.value(kAlarmSound, false).toBool(); }
+    void setAlarmSound(bool on) { set(kAlarmSound, on); }
+
     [[nodiscard]] QString lastAddress() const { return m_file.value(kLastAddress).toString(); }
     void setLastAddress(const QString &address) { set(kLastAddress, address); }
     /// Addresses of boards that were reached and files that were opened, the latest first.
@@ -75,10 +85,12 @@ signals:
 
 private:
     static const QString kTheme, kLanguage, kFahrenheit, kRetention, kEscapeHold, kSpeedLimit, kDisarm,
-        kMotorsOffOnQuit, kLastAddress, kRecentAddresses, kRecentFiles, kLayout, kPlotLayouts, kCutTrials;
+        kMotorsOffOnQuit, kAlarmSound, kSupervisor, kLastAddress, kRecentAddresses, kRecentFiles, kLayout,
+        kPlotLayouts, kCutTrials;
     void set(const QString &key, const QVariant &value);
     void addRecent(const QString &key, const QString &text);
     [[nodiscard]] int number(const QString &key, int standard, int low, int high) const;
+    [[nodiscard]] double real(const QString &key, double standard, double low, double high) const;
 
     QSettings m_file;
 };

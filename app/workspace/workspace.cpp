@@ -44,6 +44,7 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     , m_naming(m_client, m_history, m_journal, m_notifications)
     , m_recorder(m_client)
     , m_linkMarks(m_client, m_configuration, m_live, m_marks)
+    , m_alarms(m_client, m_configuration, m_live, m_telemetry, m_linkMarks, m_settings)
     , m_writer(m_client, m_configuration, m_live, m_edits, m_history, m_notifications)
     , m_confirmations(m_notifications)
 {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/composition/links.h"
+#include "app/workspace/alarms.h"
 #include "app/workspace/boardnaming.h"
 #include "app/workspace/boardwriter.h"
 #include "app/workspace/confirmations.h"
@@ -54,6 +55,7 @@ public:
     [[nodiscard]] Notifications &notifications() { return m_notifications; }
     [[nodiscard]] TelemetrySubscriptions &telemetry() { return m_telemetry; }
     [[nodiscard]] Freshness &freshness() { return m_freshness; }
+    [[nodiscard]] Alarms &alarms() { return m_alarms; }
     [[nodiscard]] NotchAdviser &notches() { return m_notches; }
     /// What happened on this link, for the plots.
     [[nodiscard]] PlotMarks &marks() { return m_marks; }
@@ -165,6 +167,7 @@ private:
     std::optional<std::pair<double, double>> m_heldSpan;
     PlotMarks m_marks;
     LinkMarks m_linkMarks;
+    Alarms m_alarms;
     BoardWriter m_writer;
     mutable std::unique_ptr<Device> m_tables;  // of the file's family, while no board is connected
     mutable QString m_tablesOf;

@@ -46,6 +46,15 @@ QFrame#panel { background: @Background; border: 1px solid @Border; border-radius
 QFrame#card { background: @Surface; border: 1px solid @Border; border-radius: 6px; }
 QFrame#messageBar { background: @Surface; border: 1px solid @Ok; border-left: 4px solid @Ok; border-radius: 4px; }
 QFrame#messageBar[severe="true"] { border-color: @Danger; }
+QFrame#alarmBar { background: @Warning; border: none; border-radius: 0; }
+QFrame#alarmBar[severe="true"] { background: @Danger; }
+QFrame#alarmBar QLabel { color: @DangerText; background: transparent; }
+QFrame#alarmBar QPushButton { background: @DangerText; color: @Danger; border: 2px solid @DangerText; }
+QFrame#alarmBar[severe="false"] QPushButton { color: @Warning; }
+QFrame#alarmBar QPushButton#alarmRemedy { font-weight: 700; }
+QFrame#alarmBar QPushButton:focus { border: 2px solid @Text; }
+QFrame#alarmCard { background: @SurfaceRaised; border: 1px solid @Danger; border-left: 4px solid @Danger; border-radius: 4px; }
+QFrame#alarmCard[over="true"] { border-color: @Border; }
 QFrame#offerBar { background: @Surface; border: 1px solid @Accent; border-left: 4px solid @Accent; border-radius: 4px; }
 QListView#navigation { background: @Surface; border: none; border-radius: 0; border-right: 1px solid @Border; outline: none; padding: 8px 0; }
 QListView#navigation::item { padding: 6px 12px; color: @Text; border: none; border-left: 4px solid @Surface; }

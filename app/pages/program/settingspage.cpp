@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/program/settingspage.h"
 
+#include "app/pages/program/supervisorform.h"
 #include "widgets/forms/numberbox.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/views/card.h"
@@ -113,6 +114,11 @@ void SettingsPage::makeBody()
     fixed->setObjectName(u"muted"_s);
     fixed->setWordWrap(true);
     safety->addRow(fixed);
+    QFormLayout *supervisor = section(tr("Supervisor"));
+    new SupervisorForm(
+        workspace().settings(),
+        [row, supervisor](const QString &label, QWidget *field) { row(supervisor, label, field); },
+        *supervisor, this);
     auto *about = section(tr("About"));
     auto *text = new QLabel(
         tr("GimbalDesk %1, GPL 3.0 or later. Settings: %2. Snapshots: %3.")

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/watch/dashboardpage.h"
 
+#include "app/pages/watch/alarmcard.h"
 #include "protocol/session/linkstatistics.h"
 #include "widgets/models/missingtext.h"
 #include "widgets/models/numbertext.h"
@@ -109,6 +110,7 @@ DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &DashboardPage::fillParts);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &DashboardPage::refreshFacts);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &DashboardPage::refreshFaults);
+    connect(&workspace.alarms(), &Alarms::changed, this, &DashboardPage::refreshFaults);
     fillParts();
     refreshFaults();
 }
@@ -229,6 +231,9 @@ void DashboardPage::refreshFaults()
     const Configuration &board = std::as_const(workspace().configuration()).board();
     const QString missing = missingText(board, board.missing());
     keys.append(missing);
+    const QList<AlarmReport> &alarms = workspace().alarms().all();
+    for (const AlarmReport &alarm : alarms)
+        keys.append(workspace().alarms().text(alarm).oneLine() + (alarm.isOver ? u'.' : u'!'));
     if (keys == m_shownFaults)
         return;
     m_shownFaults = keys;
@@ -242,6 +247,8 @@ void DashboardPage::refreshFaults()
         label->setWordWrap(true);
         m_faultList->addWidget(label);
     };
+    for (const AlarmReport &alarm : alarms)
+        m_faultList->addWidget(new AlarmCard(workspace().alarms(), alarm));
     if (!workspace().client().isConnected()) {
         add(tr("Not connected."), "muted");
         return;

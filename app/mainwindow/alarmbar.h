@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QFrame>
+
+class Alarms;
+class QLabel;
+class QPushButton;
+struct AlarmReport;
+
+/// What cannot wait: over the whole width of the window's upper edge, above pages and panels, which keep
+/// their places beneath it. Stays until the cause is gone, or until it is acknowledged. Never takes the focus
+/// by itself.
+class AlarmBar final : public QFrame
+{
+    Q_OBJECT
+public:
+    /// @param area the bar lies over its upper edge
+    AlarmBar(Alarms &alarms, QWidget *area);
+
+    /// Text of the alarm that is shown; empty without one.
+    [[nodiscard]] QString text() const;
+    [[nodiscard]] QPushButton *remedyButton() const { return m_remedy; }
+    [[nodiscard]] QPushButton *acknowledgeButton() const { return m_acknowledge; }
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void refresh();
+    void place();
+    /// A click that was meant for what lay there before must not do anything.
+    [[nodiscard]] bool isTooSoon() const;
+
+    Alarms &m_alarms;
+    QWidget *m_area;
+    QLabel *m_icon;
+    QLabel *m_text;
+    QLabel *m_more;
+    QPushButton *m_remedy;
+    QPushButton *m_acknowledge;
+    int m_number = 0;
+    QElapsedTimer m_shownAt;
+};

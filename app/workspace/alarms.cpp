@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workspace/alarms.h"
+
+#include "app/workspace/linkmarks.h"
+#include "app/workspace/settings.h"
+#include "app/workspace/telemetrysubscriptions.h"
+#include "protocol/device/family.h"
+#include "widgets/models/alarmtext.h"
+#include "widgets/models/configurationmodel.h"
+#include "widgets/models/livemodel.h"
+
+#include <QApplication>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+Alarms::Alarms(DeviceClient &client, const ConfigurationModel &configuration, LiveModel &live,
+               TelemetrySubscriptions &telemetry, LinkMarks &marks, const Settings &settings)
+    : m_client(client)
+    , m_configuration(configuration)
+    , m_live(live)
+    , m_marks(marks)
+    , m_settings(settings)
+{
+    connect(&client, &DeviceClient::alarmChanged, this, &Alarms::onAlarm);
+    connect(&client, &DeviceClient::stateChanged, this, &Alarms::onState);
+    connect(&settings, &Settings::changed, this, &Alarms::applyRules);
+    connect(&configuration, &ConfigurationModel::boardReset, this, &Alarms::applyRules);
+    connect(&configuration, &ConfigurationModel::storedChanged, this, &Alarms::applyRules);
+    connect(&configuration, &ConfigurationModel::activeProfileChanged, this, &Alarms::applyRules);
+    // On every page, and fast enough to see an oscillation.
+    telemetry.subscribe(this, [&client] {
+        const ChannelRoles &roles = client.roles();
+        return ChannelRoles::present({roles.angle, roles.target, roles.gyro});
+    });
+    applyRules();
+}
+
+void Alarms::applyRules()
+{
+    SupervisorRules rules = m_settings.supervisorRules();
+    if (!m_configuration.isEmpty()) {
+        const Configuration &board = m_configuration.board();
+        for (const Axis axis : kAxes) {
+            const auto limit = [&](const char *end) -> std::optional<double> {
+                const ParameterSpec *spec = board.parameters().find(
+                    u"rc.%1.%2_angle"_s.arg(QLatin1String(axisKey(axis)), QLatin1String(end)));
+                const auto raw = spec ? board.raw(*spec, board.activeProfile()) : std::nullopt;
+                return raw ? std::optional(spec->toDisplay(*raw)) : std::nullopt;
+            };
+            const auto low = limit("min");
+            const auto high = limit("max");
+            // Equal ones mean that nothing is limited.
+            if (low && high && *low < *high)
+                rules.angles[std::size_t(axis)] = {*low, *high};
+        }
+    }
+    m_client.setSupervisorRules(rules);
+}
+
+void Alarms::onState()
+{
+    // What was told of one board says nothing about the next.
+    if (m_client.state() != DeviceClient::State::Connecting)
+        return;
+    m_reports.clear();
+    m_times.clear();
+    emit changed();
+}
+
+void Alarms::onAlarm(const AlarmReport &report)
+{
+    const auto known = std::find_if(m_reports.begin(), m_reports.end(),
+                                    [&](const AlarmReport &each) { return each.number == report.number; });
+    const auto tookBack = [](const AlarmReport &each) { return each.change.has_value(); };
+    const bool isNewlyBack = tookBack(report) && (known == m_reports.end() || !tookBack(*known));
+    if (isNewlyBack)
+        m_live.read();  // the values in use are others now
+    if (known != m_reports.end()) {
+        *known = report;
+    } else {
+        if (report.number <= m_acknowledged)
+            return;
+        // One card for one cause, however often it comes back.
+        int times = 1;
+        for (auto it = m_reports.begin(); it != m_reports.end();) {
+            if (it->alarm.isSame(report.alarm) && it->isOver) {
+                times += m_times.take(it->number);
+                times += times == 1;
+                it = m_reports.erase(it);
+            } else {
+                ++it;
+            }
+        }
+        m_times.insert(report.number, times);
+        m_reports.prepend(report);
+        m_marks.add(PlotMark::Kind::Fault, u"%1: %2"_s.arg(alarmName(report.alarm.kind), text(report).what));
+        if (m_settings.alarmSound())
+            QApplication::beep();
+    }
+    emit changed();
+}
+
+ErrorText Alarms::text(const AlarmReport &report) const
+{
+    const ParameterSet *set = m_configuration.isEmpty() ? nullptr : &m_configuration.board().parameters();
+    return describe(report, set);
+}
+
+QList<AlarmReport> Alarms::pressing() const
+{
+    QList<AlarmReport> list;
+    std::copy_if(m_reports.begin(), m_reports.end(), std::back_inserter(list),
+                 [](const AlarmReport &report) { return !report.isOver || report.hasActed(); });
+    // What moves comes before what only wears out.
+    std::stable_sort(list.begin(), list.end(),
+                     [](const AlarmReport &a, const AlarmReport &b) { return a.alarm.kind < b.alarm.kind; });
+    return list;
+}
+
+void Alarms::acknowledge(int number)
+{
+    m_acknowledged = std::max(m_acknowledged, number);
+    m_reports.removeIf([number](const AlarmReport &report) { return report.number == number; });
+    m_times.remove(number);
+    emit changed();
+}
+
+bool Alarms::offersMotorsOff(const AlarmReport &report) const
+{
+    if (!m_client.isConnected() || report.isOver
+        || (report.action == AlarmAction::MotorsOff && report.outcome != AlarmOutcome::NotProven))
+        return false;
+    const auto families = m_client.families();
+    return std::none_of(families.begin(), families.end(), [this](const Family &family) {
+        return family.key == m_client.identity().family && family.nouns.flies;
+    });
+}
+
+void Alarms::motorsOff()
+{
+    m_client.motorsOff();
+}

@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/alarmtext.h"
+
+#include "protocol/configuration/parameterspec.h"
+#include "widgets/models/parametermodel.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// The context of the catalogue.
+class AlarmText
+{
+    Q_DECLARE_TR_FUNCTIONS(AlarmText)
+};
+
+QString figure(double value, int decimals = 0)
+{
+    return QLocale().toString(value, 'f', decimals);
+}
+
+QString hertzOf(const Alarm &alarm)
+{
+    return alarm.isHertzVague
+        ? AlarmText::tr("about %1 Hz (or more: the samples come too slowly to tell)").arg(figure(alarm.hertz))
+        : AlarmText::tr("%1 Hz").arg(figure(alarm.hertz));
+}
+
+/// "Roll P 90 → 35".
+QString wayBackText(const LiveChange &change, const ParameterSet *parameters)
+{
+    QStringList texts;
+    for (std::size_t i = 0; parameters && i < change.before.size() && i < change.after.size(); ++i) {
+        for (const ParameterSpec &spec : parameters->all()) {
+            if (spec.adjustable != change.before[i].id)
+                continue;
+            const auto text = [&spec](double variable) {
+                return parameterValueText(spec, spec.nearest(variable / spec.row->adjustableScale));
+            };
+            texts.append(u"%1 %2 → %3"_s.arg(parameterLabel(spec), text(change.after[i].value),
+                                             text(change.before[i].value)));
+            break;
+        }
+    }
+    if (texts.size() != qsizetype(change.before.size()))
+        return AlarmText::tr("%n value(s)", nullptr, int(change.before.size()));
+    return texts.join(u", "_s);
+}
+
+QString seen(const Alarm &alarm)
+{
+    const QString axis = axisLabel(alarm.axis);
+    const QString second = axisLabel(alarm.other);
+    switch (alarm.kind) {
+    case AlarmKind::Runaway:
+        if (alarm.cause == AlarmCause::SwappedAxes)
+            return AlarmText::tr("%1 and %2 run away together: %1 is %3° from its target and moves on.")
+                .arg(axis, second, figure(alarm.value));
+        return AlarmText::tr("%1 runs away: it is %2° from its target and moves on.")
+            .arg(axis, figure(alarm.value));
+    case AlarmKind::Oscillation:
+        return AlarmText::tr("%1 oscillates at %2, with %3 °/s RMS.")
+            .arg(axis, hertzOf(alarm), figure(alarm.value, 1));
+    case AlarmKind::Limit:
+        return AlarmText::tr("%1 stands at %2°, beyond its limit of %3°, where it was not steered to.")
+            .arg(axis, figure(alarm.value), figure(alarm.limit));
+    case AlarmKind::Saturation:
+        return AlarmText::tr("%1 does not reach its target: %2° are missing for seconds.")
+            .arg(axis, figure(alarm.value));
+    case AlarmKind::Sensor:
+        return alarm.fault == u"no-sensor"_s ? AlarmText::tr("The board does not see its motion sensor.")
+                                             : AlarmText::tr("A motion sensor does not work as it should.");
+    case AlarmKind::Heat:
+        return alarm.cause == AlarmCause::Fault
+            ? AlarmText::tr("The motor drivers protect themselves: they are too hot or overloaded.")
+            : AlarmText::tr("The board's sensor is at %1 °C, the limit is %2 °C.")
+                  .arg(figure(alarm.value), figure(alarm.limit));
+    case AlarmKind::Battery:
+        if (std::isnan(alarm.value))
+            return AlarmText::tr("The battery is low.");
+        return alarm.limit > alarm.value
+            ? AlarmText::tr("The battery is low: %1 V, the limit is %2 V.")
+                  .arg(figure(alarm.value, 1), figure(alarm.limit, 1))
+            : AlarmText::tr("The board reports a low battery: %1 V.").arg(figure(alarm.value, 1));
+    case AlarmKind::Stale:
+        return AlarmText::tr("No live data for %1 s while the gimbal is steered.")
+            .arg(figure(alarm.value, 1));
+    case AlarmKind::Count: break;
+    }
+    return {};
+}
+
+QString meant(const Alarm &alarm)
+{
+    switch (alarm.cause) {
+    case AlarmCause::SwappedAxes:
+        return AlarmText::tr(
+            "Each is driven by the other's error: the axes are swapped, in the wiring, in the "
+            "motor outputs or in how the sensor is mounted. If they are not, both motors turn in "
+            "the wrong direction.");
+    case AlarmCause::WrongDirection:
+        return alarm.other == Axis::None
+            ? AlarmText::tr(
+                "It is pushed away from its target: the motor turns in the wrong direction, or the "
+                "sensor sees it the wrong way round.")
+            : AlarmText::tr("%1 does so as well, on its own: both motors turn in the wrong direction, or the "
+                            "sensor's axes are set up wrongly.")
+                  .arg(axisLabel(alarm.other));
+    case AlarmCause::TooMuchGain:
+        if (alarm.isAfterChange)
+            return AlarmText::tr(
+                "It began after values were changed live: there is too much gain, or a filter "
+                "takes the loop's reserve.");
+        return alarm.kind == AlarmKind::Runaway
+            ? AlarmText::tr("It swung to and fro before: there is too much gain.")
+            : AlarmText::tr("There is too much gain: P or I is too high, or D is too low for them.");
+    case AlarmCause::Resonance:
+        return AlarmText::tr(
+                   "A part of the structure resonates at %1 Hz and the motor drives it; too high a D "
+                   "can do the same.")
+            .arg(figure(alarm.hertz));
+    case AlarmCause::Fault:
+    case AlarmCause::Unknown: break;
+    }
+    switch (alarm.kind) {
+    case AlarmKind::Runaway:
+        return AlarmText::tr("The motor cannot hold it: too little power, an unbalanced load, or a wrong "
+                             "direction.");
+    case AlarmKind::Oscillation: return AlarmText::tr("Too much gain or a resonance of the structure.");
+    case AlarmKind::Limit:
+        return AlarmText::tr("Something turned it there, or the board lost its orientation.");
+    case AlarmKind::Saturation:
+        return AlarmText::tr(
+            "The motor does all it can: something blocks or holds the axis, it is at its stop, "
+            "or it has too little power.");
+    case AlarmKind::Sensor: return AlarmText::tr("Without it nothing is stabilised.");
+    case AlarmKind::Heat: return AlarmText::tr("Motors that work hard all the time end like this.");
+    case AlarmKind::Battery: return AlarmText::tr("Soon the motors will lose their power.");
+    case AlarmKind::Stale: return AlarmText::tr("Nobody sees where it moves.");
+    case AlarmKind::Count: break;
+    }
+    return {};
+}
+
+QString cure(const Alarm &alarm)
+{
+    switch (alarm.cause) {
+    case AlarmCause::SwappedAxes:
+        return AlarmText::tr("Check which motor is plugged in where, and the axes of the sensor, before the "
+                             "motors are switched on again.");
+    case AlarmCause::WrongDirection:
+        return AlarmText::tr("Invert that motor, or check the sensor's orientation and the number of poles.");
+    case AlarmCause::TooMuchGain:
+        return alarm.isAfterChange ? AlarmText::tr("Go in smaller steps, and back at the first humming.")
+                                   : AlarmText::tr("Lower P, then D, of that axis.");
+    case AlarmCause::Resonance:
+        return AlarmText::tr("Stiffen the camera's mount, lower D, or place a notch filter there.");
+    case AlarmCause::Fault:
+    case AlarmCause::Unknown: break;
+    }
+    switch (alarm.kind) {
+    case AlarmKind::Runaway: return AlarmText::tr("Check balance, power and direction of that motor.");
+    case AlarmKind::Oscillation:
+        return AlarmText::tr("Lower the gains of that axis, or look for the resonance.");
+    case AlarmKind::Limit: return AlarmText::tr("Move it back by hand with the motors off.");
+    case AlarmKind::Saturation: return AlarmText::tr("Free the axis, balance the load, or raise the power.");
+    case AlarmKind::Sensor:
+        return AlarmText::tr("Check the sensor's cable and connectors, then restart the board.");
+    case AlarmKind::Heat: return AlarmText::tr("Let it cool, balance the load, and lower the power.");
+    case AlarmKind::Battery: return AlarmText::tr("Change the battery.");
+    case AlarmKind::Stale: return AlarmText::tr("Stop steering and check the link.");
+    case AlarmKind::Count: break;
+    }
+    return {};
+}
+
+QString done(const AlarmReport &report, const ParameterSet *parameters)
+{
+    const QString change = report.change ? wayBackText(*report.change, parameters) : QString();
+    if (report.action == AlarmAction::MotorsOff) {
+        switch (report.outcome) {
+        case AlarmOutcome::Done: return AlarmText::tr("The motors were switched off.");
+        case AlarmOutcome::NotProven:
+            return AlarmText::tr("The motors were told to stop, but nothing proves that they did: hold the "
+                                 "camera and disconnect the power.");
+        default: return AlarmText::tr("The motors are being switched off.");
+        }
+    }
+    switch (report.outcome) {
+    case AlarmOutcome::Acting: return AlarmText::tr("The last live change is being taken back.");
+    case AlarmOutcome::Done: return AlarmText::tr("The last live change was taken back (%1).").arg(change);
+    case AlarmOutcome::GoesOn:
+        return AlarmText::tr("The last live change was taken back (%1), and it goes on all the same.")
+            .arg(change);
+    case AlarmOutcome::Conflict:
+        return AlarmText::tr(
+            "The last live change was not taken back: the board uses other values meanwhile.");
+    case AlarmOutcome::Failed: return AlarmText::tr("Taking back the last live change failed.");
+    case AlarmOutcome::NoChange:
+        return AlarmText::tr("Nothing was changed live just before, so nothing was taken back.");
+    case AlarmOutcome::Told:
+    case AlarmOutcome::NotProven: break;
+    }
+    return {};
+}
+
+}  // namespace
+
+ErrorText describe(const AlarmReport &report, const ParameterSet *parameters)
+{
+    const QString action = done(report, parameters);
+    ErrorText text;
+    text.what = action.isEmpty() ? seen(report.alarm) : seen(report.alarm) + u' ' + action;
+    text.meaning = meant(report.alarm);
+    text.cure = cure(report.alarm);
+    return text;
+}
+
+QString alarmName(AlarmKind kind)
+{
+    switch (kind) {
+    case AlarmKind::Runaway: return AlarmText::tr("Runaway");
+    case AlarmKind::Oscillation: return AlarmText::tr("Oscillation");
+    case AlarmKind::Limit: return AlarmText::tr("Beyond a limit");
+    case AlarmKind::Saturation: return AlarmText::tr("Target not reached");
+    case AlarmKind::Sensor: return AlarmText::tr("Sensor missing");
+    case AlarmKind::Heat: return AlarmText::tr("Overheating");
+    case AlarmKind::Battery: return AlarmText::tr("Low battery");
+    case AlarmKind::Stale: return AlarmText::tr("No data while steering");
+    case AlarmKind::Count: break;
+    }
+    return {};
+}

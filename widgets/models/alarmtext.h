@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/supervisor/alarmreport.h"
+#include "widgets/models/errortext.h"
+
+class ParameterSet;
+
+/// An alarm in the operator's words: what was seen, with figures and what was done about it; what it means;
+/// what to do.
+/// @param parameters of the board, to name values that were taken back; null: they are counted
+[[nodiscard]] ErrorText describe(const AlarmReport &report, const ParameterSet *parameters);
+
+/// The kind of an alarm as a heading: "Runaway".
+[[nodiscard]] QString alarmName(AlarmKind kind);
