@@ -3,10 +3,10 @@
 #include "widgets/models/alarmtext.h"
 
 #include "protocol/configuration/parameterspec.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -21,16 +21,11 @@ class AlarmText
     Q_DECLARE_TR_FUNCTIONS(AlarmText)
 };
 
-QString figure(double value, int decimals = 0)
-{
-    return QLocale().toString(value, 'f', decimals);
-}
-
 QString hertzOf(const Alarm &alarm)
 {
-    return alarm.isHertzVague
-        ? AlarmText::tr("about %1 Hz (or more: the samples come too slowly to tell)").arg(figure(alarm.hertz))
-        : AlarmText::tr("%1 Hz").arg(figure(alarm.hertz));
+    return alarm.isHertzVague ? AlarmText::tr("about %1 Hz (or more: the samples come too slowly to tell)")
+                                    .arg(numberText(alarm.hertz, 0))
+                              : AlarmText::tr("%1 Hz").arg(numberText(alarm.hertz, 0));
 }
 
 /// "Roll P 90 → 35".
@@ -62,18 +57,18 @@ QString seen(const Alarm &alarm)
     case AlarmKind::Runaway:
         if (alarm.cause == AlarmCause::SwappedAxes)
             return AlarmText::tr("%1 and %2 run away together: %1 is %3° from its target and moves on.")
-                .arg(axis, second, figure(alarm.value));
+                .arg(axis, second, numberText(alarm.value, 0));
         return AlarmText::tr("%1 runs away: it is %2° from its target and moves on.")
-            .arg(axis, figure(alarm.value));
+            .arg(axis, numberText(alarm.value, 0));
     case AlarmKind::Oscillation:
         return AlarmText::tr("%1 oscillates at %2, with %3 °/s RMS.")
-            .arg(axis, hertzOf(alarm), figure(alarm.value, 1));
+            .arg(axis, hertzOf(alarm), numberText(alarm.value, 1));
     case AlarmKind::Limit:
         return AlarmText::tr("%1 stands at %2°, beyond its limit of %3°, where it was not steered to.")
-            .arg(axis, figure(alarm.value), figure(alarm.limit));
+            .arg(axis, numberText(alarm.value, 0), numberText(alarm.limit, 0));
     case AlarmKind::Saturation:
         return AlarmText::tr("%1 does not reach its target: %2° are missing for seconds.")
-            .arg(axis, figure(alarm.value));
+            .arg(axis, numberText(alarm.value, 0));
     case AlarmKind::Sensor:
         return alarm.fault == u"no-sensor"_s ? AlarmText::tr("The board does not see its motion sensor.")
                                              : AlarmText::tr("A motion sensor does not work as it should.");
@@ -81,17 +76,17 @@ QString seen(const Alarm &alarm)
         return alarm.cause == AlarmCause::Fault
             ? AlarmText::tr("The motor drivers protect themselves: they are too hot or overloaded.")
             : AlarmText::tr("The board's sensor is at %1 °C, the limit is %2 °C.")
-                  .arg(figure(alarm.value), figure(alarm.limit));
+                  .arg(numberText(alarm.value, 0), numberText(alarm.limit, 0));
     case AlarmKind::Battery:
         if (std::isnan(alarm.value))
             return AlarmText::tr("The battery is low.");
         return alarm.limit > alarm.value
             ? AlarmText::tr("The battery is low: %1 V, the limit is %2 V.")
-                  .arg(figure(alarm.value, 1), figure(alarm.limit, 1))
-            : AlarmText::tr("The board reports a low battery: %1 V.").arg(figure(alarm.value, 1));
+                  .arg(numberText(alarm.value, 1), numberText(alarm.limit, 1))
+            : AlarmText::tr("The board reports a low battery: %1 V.").arg(numberText(alarm.value, 1));
     case AlarmKind::Stale:
         return AlarmText::tr("No live data for %1 s while the gimbal is steered.")
-            .arg(figure(alarm.value, 1));
+            .arg(numberText(alarm.value, 1));
     case AlarmKind::Count: break;
     }
     return {};
@@ -125,7 +120,7 @@ QString meant(const Alarm &alarm)
         return AlarmText::tr(
                    "A part of the structure resonates at %1 Hz and the motor drives it; too high a D "
                    "can do the same.")
-            .arg(figure(alarm.hertz));
+            .arg(numberText(alarm.hertz, 0));
     case AlarmCause::Fault:
     case AlarmCause::Unknown: break;
     }
