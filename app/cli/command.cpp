@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
 
-#include "protocol/procedure/writeconfiguration.h"
 #include "widgets/models/errortext.h"
 #include "widgets/models/missingtext.h"
 
@@ -71,6 +70,7 @@ void tellReport(CommandOutcome &outcome)
     json.insert(u"data"_s, data);
     json.insert(u"namesWritten"_s, report.namesWritten);
     json.insert(u"snapshot"_s, report.snapshotPath);
+    const QString others = tellOthers(report, text, json);
     QStringList notes;
     if (report.error) {
         outcome.exitCode = Refused;
@@ -79,6 +79,8 @@ void tellReport(CommandOutcome &outcome)
     }
     if (!report.snapshotPath.isEmpty())
         notes.append(u"snapshot: "_s + report.snapshotPath);
+    if (!others.isEmpty())
+        notes.append(others);
     if (!outcome.note.isEmpty())
         notes.append(outcome.note.trimmed());
     outcome.text = text + outcome.text;
@@ -435,11 +437,11 @@ void reportError(CommandOutcome &outcome, const Error &error)
 }
 
 Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Configuration &base,
-                                      const Configuration &edited, const BoardHistory &history)
+                                      const Configuration &edited, WriteOptions options)
 {
-    WriteOptions write;
-    write.history = &history;
-    auto report = writeConfiguration(channel, device, base, edited, write);
+    auto report = writeConfiguration(channel, device, base, edited, options);
+    if (!report && report.error().code == ErrorCode::ConditionUnmet && device.wholeMemory())
+        report.error().detail += u"; --others store stores everything that is in use"_s;
     if (!report)
         return tl::unexpected(report.error());
     CommandOutcome outcome;

@@ -7,6 +7,7 @@
 #include "protocol/device/abilities.h"
 #include "protocol/device/family.h"
 #include "protocol/procedure/motiontest.h"
+#include "protocol/procedure/writeconfiguration.h"
 #include "protocol/record/boardhistory.h"
 #include "protocol/telemetry/streams.h"
 #include "protocol/telemetry/telemetrystore.h"
@@ -221,6 +222,14 @@ void reportLeftOut(CommandOutcome &outcome, const QList<ReplayGap> &gaps, bool p
 [[nodiscard]] QJsonObject errorJson(const Error &error);
 /// Adds an error to what came all the same, in the note and in the document (an object). The exit code is 1.
 void reportError(CommandOutcome &outcome, const Error &error);
+/// What becomes of values that are in use without being stored, beside those that are written.
+[[nodiscard]] CommandOption othersOption(OtherValues &others);
+/// Tells what else was in use without being stored: adds lines to the text and "others" to the document, and
+/// returns a sentence for the note; empty if there is nothing.
+[[nodiscard]] QString tellOthers(const WriteReport &report, QString &text, QJsonObject &json);
+/// Reads what a write starts from: everything as it is stored, where the board tells that apart from what is
+/// in use. Goes into the options of the write.
+Result<Configuration> readBase(Channel &channel, Device &device, OtherValues others, WriteOptions &options);
 /// Writes and reports the result. The exit code is 1 unless everything was verified.
 Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Configuration &base,
-                                      const Configuration &edited, const BoardHistory &history);
+                                      const Configuration &edited, WriteOptions options);

@@ -15,6 +15,19 @@ CommandOption dryRunOption(bool &on)
     return switchOption(u"dry-run"_s, u"only tell what would be written"_s, on);
 }
 
+// Everything that a file says is to be in use.
+QSet<QString> namesIn(const Configuration &file)
+{
+    QSet<QString> names;
+    for (const ParameterSpec &spec : file.parameters().all())
+        names.insert(spec.key);
+    for (const auto &[key, bytes] : file.blocks()) {
+        if (const BlockSpec *block = file.parameters().block(key.block); block && block->isData())
+            names.insert(QLatin1String(block->data));
+    }
+    return names;
+}
+
 class PortsCommand final : public LocalCommand
 {
 public:
@@ -168,7 +181,10 @@ public:
         return u"write a file's values to the board; --dry-run only shows them"_s;
     }
     const char *example() const override { return "--link serial:/dev/ttyUSB0 apply before.json --dry-run"; }
-    QList<CommandOption> options() override { return {dryRunOption(m_dryRun), partialOption(m_partial)}; }
+    QList<CommandOption> options() override
+    {
+        return {dryRunOption(m_dryRun), partialOption(m_partial), othersOption(m_others)};
+    }
     QString check() const override
     {
         return arguments().size() == 1 ? QString() : u"apply needs one file name"_s;
@@ -183,7 +199,9 @@ public:
                 ErrorCode::BadFile,
                 u"it is for a board of the family %1"_s.arg(file->configuration.identity().family));
         }
-        const auto base = device.readConfiguration(channel);
+        WriteOptions options;
+        const auto base
+            = m_dryRun ? device.readConfiguration(channel) : readBase(channel, device, m_others, options);
         if (!base)
             return tl::unexpected(base.error());
         QStringList skipped = file->unknownKeys;
@@ -201,7 +219,9 @@ public:
                 ? u"nothing would change\n"_s
                 : changeText(*base, changes) + dataText(base->dataChangesTo(edited));
         } else {
-            outcome = writeAndReport(channel, device, *base, edited, history());
+            options.history = &history();
+            options.named = namesIn(file->configuration);
+            outcome = writeAndReport(channel, device, *base, edited, options);
         }
         if (outcome && !file->missingKeys.isEmpty())
             outcome->note
@@ -218,6 +238,7 @@ public:
 private:
     bool m_dryRun = false;
     bool m_partial = false;
+    OtherValues m_others = OtherValues::Keep;
 };
 
 class ScriptCommand final : public BoardCommand
@@ -231,7 +252,7 @@ public:
         return u"text of a script of the board; with a file, compile and write it"_s;
     }
     const char *example() const override { return "--link serial:/dev/ttyUSB0 script 1 look-around.scr"; }
-    QList<CommandOption> options() override { return {dryRunOption(m_dryRun)}; }
+    QList<CommandOption> options() override { return {dryRunOption(m_dryRun), othersOption(m_others)}; }
     QString check() const override
     {
         bool ok = false;
@@ -248,7 +269,10 @@ public:
         if (script < 0 || script >= family->scripts->count())
             return failure(ErrorCode::InvalidArgument,
                            u"there are scripts 1 to %1"_s.arg(family->scripts->count()));
-        const auto base = device.readConfiguration(channel);
+        WriteOptions options;
+        options.history = &history();
+        const auto base = arguments().size() == 1 || m_dryRun ? device.readConfiguration(channel)
+                                                              : readBase(channel, device, m_others, options);
         if (!base)
             return tl::unexpected(base.error());
         const BlockKey key{0, family->scripts->block()};
@@ -272,8 +296,9 @@ public:
             return tl::unexpected(code.error().error());
         Configuration edited = *base;
         edited.setBlock(key, *code);
+        options.named.insert(QLatin1String(base->parameters().block(key.block)->data));
         if (!m_dryRun)
-            return writeAndReport(channel, device, *base, edited, history());
+            return writeAndReport(channel, device, *base, edited, options);
         const auto [used, all] = family->scripts->used(edited);
         CommandOutcome outcome;
         outcome.json = QJsonObject{{u"bytesUsed"_s, used}, {u"bytes"_s, all}};
@@ -284,6 +309,7 @@ public:
 private:
     static constexpr qint64 kLargestScript = 65536;
     bool m_dryRun = false;
+    OtherValues m_others = OtherValues::Keep;
 };
 
 }  // namespace

@@ -199,7 +199,8 @@ public:
     QList<CommandOption> options() override
     {
         return {profileOption(m_profile),
-                switchOption(u"no-save"_s, u"change values in volatile memory only"_s, m_noSave)};
+                switchOption(u"no-save"_s, u"change values in volatile memory only"_s, m_noSave),
+                othersOption(m_others)};
     }
     QString check() const override
     {
@@ -213,7 +214,9 @@ public:
     }
     Result<CommandOutcome> run(Channel &channel, Device &device) override
     {
-        const auto base = device.readConfiguration(channel);
+        WriteOptions options;
+        const auto base
+            = m_noSave ? device.readConfiguration(channel) : readBase(channel, device, m_others, options);
         if (!base)
             return tl::unexpected(base.error());
         const auto profile = chosenProfile(m_profile, *base);
@@ -235,14 +238,18 @@ public:
                 return tl::unexpected(known.error());
             if (const auto set = edited.setRaw(*spec, *profile, *raw); !set)
                 return tl::unexpected(set.error());
-            if (m_noSave && spec->adjustable < 0) {
+            const int variable = device.live() ? device.live()->variableOf(*spec) : -1;
+            if (m_noSave && variable < 0) {
                 return failure(ErrorCode::Unsupported,
                                u"%1 cannot be changed in volatile memory; leave --no-save out"_s.arg(key));
             }
-            live.push_back({spec->adjustable, *raw * spec->row->adjustableScale});
+            options.named.insert(key);
+            live.push_back({variable, *raw * spec->row->adjustableScale});
         }
-        if (!m_noSave)
-            return writeAndReport(channel, device, *base, edited, history());
+        if (!m_noSave) {
+            options.history = &history();
+            return writeAndReport(channel, device, *base, edited, options);
+        }
 
         if (!device.identity().writable)
             return failure(ErrorCode::ReadOnly, device.identity().firmware);
@@ -259,6 +266,7 @@ public:
 private:
     int m_profile = 0;
     bool m_noSave = false;
+    OtherValues m_others = OtherValues::Keep;
 };
 
 class ProfilesCommand final : public BoardCommand
@@ -329,7 +337,9 @@ public:
         names.resize(device.identity().profileCount);
         names[number - 1] = wanted;
         edited.setProfileNames(names);
-        return writeAndReport(channel, device, *base, edited, history());
+        WriteOptions options;
+        options.history = &history();
+        return writeAndReport(channel, device, *base, edited, options);
     }
 };
 

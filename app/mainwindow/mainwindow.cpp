@@ -263,9 +263,10 @@ void MainWindow::review()
     }
     if (NumberBox::refusedIn(*m_stack->currentWidget()))
         return;
-    m_review = new ReviewDialog(model.board(), model.edited(), this);
+    m_review = new ReviewDialog(model.board(), model.edited(), m_workspace->storedWithAWrite(), this);
     m_review->setAttribute(Qt::WA_DeleteOnClose);
-    connect(m_review, &QDialog::accepted, this, [this] { m_workspace->write(m_review->chosen()); });
+    connect(m_review, &QDialog::accepted, this,
+            [this] { m_workspace->write(m_review->chosen(), m_review->others()); });
     openPanel(*m_review);
 }
 
@@ -323,14 +324,14 @@ void MainWindow::leave()
 // What would be lost on leaving, with the two ways out; the third is to stay.
 bool MainWindow::isAskedBeforeLeaving()
 {
-    const int changes = m_workspace->configuration().changeCount();
+    const int changes = m_workspace->unsavedCount();
     if (changes > 0) {
         askInPanel({tr("Unsaved changes"),
                     tr("%n change(s) are not on the board.", nullptr, changes),
                     {{tr("Quit and keep for next time"), [this] { leave(); }},
                      {tr("Discard and quit"),
                       [this] {
-                          m_workspace->edits().discardAll();
+                          m_workspace->discardUnsaved();
                           leave();
                       },
                       true}},

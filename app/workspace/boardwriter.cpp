@@ -17,7 +17,7 @@ BoardWriter::BoardWriter(DeviceClient &client, ConfigurationModel &configuration
 {
 }
 
-void BoardWriter::write(const Configuration &wanted)
+void BoardWriter::write(const Configuration &wanted, OtherValues others)
 {
     if (m_writing) {
         m_notifications.report({ErrorCode::Busy, {}, 0});
@@ -26,12 +26,13 @@ void BoardWriter::write(const Configuration &wanted)
     m_writing = true;
     m_client
         .submit<WriteReport>([base = m_configuration.board(), wanted, history = m_history,
-                              backupDone = m_backupDone,
+                              backupDone = m_backupDone, others,
                               live = m_live.unsaved()](Channel &channel, Device &device) {
             WriteOptions options;
             options.history = &history;
             options.backupDone = backupDone;
             options.live = live;
+            options.others = others;
             return writeConfiguration(channel, device, base, wanted, options);
         })
         .then(this, [this, live = m_live.unsaved()](const Result<WriteReport> &result) {
@@ -72,6 +73,7 @@ void BoardWriter::onReport(const Result<WriteReport> &result)
                                               : tr("What could be read of the board as it was is kept in %1"))
                       .arg(result->snapshotPath);
         m_notifications.notify(text);
+        tellOthers(*result);
         return;
     }
     ErrorText text = describe(*result);
@@ -84,6 +86,43 @@ void BoardWriter::onReport(const Result<WriteReport> &result)
         names.append(line.spec->key);
     text.detail += u' ' + names.mid(0, 12).join(u", "_s);
     m_notifications.report(text);
+}
+
+// What else was in use without being stored, on a board that stores everything at once.
+void BoardWriter::tellOthers(const WriteReport &report)
+{
+    if (report.othersUnknown) {
+        m_notifications.notify(
+            tr("Everything else that was in use on the board is stored now as well; what it "
+               "was could not be told: %1")
+                .arg(report.othersUnknown->detail),
+            Notice::Attention);
+        return;
+    }
+    QStringList names = report.otherData;
+    for (const OtherValue &other : report.others)
+        names.append(other.setBy.isEmpty() ? other.spec->key
+                                           : tr("%1 (%2 sets it)").arg(other.spec->key, other.setBy));
+    if (names.isEmpty())
+        return;
+    const auto count = int(names.size());
+    const QString list = names.mid(0, 8).join(u", "_s);
+    switch (report.othersWere) {
+    case OtherValues::Keep:
+        m_notifications.notify(
+            tr("%n other value(s) stay in use without being stored: %1", nullptr, count).arg(list),
+            Notice::Hint);
+        return;
+    case OtherValues::Store:
+        m_notifications.notify(tr("%n other value(s) in use are stored too: %1", nullptr, count).arg(list),
+                               Notice::Hint);
+        return;
+    case OtherValues::PutBack:
+        m_notifications.notify(
+            tr("%n other value(s) are in use as they are stored again: %1", nullptr, count).arg(list),
+            Notice::Hint);
+        return;
+    }
 }
 
 // The board has been read again after reconnecting, so the state left by the interrupted write is known: the
@@ -145,6 +184,11 @@ void BoardWriter::restoreLive(const LiveValues &before)
 {
     if (!m_client.isConnected())
         return;
+    if (m_client.device()->wholeMemory()) {  // the write has kept them apart
+        m_live.forget();
+        m_live.read();
+        return;
+    }
     QHash<int, double> values;
     for (const LiveValue &value : before) {
         const ParameterSpec *spec = std::as_const(m_configuration).board().parameters().find(value.key);

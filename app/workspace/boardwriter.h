@@ -19,7 +19,7 @@ public:
 
     /// Writes what differs between the board and this, verified, with a snapshot before the first write on
     /// this link.
-    void write(const Configuration &wanted);
+    void write(const Configuration &wanted, OtherValues others = OtherValues::Keep);
     [[nodiscard]] bool isWriting() const { return m_writing; }
     [[nodiscard]] const std::optional<WriteReport> &lastReport() const { return m_lastReport; }
     /// The board is another one, or may have been changed meanwhile: the next write takes a snapshot of its
@@ -40,6 +40,7 @@ signals:
 private:
     void onReport(const Result<WriteReport> &result);
     void restoreLive(const LiveValues &before);
+    void tellOthers(const WriteReport &report);
 
     DeviceClient &m_client;
     ConfigurationModel &m_configuration;

@@ -29,6 +29,7 @@ EditJournal::EditJournal(ConfigurationModel &configuration, EditStack &edits, co
     connect(&m_timer, &QTimer::timeout, this, &EditJournal::write);
     connect(&configuration, &ConfigurationModel::boardReset, this, &EditJournal::onBoard);
     connect(&configuration, &ConfigurationModel::changeCountChanged, &m_timer, qOverload<>(&QTimer::start));
+    connect(&m_drafts, &Drafts::changed, &m_timer, qOverload<>(&QTimer::start));
     connect(&edits.undoStack(), &QUndoStack::indexChanged, &m_timer, qOverload<>(&QTimer::start));
 }
 
@@ -42,11 +43,17 @@ void EditJournal::onBoard()
     const QString serial = m_configuration.board().identity().serial;
     if (serial == m_serial)
         return;
+    if (!m_serial.isEmpty()) {  // texts of the board before stay in its journal
+        flush();
+        m_drafts.clear();
+        m_timer.stop();
+    }
     m_serial = serial;
     m_hasFile = false;
     m_leftover = m_history.unsaved(serial);
     if (m_leftover)
-        emit leftoverFound(int(m_leftover->value(u"steps"_s).toArray().size()));
+        emit leftoverFound(int(m_leftover->value(u"steps"_s).toArray().size()),
+                           int(m_leftover->value(u"drafts"_s).toObject().size()));
 }
 
 bool EditJournal::restoreLeftover()
@@ -55,7 +62,10 @@ bool EditJournal::restoreLeftover()
         return false;
     const QJsonObject steps = *std::exchange(m_leftover, std::nullopt);
     m_hasFile = true;
-    return m_edits.restore(steps);
+    const bool isRestored = m_edits.restore(steps);
+    const QJsonObject texts = steps.value(u"drafts"_s).toObject();
+    m_drafts.restore(texts);
+    return isRestored || !texts.isEmpty();
 }
 
 void EditJournal::dropLeftover()
@@ -91,6 +101,9 @@ void EditJournal::keepUndecided()
     const auto leftover = std::exchange(m_leftover, std::nullopt);
     if (!leftover)
         return;
+    m_drafts.restore(leftover->value(u"drafts"_s).toObject());  // what is typed now goes before
+    if (leftover->value(u"steps"_s).toArray().isEmpty())
+        return;
     Configuration kept = m_configuration.board();
     const QJsonArray steps = leftover->value(u"steps"_s).toArray();
     for (int i = 0; i < std::min<int>(leftover->value(u"done"_s).toInt(), int(steps.size())); ++i) {
@@ -115,7 +128,7 @@ void EditJournal::write()
     m_timer.stop();
     if (m_configuration.isEmpty())
         return;
-    if (m_configuration.changeCount() == 0) {
+    if (m_configuration.changeCount() == 0 && m_drafts.count() == 0) {
         // Edits left by an earlier run are kept until the operator has decided about them.
         if (m_hasFile && !m_leftover)
             m_history.dropUnsaved(m_serial);
@@ -124,6 +137,8 @@ void EditJournal::write()
     }
     keepUndecided();
     m_hasFile = true;
-    if (const auto saved = m_history.saveUnsaved(m_configuration.board(), m_edits.toJson()); !saved)
+    QJsonObject unsaved = m_edits.toJson();
+    unsaved.insert(u"drafts"_s, m_drafts.toJson());
+    if (const auto saved = m_history.saveUnsaved(m_configuration.board(), unsaved); !saved)
         emit failed(saved.error());
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/workspace/drafts.h"
 #include "protocol/record/boardhistory.h"
 #include "widgets/forms/editstack.h"
 
@@ -9,8 +10,8 @@
 
 #include <functional>
 
-/// Keeps the undo stack in a file beside the board's snapshots while anything is unsaved, so that a crash
-/// loses nothing.
+/// Keeps the undo stack, and texts that are no edits yet, in a file beside the board's snapshots while
+/// anything is unsaved, so that a crash loses nothing.
 class EditJournal final : public QObject
 {
     Q_OBJECT
@@ -22,14 +23,17 @@ public:
     /// Puts the edits that an earlier run has left back on the stack. False if none of them fits this board.
     bool restoreLeftover();
     void dropLeftover();
+    /// Texts that were typed for this board and are no edits yet.
+    [[nodiscard]] Drafts &drafts() { return m_drafts; }
+    [[nodiscard]] const Drafts &drafts() const { return m_drafts; }
     /// Writes pending edits now.
     void flush();
     /// The board's history becomes another one by what is done here: pending edits go with it.
     void moveWith(const std::function<void()> &change);
 
 signals:
-    /// The board now shown has edits from an earlier run.
-    void leftoverFound(int steps);
+    /// The board now shown has edits from an earlier run, or texts.
+    void leftoverFound(int steps, int texts);
     void failed(const Error &error);
 
 private:
@@ -40,6 +44,7 @@ private:
     ConfigurationModel &m_configuration;
     EditStack &m_edits;
     const BoardHistory &m_history;
+    Drafts m_drafts;
     std::optional<QJsonObject> m_leftover;
     QString m_serial;
     QTimer m_timer;

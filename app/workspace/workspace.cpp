@@ -53,6 +53,7 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     m_notifications.follow(m_recorder);
     connect(&m_writer, &BoardWriter::completed, this,
             [this] { setUnstored(false); });  // a write ends with storing
+    connect(&m_live, &LiveModel::changeCountChanged, this, &Workspace::unstoredChanged);
     connect(&m_writer, &BoardWriter::conflicted, this, &Workspace::readBoard);
     connect(&m_writer, &BoardWriter::finished, this, &Workspace::writeFinished);
     connect(this, &Workspace::writeFinished, this, [this] {
@@ -120,13 +121,19 @@ void Workspace::applySettings()
 
 void Workspace::readBoard()
 {
+    readKnowing(std::nullopt);
+}
+
+// Values that are in use without being stored: those given, or those known when the answer comes.
+void Workspace::readKnowing(const std::optional<LiveValues> &live)
+{
     if (m_reading)
         return;
     m_reading = true;
     m_client
         .submit<Configuration>(
             [](Channel &channel, Device &device) { return device.readConfiguration(channel); })
-        .then(this, [this](const Result<Configuration> &answer) {
+        .then(this, [this, live](const Result<Configuration> &answer) {
             m_reading = false;
             if (!answer) {
                 if (!isEndOfLink(answer.error()))
@@ -135,7 +142,7 @@ void Workspace::readBoard()
             }
             const bool sameBoard = !m_configuration.isEmpty()
                 && answer->identity().serial == std::as_const(m_configuration).board().identity().serial;
-            Configuration read = sameBoard ? withoutLive(*answer, m_live.unsaved()) : *answer;
+            Configuration read = sameBoard ? withoutLive(*answer, live.value_or(m_live.unsaved())) : *answer;
             if (sameBoard)
                 keepMissing(read);
             m_offlineFile.clear();
@@ -190,17 +197,27 @@ void Workspace::tellMissing(const Configuration &configuration)
             missingText(configuration, kept)});
 }
 
-void Workspace::write(const Configuration &wanted)
+void Workspace::write(const Configuration &wanted, OtherValues others)
 {
-    m_writer.write(wanted);
+    m_writer.write(wanted, others);
 }
 
-void Workspace::offerLeftover(int steps)
+void Workspace::discardUnsaved()
+{
+    m_edits.discardAll();
+    m_journal.drafts().clear();
+}
+
+void Workspace::offerLeftover(int steps, int texts)
 {
     if (m_client.isConnected() && !m_client.identity().writable)
         return;  // they are kept until the board itself is connected
     Offer question;
-    question.text = tr("%n unsaved step(s) of an earlier run belong to this board.", nullptr, steps);
+    if (steps > 0)
+        question.text = tr("%n unsaved step(s) of an earlier run belong to this board.", nullptr, steps);
+    if (texts > 0)
+        question.text += (steps > 0 ? u" "_s : QString())
+            + tr("%n unfinished text(s) of an earlier run belong to this board.", nullptr, texts);
     question.choices.append({tr("Restore them"), [this] {
                                  if (!m_journal.restoreLeftover())
                                      m_notifications.notify(tr("None of it fits this board any more."),
@@ -298,52 +315,6 @@ void Workspace::takeSnapshot()
     emit snapshotTaken();
 }
 
-QFuture<Result<ActionOutcome>> Workspace::perform(const QString &key, const QVariantMap &arguments,
-                                                  bool quiet)
-{
-    const auto actions = m_client.device() ? m_client.device()->actions() : std::span<const ActionSpec>();
-    const auto it = std::find_if(actions.begin(), actions.end(),
-                                 [&key](const ActionSpec &spec) { return key == QLatin1String(spec.key); });
-    if (it != actions.end() && *it->confirm)
-        return m_confirmations.ask(
-            *it, [this, key, arguments, quiet] { return performNow(key, arguments, quiet); });
-    return performNow(key, arguments, quiet);
-}
-
-QFuture<Result<ActionOutcome>> Workspace::performNow(const QString &key, const QVariantMap &arguments,
-                                                     bool quiet)
-{
-    const auto actions = m_client.device() ? m_client.device()->actions() : std::span<const ActionSpec>();
-    const auto it = std::find_if(actions.begin(), actions.end(),
-                                 [&key](const ActionSpec &spec) { return key == QLatin1String(spec.key); });
-    const bool moving = it != actions.end() && it->isProcedure;
-    const MemoryEffect effect = it == actions.end() ? MemoryEffect::None : it->memory;
-    return m_client
-        .submit<ActionOutcome>(
-            [key, arguments, history = m_history, live = m_live.unsaved(),
-             latest = m_client.telemetry()](Channel &channel, Device &device) {
-                return performSafely(channel, device, key, arguments, history, live, latest.get());
-            },
-            moving ? DeviceClient::JobKind::Moving : DeviceClient::JobKind::Quiet)
-        .then(this, [this, quiet, effect](const Result<ActionOutcome> &outcome) {
-            if (!outcome && !quiet)
-                m_notifications.report(outcome.error());
-            if (outcome && !outcome->snapshotPath.isEmpty())
-                emit snapshotTaken();
-            if (outcome && outcome->reply.contains(u"unstored"_s))
-                setUnstored(outcome->reply.value(u"unstored"_s).toBool());
-            else if (outcome && effect != MemoryEffect::None)
-                setUnstored(effect == MemoryEffect::ChangesInUse);
-            // Live values are lost, even if only the reply went missing.
-            if (effect == MemoryEffect::Reloads && m_client.isConnected()) {
-                m_live.forget();
-                m_live.read();
-                readBoard();
-            }
-            return outcome;
-        });
-}
-
 bool Workspace::isSimulated() const
 {
     return m_client.isConnected() && m_client.address().kind() == LinkAddress::Kind::Simulator;
@@ -366,18 +337,11 @@ QFuture<bool> Workspace::saveLive()
     return perform(m_client.device() && m_client.device()->live() ? m_client.device()->live()->storeAction()
                                                                   : QString(),
                    {})
-        .then(this, [this, live = m_live.unsaved()](const Result<ActionOutcome> &saved) {
+        .then(this, [this](const Result<ActionOutcome> &saved) {
             if (!saved)
                 return false;
-            Configuration board = std::as_const(m_configuration).board();
-            for (const LiveValue &value : live) {
-                if (const ParameterSpec *spec = board.parameters().find(value.key))
-                    std::ignore = board.restoreRaw(*spec, board.activeProfile(), value.inUse);
-            }
-            m_configuration.setBoard(board);
             m_notifications.notify(
                 tr("Stored on the board. The board as it was is kept in %1").arg(saved->snapshotPath));
-            readBoard();  // what is stored is what the board reports, not what was intended
             return true;
         });
 }

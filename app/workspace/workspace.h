@@ -66,7 +66,10 @@ public:
     /// Reads everything; edits are kept where the board is the same one.
     void readBoard();
     /// Writes what differs between the board and this, verified, with a snapshot before the first write.
-    void write(const Configuration &wanted);
+    void write(const Configuration &wanted, OtherValues others = OtherValues::Keep);
+    /// Values in use that a write would store as well, were they not kept apart: on boards that can only
+    /// store everything.
+    [[nodiscard]] LiveValues storedWithAWrite() const;
     /// Stores the values in use in the active profile, with a snapshot of what was stored before. True when
     /// it was done.
     QFuture<bool> saveLive();
@@ -82,6 +85,12 @@ public:
     Result<void> saveFile(const QString &path) const;
     /// The file that is being edited without a board; empty with one.
     [[nodiscard]] QString offlineFile() const { return m_client.isConnected() ? QString() : m_offlineFile; }
+    /// Edits that are not on the board, and typed texts that are no edits yet.
+    [[nodiscard]] int unsavedCount() const
+    {
+        return m_configuration.changeCount() + m_journal.drafts().count();
+    }
+    void discardUnsaved();
     /// Takes a snapshot of the board as it is now, or of the offline configuration.
     void takeSnapshot();
 
@@ -120,7 +129,8 @@ public:
     [[nodiscard]] QString configurationFilter() const;
     [[nodiscard]] QString openFilter() const;
     /// Values are in use that a restart would lose, for all this program knows.
-    [[nodiscard]] bool isUnstored() const { return m_unstored; }
+    /// Beyond the values to tune with, which can be put back one by one.
+    [[nodiscard]] bool isUnstored() const { return m_unstored || m_live.changeCount() > m_live.tunedCount(); }
     /// True, false, or nothing while telemetry is missing or old.
     [[nodiscard]] std::optional<bool> motorsRunning() const;
     [[nodiscard]] std::vector<BoardFault> faults() const;
@@ -139,13 +149,16 @@ signals:
 
 private:
     void onState(DeviceClient::State state);
-    void offerLeftover(int steps);
+    void offerLeftover(int steps, int texts);
     QFuture<Result<ActionOutcome>> performNow(const QString &key, const QVariantMap &arguments, bool quiet);
     void applySettings();
     void keepMissing(Configuration &read) const;
     void tellMissing(const Configuration &configuration);
     void setUnstored(bool unstored);
+    void compareData();
     void tellGuided();
+    void readAfter(const ActionSpec &action, const ActionOutcome &outcome, const LiveValues &before);
+    void readKnowing(const std::optional<LiveValues> &live);
     void offerWayOut();
     void followActiveProfile();
 

@@ -116,6 +116,7 @@ struct ParameterRow
     Axis axis = Axis::None;  ///< for a single value that belongs to one axis
     std::uint8_t count = 1;
     std::uint8_t countStride = 0;
+    std::uint8_t firstIndex = 1;
     const char *unit = "";
     double scale = 1.0;
     double bias = 0.0;
@@ -168,7 +169,7 @@ struct ParameterSpec
     int id = 0;  ///< position in its ParameterSet
     QString key;  ///< "pid.roll.p": files, command line, diffs
     Axis axis = Axis::None;
-    int index = 0;  ///< from 1; 0 = the row has no index
+    int index = -1;  ///< from ParameterRow::firstIndex; -1 = the row has none
     int offset = 0;
     int adjustable = -1;
     double defaultRaw = 0;

@@ -39,12 +39,34 @@ struct WriteData
     WriteState state = WriteState::NotWritten;
 };
 
+/// On boards that can only store everything in use at once: what becomes of values that are in use without
+/// being stored, beside those that are written.
+enum class OtherValues {
+    Keep,  ///< they stay in use, and what is stored stays stored
+    Store,  ///< they are stored as well
+    PutBack,  ///< the stored ones are put into use
+};
+
+/// Such a value, as it was found before the write.
+struct OtherValue
+{
+    const ParameterSpec *spec = nullptr;
+    double inUse = 0;
+    double stored = 0;
+    QString setBy;  ///< what on the board sets it: "script 2"; empty: somebody did
+};
+
 /// Result of a write, parameter by parameter. States only what is known: nothing is "probably written".
 struct WriteReport
 {
     std::vector<WriteLine> lines;
     std::vector<WriteData> data;
     bool namesWritten = false;
+    std::vector<OtherValue> others;
+    std::shared_ptr<const ParameterSet> otherParameters;  ///< which their specs are of
+    QStringList otherData;  ///< blocks without parameters, likewise
+    OtherValues othersWere = OtherValues::Keep;  ///< what was done with them
+    std::optional<Error> othersUnknown;  ///< why nobody can tell; then all that was in use is stored
     std::optional<Error> error;  ///< why it is incomplete
     QString snapshotPath;  ///< the backup made before
     bool isSnapshotComplete = false;  ///< it holds everything that the board has

@@ -6,7 +6,7 @@
 #include "protocol/base/clock.h"
 #include "protocol/base/frame.h"
 #include "protocol/base/result.h"
-#include "protocol/configuration/parameterspec.h"
+#include "protocol/configuration/configuration.h"
 #include "protocol/device/actionspec.h"
 
 #include <functional>
@@ -88,6 +88,9 @@ public:
     Result<void> writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values);
     /// The action that stores the values in use.
     [[nodiscard]] virtual QString storeAction() const = 0;
+    /// The variable behind a parameter, -1 = none: what the board can change in volatile memory, whether or
+    /// not it is among adjustables(), the ones to tune with.
+    [[nodiscard]] virtual int variableOf(const ParameterSpec &spec) const { return spec.adjustable; }
 
     /// What was changed last; empty before the first change and once it was taken back.
     [[nodiscard]] std::optional<LiveChange> lastChange() const;
@@ -120,6 +123,27 @@ public:
     /// InvalidArgument (no such stream or rate).
     [[nodiscard]] virtual Result<StreamBudget> streamBudget(const Subscription &subscription,
                                                             std::optional<LineSettings> line) const = 0;
+};
+
+/// Boards that can only store everything in use at once, whoever has set it, and that tell what is stored
+/// only by putting it into use for a moment.
+class WholeMemory
+{
+public:
+    virtual ~WholeMemory() = default;
+    struct Contents
+    {
+        Configuration inUse;
+        Configuration stored;
+    };
+    /// Both; what was in use is in use again afterwards. Errors: Unsupported (not over this link), Unready
+    /// (the board is starting), ConditionUnmet (motors would start, or let the camera fall), NotRestored
+    /// (what was in use is not; the detail lists it), those of the link.
+    virtual Result<Contents> readBoth(Channel &channel) = 0;
+    /// Puts all blocks of a configuration into use.
+    virtual Result<void> use(Channel &channel, const Configuration &whole) = 0;
+    /// What on the board itself sets parameters, by their keys: "script 2".
+    [[nodiscard]] virtual QMap<QString, QString> movedBy(const Configuration &inUse) const = 0;
 };
 
 /// An internal variable of the firmware that can be watched.

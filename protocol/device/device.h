@@ -25,6 +25,7 @@ class StatusWords;
 class Steering;
 class StreamControl;
 class TelemetryDecoder;
+class WholeMemory;
 class WriteBracket;
 struct LineSettings;
 struct StopPlan;
@@ -76,6 +77,8 @@ public:
     [[nodiscard]] virtual ProfileAccess *profiles() { return nullptr; }
     [[nodiscard]] virtual const ProfileAccess *profiles() const { return nullptr; }
     [[nodiscard]] virtual WriteBracket *writeBracket() { return nullptr; }
+    [[nodiscard]] virtual WholeMemory *wholeMemory() { return nullptr; }
+    [[nodiscard]] virtual const WholeMemory *wholeMemory() const { return nullptr; }
     [[nodiscard]] virtual LiveAccess *live() { return nullptr; }
     [[nodiscard]] virtual const LiveAccess *live() const { return nullptr; }
     [[nodiscard]] virtual InnerVariables *innerVariables() { return nullptr; }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/procedure/writeconfiguration.h"
 
+#include "protocol/procedure/wholewrite.h"
+
 #include <algorithm>
 #include <set>
 #include <tuple>
@@ -21,6 +23,7 @@ public:
         , m_base(base)
         , m_edited(edited)
         , m_options(options)
+        , m_whole(device, channel, options.others)
     {
     }
 
@@ -31,8 +34,13 @@ private:
     void collectBlocks();
     Result<void> readBoard();
     Result<void> checkConflicts() const;
+    [[nodiscard]] QByteArray boardNow(BlockKey key) const;
+    [[nodiscard]] bool isKnownLive(const ParameterChange &change, double now) const;
     Result<void> writeBlocks();
     Result<void> writeBracketed();
+    Result<void> writeWhole();
+    Result<void> readWhole();
+    void addNamed();
     Result<void> writeRestarting();
     Result<void> put(BlockKey key, const QByteArray &bytes);
     Result<QByteArray> fetch(BlockKey key);
@@ -48,7 +56,8 @@ private:
     void markBlock(BlockKey key, WriteState state);
     void report(const QString &step, BlockKey key);
     [[nodiscard]] QByteArray patched(BlockKey key) const;
-    [[nodiscard]] std::vector<bool> stateBytes(int block) const;
+    [[nodiscard]] QString placeOf(BlockKey key, qsizetype byte) const;
+    [[nodiscard]] std::vector<bool> uncheckedBytes(int block) const;
     [[nodiscard]] const BlockSpec &specOf(BlockKey key) const
     {
         return *m_base.parameters().block(key.block);
@@ -65,6 +74,7 @@ private:
     std::vector<ParameterChange> m_changes;
     std::vector<DataChange> m_data;
     std::vector<BlockKey> m_keys;  // in writing order: the active profile last, then what restarts
+    WholeWrite m_whole;  // for boards that can only store everything in use
     std::map<BlockKey, QByteArray> m_board;  // as read from the board before anything was written
     std::set<BlockKey> m_written;
     bool m_namesChanged = false;
@@ -90,6 +100,9 @@ Result<WriteReport> Writer::run()
     m_changes = m_base.changesTo(m_edited);
     m_data = m_base.dataChangesTo(m_edited);
     m_namesChanged = m_base.hasOtherNames(m_edited);
+    if (m_options.contents)
+        m_whole.start(*m_options.contents, m_report);
+    addNamed();
     m_report.before = m_base;
     m_report.wanted = m_edited;
     m_report.onBoard = m_base;
@@ -103,6 +116,8 @@ Result<WriteReport> Writer::run()
     if (const auto checked = m_edited.checkRules(m_base); !checked)
         return tl::unexpected(checked.error());
     collectBlocks();
+    if (const auto read = readWhole(); !read)
+        return tl::unexpected(read.error());
     if (const auto saved = backUp(); !saved)
         return tl::unexpected(saved.error());
     if (const auto read = readBoard(); !read)
@@ -117,7 +132,36 @@ Result<WriteReport> Writer::run()
         result = writeNames();
     if (!result)
         finishReport(result.error());
+    if (const auto back = m_whole.finish(m_report); !back && !m_report.error)
+        m_report.error = back.error();
     return m_report;
+}
+
+// What is wanted in use, and stored already, is a change for the board all the same.
+void Writer::addNamed()
+{
+    if (!m_whole.isKnown())
+        return;
+    for (const ParameterChange &change : m_whole.inUse().changesTo(m_edited)) {
+        const bool isStored = sameValue(m_base.raw(*change.spec, change.profile), change.to);
+        if (isStored && m_options.named.contains(change.spec->key))
+            m_changes.push_back(change);
+    }
+    for (const DataChange &change : m_whole.inUse().dataChangesTo(m_edited)) {
+        const bool isStored = m_base.block(change.key) == change.to;
+        if (isStored && m_options.named.contains(QLatin1String(change.spec->data)))
+            m_data.push_back(change);
+    }
+    m_whole.setWanted(m_changes, m_data, m_report);
+}
+
+// Where nobody can tell what is stored, what is in use is all there is; the report says so.
+Result<void> Writer::readWhole()
+{
+    if (const auto read = m_whole.read(m_report); !read)
+        return read;
+    m_whole.setWanted(m_changes, m_data, m_report);
+    return {};
 }
 
 Result<void> Writer::backUp()
@@ -126,8 +170,10 @@ Result<void> Writer::backUp()
         return {};
     if (!m_options.history)
         return failure(ErrorCode::NoBackup);
-    auto fresh = m_device.readConfiguration(m_channel).map(
-        [this](Configuration read) { return withoutLive(std::move(read), m_options.live); });
+    auto fresh = m_whole.isKnown() ? Result<Configuration>(m_whole.kept())
+                                   : m_device.readConfiguration(m_channel).map([this](Configuration read) {
+                                         return withoutLive(std::move(read), m_options.live);
+                                     });
     if (!fresh)
         return tl::unexpected(fresh.error());
     // What the copy lacks could not be brought back.
@@ -166,10 +212,14 @@ Result<void> Writer::readBoard()
 {
     for (const BlockKey key : m_keys) {
         report(u"read-block"_s, key);
+        if (m_whole.isKnown()) {
+            m_board[key] = m_whole.origin().block(key);
+            continue;
+        }
         auto bytes = m_device.readBlock(m_channel, key);
         if (!bytes)
             return tl::unexpected(bytes.error());
-        if (key.profile == m_base.activeProfile())
+        if (key.profile == m_base.activeProfile() && !m_device.wholeMemory())
             *bytes = withoutLive(std::move(*bytes), key.block, m_base.parameters(), m_options.live);
         m_board[key] = std::move(*bytes);
     }
@@ -180,20 +230,37 @@ Result<void> Writer::checkConflicts() const
 {
     QStringList conflicts;
     for (const ParameterChange &change : m_changes) {
-        const auto now = change.spec->read(m_board.at({change.profile, change.spec->row->block}));
-        if (now && !sameValue(*now, change.from) && !sameValue(*now, change.to)) {
+        const auto now = change.spec->read(boardNow({change.profile, change.spec->row->block}));
+        if (now && !sameValue(*now, change.from) && !sameValue(*now, change.to)
+            && !isKnownLive(change, *now)) {
             conflicts.append(u"%1: %2, read as %3, now %4"_s.arg(
                 m_base.profileName(change.profile), change.spec->key, change.spec->format(change.from),
                 change.spec->format(*now)));
         }
     }
     for (const DataChange &change : m_data) {
-        if (const QByteArray &now = m_board.at(change.key); now != change.from && now != change.to)
+        if (const QByteArray now = boardNow(change.key); now != change.from && now != change.to
+            && !(m_whole.isKnown() && m_whole.inUse().block(change.key) == change.from))
             conflicts.append(u"%1 was changed meanwhile"_s.arg(QLatin1String(change.spec->data)));
     }
     if (conflicts.isEmpty())
         return {};
     return failure(ErrorCode::Conflict, conflicts.join(u"; "_s));
+}
+
+QByteArray Writer::boardNow(BlockKey key) const
+{
+    return m_whole.isKnown() ? m_whole.kept().block(key) : m_board.at(key);
+}
+
+// It was read as it was in use: by this program, or because somebody had set it before the board was read.
+bool Writer::isKnownLive(const ParameterChange &change, double now) const
+{
+    const bool wasInUse
+        = m_whole.isKnown() && sameValue(m_whole.inUse().raw(*change.spec, change.profile), change.from);
+    return wasInUse || std::any_of(m_options.live.begin(), m_options.live.end(), [&](const LiveValue &value) {
+               return value.key == change.spec->key && sameValue(value.inUse, now);
+           });
 }
 
 QByteArray Writer::patched(BlockKey key) const
@@ -216,6 +283,8 @@ Result<void> Writer::writeBlocks()
 {
     if (m_keys.empty())
         return {};
+    if (m_whole.isKnown())
+        return writeWhole();
     if (const auto written = writeBracketed(); !written)
         return written;
     if (const auto written = writeRestarting(); !written)
@@ -246,6 +315,26 @@ Result<void> Writer::writeBracketed()
         return ended;
     m_bracketOpen = false;
     return {};
+}
+
+Result<void> Writer::writeWhole()
+{
+    if (const auto begun = begin(); !begun)
+        return begun;
+    m_bracketOpen = true;
+    std::map<BlockKey, QByteArray> blocks;
+    for (const BlockKey key : m_keys) {
+        report(u"write-block"_s, key);
+        markBlock(key, WriteState::Unknown);
+        m_written.insert(key);
+        blocks[key] = patched(key);
+    }
+    if (const auto used = m_whole.use(blocks); !used)
+        return used;
+    if (const auto ended = end(); !ended)
+        return ended;
+    m_bracketOpen = false;
+    return m_whole.readAgain();
 }
 
 // Outside the bracket, which the restart would end.
@@ -337,11 +426,12 @@ Result<void> Writer::writeNames()
     return {};
 }
 
-std::vector<bool> Writer::stateBytes(int block) const
+// What the board changes by itself.
+std::vector<bool> Writer::uncheckedBytes(int block) const
 {
     std::vector<bool> mask;
     for (const ParameterSpec &spec : m_base.parameters().all()) {
-        if (spec.row->block != block || !spec.row->state || spec.row->bitCount)
+        if (spec.row->block != block || spec.row->bitCount || !(spec.row->state || m_whole.isMoved(spec)))
             continue;
         const auto end = std::size_t(spec.offset) + std::size_t(wireSize(spec.row->wire));
         if (mask.size() < end)
@@ -351,12 +441,26 @@ std::vector<bool> Writer::stateBytes(int block) const
     return mask;
 }
 
+// The parameter, or the byte where none is.
+QString Writer::placeOf(BlockKey key, qsizetype byte) const
+{
+    for (const ParameterSpec &spec : m_base.parameters().all()) {
+        if (spec.row->block == key.block && spec.offset <= byte
+            && byte < spec.offset + wireSize(spec.row->wire))
+            return (m_base.identity().profileCount > 1 ? m_base.profileName(key.profile) + u": "_s
+                                                       : QString())
+                + m_whole.named(spec.key);
+    }
+    return u"%1 profile %2, byte %3"_s.arg(QLatin1String(specOf(key).name)).arg(key.profile + 1).arg(byte);
+}
+
 Result<void> Writer::verify()
 {
     QStringList different;
     for (const BlockKey key : m_keys) {
         report(u"verify-block"_s, key);
-        const auto bytes = fetch(key);
+        const auto bytes
+            = m_whole.isReadAgain() ? Result<QByteArray>(m_whole.storedNow().block(key)) : fetch(key);
         if (!bytes)
             return tl::unexpected(bytes.error());
         const QByteArray expected = patched(key);
@@ -366,14 +470,13 @@ Result<void> Writer::verify()
                                  .arg(bytes->size())
                                  .arg(expected.size()));
         }
-        const std::vector<bool> mask = stateBytes(key.block);
+        const std::vector<bool> mask = uncheckedBytes(key.block);
         for (qsizetype i = 0; i < expected.size(); ++i) {
             const bool isState = std::size_t(i) < mask.size() && mask[std::size_t(i)];
             if (!isState && (i >= bytes->size() || (*bytes)[i] != expected[i]))
-                different.append(u"%1 profile %2, byte %3"_s.arg(QLatin1String(specOf(key).name))
-                                     .arg(key.profile + 1)
-                                     .arg(i));
+                different.append(placeOf(key, i));
         }
+        different.removeDuplicates();
         for (WriteLine &line : m_report.lines) {
             if (line.spec->row->block != key.block || line.profile != key.profile)
                 continue;
@@ -385,6 +488,7 @@ Result<void> Writer::verify()
                 data.state = *bytes == expected ? WriteState::Verified : WriteState::Mismatch;
         }
     }
+    m_whole.compare(m_keys, different, m_report);
     // The blocks that were not written also carry the new board-wide values.
     for (const ParameterChange &change : m_changes) {
         if (change.spec->row->scope == Scope::Board)
@@ -410,6 +514,8 @@ void Writer::finishReport(const Error &error)
 // The board still answers: the previous values are restored. Returns whether all of that was accepted.
 bool Writer::rollBack()
 {
+    if (m_whole.isKnown())
+        return begin() && m_whole.putBack() && end();
     if (!m_bracketOpen && !restarts(m_keys.front())) {
         if (!begin())
             return false;

@@ -231,6 +231,7 @@ Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
         reply.insert(it.key(), it.value());
     reply.insert(u"iterations"_s, last.iteration);
     reply.insert(u"profile"_s, profile + 1);
+    reply.insert(u"unstored"_s, !arguments.value(u"save"_s).toBool());
     return reply;
 }
 

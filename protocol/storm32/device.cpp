@@ -31,10 +31,8 @@ constexpr int kRetriesOfLong = 5;  // a bad line is more likely to hit a long fr
 constexpr qsizetype kLong = 100;  // bytes
 // Our own address on MAVLink: that of the errata's examples.
 constexpr mavlink::Address kOwn{82, 67};
-constexpr int kPlain = -1;  // of m_way
 const QString kNoScripts = u"scripts cannot be read while the heartbeat is on"_s;
 constexpr int kDefaultAddress = 71 << 8 | 67;  // errata 6
-constexpr int kSystemWord = 110;  // followed by the component
 
 bool isStoring(Simple id)
 {
@@ -271,6 +269,7 @@ Result<void> Device::writeWord(Channel &channel, int word, int raw)
         const auto reply = channel.transact(rc(Rc::SetParameter, ByteWriter().u16(word).u16(wanted).take()));
         if (!reply)
             return tl::unexpected(reply.error());
+        learnAddressWord(word, wanted);
         if (const auto way = word == kHeartbeatWord ? findWay(channel, raw) : Result<void>(); !way)
             return way;
         const auto back = readWord(channel, word);
@@ -390,9 +389,7 @@ Result<Configuration> Device::readConfiguration(Channel &channel)
     const auto stream = readStream(channel);
     if (!stream)
         return tl::unexpected(stream.error());
-    Configuration configuration(m_identity, m_parameters);
-    for (const auto &[block, bytes] : splitStream(*stream, m_words))
-        configuration.setBlock({0, block}, bytes);
+    Configuration configuration = configurationOf(*stream);
     if (isEmbedded())
         configuration.addMissing({0, Scripts}, {ErrorCode::Unsupported, kNoScripts, 0});
     learnAddress(*stream);
@@ -444,16 +441,6 @@ Result<void> Device::writeBlock(Channel &channel, BlockKey key, const QByteArray
     return findWay(channel, ByteReader(QByteArrayView(*stream).sliced(2 * kHeartbeatWord, 2)).u16());
 }
 
-// The address at which the board would be reached through MAVLink.
-void Device::learnAddress(const QByteArray &stream)
-{
-    if (!isKnownLayout(m_identity.firmwareNumber))
-        return;
-    ByteReader reader(QByteArrayView(stream).sliced(2 * kSystemWord, 4));
-    const int system = reader.u16() & 0xFF;
-    m_address = system << 8 | (reader.u16() & 0xFF);
-}
-
 Result<void> Device::endWrite(Channel &channel)
 {
     if (const auto free = checkNotStopping(); !free)
@@ -461,38 +448,6 @@ Result<void> Device::endWrite(Channel &channel)
     const auto reply = channel.transact(simple(Simple::Store));
     if (!reply)
         return tl::unexpected(reply.error());
-    return {};
-}
-
-Result<std::vector<AdjustableValue>> Device::readAdjustables(Channel &channel, const QList<int> &ids)
-{
-    std::vector<AdjustableValue> values;
-    for (const int id : ids) {
-        const auto raw = readWord(channel, id);
-        if (!raw)
-            return tl::unexpected(raw.error());
-        values.push_back({id, double(*raw)});
-    }
-    return values;
-}
-
-Result<void> Device::putAdjustables(Channel &channel, const std::vector<AdjustableValue> &values)
-{
-    for (const AdjustableValue &value : values) {
-        const auto known = std::find_if(m_adjustables.begin(), m_adjustables.end(),
-                                        [&value](const AdjustableSpec &spec) { return spec.id == value.id; });
-        if (known == m_adjustables.end())
-            return failure(ErrorCode::InvalidArgument, u"no live value %1"_s.arg(value.id));
-        // The firmware does not check the range, so it is checked here.
-        if (!(value.value >= known->min && value.value <= known->max))
-            return failure(ErrorCode::OutOfRange,
-                           u"%1 is outside %2 to %3"_s.arg(value.value).arg(known->min).arg(known->max));
-        auto done = writeWord(channel, value.id, int(value.value));
-        if (!done && done.error().code == ErrorCode::VerifyFailed)
-            done.error().code = ErrorCode::NotInUse;
-        if (!done)
-            return done;
-    }
     return {};
 }
 

@@ -23,6 +23,7 @@ namespace storm32 {
 class Device final : public ::Device,
                      public WriteBracket,
                      public LiveAccess,
+                     public WholeMemory,
                      public Steering,
                      public MotorSwitch,
                      public FrameInspector,
@@ -60,6 +61,14 @@ public:
     [[nodiscard]] std::span<const AdjustableSpec> adjustables() const override { return m_adjustables; }
     Result<std::vector<AdjustableValue>> readAdjustables(Channel &channel, const QList<int> &ids) override;
     [[nodiscard]] QString storeAction() const override;
+    /// Its word: all of them can be set in RAM (errata 4, number 4).
+    [[nodiscard]] int variableOf(const ParameterSpec &spec) const override;
+
+    WholeMemory *wholeMemory() override { return this; }
+    [[nodiscard]] const WholeMemory *wholeMemory() const override { return this; }
+    Result<Contents> readBoth(Channel &channel) override;
+    Result<void> use(Channel &channel, const Configuration &whole) override;
+    [[nodiscard]] QMap<QString, QString> movedBy(const Configuration &inUse) const override;
 
     [[nodiscard]] const Steering *steering() const override { return this; }
     [[nodiscard]] std::span<const SteeringMode> modes() const override;
@@ -94,6 +103,7 @@ public:
     [[nodiscard]] bool isEmbedded() const { return m_way >= 0; }
 
 private:
+    static constexpr int kPlain = -1;  // of m_way
     friend class Actions;
     friend class Procedures;
 
@@ -118,6 +128,19 @@ private:
     Result<void> writeWord(Channel &channel, int word, int raw);
     Result<void> findWay(Channel &channel, int heartbeat);
     void learnAddress(const QByteArray &stream);
+    /// Also the address that it has while it is embedded.
+    void learnAddressWord(int word, int raw);
+    /// The board's state (errata 3.7).
+    Result<int> readState(Channel &channel);
+    /// Motors that are disabled in use stay so while stored values are: in standby, which the board may have
+    /// been in before. True if it has to be ended. Errors: Unready (the board is starting).
+    Result<bool> enterStandby(Channel &channel, const QByteArray &inUse);
+    /// What is stored, read while it is in use for a moment; then `inUse` is in use again.
+    Result<QByteArray> readStored(Channel &channel, const QByteArray &inUse);
+    Result<QByteArray> retrieve(Channel &channel);
+    Result<void> putStream(Channel &channel, const QByteArray &stream);
+    [[nodiscard]] Configuration configurationOf(const QByteArray &stream) const;
+    [[nodiscard]] QString inUseText(const QByteArray &inUse, const Result<QByteArray> &stored) const;
     /// What a word says about m_history; most words say nothing.
     void learnShift(int word, int raw);
 

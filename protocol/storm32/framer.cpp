@@ -33,8 +33,13 @@ void Framer::sent(Bytes bytes)
     m_rcAsked = !command && !bytes.empty() && bytes[0] == kRcQuestion;
     if (!command)
         return;
-    // One command at a time: the rest of an earlier answer will not arrive.
-    skip(std::size_t(m_buffer.size()));
+    // One command at a time: the rest of an earlier answer will not arrive. That of a message does: the board
+    // sends it unasked, and the letters in it are no answers.
+    const Bytes all = asBytes(m_buffer);
+    std::size_t kept = 0;
+    while (kept < all.size() && mavlink::sight(all.subspan(kept)).look != mavlink::Look::Incomplete)
+        ++kept;
+    skip(kept);
     m_asked = command->replyWords[0] ? command : nullptr;
 }
 

@@ -4,6 +4,7 @@
 #include "protocol/base/checksum.h"
 #include "protocol/base/hexbytes.h"
 #include "protocol/storm32/device.h"
+#include "protocol/storm32/mavlinknames.h"
 #include "protocol/storm32/parametertables.h"
 #include "protocol/storm32/telemetrytables.h"
 
@@ -245,6 +246,34 @@ bool Device::isTelemetryFrame(int id) const
         || id == kMavlinkBeat || id == FrameId::kMavlink + mavlink::number(mavlink::MessageId::Attitude);
 }
 
+namespace {
+
+// The firmware writes its first parameter where it does not know the one that is meant (errata 13, row 6).
+// Errors: InvalidArgument.
+Result<void> checkParameter(const mavlink::Packet &packet, int layout, int words)
+{
+    const mavlink::Message *message = mavlink::findMessage(packet.id);
+    const auto fields = mavlink::decodeFields(*message, packet.payload);
+    if (!fields)
+        return tl::unexpected(fields.error());
+    if (message->id == mavlink::MessageId::ParamSet) {
+        const QString name = fields->value(u"param_id"_s).toString();
+        for (int word = 0; word < words; ++word) {
+            if (mavlinkName(layout, word) == name)
+                return {};
+        }
+        return failure(ErrorCode::InvalidArgument,
+                       u"this board has no parameter '%1' and would set its first one"_s.arg(name));
+    }
+    const int index = fields->value(u"param_index"_s).toInt();
+    if (message->id == mavlink::MessageId::ParamSet2 && (index < 0 || index >= words))
+        return failure(ErrorCode::InvalidArgument,
+                       u"this board has no parameter %1 and would set its first one"_s.arg(index));
+    return {};
+}
+
+}  // namespace
+
 // "d", "xs", "GETPARAMETER 2F00", "SETANGLE pitch=10 yaw=-5" or a whole frame in hex.
 Result<RawCommand> Device::parseCommand(const QString &text) const
 {
@@ -288,8 +317,11 @@ Result<RawCommand> Device::parseCommand(const QString &text) const
                           known ? riskOf(known->id) : ActionRisk::Destroys};
     }
     if (const auto seen = mavlink::sight(bytes);
-        seen.look == mavlink::Look::Complete && seen.size == bytes.size())
+        seen.look == mavlink::Look::Complete && seen.size == bytes.size()) {
+        if (const auto known = checkParameter(seen.packet, m_identity.firmwareNumber, m_words); !known)
+            return tl::unexpected(known.error());
         return RawCommand{describeSent(*whole).name, *whole, ActionRisk::Destroys};
+    }
     return failure(ErrorCode::InvalidArgument,
                    u"these bytes are not one complete frame with valid checksums"_s);
 }

@@ -470,7 +470,7 @@ constexpr BlockSpec kBlocksLater[]
 constexpr ParameterRow rawWords(std::uint8_t count)
 {
     return {.key = "word.%n",
-            .label = "Word",
+            .label = "Word %1",
             .group = "Raw words",
             .help = "A value of a layout that this program has no table for.",
             .block = Parameters,
@@ -478,6 +478,7 @@ constexpr ParameterRow rawWords(std::uint8_t count)
             .wire = WireType::U16,
             .count = count,
             .countStride = 2,
+            .firstIndex = 0,  // as the board's own commands count them
             .max = 65535,
             .name = "Word %n"};
 }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storm32/procedures.h"
 
-#include "protocol/storm32/parametertables.h"
-
 using namespace Qt::StringLiterals;
 
 namespace storm32 {
@@ -156,17 +154,12 @@ Result<ActionReply> Procedures::compareStored()
     const auto inUse = m_device.readStream(m_channel);
     if (!inUse)
         return tl::unexpected(inUse.error());
-    const Configuration use = configurationOf(*inUse);
-    // Restored even if loading seems to have failed: perhaps only its answer was lost.
-    const auto loaded = m_channel.transact(m_device.simple(Simple::Retrieve));
-    const auto stored
-        = loaded ? m_device.readStream(m_channel) : Result<QByteArray>(tl::unexpected(loaded.error()));
-    if (const auto put = m_channel.transact(m_device.simple(Simple::PutParameters, *inUse)); !put)
-        return failure(ErrorCode::NotRestored, inUseText(use, stored) + u"; "_s + put.error().detail);
+    const auto stored = m_device.readStored(m_channel, *inUse);
     if (!stored)
         return tl::unexpected(stored.error());
+    const Configuration use = m_device.configurationOf(*inUse);
+    const Configuration kept = m_device.configurationOf(*stored);
     ActionReply reply{{u"unstored"_s, *stored != *inUse}};
-    const Configuration kept = configurationOf(*stored);
     for (const ParameterChange &change : kept.changesTo(use))
         reply.insert(
             change.spec->key,
@@ -174,27 +167,6 @@ Result<ActionReply> Procedures::compareStored()
     for (const DataChange &change : kept.dataChangesTo(use))
         reply.insert(QLatin1String(change.spec->data), u"not stored"_s);
     return reply;
-}
-
-Configuration Procedures::configurationOf(const QByteArray &stream) const
-{
-    Configuration configuration(m_device.identity(), m_device.parameters());
-    for (const auto &[block, bytes] : splitStream(stream, m_device.m_words))
-        configuration.setBlock({0, block}, bytes);
-    return configuration;
-}
-
-// Values in use that differ from the stored ones, or from the defaults if those are not known.
-QString Procedures::inUseText(const Configuration &use, const Result<QByteArray> &stored) const
-{
-    QStringList values;
-    const Configuration kept = stored ? configurationOf(*stored) : use;
-    for (const ParameterSpec &spec : use.parameters().all()) {
-        const auto raw = use.raw(spec, 0);
-        if (raw && !sameValue(*raw, stored ? kept.raw(spec, 0).value_or(*raw) : spec.defaultRaw))
-            values.append(u"%1=%2"_s.arg(spec.key, spec.format(*raw)));
-    }
-    return values.join(u' ');
 }
 
 Result<ActionReply> Procedures::perform(const QString &key, const QVariantMap &arguments)

@@ -80,8 +80,6 @@ private:
     Result<ActionReply> endYaw(bool take);
 
     Result<ActionReply> compareStored();
-    [[nodiscard]] Configuration configurationOf(const QByteArray &stream) const;
-    [[nodiscard]] QString inUseText(const Configuration &use, const Result<QByteArray> &stored) const;
 
     Device &m_device;
     Channel &m_channel;

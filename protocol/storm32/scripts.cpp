@@ -370,6 +370,21 @@ std::vector<ScriptLine> disassemble(QByteArrayView area, int script, const Scrip
     return lines;
 }
 
+ScriptEffect scriptEffect(QByteArrayView area, int script, const ScriptContext &context)
+{
+    constexpr int kRestoreAll = 0x08;
+    constexpr std::array kChanging{0x0A, 0x0B, 0x0C};  // SET, SETMINMAX, RESTORE
+    ScriptEffect effect;
+    for (const ScriptLine &line : disassemble(area, script, context)) {
+        const qsizetype at = std::uint8_t(area[script]) + line.offset;
+        const int op = std::uint8_t(area[at]);
+        effect.all |= op == kRestoreAll;
+        if (line.size > 1 && std::find(kChanging.begin(), kChanging.end(), op) != kChanging.end())
+            effect.parameters.push_back(std::uint8_t(area[at + 1]));
+    }
+    return effect;
+}
+
 QString scriptText(QByteArrayView area, int script, const ScriptContext &context)
 {
     QString text;

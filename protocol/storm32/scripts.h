@@ -46,6 +46,13 @@ struct ScriptLine
 /// Disassembles bytecode, statement by statement. Accepts any bytes. @param script 0..3
 [[nodiscard]] std::vector<ScriptLine> disassemble(QByteArrayView area, int script,
                                                   const ScriptContext &context);
+/// What one script may change: indices of parameters; empty and `all` where it restores everything.
+struct ScriptEffect
+{
+    std::vector<int> parameters;
+    bool all = false;
+};
+[[nodiscard]] ScriptEffect scriptEffect(QByteArrayView area, int script, const ScriptContext &context);
 /// The text of one script, ready for the editor.
 [[nodiscard]] QString scriptText(QByteArrayView area, int script, const ScriptContext &context);
 

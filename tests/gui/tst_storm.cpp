@@ -48,6 +48,8 @@ private slots:
     void closingAsksForWhatIsNotStored();
     void valuesWithoutEffectAreGrey();
     void scriptIsTypedTakenOverAndWritten();
+    void typedScriptSurvivesACrash();
+    void typedScriptIsAskedForWhenQuitting();
     void scriptsAreEditedInAFile();
     void spectrumOfPolledSamples();
     void consoleLeavesPollingOut();
@@ -172,7 +174,10 @@ void TestStorm::unstoredValuesStayInSight()
 void TestStorm::closingAsksForWhatIsNotStored()
 {
     QVERIFY(openStorm());
-    workspace().perform(u"directions.take"_s, {});
+    workspace().perform(u"directions.take"_s, {});  // they are stored already: nothing to ask about
+    QVERIFY(m_rig->jobsAreDone() && m_rig->jobsAreDone());
+    QVERIFY(!workspace().isUnstored());
+    workspace().perform(u"setup.poles"_s, {{u"pitch"_s, 16}, {u"roll"_s, 14}, {u"yaw"_s, 14}});
     QTRY_VERIFY(workspace().isUnstored());
     m_rig->window().close();
     auto *box = m_rig->window().findChild<QMessageBox *>();
@@ -247,6 +252,71 @@ void TestStorm::scriptIsTypedTakenOverAndWritten()
     QVERIFY(page->editor()->hasFocus());
     QTest::keyClick(page->editor(), Qt::Key_Tab);
     QVERIFY(!page->editor()->hasFocus() && page->isAncestorOf(QApplication::focusWidget()));
+}
+
+// A text that does not compile is no edit, and is there again all the same.
+void TestStorm::typedScriptSurvivesACrash()
+{
+    QVERIFY(openStorm());
+    auto *page = m_rig->page<ScriptsPage>();
+    QTRY_VERIFY(page->editor()->isEnabled());
+    page->showScript(1);
+    page->editor()->setText(u"WAIT 5\nFLY\n"_s);
+    m_rig->edit(u"pid.roll.p"_s, 0, 433);
+    QTRY_VERIFY2(page->message().contains(u"line 2"_s), qPrintable(page->message()));
+    const BoardHistory history(BoardHistory::defaultRoot());
+    const QString serial = m_rig->client().identity().serial;
+    QTRY_VERIFY(history.unsaved(serial) && !history.unsaved(serial)->value(u"drafts"_s).toObject().isEmpty());
+    m_rig->crash();
+    m_rig->restart();
+    QVERIFY(openStorm());
+    OfferBar *bar = m_rig->window().offerBar();
+    QTRY_VERIFY(bar->isVisible());
+    QVERIFY2(bar->text().contains(u"1 unsaved step"_s) && bar->text().contains(u"1 unfinished text"_s),
+             qPrintable(bar->text()));
+    page = m_rig->page<ScriptsPage>();
+    QVERIFY(page->editor()->text().isEmpty());
+    bar->buttons().first()->click();
+    QCOMPARE(m_rig->model().changeCount(), 1);
+    page->showScript(1);
+    QCOMPARE(page->editor()->text(), u"WAIT 5\nFLY\n"_s);
+    QVERIFY(page->hasChanges() && isMarked(m_rig->window(), u"Scripts"_s));
+    QTRY_VERIFY(page->message().contains(u"line 2"_s));
+    // Reading the board again, and a write of something else, leave it alone.
+    QVERIFY(writeAll());
+    QCOMPARE(page->editor()->text(), u"WAIT 5\nFLY\n"_s);
+    page->revertButton()->click();
+    QVERIFY(page->editor()->text().isEmpty());
+    QTRY_VERIFY(!history.unsaved(serial));
+}
+
+void TestStorm::typedScriptIsAskedForWhenQuitting()
+{
+    QVERIFY(openStorm());
+    auto *page = m_rig->page<ScriptsPage>();
+    QTRY_VERIFY(page->editor()->isEnabled());
+    page->editor()->setText(u"FLY\n"_s);
+    const auto quit = [this](QMessageBox::ButtonRole role) {
+        m_rig->window().close();
+        auto *box = m_rig->window().findChild<QMessageBox *>();
+        if (!box || !m_rig->window().isVisible())
+            return false;
+        for (QAbstractButton *button : box->buttons()) {
+            if (box->buttonRole(button) == role)
+                button->click();
+        }
+        return QTest::qWaitFor([this] { return !m_rig->window().isVisible(); }, 10000);
+    };
+    QVERIFY(quit(QMessageBox::AcceptRole));
+    const BoardHistory history(BoardHistory::defaultRoot());
+    m_rig->restart();
+    QVERIFY(openStorm());
+    QTRY_VERIFY(m_rig->window().offerBar()->isVisible());  // kept for next time
+    m_rig->window().offerBar()->buttons().first()->click();
+    page = m_rig->page<ScriptsPage>();
+    QTRY_COMPARE(page->editor()->text(), u"FLY\n"_s);
+    QVERIFY(quit(QMessageBox::DestructiveRole));
+    QVERIFY(!history.unsaved(u"storm32-4f6c6c6957203332334247432076312e333020463130335243"_s));
 }
 
 void TestStorm::scriptsAreEditedInAFile()
@@ -328,7 +398,7 @@ void TestStorm::snapshotsShowWhatDiffers()
     m_rig->edit(u"pid.roll.p"_s, 0, 555);
     workspace().perform(u"directions.take"_s, {});
     m_rig->page<ParametersPage>();
-    QTRY_VERIFY(workspace().isUnstored());
+    QVERIFY(m_rig->jobsAreDone());
     m_rig->page<BackupsPage>();
     // A snapshot says before what it was taken, by the name that the operator knows.
     const QTableWidget *whys = page->table();
@@ -361,8 +431,10 @@ void TestStorm::heartbeatIsEscapedByOneClick()
     auto *page = m_rig->page<ScriptsPage>();
     QVERIFY(!page->editor()->isEnabled() && !page->message().isEmpty());
     m_rig->window().offerBar()->buttons().first()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(m_rig->raw(u"mavlink.heartbeat"_s), 0, 10000);
+    const int heartbeat = m_rig->spec(u"mavlink.heartbeat"_s).id;
+    QTRY_COMPARE_WITH_TIMEOUT(workspace().live().value(heartbeat), std::optional(0.0), 10000);
     QTRY_VERIFY_WITH_TIMEOUT(page->editor()->isEnabled(), 5000);
+    QCOMPARE(m_rig->raw(u"mavlink.heartbeat"_s), 1.0);  // where it is stored
     QVERIFY(workspace().isUnstored());  // it would be back after a restart, and that is said
     QVERIFY(ready());
 }

@@ -53,6 +53,7 @@ private slots:
     void dataMayHoldAnything();
     void errorLettersInsteadOfData();
     void staleBytesBelongToNobody();
+    void unfinishedMessageSurvivesACommand();
     void requestsTakeTheirAnswersOnly();
     void mavlinkTableIsWhole();
     void mavlinkFieldsSurvive();
@@ -220,6 +221,26 @@ void TestStormWire::staleBytesBelongToNobody()
     for (int i = 0; i < 100; ++i)
         framer.feed(asBytes(QByteArray(1000, '~')), [](const FrameView &) {});
     QVERIFY(framer.statistics().skippedBytes > 98000);
+}
+
+// The board's texts are sent unasked, and hold letters that look like answers.
+void TestStormWire::unfinishedMessageSurvivesACommand()
+{
+    const QByteArray payload
+        = mavlink::encodeFields(*mavlink::findMessage(mavlink::number(mavlink::MessageId::StatusText)),
+                                {{u"severity"_s, 6}, {u"text"_s, u"SToRM32 on the motor"_s}})
+              .value();
+    const QByteArray text = mavlink::encode(mavlink::MessageId::StatusText, payload, {71, 67}, 0);
+    for (qsizetype cut = 1; cut < text.size(); ++cut) {
+        storm32::Framer framer;
+        QList<int> ids;
+        const auto sink = [&ids](const FrameView &frame) { ids.append(frame.id); };
+        framer.feed(asBytes(text.left(cut)), sink);
+        framer.sent(asBytes(QByteArray("t")));
+        framer.feed(asBytes(text.mid(cut)), sink);
+        framer.feed(asBytes(QByteArray("o")), sink);
+        QCOMPARE(ids, (QList<int>{FrameId::kMavlink + 253, FrameId::kLetter + 'o'}));
+    }
 }
 
 void TestStormWire::requestsTakeTheirAnswersOnly()

@@ -3,9 +3,11 @@
 #include "widgets/forms/reviewdialog.h"
 
 #include "widgets/models/missingtext.h"
+#include "widgets/models/parametermodel.h"
 #include "widgets/theme/tablelook.h"
 #include "widgets/theme/theme.h"
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -15,11 +17,15 @@
 
 using namespace Qt::StringLiterals;
 
-ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edited, QWidget *parent)
+ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edited, const LiveValues &live,
+                           QWidget *parent)
     : QDialog(parent)
     , m_changes(board, edited)
     , m_table(new QTableView)
     , m_risk(new QLabel)
+    , m_live(live)
+    , m_othersText(new QLabel)
+    , m_others(new QComboBox)
     , m_effect(new QLabel)
     , m_write(new QPushButton)
 {
@@ -46,6 +52,12 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
                        "motors start."));
 
     m_effect->setWordWrap(true);
+    m_othersText->setObjectName(u"warning"_s);
+    m_othersText->setWordWrap(true);
+    m_others->setAccessibleName(tr("Other values in use"));
+    m_others->addItem(tr("Leave them in use, without storing them"), int(OtherValues::Keep));
+    m_others->addItem(tr("Store them too"), int(OtherValues::Store));
+    m_others->addItem(tr("Put the stored values into use first"), int(OtherValues::PutBack));
     auto *missing = new QLabel;
     missing->setObjectName(u"muted"_s);
     missing->setWordWrap(true);
@@ -69,6 +81,8 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     layout->addWidget(m_table, 1);
     layout->addWidget(m_risk);
     layout->addWidget(m_effect);
+    layout->addWidget(m_othersText);
+    layout->addWidget(m_others, 0, Qt::AlignLeft);
     layout->addWidget(missing);
     layout->addLayout(buttons);
     connect(&m_changes, &ChangeModel::ticksChanged, this, &ReviewDialog::updateButton);
@@ -92,8 +106,38 @@ void ReviewDialog::updateButton()
         effects.append(tr("Some of them are in use only until the board restarts."));
     m_effect->setText(effects.join(u' '));
     m_effect->setVisible(!effects.isEmpty());
+    updateOthers();
     const bool red = m_changes.hasTickedRed();
     m_risk->setVisible(red);
     m_write->setObjectName(red ? u"danger"_s : u"primary"_s);
     repolish(m_write);
+}
+
+OtherValues ReviewDialog::others() const
+{
+    return OtherValues(m_others->currentData().toInt());
+}
+
+// The board stores everything in use at once, so what else is in use is said before.
+void ReviewDialog::updateOthers()
+{
+    const auto written = std::as_const(m_changes).ticked();
+    QStringList values;
+    for (const LiveValue &value : m_live) {
+        const ParameterSpec *spec = written.parameters().find(value.key);
+        if (!spec || !sameValue(written.raw(*spec, written.activeProfile()), value.stored))
+            continue;  // it is written anyway
+        values.append(tr("%1: %2 in use, %3 stored")
+                          .arg(parameterLabel(*spec), parameterValueText(*spec, value.inUse),
+                               parameterValueText(*spec, value.stored)));
+    }
+    constexpr qsizetype kTold = 6;
+    const auto more = int(values.size() - kTold);
+    QString text = tr("%n other value(s) in use are not stored:", nullptr, int(values.size())) + u'\n'
+        + values.mid(0, kTold).join(u'\n');
+    if (more > 0)
+        text += u'\n' + tr("and %n more", nullptr, more);
+    m_othersText->setText(text);
+    m_othersText->setVisible(!values.isEmpty());
+    m_others->setVisible(!values.isEmpty());
 }

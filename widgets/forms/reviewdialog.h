@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/configuration/livevalues.h"
+#include "protocol/configuration/writereport.h"
 #include "widgets/models/changemodel.h"
 
 #include <QDialog>
 
+class QComboBox;
 class QLabel;
 class QPushButton;
 class QTableView;
@@ -15,19 +18,28 @@ class ReviewDialog final : public QDialog
 {
     Q_OBJECT
 public:
-    ReviewDialog(const Configuration &board, const Configuration &edited, QWidget *parent = nullptr);
+    /// @param live what is in use without being stored, where the board would store all of it; else empty
+    ReviewDialog(const Configuration &board, const Configuration &edited, const LiveValues &live = {},
+                 QWidget *parent = nullptr);
 
     /// The configuration with the ticked changes.
     [[nodiscard]] Configuration chosen() const { return m_changes.ticked(); }
+    /// What becomes of values in use that are not among them.
+    [[nodiscard]] OtherValues others() const;
+    [[nodiscard]] QComboBox *othersChoice() const { return m_others; }
     [[nodiscard]] QTableView *table() const { return m_table; }
     [[nodiscard]] QPushButton *writeButton() const { return m_write; }
 
 private:
     void updateButton();
+    void updateOthers();
 
     ChangeModel m_changes;
     QTableView *m_table;
     QLabel *m_risk;
+    LiveValues m_live;
+    QLabel *m_othersText;
+    QComboBox *m_others;
     QLabel *m_effect;  // what writing means for the board
     QPushButton *m_write;
 };

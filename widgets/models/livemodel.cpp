@@ -28,7 +28,7 @@ LiveModel::LiveModel(DeviceClient &client, ConfigurationModel &configuration, QO
     connect(&configuration, &ConfigurationModel::activeProfileChanged, this, &LiveModel::reset);
     connect(&configuration, &ConfigurationModel::storedChanged, this, [this] {
         recount();
-        for (const int parameter : std::as_const(m_parameters))
+        for (const int parameter : std::as_const(m_known))
             emit valueChanged(parameter);  // against what is stored now
     });
     reset();
@@ -39,12 +39,30 @@ const ParameterSpec &LiveModel::spec(int parameter) const
     return m_set->at(parameter);
 }
 
+int LiveModel::variableOf(int parameter) const
+{
+    const LiveAccess *live = m_client.device() ? m_client.device()->live() : nullptr;
+    return live ? live->variableOf(spec(parameter)) : spec(parameter).adjustable;
+}
+
+LiveModel::Values LiveModel::tuned() const
+{
+    Values values;
+    for (const int parameter : m_parameters) {
+        if (const auto now = value(parameter))
+            values.insert(parameter, *now);
+    }
+    return values;
+}
+
 void LiveModel::reset()
 {
     ++m_generation;
     m_wanted.clear();
+    m_sent.clear();
     m_writing = false;
     m_parameters.clear();
+    m_known.clear();
     const Configuration &board = std::as_const(m_configuration).board();
     const QString key = m_configuration.isEmpty() ? QString()
                                                   : board.identity().serial + u'/' + board.identity().firmware
@@ -60,8 +78,12 @@ void LiveModel::reset()
     if (m_set) {
         for (const ParameterSpec &candidate : m_set->all()) {
             // Without what is stored, nobody could tell what is changed or go back.
-            if (candidate.adjustable >= 0 && !board.findMissing(candidate, board.activeProfile()))
+            if (board.findMissing(candidate, board.activeProfile()) || candidate.row->state)
+                continue;
+            if (candidate.adjustable >= 0)
                 m_parameters.append(candidate.id);
+            if (candidate.adjustable >= 0 || (m_client.isConnected() && variableOf(candidate.id) >= 0))
+                m_known.append(candidate.id);
         }
     }
     recount();
@@ -90,13 +112,19 @@ bool LiveModel::isChanged(int parameter) const
     return now && !sameValue(stored(parameter), now);
 }
 
+void LiveModel::forget()
+{
+    m_values.clear();
+    recount();
+}
+
 void LiveModel::read()
 {
-    if (!m_client.isConnected() || m_parameters.isEmpty())
+    if (!m_client.isConnected() || m_known.isEmpty())
         return;
     QList<int> ids;
-    for (const int parameter : std::as_const(m_parameters))
-        ids.append(spec(parameter).adjustable);
+    for (const int parameter : std::as_const(m_known))
+        ids.append(variableOf(parameter));
     m_client
         .submit<std::vector<AdjustableValue>>(
             [ids](Channel &channel, Device &device) { return device.live()->readAdjustables(channel, ids); })
@@ -110,9 +138,11 @@ void LiveModel::read()
             QHash<int, double> byId;
             for (const AdjustableValue &variable : *read)
                 byId.insert(variable.id, variable.value);
-            for (const int parameter : std::as_const(m_parameters)) {
-                const auto it = byId.find(spec(parameter).adjustable);
-                if (it == byId.end() || m_wanted.contains(parameter))
+            for (const int parameter : std::as_const(m_known)) {
+                const auto it = byId.find(variableOf(parameter));
+                // What was asked before a value went out says nothing about it.
+                if (it == byId.end() || m_wanted.contains(parameter)
+                    || (m_writing && m_sent.contains(parameter)))
                     continue;
                 const double raw = rawOf(spec(parameter), *it);
                 if (sameValue(value(parameter), raw))
@@ -141,7 +171,7 @@ std::pair<double, double> LiveModel::range(int parameter) const
 
 void LiveModel::setValue(int parameter, double raw)
 {
-    if (!m_client.isConnected() || !m_parameters.contains(parameter))
+    if (!m_client.isConnected() || !m_known.contains(parameter))
         return;
     const auto [low, high] = range(parameter);
     const double wanted = std::clamp(spec(parameter).nearest(raw), low, high);
@@ -156,7 +186,7 @@ void LiveModel::setValues(const QHash<int, double> &values)
     if (!m_client.isConnected())
         return;
     for (auto it = values.begin(); it != values.end(); ++it) {
-        if (!m_parameters.contains(it.key()))
+        if (!m_known.contains(it.key()))
             continue;
         const double raw = spec(it.key()).clamped(it.value());
         if (!std::isfinite(raw))
@@ -171,7 +201,7 @@ void LiveModel::setValues(const QHash<int, double> &values)
 LiveValues LiveModel::unsaved() const
 {
     LiveValues values;
-    for (const int parameter : m_parameters) {
+    for (const int parameter : m_known) {
         if (isChanged(parameter))
             values.push_back(
                 {spec(parameter).key, stored(parameter).value_or(*value(parameter)), *value(parameter)});
@@ -198,7 +228,7 @@ void LiveModel::flush()
     for (auto it = m_wanted.begin(); it != m_wanted.end(); ++it) {
         if (!m_sent.contains(it.key()))
             m_sent.append(it.key());
-        values.push_back({spec(it.key()).adjustable, it.value() * spec(it.key()).row->adjustableScale});
+        values.push_back({variableOf(it.key()), it.value() * spec(it.key()).row->adjustableScale});
     }
     m_wanted.clear();
     m_client
@@ -243,7 +273,7 @@ void LiveModel::useSlot(Slot slot)
 {
     if (slot == m_slot)
         return;
-    const Values present = m_values;
+    const Values present = tuned();
     if (!m_otherKnown)
         m_other = present;
     m_otherKnown = true;
@@ -257,7 +287,7 @@ void LiveModel::useSlot(Slot slot)
 
 void LiveModel::copyToOther()
 {
-    m_other = m_values;
+    m_other = tuned();
     m_otherKnown = true;
     emit slotChanged();
 }
@@ -267,16 +297,22 @@ int LiveModel::slotDifference() const
     if (!m_otherKnown)
         return 0;
     int count = 0;
-    for (auto it = m_values.begin(); it != m_values.end(); ++it)
+    const Values present = tuned();
+    for (auto it = present.begin(); it != present.end(); ++it)
         count += !sameValue(m_other.value(it.key(), it.value()), it.value());
     return count;
 }
 
+int LiveModel::tunedCount() const
+{
+    return int(std::count_if(m_parameters.begin(), m_parameters.end(),
+                             [this](int parameter) { return isChanged(parameter); }));
+}
+
 void LiveModel::recount()
 {
-    int count = 0;
-    for (const int parameter : std::as_const(m_parameters))
-        count += isChanged(parameter);
+    const auto count = int(std::count_if(m_known.begin(), m_known.end(),
+                                         [this](int parameter) { return isChanged(parameter); }));
     if (count == m_changeCount)
         return;
     m_changeCount = count;

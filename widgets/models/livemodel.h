@@ -10,7 +10,8 @@
 
 /// Parameters that the board changes at once, in its volatile memory: what is in use now, what is stored, and
 /// two sets to compare. Values are raw parameter values; writes go out one after the other, the newest value
-/// of each wins.
+/// of each wins. Beside those to tune with it knows all others that can be in use without being stored: an
+/// action, a script or another program may have set them.
 class LiveModel final : public QObject
 {
     Q_OBJECT
@@ -19,7 +20,7 @@ public:
 
     LiveModel(DeviceClient &client, ConfigurationModel &configuration, QObject *parent = nullptr);
 
-    /// Ids of the parameters that can be changed live on this board, in table order.
+    /// Ids of the parameters to tune with on this board, in table order.
     [[nodiscard]] const QList<int> &parameters() const { return m_parameters; }
     /// The value in use; empty until the board has reported it.
     [[nodiscard]] std::optional<double> value(int parameter) const;
@@ -30,18 +31,20 @@ public:
     [[nodiscard]] bool isChanged(int parameter) const;
     /// How many values in use are not stored.
     [[nodiscard]] int changeCount() const { return m_changeCount; }
+    /// How many of them revert() puts back: those to tune with.
+    [[nodiscard]] int tunedCount() const;
     /// All requested values have reached the board.
     [[nodiscard]] bool isSettled() const { return m_wanted.isEmpty() && !m_writing; }
 
     /// Asks the board what is in use.
     void read();
     /// Forgets what is in use: the board has loaded a profile anew.
-    void forget() { m_values.clear(); }
+    void forget();
     void setValue(int parameter, double raw);
     void setValues(const QHash<int, double> &values);
     /// Values in use that are not stored.
     [[nodiscard]] LiveValues unsaved() const;
-    /// Restores all stored values, ahead of pending changes.
+    /// Puts the stored values to tune with into use, ahead of pending changes.
     void revert();
 
     [[nodiscard]] Slot slot() const { return m_slot; }
@@ -69,11 +72,14 @@ private:
     void flush();
     void recount();
     [[nodiscard]] const ParameterSpec &spec(int parameter) const;
+    [[nodiscard]] int variableOf(int parameter) const;
+    [[nodiscard]] Values tuned() const;
 
     DeviceClient &m_client;
     ConfigurationModel &m_configuration;
     std::shared_ptr<const ParameterSet> m_set;
     QList<int> m_parameters;
+    QList<int> m_known;  // the same, and the others whose value in use is known
     Values m_values;
     Values m_wanted;  // waiting to be written
     QList<int> m_sent;  // since everything was settled last

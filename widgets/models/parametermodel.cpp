@@ -27,7 +27,7 @@ QString axisLabel(Axis axis)
 QString parameterLabel(const ParameterSpec &spec, bool withAxis)
 {
     QString label = tableText(spec.row->label);
-    if (spec.index > 0)
+    if (spec.index >= 0)
         label = label.arg(spec.index);
     if (withAxis && spec.axis != Axis::None)
         label += u" · "_s + axisLabel(spec.axis);

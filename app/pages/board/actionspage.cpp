@@ -231,7 +231,7 @@ void ActionsPage::run()
     updateRun();
     const QString label = tableText(m_action->label);
     m_reply->setPlainText(tr("%1 …").arg(label));
-    const bool rereads = m_action->risk == ActionRisk::Writes || m_action->risk == ActionRisk::Destroys;
+    const bool rereads = m_action->risk == ActionRisk::Writes && m_action->memory == MemoryEffect::None;
     workspace()
         .perform(QString::fromLatin1(m_action->key), *arguments)
         .then(this, [this, action = *m_action, label, rereads](const Result<ActionOutcome> &outcome) {
@@ -256,7 +256,7 @@ void ActionsPage::run()
                 html += u"<p>%1</p>"_s.arg(
                     tr("The board as it was is kept in %1").arg(outcome->snapshotPath).toHtmlEscaped());
             m_reply->setHtml(html);
-            if (rereads)
+            if (rereads && !outcome->reply.contains(u"unstored"_s))
                 workspace().readBoard();
         });
 }

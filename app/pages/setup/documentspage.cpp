@@ -80,9 +80,11 @@ void DocumentsPage::connectAll()
     connect(m_editor, &QPlainTextEdit::textChanged, this, [this] {
         if (m_filling)
             return;
+        keepDraft();
         m_takeTimer.start();
         showState();
     });
+    connect(&drafts(), &Drafts::replaced, this, &DocumentsPage::showDocument);
     m_editor->installEventFilter(this);
     connect(m_list, &QListWidget::currentRowChanged, this, [this] {
         if (!m_filling)
@@ -130,8 +132,25 @@ QByteArray DocumentsPage::typed() const
 bool DocumentsPage::hasChanges() const
 {
     const auto changes = workspace().configuration().dataChanges();
-    return std::any_of(changes.begin(), changes.end(),
+    return drafts().text(draftName()).has_value()
+        || std::any_of(changes.begin(), changes.end(),
                        [](const DataChange &change) { return change.spec->isText(); });
+}
+
+QString DocumentsPage::draftName() const
+{
+    return u"document/"_s + (m_shown ? QString::fromLatin1(m_shown->name) : QString());
+}
+
+// What is not an edit yet, or is too long to be one, must not be lost.
+void DocumentsPage::keepDraft()
+{
+    if (!m_shown)
+        return;
+    if (typed() == held())
+        drafts().remove(draftName());
+    else
+        drafts().set(draftName(), m_editor->toPlainText());
 }
 
 void DocumentsPage::reload()
@@ -159,8 +178,9 @@ void DocumentsPage::showDocument()
 {
     if (m_takeTimer.isActive())
         return;  // still being typed; it becomes an edit shortly
-    const QByteArray bytes = held();
-    if (typed() != bytes) {
+    const auto draft = drafts().text(draftName());
+    const QByteArray bytes = draft ? draft->toUtf8() : held();
+    if (draft ? m_editor->toPlainText() != *draft : typed() != bytes) {
         m_filling = true;
         const int place = m_editor->textCursor().position();
         m_editor->setPlainText(QString::fromUtf8(bytes));
@@ -178,6 +198,7 @@ void DocumentsPage::take()
     m_takeTimer.stop();
     if (m_shown)
         workspace().edits().editData({0, m_shown->id}, typed());  // one that is too long is not taken
+    keepDraft();
     showState();
     emit changesChanged();
 }
@@ -232,6 +253,7 @@ void DocumentsPage::loadFrom(const QString &path)
         return;
     }
     m_takeTimer.stop();
+    drafts().remove(draftName());
     workspace().edits().editData({0, m_shown->id}, bytes);
     showDocument();
 }

@@ -35,6 +35,9 @@ private:
     void chooseDocument();
     void showDocument();
     void take();
+    void keepDraft();
+    [[nodiscard]] Drafts &drafts() const { return workspace().journal().drafts(); }
+    [[nodiscard]] QString draftName() const;
     void showState();
     [[nodiscard]] QByteArray typed() const;
     [[nodiscard]] QByteArray held() const;

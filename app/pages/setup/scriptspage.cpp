@@ -26,6 +26,11 @@ constexpr int kScriptListWidth = 132;
 constexpr int kRightWidth = 300;
 constexpr qint64 kLargestText = 65536;
 
+QString draftName(int script)
+{
+    return u"script/%1"_s.arg(script + 1);
+}
+
 }  // namespace
 
 ScriptsPage::ScriptsPage(Workspace &workspace, QWidget *parent)
@@ -95,9 +100,11 @@ ScriptsPage::ScriptsPage(Workspace &workspace, QWidget *parent)
     connect(m_take, &QPushButton::clicked, this, &ScriptsPage::take);
     connect(m_revert, &QPushButton::clicked, this, [this] {
         m_texts = m_taken;
+        keepDrafts();
         showScript(m_script);
         check();
     });
+    connect(&drafts(), &Drafts::replaced, this, &ScriptsPage::reload);
     connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &ScriptsPage::reload);
     connect(&workspace.configuration(), &ConfigurationModel::dataChanged, this, &ScriptsPage::reload);
     connect(&workspace.configuration(), &ConfigurationModel::storedChanged, this, &ScriptsPage::reload);
@@ -134,10 +141,10 @@ void ScriptsPage::reload()
     QStringList texts;
     for (int script = 0; readable && script < scripts->count(); ++script)
         texts.append(scripts->text(edited, script));
-    const bool typed = isTyped() && m_texts.size() == texts.size();
     m_taken = texts;
-    if (!typed)
-        m_texts = texts;
+    m_texts = texts;
+    for (int script = 0; script < texts.size(); ++script)
+        m_texts[script] = drafts().text(draftName(script)).value_or(texts[script]);
     m_filling = true;
     m_list->clear();
     for (int script = 0; script < texts.size(); ++script)
@@ -175,10 +182,22 @@ void ScriptsPage::onTyped()
         return;
     const bool had = hasChanges();
     m_texts[m_script] = m_editor->text();
+    keepDrafts();
     m_checkTimer.start();
     if (had != hasChanges())
         emit changesChanged();
     showState();
+}
+
+// A text with a mistake is no edit, and must not be lost either.
+void ScriptsPage::keepDrafts()
+{
+    for (int script = 0; script < m_texts.size(); ++script) {
+        if (m_texts[script] == m_taken.value(script))
+            drafts().remove(draftName(script));
+        else
+            drafts().set(draftName(script), m_texts[script]);
+    }
 }
 
 void ScriptsPage::check()
@@ -249,6 +268,7 @@ void ScriptsPage::take()
     const QStringList typed = m_texts;
     workspace().edits().editData({0, scripts->block()}, *m_code);
     m_texts = m_taken = typed;
+    keepDrafts();
     showScript(m_script);
     emit changesChanged();
 }

@@ -31,6 +31,8 @@ public:
 private:
     [[nodiscard]] const ScriptLanguage *language() const;
     [[nodiscard]] bool isTyped() const;
+    [[nodiscard]] Drafts &drafts() const { return workspace().journal().drafts(); }
+    void keepDrafts();
     void reload();
     void onTyped();
     void check();

@@ -332,7 +332,7 @@ void TuningPage::updateState()
     m_b->setChecked(m_live.slot() == LiveModel::Slot::B);
     for (QPushButton *button : {m_a, m_b, m_copy})
         button->setEnabled(writable && !m_live.parameters().isEmpty());
-    m_revert->setEnabled(writable && changed > 0);
+    m_revert->setEnabled(writable && m_live.tunedCount() > 0);
     m_save->setEnabled(writable && changed > 0 && !m_saving);
     m_scroll->setEnabled(writable);
     if (!connected) {

@@ -14,6 +14,8 @@ namespace storm32 {
 namespace {
 
 constexpr double kNominalVoltage = 12.3;
+constexpr int kNoImu3Word = 38;  // later Imu3 Configuration
+constexpr int kNtLoggingWord = 77;
 constexpr double kRunningFor = 60.0;  // the board has been running for a while when a client connects
 
 // The firmware counts right roll, down and left as positive (errata 3.5); the plant left roll, down and
@@ -76,6 +78,8 @@ int SimulatedBoard::wordOf(const QByteArray &stream, int word)
 
 void SimulatedBoard::set(int word, int raw)
 {
+    if (m_layout == 78 && word == kNoImu3Word)
+        raw = 0;  // acknowledged, and not taken (errata 13, row 16)
     m_ram[2 * word] = char(raw & 0xFF);
     m_ram[2 * word + 1] = char(raw >> 8 & 0xFF);
     applyParameters();
@@ -99,8 +103,11 @@ QByteArray SimulatedBoard::factoryStream() const
     stream.replace(2 * m_words, kScriptArea, QByteArray(kScriptArea, char(0xFF)));
     for (const ParameterSpec &spec : m_parameters.all()) {
         double raw = spec.defaultRaw;
-        if (m_layout == 95 && spec.key.startsWith(u"rc."_s) && spec.key.endsWith(u".mode"_s))
+        // Errata 13, row 15.
+        if (m_layout >= 89 && spec.key.startsWith(u"rc."_s) && spec.key.endsWith(u".mode"_s))
             raw = 2;
+        if (m_layout == 89 && spec.offset == 2 * kNtLoggingWord)
+            raw = 1;
         if (m_layout == 95 && spec.key == u"filter.imu2_lpf"_s)
             raw = 0;
         if (spec.key == u"beep"_s)
@@ -186,6 +193,7 @@ void SimulatedBoard::restart(Memory memory)
     m_pan = {};
     m_panMode.reset();
     m_scriptCase = {};
+    m_scriptRuns = {};
     m_heardBeat = false;
     m_input.clear();
     if (memory == Memory::Reload)
@@ -291,6 +299,7 @@ void SimulatedBoard::cycle()
 {
     m_now += Stabilizer::kCycle;
     updateWorld();
+    runScripts();
     updateTargets();
     m_stabilizer.step();
     while (m_now >= m_busyUntil && serve()) { }

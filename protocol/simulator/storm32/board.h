@@ -97,7 +97,24 @@ private:
     void usePanSetting(int setting);
     void reply(const QByteArray &bytes);
 
+    // scripts (scripts.cpp)
+    struct ScriptRun
+    {
+        int at = -1;  ///< next statement, from the start of the script; -1 = it has ended
+        int input = 0;  ///< its Script Control, and the case, when it began
+        int chosen = 0;
+        double wakeAt = 0;
+    };
+    void runScripts();
+    void step(int script, ScriptRun &run);
+    [[nodiscard]] int caseOffset(int script, int chosen) const;
+
     // MAVLink (mavlink.cpp)
+    /// A frame that the firmware takes: of a known message, with its checksum; it may be too long (errata
+    /// 13).
+    [[nodiscard]] static std::optional<mavlink::Packet> packetOf(Bytes frame);
+    [[nodiscard]] int decode(float value) const;
+    [[nodiscard]] bool isSigned(int index) const;
     void message(const mavlink::Packet &packet);
     void sendMessage(mavlink::MessageId id, const QVariantMap &values);
     void sendParameter(int index);
@@ -144,12 +161,16 @@ private:
     std::array<double, kAxisCount> m_pan{};  // offset added by following
     std::optional<int> m_panMode;
     std::array<int, kScriptCount> m_scriptCase{};
+    std::array<ScriptRun, kScriptCount> m_scriptRuns{};
+    QByteArray m_scriptArea;  ///< what they run
+    std::array<std::vector<ScriptLine>, kScriptCount> m_scriptLines;
     int m_pwmOut = 0;
     int m_sequence = 0;
     double m_nextBeat = 0;
     double m_nextAttitude = 0;
     bool m_attitudeAsked = false;
     bool m_heardBeat = false;
+    bool m_isBeating = false;
     bool m_isDeaf = false;  // to the command that is served (fault "deaf")
 };
 

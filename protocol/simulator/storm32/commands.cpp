@@ -64,18 +64,14 @@ bool SimulatedBoard::serve()
     const int first = u8At(m_input, 0);
     m_isDeaf = first == m_options.faults.deaf;
     if (first == 0xFE) {
-        const mavlink::Sighting seen = mavlink::sight(all);
-        if (seen.look == mavlink::Look::Complete) {
-            message(seen.packet);
-            return used(qsizetype(seen.size));
-        }
-        if (seen.look == mavlink::Look::Incomplete && !late)
-            return false;
-        // Damaged, incomplete or for another address: no answer (errata 6).
-        return used(seen.look == mavlink::Look::Damaged
-                        ? std::min<qsizetype>(u8At(m_input, 1) + 8, m_input.size())
-                        : seen.look == mavlink::Look::Incomplete ? m_input.size()
-                                                                 : 1);
+        // Unknown, damaged or for another address: the whole frame is skipped without an answer (errata 6, 13
+        // row 3).
+        const qsizetype size = m_input.size() >= 2 ? u8At(m_input, 1) + qsizetype(mavlink::kOverhead) : 2;
+        if (m_input.size() < size || m_input.size() < 2)
+            return late && used(m_input.size());
+        if (const auto packet = packetOf(all.first(std::size_t(size))))
+            message(*packet);
+        return used(size);
     }
     if (isLockedOut())
         return used(1);
@@ -210,9 +206,12 @@ void SimulatedBoard::takeStartPositions(std::initializer_list<Axis> axes)
 QByteArray SimulatedBoard::writeCalibration(QByteArrayView arguments)
 {
     const int selector = u16At(arguments, 0);
-    if (selector == 0 || selector > 7)
-        return arguments.toByteArray() + ByteWriter().u16(crc16Mcrf4xx(asBytes(arguments))).take()
-            + 'o';  // an error of this firmware
+    // Errors of this firmware (errata 13, row 14).
+    if (selector == 0)
+        return QByteArray("\x43\x18\x7F\x6F");
+    if (selector > 7)
+        return "Cw" + arguments.toByteArray() + ByteWriter().u16(crc16Mcrf4xx(asBytes(arguments))).take()
+            + 'o';
     const auto word = [&arguments](int i) { return int(std::int16_t(u16At(arguments, 2 + 2 * i))); };
     const auto take = [&](int first, int count, int from) {
         for (int i = 0; i < count; ++i)
@@ -221,7 +220,7 @@ QByteArray SimulatedBoard::writeCalibration(QByteArrayView arguments)
     if (selector == 1 || selector == 5 || selector == 7)
         take(0, 6, 0);
     if (selector == 2 || selector == 5 || selector == 7)
-        take(6, 3, m_options.firmware >= 96 ? 7 : 6);  // an error of 0.96
+        take(6, 3, 7);  // an error of the firmware (errata 13, row 13)
     if (selector == 3 || selector == 6 || selector == 7)
         take(9, 6, 9);
     if (selector == 4 || selector == 6 || selector == 7)
@@ -288,9 +287,9 @@ std::pair<int, QByteArray> SimulatedBoard::rc(int id, QByteArrayView payload)
         return ack(0);
     case Rc::DoCamera: return ack(0);
     case Rc::SetScriptControl:
-        if (u8At(payload, 0) >= kScriptCount || u8At(payload, 1) > 4)
-            return ack(kAckRange);
-        m_scriptCase[std::size_t(u8At(payload, 0))] = u8At(payload, 1);
+        // Nothing is refused (errata 13, row 12).
+        if (u8At(payload, 0) < kScriptCount && u8At(payload, 1) <= 4)
+            m_scriptCase[std::size_t(u8At(payload, 0))] = u8At(payload, 1);
         return ack(0);
     case Rc::SetAngle: {
         ByteReader reader(payload);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // MAVLink of the simulated STorM32 board (document "Mavlink Communication", errata 6).
 #include "protocol/base/angles.h"
+#include "protocol/base/checksum.h"
 #include "protocol/simulator/storm32/board.h"
 #include "protocol/storm32/mavlinknames.h"
 
@@ -23,6 +24,7 @@ constexpr int kResultOk = 0;
 constexpr int kResultUnsupported = 3;
 constexpr qsizetype kMaxEmbedded = 253;
 constexpr int kMagicRestore = 83;
+constexpr int kInfo = 6;  // severity
 
 int byIndex(const QVariantMap &values, const char *name)
 {
@@ -39,6 +41,41 @@ mavlink::ValueCoding SimulatedBoard::coding() const
 mavlink::Address SimulatedBoard::address() const
 {
     return {inUse(110) & 0xFF, inUse(111) & 0xFF};
+}
+
+std::optional<mavlink::Packet> SimulatedBoard::packetOf(Bytes frame)
+{
+    constexpr std::size_t kHead = 6;
+    const auto at = [&frame](std::size_t i) { return std::to_integer<int>(frame[i]); };
+    const mavlink::Message *message = mavlink::findMessage(at(5));
+    if (!message)
+        return {};
+    const Bytes payload = frame.subspan(kHead, frame.size() - mavlink::kOverhead);
+    const QByteArray covered = ByteWriter()
+                                   .bytes(QByteArrayView(frame).sliced(1, qsizetype(frame.size()) - 3))
+                                   .u8(message->crcExtra)
+                                   .take();
+    const bool isShort = payload.size() < std::size_t(message->size) && !message->variable;
+    if (isShort || crc16Mcrf4xx(asBytes(covered)) != (at(frame.size() - 2) | at(frame.size() - 1) << 8))
+        return {};
+    return mavlink::Packet{at(5), at(2), {at(3), at(4)}, payload};
+}
+
+// Up to 0.90 a number is cut to 16 bits, then truncated (errata 13, row 9).
+int SimulatedBoard::decode(float value) const
+{
+    if (coding() == mavlink::ValueCoding::Bits)
+        return mavlink::decodeValue(value, coding());
+    if (!(value > 0.0F))
+        return 0;
+    return int(qint64(std::min(value, 1e9F)) & 0xFFFF);
+}
+
+bool SimulatedBoard::isSigned(int index) const
+{
+    const auto it = std::find_if(m_parameters.all().begin(), m_parameters.all().end(),
+                                 [index](const ParameterSpec &spec) { return spec.offset == 2 * index; });
+    return it != m_parameters.all().end() ? it->row->wire == WireType::I16 : index < 38;
 }
 
 int SimulatedBoard::parameterIndex(const QString &id) const
@@ -61,15 +98,12 @@ void SimulatedBoard::sendParameter(int index)
 {
     if (index < 0 || index >= m_words)
         index = 0;
-    const auto it = std::find_if(m_parameters.all().begin(), m_parameters.all().end(),
-                                 [index](const ParameterSpec &spec) { return spec.offset == 2 * index; });
-    const bool isSigned = it != m_parameters.all().end() ? it->row->wire == WireType::I16 : index < 38;
     sendMessage(mavlink::MessageId::ParamValue,
                 {{u"param_value"_s, mavlink::encodeValue(inUse(index), coding())},
                  {u"param_count"_s, m_words},
                  {u"param_index"_s, index},
                  {u"param_id"_s, mavlinkName(m_layout, index)},
-                 {u"param_type"_s, isSigned ? kInt16 : kUint16}});
+                 {u"param_type"_s, isSigned(index) ? kInt16 : kUint16}});
 }
 
 void SimulatedBoard::sendParameter2(int index, const mavlink::Address &to)
@@ -82,12 +116,17 @@ void SimulatedBoard::sendParameter2(int index, const mavlink::Address &to)
                  {u"param_count"_s, m_words},
                  {u"target_system"_s, to.system},
                  {u"target_component"_s, to.component},
-                 {u"param_type"_s, kUint16}});
+                 {u"param_type"_s, isSigned(index) ? kInt16 : kUint16}});
 }
 
 void SimulatedBoard::message(const mavlink::Packet &packet)
 {
     const mavlink::Message *known = mavlink::findMessage(packet.id);
+    // Without a target there is but the command (errata 13, row 11).
+    if (known && known->id == mavlink::MessageId::TargetSpecific && packet.payload.size() < 2) {
+        embedded(QByteArrayView(packet.payload), packet.from);
+        return;
+    }
     const auto fields
         = known ? mavlink::decodeFields(*known, packet.payload) : failure(ErrorCode::Unsupported);
     if (!fields)
@@ -96,9 +135,12 @@ void SimulatedBoard::message(const mavlink::Packet &packet)
         m_heardBeat = true;
         return;
     }
-    // Frames for other targets are not answered, broadcasts included.
-    if (mavlink::Address{byIndex(*fields, "target_system"), byIndex(*fields, "target_component")}
-        != address())
+    // Frames for other targets are not answered, broadcasts included; but for one question to component 0
+    // (errata 13, row 5).
+    const mavlink::Address target{byIndex(*fields, "target_system"), byIndex(*fields, "target_component")};
+    const bool isAsked = known->id == mavlink::MessageId::ParamRequestRead && target.component == 0
+        && target.system == address().system;
+    if (target != address() && !isAsked)
         return;
     switch (known->id) {
     case mavlink::MessageId::ParamRequestRead: {
@@ -111,17 +153,17 @@ void SimulatedBoard::message(const mavlink::Packet &packet)
             sendParameter(word);
         break;
     case mavlink::MessageId::ParamSet: {
+        // An unknown name writes the first parameter (errata 13, row 6).
         const int index = parameterIndex(fields->value(u"param_id"_s).toString());
-        if (mavlinkName(m_layout, index) == fields->value(u"param_id"_s).toString())
-            set(index, mavlink::decodeValue(fields->value(u"param_value"_s).toFloat(), coding()));
+        set(index, decode(fields->value(u"param_value"_s).toFloat()));
         sendParameter(index);
         break;
     }
     case mavlink::MessageId::ParamRead2: sendParameter2(byIndex(*fields, "param_index"), packet.from); break;
     case mavlink::MessageId::ParamSet2: {
-        const int index = byIndex(*fields, "param_index");
-        if (index >= 0 && index < m_words)
-            set(index, mavlink::decodeValue(fields->value(u"param_value"_s).toFloat(), coding()));
+        const int asked = byIndex(*fields, "param_index");
+        const int index = asked >= 0 && asked < m_words ? asked : 0;  // errata 13, row 6
+        set(index, decode(fields->value(u"param_value"_s).toFloat()));
         sendParameter2(index, packet.from);
         break;
     }
@@ -172,7 +214,8 @@ int SimulatedBoard::command(int id, const std::array<float, 7> &parameters)
     case 180: {  // DO_SET_PARAMETER
         const int word = number(0);
         if (word >= 0 && word < m_words)
-            set(word, number(6) == kMagicRestore ? stored(word) : number(1));
+            set(word,
+                number(6) == kMagicRestore ? stored(word) : std::max(0, number(1)));  // errata 13, row 8
         return kResultOk;
     }
     case 183:  // DO_SET_SERVO
@@ -211,10 +254,10 @@ void SimulatedBoard::embedded(QByteArrayView content, const mavlink::Address &fr
 {
     QByteArray answer;
     if (content.isEmpty()) {
-        return;
+        answer = "e";
+    } else if (content == QByteArrayView("\xFA")) {
+        answer = QByteArray("\xFB\x96\x03");
     } else if (std::uint8_t(content[0]) == 0xFA) {
-        if (content.size() < 2)
-            return;
         const auto [id, payload] = rc(std::uint8_t(content[1]), content.sliced(2));
         answer = ByteWriter().u8(0xFB).u8(id).bytes(payload).take();
     } else if (const SimpleCommand *command = findSimple(asBytes(content))) {
@@ -244,7 +287,18 @@ void SimulatedBoard::beat()
     if (inUse(kHeartbeatWord) == 0 && !asked) {
         m_nextBeat = m_now;
         m_nextAttitude = m_now;
+        m_isBeating = false;
         return;
+    }
+    // Who it is comes first (errata 13, row 4).
+    if (inUse(kHeartbeatWord) != 0 && !std::exchange(m_isBeating, true)) {
+        const QByteArray version = versionData();
+        const auto text = [&version](int at) {
+            const QByteArray padded = version.mid(at, 16);
+            return QString::fromLatin1(padded.constData(), qstrnlen(padded.constData(), 16)).trimmed();
+        };
+        for (const QString &line : {u"SToRM32 %1 %2"_s.arg(text(0), text(32)), text(16)})
+            sendMessage(mavlink::MessageId::StatusText, {{u"severity"_s, kInfo}, {u"text"_s, line}});
     }
     const int state = this->state();
     if (inUse(kHeartbeatWord) != 0 && m_now >= m_nextBeat) {
@@ -257,7 +311,7 @@ void SimulatedBoard::beat()
                      {u"system_status"_s, state == 6 ? 4 : 1},
                      {u"mavlink_version"_s, 3}});
     }
-    if (asked || (inUse(kHeartbeatWord) == 2 && m_heardBeat && m_now >= m_nextAttitude)) {
+    if (asked || (inUse(kHeartbeatWord) >= 2 && m_heardBeat && m_now >= m_nextAttitude)) {
         m_nextAttitude = m_now + kAttitudePeriod;
         // Pitch up is positive here; yaw and the rates are always zero.
         sendMessage(mavlink::MessageId::Attitude,

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/simprocess.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct Run
+{
+    int exitCode = -1;
+    QString out;
+    QString err;
+};
+
+}  // namespace
+
+/// gimbalctl on boards that store everything in use at once: nothing is stored unsaid.
+class TestCtlMemory : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init()
+    {
+        m_dir = std::make_unique<QTemporaryDir>();
+        m_simulator = std::make_unique<SimProcess>(QStringList{u"--tcp"_s, u"0"_s}, u"storm32"_s);
+    }
+    void cleanup() { m_simulator.reset(); }
+    void whatElseIsInUseIsNotStored();
+    void everyWayIsThere();
+    void appliedFileIsInUse();
+    void scriptIsNamed();
+
+private:
+    Run ctl(const QStringList &arguments)
+    {
+        QProcess process;
+        process.start(QStringLiteral(GIMBAL_BIN_DIR "/gimbalctl"),
+                      QStringList{u"--history"_s, m_dir->filePath(u"history"_s), u"--family"_s, u"storm32"_s,
+                                  u"--link"_s, m_simulator->address()}
+                          + arguments);
+        if (!QTest::qWaitFor([&process] { return process.state() == QProcess::NotRunning; }, 30000))
+            return {-1, {}, u"it does not end"_s};
+        return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
+                QString::fromUtf8(process.readAllStandardError())};
+    }
+    QString compared() { return ctl({u"do"_s, u"stored.compare"_s}).out; }
+
+    std::unique_ptr<QTemporaryDir> m_dir;
+    std::unique_ptr<SimProcess> m_simulator;
+};
+
+void TestCtlMemory::whatElseIsInUseIsNotStored()
+{
+    QCOMPARE(ctl({u"set"_s, u"--no-save"_s, u"pid.pitch.p=5"_s}).exitCode, 0);
+    const Run set = ctl({u"set"_s, u"motor.yaw.poles=12"_s});
+    QVERIFY2(set.exitCode == 0, qPrintable(set.err));
+    QVERIFY2(set.out.contains(u"kept"_s) && set.out.contains(u"5.00 in use, 4.00 stored"_s),
+             qPrintable(set.out));
+    QVERIFY2(set.err.contains(u"--others store"_s) && set.err.contains(u"--others restore"_s),
+             qPrintable(set.err));
+    const QString differs = compared();
+    QVERIFY2(differs.contains(u"5.00 in use, 4.00 stored"_s) && !differs.contains(u"poles"_s),
+             qPrintable(differs));
+    // Nothing to write is no reason to keep silent.
+    const Run again = ctl({u"--json"_s, u"set"_s, u"motor.yaw.poles=12"_s});
+    const QJsonObject json = QJsonDocument::fromJson(again.out.toUtf8()).object();
+    QCOMPARE(json.value(u"others"_s).toArray().size(), 1);
+    QCOMPARE(json.value(u"others"_s).toArray().first().toObject().value(u"key"_s).toString(),
+             u"pid.pitch.p"_s);
+    // The value in use is stored once it is asked for, though the board "holds" it already.
+    QCOMPARE(ctl({u"set"_s, u"pid.pitch.p=5"_s}).exitCode, 0);
+    QVERIFY2(compared().contains(u"false"_s), qPrintable(compared()));
+}
+
+void TestCtlMemory::everyWayIsThere()
+{
+    QCOMPARE(ctl({u"set"_s, u"--no-save"_s, u"pid.pitch.p=5"_s}).exitCode, 0);
+    Run set = ctl({u"set"_s, u"motor.yaw.poles=12"_s, u"--others"_s, u"restore"_s});
+    QVERIFY2(set.exitCode == 0 && set.out.contains(u"restored"_s), qPrintable(set.out + set.err));
+    QCOMPARE(ctl({u"get"_s, u"pid.pitch.p"_s}).out, u"4.00\n"_s);
+    QCOMPARE(ctl({u"set"_s, u"--no-save"_s, u"pid.pitch.p=5"_s}).exitCode, 0);
+    set = ctl({u"set"_s, u"motor.yaw.poles=16"_s, u"--others"_s, u"store"_s});
+    QVERIFY2(set.exitCode == 0 && set.out.contains(u"stored "_s), qPrintable(set.out + set.err));
+    QVERIFY2(compared().contains(u"false"_s), qPrintable(compared()));
+    QCOMPARE(ctl({u"set"_s, u"motor.yaw.poles=12"_s, u"--others"_s, u"forget"_s}).exitCode, 2);
+    // A value that is wanted as it is stored is in use afterwards.
+    QCOMPARE(ctl({u"set"_s, u"--no-save"_s, u"pid.pitch.p=6"_s}).exitCode, 0);
+    QCOMPARE(ctl({u"set"_s, u"pid.pitch.p=5"_s}).exitCode, 0);
+    QCOMPARE(ctl({u"get"_s, u"pid.pitch.p"_s}).out, u"5.00\n"_s);
+}
+
+void TestCtlMemory::appliedFileIsInUse()
+{
+    const QString file = m_dir->filePath(u"board.json"_s);
+    QCOMPARE(ctl({u"dump"_s, file}).exitCode, 0);
+    QCOMPARE(ctl({u"set"_s, u"--no-save"_s, u"pid.pitch.p=5"_s, u"rc.pitch.min=-30"_s}).exitCode, 0);
+    const Run applied = ctl({u"apply"_s, file});
+    QVERIFY2(applied.exitCode == 0, qPrintable(applied.err));
+    QCOMPARE(ctl({u"get"_s, u"pid.pitch.p"_s}).out, u"4.00\n"_s);
+    QVERIFY2(compared().contains(u"false"_s), qPrintable(compared()));
+}
+
+void TestCtlMemory::scriptIsNamed()
+{
+    const QString file = m_dir->filePath(u"move.scr"_s);
+    QFile text(file);
+    QVERIFY(text.open(QIODevice::WriteOnly));
+    text.write("CASE#DEFAULT\nSET \"Pitch P\" 500\n");
+    text.close();
+    QCOMPARE(ctl({u"script"_s, u"1"_s, file}).exitCode, 0);
+    QCOMPARE(ctl({u"set"_s, u"script1.input=11"_s}).exitCode, 0);
+    const Run set = ctl({u"set"_s, u"motor.yaw.poles=12"_s});
+    QVERIFY2(set.exitCode == 0 && !set.err.contains(u"byte"_s), qPrintable(set.err));
+    QVERIFY2(set.out.contains(u"pid.pitch.p"_s) && set.out.contains(u"script 1 sets it"_s),
+             qPrintable(set.out));
+}
+
+QTEST_GUILESS_MAIN(TestCtlMemory)
+#include "tst_ctlmemory.moc"
