@@ -14,6 +14,7 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -255,6 +256,7 @@ void TestForms::tableEditsChoicesByName()
     QTableView *table = parameters()->table();
     showTable();
     const QString key = u"service.servo1.source"_s;
+    parameters()->search()->setText(key);
     table->scrollTo(cell(key, 0));
     table->edit(cell(key, ParameterModel::ValueColumn));
     auto *box = table->findChild<QComboBox *>();
