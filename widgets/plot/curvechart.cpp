@@ -6,7 +6,6 @@
 
 #include <QChart>
 #include <QGraphicsLayout>
-#include <QLegendMarker>
 #include <QLineSeries>
 #include <QLogValueAxis>
 #include <QPainter>
@@ -22,6 +21,8 @@ namespace {
 constexpr double kLeft = 76;
 constexpr double kTop = 12;
 constexpr double kLegend = 40;
+constexpr double kLegendTop = 10;
+constexpr int kLegendRows = 3;
 constexpr double kWordGap = 8;
 constexpr double kRight = 36;
 constexpr double kBottom = 28;
@@ -37,9 +38,7 @@ CurveChart::CurveChart(const Theme &theme, const QString &name, QWidget *parent)
     chart()->setBackgroundVisible(false);
     chart()->setMargins({0, 0, 0, 0});
     chart()->layout()->setContentsMargins(0, 0, 0, 0);  // labels in the margins would be hidden
-    chart()->legend()->setAlignment(Qt::AlignTop);
-    chart()->legend()->detachFromChart();
-    chart()->legend()->setBackgroundVisible(false);
+    chart()->legend()->hide();  // it loses curves whose names are long
     setFrameShape(QFrame::NoFrame);
     setRenderHint(QPainter::Antialiasing);
     setMinimumHeight(140);
@@ -138,12 +137,10 @@ void CurveChart::resizeEvent(QResizeEvent *event)
 // The same edges in every chart, so that charts above each other line up.
 void CurveChart::layOut()
 {
-    const double top = chart()->legend()->isVisible() ? kLegend : kTop;
-    chart()->setPlotArea(
-        {kLeft, top, std::max(10.0, width() - kLeft - kRight), std::max(10.0, height() - top - kBottom)});
-    // Attached to the chart, the legend would keep the size it had while hidden.
-    chart()->legend()->setGeometry(kLeft, 4, std::max(10.0, width() - kLeft - kRight), kLegend - 8);
-    chart()->legend()->update();
+    const double room = std::max(10.0, width() - kLeft - kRight);
+    const double names = m_legend.layOut(font(), kLeft, kLegendTop, room, kLegendRows);
+    const double top = names > 0 ? std::max(kLegend, kLegendTop + names + kLegendTop) : kTop;
+    chart()->setPlotArea({kLeft, top, room, std::max(10.0, height() - top - kBottom)});
 }
 
 void CurveChart::setHint(const QString &text)
@@ -156,28 +153,24 @@ void CurveChart::applyTheme()
 {
     const QColor muted = m_theme.color(ColorRole::Muted);
     setBackgroundBrush(m_theme.color(ColorRole::Surface));
-    chart()->legend()->setLabelColor(m_theme.color(ColorRole::Text));
     for (QAbstractAxis *axis : {m_xAxis, m_yAxis}) {
         axis->setLabelsColor(muted);
         axis->setTitleBrush(muted);
         axis->setGridLineColor(m_theme.color(ColorRole::SurfaceRaised));
         axis->setMinorGridLineColor(m_theme.color(ColorRole::SurfaceRaised));
     }
+    QList<PlotLegend::Entry> entries;
     for (qsizetype i = 0; i < m_series.size(); ++i) {
         const ChartCurve &curve = m_curves[i];
         QColor color
             = curve.axis == Axis::None ? m_theme.seriesColor(curve.color) : m_theme.axisColor(curve.axis);
         color.setAlphaF(float(curve.strength));
         m_series[i]->setPen(QPen(color, curve.width, curve.style));
+        if (!curve.name.isEmpty())
+            entries.append({curve.name, color, curve.style});
     }
-    const auto named = [](const ChartCurve &curve) { return !curve.name.isEmpty(); };
-    chart()->legend()->setVisible(std::any_of(m_curves.begin(), m_curves.end(), named));
+    m_legend.setEntries(entries);
     layOut();
-    const auto markers = chart()->legend()->markers();
-    for (QLegendMarker *marker : markers) {
-        marker->setPen(QPen(Qt::transparent));  // without any pen, the style's default would return
-        marker->setVisible(!marker->series()->name().isEmpty());
-    }
     viewport()->update();
 }
 
@@ -192,25 +185,55 @@ void CurveChart::drawForeground(QPainter *painter, const QRectF &rect)
         painter->drawText(area.adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap, m_hint);
         return;
     }
+    m_legend.paint(*painter, m_theme.color(ColorRole::Text));
+    painter->setFont(font());
     painter->setPen(m_theme.color(ColorRole::Text));
-    QList<QRectF> taken;
+    const QList<QRectF> boxes = labelBoxes();
+    for (qsizetype i = 0; i < boxes.size(); ++i) {
+        if (boxes[i].isNull())
+            continue;
+        painter->drawText(boxes[i], Qt::AlignCenter, m_labels[i].text);
+        const QPointF at = chart()->mapToPosition(m_labels[i].point, m_series.first());
+        const bool isAbove = boxes[i].bottom() <= at.y();
+        painter->drawLine(QPointF(at.x(), isAbove ? boxes[i].bottom() : boxes[i].top()), at);
+    }
+}
+
+// Above its point, or as many rows higher or lower as it needs to lie over no other.
+QList<QRectF> CurveChart::labelBoxes() const
+{
+    const QRectF area = chart()->plotArea();
+    const QFontMetricsF metrics(font());
+    QList<QRectF> boxes;
     for (const ChartLabel &label : m_labels) {
-        const QPointF at = chart()->mapToPosition(label.point, m_series.first());
+        boxes.append(QRectF());
+        const QPointF at
+            = m_series.isEmpty() ? QPointF(-1, -1) : chart()->mapToPosition(label.point, m_series.first());
         if (!area.contains(at))
             continue;
         QRectF box(0, 0, metrics.horizontalAdvance(label.text) + 2, metrics.height());
         box.moveCenter({at.x(), at.y() - metrics.height()});
         box.moveLeft(std::clamp(box.left(), area.left(), area.right() - box.width()));
         box.moveTop(std::max(box.top(), area.top()));
-        // Beside a word that is there already it would lie over that one's line or peak; the table has them
-        // all.
-        const auto beside = [&](const QRectF &other) {
-            return box.left() < other.right() + kWordGap && other.left() < box.right() + kWordGap;
+        const auto isFree = [&](const QRectF &wanted) {
+            return wanted.top() >= area.top() && wanted.bottom() <= area.bottom()
+                && std::none_of(boxes.begin(), boxes.end(), [&](const QRectF &other) {
+                       return !other.isNull()
+                           && wanted.adjusted(-kWordGap / 2, 0, kWordGap / 2, 0).intersects(other);
+                   });
         };
-        if (std::any_of(taken.begin(), taken.end(), beside))
-            continue;
-        taken.append(box);
-        painter->drawText(box, Qt::AlignCenter, label.text);
-        painter->drawLine(QPointF(at.x(), box.bottom()), at);
+        const int rows = int(area.height() / metrics.height());
+        for (int row = 0; row <= rows && boxes.last().isNull(); ++row) {
+            for (const int direction : {-1, 1}) {
+                const QRectF wanted = box.translated(0, direction * row * metrics.height());
+                const bool hidesPoint
+                    = direction > 0 && wanted.bottom() > at.y() - 2 && wanted.top() < at.y() + 2;
+                if (!hidesPoint && isFree(wanted)) {
+                    boxes.last() = wanted;
+                    break;
+                }
+            }
+        }
     }
+    return boxes;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/plot/plotlegend.h"
 #include "widgets/theme/theme.h"
 
 #include <QChartView>
@@ -54,6 +55,10 @@ public:
     [[nodiscard]] const QList<ChartCurve> &curves() const { return m_curves; }
     [[nodiscard]] const ChartScale &xScale() const { return m_x; }
     [[nodiscard]] const ChartScale &yScale() const { return m_y; }
+    [[nodiscard]] const PlotLegend &legend() const { return m_legend; }
+    /// Where the labels stand that lie within the scales, each beside no other; those of places without room
+    /// are left out.
+    [[nodiscard]] QList<QRectF> labelBoxes() const;
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -74,4 +79,5 @@ private:
     QList<QLineSeries *> m_series;
     QList<ChartLabel> m_labels;
     QString m_hint;
+    PlotLegend m_legend;
 };

@@ -5,13 +5,21 @@
 #include "widgets/plot/chartnumbers.h"
 
 #include <QChart>
-#include <QLegendMarker>
 #include <QLineSeries>
+#include <QPainter>
 #include <QValueAxis>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr double kEdge = 12;
+constexpr int kNameRows = 3;
+
+}  // namespace
 
 IterationChart::IterationChart(const Theme &theme, const QString &title, QWidget *parent)
     : QChartView(parent)
@@ -24,7 +32,7 @@ IterationChart::IterationChart(const Theme &theme, const QString &title, QWidget
     chart()->setAnimationOptions(QChart::NoAnimation);
     chart()->setBackgroundVisible(false);
     chart()->setMargins({0, 0, 4, 0});
-    chart()->legend()->setAlignment(Qt::AlignTop);
+    chart()->legend()->hide();  // it loses lines whose names are long
     chart()->addAxis(m_steps, Qt::AlignBottom);
     chart()->addAxis(m_values, Qt::AlignLeft);
     m_steps->setLabelFormat(u"%d"_s);
@@ -47,6 +55,7 @@ void IterationChart::clear()
         delete line.series;
     }
     m_lines.clear();
+    applyTheme();
     m_high = 0;
     m_lastStep = 1;
     m_steps->setRange(0, 5);
@@ -82,15 +91,38 @@ void IterationChart::applyTheme()
     const QColor muted = m_theme.color(ColorRole::Muted);
     setBackgroundBrush(m_theme.color(ColorRole::Surface));
     chart()->setTitleBrush(m_theme.color(ColorRole::Text));
-    chart()->legend()->setLabelColor(m_theme.color(ColorRole::Text));
     for (QValueAxis *axis : {m_steps, m_values}) {
         axis->setLabelsColor(muted);
         axis->setGridLineColor(m_theme.color(ColorRole::SurfaceRaised));
         axis->setLinePenColor(Qt::transparent);
     }
-    for (const Line &line : std::as_const(m_lines))
-        line.series->setPen(QPen(m_theme.axisColor(line.axis), 2, line.style));
-    const auto markers = chart()->legend()->markers();
-    for (QLegendMarker *marker : markers)
-        marker->setPen(QPen(Qt::transparent));  // without any pen, the style's default would return
+    QList<PlotLegend::Entry> entries;
+    for (auto it = m_lines.cbegin(); it != m_lines.cend(); ++it) {
+        it->series->setPen(QPen(m_theme.axisColor(it->axis), 2, it->style));
+        entries.append({it.key(), m_theme.axisColor(it->axis), it->style});
+    }
+    m_legend.setEntries(entries);
+    layOut();
+    viewport()->update();
+}
+
+void IterationChart::resizeEvent(QResizeEvent *event)
+{
+    layOut();
+    QChartView::resizeEvent(event);
+}
+
+// The names stand below the picture, in as many rows as they need.
+void IterationChart::layOut()
+{
+    const double room = std::max(10.0, width() - 2.0 * kEdge);
+    const double names = m_legend.layOut(font(), kEdge, 0, room, kNameRows);
+    m_legend.layOut(font(), kEdge, height() - names, room, kNameRows);
+    chart()->setMargins({0, 0, 4, int(std::ceil(names))});
+}
+
+void IterationChart::drawForeground(QPainter *painter, const QRectF &rect)
+{
+    QChartView::drawForeground(painter, rect);
+    m_legend.paint(*painter, m_theme.color(ColorRole::Text));
 }

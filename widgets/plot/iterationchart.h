@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/plot/plotlegend.h"
 #include "widgets/theme/theme.h"
 
 #include <QChartView>
@@ -20,9 +21,15 @@ public:
     /// Adds a point to a curve; an unknown name makes a new curve. Steps that were there already are
     /// replaced.
     void addPoint(const QString &name, Axis axis, int step, double value, Qt::PenStyle style = Qt::SolidLine);
+    [[nodiscard]] const PlotLegend &legend() const { return m_legend; }
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+    void drawForeground(QPainter *painter, const QRectF &rect) override;
 
 private:
     void applyTheme();
+    void layOut();
 
     struct Line
     {
@@ -34,6 +41,7 @@ private:
     QValueAxis *m_steps;
     QValueAxis *m_values;
     QMap<QString, Line> m_lines;
+    PlotLegend m_legend;
     double m_high = 0;
     int m_lastStep = 1;
 };

@@ -34,7 +34,13 @@ void PlotView::wheelEvent(QWheelEvent *event)
 
 void PlotView::mousePressEvent(QMouseEvent *event)
 {
-    QChartView::mousePressEvent(event);  // the legend's toggles
+    QChartView::mousePressEvent(event);
+    if (const int entry = m_legend.at(event->position()); event->button() == Qt::LeftButton && entry >= 0) {
+        TraceImage::Trace &trace = m_traces.traces()[std::size_t(entry)];
+        trace.visible = !trace.visible;
+        applyTheme();
+        return;
+    }
     if (event->button() != Qt::LeftButton || !chart()->plotArea().contains(event->position()))
         return;
     m_drag = event->modifiers() & Qt::ShiftModifier ? Drag::Box : Drag::Undecided;

@@ -12,8 +12,6 @@
 #include <QChart>
 #include <QDateTime>
 #include <QGraphicsLayout>
-#include <QLegendMarker>
-#include <QLineSeries>
 #include <QPainter>
 #include <QValueAxis>
 
@@ -30,10 +28,18 @@ constexpr int kTimeSteps = 5;  // parts between the labels of the time axis
 // Room for labels and legend around the plot area.
 constexpr double kAreaLeft = 76;
 constexpr double kAreaTop = 34;
+constexpr double kNamesTop = 8;
+constexpr double kNamesGap = 8;
+constexpr int kRoomy = 150;  // height of a plot that can spare a third row for its names
 constexpr double kAreaRight = 20;
 constexpr double kRightAxis = 64;
 constexpr double kAreaBottom = 30;
 constexpr std::size_t kMaxAxes = 6;  // more would leave no room for the picture
+// A transient is left out of the scale where it is so many times as high as the rest, and taken in again
+// below the other.
+constexpr double kFlat = 5.0;
+constexpr double kFlatAgain = 3.0;
+constexpr double kNearlyConstant = 0.02;
 constexpr qint64 kRateTextMs = 500;
 constexpr qint64 kFitMs = 80;  // before anyone notices that a trace leaves the plot
 
@@ -51,10 +57,7 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
     plot->setBackgroundRoundness(0);
     plot->setMargins({0, 0, 4, 0});
     plot->layout()->setContentsMargins(0, 0, 0, 0);
-    plot->legend()->setAlignment(Qt::AlignTop);
-    plot->legend()->detachFromChart();
-    plot->legend()->setBackgroundVisible(false);
-    plot->legend()->setMarkerShape(QLegend::MarkerShapeRectangle);
+    plot->legend()->hide();  // it loses traces whose names are long
     plot->addAxis(m_timeAxis, Qt::AlignBottom);
     m_timeAxis->setLinePenColor(Qt::transparent);
     m_timeAxis->setMinorTickCount(0);
@@ -110,32 +113,12 @@ void PlotView::setCurves(ChannelTable table, const QList<Curve> &curves,
     m_curves = curves;
     m_store = std::move(store);
     m_generation = -1;
-    for (QLineSeries *series : std::exchange(m_series, {})) {
-        chart()->removeSeries(series);
-        delete series;
-    }
     m_traces.traces().clear();
     for (qsizetype i = 0; i < curves.size(); ++i) {
-        auto *series = new QLineSeries(this);
-        series->setName(curveName(i));
-        chart()->addSeries(series);
-        series->attachAxis(m_timeAxis);
-        m_series.append(series);
         TraceImage::Trace trace;
         trace.channel = curves[i].channel;
         trace.minus = curves[i].minus;
         m_traces.traces().push_back(std::move(trace));
-    }
-    const auto markers = chart()->legend()->markers();
-    for (qsizetype i = 0; i < markers.size(); ++i) {
-        connect(markers[i], &QLegendMarker::clicked, this, [this, i] {
-            if (std::size_t(i) >= m_traces.traces().size())
-                return;
-            TraceImage::Trace &trace = m_traces.traces()[std::size_t(i)];
-            trace.visible = !trace.visible;
-            m_traces.invalidate();
-            applyTheme();
-        });
     }
     makeAxes();
     applyTheme();
@@ -182,8 +165,6 @@ void PlotView::makeAxes()
         m_axes[i].axis = axis;
         applyScale(m_axes[i]);
     }
-    for (qsizetype i = 0; i < m_series.size(); ++i)
-        m_series[i]->attachAxis(m_axes[m_traces.traces()[std::size_t(i)].scale].axis);
     layOut();
     updateView();
 }
@@ -225,17 +206,17 @@ void PlotView::applyTheme()
 {
     const QColor text = m_theme.color(ColorRole::Muted);
     setBackgroundBrush(m_theme.color(ColorRole::Surface));
-    chart()->legend()->setLabelColor(m_theme.color(ColorRole::Text));
     int next = 0;
-    for (qsizetype i = 0; i < m_series.size(); ++i) {
+    QList<PlotLegend::Entry> entries;
+    for (qsizetype i = 0; i < m_curves.size(); ++i) {
         TraceImage::Trace &trace = m_traces.traces()[std::size_t(i)];
         trace.color = colorOf(i, next);
         QColor shown = trace.color;
         if (!trace.visible)
             shown.setAlpha(60);
-        m_series[i]->setPen(QPen(shown, 1));
-        m_series[i]->setBrush(shown);
+        entries.append({curveName(i), shown});
     }
+    m_legend.setEntries(entries);
     const auto style = [&](QValueAxis *axis, const QColor &color) {
         axis->setLabelsColor(color);
         axis->setTitleBrush(color);
@@ -244,12 +225,11 @@ void PlotView::applyTheme()
     style(m_timeAxis, text);
     for (std::size_t i = 0; i < m_axes.size(); ++i) {
         // An axis of a single trace among several has its colour.
-        const bool single = m_ownScales && m_axes.size() > 1 && i < std::size_t(m_series.size());
+        const bool single = m_ownScales && m_axes.size() > 1 && i < std::size_t(m_curves.size());
         style(m_axes[i].axis, single ? curveColor(qsizetype(i)) : text);
     }
-    const auto markers = chart()->legend()->markers();
-    for (QLegendMarker *marker : markers)
-        marker->setPen(QPen(Qt::transparent));  // without any pen, the style's default would return
+    m_still = QPixmap();
+    layOut();
     updateView();
     m_traces.invalidate();
     viewport()->update();
@@ -346,12 +326,12 @@ void PlotView::layOut()
 {
     const double right = kAreaRight + kRightAxis * std::max(m_rightRoom, rightAxes());
     const double room = std::max(10.0, width() - kAreaLeft - right);
-    chart()->setPlotArea({kAreaLeft, kAreaTop, room, std::max(10.0, height() - kAreaTop - kAreaBottom)});
-    // The legend is placed by hand; attached to the chart, it would keep the size it had while hidden.
     const double rate = m_rateText.isEmpty() ? 0.0 : QFontMetricsF(font()).horizontalAdvance(m_rateText) + 8;
-    chart()->legend()->setGeometry(kAreaLeft, 2, std::max(10.0, width() - kAreaLeft - kAreaRight - rate),
-                                   kAreaTop - 4);
-    chart()->legend()->update();
+    const int rows = height() < kRoomy ? 2 : 3;
+    const double names
+        = m_legend.layOut(font(), kAreaLeft, kNamesTop, width() - kAreaLeft - kAreaRight, rows, rate);
+    const double top = std::max(kAreaTop, kNamesTop + names + kNamesGap);
+    chart()->setPlotArea({kAreaLeft, top, room, std::max(10.0, height() - top - kAreaBottom)});
 }
 
 bool PlotView::advance()
@@ -384,10 +364,21 @@ void PlotView::fitScales()
     m_fitTimer.start();
     bool changed = false;
     for (std::size_t i = 0; i < m_axes.size(); ++i) {
-        const TraceColumns::Span used = m_traces.visibleRange(i);
-        if (used.isEmpty() || !m_axes[i].scale.fit(double(used.low), double(used.high)))
+        ValueAxis &axis = m_axes[i];
+        const TraceColumns::Span whole = m_traces.visibleRange(i);
+        if (whole.isEmpty())
             continue;
-        applyScale(m_axes[i]);
+        // A transient that is over does not flatten what came after it; held still, all of it is shown.
+        const TraceColumns::Span lasting = isHeld() ? whole : m_traces.lastingRange(i);
+        const double times = axis.isOutside ? kFlatAgain : kFlat;
+        const bool isOutside = double(whole.high - whole.low)
+            > times * std::max(double(lasting.high - lasting.low), kNearlyConstant);
+        changed |= std::exchange(axis.isOutside, isOutside) != isOutside;
+        const TraceColumns::Span &used = isOutside ? lasting : whole;
+        axis.outside = isOutside ? whole : TraceColumns::Span();
+        if (!axis.scale.fit(double(used.low), double(used.high)))
+            continue;
+        applyScale(axis);
         changed = true;
     }
     if (changed)
@@ -512,10 +503,12 @@ void PlotView::drawStill()
     const QRectF all(QPointF(0, 0), QSizeF(viewport()->size()));
     painter.fillRect(all, backgroundBrush());
     scene()->render(&painter, all, all);
+    m_legend.paint(painter, m_theme.color(ColorRole::Text));
     painter.setFont(font());
     painter.setPen(m_theme.color(ColorRole::Muted));
-    painter.drawText(QRectF(kAreaLeft, 6, width() - kAreaLeft - kAreaRight, kAreaTop - 4),
-                     Qt::AlignRight | Qt::AlignVCenter, m_rateText);
+    painter.drawText(
+        QRectF(kAreaLeft, kNamesTop, width() - kAreaLeft - kAreaRight, QFontMetricsF(font()).height()),
+        Qt::AlignRight | Qt::AlignVCenter, m_rateText);
 }
 
 void PlotView::drawOverlay(QPainter &painter)
@@ -532,6 +525,16 @@ void PlotView::drawOverlay(QPainter &painter)
         const QDateTime end = m_store->wallClockAt(endTime());
         overlay.corner(tr("until %1").arg(end.toString(u"HH:mm:ss.zzz"_s)));
     }
+    QStringList leftOut;  // of the scales
+    for (const ValueAxis &axis : m_axes) {
+        if (axis.isOutside)
+            leftOut.append(tr("earlier from %1 to %2 %3")
+                               .arg(double(axis.outside.low), 0, 'g', 3)
+                               .arg(double(axis.outside.high), 0, 'g', 3)
+                               .arg(axis.unit));
+    }
+    if (!leftOut.isEmpty() && !isHeld())
+        overlay.corner(leftOut.join(u" · "_s));
     if (inside(m_reference))
         overlay.reference(xAt(*m_reference));
     if (m_drag == Drag::Box)

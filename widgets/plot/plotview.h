@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/telemetry/streams.h"
+#include "widgets/plot/plotlegend.h"
 #include "widgets/plot/plotmarks.h"
 #include "widgets/plot/traceimage.h"
 #include "widgets/plot/valuescale.h"
@@ -16,7 +17,6 @@
 #include <memory>
 #include <optional>
 
-class QLineSeries;
 class QValueAxis;
 
 /// What one trace shows.
@@ -76,6 +76,8 @@ public:
     void autoScale();
     /// The range of a value axis. @param axis from 0, the left one
     [[nodiscard]] const ValueScale &scale(std::size_t axis) const { return m_axes[axis].scale; }
+    /// The traces' names as they are shown; a click on one hides its trace.
+    [[nodiscard]] const PlotLegend &legend() const { return m_legend; }
 
     /// One frame: called by the one timer of all plots, only while visible. True if something was painted
     /// anew.
@@ -117,6 +119,8 @@ private:
         QValueAxis *axis = nullptr;
         ValueScale scale;
         QString unit;
+        bool isOutside = false;  // the scale leaves a transient out
+        TraceColumns::Span outside;  // from where to where that reaches
     };
     enum class Drag { None, Undecided, Pan, Box };
 
@@ -142,7 +146,7 @@ private:
     int m_generation = -1;
     QValueAxis *m_timeAxis;
     std::vector<ValueAxis> m_axes;
-    QList<QLineSeries *> m_series;  // empty ones, for names, colours and the legend's toggles
+    PlotLegend m_legend;
     TraceImage m_traces;
     double m_window = 10;
     bool m_ownScales = false;

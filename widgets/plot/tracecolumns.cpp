@@ -4,6 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+namespace {
+
+constexpr std::ptrdiff_t kPassing = 7;  // what takes up less than this part of the columns has passed
+
+}  // namespace
 
 void TraceColumns::reset(int width, double pitch, qint64 firstColumn, qint64 limit)
 {
@@ -45,6 +52,29 @@ TraceColumns::Span TraceColumns::range(qint64 first, qint64 last) const
             continue;
         all = all.isEmpty() ? one : Span{std::min(all.low, one.low), std::max(all.high, one.high)};
     }
+    return all;
+}
+
+TraceColumns::Span TraceColumns::lastingRange(qint64 first, qint64 recent, qint64 last) const
+{
+    Span all = range(recent, last);
+    if (all.isEmpty())
+        return range(first, last);
+    std::vector<float> lows;
+    std::vector<float> highs;
+    for (qint64 column = first; column < recent; ++column) {
+        if (const Span one = span(column); !one.isEmpty()) {
+            lows.push_back(one.low);
+            highs.push_back(one.high);
+        }
+    }
+    const auto passing = std::ptrdiff_t(last - first + 1) / kPassing;
+    if (std::ptrdiff_t(lows.size()) <= passing)
+        return all;
+    std::nth_element(lows.begin(), lows.begin() + passing, lows.end());
+    std::nth_element(highs.begin(), highs.end() - 1 - passing, highs.end());
+    all.low = std::min(all.low, lows[std::size_t(passing)]);
+    all.high = std::max(all.high, highs[highs.size() - 1 - std::size_t(passing)]);
     return all;
 }
 

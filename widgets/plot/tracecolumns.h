@@ -28,6 +28,9 @@ public:
     [[nodiscard]] qint64 columnOf(double time) const;
     /// Lowest and highest value in these columns; empty span when there is none.
     [[nodiscard]] Span range(qint64 first, qint64 last) const;
+    /// The same, but of the columns before `recent` the extremes that lasted less than a seventh of all
+    /// columns do not count.
+    [[nodiscard]] Span lastingRange(qint64 first, qint64 recent, qint64 last) const;
 
 private:
     void add(double time, float value);

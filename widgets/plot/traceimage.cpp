@@ -177,19 +177,34 @@ int TraceImage::thickness() const
     return std::max(1, int(std::lround(m_scale)));
 }
 
-TraceColumns::Span TraceImage::visibleRange(std::size_t scale) const
+TraceColumns::Span
+TraceImage::rangeOf(std::size_t scale,
+                    const std::function<TraceColumns::Span(const TraceColumns &)> &range) const
 {
     TraceColumns::Span all;
     for (const Trace &trace : m_traces) {
         if (!trace.visible || trace.scale != scale)
             continue;
-        const TraceColumns::Span one = trace.columns.range(m_lastColumn - m_width + 1, m_lastColumn);
-        if (one.isEmpty())
-            continue;
-        all = all.isEmpty() ? one
-                            : TraceColumns::Span{std::min(all.low, one.low), std::max(all.high, one.high)};
+        if (const TraceColumns::Span one = range(trace.columns); !one.isEmpty())
+            all = all.isEmpty()
+                ? one
+                : TraceColumns::Span{std::min(all.low, one.low), std::max(all.high, one.high)};
     }
     return all;
+}
+
+TraceColumns::Span TraceImage::visibleRange(std::size_t scale) const
+{
+    return rangeOf(scale, [this](const TraceColumns &columns) {
+        return columns.range(m_lastColumn - m_width + 1, m_lastColumn);
+    });
+}
+
+TraceColumns::Span TraceImage::lastingRange(std::size_t scale) const
+{
+    return rangeOf(scale, [this](const TraceColumns &columns) {
+        return columns.lastingRange(m_lastColumn - m_width + 1, m_lastColumn - m_width / 3, m_lastColumn);
+    });
 }
 
 void TraceImage::paint(QPainter &painter)

@@ -8,6 +8,7 @@
 #include <QImage>
 #include <QRectF>
 
+#include <functional>
 #include <span>
 
 class QPainter;
@@ -66,6 +67,9 @@ public:
     /// Lowest and highest value in the window over all visible traces of one value range; empty if there is
     /// none.
     [[nodiscard]] TraceColumns::Span visibleRange(std::size_t scale) const;
+    /// The same without what is over and was short: the newest third of the window counts in full, before it
+    /// only what lasted. Never empty where visibleRange() is not.
+    [[nodiscard]] TraceColumns::Span lastingRange(std::size_t scale) const;
     /// Newest sample time of all traces, NaN without any.
     [[nodiscard]] double newestSample();
 
@@ -76,6 +80,8 @@ public:
 
 private:
     void rebuild();
+    [[nodiscard]] TraceColumns::Span
+    rangeOf(std::size_t scale, const std::function<TraceColumns::Span(const TraceColumns &)> &range) const;
     void fill(int slot, int top, int bottom, QRgb color);
     [[nodiscard]] int slotOf(qint64 column) const;
     [[nodiscard]] int thickness() const;
