@@ -10,6 +10,8 @@
 
 #include <utility>
 
+using namespace Qt::StringLiterals;
+
 bool isEndOfLink(const Error &error)
 {
     return error.code == ErrorCode::LinkClosed || error.code == ErrorCode::Cancelled;
