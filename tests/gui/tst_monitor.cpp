@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/setup/parameterspage.h"
 #include "app/pages/tune/spectrumpage.h"
 #include "app/pages/watch/monitorpage.h"
 #include "protocol/device/abilities.h"
@@ -9,10 +10,14 @@
 #include "protocol/telemetry/telemetrystore.h"
 #include "tests/support/named.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/filterrows.h"
+#include "widgets/forms/parameterform.h"
+#include "widgets/forms/valueeditor.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/plot/plotview.h"
 #include "widgets/plot/spectrumchart.h"
 
+#include <QCheckBox>
 #include <QGraphicsTextItem>
 #include <QLabel>
 #include <QMessageBox>
@@ -40,6 +45,7 @@ private slots:
     void harmfulTrialEndsWithoutItsPage();
     void cutTrialIsMadeGood();
     void notchTakesTheResonanceAway();
+    void filtersAreShownAsFilters();
     void recordingsFromTheScreen();
 
 private:
@@ -234,6 +240,7 @@ void TestMonitor::cutTrialIsMadeGood()
 void TestMonitor::notchTakesTheResonanceAway()
 {
     QVERIFY(m_rig->open());
+    m_rig->workspace().changeWorld(u"shake=0.3"_s);  // what vibrates is mostly the structure
     const double resonance = simulatedMechanics(Axis::Roll).resonanceHz;
     // Gains that make the structure ring.
     m_rig->edit(u"pid.roll.p"_s, 0, 100);
@@ -282,6 +289,42 @@ void TestMonitor::notchTakesTheResonanceAway()
     QTest::mouseClick(page->pauseButton(), Qt::LeftButton);
     // What was measured before the notch leaves the span; then a third is left at most.
     QTRY_VERIFY_WITH_TIMEOUT(strength() < before / 3, 25000);
+}
+
+void TestMonitor::filtersAreShownAsFilters()
+{
+    QVERIFY(m_rig->open());
+    auto *page = m_rig->page<ParametersPage>();
+    page->showParameter(u"filter.pitch.notch2.frequency"_s);
+    const auto curves = [page] { return page->form()->findChildren<FilterCurve *>(); };
+    QTRY_COMPARE(curves().size(), qsizetype(9));  // three axes with three notches each
+    FilterCurve *curve = curves()[4];
+    QVERIFY(!curve->isInUse() && curve->toolTip() == u"Not in use"_s);
+    const auto editor = [&](const char *name) {
+        return page->form()->editor(m_rig->spec(u"filter.pitch.notch2.%1"_s.arg(QLatin1String(name))).id);
+    };
+    QVERIFY(editor("gain")->control()->property("inactive").toBool());
+    // All of a filter stands in one row.
+    auto *use = named<QCheckBox>(page, u"Pitch, notch 2"_s);
+    for (QWidget *part : QList<QWidget *>{editor("frequency"), editor("width"), editor("gain"), curve}) {
+        const int middle = part->mapTo(page, part->rect().center()).y();
+        QVERIFY(std::abs(middle - use->mapTo(page, use->rect().center()).y()) < use->height());
+    }
+    QTest::mouseClick(use, Qt::LeftButton, {}, QPoint(8, use->height() / 2));
+    const ParameterSpec &enabled = m_rig->spec(u"filter.pitch.enabled"_s);
+    const auto bits
+        = [&] { return flagBits(std::as_const(m_rig->model()).edited().raw(enabled, 0).value()); };
+    QCOMPARE(bits() & 7U, 2U);
+    QVERIFY(curve->isInUse() && use->isChecked());
+    QVERIFY(!editor("gain")->control()->property("inactive").toBool());
+    m_rig->edit(u"filter.pitch.notch2.frequency"_s, 0, 40);
+    QCOMPARE(curve->shape().hz, 80.0);
+    m_rig->edit(u"filter.pitch.notch2.gain"_s, 0, 20);
+    QVERIFY2(curve->toolTip().contains(u"20 dB at 80 Hz"_s), qPrintable(curve->toolTip()));
+    for (int step = 0; step < 3; ++step)
+        m_rig->workspace().edits().undoStack().undo();
+    QVERIFY(!curve->isInUse() && !use->isChecked());
+    QCOMPARE(m_rig->model().changeCount(), 0);
 }
 
 void TestMonitor::recordingsFromTheScreen()

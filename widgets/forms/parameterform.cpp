@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/forms/parameterform.h"
 
+#include "widgets/forms/filterrows.h"
 #include "widgets/forms/valueeditor.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/theme.h"
@@ -37,6 +38,8 @@ ParameterForm::ParameterForm(ConfigurationModel &configuration, EditStack &edits
     layout->setContentsMargins(0, 0, 0, 0);
     connect(&m_configuration, &ConfigurationModel::valueChanged, this, [this](int parameter) {
         refresh(parameter);
+        if (m_filterRows && m_filterRows->concerns(parameter))
+            refreshAll();
         const QString key = m_configuration.edited().parameters().at(parameter).key;
         for (auto it = m_editors.begin(); it != m_editors.end(); ++it) {
             if (m_set->at(it.key()).inactiveKey() == key)
@@ -76,6 +79,7 @@ void ParameterForm::rebuild()
             focused = it.key();
     }
     m_editors.clear();
+    m_filterRows = nullptr;
     delete m_body;
     m_body = new QWidget(this);
     layout()->addWidget(m_body);
@@ -116,7 +120,7 @@ void ParameterForm::addGroup(QVBoxLayout *layout, const char *group, const QList
     QList<QList<int>> matrix;
     QList<int> single;
     const ParameterSet &set = *m_set;
-    for (const int id : parameters) {
+    for (const int id : withoutFilters(parameters, layout)) {
         const ParameterSpec &spec = set.at(id);
         if (spec.row->axes < 2) {
             single.append(id);
@@ -133,6 +137,31 @@ void ParameterForm::addGroup(QVBoxLayout *layout, const char *group, const QList
         layout->addWidget(makeMatrix(matrix));
     if (!single.isEmpty())
         layout->addWidget(makeFields(single));
+}
+
+QList<int> ParameterForm::withoutFilters(const QList<int> &parameters, QVBoxLayout *layout)
+{
+    std::vector<NotchFilter> shown;
+    QList<int> rest = parameters;
+    for (const NotchFilter &filter : m_filters) {
+        QList<int> own;
+        for (const QString &key : {filter.frequency, filter.width, filter.depth}) {
+            const ParameterSpec *spec = m_set->find(key);
+            if (spec && parameters.contains(spec->id))
+                own.append(spec->id);
+        }
+        if (own.size() < 3 || !m_set->find(filter.enabled))
+            continue;
+        shown.push_back(filter);
+        for (const int id : own)
+            rest.removeOne(id);
+    }
+    if (!shown.empty()) {
+        m_filterRows = new FilterRows(m_configuration, m_edits, shown,
+                                      [this](int parameter) { return makeEditor(parameter); });
+        layout->addWidget(m_filterRows);
+    }
+    return rest;
 }
 
 QWidget *ParameterForm::makeMatrix(const QList<QList<int>> &rows)
@@ -229,7 +258,10 @@ void ParameterForm::refresh(int parameter)
         return;
     const ParameterSpec &spec = m_set->at(parameter);
     const int profile = m_configuration.shownProfile();
-    shown->setInactive(inactiveReason(m_configuration, spec, profile));
+    QString reason = inactiveReason(m_configuration, spec, profile);
+    if (reason.isEmpty() && m_filterRows)
+        reason = m_filterRows->inactiveReason(parameter);
+    shown->setInactive(reason);
     shown->show(m_configuration.value(spec, profile), m_configuration.boardValue(spec, profile));
 }
 
@@ -237,4 +269,6 @@ void ParameterForm::refreshAll()
 {
     for (auto it = m_editors.begin(); it != m_editors.end(); ++it)
         refresh(it.key());
+    if (m_filterRows)
+        m_filterRows->refresh();
 }

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/device/abilities.h"
 #include "widgets/forms/editstack.h"
 
 #include <QHash>
 #include <QWidget>
 
+class FilterRows;
 class QVBoxLayout;
 class ValueEditor;
 
@@ -20,6 +22,8 @@ public:
 
     /// Shows these parameters (ids), group after group in the order given.
     void setParameters(const QList<int> &parameters);
+    /// Parameters of these filters are shown as filters, where all of a filter's are among those shown.
+    void setFilters(const std::vector<NotchFilter> &filters) { m_filters = filters; }
     [[nodiscard]] ValueEditor *editor(int parameter) const { return m_editors.value(parameter); }
     [[nodiscard]] qsizetype count() const { return m_editors.size(); }
 
@@ -32,6 +36,8 @@ protected:
 private:
     void rebuild();
     void addGroup(QVBoxLayout *layout, const char *group, const QList<int> &parameters);
+    /// Takes out those that belong to a filter.
+    [[nodiscard]] QList<int> withoutFilters(const QList<int> &parameters, QVBoxLayout *layout);
     QWidget *makeMatrix(const QList<QList<int>> &rows);
     QWidget *makeFields(const QList<int> &parameters);
     ValueEditor *makeEditor(int parameter);
@@ -44,6 +50,8 @@ private:
     std::shared_ptr<const ParameterSet> m_set;  // what the editors refer to
     QList<int> m_parameters;
     QHash<int, ValueEditor *> m_editors;
+    std::vector<NotchFilter> m_filters;
+    FilterRows *m_filterRows = nullptr;  // null where no filter is shown
     QWidget *m_body = nullptr;
     int m_columns = 1;
 };

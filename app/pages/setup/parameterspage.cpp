@@ -273,6 +273,14 @@ void ParametersPage::refilter()
         }
     }
     if (m_views->currentIndex() == 0) {
+        std::vector<NotchFilter> filters;
+        const Device *tables = workspace().tables();
+        for (const Axis axis : kAxes) {
+            const auto own = tables && tables->notchFilters() ? tables->notchFilters()->notchesOf(axis)
+                                                              : std::vector<NotchFilter>();
+            filters.insert(filters.end(), own.begin(), own.end());
+        }
+        m_form->setFilters(filters);
         m_form->setParameters(shown);
         m_nothing->setVisible(shown.isEmpty() && !model.isEmpty());
         m_scroll->verticalScrollBar()->setValue(0);
