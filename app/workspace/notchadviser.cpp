@@ -2,7 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workspace/notchadviser.h"
 
-#include "app/workspace/workspace.h"
+#include "app/workspace/boardwriter.h"
+#include "app/workspace/linkmarks.h"
+#include "app/workspace/notifications.h"
+#include "app/workspace/settings.h"
+#include "app/workspace/telemetrysubscriptions.h"
+#include "protocol/client/deviceclient.h"
+#include "protocol/record/boardhistory.h"
+#include "widgets/forms/editstack.h"
+#include "widgets/models/livemodel.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
@@ -37,20 +45,31 @@ Configuration NotchAdviser::Plan::appliedTo(Configuration configuration) const
     return configuration;
 }
 
-NotchAdviser::NotchAdviser(Workspace &workspace)
-    : m_workspace(workspace)
+NotchAdviser::NotchAdviser(DeviceClient &client, ConfigurationModel &configuration, LiveModel &live,
+                           EditStack &edits, BoardWriter &writer, const BoardHistory &history,
+                           Notifications &notifications, Settings &settings,
+                           TelemetrySubscriptions &telemetry, LinkMarks &marks)
+    : m_client(client)
+    , m_configuration(configuration)
+    , m_live(live)
+    , m_edits(edits)
+    , m_writer(writer)
+    , m_history(history)
+    , m_notifications(notifications)
+    , m_settings(settings)
+    , m_telemetry(telemetry)
+    , m_marks(marks)
 {
-    connect(&workspace, &Workspace::boardRead, this, &NotchAdviser::makeGood);
-    connect(&workspace.live(), &LiveModel::modelReset, this, &NotchAdviser::forgetLoops);
-    connect(&workspace.live(), &LiveModel::valueChanged, this, &NotchAdviser::forgetLoops);
+    connect(&m_live, &LiveModel::modelReset, this, &NotchAdviser::forgetLoops);
+    connect(&m_live, &LiveModel::valueChanged, this, &NotchAdviser::forgetLoops);
 }
 
 NotchAdviser::~NotchAdviser() = default;
 
 std::optional<NotchAdviser::Plan> NotchAdviser::plan(Axis axis, const SpectrumPeak &peak) const
 {
-    const ConfigurationModel &model = m_workspace.configuration();
-    const Device *device = m_workspace.client().device();
+    const ConfigurationModel &model = m_configuration;
+    const Device *device = m_client.device();
     const NotchFilters *notches = device && !model.isEmpty() ? device->notchFilters() : nullptr;
     if (!notches)
         return {};
@@ -167,11 +186,9 @@ QString NotchAdviser::question(const Plan &plan, const NotchAdvice &advice) cons
 
 QString NotchAdviser::obstacle() const
 {
-    if (m_workspace.live().changeCount() > 0)
+    if (m_live.changeCount() > 0)
         return tr("Values in use are not stored; a trial would replace them. Store or revert them on Tuning "
                   "first.");
-    if (m_workspace.motorsRunning() == false)
-        return tr("The motors are off: there is nothing to measure.");
     return {};
 }
 
@@ -180,11 +197,10 @@ void NotchAdviser::start(const Plan &plan)
     if (isRunning())
         return;
     if (const QString why = obstacle(); !why.isEmpty()) {
-        m_workspace.notifications().notify(why, Notice::Attention);
+        m_notifications.notify(why, Notice::Attention);
         return;
     }
-    DeviceClient &client = m_workspace.client();
-    const Configuration board = std::as_const(m_workspace.configuration()).board();
+    const Configuration board = std::as_const(m_configuration).board();
     NotchTrialPlan trial;
     trial.axis = plan.axis;
     trial.hz = plan.peak.frequency;
@@ -195,14 +211,14 @@ void NotchAdviser::start(const Plan &plan)
     m_stop = std::make_shared<std::atomic<bool>>(false);
     noteTrial(plan, board);
     // The samples must come whether a page shows them or not.
-    m_workspace.telemetry().subscribe(this, [this] {
-        const ChannelRoles &roles = m_workspace.roles();
+    m_telemetry.subscribe(this, [this] {
+        const ChannelRoles &roles = m_client.roles();
         return ChannelRoles::present({roles.gyro, roles.angle, roles.target});
     });
-    m_workspace.mark(PlotMark::Kind::Note, tr("Trial of a notch begins"));
-    client
-        .submit<NotchTrialResult>([trial, stop = m_stop, store = client.telemetry(),
-                                   history = m_workspace.history()](Channel &channel, Device &device) {
+    m_marks.add(PlotMark::Kind::Note, tr("Trial of a notch begins"));
+    m_client
+        .submit<NotchTrialResult>([trial, stop = m_stop, store = m_client.telemetry(),
+                                   history = m_history](Channel &channel, Device &device) {
             WriteOptions options;
             options.history = &history;
             return tryNotch(channel, device, *store, trial, options, *stop);
@@ -220,16 +236,15 @@ void NotchAdviser::stop()
 void NotchAdviser::onResult(const Plan &plan, const Result<NotchTrialResult> &result)
 {
     m_stop = nullptr;
-    m_workspace.telemetry().subscribe(this, [] { return QList<int>(); });
-    m_workspace.mark(PlotMark::Kind::Note, tr("Trial of a notch is over"));
-    Notifications &notifications = m_workspace.notifications();
+    m_telemetry.subscribe(this, [] { return QList<int>(); });
+    m_marks.add(PlotMark::Kind::Note, tr("Trial of a notch is over"));
     if (!result) {
-        m_workspace.settings().setCutTrial(boardName(), {});
+        m_settings.setCutTrial(boardName(), {});
         m_outcome = tr("%1 was not tried; nothing was changed on the board.").arg(name(plan));
         if (result.error().code == ErrorCode::Cancelled)
-            notifications.notify(m_outcome, Notice::Hint);
+            m_notifications.notify(m_outcome, Notice::Hint);
         else if (!isEndOfLink(result.error()))
-            notifications.report(result.error());
+            m_notifications.report(result.error());
     } else {
         tell(plan, *result);
     }
@@ -239,12 +254,11 @@ void NotchAdviser::onResult(const Plan &plan, const Result<NotchTrialResult> &re
 void NotchAdviser::tell(const Plan &plan, const NotchTrialResult &result)
 {
     using Verdict = NotchTrialResult::Verdict;
-    Notifications &notifications = m_workspace.notifications();
     const QString back = result.isTakenBack
         ? tr("The values from before are back on the board.")
         : tr("The notch could not be taken back; that is done when this board is read again.");
     if (result.isTakenBack)
-        m_workspace.settings().setCutTrial(boardName(), {});
+        m_settings.setCutTrial(boardName(), {});
     const Vibration &before = result.before;
     const Vibration &after = result.after;
     const QString figures
@@ -262,15 +276,14 @@ void NotchAdviser::tell(const Plan &plan, const NotchTrialResult &result)
     case Verdict::Better:
         m_outcome = tr("%1 helps.").arg(name(plan)) + u' ' + figures + u' ' + back;
         if (result.isTakenBack) {
-            notifications.ask({m_outcome,
-                               {{tr("Take over as an edit"),
-                                 [this, plan] {
-                                     const Configuration &edited
-                                         = std::as_const(m_workspace.configuration()).edited();
-                                     if (edited.parameters().find(plan.filter.enabled))
-                                         m_workspace.edits().apply(plan.appliedTo(edited), name(plan));
-                                 }},
-                                {tr("Leave it"), [] {}}}});
+            m_notifications.ask({m_outcome,
+                                 {{tr("Take over as an edit"),
+                                   [this, plan] {
+                                       const Configuration &edited = std::as_const(m_configuration).edited();
+                                       if (edited.parameters().find(plan.filter.enabled))
+                                           m_edits.apply(plan.appliedTo(edited), name(plan));
+                                   }},
+                                  {tr("Leave it"), [] {}}}});
             return;
         }
         break;
@@ -300,14 +313,14 @@ void NotchAdviser::tell(const Plan &plan, const NotchTrialResult &result)
             m_outcome += u' ' + describe(*result.ended).oneLine();
         break;
     }
-    notifications.notify(m_outcome, kind);
-    if (!result.isTakenBack && m_workspace.client().isConnected())
-        m_workspace.readBoard();
+    m_notifications.notify(m_outcome, kind);
+    if (!result.isTakenBack && m_client.isConnected())
+        emit readWanted();
 }
 
 QString NotchAdviser::boardName() const
 {
-    const BoardIdentity &identity = m_workspace.client().identity();
+    const BoardIdentity &identity = m_client.identity();
     return identity.serial.isEmpty() ? u"-"_s : identity.serial;
 }
 
@@ -319,18 +332,18 @@ void NotchAdviser::noteTrial(const Plan &plan, const Configuration &board)
         values.append(
             QJsonObject{{u"key"_s, change.spec->key}, {u"old"_s, change.from}, {u"trial"_s, change.to}});
     const QJsonObject note{{u"name"_s, name(plan)}, {u"profile"_s, plan.profile}, {u"values"_s, values}};
-    m_workspace.settings().setCutTrial(boardName(), QJsonDocument(note).toJson(QJsonDocument::Compact));
+    m_settings.setCutTrial(boardName(), QJsonDocument(note).toJson(QJsonDocument::Compact));
 }
 
 // After the board was read: values of a trial that was cut off give way to those from before.
 void NotchAdviser::makeGood()
 {
-    const QByteArray kept = m_workspace.settings().cutTrial(boardName());
-    if (kept.isEmpty() || isRunning() || !m_workspace.client().isConnected()
-        || !m_workspace.client().identity().writable || m_workspace.isWriting())
+    const QByteArray kept = m_settings.cutTrial(boardName());
+    if (kept.isEmpty() || isRunning() || !m_client.isConnected() || !m_client.identity().writable
+        || m_writer.isWriting())
         return;
     const QJsonObject note = QJsonDocument::fromJson(kept).object();
-    const Configuration &board = std::as_const(m_workspace.configuration()).board();
+    const Configuration &board = std::as_const(m_configuration).board();
     Configuration old = board;
     const int profile = note[u"profile"_s].toInt();
     for (const QJsonValue &each : note[u"values"_s].toArray()) {
@@ -339,13 +352,13 @@ void NotchAdviser::makeGood()
             std::ignore = old.setRaw(*spec, profile, each[u"old"_s].toDouble());
     }
     if (board.changesTo(old).empty()) {
-        m_workspace.settings().setCutTrial(boardName(), {});
+        m_settings.setCutTrial(boardName(), {});
         return;
     }
-    m_workspace.notifications().notify(tr("The trial of %1 was cut off and the notch is still on the board: "
-                                          "the values from before are written "
-                                          "back.")
-                                           .arg(note[u"name"_s].toString()),
-                                       Notice::Attention);
-    m_workspace.write(old);
+    m_notifications.notify(tr("The trial of %1 was cut off and the notch is still on the board: "
+                              "the values from before are written "
+                              "back.")
+                               .arg(note[u"name"_s].toString()),
+                           Notice::Attention);
+    m_writer.write(old);
 }

@@ -12,7 +12,16 @@
 #include <atomic>
 #include <memory>
 
-class Workspace;
+class BoardHistory;
+class BoardWriter;
+class ConfigurationModel;
+class DeviceClient;
+class EditStack;
+class LinkMarks;
+class LiveModel;
+class Notifications;
+class Settings;
+class TelemetrySubscriptions;
 
 /// Judges notches before they are offered, tries them on the board and tells what came out. A trial always
 /// ends with the values from before on the board; what was better is offered as an edit. It goes on without
@@ -22,7 +31,9 @@ class NotchAdviser final : public QObject
 {
     Q_OBJECT
 public:
-    explicit NotchAdviser(Workspace &workspace);
+    NotchAdviser(DeviceClient &client, ConfigurationModel &configuration, LiveModel &live, EditStack &edits,
+                 BoardWriter &writer, const BoardHistory &history, Notifications &notifications,
+                 Settings &settings, TelemetrySubscriptions &telemetry, LinkMarks &marks);
     ~NotchAdviser() override;
 
     /// A notch that would take a line out of the active profile, with values that the board can hold.
@@ -61,20 +72,33 @@ public:
     /// The open loop of an axis as just measured; forgotten when gains or board change.
     void keepLoop(Axis axis, const MeasuredLoop &loop) { m_loops[std::size_t(axis)] = loop; }
     void forgetLoops() { m_loops = {}; }
+    /// To be called after the board was read: values of a trial that was cut off give way to those from
+    /// before.
+    void makeGood();
 
 signals:
     /// A trial has begun or ended.
     void changed();
+    /// It is not known what the board holds.
+    void readWanted();
 
 private:
     [[nodiscard]] QString name(const Plan &plan) const;
     void onResult(const Plan &plan, const Result<NotchTrialResult> &result);
     void tell(const Plan &plan, const NotchTrialResult &result);
     void noteTrial(const Plan &plan, const Configuration &board);
-    void makeGood();
     [[nodiscard]] QString boardName() const;
 
-    Workspace &m_workspace;
+    DeviceClient &m_client;
+    ConfigurationModel &m_configuration;
+    LiveModel &m_live;
+    EditStack &m_edits;
+    BoardWriter &m_writer;
+    const BoardHistory &m_history;
+    Notifications &m_notifications;
+    Settings &m_settings;
+    TelemetrySubscriptions &m_telemetry;
+    LinkMarks &m_marks;
     std::shared_ptr<std::atomic<bool>> m_stop;  // of the running trial
     QString m_outcome;
     std::array<std::optional<MeasuredLoop>, kAxisCount> m_loops;

@@ -56,6 +56,8 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     connect(&m_live, &LiveModel::changeCountChanged, this, &Workspace::unstoredChanged);
     connect(&m_writer, &BoardWriter::conflicted, this, &Workspace::readBoard);
     connect(&m_writer, &BoardWriter::finished, this, &Workspace::writeFinished);
+    connect(this, &Workspace::boardRead, &m_notches, &NotchAdviser::makeGood);
+    connect(&m_notches, &NotchAdviser::readWanted, this, &Workspace::readBoard);
     connect(this, &Workspace::writeFinished, this, [this] {
         if (lastReport())
             m_linkMarks.addWritten(*lastReport());

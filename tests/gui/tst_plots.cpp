@@ -7,6 +7,7 @@
 #include "widgets/plot/plotview.h"
 
 #include <QFontMetricsF>
+#include <QGraphicsTextItem>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -41,6 +42,19 @@ constexpr std::array<ChannelSpec, 3> kChannels{{
     {.key = "b", .label = "Fehler der Kamera, Nicken", .group = "", .unit = "°", .axis = Axis::Pitch},
     {.key = "c", .label = "Fehler der Kamera, Gieren", .group = "", .unit = "°", .axis = Axis::Yaw},
 }};
+
+/// The words in the chart's own pictures, such as its scales' labels, that are really seen.
+QStringList seenIn(const QChartView &view)
+{
+    QStringList texts;
+    const auto items = view.scene()->items();
+    for (const QGraphicsItem *item : items) {
+        const auto *label = qgraphicsitem_cast<const QGraphicsTextItem *>(item);
+        if (label && label->isVisible() && view.sceneRect().contains(label->sceneBoundingRect().center()))
+            texts.append(label->toPlainText());
+    }
+    return texts;
+}
 
 /// A plot of three channels, the last ten seconds of which follow a function.
 struct Bench
@@ -84,6 +98,7 @@ private slots:
     void stepStaysInSight();
     void heldPlotShowsAll();
     void allPeaksAreLabelled();
+    void scalesKeepTheirLabels();
 };
 
 void TestPlots::legendHoldsEveryName_data()
@@ -259,6 +274,31 @@ void TestPlots::allPeaksAreLabelled()
         QVERIFY2(chart.chart()->plotArea().contains(boxes[i]), qPrintable(labels[i].text));
         for (qsizetype other = 0; other < i; ++other)
             QVERIFY2(!boxes[i].intersects(boxes[other]), qPrintable(labels[i].text));
+    }
+}
+
+void TestPlots::scalesKeepTheirLabels()
+{
+    Theme theme;
+    theme.apply();
+    CurveChart curves(theme, u"curves"_s);
+    curves.setScales({{}, 1, 600, true, u"%g Hz"_s}, {{}, -60, 0, false, u"%.0f"_s, 3});
+    curves.setCurves({{u"Roll"_s, {{1, -40}, {600, -40}}, Axis::Roll}});
+    IterationChart steps(theme, u"gains"_s);
+    steps.addPoint(u"P, Roll"_s, Axis::Roll, 4, 40.0, Qt::SolidLine);
+    for (QChartView *view : QList<QChartView *>{&curves, &steps}) {
+        view->resize(500, 200);
+        view->show();
+        QVERIFY(QTest::qWaitForWindowExposed(view));
+        const QStringList wanted = view == &curves ? QStringList{u"1 Hz"_s, u"100 Hz"_s, u"-60"_s, u"-20"_s}
+                                                   : QStringList{u"0"_s, u"4"_s, u"40"_s};
+        for (const QSize &size : {QSize(500, 200), QSize(900, 420), QSize(460, 170)}) {
+            view->resize(size);
+            QCoreApplication::processEvents();
+            for (const QString &text : wanted)
+                QVERIFY2(seenIn(*view).contains(text),
+                         qPrintable(text + u" is not in "_s + seenIn(*view).join(u' ')));
+        }
     }
 }
 

@@ -6,8 +6,15 @@
 
 #include <QChart>
 
+using namespace Qt::StringLiterals;
+
 void writeNumbers(QChart &chart)
 {
     chart.setLocale(numberLocale());
     chart.setLocalizeNumbers(true);
+}
+
+QString labelFormat(QString format)
+{
+    return format.replace(u"%g"_s, u"%.6g"_s).replace(u"%d"_s, u"%.0f"_s);
 }

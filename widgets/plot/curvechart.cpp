@@ -38,6 +38,7 @@ CurveChart::CurveChart(const Theme &theme, const QString &name, QWidget *parent)
     chart()->setBackgroundVisible(false);
     chart()->setMargins({0, 0, 0, 0});
     chart()->layout()->setContentsMargins(0, 0, 0, 0);  // labels in the margins would be hidden
+    chart()->legend()->detachFromChart();
     chart()->legend()->hide();  // it loses curves whose names are long
     setFrameShape(QFrame::NoFrame);
     setRenderHint(QPainter::Antialiasing);
@@ -64,11 +65,11 @@ QAbstractAxis *CurveChart::makeAxis(const ChartScale &scale, Qt::Alignment side,
     if (auto *logarithmic = qobject_cast<QLogValueAxis *>(old)) {
         logarithmic->setBase(10);
         logarithmic->setMinorTickCount(8);
-        logarithmic->setLabelFormat(scale.labelFormat);
+        logarithmic->setLabelFormat(labelFormat(scale.labelFormat));
         logarithmic->setRange(scale.low, scale.high);
     } else {
         auto *linear = static_cast<QValueAxis *>(old);
-        linear->setLabelFormat(scale.labelFormat);
+        linear->setLabelFormat(labelFormat(scale.labelFormat));
         // Moved by a tiny amount, so that rounding yields 0 and not -0.
         const double hair = scale.labelFormat.contains(u'f') ? 1e-9 * (scale.high - scale.low) : 0.0;
         linear->setRange(scale.low + hair, scale.high + hair);
@@ -132,6 +133,9 @@ void CurveChart::resizeEvent(QResizeEvent *event)
 {
     layOut();  // first: the chart lays its labels out when it gets its size, and hides those that lie outside
     QChartView::resizeEvent(event);
+    // Labels that lay outside of the old size stay hidden until the plot area changes once more.
+    chart()->setPlotArea(chart()->plotArea().adjusted(0, 0, 0, -1));
+    layOut();
 }
 
 // The same edges in every chart, so that charts above each other line up.

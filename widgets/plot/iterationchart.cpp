@@ -5,12 +5,12 @@
 #include "widgets/plot/chartnumbers.h"
 
 #include <QChart>
+#include <QGraphicsLayout>
 #include <QLineSeries>
 #include <QPainter>
 #include <QValueAxis>
 
 #include <algorithm>
-#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -18,25 +18,32 @@ namespace {
 
 constexpr double kEdge = 12;
 constexpr int kNameRows = 3;
+// Room around the plot area.
+constexpr double kStepsLeft = 56;
+constexpr double kStepsTop = 36;
+constexpr double kStepsRight = 24;
+constexpr double kStepsBottom = 30;
 
 }  // namespace
 
 IterationChart::IterationChart(const Theme &theme, const QString &title, QWidget *parent)
     : QChartView(parent)
     , m_theme(theme)
+    , m_title(title)
     , m_steps(new QValueAxis(this))
     , m_values(new QValueAxis(this))
 {
-    chart()->setTitle(title);
     writeNumbers(*chart());
     chart()->setAnimationOptions(QChart::NoAnimation);
     chart()->setBackgroundVisible(false);
-    chart()->setMargins({0, 0, 4, 0});
+    chart()->setMargins({0, 0, 0, 0});
+    chart()->layout()->setContentsMargins(0, 0, 0, 0);  // labels in the margins would be hidden
+    chart()->legend()->detachFromChart();
     chart()->legend()->hide();  // it loses lines whose names are long
     chart()->addAxis(m_steps, Qt::AlignBottom);
     chart()->addAxis(m_values, Qt::AlignLeft);
-    m_steps->setLabelFormat(u"%d"_s);
-    m_values->setLabelFormat(u"%g"_s);
+    m_steps->setLabelFormat(labelFormat(u"%d"_s));
+    m_values->setLabelFormat(labelFormat(u"%g"_s));
     m_steps->setRange(0, 5);
     m_values->setRange(0, 1);
     setFrameShape(QFrame::NoFrame);
@@ -90,7 +97,6 @@ void IterationChart::applyTheme()
 {
     const QColor muted = m_theme.color(ColorRole::Muted);
     setBackgroundBrush(m_theme.color(ColorRole::Surface));
-    chart()->setTitleBrush(m_theme.color(ColorRole::Text));
     for (QValueAxis *axis : {m_steps, m_values}) {
         axis->setLabelsColor(muted);
         axis->setGridLineColor(m_theme.color(ColorRole::SurfaceRaised));
@@ -110,6 +116,9 @@ void IterationChart::resizeEvent(QResizeEvent *event)
 {
     layOut();
     QChartView::resizeEvent(event);
+    // Labels that lay outside of the old size stay hidden until the plot area changes once more.
+    chart()->setPlotArea(chart()->plotArea().adjusted(0, 0, 0, -1));
+    layOut();
 }
 
 // The names stand below the picture, in as many rows as they need.
@@ -118,11 +127,15 @@ void IterationChart::layOut()
     const double room = std::max(10.0, width() - 2.0 * kEdge);
     const double names = m_legend.layOut(font(), kEdge, 0, room, kNameRows);
     m_legend.layOut(font(), kEdge, height() - names, room, kNameRows);
-    chart()->setMargins({0, 0, 4, int(std::ceil(names))});
+    chart()->setPlotArea({kStepsLeft, kStepsTop, std::max(10.0, width() - kStepsLeft - kStepsRight),
+                          std::max(10.0, height() - kStepsTop - kStepsBottom - names)});
 }
 
 void IterationChart::drawForeground(QPainter *painter, const QRectF &rect)
 {
     QChartView::drawForeground(painter, rect);
+    painter->setFont(font());
+    painter->setPen(m_theme.color(ColorRole::Text));
+    painter->drawText(QRectF(0, 0, width(), kStepsTop), Qt::AlignCenter, m_title);
     m_legend.paint(*painter, m_theme.color(ColorRole::Text));
 }

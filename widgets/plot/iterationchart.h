@@ -38,6 +38,7 @@ private:
         Qt::PenStyle style;
     };
     const Theme &m_theme;
+    QString m_title;
     QValueAxis *m_steps;
     QValueAxis *m_values;
     QMap<QString, Line> m_lines;

@@ -57,6 +57,7 @@ PlotView::PlotView(const Theme &theme, QWidget *parent)
     plot->setBackgroundRoundness(0);
     plot->setMargins({0, 0, 4, 0});
     plot->layout()->setContentsMargins(0, 0, 0, 0);
+    plot->legend()->detachFromChart();
     plot->legend()->hide();  // it loses traces whose names are long
     plot->addAxis(m_timeAxis, Qt::AlignBottom);
     m_timeAxis->setLinePenColor(Qt::transparent);
@@ -529,8 +530,8 @@ void PlotView::drawOverlay(QPainter &painter)
     for (const ValueAxis &axis : m_axes) {
         if (axis.isOutside)
             leftOut.append(tr("earlier from %1 to %2 %3")
-                               .arg(double(axis.outside.low), 0, 'g', 3)
-                               .arg(double(axis.outside.high), 0, 'g', 3)
+                               .arg(shortNumberText(double(axis.outside.low), 3))
+                               .arg(shortNumberText(double(axis.outside.high), 3))
                                .arg(axis.unit));
     }
     if (!leftOut.isEmpty() && !isHeld())

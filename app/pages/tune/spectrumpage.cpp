@@ -430,7 +430,9 @@ void SpectrumPage::updateNotch()
         return;
     }
     const NotchAdvice advice = adviser.advise(*plan, line->wholeRms, line->commandedRms);
-    const QString obstacle = advice.isOffered() ? adviser.obstacle() : QString();
+    QString obstacle = advice.isOffered() ? adviser.obstacle() : QString();
+    if (advice.isOffered() && workspace().motorsRunning() == false)
+        obstacle = tr("The motors are off: there is nothing to measure.");
     m_advice->setText(obstacle.isEmpty() ? adviser.inWords(*plan, advice) : obstacle);
     m_notch->setEnabled(advice.isOffered() && obstacle.isEmpty());
 }
