@@ -22,7 +22,12 @@ Result<QVariant> parseArgument(const ArgumentSpec &argument, const QString &text
     const QString key = QLatin1String(argument.key);
     bool ok = false;
     switch (argument.kind) {
-    case ArgumentKind::Text: return QVariant(text);
+    case ArgumentKind::Text:
+        if (std::any_of(text.begin(), text.end(),
+                        [](QChar letter) { return letter.category() == QChar::Other_Control; }))
+            return failure(ErrorCode::InvalidArgument,
+                           u"%1 has control characters, such as a line break"_s.arg(key));
+        return QVariant(text);
     case ArgumentKind::Toggle:
         if (text == u"on"_s || text == u"true"_s || text == u"1"_s)
             return QVariant(true);

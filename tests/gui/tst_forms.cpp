@@ -20,6 +20,7 @@
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTableView>
+#include <QTableWidget>
 #include <QTextBrowser>
 
 using namespace Qt::StringLiterals;
@@ -60,6 +61,8 @@ private slots:
     void tableTellsWhatItRefuses();
     void repliesHaveUnits_data();
     void repliesHaveUnits();
+    void autoTuneSaysWhatItsColumnsAre();
+    void namesAreOneLine();
 
 private:
     void families()
@@ -191,6 +194,20 @@ void TestForms::flagsLookLikeFields()
         return image.pixelColor(image.width() / 2, 4 * image.height() / 5);
     };
     QCOMPARE(ground(flags), ground(choice));
+    // The words keep off the edge as those of the choice do.
+    const auto firstInk = [](QWidget *widget) {
+        const QImage image = widget->grab().toImage();
+        const int line = image.height() / 2;
+        const QColor surface = image.pixelColor(image.width() / 2, 4 * image.height() / 5);
+        for (int x = 4; x < image.width() / 2; ++x) {
+            for (int y = line - 4; y < line + 4; ++y) {
+                if (image.pixelColor(x, y) != surface)
+                    return x;
+            }
+        }
+        return -1;
+    };
+    QVERIFY(std::abs(firstInk(flags) - firstInk(choice)) <= 3);
 }
 
 void TestForms::labelsStandOnTheLineOfTheirField()
@@ -309,6 +326,30 @@ void TestForms::repliesHaveUnits()
     QTest::mouseClick(page->runButton(), Qt::LeftButton);
     QTRY_VERIFY2_WITH_TIMEOUT(page->reply()->toPlainText().contains(QRegularExpression(pattern)),
                               qPrintable(page->reply()->toPlainText()), 5000);
+}
+
+void TestForms::autoTuneSaysWhatItsColumnsAre()
+{
+    QVERIFY(m_rig->open());
+    QVERIFY(m_rig->window().showPage(u"autotune"_s));
+    auto *table = m_rig->window().page(u"autotune"_s)->findChild<QTableWidget *>();
+    QCOMPARE(table->horizontalHeaderItem(2)->text(), u"In use now"_s);
+    for (int column = 1; column < table->columnCount(); ++column) {
+        // A heading stands over its figures.
+        QCOMPARE(table->horizontalHeaderItem(column)->textAlignment(),
+                 table->item(0, column)->textAlignment());
+    }
+    QVERIFY(!table->horizontalHeaderItem(1)->toolTip().isEmpty());
+    QVERIFY(!table->horizontalHeaderItem(2)->toolTip().isEmpty());
+}
+
+void TestForms::namesAreOneLine()
+{
+    QVERIFY(m_rig->open());
+    QVERIFY(m_rig->window().showPage(u"profiles"_s));
+    QAbstractItemModel *model = m_rig->window().page(u"profiles"_s)->findChild<QTableView *>()->model();
+    QVERIFY(model->setData(model->index(0, 1), u" first\nand\tsecond\x07 "_s));
+    QCOMPARE(m_rig->model().edited().profileNames().value(0), u"first and second"_s);
 }
 
 QTEST_MAIN(TestForms)

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/forms/flagsbutton.h"
 
-#include <QEvent>
+#include <QStyleOptionButton>
+#include <QStylePainter>
 
 namespace {
 
-constexpr int kFrameAndArrow = 34;  // what the style sheet leaves no room for text in
+constexpr int kBeforeWords = 8;  // as in a choice
+constexpr int kArrow = 26;
 
 }  // namespace
 
@@ -21,24 +23,22 @@ FlagsButton::FlagsButton(QWidget *parent)
 void FlagsButton::setWords(const QString &words)
 {
     m_words = words;
-    fit();
-}
-
-void FlagsButton::resizeEvent(QResizeEvent *event)
-{
-    QPushButton::resizeEvent(event);
-    fit();
-}
-
-void FlagsButton::changeEvent(QEvent *event)
-{
-    QPushButton::changeEvent(event);
-    if (event->type() == QEvent::FontChange)
-        fit();
-}
-
-void FlagsButton::fit()
-{
-    QString text = fontMetrics().elidedText(m_words, Qt::ElideRight, std::max(0, width() - kFrameAndArrow));
+    QString text = words;
     setText(text.replace(u'&', QStringLiteral("&&")));
+    update();
+}
+
+// The style neither shortens the text of a button nor keeps it off a left edge.
+void FlagsButton::paintEvent(QPaintEvent *)
+{
+    QStylePainter painter(this);
+    QStyleOptionButton option;
+    initStyleOption(&option);
+    option.text.clear();
+    painter.drawControl(QStyle::CE_PushButton, option);
+    const bool muted = !isEnabled() || property("inactive").toBool();
+    painter.setPen(palette().color(muted ? QPalette::PlaceholderText : QPalette::WindowText));
+    const QRect room = rect().adjusted(kBeforeWords, 0, -kArrow, 0);
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(m_words, Qt::ElideRight, room.width()));
 }

@@ -16,11 +16,8 @@ public:
     void setWords(const QString &words);
 
 protected:
-    void resizeEvent(QResizeEvent *event) override;
-    void changeEvent(QEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
 
 private:
-    void fit();
-
     QString m_words;
 };

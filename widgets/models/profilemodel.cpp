@@ -4,6 +4,7 @@
 
 #include "widgets/models/parametermodel.h"
 
+#include <algorithm>
 #include <utility>
 
 ProfileModel::ProfileModel(ConfigurationModel &configuration, QObject *parent)
@@ -86,7 +87,12 @@ bool ProfileModel::setData(const QModelIndex &index, const QVariant &value, int 
 {
     if (role != Qt::EditRole || index.column() != NameColumn)
         return false;
-    const QString name = value.toString().trimmed();
+    // What was pasted may have line breaks; the field showed them as spaces.
+    QString name = value.toString();
+    std::replace_if(
+        name.begin(), name.end(), [](QChar letter) { return letter.category() == QChar::Other_Control; },
+        u' ');
+    name = name.trimmed();
     if (name.toUtf8().size() > m_nameLimit) {
         emit nameRefused(index.row(), int(name.toUtf8().size()), m_nameLimit);
         return false;
