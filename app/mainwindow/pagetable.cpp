@@ -82,6 +82,20 @@ bool keepsDocuments(const Workspace &workspace)
     return std::any_of(blocks.begin(), blocks.end(), [](const BlockSpec &block) { return block.isText(); });
 }
 
+bool isPageOffered(const QString &key, const Workspace &workspace)
+{
+    const auto pages = pageTable();
+    return std::any_of(pages.begin(), pages.end(), [&](const PageEntry &entry) {
+        return key == QLatin1String(entry.key) && isOffered(entry, workspace);
+    });
+}
+
+Page *makeHelp(Workspace &workspace)
+{
+    return new HelpPage(workspace,
+                        [&workspace](const QString &key) { return isPageOffered(key, workspace); });
+}
+
 // clang-format off
 constexpr PageEntry kPages[] = {
     {"dashboard", QT_TRANSLATE_NOOP("Pages", "Dashboard"), QT_TRANSLATE_NOOP("Pages", "Watch"), makePage<DashboardPage>},
@@ -101,7 +115,7 @@ constexpr PageEntry kPages[] = {
     {"backups", QT_TRANSLATE_NOOP("Pages", "Backups"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<BackupsPage>},
     {"console", QT_TRANSLATE_NOOP("Pages", "Console"), QT_TRANSLATE_NOOP("Pages", "Board"), makePage<ConsolePage>, wordsFrames},
     {"settings", QT_TRANSLATE_NOOP("Pages", "Settings"), QT_TRANSLATE_NOOP("Pages", "Program"), makePage<SettingsPage>},
-    {"help", QT_TRANSLATE_NOOP("Pages", "Help"), QT_TRANSLATE_NOOP("Pages", "Program"), makePage<HelpPage>},
+    {"help", QT_TRANSLATE_NOOP("Pages", "Help"), QT_TRANSLATE_NOOP("Pages", "Program"), makeHelp},
 };
 // clang-format on
 

@@ -52,6 +52,7 @@
 #include <QSlider>
 #include <QTableWidget>
 #include <QTextBrowser>
+#include <QTextTable>
 #include <QTreeWidget>
 
 #include <cmath>
@@ -102,6 +103,9 @@ private slots:
     void modesOfAnotherFamilyBeginAnew();
     void incompleteBoardIsTold();
     void helpIsSearchable();
+    void helpListsThePagesOfTheBoard_data();
+    void helpListsThePagesOfTheBoard();
+    void helpHasRuledTables();
 
 private:
     Workspace &workspace() { return m_rig->workspace(); }
@@ -282,10 +286,10 @@ void TestPages::savedValuesStay()
     const ParameterSpec &i = m_rig->spec(u"pid.pitch.i"_s);
     page->live().setValue(i.id, 44);
     QTRY_VERIFY(page->live().isSettled());
-    QTest::mouseClick(named<QPushButton>(page, u"Save"_s), Qt::LeftButton);
+    QTest::mouseClick(named<QPushButton>(page, u"Store"_s), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(m_rig->raw(u"pid.pitch.i"_s), 44, 10000);
     QTRY_VERIFY(!page->hasChanges());
-    QVERIFY(!named<QPushButton>(page, u"Save"_s)->isEnabled());
+    QVERIFY(!named<QPushButton>(page, u"Store"_s)->isEnabled());
     // The way back was kept.
     QVERIFY(
         !workspace().history().snapshots(std::as_const(m_rig->model()).board().identity().serial).isEmpty());
@@ -354,7 +358,7 @@ void TestPages::unplugWhileTuning()
     workspace().changeWorld(u"replug=1"_s);
     workspace().changeWorld(u"unplug=0"_s);
     QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Reconnecting, 5000);
-    QVERIFY(!named<QPushButton>(page, u"Save"_s)->isEnabled());
+    QVERIFY(!named<QPushButton>(page, u"Store"_s)->isEnabled());
     QSignalSpy read(&workspace(), &Workspace::boardRead);
     QTRY_COMPARE_WITH_TIMEOUT(read.count(), 1, 15000);
     // The board was not restarted: it still uses the value, and the page says that it is not stored.
@@ -849,6 +853,44 @@ void TestPages::helpForEveryPage()
         QVERIFY2(named<QTextBrowser>(help, u"Help text"_s)->toPlainText().size() > 80, entry.key);
     }
     QVERIFY(seen > 14);
+}
+
+void TestPages::helpListsThePagesOfTheBoard_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::newRow("simplebgc") << u"sim:simplebgc"_s;
+    QTest::newRow("storm32") << u"sim:storm32"_s;
+}
+
+void TestPages::helpListsThePagesOfTheBoard()
+{
+    QFETCH(const QString, address);
+    QVERIFY(m_rig->open(address));
+    auto *topics = named<QListWidget>(m_rig->page<HelpPage>(), u"Topics"_s);
+    const QStringList keys = HelpPage::allTopics();
+    int hidden = 0;
+    for (int i = 0; i < topics->count(); ++i) {
+        const QString key = keys.at(i);
+        const bool offered = key == u"start"_s || window().navigation()->isOffered(key);
+        QVERIFY2(topics->item(i)->isHidden() == !offered, qPrintable(key));
+        hidden += !offered;
+    }
+    QVERIFY(hidden > 0);
+}
+
+void TestPages::helpHasRuledTables()
+{
+    auto *help = m_rig->page<HelpPage>();
+    help->showTopic(u"start"_s);
+    int tables = 0;
+    for (QTextFrame *frame :
+         named<QTextBrowser>(help, u"Help text"_s)->document()->rootFrame()->childFrames()) {
+        if (auto *table = qobject_cast<QTextTable *>(frame)) {
+            ++tables;
+            QVERIFY(table->format().cellPadding() >= 4 && table->format().border() > 0);
+        }
+    }
+    QVERIFY(tables > 0);
 }
 
 void TestPages::helpIsSearchable()

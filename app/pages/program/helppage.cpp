@@ -9,12 +9,14 @@
 #include <QLocale>
 #include <QShortcut>
 #include <QTextBrowser>
+#include <QTextTable>
 #include <QVBoxLayout>
 
 using namespace Qt::StringLiterals;
 
 namespace {
 
+constexpr int kCellPadding = 6;
 constexpr int kTopicRole = Qt::UserRole;
 constexpr int kTextRole = Qt::UserRole + 1;
 
@@ -31,6 +33,24 @@ QString helpText(const QString &topic)
     return {};
 }
 
+// Tables of Markdown come without lines, and without room between their cells.
+void ruleTables(QTextDocument &document, const QColor &color)
+{
+    for (QTextFrame *frame : document.rootFrame()->childFrames()) {
+        auto *table = qobject_cast<QTextTable *>(frame);
+        if (!table)
+            continue;
+        QTextTableFormat format = table->format();
+        format.setCellPadding(kCellPadding);
+        format.setCellSpacing(0);
+        format.setBorder(1);
+        format.setBorderCollapse(true);
+        format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+        format.setBorderBrush(color);
+        table->setFormat(format);
+    }
+}
+
 }  // namespace
 
 QStringList HelpPage::allTopics()
@@ -41,8 +61,9 @@ QStringList HelpPage::allTopics()
             u"actions"_s, u"console"_s,     u"settings"_s};
 }
 
-HelpPage::HelpPage(Workspace &workspace, QWidget *parent)
+HelpPage::HelpPage(Workspace &workspace, std::function<bool(const QString &key)> isOffered, QWidget *parent)
     : Page(workspace, u"help"_s, tr("Help"), parent)
+    , m_isOffered(std::move(isOffered))
     , m_search(new QLineEdit)
     , m_topics(new QListWidget)
     , m_text(new QTextBrowser)
@@ -71,7 +92,10 @@ HelpPage::HelpPage(Workspace &workspace, QWidget *parent)
     connect(m_topics, &QListWidget::currentRowChanged, this, &HelpPage::showCurrent);
     connect(m_search, &QLineEdit::textChanged, this, &HelpPage::refilter);
     new QShortcut(QKeySequence::Find, this, [this] { m_search->setFocus(); });
+    connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &HelpPage::refilter);
+    connect(&workspace.client(), &DeviceClient::stateChanged, this, &HelpPage::refilter);
     m_topics->setCurrentRow(0);
+    refilter();
 }
 
 void HelpPage::showTopic(const QString &key)
@@ -90,6 +114,7 @@ void HelpPage::showCurrent()
 {
     if (m_topics->currentItem())
         m_text->setMarkdown(m_topics->currentItem()->data(kTextRole).toString());
+    ruleTables(*m_text->document(), palette().color(QPalette::Mid));
     const QString words = m_search->text().trimmed();
     if (!words.isEmpty())
         m_text->find(words.section(u' ', 0, 0));
@@ -103,8 +128,10 @@ void HelpPage::refilter()
         const QString text = m_topics->item(i)->data(kTextRole).toString().toLower();
         const bool match = std::all_of(words.begin(), words.end(),
                                        [&text](const QString &word) { return text.contains(word); });
-        m_topics->item(i)->setHidden(!match);
-        if (match && first < 0)
+        const QString topic = m_topics->item(i)->data(kTopicRole).toString();
+        const bool listed = match && (topic == u"start"_s || m_isOffered(topic));
+        m_topics->item(i)->setHidden(!listed);
+        if (listed && first < 0)
             first = i;
     }
     if (first >= 0 && (!m_topics->currentItem() || m_topics->currentItem()->isHidden()))

@@ -4,6 +4,8 @@
 
 #include "app/workspace/page.h"
 
+#include <functional>
+
 class QLineEdit;
 class QListWidget;
 class QTextBrowser;
@@ -13,7 +15,10 @@ class HelpPage final : public Page
 {
     Q_OBJECT
 public:
-    explicit HelpPage(Workspace &workspace, QWidget *parent = nullptr);
+    /// @param isOffered whether the page of that key is one that the board shown has; texts of others are not
+    /// listed
+    HelpPage(Workspace &workspace, std::function<bool(const QString &key)> isOffered,
+             QWidget *parent = nullptr);
 
     /// Shows the text of a page; the introduction where there is none.
     void showTopic(const QString &key);
@@ -26,6 +31,7 @@ private:
     void refilter();
     void showCurrent();
 
+    std::function<bool(const QString &)> m_isOffered;
     QLineEdit *m_search;
     QListWidget *m_topics;
     QTextBrowser *m_text;
