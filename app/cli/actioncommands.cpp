@@ -303,10 +303,6 @@ public:
         return "--link serial:/dev/ttyUSB0 streams --channels gyro.roll,gyro.yaw";
     }
     QList<CommandOption> options() override { return {channelsOption(m_channels)}; }
-    QString check() const override
-    {
-        return arguments().isEmpty() ? QString() : u"streams takes options only"_s;
-    }
     Result<CommandOutcome> run(Channel &, Device &device) override
     {
         const auto named = findChannels(device.channels(), m_channels);

@@ -5,11 +5,16 @@
 #include "widgets/models/errortext.h"
 #include "widgets/models/missingtext.h"
 
+#include <QSet>
+
 #include <algorithm>
 
 using namespace Qt::StringLiterals;
 
 namespace {
+
+constexpr qsizetype kMaxWord = 4096;  // characters: the longest path
+constexpr qsizetype kShownOfWord = 40;
 
 constexpr auto kTelemetryWait = 2s;
 constexpr auto kTelemetryPeriod = 20ms;
@@ -131,6 +136,30 @@ Commands allCommands(const CommandContext &context)
 QString CommandOption::usage() const
 {
     return value.isEmpty() ? u"[--%1]"_s.arg(name) : u"[--%1 %2]"_s.arg(name, value);
+}
+
+QString Command::wordMistake() const
+{
+    const QString spoken = QLatin1String(words());
+    if (spoken.isEmpty() && !arguments().isEmpty())
+        return u"%1 takes options only, and '%2' is none"_s.arg(QLatin1String(name()),
+                                                                arguments().first().left(kShownOfWord));
+    QSet<QString> assigned;
+    for (const QString &word : arguments()) {
+        if (word.isEmpty() && !takesEmptyWords())
+            return u"one of the words after %1 is empty"_s.arg(QLatin1String(name()));
+        if (word.size() > kMaxWord)
+            return u"'%1...' has %2 characters, which is more than anything here takes"_s
+                .arg(word.left(kShownOfWord))
+                .arg(word.size());
+        const QString key = word.section(u'=', 0, 0);
+        if (!spoken.contains(u'=') || key.size() == word.size())
+            continue;
+        if (assigned.contains(key))
+            return u"'%1' is given twice"_s.arg(key);
+        assigned.insert(key);
+    }
+    return {};
 }
 
 QString Command::usage()

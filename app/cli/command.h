@@ -36,6 +36,7 @@ struct CommandOption
     QString help;
     /// Called once per occurrence of the option. Errors: InvalidArgument.
     std::function<Result<void>(const QString &text)> take;
+    bool repeats = false;  ///< may be given more than once
 
     /// As it stands in a usage line: "[--profile N]".
     [[nodiscard]] QString usage() const;
@@ -78,6 +79,12 @@ public:
     [[nodiscard]] virtual QList<CommandOption> options() { return {}; }
     /// What is wrong with the arguments; empty if they are valid. Called once the options have been set.
     [[nodiscard]] virtual QString check() const { return {}; }
+
+    /// Whether one of its words may be empty, which is a mistake otherwise.
+    [[nodiscard]] virtual bool takesEmptyWords() const { return false; }
+    /// What is wrong with the words whatever the command does with them: too many, empty, far too long, the
+    /// same NAME=VALUE twice. Empty if nothing is.
+    [[nodiscard]] QString wordMistake() const;
 
     [[nodiscard]] virtual bool needsBoard() const { return true; }
     /// Called before the client connects, for commands that must not miss anything.

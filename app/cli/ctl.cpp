@@ -147,7 +147,10 @@ std::optional<int> Ctl::takeCommand(const QCommandLineParser &parser)
     m_board = parser.value(u"board"_s);
     if (const auto taken = takeOptions(parser); !taken)
         return wrong(taken.error().detail);
-    if (const QString problem = m_command->check(); !problem.isEmpty())
+    QString problem = m_command->wordMistake();
+    if (problem.isEmpty())
+        problem = m_command->check();
+    if (!problem.isEmpty())
         return wrong(problem + u"\nusage: gimbalctl "_s + m_command->usage());
     return {};
 }
@@ -155,8 +158,12 @@ std::optional<int> Ctl::takeCommand(const QCommandLineParser &parser)
 Result<void> Ctl::takeOptions(const QCommandLineParser &parser)
 {
     QStringList given = parser.optionNames() + parser.unknownOptionNames();
-    for (const GeneralOption &option : kGeneralOptions)
-        given.removeAll(QLatin1String(option.name));
+    for (const GeneralOption &option : kGeneralOptions) {
+        const QString name = QLatin1String(option.name);
+        given.removeAll(name);
+        if (*option.value && parser.values(name).size() > 1)
+            return failure(ErrorCode::InvalidArgument, u"--%1 is given twice"_s.arg(name));
+    }
     m_partial = parser.isSet(u"partial"_s);
     QStringList takes;
     for (const CommandOption &option : m_command->options()) {
@@ -165,6 +172,8 @@ Result<void> Ctl::takeOptions(const QCommandLineParser &parser)
             continue;
         const QStringList values
             = option.value.isEmpty() ? QStringList{QString()} : parser.values(option.name);
+        if (values.size() > 1 && !option.repeats)
+            return failure(ErrorCode::InvalidArgument, u"--%1 is given twice"_s.arg(option.name));
         for (const QString &value : values) {
             if (const auto taken = option.take(value); !taken)
                 return taken;

@@ -26,7 +26,7 @@ public:
     {
         return {channelsOption(m_channels),
                 {u"stream"_s, u"KIND@RATE"_s, u"which streams to ask for (again for more)"_s,
-                 [this](const QString &text) { return takeStream(text); }},
+                 [this](const QString &text) { return takeStream(text); }, true},
                 {u"seconds"_s, u"N"_s, u"end after so long; without it, at Ctrl-C"_s,
                  [this](const QString &text) { return takeSeconds(text); }}};
     }
@@ -127,10 +127,6 @@ public:
     const char *example() const override
     {
         return "--link serial:/dev/ttyUSB0 monitor --channels imu.angle.roll,gyro.roll --seconds 10";
-    }
-    QString check() const override
-    {
-        return arguments().isEmpty() ? QString() : u"monitor takes options only"_s;
     }
     void stop() override { m_printer->finish(); }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
+#include "widgets/models/parametermodel.h"
 
 #include <QRegularExpression>
 
@@ -9,6 +10,21 @@
 using namespace Qt::StringLiterals;
 
 namespace {
+
+/// What may be given for a parameter: "0 to 255", "on or off", "one of 0 (Off), 1 (Roll port)".
+QString expectedText(const ParameterSpec &spec, int firmware)
+{
+    switch (spec.row->kind) {
+    case ValueKind::Number: return parameterRangeText(spec);
+    case ValueKind::Toggle: return u"on or off"_s;
+    case ValueKind::Flags: return u"a number, each bit of which is a flag"_s;
+    case ValueKind::Choice: break;
+    }
+    QStringList choices;
+    for (const Choice &choice : spec.choices(firmware))
+        choices.append(valueText(spec, choice.value));
+    return u"one of "_s + choices.join(u", "_s);
+}
 
 /// @param number from 1; 0 = the active one
 Result<int> chosenProfile(int number, const Configuration &configuration)
@@ -232,7 +248,9 @@ public:
             const auto raw = spec->parse(assignment.section(u'=', 1));
             if (!raw) {
                 return failure(ErrorCode::InvalidArgument,
-                               u"'%1' is not a value for %2"_s.arg(assignment.section(u'=', 1), key));
+                               u"'%1' is not a value for %2, which takes %3"_s.arg(
+                                   assignment.section(u'=', 1), key,
+                                   expectedText(*spec, base->parameters().firmware())));
             }
             if (const auto known = checkKnown(*base, *spec, *profile); !known)
                 return tl::unexpected(known.error());
@@ -312,15 +330,21 @@ public:
         const int number = arguments().value(0).toInt(&ok);
         if (arguments().size() != 2 || !ok || number < 1)
             return u"rename needs the number of a profile and its name"_s;
+        const QString name = arguments().value(1);
+        if (std::any_of(name.begin(), name.end(),
+                        [](QChar letter) { return letter.category() == QChar::Other_Control; }))
+            return u"a name has no control characters such as line breaks"_s;
         return {};
     }
+    bool takesEmptyWords() const override { return true; }
     Result<CommandOutcome> run(Channel &channel, Device &device) override
     {
         const int number = arguments().value(0).toInt();
         const QString wanted = arguments().value(1);
         if (number > device.identity().profileCount)
             return failure(ErrorCode::InvalidArgument,
-                           u"the board has %1 profiles"_s.arg(device.identity().profileCount));
+                           u"there is no profile %1; the board has %2"_s.arg(number).arg(
+                               device.identity().profileCount));
         if (!device.profiles())
             return failure(ErrorCode::Unsupported, u"this board has one profile, without a name"_s);
         if (wanted.toUtf8().size() > device.profiles()->profileNameBytes()) {

@@ -186,14 +186,18 @@ std::optional<int> Sim::start(const QStringList &arguments)
         QTextStream(stdout) << helpText();
         return 0;
     }
+    for (const QString &name : std::as_const(names)) {
+        if (name != u"fault"_s && parser.values(name).size() > 1)
+            return wrong(u"--%1 is given twice"_s.arg(name));
+    }
     if (!parser.positionalArguments().isEmpty())
         return wrong(
             u"'%1' is not understood (gimbalsim --help)"_s.arg(parser.positionalArguments().first()));
     if (!parser.isSet(u"family"_s))
-        return wrong(u"which gimbal? --family "_s + keys().join(u" or "_s));
+        return wrong(u"which gimbal? --family %1 (gimbalsim --help)"_s.arg(keys().join(u" or "_s)));
     const HostKind *kind = chosenHost(parser);
     if (!kind)
-        return wrong(u"where? one of --pty PATH, --tcp PORT and --udp PORT"_s);
+        return wrong(u"where? one of --pty PATH, --tcp PORT and --udp PORT (gimbalsim --help)"_s);
     const auto family = findSimulatedFamily(m_families, parser.value(u"family"_s));
     if (!family)
         return wrong(family.error().detail);
