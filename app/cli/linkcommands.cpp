@@ -6,6 +6,8 @@
 #include "app/cli/telemetryprinter.h"
 #include "protocol/record/recorder.h"
 #include "protocol/record/udpexport.h"
+#include "protocol/telemetry/telemetryplan.h"
+#include "widgets/models/thinningtext.h"
 
 #include <algorithm>
 
@@ -81,6 +83,14 @@ protected:
     {
         const QString finding = m_watch ? m_watch->finding() : QString();
         const bool wholeRecording = m_watch && m_watch->isReplayed() && m_seconds <= 0;
+        if (const QString thinned = thinningText(m_client->telemetryPlan()); !thinned.isEmpty()) {
+            outcome.note += u'\n' + thinned;
+            if (outcome.json.isObject()) {
+                QJsonObject object = outcome.json.toObject();
+                object.insert(u"thinned"_s, thinned);
+                outcome.json = object;
+            }
+        }
         if (!m_watch || !m_watch->hasHeard())
             reportError(outcome,
                         {ErrorCode::NoSamples, finding.isEmpty() ? u"not one sample"_s : finding, 0});

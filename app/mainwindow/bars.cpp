@@ -4,9 +4,11 @@
 
 #include "app/mainwindow/motorskeys.h"
 #include "protocol/session/linkstatistics.h"
+#include "protocol/telemetry/telemetryplan.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
+#include "widgets/models/thinningtext.h"
 #include "widgets/views/elidedlabel.h"
 
 #include <QClipboard>
@@ -349,7 +351,6 @@ StatusStrip::StatusStrip(Workspace &workspace, QWidget *parent)
         label->setTextFormat(Qt::RichText);
         layout->addWidget(label);
     }
-    m_link->setToolTip(tr("Frames received per second, samples lost, answer time"));
     layout->addStretch(1);
     m_hint->setObjectName(u"warning"_s);
     layout->addWidget(m_hint);
@@ -390,6 +391,11 @@ void StatusStrip::refresh()
     const quint64 damaged = link.framing.headerErrors + link.framing.bodyErrors;
     const quint64 lost = store ? store->lost() : 0;
     QString text = tr("%1/s · %2 lost").arg(numberText(link.framesPerSecond, 0)).arg(lost);
+    const QString thinned = thinningText(client.telemetryPlan());
+    if (!thinned.isEmpty())
+        text += u" · "_s + tr("thinned out: slow line");
+    m_link->setToolTip(tr("Frames received per second, samples lost, answer time")
+                       + (thinned.isEmpty() ? QString() : u'\n' + thinned));
     if (damaged > 0)
         text += u" · "_s + tr("%1 damaged").arg(damaged);
     if (link.roundTrip)

@@ -17,6 +17,19 @@ constexpr double kStaleSeconds = 0.5;
 constexpr double kStalePeriods = 3.0;
 constexpr double kFirstSeconds = 3.0;  // from the connection until the first sample
 
+// How often one of these channels comes: a slow line thins out some streams more than others.
+double rateOf(const TelemetryPlan &plan, const QList<int> &channels)
+{
+    double rate = 0;
+    for (const StreamUse &use : plan.budget.streams) {
+        const bool carries = std::any_of(channels.begin(), channels.end(),
+                                         [&use](int channel) { return use.channels.contains(channel); });
+        if (carries)
+            rate = std::max(rate, use.rate);
+    }
+    return rate > 0 ? rate : plan.rate;
+}
+
 }  // namespace
 
 Freshness::Freshness(DeviceClient &client)
@@ -47,7 +60,7 @@ std::optional<QDateTime> Freshness::staleSince(const QList<int> &channels) const
             return {};
         return QDateTime::currentDateTime().addMSecs(-qint64(waited * 1000.0));
     }
-    const double rate = m_client.telemetryPlan().rate;
+    const double rate = rateOf(m_client.telemetryPlan(), channels);
     const double age = seconds(Clock::now() - newest);
     if (age < std::max(kStaleSeconds, rate > 0 ? kStalePeriods / rate : 0.0))
         return {};

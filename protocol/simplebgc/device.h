@@ -134,7 +134,7 @@ private:
     Result<QByteArray> askBlock(Channel &channel, BlockKey key, int retries);
     [[nodiscard]] bool canStream() const { return m_identity.firmwareNumber >= 2590; }
     [[nodiscard]] ControlCommand encodeControl(const Control &control) const;
-    Result<TelemetryPlan> startPolling(Channel &channel);
+    Result<TelemetryPlan> startPolling(Channel &channel, std::optional<LineSettings> line);
     void stopStreams(Channel &channel);
     Result<void> endLeftovers(Channel &channel);
     Result<void> findCustomFields(Channel &channel);

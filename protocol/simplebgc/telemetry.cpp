@@ -18,8 +18,10 @@ namespace {
 constexpr double kCycleRate = 1.0 / kCycle;
 constexpr double kStatusRate = 10;  // REALTIME_DATA_4 alongside a fast stream
 constexpr double kStatusAloneRate = 25;
+constexpr double kStatusShare = 1.0 / 3.0;  // of the line, where it cannot carry all
 constexpr double kUsbBytes = 1e6;  // per second, USB CDC at full speed
 constexpr auto kPollInterval = 20ms;
+constexpr double kAnswerSeconds = 0.003;  // of the board, to a poll
 constexpr int kFrameOverhead = 5;
 const QString kCustomKey = u"custom"_s;
 const QString kStatusKey = u"realtime4"_s;
@@ -88,6 +90,27 @@ QList<StreamChoice> arranged(const Subscription &subscription, quint32 known)
     if (!(customFlagsFor(subscription.channels) & known))
         return {{kStatusKey, kStatusAloneRate, {}}};
     return {{kStatusKey, kStatusRate, {}}, {kCustomKey, subscription.rate, subscription.channels}};
+}
+
+// What a slow line cannot carry comes less often, rather than not at all.
+void thinOut(StreamBudget &budget)
+{
+    if (budget.fits())
+        return;
+    const auto limit = [](StreamUse &use, double bytes) {
+        if (use.rate == 0 || use.bytesPerSecond() <= bytes)
+            return;
+        use.fullRate = use.rate;
+        use.rate = rateOf(intervalFor(bytes / use.frameBytes));
+    };
+    double left = budget.capacity * StreamBudget::kShare;
+    for (StreamUse &use : budget.streams) {
+        const bool shares = use.key == kStatusKey && budget.streams.size() > 1;
+        limit(use, shares ? left * kStatusShare : left);
+        if (use.rate == 0)
+            use.fullRate = kCycleRate;
+        left -= use.bytesPerSecond();
+    }
 }
 
 }  // namespace
@@ -188,7 +211,7 @@ Result<void> Device::setStream(Channel &channel, const DataStream &stream)
 }
 
 // Firmware without streams: REALTIME_DATA_4 if it has that, otherwise _3, as often as the line allows.
-Result<TelemetryPlan> Device::startPolling(Channel &channel)
+Result<TelemetryPlan> Device::startPolling(Channel &channel, std::optional<LineSettings> line)
 {
     const auto extended = channel.transact(
         replyRequest(CommandId::RealtimeData4, {}, CommandId::RealtimeData4, kRealtime4Size, kVersion));
@@ -201,6 +224,12 @@ Result<TelemetryPlan> Device::startPolling(Channel &channel)
     plan.poll->retries = 0;
     plan.pollInterval = kPollInterval;
     plan.rate = 1000.0 / double(kPollInterval.count());
+    // One after the other: the request, the board's time to answer, and the answer.
+    const int bytes
+        = int(plan.poll->bytes.size()) + kFrameOverhead + (extended ? kRealtime4Size : kRealtime3Size);
+    const double each = (line && !m_identity.usb ? line->secondsFor(bytes) : 0.0) + kAnswerSeconds;
+    if (1.0 / each < plan.rate)
+        plan.fullRate = std::exchange(plan.rate, 1.0 / each);
     plan.decoder = std::make_shared<Decoder>();
     return plan;
 }
@@ -253,6 +282,8 @@ Result<StreamBudget> Device::streamBudget(const Subscription &subscription,
             use.rate = rateOf(intervalFor(stream.rate));
         budget.streams.push_back(std::move(use));
     }
+    if (subscription.streams.isEmpty())
+        thinOut(budget);
     // Streams without a fixed rate share what the others leave.
     const auto open = std::count_if(budget.streams.begin(), budget.streams.end(),
                                     [](const StreamUse &use) { return use.rate == 0; });
@@ -273,7 +304,7 @@ Result<TelemetryPlan> Device::subscribe(Channel &channel, const Subscription &su
         if (!subscription.streams.isEmpty())
             return failure(ErrorCode::InvalidArgument,
                            u"this firmware has no streams; it is asked for each sample"_s);
-        return startPolling(channel);
+        return startPolling(channel, line);
     }
     auto budget = streamBudget(subscription, line);
     if (!budget)
@@ -292,12 +323,15 @@ Result<TelemetryPlan> Device::subscribe(Channel &channel, const Subscription &su
             const ErrorCode code = set.error().code;
             if (m_streams.empty() && subscription.streams.isEmpty()
                 && (code == ErrorCode::BoardError || code == ErrorCode::Timeout))
-                return startPolling(channel);
+                return startPolling(channel, line);
             stopStreams(channel);
             return tl::unexpected(set.error());
         }
         decoder->expect(stream);
-        plan.rate = std::max(plan.rate, use.rate);
+        if (use.rate >= plan.rate) {
+            plan.rate = use.rate;
+            plan.fullRate = use.fullRate;
+        }
     }
     plan.decoder = std::move(decoder);
     plan.budget = std::move(*budget);

@@ -58,6 +58,7 @@ struct StreamUse
     double rate = 0;  ///< rows per second
     int frameBytes = 0;
     QList<int> channels;
+    double fullRate = 0;  ///< rows per second that a faster line would carry, if it was thinned out; else 0
 
     [[nodiscard]] double bytesPerSecond() const { return rate * frameBytes; }
 };

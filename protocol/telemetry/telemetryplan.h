@@ -12,6 +12,8 @@ struct TelemetryPlan
     std::optional<Request> poll;  ///< to be repeated if the board cannot stream
     milliseconds pollInterval{50};
     double rate = 0;  ///< expected rows per second of the fastest stream
+    /// Rows per second that a faster line would carry, where the line has thinned them out; else 0.
+    double fullRate = 0;
     bool streaming = false;
     StreamBudget budget;
     QByteArray shutdownFrames;  ///< frames that end the streams, for disconnecting

@@ -47,6 +47,7 @@ private slots:
     void notchTakesTheResonanceAway();
     void filtersAreShownAsFilters();
     void recordingsFromTheScreen();
+    void slowLineIsTold();
 
 private:
     bool openTuned();
@@ -387,6 +388,27 @@ void TestMonitor::recordingsFromTheScreen()
     m_rig->client().disconnectFromBoard();
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 3, 10000);
     QVERIFY(Recording::load(now));
+}
+
+// Few samples are no fault of the board: the line carries no more.
+void TestMonitor::slowLineIsTold()
+{
+    QVERIFY(m_rig->open(u"sim:simplebgc?rate=9600"_s));
+    auto *monitor = m_rig->page<MonitorPage>();
+    const auto tells = [](const QWidget &where, const QString &words) {
+        const auto labels = where.findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(), [&](const QLabel *label) {
+            return (label->text() + label->toolTip()).contains(words);
+        });
+    };
+    QTRY_VERIFY(tells(*monitor, u"The line is slow"_s));
+    QTRY_VERIFY(tells(m_rig->window(), u"thinned out: slow line"_s));
+    // The status comes twice a second: that is not late.
+    QTRY_VERIFY(!std::isnan(m_rig->workspace().latest(m_rig->workspace().roles().battery)));
+    for (int i = 0; i < 5; ++i) {
+        QVERIFY(m_rig->boardGoesOn(0.5));
+        QVERIFY(!m_rig->workspace().freshness().staleSince({m_rig->workspace().roles().battery}));
+    }
 }
 
 QTEST_MAIN(TestMonitor)

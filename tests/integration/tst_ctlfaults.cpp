@@ -32,6 +32,8 @@ private slots:
     void lostLinkInAWriteIsReadAgain_data();
     void lostLinkInAWriteIsReadAgain();
     void streamsOfAKilledProgramAreStopped();
+    void slowLinesThinOut_data();
+    void slowLinesThinOut();
 
 private:
     [[nodiscard]] QString path(const QString &name) const { return m_dir->filePath(name); }
@@ -275,6 +277,31 @@ void TestCtlFaults::streamsOfAKilledProgramAreStopped()
     QCOMPARE(ctl(link + QStringList{u"get"_s, u"pid.roll.p"_s}).exitCode, 0);
     // Each run orders a status of its own, 25 times a second; what was left came 2500 times.
     QVERIFY(simulator.streams().all < after + 100);
+}
+
+void TestCtlFaults::slowLinesThinOut_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<QString>("firmware");
+    QTest::addColumn<QString>("channels");
+    QTest::newRow("simplebgc") << u"simplebgc"_s << u"2.59"_s << u"imu.angle.roll,gyro.roll"_s;
+    QTest::newRow("simplebgc, polled") << u"simplebgc"_s << u"2.43b9"_s << u"imu.angle.roll"_s;
+    QTest::newRow("storm32") << u"storm32"_s << u"0.96"_s << u"imu.angle.roll"_s;
+}
+
+void TestCtlFaults::slowLinesThinOut()
+{
+    QFETCH(QString, family);
+    QFETCH(QString, firmware);
+    QFETCH(QString, channels);
+    SimProcess simulator({u"--pty"_s, path(u"board"_s), u"--rate"_s, u"9600"_s, u"--firmware"_s, firmware},
+                         family);
+    const Run run = ctl({u"--family"_s, family, u"--link"_s, u"serial:%1?baud=9600"_s.arg(path(u"board"_s)),
+                         u"monitor"_s, u"--channels"_s, channels, u"--seconds"_s, u"2"_s});
+    QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+    QVERIFY2(run.err.contains(u"The line is slow"_s), qPrintable(run.err));
+    QVERIFY(run.out.count(u'\n') > 8);
+    QVERIFY2(run.err.contains(u" 0 lost"_s), qPrintable(run.err));
 }
 
 QTEST_GUILESS_MAIN(TestCtlFaults)

@@ -3,6 +3,7 @@
 #include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/simplebgc/units.h"
 #include "tests/support/virtualboard.h"
+#include "widgets/models/thinningtext.h"
 
 #include <QTest>
 
@@ -43,6 +44,8 @@ private slots:
     void lossIsFoundWithoutStamps();
     void silenceIsNoLoss_data();
     void silenceIsNoLoss();
+    void slowLinesThinOut_data();
+    void slowLinesThinOut();
     void leftoversAreStopped_data();
     void leftoversAreStopped();
     void whatCannotBeStoppedIsTold();
@@ -420,6 +423,62 @@ void TestSbgcStreams::silenceIsNoLoss()
     const double newest = tracks[0].time(tracks[0].end() - 1);
     QVERIFY2(std::abs(newest - store.secondsAt(bench.channel.now())) < 0.02,
              qPrintable(QString::number(newest)));
+}
+
+void TestSbgcStreams::slowLinesThinOut_data()
+{
+    QTest::addColumn<int>("firmware");
+    QTest::addColumn<int>("baud");
+    QTest::addColumn<bool>("fast");  // channels beside the status
+    QTest::addColumn<double>("rate");  // asked for; 0: as fast as it goes
+    QTest::newRow("2.59, 9600, status") << 2590 << 9600 << false << 0.0;
+    QTest::newRow("2.59, 9600, fast") << 2590 << 9600 << true << 0.0;
+    QTest::newRow("2.59, 9600, 100 asked for") << 2590 << 9600 << true << 100.0;
+    QTest::newRow("2.59, 19200, status") << 2590 << 19200 << false << 0.0;
+    QTest::newRow("2.59, 19200, 500 asked for") << 2590 << 19200 << true << 500.0;
+    QTest::newRow("2.73, 9600, fast") << 2738 << 9600 << true << 0.0;
+    QTest::newRow("2.43, 9600, polled") << 2439 << 9600 << false << 0.0;
+}
+
+void TestSbgcStreams::slowLinesThinOut()
+{
+    QFETCH(int, firmware);
+    QFETCH(int, baud);
+    QFETCH(bool, fast);
+    QFETCH(double, rate);
+    SimulatorOptions o = withFirmware(firmware);
+    o.usb = false;
+    const LineSettings line{baud, Parity::None};
+    VirtualBoard bench(o, line);
+    std::ignore = bench.channel.setLine(line);
+    QVERIFY(bench.identify());
+    const ChannelRoles roles = rolesOf(bench.device);
+    const QList<int> channels = fast ? QList<int>{roles.angle[0], roles.gyro[0]} : QList<int>{};
+    const auto plan = bench.device.subscribe(bench.channel, {channels, rate}, line);
+    QVERIFY(plan);
+    const QString told = thinningText(*plan);
+    QVERIFY2(told.contains(u"The line is slow"_s), qPrintable(told));
+    QVERIFY(plan->rate > 0);
+    if (!plan->streaming) {
+        QVERIFY(plan->poll && plan->fullRate > plan->rate);
+        const TimePoint begun = bench.channel.now();
+        for (int i = 0; i < 10; ++i)
+            QVERIFY(bench.channel.transact(*plan->poll));
+        const double real = 10.0 / seconds(bench.channel.now() - begun);
+        QVERIFY2(std::abs(real - plan->rate) < 0.2 * plan->rate, qPrintable(QString::number(real)));
+        return;
+    }
+    QVERIFY(plan->budget.fits());
+    TelemetryStore store(int(bench.device.channels().size()));
+    bench.channel.setTap(
+        [&](const FrameView &frame, TimePoint at) { plan->decoder->decode(frame, at, store); });
+    std::ignore = bench.channel.sleep(5s);
+    QCOMPARE(store.lost(), quint64(0));
+    const double rows = double(store.tracks(fast ? roles.gyro[0] : roles.battery)[0].end()) / 5.0;
+    QVERIFY2(std::abs(rows - plan->rate) < 0.15 * plan->rate + 0.3, qPrintable(QString::number(rows)));
+    QVERIFY(!std::isnan(store.latest(roles.battery)));
+    // Requests still get through.
+    QVERIFY(bench.device.readBlock(bench.channel, {0, 0}));
 }
 
 void TestSbgcStreams::leftoversAreStopped_data()

@@ -8,6 +8,7 @@
 #include "widgets/forms/panel.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
+#include "widgets/models/thinningtext.h"
 #include "widgets/plot/curvechart.h"
 #include "widgets/views/elidedlabel.h"
 
@@ -522,10 +523,14 @@ void MonitorPage::updateNote()
                          .arg(numberText(100.0 * plan.budget.bytesPerSecond() / plan.budget.capacity, 0)));
     else if (plan.poll)
         parts.append(tr("polled, up to %1 samples/s").arg(numberText(plan.rate, 0)));
+    const QString thinned = thinningText(plan);
+    if (!thinned.isEmpty())
+        parts.append(tr("thinned out to %1 samples/s by the slow line").arg(numberText(plan.rate, 0)));
     if (m_publication)
         parts.append(tr("sent on: %1").arg(m_publication->sent()));
     m_note->setFullText(
         parts.join(u" · "_s),
-        tr("Lost: samples that were sent and never arrived. Silent: the board sent nothing at "
-           "all, as while it calibrates."));
+        (thinned.isEmpty() ? QString() : thinned + u'\n')
+            + tr("Lost: samples that were sent and never arrived. Silent: the board sent nothing at "
+                 "all, as while it calibrates."));
 }
