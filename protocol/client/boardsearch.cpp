@@ -7,12 +7,32 @@
 namespace {
 
 constexpr auto kRetryPause = 500ms;
+constexpr auto kQuiet = 1s;
+constexpr auto kMostNoise = 4s;
 
 // The board may belong to another family or use another baud rate.
 bool isNotHere(ErrorCode code)
 {
     return code == ErrorCode::Silent || code == ErrorCode::SilentPeer || code == ErrorCode::Garbage
         || code == ErrorCode::WrongProtocol;
+}
+
+// What still comes in answer to one family's questions is not taken for an answer to the next one's.
+Result<void> awaitQuiet(Channel &channel)
+{
+    for (const TimePoint until = channel.now() + kMostNoise; channel.now() < until;) {
+        const quint64 bytes = channel.observation().bytesIn;
+        if (auto slept = channel.sleep(kQuiet); !slept)
+            return slept;
+        if (channel.observation().bytesIn == bytes)
+            break;
+    }
+    return {};
+}
+
+bool hasHeard(ErrorCode code)
+{
+    return code == ErrorCode::Garbage || code == ErrorCode::WrongProtocol;
 }
 
 }  // namespace
@@ -47,6 +67,10 @@ Result<BoardSearch::Found> BoardSearch::askAtDefaultRates(SessionChannel &channe
         found = ask(candidate, channel, false, Search::DefaultRate);
         if (found || !isNotHere(found.error().code))
             return found;
+        if (!hasHeard(found.error().code))
+            continue;
+        if (const auto quiet = awaitQuiet(channel); !quiet)
+            return tl::unexpected(quiet.error());
     }
     return found;
 }

@@ -11,6 +11,8 @@ namespace {
 // USB adapters and boards that reset on opening need a moment before they listen.
 constexpr auto kSettle = 20ms;
 constexpr auto kPatience = 5s;  // for a board that starts
+constexpr auto kStray = 1s;  // between answers that come late: questions are not further apart
+constexpr auto kLatest = 4s;  // a board that answers later than that is of no use
 
 QString lineText(const LineSettings &line)
 {
@@ -53,6 +55,30 @@ QList<std::optional<LineSettings>> linesToTry(const Family &family, const LinkAd
         return usual;
     // A board that was starting when it was asked hears now.
     return lines.size() > usual.size() ? lines + usual : lines;
+}
+
+// A pseudo-terminal, USB or a network bridge does not check the rate: there an answer to an earlier question
+// arrives at another rate, and more of them follow. A board that answers at the usual rate as well is
+// believed to be there.
+Result<bool> answersLateAt(Channel &channel, Device &device, const LineSettings &usual,
+                           const LineSettings &found)
+{
+    const quint64 bytes = channel.observation().bytesIn;
+    if (const auto slept = channel.sleep(kStray); !slept)
+        return tl::unexpected(slept.error());
+    if (channel.observation().bytesIn == bytes || !channel.setLine(usual))
+        return false;
+    channel.progress(tryingProgress(0, 1, usual));
+    for (const TimePoint until = channel.now() + kLatest; channel.now() < until;) {
+        if (const auto answered = device.probe(channel); !answered || *answered)
+            return answered;
+    }
+    if (const auto back = channel.setLine(found); !back)
+        return tl::unexpected(back.error());
+    // Its own state is that of the last question.
+    if (const auto again = device.probe(channel); !again)
+        return again;
+    return false;
 }
 
 }  // namespace
@@ -100,10 +126,18 @@ Result<FoundBoard> findBoard(Channel &channel, const Family &family, Device &dev
                 lines.append(line);
             continue;
         }
+        std::optional<LineSettings> is = line;
+        if (line && *line != *lines.first()) {
+            const auto late = answersLateAt(channel, device, *lines.first(), *line);
+            if (!late)
+                return tl::unexpected(late.error());
+            if (*late)
+                is = lines.first();
+        }
         auto identity = device.identify(channel);
         if (!identity)
             return tl::unexpected(identity.error());
-        return FoundBoard{std::move(*identity), line};
+        return FoundBoard{std::move(*identity), is};
     }
 
     const LinkObservation seen = channel.observation();

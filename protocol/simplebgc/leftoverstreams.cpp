@@ -29,7 +29,7 @@ constexpr int kMostLaterFields = 5;
 // What can be streamed (errata 3.10), with those of later firmware.
 constexpr std::array kStreamed{23, 25, 56, 88, 102, 127, 131, 139};
 
-using Kind = std::pair<int, int>;  // command, size of the payload
+using SentKind = std::pair<int, int>;  // command, size of the payload
 
 /// Hears what the board sends without being asked.
 class Listener
@@ -44,12 +44,12 @@ public:
     }
 
     /// What arrives from now on, for this long.
-    Result<std::map<Kind, int>> hear(milliseconds duration)
+    Result<std::map<SentKind, int>> hear(milliseconds duration)
     {
         while (m_heard->next(0ms)) { }
         if (const auto slept = m_channel.sleep(duration); !slept)
             return tl::unexpected(slept.error());
-        std::map<Kind, int> kinds;
+        std::map<SentKind, int> kinds;
         while (const auto frame = m_heard->next(0ms))
             ++kinds[{frame->id, int(frame->payload.size())}];
         return kinds;
@@ -61,7 +61,7 @@ private:
 };
 
 // Configurations that a stream of this kind may have been ordered with.
-std::vector<QByteArray> configurations(const Kind &kind, int firmware)
+std::vector<QByteArray> configurations(const SentKind &kind, int firmware)
 {
     std::vector<QByteArray> all;
     if (kind.first == number(CommandId::RealtimeDataCustom)) {
@@ -75,8 +75,8 @@ std::vector<QByteArray> configurations(const Kind &kind, int firmware)
     return all;
 }
 
-Result<bool> stop(Channel &channel, Listener &listener, const Kind &kind, double rate, const Speech &speech,
-                  TimePoint until)
+Result<bool> stop(Channel &channel, Listener &listener, const SentKind &kind, double rate,
+                  const Speech &speech, TimePoint until)
 {
     const auto look = std::max(kLook, milliseconds(int(kFrames * 1000.0 / std::max(1.0, rate))));
     const std::vector<QByteArray> all = configurations(kind, speech.firmware);

@@ -15,8 +15,8 @@ namespace storm32 {
 namespace {
 
 constexpr auto kPollInterval = 5ms;  // as often as the line allows, one after the other
-constexpr double kCycle = 0.01;  // seconds that a sample takes at least
-constexpr double kAnswer = 0.003;  // seconds until the board answers
+constexpr double kSampleCycle = 0.01;  // seconds that a sample takes at least
+constexpr double kAnswerSeconds = 0.003;  // seconds until the board answers
 
 }  // namespace
 
@@ -39,9 +39,9 @@ Result<TelemetryPlan> Device::subscribe(Channel &, const Subscription &subscript
     // Each sample takes its request, the board's time to answer and its 67 bytes.
     const double wire
         = line ? line->secondsFor(plan.poll->replyBytes + qsizetype(plan.poll->bytes.size())) : 0.0;
-    plan.rate = 1.0 / (std::max(kCycle, wire) + kAnswer);
-    if (wire > kCycle)
-        plan.fullRate = 1.0 / (kCycle + kAnswer);
+    plan.rate = 1.0 / (std::max(kSampleCycle, wire) + kAnswerSeconds);
+    if (wire > kSampleCycle)
+        plan.fullRate = 1.0 / (kSampleCycle + kAnswerSeconds);
     plan.decoder = std::make_shared<Decoder>(m_firmware, m_history);
     return plan;
 }

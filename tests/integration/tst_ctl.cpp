@@ -595,7 +595,7 @@ void TestCtl::optionsOfOtherCommandsAreRefused_data()
     const auto row = [](const QStringList &arguments, const QString &takes) {
         QTest::newRow(qPrintable(arguments.join(u' '))) << arguments << takes;
     };
-    const QString general = u"--link, --family, --json, --history, --version"_s;
+    const QString general = u"--link, --family, --json, --history, --board, --version"_s;
     row({u"info"_s, u"--profile"_s, u"1"_s}, u"info has no option '--profile'; it takes "_s + general);
     row({u"get"_s, u"pid.roll.p"_s, u"--csv"_s, u"x"_s}, u"it takes --profile N, "_s + general);
     row({u"--dry-run"_s, u"set"_s, u"pid.roll.p=1"_s}, u"it takes --profile N, --no-save, "_s + general);

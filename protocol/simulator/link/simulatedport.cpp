@@ -111,7 +111,8 @@ void SimulatedPort::exchangePackets()
     m_board->cycle();
     for (QByteArray sent = m_board->takeOutput(kLargestPacket); !sent.isEmpty();
          sent = m_board->takeOutput(kLargestPacket)) {
-        m_packetsToHost.push(sent, m_now, m_faults, m_faults.delayMs, m_noise);
+        m_packetsToHost.push(sent, m_now + milliseconds(m_faults.lateMs), m_faults, m_faults.delayMs,
+                             m_noise);
     }
     if (isPlugged())
         return;
@@ -147,7 +148,7 @@ void SimulatedPort::exchangeBytes()
     }
     if (sent.isEmpty())
         return;
-    Duration at = m_now;
+    Duration at = m_now + milliseconds(m_faults.lateMs);
     if (m_faults.delayMs > 0)
         at += durationFromSeconds(m_noise.uniform() * m_faults.delayMs * 0.001);
     // Bytes never overtake each other.

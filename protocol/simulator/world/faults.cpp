@@ -28,6 +28,8 @@ const std::vector<Row> &rows()
         {"double", 0, 1, "probability that a byte, or a packet, comes twice", [](Faults &f, double v) { f.doubleByte = v; }},
         {"delay", 0, 5000, "bytes to the host are held back for up to so many ms",
          [](Faults &f, double v) { f.delayMs = int(v); }},
+        {"late", 0, 60000, "everything that the board sends comes so many ms late",
+         [](Faults &f, double v) { f.lateMs = int(v); }},
         {"reorder", 0, 1, "probability that a packet of a network is overtaken by the one after it",
          [](Faults &f, double v) { f.reorder = v; }},
         {"unplug", 0, 86400, "seconds until the cable is pulled", [](Faults &f, double v) { f.unplugAfter = v; }},

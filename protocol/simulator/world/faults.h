@@ -14,6 +14,7 @@ struct Faults
     double flipByte = 0;  ///< flip: probability that one bit of a byte is wrong
     double doubleByte = 0;  ///< double: probability that a byte (or packet) arrives twice
     int delayMs = 0;  ///< delay: data to the host are delayed by up to this many ms
+    int lateMs = 0;  ///< late: everything that the board sends comes so much later
     double reorder = 0;  ///< reorder: probability that a packet is overtaken by the next one
     double unplugAfter = -1;  ///< unplug: seconds until the cable is pulled
     double replugAfter = 3;  ///< replug: seconds until it is plugged in again; negative = never
