@@ -6,6 +6,7 @@
 #include "app/workspace/settings.h"
 #include "app/workspace/telemetrysubscriptions.h"
 #include "protocol/device/family.h"
+#include "protocol/telemetry/telemetrystore.h"
 #include "widgets/models/alarmtext.h"
 #include "widgets/models/configurationmodel.h"
 #include "widgets/models/livemodel.h"
@@ -132,6 +133,9 @@ bool Alarms::offersMotorsOff(const AlarmReport &report) const
 {
     if (!m_client.isConnected() || report.isOver
         || (report.action == AlarmAction::MotorsOff && report.outcome != AlarmOutcome::NotProven))
+        return false;
+    const int outputs = m_client.roles().outputs;
+    if (const auto store = m_client.telemetry(); store && outputs >= 0 && store->latest(outputs) == 0)
         return false;
     const auto families = m_client.families();
     return std::none_of(families.begin(), families.end(), [this](const Family &family) {

@@ -53,6 +53,8 @@ struct Alarm
     double value = 0;
     double limit = 0;  ///< in the same unit; Battery: volts of all cells
     double hertz = 0;  ///< of an oscillation
+    /// A runaway that is over by itself: the axis stands where it ended and is not coming back.
+    bool isStanding = false;
     /// Samples come too slowly to tell the frequency: it may be higher.
     bool isHertzVague = false;
     /// It began after a value was changed live.

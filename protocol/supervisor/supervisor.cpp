@@ -29,6 +29,7 @@ constexpr double kCreepTime = 0.25;
 constexpr double kAnchorTimes = 2.0;
 constexpr double kAnchorRate = 120.0;
 constexpr double kAnchorRateYaw = 300.0;
+constexpr double kStartRate = 300.0;  // no board levels that fast
 constexpr double kStillRate = 15.0;  // deg/s
 constexpr double kStillTime = 0.3;
 constexpr double kInputStep = 5.0;  // change of an input that counts as steering
@@ -54,9 +55,10 @@ constexpr double kAfterProcedure = 1.0;
 
 constexpr double kFar = 8.0;  // degrees off the target
 constexpr double kFarTime = 3.0;
+constexpr double kStandsTime = 2.0;  // beyond the limit of a runaway
 constexpr double kStillFar = 0.7;  // of the error at the beginning
 constexpr double kBeyond = 5.0;  // degrees beyond a limit
-constexpr double kBeyondTime = 0.5;
+constexpr double kBeyondTime = 2.5;
 
 constexpr double kFullCell = 4.25;  // volts
 constexpr double kNoBattery = 5.0;  // volts: supplied by USB
@@ -206,9 +208,14 @@ void Supervisor::watchAnchor(AxisState &state, double time, double angle, double
 
 bool Supervisor::isDriven(double time) const
 {
-    if (!m_situation.isStabilising)
-        return false;
-    return !isKnown(m_outputs) || (m_outputs > 0 && time - m_drivenSince >= kAfterStart);
+    if (!isKnown(m_outputs))
+        return m_situation.isStabilising;
+    return m_outputs > 0 && time - m_drivenSince >= kAfterStart;
+}
+
+bool Supervisor::isHolding(double time) const
+{
+    return m_situation.isStabilising && isDriven(time);
 }
 
 bool Supervisor::isChangedSince(double time) const
@@ -226,10 +233,14 @@ void Supervisor::watchRunaway(std::size_t axis, double time)
         return;
     }
     const double limit = m_rules.runawayDeg * (isAnchored ? kAnchorTimes : 1.0);
-    const double fast = !isAnchored ? kAwayRate : kAxes[axis] == Axis::Yaw ? kAnchorRateYaw : kAnchorRate;
+    const bool isHeld = m_situation.isStabilising;
+    const double fast = !isHeld    ? kStartRate
+        : !isAnchored              ? kAwayRate
+        : kAxes[axis] == Axis::Yaw ? kAnchorRateYaw
+                                   : kAnchorRate;
     const double error = std::abs(state.error);
     const bool isFast = error > limit && state.away > fast;
-    const bool creeps = !isAnchored && error > kCreepTimes * limit && state.away > kCreepRate;
+    const bool creeps = !isAnchored && isHeld && error > kCreepTimes * limit && state.away > kCreepRate;
     if (!isFast && !creeps) {
         state.awaySince = -1;
         return;
@@ -302,16 +313,43 @@ Alarm Supervisor::explainRunaway(std::size_t axis, double time) const
     return alarm;
 }
 
+// It had run away before it was watched, or nothing can bring it back.
+Alarm Supervisor::explainStanding(std::size_t axis, double time) const
+{
+    const AxisState &state = m_axes[axis];
+    Alarm alarm;
+    alarm.kind = AlarmKind::Runaway;
+    alarm.axis = kAxes[axis];
+    alarm.time = time;
+    alarm.value = std::abs(state.error);
+    alarm.limit = m_rules.runawayDeg;
+    alarm.isStanding = true;
+    alarm.isAfterChange = isChangedSince(time - kChangeCounts);
+    // One axis may be blocked; two that stand off their targets at once, as far as one another, drive each
+    // other.
+    for (std::size_t i = 0; i < m_axes.size(); ++i) {
+        const double ratio = std::abs(m_axes[i].error / state.error);
+        if (i == axis || m_axes[i].farSince < 0 || !(ratio > kAlikeLow && ratio < kAlikeHigh))
+            continue;
+        alarm.other = kAxes[i];
+        alarm.cause = AlarmCause::SwappedAxes;
+        break;
+    }
+    return alarm;
+}
+
 void Supervisor::watchPlace(std::size_t axis, double time)
 {
     AxisState &state = m_axes[axis];
-    const bool isWatched = isDriven(time) && m_hasTargets && isKnown(state.error)
+    const bool isWatched = isHolding(time) && m_hasTargets && isKnown(state.error)
         && time - m_busyAt >= kAfterProcedure && !m_situation.isProcedure;
     if (!isWatched || std::abs(state.error) < kFar) {
         state.farSince = -1;
     } else if (state.farSince < 0 || std::abs(state.error) < kStillFar * state.farError) {
         state.farSince = time;
         state.farError = std::abs(state.error);
+    } else if (std::abs(state.error) > m_rules.runawayDeg && time - state.farSince >= kStandsTime) {
+        raise(explainStanding(axis, time));
     } else if (time - state.farSince >= kFarTime) {
         Alarm alarm;
         alarm.kind = AlarmKind::Saturation;
@@ -347,7 +385,7 @@ void Supervisor::watchPlace(std::size_t axis, double time)
 void Supervisor::watchOscillation(std::size_t axis, double now)
 {
     AxisState &state = m_axes[axis];
-    const bool isWatched = isDriven(now) && !m_situation.isProcedure && now - m_busyAt >= kAfterProcedure;
+    const bool isWatched = isHolding(now) && !m_situation.isProcedure && now - m_busyAt >= kAfterProcedure;
     const double roughness = state.oscillation.roughness();
     const bool isChanged = isChangedSince(now - kChangeCounts);
     if (!isChanged && roughness < m_rules.oscillation)

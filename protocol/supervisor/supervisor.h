@@ -33,9 +33,10 @@ struct SupervisedSample
 struct SupervisedSituation
 {
     bool isSteered = false;  ///< this program steers
-    /// A procedure moves the board on purpose, or the board is still starting: only a runaway is looked for,
-    /// and nothing at all while it does not stabilise.
+    /// A procedure moves the board on purpose: only a runaway is looked for.
     bool isProcedure = false;
+    /// The board is not starting, levelling or standing by. Otherwise only a runaway is looked for, and only
+    /// one faster than any start.
     bool isStabilising = true;
     /// When values were changed live last, in the samples' seconds.
     std::optional<double> changedAt;
@@ -113,9 +114,13 @@ private:
     void watchOscillation(std::size_t axis, double now);
     void watchBoard(double now);
     [[nodiscard]] Alarm explainRunaway(std::size_t axis, double time) const;
+    [[nodiscard]] Alarm explainStanding(std::size_t axis, double time) const;
     [[nodiscard]] Alarm explainOscillation(std::size_t axis, double now,
                                            const OscillationDetector::Finding &finding) const;
+    /// The motors work, and had time to find their place.
     [[nodiscard]] bool isDriven(double time) const;
+    /// The same, and the board holds what it stabilises.
+    [[nodiscard]] bool isHolding(double time) const;
     [[nodiscard]] bool isChangedSince(double time) const;
     [[nodiscard]] bool isOver(const Alarm &alarm, double now) const;
     void raise(const Alarm &alarm);

@@ -55,6 +55,12 @@ QString seen(const Alarm &alarm)
     const QString second = axisLabel(alarm.other);
     switch (alarm.kind) {
     case AlarmKind::Runaway:
+        if (alarm.isStanding && alarm.other != Axis::None)
+            return AlarmText::tr("%1 and %2 have run away: %1 is %3° from its target and does not come back.")
+                .arg(axis, second, numberText(alarm.value, 0));
+        if (alarm.isStanding)
+            return AlarmText::tr("%1 is %2° from its target and does not come back.")
+                .arg(axis, numberText(alarm.value, 0));
         if (alarm.cause == AlarmCause::SwappedAxes)
             return AlarmText::tr("%1 and %2 run away together: %1 is %3° from its target and moves on.")
                 .arg(axis, second, numberText(alarm.value, 0));
@@ -126,8 +132,9 @@ QString meant(const Alarm &alarm)
     }
     switch (alarm.kind) {
     case AlarmKind::Runaway:
-        return AlarmText::tr("The motor cannot hold it: too little power, an unbalanced load, or a wrong "
-                             "direction.");
+        return AlarmText::tr(
+            "The motor cannot hold it: something blocks it, the load is not balanced, the power "
+            "is too low, or the direction is wrong.");
     case AlarmKind::Oscillation: return AlarmText::tr("Too much gain or a resonance of the structure.");
     case AlarmKind::Limit:
         return AlarmText::tr("Something turned it there, or the board lost its orientation.");
