@@ -282,7 +282,7 @@ UnstoredBar::UnstoredBar(Workspace &workspace, QWidget *parent)
     m_text->setObjectName(u"changed"_s);
     m_store->setObjectName(u"primary"_s);
     m_back->setToolTip(tr("Put the stored values into use at once"));
-    m_store->setToolTip(tr("Keep everything that is in use; a snapshot is taken first"));
+    m_store->setToolTip(tr("Store everything that is in use; a snapshot is taken first"));
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(Metric::kMargin, Metric::kGap, Metric::kMargin, Metric::kGap);
     layout->setSpacing(Metric::kGap);

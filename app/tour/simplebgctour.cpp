@@ -398,7 +398,7 @@ void Tour::addDialogSteps()
                                   .arg(3)
                                   .arg(12);
                         offer.choices = {{Workspace::tr("Finish: write %n value(s)", nullptr, 3), [] {}},
-                                         {Workspace::tr("Undo: put %n value(s) back", nullptr, 9), [] {}},
+                                         {Workspace::tr("Revert %n value(s)", nullptr, 9), [] {}},
                                          {Workspace::tr("Leave it as it is"), [] {}}};
                         m_window.offerBar()->ask(offer);
                         m_window.messageBar()->showProblem(

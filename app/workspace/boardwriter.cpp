@@ -170,7 +170,7 @@ void BoardWriter::offerRepair()
     question.choices.append(
         {tr("Finish: write %n value(s)", nullptr, missing), [this, finished] { write(finished); }});
     if (landed > 0)
-        question.choices.append({tr("Undo: put %n value(s) back", nullptr, landed), [this, undone, finished] {
+        question.choices.append({tr("Revert %n value(s)", nullptr, landed), [this, undone, finished] {
                                      m_wantedAgain = finished;
                                      write(undone);
                                  }});

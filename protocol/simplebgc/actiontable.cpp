@@ -71,7 +71,7 @@ constexpr ArgumentSpec kAutoTuneArguments[] = {
      .defaultText = "128"},
     {.key = "keep", .label = "Start from current gains", .kind = ArgumentKind::Toggle, .defaultText = "off"},
     {.key = "lpf", .label = "Tune the low-pass filter", .kind = ArgumentKind::Toggle, .defaultText = "off"},
-    {.key = "save", .label = "Save the result", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
+    {.key = "save", .label = "Store the result", .kind = ArgumentKind::Toggle, .defaultText = "on"}};
 constexpr ArgumentSpec kResetArguments[] = {
     {.key = "delay", .label = "Delay", .kind = ArgumentKind::Integer, .min = 0, .max = 10000, .unit = "ms",
      .defaultText = "1000"}};
@@ -103,9 +103,9 @@ constexpr ActionSpec kActions[] = {
     {.key = "profile.select", .label = "Use profile", .help = "Makes a profile the active one.", .group = "Profiles",
      .risk = ActionRisk::Moves, .arguments = kProfileArguments, .memory = MemoryEffect::Reloads},
     {.key = "variables.write", .label = "Set adjustable variable",
-     .help = "Changes a value in volatile memory; lost at the next start unless saved.", .group = "Variables",
+     .help = "Changes a value in volatile memory; lost at the next start unless stored.", .group = "Variables",
      .risk = ActionRisk::Moves, .arguments = kWriteVariable, .memory = MemoryEffect::ChangesInUse},
-    {.key = "variables.save", .label = "Save variables", .help = "Stores the live values in the active profile.",
+    {.key = "variables.save", .label = "Store variables", .help = "Stores the live values in the active profile.",
      .group = "Variables", .risk = ActionRisk::Writes, .memory = MemoryEffect::Stores},
     {.key = "calibrate.gyro", .label = "Calibrate gyroscope",
      .help = "Measures the zero of the gyroscope. The camera must stand absolutely still.", .group = "Calibration",

@@ -252,7 +252,7 @@ void TestMotion::autoTuneAcceptedAndSaved()
     const int found = liveP();
     // In use, not stored.
     QCOMPARE(m_rig->raw(u"pid.roll.p"_s), before);
-    QTest::mouseClick(named<QPushButton>(page, u"Accept and save"_s), Qt::LeftButton);
+    QTest::mouseClick(named<QPushButton>(page, u"Accept and store"_s), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Ready, 10000);
     QTRY_COMPARE_WITH_TIMEOUT(m_rig->raw(u"pid.roll.p"_s), found, 10000);
     // The snapshot before it holds what was stored, not what was found.
@@ -289,7 +289,7 @@ void TestMotion::autoTuneCancelled()
     const int before = liveP();
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(errorPoints(page, u"Error, Roll"_s) >= 2, 30000);
-    QTest::mouseClick(named<QPushButton>(page, u"Stop and put the old gains back"_s), Qt::LeftButton);
+    QTest::mouseClick(named<QPushButton>(page, u"Stop and revert to the old gains"_s), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Ready, 5000);
     QTRY_VERIFY(workspace().live().isSettled());
     workspace().live().read();
@@ -319,7 +319,7 @@ void TestMotion::autoTuneUnplugged()
     workspace().changeWorld(u"replug=1"_s);
     workspace().changeWorld(u"unplug=0"_s);
     QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Ready, 5000);
-    QVERIFY(m_rig->window().messageBar()->text().contains(u"Nothing was saved"_s));
+    QVERIFY(m_rig->window().messageBar()->text().contains(u"Nothing was stored"_s));
     QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 15000);
 }
 

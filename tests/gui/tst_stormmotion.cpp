@@ -404,9 +404,9 @@ void TestStormMotion::wholeDayOverAPseudoTerminal()
     tuning->live().setValue(m_rig->spec(u"pid.pitch.d"_s).id, 600);
     QTRY_VERIFY(tuning->live().isSettled());
     QCOMPARE(inUse(2), 600);
-    QVERIFY(!workspace().live().unsaved().empty() && named<QPushButton>(tuning, u"Save"_s)->isEnabled());
+    QVERIFY(!workspace().live().unsaved().empty() && named<QPushButton>(tuning, u"Store"_s)->isEnabled());
     QTRY_VERIFY(m_rig->window().findChild<UnstoredBar *>()->isVisible());
-    named<QPushButton>(tuning, u"Save"_s)->click();
+    named<QPushButton>(tuning, u"Store"_s)->click();
     QTRY_COMPARE_WITH_TIMEOUT(m_rig->raw(u"pid.pitch.d"_s), 600, 10000);
     QTRY_VERIFY(!workspace().isUnstored());
     workspace().perform(u"reset"_s, {});

@@ -78,6 +78,9 @@ private slots:
     void placeholdersAreKept();
     void pluralsHaveTwoForms();
     void everyTableTextIsThere();
+    void oneWordForEachThing_data();
+    void oneWordForEachThing();
+    void helpUsesTheSameWords();
     void everyHelpTextHasBothLanguages();
 };
 
@@ -117,6 +120,66 @@ void TestTranslations::pluralsHaveTwoForms()
         }
     }
     QVERIFY(plurals > 30);
+}
+
+void TestTranslations::oneWordForEachThing_data()
+{
+    QTest::addColumn<QString>("source");  // of the texts that it is about
+    QTest::addColumn<QString>(
+        "german");  // that their translation has to have; empty: there must be no such text
+    QTest::newRow("save to a file") << uR"(^Saved? |^Save…$| saved to %)"_s << u"icher(n|t)"_s;
+    QTest::newRow("store") << uR"(^Stores? )"_s << u"[Ss]peicher"_s;
+    QTest::newRow("discard") << uR"(^&?Discard)"_s << u"erwerfen"_s;
+    QTest::newRow("revert") << uR"(^Revert )"_s << u"zurücknehmen"_s;
+    QTest::newRow("restore") << uR"(^Restore )"_s << u"[Ww]iederherstellen"_s;
+    // Other words for the same.
+    QTest::newRow("a board does not save")
+        << uR"(\b[Ss]aved?\b.*\b(in use|memory|variables|gains|on the board)\b)"_s << QString();
+    QTest::newRow("nor is it saved") << uR"(\b(in use|memory|variables|gains)\b.*\b[Ss]aved?\b)"_s
+                                     << QString();
+    QTest::newRow("retrieve") << uR"(\b[Rr]etriev|\bRecall|\b[Rr]oll(ed)? back)"_s << QString();
+    QTest::newRow("go back") << uR"(\b[Gg]o back to (it|the board|the stored))"_s << QString();
+    QTest::newRow("put back") << uR"(^(Put|Take|Bring)\b.*\bback$|^Undo: put)"_s << QString();
+    QTest::newRow("keep in the board") << uR"(^Keep (all|everything|the values)|^Keeps all)"_s << QString();
+}
+
+void TestTranslations::oneWordForEachThing()
+{
+    QFETCH(QString, source);
+    QFETCH(QString, german);
+    const QRegularExpression about(source);
+    // Names of the board's own menu and flags are its own.
+    const QRegularExpression theirs(u"^(Save (backup automatically|statistics))$"_s);
+    int seen = 0;
+    for (const Message &message : readCatalogue(u"gimbaldesk_de.ts"_s)) {
+        if (!message.source.contains(about) || message.source.contains(theirs))
+            continue;
+        ++seen;
+        QVERIFY2(!german.isEmpty(), qPrintable(message.source));
+        for (const QString &translation : message.translations)
+            QVERIFY2(translation.contains(QRegularExpression(german)),
+                     qPrintable(message.source + u" -> "_s + translation));
+    }
+    QCOMPARE(seen > 0, !german.isEmpty());
+}
+
+void TestTranslations::helpUsesTheSameWords()
+{
+    const QList<std::pair<QString, QRegularExpression>> others{
+        {u"en"_s,
+         QRegularExpression(uR"([Rr]etriev|[Rr]oll(ed)? back|\*\*Save( variables)?\*\* stores|not saved)"_s)},
+        {u"de"_s, QRegularExpression(uR"(Alles zurück\*|Speichern\*\* legt)"_s)}};
+    for (const auto &[language, words] : others) {
+        const QDir folder(QStringLiteral(GIMBAL_SOURCE_DIR "/resources/help/") + language);
+        const auto names = folder.entryList({u"*.md"_s});
+        QVERIFY(names.size() > 15);
+        for (const QString &name : names) {
+            QFile file(folder.filePath(name));
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const auto found = words.match(QString::fromUtf8(file.readAll()));
+            QVERIFY2(!found.hasMatch(), qPrintable(language + u'/' + name + u": "_s + found.captured()));
+        }
+    }
 }
 
 void TestTranslations::everyTableTextIsThere()

@@ -203,8 +203,8 @@ void ValueEditor::show(std::optional<double> value, std::optional<double> onBoar
     if (changed) {
         const QString board = parameterValueText(m_spec, m_boardRaw);
         m_reset->setText(tr("↺ %1").arg(board));
-        m_reset->setToolTip(tr("The board has %1. Go back to it.").arg(board));
-        m_reset->setAccessibleName(tr("Go back to the board's value %1").arg(board));
+        m_reset->setToolTip(tr("The board has %1. Discard the change.").arg(board));
+        m_reset->setAccessibleName(tr("Discard the change; the board has %1").arg(board));
     }
     const QString inactive = m_inactive.isEmpty() ? QString() : u'\n' + m_inactive;
     m_control->setToolTip(u"%1\n%2%3%4"_s.arg(

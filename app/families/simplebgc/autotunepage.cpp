@@ -22,6 +22,8 @@ using namespace Qt::StringLiterals;
 namespace {
 
 const QString kAction = u"autotune"_s;
+constexpr int kBeforeColumn = 1;
+constexpr int kNowColumn = 2;
 constexpr int kAskWidth = 340;
 
 const ActionSpec *findAction(const Device *device, const QString &key)
@@ -43,9 +45,9 @@ AutoTunePage::AutoTunePage(Workspace &workspace, QWidget *parent)
     , m_ask(new Card(tr("What to search")))
     , m_text(new QLabel)
     , m_start(new QPushButton(tr("Start: the camera will shake")))
-    , m_stop(new QPushButton(tr("Stop and put the old gains back")))
-    , m_accept(new QPushButton(tr("Accept and save")))
-    , m_revert(new QPushButton(tr("Put the old gains back")))
+    , m_stop(new QPushButton(tr("Stop and revert to the old gains")))
+    , m_accept(new QPushButton(tr("Accept and store")))
+    , m_revert(new QPushButton(tr("Revert to the old gains")))
     , m_gains(new IterationChart(workspace.theme(), tr("Gains by iteration (P solid, D dashed)")))
     , m_errors(new IterationChart(workspace.theme(), tr("Tracking error by iteration")))
     , m_table(new QTableWidget)
@@ -59,7 +61,13 @@ AutoTunePage::AutoTunePage(Workspace &workspace, QWidget *parent)
     m_ask->content()->addStretch(1);
     m_table->setAccessibleName(tr("Gains before and now"));
     m_table->setColumnCount(4);
-    m_table->setHorizontalHeaderLabels({tr("Parameter"), tr("Before"), tr("Now"), tr("Change")});
+    m_table->setHorizontalHeaderLabels({tr("Parameter"), tr("Before"), tr("In use now"), tr("Change")});
+    m_table->horizontalHeaderItem(kBeforeColumn)
+        ->setToolTip(tr("What was in use when the search began; without a search, what is stored"));
+    m_table->horizontalHeaderItem(kNowColumn)
+        ->setToolTip(tr("What the board uses at this moment; during a search, what it is trying"));
+    for (int column = kBeforeColumn; column < m_table->columnCount(); ++column)
+        m_table->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     setPlainRows(*m_table);
     m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + 8);
@@ -132,16 +140,16 @@ void AutoTunePage::setState(State state)
             tr("Hold the gimbal in your hand or on a stand, balanced, with all motors running. The board "
                "moves the "
                "camera a little to find gains; the lower “gain against stability”, the calmer the result. "
-               "Nothing is saved before you accept."));
+               "Nothing is stored before you accept."));
         break;
     case State::Running:
         m_text->setText(
             tr("The board is searching. Keep the gimbal as it is. F12 or the red button stops everything."));
         break;
     case State::Finished:
-        m_text->setText(tr("The new gains are in use, but not saved. Try them: turn the gimbal by hand and "
+        m_text->setText(tr("The new gains are in use, but not stored. Try them: turn the gimbal by hand and "
                            "look at Tuning. Then "
-                           "accept them or put the old ones back."));
+                           "accept them or revert to the old ones."));
         break;
     }
     if (changed)
@@ -206,7 +214,7 @@ void AutoTunePage::onFinished(const Result<ActionOutcome> &outcome)
         setState(State::Ready);
         ErrorText text = describe(outcome.error());
         text.meaning = tr(
-            "Nothing was saved. The board may still use what it has found so far, until its next start.");
+            "Nothing was stored. The board may still use what it has found so far, until its next start.");
         text.cure
             = tr("When it is connected again, look at Tuning: “Revert all” puts the stored gains back.");
         workspace().notifications().report(text);

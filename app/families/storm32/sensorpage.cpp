@@ -45,7 +45,7 @@ SensorPage::SensorPage(Workspace &workspace, QWidget *parent)
     , m_save(new QPushButton(tr("Save…")))
     , m_cancel(new QPushButton(tr("Cancel")))
     , m_again(new QPushButton(tr("Back")))
-    , m_store(new QPushButton(tr("Store in the board")))
+    , m_store(new QPushButton(tr("Store on the board")))
 {
     m_imu->addItem(tr("Camera sensor (Imu)"), 1);
     m_imu->addItem(tr("Frame sensor (Imu2)"), 2);
@@ -323,7 +323,7 @@ void SensorPage::showResult()
     html += u"<p>%1</p>"_s.arg(
         tr("Nothing is on the board yet. Storing replaces the calibration of the sensor chosen above."));
     m_result->setText(html);
-    m_store->setText(m_plausible ? tr("Store in the board") : tr("Store although it is implausible"));
+    m_store->setText(m_plausible ? tr("Store on the board") : tr("Store although it is implausible"));
     m_store->setObjectName(m_plausible ? u"primary"_s : u"danger"_s);
     repolish(m_store);
     setStep(Step::Result);

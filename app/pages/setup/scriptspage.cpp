@@ -44,7 +44,7 @@ ScriptsPage::ScriptsPage(Workspace &workspace, QWidget *parent)
     , m_memoryText(new QLabel)
     , m_load(new QPushButton(tr("Load…")))
     , m_save(new QPushButton(tr("Save…")))
-    , m_revert(new QPushButton(tr("Revert")))
+    , m_revert(new QPushButton(tr("Discard")))
     , m_take(new QPushButton(tr("Take over")))
 {
     m_load->setToolTip(tr("Put the text of a file into this script"));

@@ -56,7 +56,7 @@ TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
     , m_b(makeButton(tr("Set B"), tr("Use the second set of values (F6 switches)")))
     , m_copy(makeButton(tr("Copy to other"), tr("Make the other set the same as the values in use")))
     , m_revert(makeButton(tr("Revert all"), tr("Put the stored values into use at once (F9)")))
-    , m_save(makeButton(tr("Save"),
+    , m_save(makeButton(tr("Store"),
                         tr("Store the values in use in the active profile; a snapshot is taken first")))
     , m_state(new QLabel)
 {

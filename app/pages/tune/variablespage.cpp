@@ -32,12 +32,12 @@ VariablesPage::VariablesPage(Workspace &workspace, QWidget *parent)
     m_note->setObjectName(u"muted"_s);
     m_note->setWordWrap(true);
     m_note->setText(
-        tr("A value set here takes effect at once and is forgotten at the next start unless it is saved. "
+        tr("A value set here takes effect at once and is forgotten at the next start unless it is stored. "
            "Numbers are the board's own; their meaning is shown beside them."));
     m_search->setMinimumWidth(180);
     m_live->setChecked(true);
     m_live->setToolTip(tr("Shows changes that the radio, a menu or another program makes"));
-    auto *save = new QPushButton(tr("Save variables"));
+    auto *save = new QPushButton(tr("Store variables"));
     save->setToolTip(tr("Store the values in use in the active profile; a snapshot is taken first"));
     header()->addWidget(m_live);
     header()->addWidget(save);
