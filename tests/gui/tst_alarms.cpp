@@ -106,7 +106,7 @@ void TestAlarms::changeThatOscillatesGoesBackOnScreen()
     QTRY_VERIFY(live.value(gain).has_value());
     const double before = *live.value(gain);
     live.setValue(gain, 255);
-    QTRY_VERIFY_WITH_TIMEOUT(bar()->isVisible() && bar()->text().contains(u"was taken back"_s), 6000);
+    QTRY_VERIFY_WITH_TIMEOUT(bar()->isVisible() && bar()->text().contains(u"was reverted"_s), 6000);
     QVERIFY2(bar()->text().contains(u"255 → 25"_s), qPrintable(bar()->text()));
     // The page shows what the board uses.
     QTRY_COMPARE(*live.value(gain), before);

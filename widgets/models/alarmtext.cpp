@@ -196,17 +196,16 @@ QString done(const AlarmReport &report, const ParameterSet *parameters)
         }
     }
     switch (report.outcome) {
-    case AlarmOutcome::Acting: return AlarmText::tr("The last live change is being taken back.");
-    case AlarmOutcome::Done: return AlarmText::tr("The last live change was taken back (%1).").arg(change);
+    case AlarmOutcome::Acting: return AlarmText::tr("The last live change is being reverted.");
+    case AlarmOutcome::Done: return AlarmText::tr("The last live change was reverted (%1).").arg(change);
     case AlarmOutcome::GoesOn:
-        return AlarmText::tr("The last live change was taken back (%1), and it goes on all the same.")
+        return AlarmText::tr("The last live change was reverted (%1), and it goes on all the same.")
             .arg(change);
     case AlarmOutcome::Conflict:
-        return AlarmText::tr(
-            "The last live change was not taken back: the board uses other values meanwhile.");
-    case AlarmOutcome::Failed: return AlarmText::tr("Taking back the last live change failed.");
+        return AlarmText::tr("The last live change was not reverted: the board uses other values meanwhile.");
+    case AlarmOutcome::Failed: return AlarmText::tr("Reverting the last live change failed.");
     case AlarmOutcome::NoChange:
-        return AlarmText::tr("Nothing was changed live just before, so nothing was taken back.");
+        return AlarmText::tr("Nothing was changed live just before, so nothing was reverted.");
     case AlarmOutcome::Told:
     case AlarmOutcome::NotProven: break;
     }

@@ -28,7 +28,7 @@ SupervisorForm::SupervisorForm(Settings &settings, const AddRow &row, QFormLayou
     intro->setObjectName(u"muted"_s);
     intro->setWordWrap(true);
     form.addRow(intro);
-    const std::array<QString, 4> names{tr("Warn"), tr("Take the last live change back"),
+    const std::array<QString, 4> names{tr("Warn"), tr("Revert the last live change"),
                                        tr("Take it back, else motors off"), tr("Motors off")};
     const SupervisorRules rules = settings.supervisorRules();
     for (std::size_t kind = 0; kind < kAlarmKinds; ++kind) {
