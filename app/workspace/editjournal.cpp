@@ -44,7 +44,6 @@ void EditJournal::onBoard()
     if (serial == m_serial)
         return;
     if (!m_serial.isEmpty()) {  // texts of the board before stay in its journal
-        flush();
         m_drafts.clear();
         m_timer.stop();
     }
