@@ -12,6 +12,7 @@
 #include "app/pages/tune/responsepage.h"
 #include "app/pages/tune/tuningpage.h"
 #include "app/tour/tour.h"
+#include "widgets/forms/panel.h"
 #include "widgets/views/scripteditor.h"
 
 #include <QPushButton>
@@ -35,7 +36,15 @@ void Tour::addFamilySteps(const QString &family)
     addSetupSteps(family);
     addScriptSteps(family);
     addFamilyBoardSteps(family);
-    m_steps.append({{}, [this] { m_window.workspace().client().disconnectFromBoard(); }, {}, 100, {}, false});
+    m_steps.append({{},
+                    [this] {
+                        m_window.panels()->rejectAll();
+                        m_window.workspace().client().disconnectFromBoard();
+                    },
+                    {},
+                    100,
+                    {},
+                    false});
 }
 
 // Connects to the family's simulated board first.

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 
+class Bearings;
 class Channel;
 class FaultWords;
 class FrameInspector;
@@ -88,6 +89,7 @@ public:
     [[nodiscard]] virtual const MotorSwitch *motorSwitch() const { return nullptr; }
     [[nodiscard]] virtual const FrameInspector *inspector() const { return nullptr; }
     [[nodiscard]] virtual const FaultWords *faultWords() const { return nullptr; }
+    [[nodiscard]] virtual const Bearings *bearings() const { return nullptr; }
     [[nodiscard]] virtual const StatusWords *statusWords() const { return nullptr; }
     [[nodiscard]] virtual const NotchFilters *notchFilters() const { return nullptr; }
     [[nodiscard]] virtual std::shared_ptr<const GainShape> gainShape() const { return nullptr; }

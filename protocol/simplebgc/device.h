@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/device/abilities.h"
+#include "protocol/device/bearings.h"
 #include "protocol/device/family.h"
 #include "protocol/device/steering.h"
 #include "protocol/session/channel.h"
@@ -24,6 +25,7 @@ class Device final : public ::Device,
                      public MotorSwitch,
                      public FrameInspector,
                      public FaultWords,
+                     public Bearings,
                      public NotchFilters,
                      public RestartNotice
 {
@@ -95,6 +97,13 @@ public:
     [[nodiscard]] static Request statusRequest();
     /// What the answer to it says; nothing for another frame.
     [[nodiscard]] static std::optional<bool> areMotorsRunning(const Frame &frame);
+
+    [[nodiscard]] const Bearings *bearings() const override { return this; }
+    [[nodiscard]] AxisBearing bearing(Axis axis, const Configuration &active,
+                                      const Latest &latest) const override;
+    [[nodiscard]] std::optional<bool> isFrameMeasured(const Configuration &active,
+                                                      const Latest &latest) const override;
+    [[nodiscard]] BatteryThresholds batteryThresholds(const Configuration &active) const override;
 
     [[nodiscard]] const FrameInspector *inspector() const override { return this; }
     [[nodiscard]] FrameText describeFrame(const FrameView &frame, bool fromBoard) const override;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/device/abilities.h"
+#include "protocol/device/bearings.h"
 #include "protocol/device/family.h"
 #include "protocol/device/steering.h"
 #include "protocol/session/channel.h"
@@ -28,6 +29,7 @@ class Device final : public ::Device,
                      public MotorSwitch,
                      public FrameInspector,
                      public FaultWords,
+                     public Bearings,
                      public StatusWords
 {
 public:
@@ -79,6 +81,13 @@ public:
 
     [[nodiscard]] const MotorSwitch *motorSwitch() const override { return this; }
     Result<void> switchMotorsOn(Channel &channel) const override;
+
+    [[nodiscard]] const Bearings *bearings() const override { return this; }
+    [[nodiscard]] AxisBearing bearing(Axis axis, const Configuration &active,
+                                      const Latest &latest) const override;
+    [[nodiscard]] std::optional<bool> isFrameMeasured(const Configuration &active,
+                                                      const Latest &latest) const override;
+    [[nodiscard]] BatteryThresholds batteryThresholds(const Configuration &active) const override;
 
     [[nodiscard]] const FrameInspector *inspector() const override { return this; }
     [[nodiscard]] FrameText describeFrame(const FrameView &frame, bool fromBoard) const override;

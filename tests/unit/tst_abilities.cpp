@@ -3,6 +3,7 @@
 #include "app/composition/composition.h"
 #include "protocol/client/connector.h"
 #include "protocol/device/abilities.h"
+#include "protocol/device/bearings.h"
 #include "protocol/device/steering.h"
 #include "protocol/session/stopplan.h"
 #include "protocol/simulator/link/virtualchannel.h"
@@ -131,6 +132,7 @@ private:
         add("motor switch", device.motorSwitch());
         add("frame inspector", device.inspector());
         add("fault words", device.faultWords());
+        add("bearings", device.bearings());
         add("status words", device.statusWords());
         add("notch filters", device.notchFilters());
         add("gain shape", device.gainShape() != nullptr);
@@ -200,6 +202,25 @@ void TestAbilities::whatIsHandedOutAnswers()
             any |= !words->faults(1U << bit, 0).empty();
         QVERIFY(any);
     }
+    if (const Bearings *bearings = device.bearings()) {
+        const auto active = device.readConfiguration(channel);
+        QVERIFY(active);
+        const auto nothing = [](int) { return qQNaN(); };
+        const auto something = [](int) { return 65535.0; };
+        for (const Axis axis : kAxes) {
+            const AxisBearing bearing = bearings->bearing(axis, *active, something);
+            QVERIFY(bearing.limits && bearing.limits->first < bearing.limits->second);
+            QVERIFY(bearing.follows);
+        }
+        QVERIFY(bearings->isFrameMeasured(*active, something));
+        QVERIFY(bearings->batteryThresholds(*active).alarm);
+        // Nothing is made up.
+        const Configuration empty(active->identity(), active->parameterSet());
+        QVERIFY(!bearings->bearing(Axis::Roll, empty, nothing).limits);
+        QVERIFY(!bearings->bearing(Axis::Roll, empty, nothing).follows);
+        QVERIFY(!bearings->isFrameMeasured(empty, nothing));
+        QVERIFY(!bearings->batteryThresholds(empty).alarm);
+    }
     if (const StatusWords *words = device.statusWords()) {
         QStringList told;
         for (int state = 0; state < 16; ++state)
@@ -255,7 +276,7 @@ void TestAbilities::eachAbilityIsAbsentSomewhere()
         seen += abilities(*board.device);
     }
     if (allFamilies().size() > 1)
-        QCOMPARE(seen.size(), 12);  // and each is there somewhere
+        QCOMPARE(seen.size(), 13);  // and each is there somewhere
 }
 
 // Where a board says nothing, an action fails, or it is one that no board answers.

@@ -44,6 +44,8 @@ QFrame#statusBar { background: @Surface; border: none; border-top: 1px solid @Bo
 QFrame#unsavedBar { background: @SurfaceRaised; border: none; border-top: 2px solid @Changed; }
 QFrame#panel { background: @Background; border: 1px solid @Border; border-radius: 6px; }
 QFrame#card { background: @Surface; border: 1px solid @Border; border-radius: 6px; }
+QFrame#fault { background: @Background; border: 1px solid @Warning; border-left: 6px solid @Warning; border-radius: 4px; }
+QFrame#fault[severe="true"] { border-color: @Danger; }
 QFrame#messageBar { background: @Surface; border: 1px solid @Ok; border-left: 4px solid @Ok; border-radius: 4px; }
 QFrame#messageBar[severe="true"] { border-color: @Danger; }
 QFrame#alarmBar { background: @Warning; border: none; border-radius: 0; }

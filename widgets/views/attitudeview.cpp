@@ -95,8 +95,10 @@ void AttitudeView::paintEvent(QPaintEvent *)
     painter.fillRect(strip, veil);
     painter.setPen(QPen(m_theme.axisColor(Axis::Yaw), 1));
     const double headingScale = area.width() / kHeadingSpan;
-    const int first = int(std::floor((m_yaw - kHeadingSpan / 2) / 10)) * 10;
-    for (int mark = first; mark <= m_yaw + kHeadingSpan / 2 + 10; mark += 10) {
+    // Each mark with room for its number.
+    const int step = 10 * headingScale < painter.fontMetrics().horizontalAdvance(u"-170° "_s) ? 20 : 10;
+    const int first = int(std::floor((m_yaw - kHeadingSpan / 2) / step)) * step;
+    for (int mark = first; mark <= m_yaw + kHeadingSpan / 2 + step; mark += step) {
         const double x = center.x() + (mark - m_yaw) * headingScale;
         painter.drawLine(QPointF(x, strip.bottom() - 4), QPointF(x, strip.bottom()));
         painter.drawText(QRectF(x - 20, strip.top(), 40, 19), Qt::AlignCenter, u"%1°"_s.arg(mark));

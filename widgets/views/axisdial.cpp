@@ -21,6 +21,22 @@ QPointF onCircle(QPointF center, double radius, double degrees)
     return center + QPointF(std::sin(angle), -std::cos(angle)) * radius;
 }
 
+/// Two texts side by side, together in the middle; the first with the painter's own font and pen.
+void drawPair(QPainter &painter, const QRect &room, const std::pair<QString, QString> &texts,
+              const QFont &secondFont, const QColor &secondColor)
+{
+    const int first = painter.fontMetrics().horizontalAdvance(texts.first);
+    const int both = first + QFontMetrics(secondFont).horizontalAdvance(texts.second);
+    const int x = room.left() + (room.width() - both) / 2;
+    const QRect line(x, room.top(), both + 2, room.height());
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, texts.first);
+    painter.save();
+    painter.setFont(secondFont);
+    painter.setPen(secondColor);
+    painter.drawText(line.adjusted(first, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, texts.second);
+    painter.restore();
+}
+
 }  // namespace
 
 AxisDial::AxisDial(const Theme &theme, Axis axis, QWidget *parent)
@@ -41,18 +57,48 @@ void AxisDial::setValues(double angle, double target, double power)
     m_angle = shown(angle);
     m_target = shown(target);
     m_power = power;
-    const auto said
-        = [](double value, int decimals) { return std::isnan(value) ? u"–"_s : numberText(value, decimals); };
-    setAccessibleDescription(m_valid ? tr("Angle %1°, target %2°, motor power %3 %")
-                                           .arg(said(angle, 1), said(target, 1), said(power, 0))
-                                     : tr("No data"));
+    tell();
     update();
 }
 
-void AxisDial::setLimits(double low, double high)
+void AxisDial::tell()
 {
-    m_low = low;
-    m_high = high;
+    const auto said
+        = [](double value, int decimals) { return std::isnan(value) ? u"–"_s : numberText(value, decimals); };
+    QString text = m_valid ? tr("Angle %1°, target %2°, motor power %3 %")
+                                 .arg(said(m_angle, 1), said(m_target, 1), said(m_power, 0))
+                           : tr("No data");
+    if (m_limits)
+        text += u", "_s
+            + tr("steered from %1° to %2°").arg(said(m_limits->first, 0), said(m_limits->second, 0));
+    if (!guideText().isEmpty())
+        text += u", "_s + guideText();
+    setAccessibleDescription(text);
+}
+
+QString AxisDial::guideText() const
+{
+    return !m_follows ? QString() : *m_follows ? tr("follows") : tr("holds");
+}
+
+void AxisDial::setLimits(const std::optional<std::pair<double, double>> &limits)
+{
+    if (limits == m_limits)
+        return;
+    m_limits = limits;
+    tell();
+    update();
+}
+
+void AxisDial::setFollows(std::optional<bool> follows)
+{
+    if (follows == m_follows)
+        return;
+    m_follows = follows;
+    setToolTip(!follows       ? QString()
+                   : *follows ? tr("This axis follows the frame.")
+                              : tr("This axis keeps its direction, however the frame turns."));
+    tell();
     update();
 }
 
@@ -67,7 +113,8 @@ void AxisDial::paintEvent(QPaintEvent *)
     title.setWeight(QFont::DemiBold);
     painter.setFont(title);
     painter.setPen(axisColor);
-    painter.drawText(QRect(0, 0, width(), line + 4), Qt::AlignCenter, axisLabel(m_axis));
+    const QString guide = guideText().isEmpty() ? QString() : u" · "_s + guideText();
+    drawPair(painter, QRect(0, 0, width(), line + 4), {axisLabel(m_axis), guide}, font(), muted);
 
     const double bottom = 2.0 * line + 22;
     const double radius = std::max(20.0, std::min(width() - 24.0, height() - line - 8 - bottom) / 2.0);
@@ -75,12 +122,14 @@ void AxisDial::paintEvent(QPaintEvent *)
     painter.setPen(QPen(m_theme.color(ColorRole::Border), 2));
     painter.setBrush(m_theme.color(ColorRole::Surface));
     painter.drawEllipse(center, radius, radius);
-    if (m_high > m_low && m_high - m_low < 360) {
-        // The part of the circle that remote control reaches.
-        painter.setPen(QPen(m_theme.color(ColorRole::SurfaceRaised), 6));
+    if (m_limits && m_limits->second > m_limits->first && m_limits->second - m_limits->first < 360) {
+        // The part of the circle that steering reaches.
+        QColor reach = axisColor;
+        reach.setAlpha(70);
+        painter.setPen(QPen(reach, 6, Qt::SolidLine, Qt::FlatCap));
         painter.drawArc(
             QRectF(center.x() - radius + 5, center.y() - radius + 5, 2 * radius - 10, 2 * radius - 10),
-            int((90 - m_high) * 16), int((m_high - m_low) * 16));
+            int((90 - m_limits->second) * 16), int((m_limits->second - m_limits->first) * 16));
     }
     painter.setPen(QPen(muted, 1));
     for (int mark = 0; mark < 360; mark += 30)
@@ -101,12 +150,12 @@ void AxisDial::paintEvent(QPaintEvent *)
     // Numbers below: angle large, target small; then the motor power as a bar with its figure.
     double y = center.y() + radius + 4;
     painter.setPen(m_theme.color(ColorRole::Text));
-    painter.drawText(QRectF(0, y, width() / 2.0 - 4, line), Qt::AlignRight | Qt::AlignVCenter,
-                     m_valid ? u"%1°"_s.arg(numberText(m_angle, 1)) : u"–"_s);
+    const QString angleText = m_valid ? u"%1°"_s.arg(numberText(m_angle, 1)) : u"–"_s;
+    const QString targetText
+        = m_valid && !std::isnan(m_target) ? u"  → %1°"_s.arg(numberText(m_target, 1)) : QString();
+    drawPair(painter, QRect(0, int(y), width(), line), {angleText, targetText}, font(), muted);
     painter.setFont(font());
     painter.setPen(muted);
-    painter.drawText(QRectF(width() / 2.0 + 4, y, width() / 2.0 - 4, line), Qt::AlignLeft | Qt::AlignVCenter,
-                     m_valid && !std::isnan(m_target) ? u"→ %1°"_s.arg(numberText(m_target, 1)) : QString());
     if (std::isnan(m_power))
         return;  // not every board tells it
     y += line + 4;

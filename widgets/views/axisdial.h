@@ -6,7 +6,11 @@
 
 #include <QWidget>
 
-/// One axis at a glance: angle and target on a dial, motor power as a bar, the numbers beside.
+#include <optional>
+#include <utility>
+
+/// One axis at a glance: angle and target on a dial with the limits, whether it follows, motor power as a
+/// bar, the numbers below.
 class AxisDial final : public QWidget
 {
     Q_OBJECT
@@ -15,7 +19,12 @@ public:
 
     /// Degrees and percent; NaN = not known.
     void setValues(double angle, double target, double power);
-    void setLimits(double low, double high);
+    /// Degrees that steering reaches, low and high; empty = not known.
+    void setLimits(const std::optional<std::pair<double, double>> &limits);
+    /// Whether the axis follows the frame or keeps its direction; empty = not known.
+    void setFollows(std::optional<bool> follows);
+    [[nodiscard]] std::optional<std::pair<double, double>> limits() const { return m_limits; }
+    [[nodiscard]] std::optional<bool> follows() const { return m_follows; }
     [[nodiscard]] QSize sizeHint() const override { return {200, 190}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {150, 160}; }
 
@@ -23,12 +32,15 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
+    void tell();
+    [[nodiscard]] QString guideText() const;
+
     const Theme &m_theme;
     Axis m_axis;
     double m_angle = 0;
     double m_target = 0;
     double m_power = 0;
-    double m_low = 0;
-    double m_high = 0;
+    std::optional<std::pair<double, double>> m_limits;
+    std::optional<bool> m_follows;
     bool m_valid = false;
 };

@@ -3,13 +3,16 @@
 #include "app/pages/watch/dashboardpage.h"
 
 #include "app/pages/watch/alarmcard.h"
+#include "protocol/device/bearings.h"
 #include "protocol/session/linkstatistics.h"
 #include "widgets/models/missingtext.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/views/attitudeview.h"
 #include "widgets/views/axisdial.h"
+#include "widgets/views/batteryview.h"
 #include "widgets/views/card.h"
+#include "widgets/views/gimbalview.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -26,6 +29,8 @@ namespace {
 
 constexpr auto kRefresh = 33ms;
 constexpr int kTicksPerFacts = 10;
+constexpr qint64 kRatesEveryMs = 1000;
+constexpr int kFactsWidth = 460;
 
 QString number(double value, int decimals, const QString &unit)
 {
@@ -35,67 +40,63 @@ QString number(double value, int decimals, const QString &unit)
     return unit.isEmpty() ? text : text + u' ' + unit;
 }
 
+QString tableRow(const QString &name, const QString &text)
+{
+    return u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td style='padding:2px 0' align='right'>%2</td></tr>"_s
+        .arg(name, text.toHtmlEscaped());
+}
+
+/// A fault of the board: its name large, then what it means and what to do.
+QWidget *faultCard(const BoardFault &fault)
+{
+    auto *card = new QFrame;
+    card->setObjectName(u"fault"_s);
+    card->setProperty("severe", fault.severe);
+    auto *rows = new QVBoxLayout(card);
+    rows->setContentsMargins(12, Metric::kGap, 12, Metric::kGap);
+    rows->setSpacing(Metric::kUnit);
+    const auto add = [rows](const QString &text, const char *name) {
+        auto *label = new QLabel(text);
+        label->setObjectName(QLatin1String(name));
+        label->setWordWrap(true);
+        rows->addWidget(label);
+        return label;
+    };
+    QLabel *title = add((fault.severe ? u"✖ "_s : u"⚠ "_s) + tableText(fault.name.toUtf8().constData()),
+                        fault.severe ? "error" : "warning");
+    QFont font = title->font();
+    font.setPointSizeF(font.pointSizeF() + 3);
+    font.setWeight(QFont::DemiBold);
+    title->setFont(font);
+    for (const QString &sentence : {fault.meaning, fault.cure}) {
+        if (!sentence.isEmpty())
+            add(tableText(sentence.toUtf8().constData()), "");
+    }
+    return card;
+}
+
 }  // namespace
 
 DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"dashboard"_s, tr("Dashboard"), parent)
+    , m_gimbal(new GimbalView(workspace.theme()))
     , m_attitude(new AttitudeView(workspace.theme()))
     , m_motorCard(new Card(tr("Motors")))
     , m_motorRows(new QFormLayout)
-    , m_battery(new QLabel)
+    , m_batteryCard(new Card(tr("Battery")))
+    , m_battery(new BatteryView(workspace.theme()))
     , m_facts(new QLabel)
+    , m_link(new QLabel)
     , m_faultList(new QVBoxLayout)
 {
-    auto *attitude = new Card(tr("Attitude"));
-    attitude->content()->addWidget(m_attitude, 1);
-    auto *axes = new Card(tr("Axes: angle and target"));
-    auto *dials = new QHBoxLayout;
-    for (const Axis axis : kAxes) {
-        m_dials[std::size_t(axis)] = new AxisDial(workspace.theme(), axis);
-        dials->addWidget(m_dials[std::size_t(axis)]);
-    }
-    axes->content()->addLayout(dials, 1);
-
-    m_motorRows->setHorizontalSpacing(12);
-    m_motorRows->setVerticalSpacing(Metric::kGap);
-    m_motorCard->content()->addLayout(m_motorRows);
-    m_motorCard->hide();
-    auto *power = new Card(tr("Battery"));
-    QFont large = m_battery->font();
-    large.setPointSizeF(large.pointSizeF() + 8);
-    large.setWeight(QFont::DemiBold);
-    m_battery->setFont(large);
-    power->content()->addWidget(m_battery);
-
-    auto *state = new Card(tr("State of the board"));
-    state->content()->addLayout(m_faultList);
-    m_facts->setTextFormat(Qt::RichText);
-    m_facts->setWordWrap(true);
-    state->content()->addWidget(m_facts);
-    state->content()->addStretch(1);
-    auto *scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setWidget(state);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-
-    // Each column divides its height differently: the messages about the board get all the room that the
-    // voltage leaves.
-    const auto column = [](QWidget *upper, int share, QWidget *lower, int rest) {
-        auto *layout = new QVBoxLayout;
-        layout->setSpacing(12);
-        layout->addWidget(upper, share);
-        layout->addWidget(lower, rest);
-        return layout;
-    };
     auto *columns = new QHBoxLayout;
     columns->setSpacing(12);
-    columns->addLayout(column(attitude, 3, axes, 2), 3);
-    auto *told = column(scroll, 1, power, 0);
-    told->insertWidget(1, m_motorCard);
-    columns->addLayout(told, 2);
+    columns->addWidget(makeMotion(), 5);
+    columns->addWidget(makeFacts(), 3);
     body()->addLayout(columns, 1);
 
     const auto angles = [this] { return ChannelRoles::present({this->workspace().roles().angle}); };
+    coverWhenStale(*m_gimbal, angles);
     coverWhenStale(*m_attitude, angles);
     for (AxisDial *dial : m_dials)
         coverWhenStale(*dial, angles, StaleCover::Look::Fade);
@@ -104,15 +105,73 @@ DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
     coverWhenStale(*m_facts, {}, StaleCover::Look::Fade);
     m_timer.setInterval(kRefresh);
     connect(&m_timer, &QTimer::timeout, this, &DashboardPage::refresh);
-    connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &DashboardPage::updateLimits);
-    connect(&workspace.configuration(), &ConfigurationModel::activeProfileChanged, this,
-            &DashboardPage::updateLimits);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &DashboardPage::fillParts);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &DashboardPage::refreshFacts);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &DashboardPage::refreshFaults);
     connect(&workspace.alarms(), &Alarms::changed, this, &DashboardPage::refreshFaults);
     fillParts();
     refreshFaults();
+}
+
+QWidget *DashboardPage::makeMotion()
+{
+    auto *gimbal = new Card(tr("Camera and frame"));
+    gimbal->content()->addWidget(m_gimbal, 1);
+    auto *attitude = new Card(tr("Attitude"));
+    attitude->content()->addWidget(m_attitude, 1);
+    auto *pictures = new QHBoxLayout;
+    pictures->setSpacing(12);
+    pictures->addWidget(gimbal, 1);
+    pictures->addWidget(attitude, 1);
+    auto *axes = new Card(tr("Axes: angle and target"));
+    auto *dials = new QHBoxLayout;
+    for (const Axis axis : kAxes) {
+        m_dials[std::size_t(axis)] = new AxisDial(workspace().theme(), axis);
+        dials->addWidget(m_dials[std::size_t(axis)]);
+    }
+    axes->content()->addLayout(dials, 1);
+    auto *motion = new QWidget;
+    auto *rows = new QVBoxLayout(motion);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(12);
+    rows->addLayout(pictures, 1);
+    rows->addWidget(axes, 1);
+    return motion;
+}
+
+// What is told of the board gets all the room that is left.
+QWidget *DashboardPage::makeFacts()
+{
+    m_motorRows->setHorizontalSpacing(12);
+    m_motorRows->setVerticalSpacing(Metric::kGap);
+    m_motorCard->content()->addLayout(m_motorRows);
+    m_motorCard->hide();
+    m_batteryCard->content()->addWidget(m_battery);
+    auto *state = new Card(tr("State of the board"));
+    m_faultList->setSpacing(Metric::kGap);
+    state->content()->addLayout(m_faultList);
+    for (QLabel *table : {m_facts, m_link}) {
+        table->setTextFormat(Qt::RichText);
+        table->setWordWrap(true);
+    }
+    state->content()->addWidget(m_facts);
+    state->content()->addStretch(1);
+    auto *link = new Card(tr("Link"));
+    link->content()->addWidget(m_link);
+    auto *facts = new QWidget;
+    auto *rows = new QVBoxLayout(facts);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(12);
+    rows->addWidget(state, 1);
+    rows->addWidget(m_motorCard);
+    rows->addWidget(m_batteryCard);
+    rows->addWidget(link);
+    auto *scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(facts);
+    scroll->setMaximumWidth(kFactsWidth);  // the rest is for the pictures
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    return scroll;
 }
 
 // A dial for each axis, a bar for each numbered motor that the board has.
@@ -143,8 +202,9 @@ void DashboardPage::showEvent(QShowEvent *event)
     Page::showEvent(event);
     workspace().telemetry().subscribe(this, [this] {
         const ChannelRoles &roles = workspace().roles();
-        return ChannelRoles::present({roles.angle, roles.target});
+        return ChannelRoles::present({roles.angle, roles.target, roles.frameAngle});
     });
+    refreshBearings();
     m_timer.start();
 }
 
@@ -158,6 +218,11 @@ void DashboardPage::refresh()
 {
     const ChannelRoles &roles = workspace().roles();
     const auto value = [this](int channel) { return workspace().latest(channel); };
+    GimbalView::Pose pose{{value(roles.angle[0]), value(roles.angle[1]), value(roles.angle[2])}, {}, {}};
+    if (m_frameMeasured == true && roles.frameAngle[0] >= 0)
+        pose.frame = {value(roles.frameAngle[0]), value(roles.frameAngle[1]), value(roles.frameAngle[2])};
+    pose.running = workspace().motorsRunning();
+    m_gimbal->setPose(pose);
     m_attitude->setAttitude(value(roles.angle[0]), value(roles.angle[1]), value(roles.angle[2]));
     for (std::size_t axis = 0; axis < m_dials.size(); ++axis)
         m_dials[axis]->setValues(value(roles.angle[axis]), value(roles.target[axis]),
@@ -172,6 +237,7 @@ void DashboardPage::refresh()
         m_motors[i]->setFormat(number(output, 0, unit));
     }
     if (m_tick++ % kTicksPerFacts == 0) {
+        refreshBearings();
         refreshFacts();
         refreshFaults();
     }
@@ -180,12 +246,10 @@ void DashboardPage::refresh()
 void DashboardPage::refreshFacts()
 {
     const ChannelRoles &roles = workspace().roles();
-    m_battery->setText(number(workspace().latest(roles.battery), 2, u"V"_s));
+    m_batteryCard->setVisible(!workspace().client().isConnected() || roles.battery >= 0);
+    m_battery->setVolts(workspace().latest(roles.battery));
     QStringList rows;
-    const auto row = [&rows](const QString &name, const QString &text) {
-        rows.append(u"<tr><td style='padding:2px 16px 2px 0'>%1</td>"
-                    "<td style='padding:2px 0' align='right'>%2</td></tr>"_s.arg(name, text.toHtmlEscaped()));
-    };
+    const auto row = [&rows](const QString &name, const QString &text) { rows.append(tableRow(name, text)); };
     if (roles.current >= 0)
         row(tr("Current"), number(workspace().latest(roles.current), 2, u"A"_s));
     if (roles.temperature >= 0) {
@@ -206,12 +270,41 @@ void DashboardPage::refreshFacts()
     }
     row(tr("Control cycle"), number(workspace().latest(roles.cycleTime), 0, u"µs"_s));
     row(tr("Sensor bus errors"), number(workspace().latest(roles.busErrors), 0, {}));
+    m_facts->setText(u"<table width='100%'>%1</table>"_s.arg(rows.join(QString())));
+    refreshLink();
+}
+
+// Both ways; nothing of it outlives the link.
+void DashboardPage::refreshLink()
+{
     const LinkStatistics &link = workspace().client().statistics();
+    const bool linked = workspace().client().isConnected();
+    if (!linked || link.bytesIn < m_bytesIn || link.bytesOut < m_bytesOut)
+        m_bytesAt.invalidate();
+    if (!m_bytesAt.isValid() || m_bytesAt.elapsed() > kRatesEveryMs) {
+        const double passed = m_bytesAt.isValid() ? double(m_bytesAt.elapsed()) / 1000.0 : 0.0;
+        const auto rate = [passed](quint64 now, quint64 before) {
+            return passed > 0 ? number(double(now - before) / passed / 1000.0, 1, tr("kB/s")) : u"–"_s;
+        };
+        m_received = rate(link.bytesIn, m_bytesIn);
+        m_sent = rate(link.bytesOut, m_bytesOut);
+        m_bytesIn = link.bytesIn;
+        m_bytesOut = link.bytesOut;
+        if (linked)
+            m_bytesAt.start();
+    }
+    QStringList rows;
+    const auto row = [&rows, linked](const QString &name, const QString &text) {
+        rows.append(tableRow(name, linked ? text : u"–"_s));
+    };
+    row(tr("Received"), m_received);
+    row(tr("Sent"), m_sent);
+    row(tr("Unanswered"), QString::number(link.timeouts));
     row(tr("Frames received"), tr("%1 per second").arg(numberText(link.framesPerSecond, 0)));
     row(tr("Damaged frames"), QString::number(link.framing.headerErrors + link.framing.bodyErrors));
     row(tr("Answer time"),
         link.roundTrip ? tr("%1 ms").arg(numberText(seconds(*link.roundTrip) * 1000, 1)) : u"–"_s);
-    m_facts->setText(u"<table width='100%'>%1</table>"_s.arg(rows.join(QString())));
+    m_link->setText(u"<table width='100%'>%1</table>"_s.arg(rows.join(QString())));
 }
 
 void DashboardPage::refreshFaults()
@@ -265,27 +358,26 @@ void DashboardPage::refreshFaults()
         add(tr("⚠ Could not be read: %1.").arg(missing), "warning");
         add(tr("Nothing is known about the values there."), "muted");
     }
-    for (const BoardFault &fault : faults) {
-        add((fault.severe ? u"✖ "_s : u"⚠ "_s) + tableText(fault.name.toUtf8().constData()),
-            fault.severe ? "error" : "warning");
-        add(tableText(fault.meaning.toUtf8().constData()) + u' ' + tableText(fault.cure.toUtf8().constData()),
-            "muted");
-    }
+    for (const BoardFault &fault : faults)
+        m_faultList->addWidget(faultCard(fault));
 }
 
-void DashboardPage::updateLimits()
+// What settings and status say of the axes, the frame and the battery.
+void DashboardPage::refreshBearings()
 {
     const ConfigurationModel &model = workspace().configuration();
-    if (model.isEmpty())
+    const Bearings *bearings = workspace().tables() ? workspace().tables()->bearings() : nullptr;
+    if (!bearings || model.isEmpty()) {
+        m_frameMeasured.reset();
         return;
-    for (const Axis axis : kAxes) {
-        const ParameterSet &set = model.board().parameters();
-        const ParameterSpec *low = set.find(u"rc.%1.min_angle"_s.arg(QLatin1String(axisKey(axis))));
-        const ParameterSpec *high = set.find(u"rc.%1.max_angle"_s.arg(QLatin1String(axisKey(axis))));
-        if (!low || !high)
-            continue;
-        const int profile = model.board().activeProfile();
-        m_dials[std::size_t(axis)]->setLimits(low->toDisplay(model.board().raw(*low, profile).value_or(0)),
-                                              high->toDisplay(model.board().raw(*high, profile).value_or(0)));
     }
+    const auto latest = [this](int channel) { return workspace().latest(channel); };
+    for (const Axis axis : kAxes) {
+        const AxisBearing bearing = bearings->bearing(axis, model.board(), latest);
+        m_dials[std::size_t(axis)]->setLimits(bearing.limits);
+        m_dials[std::size_t(axis)]->setFollows(bearing.follows);
+    }
+    m_frameMeasured = bearings->isFrameMeasured(model.board(), latest);
+    const BatteryThresholds battery = bearings->batteryThresholds(model.board());
+    m_battery->setThresholds(battery.alarm, battery.motorsOff, battery.perCell);
 }

@@ -4,15 +4,19 @@
 
 #include "app/workspace/page.h"
 
+#include <QElapsedTimer>
 #include <QTimer>
 
 class AttitudeView;
 class AxisDial;
+class BatteryView;
 class Card;
+class GimbalView;
 class QFormLayout;
 class QProgressBar;
 
-/// Attitude, angles against targets, motor power, battery, faults in words: the gimbal at a glance.
+/// The gimbal at a glance: as a body and as a horizon, angles against targets and limits, motors, battery,
+/// faults with cause and cure, the link both ways.
 class DashboardPage final : public Page
 {
     Q_OBJECT
@@ -26,19 +30,31 @@ protected:
 private:
     void refresh();
     void refreshFacts();
+    void refreshLink();
     void refreshFaults();
-    void updateLimits();
+    void refreshBearings();
+    QWidget *makeMotion();
+    QWidget *makeFacts();
     void fillParts();
 
     QTimer m_timer;
+    GimbalView *m_gimbal;
     AttitudeView *m_attitude;
     std::array<AxisDial *, kAxisCount> m_dials{};
     Card *m_motorCard;
     QFormLayout *m_motorRows;
     std::vector<QProgressBar *> m_motors;  // in the order of the numbered motors
-    QLabel *m_battery;
+    Card *m_batteryCard;
+    BatteryView *m_battery;
     QLabel *m_facts;
+    QLabel *m_link;
     QVBoxLayout *m_faultList;
     QStringList m_shownFaults;
+    std::optional<bool> m_frameMeasured;
+    quint64 m_bytesIn = 0;  // when the rates of the link were last worked out
+    quint64 m_bytesOut = 0;
+    QElapsedTimer m_bytesAt;
+    QString m_received;
+    QString m_sent;
     int m_tick = 0;
 };

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/watch/dashboardpage.h"
+#include "tests/support/windowrig.h"
+#include "widgets/views/axisdial.h"
+#include "widgets/views/batteryview.h"
+#include "widgets/views/gimbalview.h"
+
+#include <QLabel>
+#include <QSignalSpy>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const QString kDemo = u"sim:simplebgc"_s;
+const QString kStorm = u"sim:storm32"_s;
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// How many pixels of a picture have nearly this colour's hue.
+int pixelsLike(const QImage &image, const QColor &colour)
+{
+    int found = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor pixel = image.pixelColor(x, y);
+            found += pixel.hsvSaturationF() > 0.45F && std::abs(pixel.hsvHue() - colour.hsvHue()) < 12;
+        }
+    }
+    return found;
+}
+
+QImage pictureOf(const Theme &theme, const GimbalView::Pose &pose)
+{
+    GimbalView view(theme);
+    view.resize(300, 300);
+    view.setPose(pose);
+    return view.grab().toImage();
+}
+
+}  // namespace
+
+/// What the dashboard shows of a board, and that it shows nothing that is not known.
+class TestDashboard : public QObject
+{
+    Q_OBJECT
+private slots:
+    void bodyShowsWhatIsKnown();
+    void bodyMovesWithTheCamera();
+    void batteryHasCellsAndThresholds_data();
+    void batteryHasCellsAndThresholds();
+    void frameIsShownWhereItIsMeasured();
+    void limitsAndFollowing_data();
+    void limitsAndFollowing();
+    void faultsAreLarge();
+    void linkIsShownBothWays();
+
+private:
+    template <typename W> static W *only(QWidget *page) { return page->findChild<W *>(); }
+    static bool says(const QWidget *page, const QString &text)
+    {
+        for (const QLabel *label : page->findChildren<QLabel *>()) {
+            if (label->text().contains(text))
+                return true;
+        }
+        return false;
+    }
+};
+
+void TestDashboard::bodyShowsWhatIsKnown()
+{
+    Theme theme;
+    theme.setMode(Theme::Mode::Light);
+    const GimbalView::Angles level{0, 0, 0};
+    const QImage nothing = pictureOf(theme, {{kUnknown, kUnknown, kUnknown}, {}, {}});
+    const QImage alone = pictureOf(theme, {level, {}, true});
+    const QImage whole = pictureOf(theme, {level, level, true});
+    const QImage resting = pictureOf(theme, {level, level, false});
+    for (const Axis axis : kAxes)
+        QCOMPARE(pixelsLike(nothing, theme.axisColor(axis)), 0);
+    // Motors are there with the frame only, and in full colour while they run.
+    for (const Axis axis : {Axis::Roll, Axis::Yaw}) {
+        const QColor colour = theme.axisColor(axis);
+        QVERIFY2(pixelsLike(whole, colour) > 2 * pixelsLike(resting, colour), axisKey(axis));
+        QVERIFY2(pixelsLike(whole, colour) > pixelsLike(alone, colour), axisKey(axis));
+    }
+    // An axis that nobody measures has no arrow.
+    QCOMPARE(pixelsLike(pictureOf(theme, {{kUnknown, 0, 0}, {}, true}), theme.axisColor(Axis::Roll)), 0);
+    GimbalView view(theme);
+    QVERIFY(!view.accessibleName().isEmpty());
+    QCOMPARE(view.accessibleDescription(), u"No data"_s);
+    view.setPose({{kUnknown, 15, -20}, {}, true});
+    QVERIFY2(view.accessibleDescription().contains(u"15.0°"_s)
+                 && view.accessibleDescription().contains(u"nobody measures the frame"_s),
+             qPrintable(view.accessibleDescription()));
+    QVERIFY(!view.accessibleDescription().contains(u"Roll"_s));
+}
+
+// The lens goes up and down, the body leans to both sides, and what nobody would see
+// repaints nothing.
+void TestDashboard::bodyMovesWithTheCamera()
+{
+    Theme theme;
+    theme.setMode(Theme::Mode::Dark);
+    const GimbalView::Angles level{0, 0, 0};
+    const QImage still = pictureOf(theme, {level, {}, true});
+    // The arrow ahead is roll's: its middle height on the screen.
+    const auto heightOfLens = [&theme](const QImage &image) {
+        double sum = 0;
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            const int row = pixelsLike(image.copy(0, y, image.width(), 1), theme.axisColor(Axis::Roll));
+            sum += double(row) * y;
+            count += row;
+        }
+        return count > 0 ? sum / count : 0.0;
+    };
+    QVERIFY(heightOfLens(pictureOf(theme, {{0, 20, 0}, {}, true})) < heightOfLens(still) - 5);
+    QVERIFY(heightOfLens(pictureOf(theme, {{0, -20, 0}, {}, true})) > heightOfLens(still) + 5);
+    for (const GimbalView::Angles &angles : {GimbalView::Angles{15, 0, 0}, GimbalView::Angles{0, 0, 30}})
+        QVERIFY(pictureOf(theme, {angles, {}, true}) != still);
+    GimbalView view(theme);
+    view.setPose({level, {}, true});
+    view.setPose({{0.01, 0, 0}, {}, true});
+    QCOMPARE(view.pose().camera[0], 0.0);
+}
+
+void TestDashboard::batteryHasCellsAndThresholds_data()
+{
+    QTest::addColumn<double>("volts");
+    QTest::addColumn<int>("cells");
+    QTest::addColumn<BatteryView::State>("state");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("full") << 12.5 << 3 << BatteryView::State::Good << u"4.17 V each"_s;
+    QTest::newRow("low") << 10.4 << 3 << BatteryView::State::Low << u"low"_s;
+    QTest::newRow("empty") << 9.8 << 3 << BatteryView::State::Empty << u"motors off"_s;
+    QTest::newRow("on USB") << 0.3 << 0 << BatteryView::State::Unknown << u"no battery"_s;
+    QTest::newRow("not known") << kUnknown << 0 << BatteryView::State::Unknown << u"No data"_s;
+}
+
+void TestDashboard::batteryHasCellsAndThresholds()
+{
+    QFETCH(double, volts);
+    QFETCH(int, cells);
+    QFETCH(BatteryView::State, state);
+    QFETCH(QString, said);
+    QCOMPARE(BatteryView::cellsFor(volts), cells);
+    Theme theme;
+    BatteryView view(theme);
+    view.setThresholds(10.5, 9.9, false);
+    view.setVolts(volts);
+    QCOMPARE(view.state(), state);
+    QVERIFY2(view.accessibleDescription().contains(said), qPrintable(view.accessibleDescription()));
+    // The same thresholds, told for a cell.
+    BatteryView each(theme);
+    each.setThresholds(3.5, 3.3, true);
+    each.setVolts(volts);
+    QCOMPARE(each.state(), state);
+}
+
+void TestDashboard::frameIsShownWhereItIsMeasured()
+{
+    WindowRig rig;
+    QVERIFY(rig.open(kDemo));
+    auto *page = rig.page<DashboardPage>();
+    auto *gimbal = only<GimbalView>(page);
+    QTRY_VERIFY(!std::isnan(gimbal->pose().camera[0]));
+    QCOMPARE(rig.raw(u"imu.frame.position"_s), 0.0);
+    QVERIFY(rig.boardGoesOn(0.5));
+    QVERIFY(!gimbal->pose().frame);
+    rig.edit(u"imu.frame.position"_s, 0, 2);
+    QSignalSpy finished(&rig.workspace(), &Workspace::writeFinished);
+    rig.workspace().write(rig.model().edited());
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 15000);
+    QTRY_VERIFY_WITH_TIMEOUT(gimbal->pose().frame, 15000);
+    QTRY_COMPARE_WITH_TIMEOUT(gimbal->pose().running, std::optional(true), 15000);
+    // It costs nothing while it is not seen.
+    rig.window().showPage(u"settings"_s);
+    const GimbalView::Pose before = gimbal->pose();
+    rig.workspace().setMotors(false);
+    QVERIFY(rig.boardGoesOn(1.5));
+    QCOMPARE(gimbal->pose().running, before.running);
+    rig.window().showPage(u"dashboard"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(gimbal->pose().running, std::optional(false), 5000);
+}
+
+void TestDashboard::limitsAndFollowing_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::addColumn<QString>("low");
+    QTest::addColumn<QString>("high");
+    QTest::addColumn<bool>("yawFollows");
+    QTest::newRow("simplebgc") << kDemo << u"rc.pitch.min_angle"_s << u"rc.pitch.max_angle"_s << false;
+    QTest::newRow("storm32") << kStorm << u"rc.pitch.min"_s << u"rc.pitch.max"_s << true;
+}
+
+void TestDashboard::limitsAndFollowing()
+{
+    QFETCH(QString, address);
+    QFETCH(QString, low);
+    QFETCH(QString, high);
+    QFETCH(bool, yawFollows);
+    WindowRig rig;
+    QVERIFY(rig.open(address));
+    const auto dials = rig.page<DashboardPage>()->findChildren<AxisDial *>();
+    QCOMPARE(dials.size(), 3);
+    const auto shown = [&rig](const QString &key) { return rig.spec(key).toDisplay(rig.raw(key)); };
+    const std::pair limits(shown(low), shown(high));
+    QVERIFY(limits.first < limits.second);
+    QTRY_COMPARE_WITH_TIMEOUT(dials[1]->limits(), std::optional(limits), 8000);
+    QTRY_COMPARE_WITH_TIMEOUT(dials[2]->follows(), std::optional(yawFollows), 8000);
+    QTRY_COMPARE_WITH_TIMEOUT(dials[0]->follows(), std::optional(false), 8000);
+    QVERIFY(dials[0]->accessibleDescription().contains(u"holds"_s));
+}
+
+void TestDashboard::faultsAreLarge()
+{
+    WindowRig rig;
+    QVERIFY(rig.open(kDemo));
+    auto *page = rig.page<DashboardPage>();
+    QVERIFY(!page->findChild<QFrame *>(u"fault"_s));
+    rig.workspace().changeWorld(u"battery=9.6"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(says(page, u"Battery is empty"_s), 10000);
+    for (const QFrame *fault : page->findChildren<QFrame *>(u"fault"_s)) {
+        const auto words = fault->findChildren<QLabel *>();
+        QCOMPARE(words.size(), 3);  // what, what it means, what to do
+        QVERIFY(words[0]->font().pointSizeF() > words[1]->font().pointSizeF() + 2);
+        QVERIFY(!words[1]->text().isEmpty() && !words[2]->text().isEmpty());
+    }
+    QCOMPARE(only<BatteryView>(page)->state(), BatteryView::State::Empty);
+    rig.workspace().changeWorld(u"battery=12.3"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(!page->findChild<QFrame *>(u"fault"_s), 10000);
+}
+
+void TestDashboard::linkIsShownBothWays()
+{
+    WindowRig rig;
+    QVERIFY(rig.open(kDemo));
+    auto *page = rig.page<DashboardPage>();
+    const QLabel *link = nullptr;
+    for (const QLabel *label : page->findChildren<QLabel *>()) {
+        if (label->text().contains(u"Unanswered"_s))
+            link = label;
+    }
+    QVERIFY(link);
+    const auto rates = [link] { return link->text().count(u"kB/s"_s); };
+    QTRY_COMPARE_WITH_TIMEOUT(rates(), 2, 8000);
+    // Figures of a link that is gone are gone with it.
+    rig.client().disconnectFromBoard();
+    QTRY_COMPARE(rates(), 0);
+    QVERIFY(!link->text().contains(u"per second"_s));
+}
+
+QTEST_MAIN(TestDashboard)
+#include "tst_dashboard.moc"

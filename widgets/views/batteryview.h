@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/theme/theme.h"
+
+#include <QWidget>
+
+#include <optional>
+
+/// The battery: its voltage, on a bar with the voltages below which the board does something.
+class BatteryView final : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit BatteryView(const Theme &theme, QWidget *parent = nullptr);
+
+    /// Volts; NaN = not known.
+    void setVolts(double volts);
+    /// Volts of the whole battery, or of each cell; those that are set.
+    void setThresholds(std::optional<double> alarm, std::optional<double> motorsOff, bool perCell);
+
+    enum class State { Unknown, Good, Low, Empty };
+    [[nodiscard]] State state() const;
+    /// Cells of lithium polymer that such a voltage takes; 0: no battery's voltage.
+    [[nodiscard]] static int cellsFor(double volts);
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return {150, sizeHint().height()}; }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    [[nodiscard]] std::optional<double> alarm() const { return whole(m_alarm); }
+    [[nodiscard]] std::optional<double> motorsOff() const { return whole(m_motorsOff); }
+    [[nodiscard]] std::optional<double> whole(const std::optional<double> &volts) const;
+    [[nodiscard]] QString cellText() const;
+    [[nodiscard]] QString thresholdText() const;
+    [[nodiscard]] QString stateText() const;
+    void tell();
+
+    const Theme &m_theme;
+    double m_volts;
+    int m_cells = 0;  // counted once: it does not lose one by emptying
+    std::optional<double> m_alarm;
+    std::optional<double> m_motorsOff;
+    bool m_perCell = false;
+};
