@@ -25,6 +25,7 @@ Notifications::Notifications(DeviceClient &client, const ConfigurationModel &con
     connect(&m_client, &DeviceClient::connectionFailed, this, &Notifications::onConnectionFailed);
     connect(&m_client, &DeviceClient::connectionLost, this, &Notifications::onLost);
     connect(&m_client, &DeviceClient::telemetryFailed, this, &Notifications::onTelemetryFailed);
+    connect(&m_client, &DeviceClient::telemetryPlanChanged, this, [this] { settle(Concern::LiveData); });
     connect(&m_client, &DeviceClient::motorsOffFinished, this, &Notifications::onMotorsOff);
     connect(&m_client, &DeviceClient::motorsOffSettled, this, [this](bool restored) {
         m_leftDisabled = !restored;
@@ -55,22 +56,39 @@ void Notifications::onReplay()
     qint64 bytes = 0;
     for (const ReplayGap &gap : state->gaps)
         bytes += gap.bytes;
-    report(
-        {tr("This recording is damaged."),
-         tr("%n part(s) of it cannot be read and are left out, %1 in all.", nullptr, int(state->gaps.size()))
-             .arg(sizeText(bytes)),
-         tr("Everything else is here; where a part is missing, plots have a gap."),
-         state->gaps.first().reason});
+    report(ErrorText{tr("This recording is damaged."),
+                     tr("%n part(s) of it cannot be read and are left out, %1 in all.", nullptr,
+                        int(state->gaps.size()))
+                         .arg(sizeText(bytes)),
+                     tr("Everything else is here; where a part is missing, plots have a gap."),
+                     state->gaps.first().reason},
+           Concern::Recording);
 }
 
-void Notifications::report(const ErrorText &text)
+void Notifications::report(const ErrorText &text, Concern concern)
 {
+    if (concern != Concern::None)
+        m_told[concern] = text.oneLine();
     emit problem(text);
 }
 
-void Notifications::report(const Error &error)
+void Notifications::report(const Error &error, Concern concern)
 {
-    emit problem(describe(error));
+    report(describe(error), concern);
+}
+
+void Notifications::reportMotorsMayRun(const QString &what)
+{
+    report(
+        ErrorText{
+            what, tr("They may still be running."), tr("Hold the camera and disconnect the power."), {}},
+        Concern::Motors);
+}
+
+void Notifications::settle(Concern concern)
+{
+    if (m_told.contains(concern))
+        emit withdrawn(m_told.take(concern));
 }
 
 void Notifications::notify(const QString &text, Notice kind)
@@ -116,10 +134,13 @@ void Notifications::follow(const LinkRecorder &recorder)
 void Notifications::onState(DeviceClient::State state)
 {
     m_damageTold = m_damageTold && state != DeviceClient::State::Disconnected;
-    if (state != DeviceClient::State::Reconnecting && !m_linkProblem.isEmpty())
-        emit withdrawn(std::exchange(m_linkProblem, {}));
-    if (state == DeviceClient::State::Disconnected)
+    if (state != DeviceClient::State::Reconnecting)
+        settle(Concern::Link);
+    if (state == DeviceClient::State::Disconnected) {
         m_wasLost = false;  // given up
+        for (const Concern concern : {Concern::Reading, Concern::LiveData, Concern::Recording})
+            settle(concern);
+    }
     if (state != DeviceClient::State::Connected)
         return;
     m_leftDisabled = false;
@@ -128,18 +149,17 @@ void Notifications::onState(DeviceClient::State state)
     if (m_client.address().isReplay())
         notify(tr("This is a recording: everything can be looked at, nothing can be changed."), Notice::Hint);
     else if (!m_client.identity().writable)
-        report({ErrorCode::ReadOnly, m_client.identity().firmware, 0});
+        report({ErrorCode::ReadOnly, m_client.identity().firmware, 0}, Concern::Link);
     if (const QString left = m_client.identity().extra.value(u"streams.left"_s).toString(); !left.isEmpty())
         report({tr("The board sends data that nobody here has ordered."),
                 tr("An earlier program has left them on; they take room on the line from everything else."),
-                tr("Switch the board off and on again."), left});
+                tr("Switch the board off and on again."), left},
+               Concern::Link);
 }
 
 void Notifications::onConnectionFailed(const Error &error)
 {
-    const ErrorText text = describe(error);
-    m_linkProblem = text.oneLine();
-    report(text);
+    report(error, Concern::Link);
 }
 
 void Notifications::onLost(const Error &error)
@@ -153,25 +173,24 @@ void Notifications::onLost(const Error &error)
                   "store nothing before.");
     if (m_configuration.changeCount() > 0)
         text.cure += tr(" Unsaved changes are kept.");
-    m_linkProblem = text.oneLine();
-    report(text);
+    report(text, Concern::Link);
 }
 
 void Notifications::onTelemetryFailed(const Error &error)
 {
     ErrorText text = describe(error);
     text.what = tr("Live data could not be started. ") + text.what;
-    report(text);
+    // What the operator chose is refused even if less of it is live a moment later.
+    const bool isRefused = error.code == ErrorCode::TooMuch || error.code == ErrorCode::InvalidArgument;
+    report(text, isRefused ? Concern::None : Concern::LiveData);
 }
 
 void Notifications::onMotorsOff(bool confirmed)
 {
     if (confirmed) {
+        settle(Concern::Motors);
         notify(tr("The motors were switched off."));
         return;
     }
-    report({tr("The board did not confirm that the motors are off."),
-            tr("They may still be running."),
-            tr("Hold the camera and disconnect the power."),
-            {}});
+    reportMotorsMayRun(tr("The board did not confirm that the motors are off."));
 }

@@ -7,6 +7,8 @@
 #include "widgets/models/configurationmodel.h"
 #include "widgets/models/errortext.h"
 
+#include <QMap>
+
 class EditJournal;
 class LinkRecorder;
 
@@ -20,6 +22,16 @@ enum class Notice {
     Attention,  ///< something is not as wished; stays until it is closed
 };
 
+/// What a problem is about. It is withdrawn when that is settled, and only then.
+enum class Concern {
+    None,  ///< stays until it is closed
+    Link,
+    Reading,  ///< of the board's values
+    LiveData,
+    Recording,  ///< that is played
+    Motors,  ///< that may still be running
+};
+
 /// Messages and questions to the operator. Events of the link are reported by this class itself.
 class Notifications final : public QObject
 {
@@ -28,8 +40,12 @@ public:
     Notifications(DeviceClient &client, const ConfigurationModel &configuration);
 
     /// Something the operator must know.
-    void report(const ErrorText &text);
-    void report(const Error &error);
+    void report(const ErrorText &text, Concern concern = Concern::None);
+    void report(const Error &error, Concern concern = Concern::None);
+    /// A stop that did not end well: what happened, the rest is said here.
+    void reportMotorsMayRun(const QString &what);
+    /// What was told of this holds no longer.
+    void settle(Concern concern);
     void notify(const QString &text, Notice kind = Notice::Done);
     /// How saving a file went.
     void reportSaved(const Result<void> &saved, const QString &path);
@@ -58,7 +74,7 @@ private:
     DeviceClient &m_client;
     const ConfigurationModel &m_configuration;
     bool m_wasLost = false;
-    QString m_linkProblem;  // what was told of the link
+    QMap<Concern, QString> m_told;  // and holds still
     bool m_leftDisabled = false;  // motors of a board that did not reach standby
     bool m_damageTold = false;  // of the recording that is played
 };

@@ -95,10 +95,7 @@ void Workspace::onState(DeviceClient::State state)
     if (state != DeviceClient::State::Connected) {
         m_confirmations.forget();
         if (state == DeviceClient::State::Disconnected && std::exchange(m_stopWhenConnected, false))
-            m_notifications.report({tr("No board was reached: the motors were not switched off."),
-                                    tr("They may still be running."),
-                                    tr("Hold the camera and disconnect the power."),
-                                    {}});
+            m_notifications.reportMotorsMayRun(tr("No board was reached: the motors were not switched off."));
         if (state == DeviceClient::State::Disconnected)
             setGuided(false);
         return;
@@ -139,9 +136,10 @@ void Workspace::readKnowing(const std::optional<LiveValues> &live)
             m_reading = false;
             if (!answer) {
                 if (!isEndOfLink(answer.error()))
-                    m_notifications.report(answer.error());
+                    m_notifications.report(answer.error(), Concern::Reading);
                 return;
             }
+            m_notifications.settle(Concern::Reading);
             const bool sameBoard = !m_configuration.isEmpty()
                 && answer->identity().serial == std::as_const(m_configuration).board().identity().serial;
             Configuration read = sameBoard ? withoutLive(*answer, live.value_or(m_live.unsaved())) : *answer;
@@ -191,12 +189,15 @@ void Workspace::tellMissing(const Configuration &configuration)
         (isKept ? kept : unknown).push_back(part);
     }
     if (!unknown.empty())
-        m_notifications.report({ErrorCode::Incomplete, missingText(configuration, unknown), 0});
+        m_notifications.report({ErrorCode::Incomplete, missingText(configuration, unknown), 0},
+                               Concern::Reading);
     if (!kept.empty())
-        m_notifications.report(ErrorText{
-            tr("Parts of the board could not be read again."), tr("What is shown there was read before."),
-            tr("Read the board again; if parts keep missing, check cable and power."),
-            missingText(configuration, kept)});
+        m_notifications.report(
+            ErrorText{tr("Parts of the board could not be read again."),
+                      tr("What is shown there was read before."),
+                      tr("Read the board again; if parts keep missing, check cable and power."),
+                      missingText(configuration, kept)},
+            Concern::Reading);
 }
 
 void Workspace::write(const Configuration &wanted, OtherValues others)

@@ -99,6 +99,8 @@ private slots:
     void lastAddressIsOffered();
     void latelyOpenedIsOffered();
     void valuesInUseAskBeforeQuitting();
+    void problemsGoWithTheirCause();
+    void readingProblemGoesWithAGoodRead();
 
 private:
     MainWindow &window() { return m_rig->window(); }
@@ -554,6 +556,53 @@ void TestFrame::valuesInUseAskBeforeQuitting()
     QVERIFY(question());
     question()->reject();
     QVERIFY(window().isVisible());
+}
+
+void TestFrame::problemsGoWithTheirCause()
+{
+    Notifications &told = workspace().notifications();
+    const auto shown = [this] { return window().messageBar()->isVisible(); };
+    for (const Concern concern : {Concern::Link, Concern::Reading, Concern::LiveData, Concern::Motors}) {
+        told.report(ErrorText{u"What"_s, {}, {}, {}}, concern);
+        QVERIFY(shown());
+        told.settle(concern == Concern::Link ? Concern::Reading : Concern::Link);
+        QVERIFY(shown());
+        told.settle(concern);
+        QVERIFY(!shown());
+    }
+    // What is told since is not taken away with it.
+    told.report(ErrorText{u"Old"_s, {}, {}, {}}, Concern::Reading);
+    told.report(ErrorText{u"New"_s, {}, {}, {}});
+    told.settle(Concern::Reading);
+    QVERIFY(shown());
+    QCOMPARE(window().messageBar()->text(), u"New"_s);
+    window().messageBar()->hide();
+    // Motors of which nobody knew are off after all.
+    QVERIFY(m_rig->open(kDemo));
+    QVERIFY(motorsAre(true));
+    told.reportMotorsMayRun(u"Nobody knows."_s);
+    QVERIFY(window().messageBar()->text().contains(u"Hold the camera"_s));
+    workspace().setMotors(false);
+    QTRY_VERIFY_WITH_TIMEOUT(!window().messageBar()->text().contains(u"Nobody knows"_s), 8000);
+}
+
+void TestFrame::readingProblemGoesWithAGoodRead()
+{
+    const auto told
+        = [this] { return window().messageBar()->isVisible() ? window().messageBar()->text() : QString(); };
+    QVERIFY(m_rig->open(kDemo + u"?fault=deaf%3D62"_s));  // READ_PARAMS_EXT2
+    QTRY_VERIFY_WITH_TIMEOUT(told().contains(u"PARAMS_EXT2"_s), 15000);
+    workspace().changeWorld(u"deaf=-1"_s);
+    QSignalSpy read(&workspace(), &Workspace::boardRead);
+    workspace().readBoard();
+    QTRY_COMPARE_WITH_TIMEOUT(read.count(), 1, 20000);
+    QCOMPARE(told(), QString());
+    // And with the link.
+    workspace().changeWorld(u"deaf=62"_s);
+    workspace().readBoard();
+    QTRY_VERIFY_WITH_TIMEOUT(told().contains(u"PARAMS_EXT2"_s), 20000);
+    m_rig->client().disconnectFromBoard();
+    QTRY_COMPARE(told(), QString());
 }
 
 QTEST_MAIN(TestFrame)
