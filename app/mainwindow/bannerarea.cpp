@@ -18,7 +18,8 @@ BannerArea::BannerArea(QWidget &page, QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(&page);
-    connect(new QShortcut(QKeySequence(Qt::Key_F6), this), &QShortcut::activated, this, &BannerArea::jump);
+    connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_F6), this), &QShortcut::activated, this,
+            &BannerArea::jump);
     connect(qApp, &QApplication::focusChanged, this, &BannerArea::followFocus);
 }
 

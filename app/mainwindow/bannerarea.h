@@ -9,8 +9,8 @@
 
 /// The room of the page, with messages and questions floating over its upper edge: nothing of the page moves
 /// when one comes or goes. They come at the lower edge instead where the pointer or the keyboard is at the
-/// upper one, and go out of the keyboard's way later; one that closes moves none of the others. F6 goes to
-/// the newest and back, Esc closes it.
+/// upper one, and go out of the keyboard's way later; one that closes moves none of the others. Ctrl+F6 goes
+/// to the newest and back, Esc closes it.
 class BannerArea final : public QWidget
 {
     Q_OBJECT

@@ -52,7 +52,7 @@ MessageBar::MessageBar(QWidget *parent)
     m_copy->setToolTip(tr("Copy everything that technical support needs"));
     m_close->setText(u"✕"_s);
     m_close->setAccessibleName(tr("Close message"));
-    m_close->setToolTip(tr("Close (Esc); F6 leads here and back"));
+    m_close->setToolTip(tr("Close (Esc); Ctrl+F6 leads here and back"));
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, Metric::kGap, Metric::kGap, Metric::kGap);
     auto *texts = new QVBoxLayout;
@@ -190,7 +190,7 @@ void OfferBar::setFolded(bool folded)
         button->setVisible(!folded);
     m_fold->setText(folded ? tr("%n open question(s)", nullptr, int(m_offers.size())) : u"▴"_s);
     m_fold->setAccessibleName(folded ? m_fold->text() : tr("Fold the question"));
-    m_fold->setToolTip(folded ? text() : tr("Fold the question; it stays open. F6 leads here and back"));
+    m_fold->setToolTip(folded ? text() : tr("Fold the question; it stays open. Ctrl+F6 leads here and back"));
     setMaximumWidth(folded ? sizeHint().width() : QWIDGETSIZE_MAX);
     updateGeometry();
 }

@@ -292,12 +292,12 @@ void TestFrame::bannersCloseWithoutTheMouse()
     workspace().notifications().notify(u"Esc closes it from the page."_s, Notice::Attention);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     QVERIFY(!window().messageBar()->isVisible());
-    workspace().notifications().notify(u"F6 leads there."_s, Notice::Attention);
-    QTest::keyClick(&window(), Qt::Key_F6);
+    workspace().notifications().notify(u"Ctrl+F6 leads there."_s, Notice::Attention);
+    QTest::keyClick(&window(), Qt::Key_F6, Qt::ControlModifier);
     QVERIFY(window().messageBar()->isAncestorOf(QApplication::focusWidget()));
-    QTest::keyClick(&window(), Qt::Key_F6);
+    QTest::keyClick(&window(), Qt::Key_F6, Qt::ControlModifier);
     QCOMPARE(QApplication::focusWidget(), field);
-    QTest::keyClick(&window(), Qt::Key_F6);
+    QTest::keyClick(&window(), Qt::Key_F6, Qt::ControlModifier);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     QVERIFY(!window().messageBar()->isVisible());
     QCOMPARE(QApplication::focusWidget(), field);

@@ -66,9 +66,12 @@ void TestMonitor::scalesStayInsideWhenThePlotsShrink()
     QTRY_COMPARE(monitor->plots().size(), 2);
     QTRY_VERIFY(monitor->plots().first()->height() > 100);
     const int before = monitor->plots().first()->height();
-    // Messages and the unsaved bar take room from the plots, and give it back.
+    // Messages and the unsaved bar take no room from the plots; a smaller window does.
     m_rig->workspace().notifications().notify(u"a message"_s);
     m_rig->edit(u"pid.roll.p"_s, 0, 60);
+    QVERIFY(m_rig->isSettled());
+    QCOMPARE(monitor->plots().first()->height(), before);
+    m_rig->window().resize(m_rig->window().minimumSize());
     QTRY_VERIFY(monitor->plots().first()->height() < before);
     for (PlotView *plot : monitor->plots()) {
         const auto items = plot->scene()->items();

@@ -230,7 +230,12 @@ void TestPages::profileMadeActive()
     QVERIFY(m_rig->open());
     auto *page = m_rig->page<ProfilesPage>();
     page->table()->selectRow(2);
+    QVERIFY(QTest::qWaitFor([this] { return m_rig->workspace().motorsRunning() == true; }, 8000));
     QTest::mouseClick(named<QPushButton>(page, u"Make active"_s), Qt::LeftButton);
+    // Motors run, so it asks.
+    QVERIFY(m_rig->jobsAreDone());
+    QCOMPARE(std::as_const(m_rig->model()).board().activeProfile(), 0);
+    QTest::mouseClick(named<QPushButton>(window().panels(), u"Switch profile"_s), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(std::as_const(m_rig->model()).board().activeProfile(), 2, 5000);
     QVERIFY(!named<QPushButton>(page, u"Make active"_s)->isEnabled());
 }
