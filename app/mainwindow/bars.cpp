@@ -204,6 +204,7 @@ UnsavedBar::UnsavedBar(Workspace &workspace, QWidget *parent)
     : QFrame(parent)
     , m_workspace(workspace)
     , m_text(new ElidedLabel)
+    , m_where(new ElidedLabel)
     , m_undo(new QPushButton(tr("&Undo")))
     , m_redo(new QPushButton(tr("&Redo")))
     , m_discard(new QPushButton(tr("&Discard")))
@@ -216,7 +217,9 @@ UnsavedBar::UnsavedBar(Workspace &workspace, QWidget *parent)
     layout->setContentsMargins(Metric::kMargin, Metric::kGap, Metric::kMargin, Metric::kGap);
     layout->setSpacing(Metric::kGap);
     m_text->setObjectName(u"changed"_s);
-    layout->addWidget(m_text, 1);
+    m_where->setObjectName(u"muted"_s);
+    layout->addWidget(m_text);
+    layout->addWidget(m_where, 1);
     // What comes and goes with the link stands where it moves none of the others.
     for (QPushButton *button : {m_saveFile, m_undo, m_redo, m_discard})
         layout->addWidget(button);
@@ -224,8 +227,8 @@ UnsavedBar::UnsavedBar(Workspace &workspace, QWidget *parent)
     layout->addWidget(m_write);
     connect(m_saveFile, &QPushButton::clicked, this, &UnsavedBar::saveFileRequested);
     QUndoStack &stack = workspace.edits().undoStack();
-    connect(m_undo, &QPushButton::clicked, &stack, &QUndoStack::undo);
-    connect(m_redo, &QPushButton::clicked, &stack, &QUndoStack::redo);
+    connect(m_undo, &QPushButton::clicked, &workspace.edits(), &EditStack::undo);
+    connect(m_redo, &QPushButton::clicked, &workspace.edits(), &EditStack::redo);
     connect(m_discard, &QPushButton::clicked, &workspace.edits(), &EditStack::discardAll);
     connect(m_write, &QPushButton::clicked, this, &UnsavedBar::reviewRequested);
     connect(&stack, &QUndoStack::indexChanged, this, [this] {
@@ -248,13 +251,9 @@ void UnsavedBar::refresh()
     const ConfigurationModel &model = m_workspace.configuration();
     const int count = model.changeCount();
     QUndoStack &stack = m_workspace.edits().undoStack();
-    const int profiles = model.isEmpty() ? 0 : model.changedProfileCount();
-    QString text = tr("%n unsaved change(s)", nullptr, count);
-    if (profiles > 1)
-        text += u' ' + tr("in %1 profiles").arg(profiles);
-    if (count == 0)
-        text = tr("No unsaved changes");
-    m_text->setFullText(text);
+    m_text->setFullText(count == 0 ? tr("No unsaved changes") : tr("%n unsaved change(s)", nullptr, count));
+    const QStringList places = changePlaces(model, model.changesByProfile());
+    m_where->setFullText(places.join(u" · "_s));
     m_undo->setEnabled(stack.canUndo());
     m_redo->setEnabled(stack.canRedo());
     m_undo->setToolTip(stack.canUndo() ? tr("Undo: %1 (Ctrl+Z)").arg(stack.undoText()) : QString());

@@ -82,6 +82,7 @@ private:
 
     Workspace &m_workspace;
     ElidedLabel *m_text;
+    ElidedLabel *m_where;  // in which profiles
     QPushButton *m_undo;
     QPushButton *m_redo;
     QPushButton *m_discard;

@@ -326,7 +326,8 @@ void LinkBar::updateProfiles()
         return;
     for (int profile = 0; profile < model.board().identity().profileCount; ++profile)
         m_profile->addItem(u"%1  %2"_s.arg(profile + 1).arg(profileLabel(model.edited(), profile)));
-    m_profile->setCurrentIndex(model.shownProfile());
+    const bool onBoard = m_workspace.client().isConnected() && !m_workspace.client().address().isReplay();
+    m_profile->setCurrentIndex(onBoard ? model.board().activeProfile() : model.shownProfile());
     m_profile->setEnabled(true);
 }
 

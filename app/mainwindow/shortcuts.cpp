@@ -21,9 +21,10 @@ void MainWindow::addShortcuts()
     for (int i = 0; i < kNumberedPages; ++i)
         on(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)),
            [this, i] { showPage(m_navigation->pageOfNumber(i + 1)); });
-    QUndoStack *stack = &m_workspace->edits().undoStack();
-    on(QKeySequence::Undo, [stack] { stack->undo(); });
-    on(QKeySequence::Redo, [stack] { stack->redo(); });
+    on(QKeySequence::Undo, [this] { m_workspace->edits().undo(); });
+    on(QKeySequence::Redo, [this] { m_workspace->edits().redo(); });
+    new EditGuide(
+        *m_workspace, [this](const QString &key) { return showPage(key), page(key); }, this);
     on(QKeySequence(Qt::CTRL | Qt::Key_S), [this] {
         if (m_workspace->client().isConnected())
             review();

@@ -23,7 +23,16 @@ class Edit : public QUndoCommand
 {
 public:
     [[nodiscard]] virtual QJsonObject toJson() const = 0;
+    [[nodiscard]] virtual EditPlace place() const = 0;
 };
+
+EditPlace placeOf(const QUndoCommand &step)
+{
+    if (step.childCount() > 0)
+        return placeOf(*step.child(0));
+    const auto *edit = dynamic_cast<const Edit *>(&step);
+    return edit ? edit->place() : EditPlace{};
+}
 
 class ValueEdit final : public Edit
 {
@@ -69,6 +78,7 @@ public:
         // NaN and infinity become null.
         return {{u"key"_s, m_key}, {u"profile"_s, m_profile}, {u"from"_s, m_old}, {u"to"_s, m_new}};
     }
+    [[nodiscard]] EditPlace place() const override { return {EditPlace::Kind::Value, m_key, m_profile, 0}; }
 
 private:
     // By key: after reconnecting, the same parameter is another object.
@@ -102,6 +112,7 @@ public:
     {
         return {{u"profile"_s, m_profile}, {u"fromName"_s, m_old}, {u"toName"_s, m_new}};
     }
+    [[nodiscard]] EditPlace place() const override { return {EditPlace::Kind::Name, {}, m_profile, 0}; }
 
 private:
     ConfigurationModel &m_configuration;
@@ -130,6 +141,10 @@ public:
                 {u"block"_s, m_key.block},
                 {u"fromData"_s, QString::fromLatin1(m_old.toHex())},
                 {u"toData"_s, QString::fromLatin1(m_new.toHex())}};
+    }
+    [[nodiscard]] EditPlace place() const override
+    {
+        return {EditPlace::Kind::Data, {}, m_key.profile, m_key.block};
     }
 
 private:
@@ -172,6 +187,24 @@ void EditStack::editData(BlockKey key, const QByteArray &bytes)
     const BlockSpec *spec = m_configuration.edited().parameters().block(key.block);
     if (spec && spec->isData() && spec->holds(bytes.size()) && now != bytes)
         m_stack.push(new DataEdit(m_configuration, key, tableText(spec->data), now, bytes));
+}
+
+void EditStack::undo()
+{
+    if (!m_stack.canUndo())
+        return;
+    const EditPlace place = placeOf(*m_stack.command(m_stack.index() - 1));
+    m_stack.undo();
+    emit acted(place);
+}
+
+void EditStack::redo()
+{
+    if (!m_stack.canRedo())
+        return;
+    const EditPlace place = placeOf(*m_stack.command(m_stack.index()));
+    m_stack.redo();
+    emit acted(place);
 }
 
 void EditStack::discardAll()

@@ -7,6 +7,16 @@
 #include <QJsonObject>
 #include <QUndoStack>
 
+/// Where a step acts: one value, the name of a profile, or a block as a whole.
+struct EditPlace
+{
+    enum class Kind : std::uint8_t { Value, Name, Data };
+    Kind kind = Kind::Value;
+    QString key;  ///< of the parameter
+    int profile = 0;
+    int block = 0;
+};
+
 /// Edits of the configuration that can be undone, over all pages and profiles.
 class EditStack final : public QObject
 {
@@ -36,6 +46,13 @@ public:
     /// Puts such steps on an empty stack. Steps that do not fit this board are left out; false if none fits.
     bool restore(const QJsonObject &steps);
     [[nodiscard]] QUndoStack &undoStack() { return m_stack; }
+    /// As the operator does it: tells where it acted.
+    void undo();
+    void redo();
+
+signals:
+    /// A step was undone or done again; of several values in one step, the first.
+    void acted(const EditPlace &place);
 
 private:
     void push(const ParameterChange &change);

@@ -25,6 +25,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+constexpr int kResetWidth = 18;
+
 /// A number box that works in raw counts: each step is one count on the wire, or for a float one unit of the
 /// last decimal.
 class ParameterBox final : public NumberBox
@@ -117,11 +119,17 @@ ValueEditor::ValueEditor(const ParameterSpec &spec, int firmware, QWidget *paren
     m_reset->setVisible(false);
     connect(m_reset, &QToolButton::clicked, this, [this] { emit edited(m_boardRaw); });
 
-    auto *layout = new QVBoxLayout(this);
+    // Its place is kept, so that nothing moves when a value changes.
+    m_reset->setText(u"↺"_s);
+    QSizePolicy policy = m_reset->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    m_reset->setSizePolicy(policy);
+    m_reset->setFixedWidth(kResetWidth);
+    auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
-    layout->addWidget(m_control);
-    layout->addWidget(m_reset, 0, Qt::AlignRight);
+    layout->setSpacing(0);
+    layout->addWidget(m_control, 1);
+    layout->addWidget(m_reset);
 }
 
 QWidget *ValueEditor::makeNumber()
@@ -146,7 +154,7 @@ QWidget *ValueEditor::makeChoice(int firmware)
     m_choice = new QComboBox;
     m_choice->setFocusPolicy(Qt::StrongFocus);
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_choice->setMinimumContentsLength(8);
+    m_choice->setMinimumContentsLength(6);
     for (const Choice &choice : m_spec.choices(firmware))
         m_choice->addItem(tableText(choice.name), choice.value);
     connect(m_choice, &QComboBox::currentIndexChanged, this, [this](int index) {
@@ -202,7 +210,6 @@ void ValueEditor::show(std::optional<double> value, std::optional<double> onBoar
     m_reset->setVisible(changed);
     if (changed) {
         const QString board = parameterValueText(m_spec, m_boardRaw);
-        m_reset->setText(tr("↺ %1").arg(board));
         m_reset->setToolTip(tr("The board has %1. Discard the change.").arg(board));
         m_reset->setAccessibleName(tr("Discard the change; the board has %1").arg(board));
     }

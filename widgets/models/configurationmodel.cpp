@@ -164,14 +164,14 @@ Result<void> ConfigurationModel::setData(BlockKey key, const QByteArray &bytes)
     return {};
 }
 
-int ConfigurationModel::changedProfileCount() const
+QMap<int, int> ConfigurationModel::changesByProfile() const
 {
-    QSet<int> profiles;
-    for (const DataChange &change : dataChanges())
-        profiles.insert(change.key.profile);
+    QMap<int, int> counts;
     for (const ParameterChange &change : changes())
-        profiles.insert(change.profile);
-    return int(profiles.size());
+        ++counts[change.spec->row->scope == Scope::Profile ? change.profile : kAllProfiles];
+    if (const int others = int(dataChanges().size()) + (namesChanged() ? 1 : 0))
+        counts[kAllProfiles] += others;
+    return counts;
 }
 
 void ConfigurationModel::recount()

@@ -4,6 +4,7 @@
 
 #include "protocol/configuration/configuration.h"
 
+#include <QMap>
 #include <QObject>
 
 /// What the board holds and what the operator wants: two configurations of one board, with signals for their
@@ -47,8 +48,9 @@ public:
     [[nodiscard]] std::vector<ParameterChange> changes() const { return m_board.changesTo(m_edited); }
     [[nodiscard]] std::vector<DataChange> dataChanges() const { return m_board.dataChangesTo(m_edited); }
     [[nodiscard]] int changeCount() const { return m_changeCount; }
-    /// Number of profiles that changes concern; board-wide ones count for the active profile.
-    [[nodiscard]] int changedProfileCount() const;
+    /// How many changes there are in each profile; under kAllProfiles those of the board as a whole.
+    [[nodiscard]] QMap<int, int> changesByProfile() const;
+    static constexpr int kAllProfiles = -1;
     [[nodiscard]] bool namesChanged() const { return m_board.hasOtherNames(m_edited); }
 
 signals:

@@ -40,6 +40,20 @@ QString profileLabel(const Configuration &configuration, int profile)
     return name.isEmpty() ? QCoreApplication::translate("Tables", "Profile %1").arg(profile + 1) : name;
 }
 
+QStringList changePlaces(const ConfigurationModel &model, const QMap<int, int> &counts)
+{
+    QStringList places;
+    if (model.isEmpty() || model.board().identity().profileCount < 2)
+        return places;
+    for (auto each = counts.begin(); each != counts.end(); ++each) {
+        const QString where = each.key() == ConfigurationModel::kAllProfiles
+            ? QCoreApplication::translate("Tables", "all profiles")
+            : profileLabel(model.edited(), each.key());
+        places.append(u"%1: %2"_s.arg(where).arg(each.value()));
+    }
+    return places;
+}
+
 QString parameterValueText(const ParameterSpec &spec, double raw)
 {
     if (std::isnan(raw))

@@ -5,6 +5,9 @@
 #include "widgets/models/configurationmodel.h"
 #include "widgets/models/tablemodel.h"
 
+/// "Studio: 2", "all profiles: 1", in the order of the profiles. Empty for a board with one profile.
+[[nodiscard]] QStringList changePlaces(const ConfigurationModel &model, const QMap<int, int> &counts);
+
 /// All parameters of the shown profile as rows.
 class ParameterModel final : public TableModel
 {

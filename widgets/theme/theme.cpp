@@ -87,9 +87,9 @@ QPushButton#motors:focus { border: 3px solid @Text; padding: 5px 15px; }
 QToolButton#plotMenu { border: 1px solid transparent; background: transparent; padding: 2px 6px; min-height: 0; font-weight: 700; }
 QToolButton#plotMenu:hover, QToolButton#plotMenu:focus { border: 1px solid @Accent; padding: 2px 6px; }
 QToolButton#plotMenu::menu-indicator { image: none; }
-QToolButton#reset { border: none; background: transparent; color: @Changed; padding: 0 4px; min-height: 0; }
+QToolButton#reset { border: none; background: transparent; color: @Changed; padding: 0; min-height: 0; }
 QToolButton#reset:hover { text-decoration: underline; }
-QToolButton#reset:focus { border: 1px solid @Accent; padding: 0 3px; }
+QToolButton#reset:focus { border: 1px solid @Accent; }
 QLineEdit > QToolButton, QLineEdit > QToolButton:focus { border: none; background: transparent; padding: 0; min-height: 0; }
 QPushButton::menu-indicator { image: url(:/icons/down.svg); width: 10px; subcontrol-position: right center; right: 8px; }
 QPushButton[field="true"] { background: @Surface; padding: 2px 6px; min-height: 22px; text-align: left; }

@@ -283,8 +283,7 @@ bool DocumentsPage::eventFilter(QObject *watched, QEvent *event)
         if (undo || key->matches(QKeySequence::Redo)) {
             if (m_takeTimer.isActive())
                 take();
-            QUndoStack &stack = workspace().edits().undoStack();
-            undo ? stack.undo() : stack.redo();
+            undo ? workspace().edits().undo() : workspace().edits().redo();
             return true;
         }
     }

@@ -21,6 +21,7 @@
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
 #include <QTableView>
+#include <QTimer>
 #include <QVBoxLayout>
 
 using namespace Qt::StringLiterals;
@@ -83,6 +84,7 @@ ParametersPage::ParametersPage(Workspace &workspace, QWidget *parent)
     , m_onlyRed(makeChip(tr("⚠ Risk")))
     , m_asTable(makeChip(tr("Table")))
     , m_nothing(new QLabel(tr("Nothing matches. Change the search, the filters or the level.")))
+    , m_otherProfile(new QPushButton)
     , m_left(new QVBoxLayout)
     , m_row(new QHBoxLayout)
 {
@@ -120,6 +122,9 @@ void ParametersPage::makeBody()
     auto *holderLayout = new QVBoxLayout(holder);
     holderLayout->setContentsMargins(Metric::kGap, 0, Metric::kGap, 0);
     m_nothing->setObjectName(u"muted"_s);
+    m_otherProfile->setObjectName(u"otherProfile"_s);
+    m_otherProfile->hide();
+    holderLayout->addWidget(m_otherProfile, 0, Qt::AlignLeft);
     holderLayout->addWidget(m_nothing);
     holderLayout->addWidget(m_form, 1);
     m_scroll->setWidget(holder);
@@ -175,6 +180,10 @@ void ParametersPage::connectAll()
             &ParametersPage::updateGroupMarks);
     connect(&workspace().configuration(), &ConfigurationModel::shownProfileChanged, this,
             &ParametersPage::updateGroupMarks);
+    connect(m_otherProfile, &QPushButton::clicked, this, [this] {
+        ConfigurationModel &model = workspace().configuration();
+        model.setShownProfile(std::as_const(model).board().activeProfile());
+    });
     connect(&workspace().configuration(), &ConfigurationModel::changeCountChanged, this, [this] {
         updateGroupMarks();
         emit changesChanged();
@@ -298,17 +307,29 @@ void ParametersPage::updateGroupMarks()
         if (int(spec.row->level) <= m_level->currentData().toInt())
             offered.insert(QLatin1String(spec.row->group));
     }
-    QHash<QString, int> counts;
-    for (const ParameterChange &change : model.changes())
-        ++counts[QLatin1String(change.spec->row->group)];
+    // Of each group, by profile; kAllProfiles for values of the board as a whole.
+    QHash<QString, QMap<int, int>> counts;
+    for (const ParameterChange &change : model.changes()) {
+        const bool ofProfile = change.spec->row->scope == Scope::Profile && workspace().profileCount() > 1;
+        const int profile = ofProfile ? change.profile : ConfigurationModel::kAllProfiles;
+        ++counts[QLatin1String(change.spec->row->group)][profile];
+    }
     for (int i = 0; i < m_groups->count(); ++i) {
         QListWidgetItem *item = m_groups->item(i);
         const QString group = item->data(Qt::UserRole).toString();
-        const int count = counts.value(group);
-        const QString name = tableText(group.toLatin1().constData());
-        item->setText(count ? u"%1  • %2"_s.arg(name).arg(count) : name);
+        const QMap<int, int> count = counts.value(group);
+        QString name = tableText(group.toLatin1().constData());
+        QStringList shorts;
+        for (auto each = count.begin(); each != count.end(); ++each) {
+            shorts.append(each.key() < 0 ? QString::number(each.value())
+                                         : tr("P%1: %2").arg(each.key() + 1).arg(each.value()));
+        }
+        if (!shorts.isEmpty())
+            name += u"  • "_s + shorts.join(u", "_s);
+        item->setText(name);
+        item->setToolTip(changePlaces(model, count).join(u'\n'));
         QFont font = item->font();
-        font.setBold(count > 0);
+        font.setBold(!shorts.isEmpty());
         item->setFont(font);
         item->setHidden(count == 0 && !offered.contains(group));
     }
@@ -318,6 +339,7 @@ void ParametersPage::updateGroupMarks()
         if (!m_groups->item(i)->isHidden())
             m_groups->setCurrentRow(i);
     }
+    updateProfileNote();
 }
 
 void ParametersPage::onRefused(int parameter, const QString &text)
@@ -330,6 +352,19 @@ void ParametersPage::onRefused(int parameter, const QString &text)
                                            : tr("%1: “%2” is no value from %3. The value is as before.")
                                                  .arg(parameterLabel(spec), text.left(kShownTyped), range),
                                        Notice::Attention);
+}
+
+// With a board, the profile in use and the one that is shown are two things.
+void ParametersPage::updateProfileNote()
+{
+    const ConfigurationModel &model = workspace().configuration();
+    const int shown = model.shownProfile();
+    const int used = model.board().activeProfile();
+    m_otherProfile->setVisible(workspace().client().isConnected() && shown != used
+                               && workspace().profileCount() > 1);
+    m_otherProfile->setText(
+        tr("This is %1. The board uses %2: show that one.")
+            .arg(profileLabel(model.edited(), shown), profileLabel(model.edited(), used)));
 }
 
 void ParametersPage::showGroup(int row)
@@ -351,8 +386,29 @@ void ParametersPage::showParameter(const QString &key)
         if (m_groups->item(i)->data(Qt::UserRole).toString() == QLatin1String(spec->row->group))
             m_groups->setCurrentRow(i);
     }
-    if (ValueEditor *editor = m_form->editor(spec->id)) {
-        m_scroll->ensureWidgetVisible(editor);
-        editor->control()->setFocus();
+    focusEditor(spec->id);
+}
+
+void ParametersPage::reveal(const ParameterSpec &spec)
+{
+    const QModelIndex row = m_proxy->mapFromSource(m_model.index(spec.id, ParameterModel::ValueColumn));
+    if (m_views->currentIndex() == 1 && row.isValid()) {
+        m_table->setCurrentIndex(row);
+        m_table->scrollTo(row);
+        m_table->setFocus();
+    } else if (m_views->currentIndex() == 0 && m_form->editor(spec.id)) {
+        focusEditor(spec.id);
+    } else {
+        showParameter(spec.key);
     }
+}
+
+void ParametersPage::focusEditor(int parameter)
+{
+    ValueEditor *editor = m_form->editor(parameter);
+    if (!editor)
+        return;
+    editor->control()->setFocus();
+    // Fields that were made just now have no places yet.
+    QTimer::singleShot(0, editor, [this, editor] { m_scroll->ensureWidgetVisible(editor); });
 }

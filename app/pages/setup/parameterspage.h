@@ -28,6 +28,8 @@ public:
     /// Shows a group, or one parameter with the focus in its field.
     void showGroup(int row);
     void showParameter(const QString &key);
+    /// The same, in the view that is open, as far as it has it.
+    void reveal(const ParameterSpec &spec);
     [[nodiscard]] ParameterForm *form() const { return m_form; }
     [[nodiscard]] QLineEdit *search() const { return m_search; }
     [[nodiscard]] QTableView *table() const { return m_table; }
@@ -44,6 +46,8 @@ private:
     void refilter();
     void updateGroupMarks();
     void onRefused(int parameter, const QString &text);
+    void updateProfileNote();
+    void focusEditor(int parameter);
     [[nodiscard]] bool matches(const ParameterSpec &spec) const;
 
     ParameterModel m_model;
@@ -61,6 +65,7 @@ private:
     QPushButton *m_onlyRed;
     QPushButton *m_asTable;
     QLabel *m_nothing;
+    QPushButton *m_otherProfile;
     QVBoxLayout *m_left;
     QHBoxLayout *m_row;
     bool m_narrow = false;
