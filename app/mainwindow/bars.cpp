@@ -3,6 +3,7 @@
 #include "app/mainwindow/bars.h"
 
 #include "app/mainwindow/motorskeys.h"
+#include "app/workspace/question.h"
 #include "protocol/session/linkstatistics.h"
 #include "protocol/telemetry/telemetryplan.h"
 #include "protocol/telemetry/telemetrystore.h"
@@ -12,6 +13,7 @@
 #include "widgets/views/elidedlabel.h"
 
 #include <QClipboard>
+#include <QDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -317,7 +319,15 @@ void UnstoredBar::goBack()
         m_workspace.live().revert();
         return;
     }
-    m_workspace.perform(reloadAction(), {});
+    QDialog *panel = askInPanel(
+        {tr("Back to what is stored?"),
+         tr("All values in use that are not stored are lost. The board starts with the stored ones, and so "
+            "may "
+            "its motors: keep hands and cables clear of the gimbal."),
+         {{tr("Back to what is stored"), [this] { m_workspace.perform(reloadAction(), {}); }, true}},
+         tr("Keep what is in use")},
+        this);
+    connect(&m_workspace.client(), &DeviceClient::stateChanged, panel, &QDialog::reject);
 }
 
 void UnstoredBar::refresh()

@@ -226,6 +226,10 @@ QString LinkBar::typedAddress() const
 void LinkBar::connectOrDisconnect()
 {
     DeviceClient &client = m_workspace.client();
+    if (client.isConnected()) {
+        emit disconnectRequested();
+        return;
+    }
     if (client.state() != DeviceClient::State::Disconnected) {
         client.disconnectFromBoard();
         return;

@@ -33,6 +33,10 @@ public:
     [[nodiscard]] QPushButton *motorsButton() const { return m_motors; }
     [[nodiscard]] QComboBox *addressBox() const { return m_address; }
 
+signals:
+    /// Of a board that is connected; whether it may go is the window's to ask.
+    void disconnectRequested();
+
 protected:
     void resizeEvent(QResizeEvent *event) override;
 

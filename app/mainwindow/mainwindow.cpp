@@ -6,6 +6,7 @@
 #include "app/mainwindow/bannerarea.h"
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/footbar.h"
+#include "app/mainwindow/leaving.h"
 #include "app/mainwindow/linkbar.h"
 #include "app/mainwindow/motorskeys.h"
 #include "app/mainwindow/navigation.h"
@@ -15,6 +16,7 @@
 #include "app/pages/program/helppage.h"
 #include "app/workspace/filedialogs.h"
 #include "app/workspace/question.h"
+#include "protocol/record/recording.h"
 #include "widgets/forms/numberbox.h"
 #include "widgets/forms/panel.h"
 
@@ -25,6 +27,9 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QLoggingCategory>
+#include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -35,6 +40,10 @@ Q_LOGGING_CATEGORY(logStart, "gimbal.start", QtWarningMsg)
 namespace {
 
 const QString kWindowLayout = u"window"_s;
+constexpr QSize kFullSize(1024, 640);  // holds every page
+constexpr QSize kSmallestSize(560, 320);
+constexpr QSize kDecoration(16, 40);  // what a window manager puts around
+constexpr int kAroundContent = 100;  // height of the link bar and the status at most
 
 }  // namespace
 
@@ -54,11 +63,14 @@ MainWindow::MainWindow(Links links, QList<Family> families, Theme &theme, Settin
     , m_foot(new FootBar(*m_workspace, {m_unstoredBar, m_unsavedBar}))
     , m_status(new StatusStrip(*m_workspace))
     , m_keys(new MotorsKeys(*m_workspace, this))
+    , m_leaving(new Leaving(*m_workspace, *this))
     , m_themeChoice(settings.theme())
 {
     setWindowTitle(u"GimbalDesk"_s);
-    setMinimumSize(1024, 640);
-    resize(1280, 800);
+    // On a screen with less room the content is scrolled, and the red button stays where it is.
+    const QSize room = screen() ? screen()->availableSize() : kFullSize;
+    setMinimumSize(kFullSize.boundedTo(room - kDecoration).expandedTo(kSmallestSize));
+    resize(QSize(1280, 800).boundedTo(room - kDecoration));
     restoreGeometry(settings.layout(kWindowLayout));
     layoutFrame();
     connectFrame();
@@ -66,6 +78,7 @@ MainWindow::MainWindow(Links links, QList<Family> families, Theme &theme, Settin
     m_start->setLeftovers(m_workspace->history().unsavedBases());
     m_start->setRecent(settings.recentAddresses(), settings.recentFiles());
     m_navigation->setCurrentPage(QLatin1String(pageTable().front().key));
+    page(u"console"_s);  // it lists each link from its beginning
     updateOffered();
     updateStart();
 }
@@ -77,6 +90,7 @@ MainWindow::~MainWindow()
     delete m_review;
     delete m_palette;
     delete m_keys;
+    delete m_leaving;
     delete takeCentralWidget();
 }
 
@@ -97,7 +111,13 @@ void MainWindow::layoutFrame()
     contentLayout->addWidget(m_replay);
     contentLayout->addLayout(middle, 1);
     contentLayout->addWidget(m_foot);
-    m_panels = new PanelArea(m_content);
+    m_content->setMinimumSize(kFullSize.width(), kFullSize.height() - kAroundContent);
+    m_content->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);  // its minimum is what counts
+    auto *scrolled = new QScrollArea;
+    scrolled->setWidgetResizable(true);
+    scrolled->setFocusPolicy(Qt::NoFocus);
+    scrolled->setWidget(m_content);
+    m_panels = new PanelArea(scrolled);
     auto *central = new QWidget;
     auto *layout = new QVBoxLayout(central);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -118,6 +138,11 @@ void MainWindow::connectFrame()
     connect(&workspace->notifications(), &Notifications::offer, m_offers, &OfferBar::ask);
     m_status->follow(*m_keys);
     m_keys->serve(*m_linkBar->motorsButton());
+    connect(m_linkBar, &LinkBar::disconnectRequested, this, [this] {
+        const auto disconnectNow = [this] { m_workspace->client().disconnectFromBoard(); };
+        if (m_leaving->mayGo(Leaving::Way::Disconnect, disconnectNow))
+            disconnectNow();
+    });
     connect(m_panels, &PanelArea::openChanged, this, [this](bool open) { m_linkBar->setLinkEnabled(!open); });
     connect(m_unsavedBar, &UnsavedBar::reviewRequested, this, &MainWindow::review);
     connect(m_unsavedBar, &UnsavedBar::saveFileRequested, this, &MainWindow::askSaveFile);
@@ -161,21 +186,35 @@ void MainWindow::openLink(const QString &address)
 
 void MainWindow::openFile(const QString &path)
 {
-    if (const auto opened = m_workspace->openFile(path); !opened) {
+    if (m_workspace->client().isConnected() && Recording::describe(path)) {
+        const auto play = [this, path] {
+            m_workspace->client().disconnectFromBoard();
+            openFile(path);
+        };
+        askInPanel({tr("Play a recording?"),
+                    tr("The link to the board ends before it is played."),
+                    {{tr("Disconnect and play"),
+                      [this, play] {
+                          if (m_leaving->mayGo(Leaving::Way::Disconnect, play))
+                              play();
+                      }}},
+                    tr("Stay connected")},
+                   this);
+        return;
+    }
+    // With a board, a configuration is loaded as edits of it.
+    const bool isEdit = m_workspace->client().isConnected();
+    if (const auto opened = isEdit ? m_workspace->applyFile(path) : m_workspace->openFile(path); !opened) {
         m_messages->showProblem(describe(opened.error()));
         return;
     }
     m_workspace->settings().addRecentFile(path);
-    if (!m_workspace->offlineFile().isEmpty())
+    if (isEdit || !m_workspace->offlineFile().isEmpty())
         showPage(u"parameters"_s);
 }
 
 void MainWindow::askOpenFile()
 {
-    if (m_workspace->client().isConnected()) {
-        showPage(u"backups"_s);  // with a board, the file is compared with it and loaded as edits
-        return;
-    }
     askOpenPath(
         this, tr("Open a configuration or a recording"), m_workspace->openFilter(),
         [this](const QString &path) { openFile(path); }, BoardHistory::defaultRoot());
@@ -315,59 +354,19 @@ void MainWindow::paintEvent(QPaintEvent *event)
         qCDebug(logStart) << "first paint";
 }
 
-void MainWindow::leave()
-{
-    m_leaving = true;
-    close();
-}
-
-// What would be lost on leaving, with the two ways out; the third is to stay.
-bool MainWindow::isAskedBeforeLeaving()
-{
-    const int changes = m_workspace->unsavedCount();
-    if (changes > 0) {
-        askInPanel({tr("Unsaved changes"),
-                    tr("%n change(s) are not on the board.", nullptr, changes),
-                    {{tr("Quit and keep for next time"), [this] { leave(); }},
-                     {tr("Discard and quit"),
-                      [this] {
-                          m_workspace->discardUnsaved();
-                          leave();
-                      },
-                      true}},
-                    tr("Stay")},
-                   this);
-        return true;
-    }
-    const bool isInUse = m_workspace->isUnstored() || m_workspace->live().changeCount() > 0;
-    if (!isInUse || !m_workspace->client().isConnected() || !m_workspace->client().identity().writable)
-        return false;
-    const auto storeAndLeave = [this] {
-        m_workspace->saveLive().then(this, [this](bool stored) {
-            if (stored)
-                leave();
-        });
-    };
-    askInPanel(
-        {tr("Not stored"),
-         tr("The board uses values that it has not stored. They are lost when it is switched off."),
-         {{tr("Store and quit"), storeAndLeave}, {tr("Quit without storing"), [this] { leave(); }, true}},
-         tr("Stay")},
-        this);
-    return true;
-}
-
 void MainWindow::closeEvent(QCloseEvent *event)
 {
     m_panels->rejectAll();
-    if (!m_leaving && isAskedBeforeLeaving()) {
+    const auto closeNow = [this] {
+        m_mayClose = true;
+        close();
+    };
+    if (!m_mayClose && !m_leaving->mayGo(Leaving::Way::Quit, closeNow)) {
         event->ignore();
         return;
     }
     m_workspace->settings().setLayout(kWindowLayout, saveGeometry());
     m_workspace->journal().flush();
-    if (m_workspace->settings().motorsOffOnQuit() && m_workspace->client().isConnected())
-        m_workspace->client().motorsOff();
     m_workspace->client().disconnectFromBoard();
     QMainWindow::closeEvent(event);
 }

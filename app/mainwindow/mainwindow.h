@@ -12,6 +12,7 @@
 
 class BannerArea;
 class FootBar;
+class Leaving;
 class LinkBar;
 class MessageBar;
 class MotorsKeys;
@@ -45,7 +46,8 @@ public:
     [[nodiscard]] CommandPalette *commandPalette() const { return m_palette; }
 
     void openLink(const QString &address);
-    /// Opens a configuration file without a board.
+    /// Opens a configuration: without a board to look at, with one as edits of it. Plays a recording, after
+    /// asking where that ends a link.
     void openFile(const QString &path);
     /// The page with that key, made if need be; null if there is none.
     Page *page(const QString &key);
@@ -69,8 +71,6 @@ private:
     void updateOffered();
     void askOpenFile();
     void askSaveFile();
-    void leave();
-    [[nodiscard]] bool isAskedBeforeLeaving();
     void applyTheme();
 
     std::unique_ptr<Workspace> m_workspace;
@@ -89,9 +89,10 @@ private:
     QWidget *m_content = nullptr;
     PanelArea *m_panels = nullptr;
     MotorsKeys *m_keys;
+    Leaving *m_leaving;
     Settings::ThemeChoice m_themeChoice;
     QHash<QString, Page *> m_pages;
     QPointer<ReviewDialog> m_review;
     QPointer<CommandPalette> m_palette;
-    bool m_leaving = false;
+    bool m_mayClose = false;
 };

@@ -26,6 +26,8 @@ QFuture<Result<ActionOutcome>> Workspace::performNow(const QString &key, const Q
     const auto it = std::find_if(actions.begin(), actions.end(),
                                  [&key](const ActionSpec &spec) { return key == QLatin1String(spec.key); });
     const ActionSpec action = it == actions.end() ? ActionSpec() : *it;
+    const bool isWork = action.isProcedure || action.memory != MemoryEffect::None;
+    m_works += isWork ? 1 : 0;
     return m_client
         .submit<ActionOutcome>(
             [key, arguments, history = m_history, live = m_live.unsaved(),
@@ -33,16 +35,19 @@ QFuture<Result<ActionOutcome>> Workspace::performNow(const QString &key, const Q
                 return performSafely(channel, device, key, arguments, history, live, latest.get());
             },
             action.isProcedure ? DeviceClient::JobKind::Moving : DeviceClient::JobKind::Quiet)
-        .then(this, [this, quiet, action, before = m_live.unsaved()](const Result<ActionOutcome> &outcome) {
-            if (!outcome && !quiet)
-                m_notifications.report(outcome.error());
-            if (outcome && !outcome->snapshotPath.isEmpty())
-                emit snapshotTaken();
-            // Live values are lost, even if only the reply went missing.
-            if (outcome || action.memory == MemoryEffect::Reloads)
-                readAfter(action, outcome.value_or(ActionOutcome()), before);
-            return outcome;
-        });
+        .then(this,
+              [this, quiet, action, isWork, before = m_live.unsaved()](const Result<ActionOutcome> &outcome) {
+                  if (isWork)
+                      endWork();
+                  if (!outcome && !quiet)
+                      m_notifications.report(outcome.error());
+                  if (outcome && !outcome->snapshotPath.isEmpty())
+                      emit snapshotTaken();
+                  // Live values are lost, even if only the reply went missing.
+                  if (outcome || action.memory == MemoryEffect::Reloads)
+                      readAfter(action, outcome.value_or(ActionOutcome()), before);
+                  return outcome;
+              });
 }
 
 LiveValues Workspace::storedWithAWrite() const

@@ -411,15 +411,18 @@ void Workspace::setMotors(bool on)
         tellGuided();
         return;
     }
+    // As a moving job: a stop that comes meanwhile cancels a start that still waits for its turn.
     m_client
-        .submit<void>([](Channel &channel, Device &device) -> Result<void> {
-            if (!device.motorSwitch())
-                return failure(ErrorCode::Unsupported,
-                               u"this board has no command that switches its motors on"_s);
-            return device.motorSwitch()->switchMotorsOn(channel);
-        })
+        .submit<void>(
+            [](Channel &channel, Device &device) -> Result<void> {
+                if (!device.motorSwitch())
+                    return failure(ErrorCode::Unsupported,
+                                   u"this board has no command that switches its motors on"_s);
+                return device.motorSwitch()->switchMotorsOn(channel);
+            },
+            DeviceClient::JobKind::Moving)
         .then(this, [this](const Result<void> &done) {
-            if (!done)
+            if (!done && done.error().code != ErrorCode::Cancelled)
                 m_notifications.report(done.error());
         });
 }

@@ -107,6 +107,15 @@ public:
     /// nothing else on the screen does that then.
     void setGuided(bool guided);
     [[nodiscard]] bool isGuided() const { return m_guided; }
+    /// A procedure, or an action on the board's memory, runs: an end of the link would leave it half done.
+    [[nodiscard]] bool isAtWork() const { return m_works > 0; }
+    /// Brackets such work, for pages that do it by themselves.
+    void beginWork() { ++m_works; }
+    void endWork()
+    {
+        if (--m_works == 0)
+            emit workEnded();
+    }
     /// The span of time in a paused plot, in seconds since the store's origin.
     void setHeldSpan(std::optional<std::pair<double, double>> span) { m_heldSpan = span; }
     [[nodiscard]] std::optional<std::pair<double, double>> heldSpan() const { return m_heldSpan; }
@@ -146,6 +155,8 @@ signals:
     /// The world around the simulated gimbal was changed: a fault as NAME=VALUE.
     void worldChanged(const QString &assignment);
     void writeFinished();
+    /// The last of what ran has ended.
+    void workEnded();
 
 private:
     void onState(DeviceClient::State state);
@@ -189,6 +200,7 @@ private:
                            m_history, m_notifications, m_settings, m_telemetry, m_linkMarks};
     bool m_unstored = false;
     bool m_guided = false;
+    int m_works = 0;
     QString m_unstoredSerial;
     bool m_reading = false;
     bool m_switchingProfile = false;

@@ -13,6 +13,7 @@
 #include "app/pages/tune/tuningpage.h"
 #include "tests/support/named.h"
 #include "tests/support/stormwindow.h"
+#include "widgets/forms/panel.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/valueeditor.h"
 #include "widgets/models/framelogmodel.h"
@@ -166,7 +167,13 @@ void TestStorm::unstoredValuesStayInSight()
     workspace().perform(u"defaults"_s, {});
     QTRY_VERIFY(workspace().isUnstored() && bar->isVisible());
     QTRY_COMPARE(inUse(12), 400);
+    // The board starts anew with it, and so may its motors: that is asked.
     bar->backButton()->click();
+    QCOMPARE(inUse(12), 400);
+    QVERIFY(workspace().isUnstored());
+    auto *question = m_rig->window().panels()->findChild<QDialog *>();
+    QVERIFY(question);
+    named<QPushButton>(question, u"Back to what is stored"_s)->click();
     QTRY_VERIFY_WITH_TIMEOUT(!workspace().isUnstored() && !bar->isVisible(), 10000);
     QTRY_COMPARE(inUse(12), 421);
 }

@@ -479,6 +479,15 @@ void TestTelemetry::stepTestFindsWhatThePlantDoes()
     QCOMPARE(named<CurveChart>(page, u"Step response"_s)->curves().size(), curves - 1);
     // The events stand in the plots.
     QVERIFY(m_rig->workspace().marks().all().size() >= 4);
+    // They are this board's: on another one they are put aside, and named after it.
+    model->item(1, 0)->setCheckState(Qt::Checked);
+    const QString before = m_rig->client().identity().serial;
+    m_rig->client().disconnectFromBoard();
+    QVERIFY(m_rig->open(u"sim:simplebgc?seed=7"_s));
+    QVERIFY(m_rig->client().identity().serial != before);
+    QVERIFY(named<CurveChart>(page, u"Step response"_s)->curves().isEmpty());
+    QCOMPARE(page->records().size(), std::size_t(2));
+    QVERIFY(page->records().front().name.contains(before));
 }
 
 void TestTelemetry::ownMotionIsMeasured()

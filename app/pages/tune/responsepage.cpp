@@ -41,6 +41,11 @@ QString msText(std::optional<double> seconds)
     return seconds ? ResponsePage::tr("%1 ms").arg(numberText(*seconds * 1000.0, 0)) : u"–"_s;
 }
 
+QString boardName(const BoardIdentity &identity)
+{
+    return u"%1 %2"_s.arg(identity.model, identity.serial).trimmed();
+}
+
 }  // namespace
 
 ResponsePage::ResponsePage(Workspace &workspace, QWidget *parent)
@@ -125,9 +130,11 @@ ResponsePage::ResponsePage(Workspace &workspace, QWidget *parent)
         if (progress.step == u"motion-test"_s && progress.total > 0)
             m_progress->setValue(100 * progress.done / progress.total);
     });
-    connect(&workspace.client(), &DeviceClient::stateChanged, this, [this] {
+    connect(&workspace.client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
         offerWays();
         setArmed(false);
+        if (state == DeviceClient::State::Connected)
+            putOthersAside();
     });
     m_disarm.setSingleShot(true);
     connect(&m_disarm, &QTimer::timeout, this, [this] { setArmed(false); });
@@ -286,6 +293,7 @@ void ResponsePage::start()
         return;
     }
     m_running = true;
+    workspace().beginWork();
     m_progress->setValue(0);
     workspace().mark(PlotMark::Kind::Note, tr("Test of %1 begins").arg(axisLabel(axis())));
     workspace()
@@ -298,6 +306,7 @@ void ResponsePage::start()
             DeviceClient::JobKind::Moving)
         .then(this, [this](const Result<MotionTestResult> &result) {
             m_running = false;
+            workspace().endWork();
             if (result)
                 onMeasured(*result);
             else
@@ -363,11 +372,28 @@ void ResponsePage::add(Result<ResponseRecord> record, Axis axis)
     record->axis = axis;
     if (record->kind == ResponseRecord::Kind::Frequency && axis != Axis::None)
         workspace().notches().keepLoop(axis, {openLoop(record->closed), record->fromHz, record->toHz});
-    if (record->name.isEmpty())
+    if (record->name.isEmpty()) {  // else it is from a file
+        const BoardIdentity &identity = workspace().client().identity();
         record->name = u"%1 %2"_s.arg(axisLabel(axis), QDateTime::currentDateTime().toString(u"HH:mm:ss"_s));
+        record->board = boardName(identity);
+    }
     m_records.push_back(std::move(*record));
     if (m_records.size() > kMaxRecords)
         m_records.erase(m_records.begin());
+    showRecords();
+}
+
+// Curves of another board would pass for this one's: they stay in the list, with its name, and are not shown.
+void ResponsePage::putOthersAside()
+{
+    const QString board = boardName(workspace().client().identity());
+    for (ResponseRecord &record : m_records) {
+        if (record.board.isEmpty() || record.board == board)
+            continue;
+        record.shown = false;
+        if (!record.name.contains(record.board))
+            record.name += u" · "_s + record.board;
+    }
     showRecords();
 }
 

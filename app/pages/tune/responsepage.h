@@ -54,6 +54,7 @@ private:
     void onFailed(const Error &error);
     void add(Result<ResponseRecord> record, Axis axis);
     void removeChosen();
+    void putOthersAside();
     void showRecords();
     void updateButtons();
     [[nodiscard]] bool tellsTargets() const;

@@ -14,6 +14,7 @@ struct ResponseRecord
 
     Kind kind = Kind::Steps;
     QString name;
+    QString board;  ///< its model and serial number; empty where it came from a file
     Axis axis = Axis::None;
     bool shown = true;
     double rate = 0;

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mainwindow/leaving.h"
+
+#include "app/workspace/question.h"
+
+#include <utility>
+
+Leaving::Leaving(Workspace &workspace, QWidget &window)
+    : QObject(&window)
+    , m_workspace(workspace)
+    , m_window(window)
+{
+    connect(&workspace, &Workspace::writeFinished, this, [this] { ended(Wait::Write); });
+    connect(&workspace, &Workspace::workEnded, this, [this] { ended(Wait::Work); });
+    connect(&workspace.notches(), &NotchAdviser::changed, this, [this] {
+        if (!isAtWork())
+            ended(Wait::Work);
+    });
+    connect(&workspace.client(), &DeviceClient::motorsOffFinished, this, [this](bool confirmed) {
+        if (m_wait != Wait::MotorsOff)
+            return;
+        m_motorsAreSettled = confirmed;
+        if (confirmed) {
+            ended(Wait::MotorsOff);
+            return;
+        }
+        m_wait = Wait::Nothing;
+        askAboutMotors();
+    });
+}
+
+bool Leaving::mayGo(Way way, const std::function<void()> &go)
+{
+    m_way = way;
+    m_go = go;
+    m_wait = Wait::Nothing;
+    m_editsAreSettled = false;
+    m_valuesAreSettled = false;
+    m_motorsAreSettled = false;
+    return isClear();
+}
+
+bool Leaving::isAtWork() const
+{
+    return m_workspace.isAtWork() || m_workspace.notches().isRunning();
+}
+
+bool Leaving::isClear()
+{
+    const DeviceClient &client = m_workspace.client();
+    const bool isLinked = client.isConnected() && !client.address().isReplay();
+    if (isLinked && m_workspace.isWriting()) {
+        waitFor(Wait::Write,
+                quits() ? tr("A write is running: the program quits when it has ended.")
+                        : tr("A write is running: the link ends when it has ended."));
+        return false;
+    }
+    if (isLinked && isAtWork()) {
+        askAboutWork();
+        return false;
+    }
+    if (quits() && !m_editsAreSettled && m_workspace.unsavedCount() > 0) {
+        askAboutEdits();
+        return false;
+    }
+    const bool isInUse = m_workspace.isUnstored() || m_workspace.live().changeCount() > 0;
+    if (isLinked && isInUse && !m_valuesAreSettled && client.identity().writable) {
+        askAboutValues();
+        return false;
+    }
+    if (isLinked && quits() && !m_motorsAreSettled && m_workspace.settings().motorsOffOnQuit()
+        && m_workspace.motorsRunning().value_or(true)) {
+        waitFor(Wait::MotorsOff, tr("The motors are switched off, then the program quits."));
+        m_workspace.client().motorsOff();
+        return false;
+    }
+    return true;
+}
+
+void Leaving::next()
+{
+    if (m_go && isClear())
+        std::exchange(m_go, nullptr)();
+}
+
+void Leaving::waitFor(Wait what, const QString &told)
+{
+    m_wait = what;
+    m_workspace.notifications().notify(told, Notice::Attention);
+}
+
+void Leaving::ended(Wait what)
+{
+    if (m_wait != what)
+        return;
+    m_wait = Wait::Nothing;
+    // After a write the values in use are read again: what is not stored is known after that.
+    m_workspace.client()
+        .submit<void>([](Channel &, Device &) -> Result<void> { return {}; })
+        .then(this, [this](const Result<void> &) { later(); });
+}
+
+// Whoever else waits for the same is told first, and a panel is gone before the next one opens.
+void Leaving::later()
+{
+    QMetaObject::invokeMethod(this, &Leaving::next, Qt::QueuedConnection);
+}
+
+void Leaving::askAboutWork()
+{
+    const auto wait = [this] {
+        waitFor(Wait::Work,
+                quits() ? tr("The program quits when the board has done its work.")
+                        : tr("The link ends when the board has done its work."));
+        if (!isAtWork())
+            ended(Wait::Work);
+    };
+    const auto cancel = [this, wait] {
+        wait();
+        if (m_workspace.notches().isRunning()) {
+            m_workspace.notches().stop();  // it takes its notch back
+            return;
+        }
+        m_workspace.client().cancelMovingJobs();
+        m_workspace.client().cancelJobs();
+    };
+    askInPanel({tr("The board is at work"),
+                tr("A calibration, a measurement or another procedure has not ended."),
+                {{quits() ? tr("Wait, then quit") : tr("Wait, then disconnect"), wait},
+                 {quits() ? tr("Cancel it and quit") : tr("Cancel it and disconnect"), cancel, true}},
+                tr("Stay")},
+               &m_window);
+}
+
+void Leaving::askAboutEdits()
+{
+    const auto goOn = [this] {
+        m_editsAreSettled = true;
+        later();
+    };
+    const auto discard = [this, goOn] {
+        m_workspace.discardUnsaved();
+        goOn();
+    };
+    askInPanel({tr("Unsaved changes"),
+                tr("%n change(s) are not on the board.", nullptr, m_workspace.unsavedCount()),
+                {{tr("Quit and keep for next time"), goOn}, {tr("Discard and quit"), discard, true}},
+                tr("Stay")},
+               &m_window);
+}
+
+void Leaving::askAboutValues()
+{
+    const auto goOn = [this] {
+        m_valuesAreSettled = true;
+        later();
+    };
+    const auto store = [this, goOn] {
+        m_workspace.saveLive().then(this, [goOn](bool stored) {
+            if (stored)
+                goOn();
+        });
+    };
+    askInPanel({tr("Not stored"),
+                tr("The board uses values that it has not stored. They are lost when it is switched off."),
+                {{quits() ? tr("Store and quit") : tr("Store and disconnect"), store},
+                 {quits() ? tr("Quit without storing") : tr("Disconnect without storing"), goOn, true}},
+                tr("Stay")},
+               &m_window);
+}
+
+void Leaving::askAboutMotors()
+{
+    const auto goOn = [this] {
+        m_motorsAreSettled = true;
+        later();
+    };
+    askInPanel({tr("The motors may be running"),
+                tr("The board did not confirm that the motors are off."),
+                {{tr("Quit all the same"), goOn, true}},
+                tr("Stay")},
+               &m_window);
+}

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mainwindow/linkbar.h"
+#include "protocol/record/recording.h"
+#include "tests/support/named.h"
+#include "tests/support/windowrig.h"
+#include "widgets/forms/panel.h"
+
+#include <QDialog>
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+const QString kDemo = u"sim:simplebgc"_s;
+
+}  // namespace
+
+/// Quitting and disconnecting lose nothing unsaid, and wait for what must not be cut off.
+class TestLeaving : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { m_rig = std::make_unique<WindowRig>(); }
+    void cleanup() { m_rig.reset(); }
+    void disconnectingAsksForValuesInUse_data();
+    void disconnectingAsksForValuesInUse();
+    void eachQuestionIsAsked();
+    void quittingWaitsForAWrite();
+    void disconnectingWaitsForAWrite();
+    void procedureIsWaitedForOrCancelled_data();
+    void procedureIsWaitedForOrCancelled();
+    void motorsAreProvenOffBeforeQuitting();
+    void unprovenStopIsNoQuit();
+    void recordingIsWhole();
+    void nothingInTheWayAsksNothing();
+    void openingOpensWhatWasAskedFor();
+
+private:
+    MainWindow &window() { return m_rig->window(); }
+    Workspace &workspace() { return m_rig->workspace(); }
+    QDialog *question()
+    {
+        const auto all = window().panels()->findChildren<QDialog *>();
+        const auto shown = std::find_if(all.begin(), all.end(), [](auto *each) { return each->isVisible(); });
+        return shown == all.end() ? nullptr : *shown;
+    }
+    void disconnectByButton() { window().findChild<LinkBar *>()->connectButton()->click(); }
+    bool setLive(const QString &key)
+    {
+        LiveModel &live = workspace().live();
+        if (!QTest::qWaitFor([&live] { return !live.parameters().isEmpty(); }, 8000))
+            return false;
+        const int id = m_rig->spec(key).id;
+        live.read();
+        if (!QTest::qWaitFor([&live, id] { return live.value(id).has_value(); }, 8000))
+            return false;
+        live.setValue(id, *live.value(id) + 1);
+        return QTest::qWaitFor([&live] { return live.changeCount() == 1; }, 8000);
+    }
+    void answer(const QString &button) { named<QPushButton>(question(), button)->click(); }
+
+    std::unique_ptr<WindowRig> m_rig;
+};
+
+void TestLeaving::disconnectingAsksForValuesInUse_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::addColumn<QString>("key");
+    QTest::newRow("SimpleBGC") << kDemo << u"pid.yaw.p"_s;
+    QTest::newRow("STorM32") << u"sim:storm32"_s << u"pid.yaw.p"_s;
+}
+
+void TestLeaving::disconnectingAsksForValuesInUse()
+{
+    QFETCH(const QString, address);
+    QFETCH(const QString, key);
+    QVERIFY(m_rig->open(address));
+    const double stored = m_rig->raw(key);
+    QVERIFY(setLive(key));
+    disconnectByButton();
+    QVERIFY(question());
+    QVERIFY(m_rig->client().isConnected());
+    answer(u"Stay"_s);
+    QVERIFY(!window().panels()->isOpen());
+    QVERIFY(m_rig->client().isConnected());
+    disconnectByButton();
+    QVERIFY(question());
+    answer(u"Store and disconnect"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Disconnected, 15000);
+    QVERIFY(window().isVisible());
+    QCOMPARE(m_rig->raw(key), stored + 1);
+}
+
+// Edits kept for next time say nothing about values in use.
+void TestLeaving::eachQuestionIsAsked()
+{
+    QVERIFY(m_rig->open(kDemo));
+    QVERIFY(setLive(u"pid.yaw.p"_s));
+    m_rig->edit(u"pid.roll.p"_s, 0, 44);
+    window().close();
+    QVERIFY(question());
+    answer(u"Quit and keep for next time"_s);
+    QVERIFY(window().isVisible());
+    QVERIFY(!question());
+    QTRY_VERIFY(question());
+    answer(u"Quit without storing"_s);
+    QTRY_VERIFY(!window().isVisible());
+}
+
+void TestLeaving::quittingWaitsForAWrite()
+{
+    QVERIFY(m_rig->open(kDemo));
+    m_rig->edit(u"pid.roll.p"_s, 0, 44);
+    QSignalSpy told(&workspace().notifications(), &Notifications::notice);
+    workspace().write(m_rig->model().edited());
+    QVERIFY(workspace().isWriting());
+    window().close();
+    QVERIFY(window().isVisible());
+    QVERIFY(m_rig->client().isConnected());
+    QCOMPARE(told.count(), 1);
+    QVERIFY(told.first().first().toString().contains(u"quits when it has ended"_s));
+    QTRY_VERIFY_WITH_TIMEOUT(!window().isVisible(), 20000);
+    QVERIFY(workspace().lastReport() && workspace().lastReport()->isComplete());
+    QCOMPARE(m_rig->model().changeCount(), 0);
+}
+
+void TestLeaving::disconnectingWaitsForAWrite()
+{
+    QVERIFY(m_rig->open(kDemo));
+    m_rig->edit(u"pid.roll.p"_s, 0, 44);
+    workspace().write(m_rig->model().edited());
+    disconnectByButton();
+    QVERIFY(m_rig->client().isConnected());
+    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Disconnected, 20000);
+    QVERIFY(workspace().lastReport() && workspace().lastReport()->isComplete());
+    QVERIFY(window().isVisible());
+}
+
+void TestLeaving::procedureIsWaitedForOrCancelled_data()
+{
+    QTest::addColumn<QString>("answered");
+    QTest::addColumn<bool>("ends");
+    QTest::newRow("wait") << u"Wait, then quit"_s << true;
+    QTest::newRow("cancel") << u"Cancel it and quit"_s << false;
+}
+
+void TestLeaving::procedureIsWaitedForOrCancelled()
+{
+    QFETCH(const QString, answered);
+    QFETCH(const bool, ends);
+    QVERIFY(m_rig->open(kDemo));
+    const auto calibration = workspace().perform(u"calibrate.gyro"_s, {});
+    QVERIFY(!calibration.isFinished());
+    window().close();
+    QVERIFY(window().isVisible());
+    QVERIFY(question());
+    answer(answered);
+    QTRY_VERIFY_WITH_TIMEOUT(!window().isVisible(), 30000);
+    QVERIFY(calibration.isFinished());
+    QCOMPARE(calibration.result().has_value(), ends);
+}
+
+void TestLeaving::motorsAreProvenOffBeforeQuitting()
+{
+    QVERIFY(m_rig->open(kDemo));
+    m_rig->settings().setMotorsOffOnQuit(true);
+    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, 15000));
+    QSignalSpy off(&m_rig->client(), &DeviceClient::motorsOffFinished);
+    bool wasVisible = false;
+    connect(&m_rig->client(), &DeviceClient::motorsOffFinished, this,
+            [this, &wasVisible] { wasVisible = window().isVisible(); });
+    window().close();
+    QTRY_VERIFY_WITH_TIMEOUT(!window().isVisible(), 15000);
+    QCOMPARE(off.count(), 1);
+    QVERIFY(off.first().first().toBool());
+    QVERIFY(wasVisible);
+}
+
+void TestLeaving::unprovenStopIsNoQuit()
+{
+    QVERIFY(m_rig->open(kDemo));
+    m_rig->settings().setMotorsOffOnQuit(true);
+    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, 15000));
+    workspace().changeWorld(u"lose=1"_s);
+    window().close();
+    QTRY_VERIFY_WITH_TIMEOUT(question(), 30000);
+    QVERIFY(window().isVisible());
+    answer(u"Quit all the same"_s);
+    QTRY_VERIFY(!window().isVisible());
+}
+
+void TestLeaving::recordingIsWhole()
+{
+    QVERIFY(m_rig->open(kDemo));
+    const QString path = m_rig->filePath(u"link.gimbalrec"_s);
+    QVERIFY(workspace().recorder().start(path));
+    QVERIFY(m_rig->boardGoesOn(1.0));
+    window().close();
+    QVERIFY(!window().isVisible());
+    m_rig->restart();
+    const auto recording = Recording::load(path);
+    QVERIFY(recording);
+    QVERIFY(recording->gaps.empty());
+    QVERIFY(recording->pieces.size() > 100);
+}
+
+void TestLeaving::nothingInTheWayAsksNothing()
+{
+    QVERIFY(m_rig->open(kDemo));
+    disconnectByButton();
+    QVERIFY(!question());
+    QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
+    QVERIFY(m_rig->open(kDemo));
+    window().close();
+    QVERIFY(!window().isVisible());
+}
+
+// With a board, a file's values become edits of it; a recording is played once the link may end.
+void TestLeaving::openingOpensWhatWasAskedFor()
+{
+    QVERIFY(m_rig->open(kDemo));
+    const double stored = m_rig->raw(u"pid.roll.p"_s);
+    m_rig->edit(u"pid.roll.p"_s, 0, stored + 3);
+    const QString file = m_rig->filePath(u"a.json"_s);
+    QVERIFY(workspace().saveFile(file));
+    workspace().edits().discardAll();
+    window().openFile(file);
+    QCOMPARE(m_rig->model().changeCount(), 1);
+    QCOMPARE(m_rig->model().value(m_rig->spec(u"pid.roll.p"_s), 0), stored + 3);
+    QVERIFY(m_rig->client().isConnected());
+    QVERIFY(m_rig->boardGoesOn(0.5));
+    const QString recording = m_rig->filePath(u"link.gimbalrec"_s);
+    QSignalSpy saved(&workspace().recorder(), &LinkRecorder::finished);
+    QVERIFY(workspace().recorder().savePast(recording));
+    QTRY_COMPARE(saved.count(), 1);
+    QVERIFY(setLive(u"pid.yaw.p"_s));
+    window().openFile(recording);
+    QVERIFY(question() && m_rig->client().isConnected());
+    answer(u"Disconnect and play"_s);
+    QTRY_VERIFY(question());
+    QVERIFY(!m_rig->client().address().isReplay());
+    answer(u"Disconnect without storing"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && m_rig->client().address().isReplay(), 15000);
+}
+
+QTEST_MAIN(TestLeaving)
+#include "tst_leaving.moc"
