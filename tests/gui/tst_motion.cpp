@@ -62,6 +62,7 @@ private slots:
     void autoTuneStoppedByMotorsOff();
     void autoTuneUnplugged();
     void armingMovesNothing();
+    void limpCameraIsNotArmed();
     void padSteersAndSpringsBack();
     void angleModeGoesThere();
     void keysSteer();
@@ -336,6 +337,34 @@ void TestMotion::armingMovesNothing()
     QVERIFY(std::abs(target(Axis::Yaw) - before) < 1.5);
     QTest::mouseClick(page->armButton(), Qt::LeftButton);
     QVERIFY(!page->isArmed());
+}
+
+// Where a limp camera hangs is no target.
+void TestMotion::limpCameraIsNotArmed()
+{
+    ControlPage *page = control();
+    QVERIFY(page);
+    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(true), 8000);
+    const auto stateTexts = [page] {
+        QStringList texts;
+        for (const QLabel *label : page->findChildren<QLabel *>())
+            texts.append(label->text());
+        return texts.filter(u"Not armed"_s);
+    };
+    QCOMPARE(stateTexts().size(), 1);
+    QVERIFY(stateTexts().first().contains(u"not steered"_s));
+    workspace().setMotors(false);
+    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(false), 8000);
+    QSignalSpy told(&workspace().notifications(), &Notifications::notice);
+    QTest::mouseClick(page->armButton(), Qt::LeftButton);
+    QVERIFY(!page->isArmed());
+    QVERIFY(!page->armButton()->isChecked());
+    QCOMPARE(told.count(), 1);
+    QVERIFY(told.first().first().toString().contains(u"motors are off"_s));
+    workspace().setMotors(true);
+    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(true), 8000);
+    QTest::mouseClick(page->armButton(), Qt::LeftButton);
+    QVERIFY(page->isArmed());
 }
 
 void TestMotion::padSteersAndSpringsBack()

@@ -277,6 +277,7 @@ void ControlPage::onState()
     for (QWidget *widget : m_functions->findChildren<QWidget *>())
         widget->installEventFilter(this);
     m_functions->setEnabled(ready);
+    m_state->setText(stateText());  // which functions there are is part of it
     m_arm->setEnabled(ready);
     m_mode->setEnabled(ready);
     updateNow();
@@ -372,7 +373,13 @@ bool ControlPage::isArmed() const
 void ControlPage::setArmed(bool on)
 {
     const bool allowed = on && isVisible() && workspace().client().isConnected()
-        && workspace().client().identity().writable && mode() && workspace().client().telemetry();
+        && workspace().client().identity().writable && mode() && workspace().client().telemetry()
+        && workspace().motorsRunning().value_or(true);
+    if (on && !allowed && isVisible() && !workspace().motorsRunning().value_or(true))
+        workspace().notifications().notify(
+            tr("Not armed: the motors are off, and where a limp camera hangs is no target. Start the motors, "
+               "then arm."),
+            Notice::Hint);
     if (allowed && !isArmed()) {
         m_pad->reset();
         m_touched.start();
@@ -409,8 +416,11 @@ void ControlPage::setArmed(bool on)
 
 QString ControlPage::stateText() const
 {
+    if (!isArmed() && m_functions->isVisibleTo(this))
+        return tr("Not armed: the camera is not steered. Choose a mode, then arm. What stands under "
+                  "“Functions” acts at once, armed or not.");
     if (!isArmed())
-        return tr("Not armed: nothing is sent. Choose a mode, then arm.");
+        return tr("Not armed: the camera is not steered. Choose a mode, then arm.");
     if (steering() && steering()->controlFrames(setpoint()).setpoint.isEmpty() && wordIsNeeded()
         && !m_neverPanned->isChecked())
         return tr("Armed, but nothing is sent yet: the board does not report its targets, and it was running "
@@ -513,6 +523,11 @@ void ControlPage::tick()
         workspace().notifications().notify(tr("Control was disarmed: nothing was moved for %1 s.")
                                                .arg(workspace().settings().disarmSeconds()),
                                            Notice::Hint);
+        return;
+    }
+    if (!workspace().motorsRunning().value_or(true)) {
+        setArmed(false);
+        workspace().notifications().notify(tr("Control was disarmed: the motors are off."), Notice::Hint);
         return;
     }
     workspace().client().setControl(setpoint());
