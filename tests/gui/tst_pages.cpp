@@ -84,6 +84,7 @@ private slots:
     void actionsAreSearchableAndReply();
     void actionThatDestroysTakesASnapshot();
     void consoleShowsAndSends();
+    void consoleTellsLinksApart();
     void consoleGuardsDangerousCommands();
     void backupComparedAndRestored();
     void monitorZoomsMovesAndExports();
@@ -553,6 +554,45 @@ void TestPages::consoleShowsAndSends()
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray text = file.readAll();
     QVERIFY(text.contains("READ_PARAMS_3") && text.contains("3e 56 00 56 00"));
+}
+
+// It begins with the link, whenever the page is opened, and tells one link's frames from another's.
+void TestPages::consoleTellsLinksApart()
+{
+    QVERIFY(m_rig->open());
+    QVERIFY(m_rig->boardGoesOn(4.0));  // live data push the first frames out of the log
+    auto *page = m_rig->page<ConsolePage>();
+    const FrameLogModel &model = page->model();
+    const auto cell = [&model](int row, int column) { return model.index(row, column).data().toString(); };
+    const auto find = [&](const QString &name, int from) {
+        for (int row = from; row < model.rowCount(); ++row) {
+            if (cell(row, FrameLogModel::NameColumn).contains(name))
+                return row;
+        }
+        return -1;
+    };
+    QCOMPARE(find(u"New link"_s, 0), 0);
+    QCOMPARE(cell(0, FrameLogModel::FieldsColumn), u"sim:simplebgc"_s);
+    QVERIFY(find(u"BOARD_INFO"_s, 0) > 0);
+    QVERIFY(find(u"Connected"_s, 0) > 0);
+    page->hide();  // what comes while it is not seen belongs to its link as well
+    window().showPage(u"dashboard"_s);
+    const auto asked = m_rig->client().submit<bool>([](Channel &channel, Device &device) -> Result<bool> {
+        return device.readConfiguration(channel).has_value();
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(asked.isFinished(), 15000);
+    m_rig->client().disconnectFromBoard();
+    QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
+    QVERIFY(m_rig->open(u"sim:storm32"_s));
+    m_rig->page<ConsolePage>();
+    const int ended = find(u"Link ended"_s, 0);
+    const int second = find(u"New link"_s, 1);
+    QVERIFY(ended > 0 && second > ended);
+    QCOMPARE(cell(second, FrameLogModel::FieldsColumn), u"sim:storm32"_s);
+    for (int row = 0; row < ended; ++row)
+        QVERIFY2(cell(row, FrameLogModel::NameColumn) != u"?"_s, qPrintable(QString::number(row)));
+    QVERIFY(find(u"READ_PARAMS_3"_s, 0) < ended);
+    QCOMPARE(find(u"READ_PARAMS_3"_s, second), -1);
 }
 
 void TestPages::consoleGuardsDangerousCommands()

@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/framelogmodel.h"
 
+#include "protocol/transport/linkaddress.h"
 #include "widgets/models/numbertext.h"
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
 
 using namespace Qt::StringLiterals;
 
@@ -10,6 +15,47 @@ FrameLogModel::FrameLogModel(DeviceClient &client, QObject *parent)
     : TableModel({tr("Seconds"), tr("Direction"), tr("Frame"), tr("Fields"), tr("Bytes")}, parent)
     , m_client(client)
 {
+    connect(&client, &DeviceClient::stateChanged, this, &FrameLogModel::onState);
+    connect(&client, &DeviceClient::statisticsChanged, this, [this] {
+        if (!m_paused && m_isKnown)
+            refresh();
+    });
+}
+
+void FrameLogModel::onState(DeviceClient::State state)
+{
+    settle();
+    switch (state) {
+    case DeviceClient::State::Disconnected: addMark(tr("Link ended")); break;
+    case DeviceClient::State::Connecting: addMark(tr("New link"), m_client.address().toString()); break;
+    case DeviceClient::State::Reconnecting: addMark(tr("Link lost")); break;
+    case DeviceClient::State::Connected:
+        m_isKnown = true;
+        refresh();  // how the board was found
+        addMark(tr("Connected"), u"%1 · %2"_s.arg(m_client.identity().model, m_client.identity().firmware));
+        break;
+    }
+}
+
+// Frames are decoded with the tables of their own board, as long as these are there.
+void FrameLogModel::settle()
+{
+    refresh();
+    for (const Row &row : m_rows)
+        std::ignore = textOf(row);
+    m_isKnown = false;
+}
+
+void FrameLogModel::addMark(const QString &what, const QString &more)
+{
+    Row mark;
+    mark.frame.at = Clock::now();
+    if (!m_origin)
+        m_origin = mark.frame.at;
+    mark.text = FrameText{u"— %1 —"_s.arg(what), more};
+    std::vector<Row> rows;
+    rows.push_back(std::move(mark));
+    addRows(std::move(rows));
 }
 
 void FrameLogModel::refresh()
@@ -30,6 +76,14 @@ void FrameLogModel::refresh()
             return (!frame.claimed || !poll.isEmpty()) && inspector && inspector->isTelemetryFrame(frame.id);
         });
     }
+    std::vector<Row> rows;
+    for (LoggedFrame &frame : fresh)
+        rows.push_back({std::move(frame), {}});
+    addRows(std::move(rows));
+}
+
+void FrameLogModel::addRows(std::vector<Row> fresh)
+{
     if (fresh.empty())
         return;
     const qsizetype surplus = qsizetype(m_rows.size() + fresh.size()) - qsizetype(kCapacity);
@@ -43,8 +97,7 @@ void FrameLogModel::refresh()
     }
     const int first = int(m_rows.size());
     beginInsertRows({}, first, first + int(fresh.size()) - 1);
-    for (LoggedFrame &frame : fresh)
-        m_rows.push_back({std::move(frame), {}});
+    std::move(fresh.begin(), fresh.end(), std::back_inserter(m_rows));
     endInsertRows();
 }
 
@@ -59,7 +112,8 @@ const FrameText &FrameLogModel::textOf(const Row &row) const
     if (row.text)
         return *row.text;
     row.text = FrameText{u"?"_s, {}};
-    const FrameInspector *inspector = m_client.device() ? m_client.device()->inspector() : nullptr;
+    const FrameInspector *inspector
+        = m_isKnown && m_client.device() ? m_client.device()->inspector() : nullptr;
     if (!inspector)
         return *row.text;
     if (row.frame.fromBoard) {
@@ -81,6 +135,10 @@ QString FrameLogModel::text() const
     QString all;
     for (const Row &row : m_rows) {
         const FrameText &words = textOf(row);
+        if (isMark(row)) {
+            all += u"%1 %2 %3\n"_s.arg(timeText(row).rightJustified(12), words.name, words.fields);
+            continue;
+        }
         all += u"%1 %2 %3 %4  [%5]\n"_s.arg(timeText(row).rightJustified(12),
                                             row.frame.fromBoard ? u"<"_s : u">"_s, words.name, words.fields,
                                             QString::fromLatin1(row.frame.bytes.toHex(' ')));
@@ -95,6 +153,9 @@ QVariant FrameLogModel::data(const QModelIndex &index, int role) const
     const Row &row = m_rows[std::size_t(index.row())];
     if (role == FromBoardRole)
         return row.frame.fromBoard;
+    if (isMark(row)
+        && (index.column() == DirectionColumn || (role == Qt::ToolTipRole && index.column() == BytesColumn)))
+        return {};
     if (role == SearchRole)
         return u"%1 %2"_s.arg(textOf(row).name, textOf(row).fields).toLower();
     if (role == Qt::ToolTipRole && index.column() == BytesColumn)

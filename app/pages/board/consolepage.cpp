@@ -73,8 +73,10 @@ ConsolePage::ConsolePage(Workspace &workspace, QWidget *parent)
     m_table->setColumnWidth(FrameLogModel::FieldsColumn, 380);
 
     connect(m_streams, &QCheckBox::toggled, this, [this](bool on) { m_model.setShowsStreams(on); });
-    connect(m_pause, &QPushButton::toggled, this,
-            [this](bool on) { m_pause->setText(on ? tr("Continue") : tr("Pause")); });
+    connect(m_pause, &QPushButton::toggled, this, [this](bool on) {
+        m_pause->setText(on ? tr("Continue") : tr("Pause"));
+        m_model.setPaused(on);
+    });
     connect(clear, &QPushButton::clicked, &m_model, &FrameLogModel::clear);
     connect(save, &QPushButton::clicked, this, [this] {
         askSavePath(this, tr("Save frames"), u"frames.txt"_s, tr("Text files (*.txt)"),
