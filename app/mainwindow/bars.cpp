@@ -320,11 +320,11 @@ void UnstoredBar::goBack()
         return;
     }
     QDialog *panel = askInPanel(
-        {tr("Back to what is stored?"),
+        {tr("Revert all?"),
          tr("All values in use that are not stored are lost. The board starts with the stored ones, and so "
             "may "
             "its motors: keep hands and cables clear of the gimbal."),
-         {{tr("Back to what is stored"), [this] { m_workspace.perform(reloadAction(), {}); }, true}},
+         {{tr("Revert all"), [this] { m_workspace.perform(reloadAction(), {}); }, true}},
          tr("Keep what is in use")},
         this);
     connect(&m_workspace.client(), &DeviceClient::stateChanged, panel, &QDialog::reject);

@@ -173,7 +173,7 @@ void TestStorm::unstoredValuesStayInSight()
     QVERIFY(workspace().isUnstored());
     auto *question = m_rig->window().panels()->findChild<QDialog *>();
     QVERIFY(question);
-    named<QPushButton>(question, u"Back to what is stored"_s)->click();
+    named<QPushButton>(question, u"Revert all"_s)->click();
     QTRY_VERIFY_WITH_TIMEOUT(!workspace().isUnstored() && !bar->isVisible(), 10000);
     QTRY_COMPARE(inUse(12), 421);
 }

@@ -67,7 +67,7 @@ QListView, QTreeView, QTableView { background: @Surface; border: 1px solid @Bord
 QListView::item { padding: 4px 8px; border: none; }
 QTreeView::item { min-height: 22px; }
 QTableView::item { padding: 0 6px; border: none; }
-QListView::item:selected { background: @Accent; color: @AccentText; }
+QListView::item:selected, QTableView::item:selected, QTreeView::item:selected, QTreeView::branch:selected { background: @Accent; color: @AccentText; }
 QHeaderView::section { background: @Background; color: @Muted; border: none; border-bottom: 1px solid @Border; padding: 4px 8px; }
 QScrollArea { border: none; background: transparent; }
 QScrollArea > QWidget > QWidget { background: transparent; }
@@ -78,7 +78,9 @@ QPushButton:disabled, QToolButton:disabled { color: @Muted; }
 QPushButton:checked, QToolButton:checked { background: @Accent; color: @AccentText; }
 QPushButton#primary { background: @Accent; color: @AccentText; border-color: @Accent; }
 QPushButton#primary:disabled { background: @SurfaceRaised; color: @Muted; border-color: @Border; }
+QPushButton#primary:focus, QPushButton:checked:focus, QToolButton:checked:focus { border: 2px solid @Text; }
 QPushButton#danger { background: @Danger; color: @DangerText; border-color: @Danger; font-weight: 600; }
+QPushButton#danger:focus { border: 2px solid @Text; }
 QPushButton#danger:disabled { background: @SurfaceRaised; color: @Muted; border-color: @Border; }
 QPushButton#motors { font-weight: 700; padding: 6px 16px; border: 2px solid @Ok; color: @Ok; background: @Surface; }
 QPushButton#motors[running="true"] { background: @Danger; border-color: @Danger; color: @DangerText; }
@@ -96,6 +98,7 @@ QPushButton[field="true"] { background: @Surface; padding: 2px 6px; min-height: 
 QPushButton[field="true"]:focus { border: 2px solid @Accent; padding: 1px 5px; }
 QPushButton#chip { border-radius: 12px; padding: 2px 12px; background: transparent; }
 QPushButton#chip:checked { background: @Accent; color: @AccentText; }
+QPushButton#chip:checked:focus { border: 2px solid @Text; padding: 1px 11px; }
 QLineEdit, QComboBox, QAbstractSpinBox { background: @Surface; border: 1px solid @Border; border-radius: 4px; padding: 2px 6px; min-height: 22px; }
 QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { width: 0; border: none; }
 QScrollBar:vertical { background: transparent; width: 12px; margin: 0; }
@@ -114,13 +117,14 @@ QComboBox QAbstractItemView::item:selected { background: @Accent; color: @Accent
 QComboBox::drop-down { border: none; width: 22px; }
 QComboBox::down-arrow { image: url(:/icons/down.svg); width: 10px; height: 10px; }
 QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus { border: 2px solid @Accent; padding: 1px 5px; }
+QLineEdit:disabled, QComboBox:disabled, QAbstractSpinBox:disabled { color: @Muted; background: @Background; }
 QAbstractSpinBox[inactive="true"], QComboBox[inactive="true"], QPushButton[inactive="true"] { color: @Muted; background: @Background; }
 QAbstractSpinBox[changed="true"], QComboBox[changed="true"], QPushButton[changed="true"] { border-left: 4px solid @Changed; }
 QAbstractSpinBox[changed="true"]:focus, QComboBox[changed="true"]:focus { border: 2px solid @Accent; border-left: 4px solid @Changed; }
 QAbstractSpinBox[refused="true"], QAbstractSpinBox[refused="true"]:focus { border: 2px solid @Danger; padding: 1px 5px; color: @Danger; }
 QToolButton#hint { background: @Danger; color: @DangerText; border: none; border-radius: 4px; padding: 2px 8px; min-height: 0; }
 QCheckBox[changed="true"] { border-left: 4px solid @Changed; padding-left: 4px; }
-QCheckBox:focus, QRadioButton:focus { border: 2px solid @Accent; border-radius: 4px; }
+QCheckBox:focus, QRadioButton:focus { border: 2px solid @Text; border-radius: 4px; }
 QLabel#title { font-weight: 600; }
 QLabel#section { font-weight: 600; color: @Text; }
 QLabel#muted, QLabel#unit { color: @Muted; }
