@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The keys of the main window.
+#include "app/mainwindow/editguide.h"
 #include "app/mainwindow/mainwindow.h"
 #include "app/mainwindow/navigation.h"
 

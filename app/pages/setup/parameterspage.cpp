@@ -331,7 +331,7 @@ void ParametersPage::updateGroupMarks()
         QFont font = item->font();
         font.setBold(!shorts.isEmpty());
         item->setFont(font);
-        item->setHidden(count == 0 && !offered.contains(group));
+        item->setHidden(count.isEmpty() && !offered.contains(group));
     }
     // A level that leaves nothing of the group that is shown goes on to the first that it leaves.
     for (int i = 0; i < m_groups->count() && m_groups->currentItem() && m_groups->currentItem()->isHidden();
