@@ -128,6 +128,321 @@
     </message>
 </context>
 <context>
+    <name>AlarmBar</name>
+    <message>
+        <source>Motors off</source>
+        <translation>Motoren aus</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Quittieren</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>Takes the alarm away, here and on the dashboard</source>
+        <translation>Nimmt den Alarm weg, hier und auf der Übersicht</translation>
+    </message>
+    <message>
+        <source>Severe</source>
+        <translation>Schwerwiegend</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>(%1 times)</source>
+        <translation>(%1-mal)</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weiterer</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>AlarmCard</name>
+    <message>
+        <source>%1, %2, over</source>
+        <translation>%1, %2, vorbei</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Quittieren</translation>
+    </message>
+    <message>
+        <source>Acknowledge: %1</source>
+        <translation>Quittieren: %1</translation>
+    </message>
+</context>
+<context>
+    <name>AlarmText</name>
+    <message>
+        <source>about %1 Hz (or more: the samples come too slowly to tell)</source>
+        <translation>etwa %1 Hz (oder mehr: die Messwerte kommen dafür zu langsam)</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s)</source>
+        <translation>
+            <numerusform>%n Wert</numerusform>
+            <numerusform>%n Werte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 and %2 have run away: %1 is %3° from its target and does not come back.</source>
+        <translation>%1 und %2 sind durchgegangen: %1 ist %3° vom Ziel entfernt und kommt nicht zurück.</translation>
+    </message>
+    <message>
+        <source>%1 is %2° from its target and does not come back.</source>
+        <translation>%1 ist %2° vom Ziel entfernt und kommt nicht zurück.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 run away together: %1 is %3° from its target and moves on.</source>
+        <translation>%1 und %2 gehen zusammen durch: %1 ist %3° vom Ziel entfernt und dreht weiter.</translation>
+    </message>
+    <message>
+        <source>%1 runs away: it is %2° from its target and moves on.</source>
+        <translation>%1 geht durch: %2° vom Ziel entfernt, und es dreht weiter.</translation>
+    </message>
+    <message>
+        <source>%1 oscillates at %2, with %3 °/s RMS.</source>
+        <translation>%1 schwingt mit %2, %3 °/s RMS.</translation>
+    </message>
+    <message>
+        <source>%1 stands at %2°, beyond its limit of %3°, where it was not steered to.</source>
+        <translation>%1 steht bei %2°, jenseits der Grenze von %3°, ohne dorthin gesteuert zu sein.</translation>
+    </message>
+    <message>
+        <source>%1 does not reach its target: %2° are missing for seconds.</source>
+        <translation>%1 erreicht das Ziel nicht: seit Sekunden fehlen %2°.</translation>
+    </message>
+    <message>
+        <source>The board does not see its motion sensor.</source>
+        <translation>Das Board sieht seinen Bewegungssensor nicht.</translation>
+    </message>
+    <message>
+        <source>A motion sensor does not work as it should.</source>
+        <translation>Ein Bewegungssensor arbeitet nicht, wie er soll.</translation>
+    </message>
+    <message>
+        <source>The motor drivers protect themselves: they are too hot or overloaded.</source>
+        <translation>Die Motortreiber schützen sich selbst: zu heiß oder überlastet.</translation>
+    </message>
+    <message>
+        <source>The board&apos;s sensor is at %1 °C, the limit is %2 °C.</source>
+        <translation>Der Sensor des Boards hat %1 °C, die Grenze ist %2 °C.</translation>
+    </message>
+    <message>
+        <source>The battery is low.</source>
+        <translation>Der Akku ist schwach.</translation>
+    </message>
+    <message>
+        <source>The battery is low: %1 V, the limit is %2 V.</source>
+        <translation>Der Akku ist schwach: %1 V, die Grenze ist %2 V.</translation>
+    </message>
+    <message>
+        <source>The board reports a low battery: %1 V.</source>
+        <translation>Das Board meldet einen schwachen Akku: %1 V.</translation>
+    </message>
+    <message>
+        <source>No live data for %1 s while the gimbal is steered.</source>
+        <translation>Seit %1 s keine Live-Daten, während der Gimbal gesteuert wird.</translation>
+    </message>
+    <message>
+        <source>Each is driven by the other&apos;s error: the axes are swapped, in the wiring, in the motor outputs or in how the sensor is mounted. If they are not, both motors turn in the wrong direction.</source>
+        <translation>Jede wird vom Fehler der anderen getrieben: die Achsen sind vertauscht, in der Verkabelung, bei den Motorausgängen oder in der Lage des Sensors. Wenn nicht, drehen beide Motoren falsch herum.</translation>
+    </message>
+    <message>
+        <source>It is pushed away from its target: the motor turns in the wrong direction, or the sensor sees it the wrong way round.</source>
+        <translation>Die Achse wird vom Ziel weggedrückt: der Motor dreht falsch herum, oder der Sensor sieht die Drehung verkehrt.</translation>
+    </message>
+    <message>
+        <source>%1 does so as well, on its own: both motors turn in the wrong direction, or the sensor&apos;s axes are set up wrongly.</source>
+        <translation>%1 tut das auch, für sich: beide Motoren drehen falsch herum, oder die Achsen des Sensors sind falsch eingestellt.</translation>
+    </message>
+    <message>
+        <source>It began after values were changed live: there is too much gain, or a filter takes the loop&apos;s reserve.</source>
+        <translation>Es begann, nachdem Werte live geändert wurden: zu viel Verstärkung, oder ein Filter nimmt dem Regelkreis die Reserve.</translation>
+    </message>
+    <message>
+        <source>It swung to and fro before: there is too much gain.</source>
+        <translation>Vorher schwang die Achse hin und her: zu viel Verstärkung.</translation>
+    </message>
+    <message>
+        <source>There is too much gain: P or I is too high, or D is too low for them.</source>
+        <translation>Zu viel Verstärkung: P oder I ist zu hoch, oder D ist dafür zu niedrig.</translation>
+    </message>
+    <message>
+        <source>A part of the structure resonates at %1 Hz and the motor drives it; too high a D can do the same.</source>
+        <translation>Ein Teil des Aufbaus hat bei %1 Hz eine Resonanz, und der Motor treibt sie an; ein zu hohes D wirkt ebenso.</translation>
+    </message>
+    <message>
+        <source>The motor cannot hold it: something blocks it, the load is not balanced, the power is too low, or the direction is wrong.</source>
+        <translation>Der Motor kann die Achse nicht halten: etwas blockiert sie, die Last ist nicht ausbalanciert, die Leistung reicht nicht, oder die Drehrichtung ist falsch.</translation>
+    </message>
+    <message>
+        <source>Too much gain or a resonance of the structure.</source>
+        <translation>Zu viel Verstärkung oder eine Resonanz des Aufbaus.</translation>
+    </message>
+    <message>
+        <source>Something turned it there, or the board lost its orientation.</source>
+        <translation>Etwas hat sie dorthin gedreht, oder das Board hat die Orientierung verloren.</translation>
+    </message>
+    <message>
+        <source>The motor does all it can: something blocks or holds the axis, it is at its stop, or it has too little power.</source>
+        <translation>Der Motor tut, was er kann: etwas blockiert oder hält die Achse, sie ist am Anschlag, oder die Leistung reicht nicht.</translation>
+    </message>
+    <message>
+        <source>Without it nothing is stabilised.</source>
+        <translation>Ohne ihn wird nichts stabilisiert.</translation>
+    </message>
+    <message>
+        <source>Motors that work hard all the time end like this.</source>
+        <translation>So enden Motoren, die dauernd schwer arbeiten.</translation>
+    </message>
+    <message>
+        <source>Soon the motors will lose their power.</source>
+        <translation>Bald haben die Motoren keinen Strom mehr.</translation>
+    </message>
+    <message>
+        <source>Nobody sees where it moves.</source>
+        <translation>Niemand sieht, wohin er sich bewegt.</translation>
+    </message>
+    <message>
+        <source>Check which motor is plugged in where, and the axes of the sensor, before the motors are switched on again.</source>
+        <translation>Vor dem Einschalten prüfen, welcher Motor wo steckt und wie die Achsen des Sensors eingestellt sind.</translation>
+    </message>
+    <message>
+        <source>Invert that motor, or check the sensor&apos;s orientation and the number of poles.</source>
+        <translation>Diesen Motor umkehren, oder Lage des Sensors und Polzahl prüfen.</translation>
+    </message>
+    <message>
+        <source>Go in smaller steps, and back at the first humming.</source>
+        <translation>In kleineren Schritten vorgehen und beim ersten Brummen zurück.</translation>
+    </message>
+    <message>
+        <source>Lower P, then D, of that axis.</source>
+        <translation>P dieser Achse verringern, dann D.</translation>
+    </message>
+    <message>
+        <source>Stiffen the camera&apos;s mount, lower D, or place a notch filter there.</source>
+        <translation>Die Halterung der Kamera versteifen, D verringern oder dort einen Kerbfilter setzen.</translation>
+    </message>
+    <message>
+        <source>Check balance, power and direction of that motor.</source>
+        <translation>Balance, Leistung und Drehrichtung dieses Motors prüfen.</translation>
+    </message>
+    <message>
+        <source>Lower the gains of that axis, or look for the resonance.</source>
+        <translation>Die Verstärkung dieser Achse verringern oder die Resonanz suchen.</translation>
+    </message>
+    <message>
+        <source>Move it back by hand with the motors off.</source>
+        <translation>Mit ausgeschalteten Motoren von Hand zurückdrehen.</translation>
+    </message>
+    <message>
+        <source>Free the axis, balance the load, or raise the power.</source>
+        <translation>Die Achse befreien, die Last ausbalancieren oder die Leistung erhöhen.</translation>
+    </message>
+    <message>
+        <source>Check the sensor&apos;s cable and connectors, then restart the board.</source>
+        <translation>Kabel und Stecker des Sensors prüfen, dann das Board neu starten.</translation>
+    </message>
+    <message>
+        <source>Let it cool, balance the load, and lower the power.</source>
+        <translation>Abkühlen lassen, die Last ausbalancieren, die Leistung verringern.</translation>
+    </message>
+    <message>
+        <source>Change the battery.</source>
+        <translation>Akku wechseln.</translation>
+    </message>
+    <message>
+        <source>Stop steering and check the link.</source>
+        <translation>Nicht weiter steuern und die Verbindung prüfen.</translation>
+    </message>
+    <message>
+        <source>The motors were switched off.</source>
+        <translation>Die Motoren wurden ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>The motors were told to stop, but nothing proves that they did: hold the camera and disconnect the power.</source>
+        <translation>Die Motoren sollten anhalten, aber nichts beweist, dass sie es tun: Kamera festhalten und Strom trennen.</translation>
+    </message>
+    <message>
+        <source>The motors are being switched off.</source>
+        <translation>Die Motoren werden ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>The last live change is being reverted.</source>
+        <translation>Die letzte Live-Änderung wird zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>The last live change was reverted (%1).</source>
+        <translation>Die letzte Live-Änderung wurde zurückgenommen (%1).</translation>
+    </message>
+    <message>
+        <source>The last live change was reverted (%1), and it goes on all the same.</source>
+        <translation>Die letzte Live-Änderung wurde zurückgenommen (%1), und es geht trotzdem weiter.</translation>
+    </message>
+    <message>
+        <source>The last live change was not reverted: the board uses other values meanwhile.</source>
+        <translation>Die letzte Live-Änderung wurde nicht zurückgenommen: das Board benutzt inzwischen andere Werte.</translation>
+    </message>
+    <message>
+        <source>Reverting the last live change failed.</source>
+        <translation>Die letzte Live-Änderung ließ sich nicht zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed live just before, so nothing was reverted.</source>
+        <translation>Kurz davor wurde nichts live geändert, daher wurde nichts zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>Runaway</source>
+        <translation>Durchgehen</translation>
+    </message>
+    <message>
+        <source>Oscillation</source>
+        <translation>Schwingen</translation>
+    </message>
+    <message>
+        <source>Beyond a limit</source>
+        <translation>Jenseits einer Grenze</translation>
+    </message>
+    <message>
+        <source>Target not reached</source>
+        <translation>Ziel nicht erreicht</translation>
+    </message>
+    <message>
+        <source>Sensor missing</source>
+        <translation>Sensor fehlt</translation>
+    </message>
+    <message>
+        <source>Overheating</source>
+        <translation>Überhitzung</translation>
+    </message>
+    <message>
+        <source>Low battery</source>
+        <translation>Akku schwach</translation>
+    </message>
+    <message>
+        <source>No data while steering</source>
+        <translation>Keine Daten beim Steuern</translation>
+    </message>
+</context>
+<context>
     <name>ArgumentForm</name>
     <message>
         <source>leave alone (%1 to %2 %3)</source>
@@ -172,18 +487,6 @@
         <translation>Starten: die Kamera wird rütteln</translation>
     </message>
     <message>
-        <source>Stop and put the old gains back</source>
-        <translation>Anhalten und alte Werte zurück</translation>
-    </message>
-    <message>
-        <source>Accept and save</source>
-        <translation>Annehmen und speichern</translation>
-    </message>
-    <message>
-        <source>Put the old gains back</source>
-        <translation>Alte Werte zurück</translation>
-    </message>
-    <message>
         <source>Tracking error by iteration</source>
         <translation>Regelfehler je Durchgang</translation>
     </message>
@@ -200,10 +503,6 @@
         <translation>Vorher</translation>
     </message>
     <message>
-        <source>Now</source>
-        <translation>Jetzt</translation>
-    </message>
-    <message>
         <source>Change</source>
         <translation>Änderung</translation>
     </message>
@@ -212,16 +511,8 @@
         <translation>Nochmals: die Kamera wird rütteln</translation>
     </message>
     <message>
-        <source>Hold the gimbal in your hand or on a stand, balanced, with all motors running. The board moves the camera a little to find gains; the lower “gain against stability”, the calmer the result. Nothing is saved before you accept.</source>
-        <translation>Halten Sie den Gimbal in der Hand oder auf einem Stativ, ausbalanciert, mit laufenden Motoren. Das Board bewegt die Kamera ein wenig, um Verstärkungen zu finden; je niedriger „Verstärkung gegen Stabilität“, desto ruhiger das Ergebnis. Gespeichert wird erst, wenn Sie annehmen.</translation>
-    </message>
-    <message>
         <source>The board is searching. Keep the gimbal as it is. F12 or the red button stops everything.</source>
         <translation>Das Board sucht. Lassen Sie den Gimbal, wie er ist. F12 oder der rote Knopf hält alles an.</translation>
-    </message>
-    <message>
-        <source>The new gains are in use, but not saved. Try them: turn the gimbal by hand and look at Tuning. Then accept them or put the old ones back.</source>
-        <translation>Die neuen Werte sind in Gebrauch, aber nicht gespeichert. Probieren Sie: drehen Sie den Gimbal von Hand und sehen Sie auf „Abstimmen“. Dann nehmen Sie an oder holen die alten zurück.</translation>
     </message>
     <message>
         <source>Error</source>
@@ -232,12 +523,8 @@
         <translation>Durchgang %1. Lassen Sie den Gimbal, wie er ist. F12 oder der rote Knopf hält alles an.</translation>
     </message>
     <message>
-        <source>Nothing was saved. The board may still use what it has found so far, until its next start.</source>
-        <translation>Nichts wurde gespeichert. Das Board benutzt vielleicht noch, was es bisher fand, bis zum nächsten Start.</translation>
-    </message>
-    <message>
         <source>When it is connected again, look at Tuning: “Revert all” puts the stored gains back.</source>
-        <translation>Wenn es wieder verbunden ist, sehen Sie auf „Abstimmen“: „Alles zurück“ holt die gespeicherten Werte.</translation>
+        <translation>Wenn es wieder verbunden ist, „Abstimmen“ ansehen: „Alles zurücknehmen“ holt die gespeicherten Werte.</translation>
     </message>
     <message>
         <source>The previous gains are in use again.</source>
@@ -250,6 +537,42 @@
     <message>
         <source>This board has no command for it.</source>
         <translation>Dieses Board hat keinen Befehl dafür.</translation>
+    </message>
+    <message>
+        <source>Stop and revert to the old gains</source>
+        <translation>Anhalten und die alten Werte zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Accept and store</source>
+        <translation>Annehmen und speichern</translation>
+    </message>
+    <message>
+        <source>Revert to the old gains</source>
+        <translation>Alte Werte zurücknehmen</translation>
+    </message>
+    <message>
+        <source>In use now</source>
+        <translation>Jetzt in Gebrauch</translation>
+    </message>
+    <message>
+        <source>What was in use when the search began; without a search, what is stored</source>
+        <translation>Was in Gebrauch war, als die Suche begann; ohne Suche das Gespeicherte</translation>
+    </message>
+    <message>
+        <source>What the board uses at this moment; during a search, what it is trying</source>
+        <translation>Was das Board in diesem Augenblick benutzt; während einer Suche, was es gerade probiert</translation>
+    </message>
+    <message>
+        <source>Hold the gimbal in your hand or on a stand, balanced, with all motors running. The board moves the camera a little to find gains; the lower “gain against stability”, the calmer the result. Nothing is stored before you accept.</source>
+        <translation>Den Gimbal in der Hand oder auf einem Stativ halten, ausbalanciert, mit laufenden Motoren. Das Board bewegt die Kamera ein wenig, um Verstärkungen zu finden; je niedriger „Verstärkung gegen Stabilität“, desto ruhiger das Ergebnis. Gespeichert wird erst, wenn das Ergebnis angenommen ist.</translation>
+    </message>
+    <message>
+        <source>The new gains are in use, but not stored. Try them: turn the gimbal by hand and look at Tuning. Then accept them or revert to the old ones.</source>
+        <translation>Die neuen Werte sind in Gebrauch, aber nicht gespeichert. Zum Probieren den Gimbal von Hand drehen und „Abstimmen“ ansehen. Dann annehmen oder die alten zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>Nothing was stored. The board may still use what it has found so far, until its next start.</source>
+        <translation>Nichts wurde gespeichert. Das Board benutzt vielleicht noch, was es bisher fand, bis zum nächsten Start.</translation>
     </message>
 </context>
 <context>
@@ -265,6 +588,26 @@
     <message>
         <source>Motor power %1 %</source>
         <translation>Motorleistung %1 %</translation>
+    </message>
+    <message>
+        <source>steered from %1° to %2°</source>
+        <translation>gesteuert von %1° bis %2°</translation>
+    </message>
+    <message>
+        <source>follows</source>
+        <translation>folgt</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>hält</translation>
+    </message>
+    <message>
+        <source>This axis follows the frame.</source>
+        <translation>Diese Achse folgt dem Rahmen.</translation>
+    </message>
+    <message>
+        <source>This axis keeps its direction, however the frame turns.</source>
+        <translation>Diese Achse hält ihre Richtung, wie auch immer sich der Rahmen dreht.</translation>
     </message>
 </context>
 <context>
@@ -295,7 +638,7 @@
     </message>
     <message>
         <source>Restore as edits</source>
-        <translation>Als Änderungen übernehmen</translation>
+        <translation>Als Änderungen wiederherstellen</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -359,7 +702,7 @@
     </message>
     <message>
         <source>Saved to %1</source>
-        <translation>Gespeichert in %1</translation>
+        <translation>Gesichert in %1</translation>
     </message>
     <message>
         <source>damaged</source>
@@ -444,6 +787,154 @@
         <source>Left out, as this board does not take them: %1.</source>
         <translation>Ausgelassen, weil dieses Board sie nicht annimmt: %1.</translation>
     </message>
+    <message>
+        <source>Which board…</source>
+        <translation>Welches Board…</translation>
+    </message>
+    <message>
+        <source>Say which board this is</source>
+        <translation>Angeben, welches Board das ist</translation>
+    </message>
+    <message>
+        <source>This board has no serial number and no name yet.</source>
+        <translation>Dieses Board hat keine Seriennummer und noch keinen Namen.</translation>
+    </message>
+    <message>
+        <source>Board “%1”. It has no serial number.</source>
+        <translation>Board „%1“. Es hat keine Seriennummer.</translation>
+    </message>
+</context>
+<context>
+    <name>BatteryView</name>
+    <message>
+        <source>Battery</source>
+        <translation>Akku</translation>
+    </message>
+    <message>
+        <source>no battery</source>
+        <translation>kein Akku</translation>
+    </message>
+    <message>
+        <source>✖ motors off</source>
+        <translation>✖ Motoren aus</translation>
+    </message>
+    <message>
+        <source>⚠ low</source>
+        <translation>⚠ schwach</translation>
+    </message>
+    <message>
+        <source>✓ good</source>
+        <translation>✓ gut</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cell(s) by the voltage, %1 V each</source>
+        <translation>
+            <numerusform>%n Zelle nach der Spannung, je %1 V</numerusform>
+            <numerusform>%n Zellen nach der Spannung, je %1 V</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Alarm below %1 V, off below %2 V</source>
+        <translation>Alarm unter %1 V, aus unter %2 V</translation>
+    </message>
+    <message>
+        <source>Alarm below %1 V</source>
+        <translation>Alarm unter %1 V</translation>
+    </message>
+    <message>
+        <source>Motors off below %1 V</source>
+        <translation>Motoren aus unter %1 V</translation>
+    </message>
+    <message>
+        <source>No limits are known.</source>
+        <translation>Keine Grenzen bekannt.</translation>
+    </message>
+    <message>
+        <source>No data</source>
+        <translation>Keine Daten</translation>
+    </message>
+    <message>
+        <source>%1 V</source>
+        <translation>%1 V</translation>
+    </message>
+</context>
+<context>
+    <name>BoardNameDialog</name>
+    <message>
+        <source>Store the name on the board as well</source>
+        <translation>Den Namen auch auf dem Board speichern</translation>
+    </message>
+    <message>
+        <source>Use this name</source>
+        <translation>Diesen Namen verwenden</translation>
+    </message>
+    <message>
+        <source>Which board is this?</source>
+        <translation>Welches Board ist das?</translation>
+    </message>
+    <message>
+        <source>It has no serial number. Under its name its snapshots and unsaved changes are kept apart from those of other boards.</source>
+        <translation>Es hat keine Seriennummer. Unter seinem Namen bleiben seine Sicherungen und ungespeicherten Änderungen von denen anderer Boards getrennt.</translation>
+    </message>
+    <message>
+        <source>It is “%1”</source>
+        <translation>Es ist „%1“</translation>
+    </message>
+    <message>
+        <source>It is a new one, with this name:</source>
+        <translation>Es ist ein neues mit diesem Namen:</translation>
+    </message>
+    <message>
+        <source>Name of the board</source>
+        <translation>Name des Boards</translation>
+    </message>
+    <message>
+        <source>Then it is told from boards that are otherwise the same. A snapshot is taken first.</source>
+        <translation>Dann ist es von sonst gleichen Boards zu unterscheiden. Zuvor wird eine Sicherung gemacht.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>It is this one</source>
+        <translation>Es ist dieses</translation>
+    </message>
+    <message>
+        <source>A board of that name is known: it becomes this one.</source>
+        <translation>Ein Board dieses Namens ist bekannt: Es gilt dann als dieses.</translation>
+    </message>
+</context>
+<context>
+    <name>BoardNaming</name>
+    <message>
+        <source>This board has no serial number. Give it a name once, so that its snapshots and unsaved changes are not mixed with those of another board that looks the same.</source>
+        <translation>Dieses Board hat keine Seriennummer. Einmal benannt, vermischen sich seine Sicherungen und ungespeicherten Änderungen nicht mit denen eines anderen, das gleich aussieht.</translation>
+    </message>
+    <message>
+        <source>This board has no serial number and looks like none that has a name here. It may be a new one, or one that was renamed elsewhere (known: %1).</source>
+        <translation>Dieses Board hat keine Seriennummer und gleicht keinem, das hier einen Namen hat. Es kann neu sein oder anderswo umbenannt (bekannt: %1).</translation>
+    </message>
+    <message>
+        <source>Several boards look like this one: %1. Say which one it is; until then its snapshots are kept apart.</source>
+        <translation>Mehrere Boards sehen so aus: %1. Bis angegeben ist, welches es ist, bleiben seine Sicherungen getrennt.</translation>
+    </message>
+    <message>
+        <source>Taken for the board “%1”, which looks the same: it has no serial number. If it is another one, say so under Backups.</source>
+        <translation>Gilt als Board „%1“, das gleich aussieht: Es hat keine Seriennummer. Ist es ein anderes, lässt sich das unter Sicherungen angeben.</translation>
+    </message>
+    <message>
+        <source>Name the board…</source>
+        <translation>Board benennen…</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+    <message>
+        <source>Board %1</source>
+        <translation>Board %1</translation>
+    </message>
 </context>
 <context>
     <name>BoardWriter</name>
@@ -485,13 +976,6 @@
             <numerusform>Abschließen: %n Werte schreiben</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>Undo: put %n value(s) back</source>
-        <translation>
-            <numerusform>Zurücknehmen: %n Wert zurück</numerusform>
-            <numerusform>Zurücknehmen: %n Werte zurück</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Leave it as it is</source>
         <translation>So lassen</translation>
@@ -503,6 +987,42 @@
     <message>
         <source>The interrupted write was complete: every value is on the board.</source>
         <translation>Das unterbrochene Schreiben war vollständig: Alle Werte sind auf dem Board.</translation>
+    </message>
+    <message>
+        <source>Everything else that was in use on the board is stored now as well; what it was could not be told: %1</source>
+        <translation>Auch alles andere, was auf dem Board in Gebrauch war, ist jetzt gespeichert; was es war, ließ sich nicht feststellen: %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 sets it)</source>
+        <translation>%1 (%2 setzt ihn)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other value(s) stay in use without being stored: %1</source>
+        <translation>
+            <numerusform>%n anderer Wert bleibt ungespeichert in Gebrauch: %1</numerusform>
+            <numerusform>%n andere Werte bleiben ungespeichert in Gebrauch: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other value(s) in use are stored too: %1</source>
+        <translation>
+            <numerusform>%n anderer Wert in Gebrauch ist mitgespeichert: %1</numerusform>
+            <numerusform>%n andere Werte in Gebrauch sind mitgespeichert: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other value(s) are in use as they are stored again: %1</source>
+        <translation>
+            <numerusform>%n anderer Wert ist wieder so in Gebrauch, wie er gespeichert ist: %1</numerusform>
+            <numerusform>%n andere Werte sind wieder so in Gebrauch, wie sie gespeichert sind: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Revert %n value(s)</source>
+        <translation>
+            <numerusform>%n Wert zurücknehmen</numerusform>
+            <numerusform>%n Werte zurücknehmen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -851,11 +1371,11 @@
     </message>
     <message>
         <source>Save…</source>
-        <translation>Speichern…</translation>
+        <translation>Sichern…</translation>
     </message>
     <message>
         <source>Save all frames listed as text</source>
-        <translation>Alle aufgeführten Frames als Text speichern</translation>
+        <translation>Alle aufgeführten Frames als Text sichern</translation>
     </message>
     <message>
         <source>Frames</source>
@@ -887,7 +1407,7 @@
     </message>
     <message>
         <source>Save frames</source>
-        <translation>Frames speichern</translation>
+        <translation>Frames sichern</translation>
     </message>
     <message>
         <source>Text files (*.txt)</source>
@@ -976,10 +1496,6 @@
         <translation>Scharf: die Kamera folgt Ihnen. Sie hält an, wenn Sie loslassen, die Seite verlassen oder %1 s nichts tun.</translation>
     </message>
     <message>
-        <source>Not armed: nothing is sent. Choose a mode, then arm.</source>
-        <translation>Nicht scharf: nichts wird gesendet. Art wählen, dann scharf schalten.</translation>
-    </message>
-    <message>
         <source>Control was disarmed: nothing was moved for %1 s.</source>
         <translation>Die Steuerung wurde entschärft: %1 s lang wurde nichts bewegt.</translation>
     </message>
@@ -1006,6 +1522,22 @@
     <message>
         <source>Armed, but nothing is sent yet: the board does not report its targets, and it was running before this link. Set each angle, press “To the middle”, or tick “%1” if that is so.</source>
         <translation>Scharf, aber noch wird nichts gesendet: Das Board meldet seine Ziele nicht und lief schon vor dieser Verbindung. Jeden Winkel einstellen, „Zur Mitte“ drücken oder, wenn es so ist, „%1“ ankreuzen.</translation>
+    </message>
+    <message>
+        <source>Not armed: the motors are off, and where a limp camera hangs is no target. Start the motors, then arm.</source>
+        <translation>Nicht scharf: Die Motoren sind aus, und wo eine schlaffe Kamera hängt, ist kein Ziel. Erst die Motoren starten, dann scharf schalten.</translation>
+    </message>
+    <message>
+        <source>Not armed: the camera is not steered. Choose a mode, then arm. What stands under “Functions” acts at once, armed or not.</source>
+        <translation>Nicht scharf: Die Kamera wird nicht gesteuert. Eine Betriebsart wählen, dann scharf schalten. Was unter „Funktionen“ steht, wirkt sofort, scharf oder nicht.</translation>
+    </message>
+    <message>
+        <source>Not armed: the camera is not steered. Choose a mode, then arm.</source>
+        <translation>Nicht scharf: Die Kamera wird nicht gesteuert. Eine Betriebsart wählen, dann scharf schalten.</translation>
+    </message>
+    <message>
+        <source>Control was disarmed: the motors are off.</source>
+        <translation>Die Steuerung ist nicht mehr scharf: Die Motoren sind aus.</translation>
     </message>
 </context>
 <context>
@@ -1109,6 +1641,30 @@
         <source>Nothing is known about the values there.</source>
         <translation>Über die Werte darin ist nichts bekannt.</translation>
     </message>
+    <message>
+        <source>Camera and frame</source>
+        <translation>Kamera und Rahmen</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>kB/s</source>
+        <translation>kB/s</translation>
+    </message>
+    <message>
+        <source>Received</source>
+        <translation>Empfangen</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>Gesendet</translation>
+    </message>
+    <message>
+        <source>Unanswered</source>
+        <translation>Unbeantwortet</translation>
+    </message>
 </context>
 <context>
     <name>DebugModel</name>
@@ -1184,7 +1740,7 @@
     </message>
     <message>
         <source>Save file…</source>
-        <translation>Datei speichern …</translation>
+        <translation>Datei sichern…</translation>
     </message>
     <message>
         <source>Put the text of a file in place of this one</source>
@@ -1192,7 +1748,7 @@
     </message>
     <message>
         <source>Save the text as it is shown</source>
-        <translation>Den Text speichern, wie er gezeigt wird</translation>
+        <translation>Den Text sichern, wie er gezeigt wird</translation>
     </message>
     <message>
         <source>Documents of this board</source>
@@ -1212,7 +1768,7 @@
     </message>
     <message>
         <source>Save the document</source>
-        <translation>Dokument speichern</translation>
+        <translation>Dokument sichern</translation>
     </message>
     <message>
         <source>Connect a board, or open a file, to see its documents.</source>
@@ -1220,7 +1776,7 @@
     </message>
     <message>
         <source>This document is not UTF-8 text. It can be saved to a file, but not edited here.</source>
-        <translation>Dieses Dokument ist kein UTF-8-Text. Es kann in einer Datei gespeichert, aber hier nicht bearbeitet werden.</translation>
+        <translation>Dieses Dokument ist kein UTF-8-Text. Es kann in einer Datei gesichert, aber hier nicht bearbeitet werden.</translation>
     </message>
     <message>
         <source>%1 of %2 bytes</source>
@@ -1426,7 +1982,7 @@
     </message>
     <message>
         <source>Look at the report; try again, or restore the snapshot.</source>
-        <translation>Sehen Sie den Bericht an; versuchen Sie es nochmals oder holen Sie die Sicherung zurück.</translation>
+        <translation>Den Bericht ansehen; nochmals versuchen oder die Sicherung wiederherstellen.</translation>
     </message>
     <message>
         <source>The file cannot be used.</source>
@@ -1761,6 +2317,14 @@
         <source>Check that this is the gimbal&apos;s address and port, that the board behind it has power, and that nobody else is connected to it.</source>
         <translation>Prüfen Sie, ob Adresse und Port stimmen, das Board dahinter Strom hat und niemand sonst damit verbunden ist.</translation>
     </message>
+    <message>
+        <source>Measuring without the notch</source>
+        <translation>Messen ohne den Kerbfilter</translation>
+    </message>
+    <message>
+        <source>Measuring with the notch</source>
+        <translation>Messen mit dem Kerbfilter</translation>
+    </message>
 </context>
 <context>
     <name>FaceList</name>
@@ -1795,6 +2359,55 @@
     <message>
         <source>Faces</source>
         <translation>Flächen</translation>
+    </message>
+</context>
+<context>
+    <name>FilterCurve</name>
+    <message>
+        <source>Takes out %1 dB at %2 Hz; drawn from %3 to %4 Hz</source>
+        <translation>Nimmt %1 dB bei %2 Hz weg; gezeichnet von %3 bis %4 Hz</translation>
+    </message>
+    <message>
+        <source>Not in use</source>
+        <translation>Nicht in Gebrauch</translation>
+    </message>
+</context>
+<context>
+    <name>FilterRows</name>
+    <message>
+        <source>In use</source>
+        <translation>In Gebrauch</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation>Frequenz, Hz</translation>
+    </message>
+    <message>
+        <source>Width, Hz</source>
+        <translation>Breite, Hz</translation>
+    </message>
+    <message>
+        <source>Depth, dB</source>
+        <translation>Tiefe, dB</translation>
+    </message>
+    <message>
+        <source>%1, notch %2</source>
+        <translation>%1, Kerbfilter %2</translation>
+    </message>
+    <message>
+        <source>Use this filter</source>
+        <translation>Diesen Filter benutzen</translation>
+    </message>
+    <message>
+        <source>No effect while this filter is not in use.</source>
+        <translation>Ohne Wirkung, solange dieser Filter nicht in Gebrauch ist.</translation>
+    </message>
+</context>
+<context>
+    <name>FootBar</name>
+    <message>
+        <source>No unsaved changes</source>
+        <translation>Keine ungesicherten Änderungen</translation>
     </message>
 </context>
 <context>
@@ -1835,6 +2448,22 @@
         <source>Bytes</source>
         <translation>Bytes</translation>
     </message>
+    <message>
+        <source>Link ended</source>
+        <translation>Verbindung beendet</translation>
+    </message>
+    <message>
+        <source>New link</source>
+        <translation>Neue Verbindung</translation>
+    </message>
+    <message>
+        <source>Link lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Verbunden</translation>
+    </message>
 </context>
 <context>
     <name>FunctionsCard</name>
@@ -1868,6 +2497,33 @@
     <message>
         <source>f₀ %1 Hz · d %2 · τ %3 ms</source>
         <translation>f₀ %1 Hz · d %2 · τ %3 ms</translation>
+    </message>
+</context>
+<context>
+    <name>GimbalView</name>
+    <message>
+        <source>The gimbal as a body</source>
+        <translation>Der Gimbal als Körper</translation>
+    </message>
+    <message>
+        <source>No data</source>
+        <translation>Keine Daten</translation>
+    </message>
+    <message>
+        <source>The camera has %1; the frame has %2.</source>
+        <translation>Die Kamera hat %1; der Rahmen hat %2.</translation>
+    </message>
+    <message>
+        <source>The camera has %1; nobody measures the frame.</source>
+        <translation>Die Kamera hat %1; den Rahmen misst niemand.</translation>
+    </message>
+    <message>
+        <source>No attitude yet</source>
+        <translation>Noch keine Lage</translation>
+    </message>
+    <message>
+        <source>The frame is not measured</source>
+        <translation>Der Rahmen wird nicht gemessen</translation>
     </message>
 </context>
 <context>
@@ -1942,6 +2598,112 @@
     </message>
 </context>
 <context>
+    <name>Leaving</name>
+    <message>
+        <source>A write is running: the program quits when it has ended.</source>
+        <translation>Es wird geschrieben: Das Programm endet, sobald das fertig ist.</translation>
+    </message>
+    <message>
+        <source>A write is running: the link ends when it has ended.</source>
+        <translation>Es wird geschrieben: Die Verbindung endet, sobald das fertig ist.</translation>
+    </message>
+    <message>
+        <source>The motors are switched off, then the program quits.</source>
+        <translation>Die Motoren werden ausgeschaltet, dann endet das Programm.</translation>
+    </message>
+    <message>
+        <source>The program quits when the board has done its work.</source>
+        <translation>Das Programm endet, sobald das Board fertig ist.</translation>
+    </message>
+    <message>
+        <source>The link ends when the board has done its work.</source>
+        <translation>Die Verbindung endet, sobald das Board fertig ist.</translation>
+    </message>
+    <message>
+        <source>The board is at work</source>
+        <translation>Das Board arbeitet</translation>
+    </message>
+    <message>
+        <source>A calibration, a measurement or another procedure has not ended.</source>
+        <translation>Eine Kalibrierung, eine Messung oder ein anderer Vorgang läuft noch.</translation>
+    </message>
+    <message>
+        <source>Wait, then quit</source>
+        <translation>Abwarten, dann beenden</translation>
+    </message>
+    <message>
+        <source>Wait, then disconnect</source>
+        <translation>Abwarten, dann trennen</translation>
+    </message>
+    <message>
+        <source>Cancel it and quit</source>
+        <translation>Abbrechen und beenden</translation>
+    </message>
+    <message>
+        <source>Cancel it and disconnect</source>
+        <translation>Abbrechen und trennen</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Bleiben</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ungesicherte Änderungen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n change(s) are not on the board.</source>
+        <translation>
+            <numerusform>%n Änderung ist nicht auf dem Board.</numerusform>
+            <numerusform>%n Änderungen sind nicht auf dem Board.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Quit and keep for next time</source>
+        <translation>Beenden und fürs nächste Mal aufheben</translation>
+    </message>
+    <message>
+        <source>Discard and quit</source>
+        <translation>Verwerfen und beenden</translation>
+    </message>
+    <message>
+        <source>Not stored</source>
+        <translation>Nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>The board uses values that it has not stored. They are lost when it is switched off.</source>
+        <translation>Das Board benutzt Werte, die es nicht gespeichert hat. Beim Ausschalten gehen sie verloren.</translation>
+    </message>
+    <message>
+        <source>Store and quit</source>
+        <translation>Speichern und beenden</translation>
+    </message>
+    <message>
+        <source>Store and disconnect</source>
+        <translation>Speichern und trennen</translation>
+    </message>
+    <message>
+        <source>Quit without storing</source>
+        <translation>Beenden, ohne zu speichern</translation>
+    </message>
+    <message>
+        <source>Disconnect without storing</source>
+        <translation>Trennen, ohne zu speichern</translation>
+    </message>
+    <message>
+        <source>The motors may be running</source>
+        <translation>Die Motoren laufen vielleicht</translation>
+    </message>
+    <message>
+        <source>The board did not confirm that the motors are off.</source>
+        <translation>Das Board hat nicht bestätigt, dass die Motoren aus sind.</translation>
+    </message>
+    <message>
+        <source>Quit all the same</source>
+        <translation>Trotzdem beenden</translation>
+    </message>
+</context>
+<context>
     <name>LinkBar</name>
     <message>
         <source>Connect</source>
@@ -2008,20 +2770,64 @@
         <translation>Trennen</translation>
     </message>
     <message>
-        <source>■ MOTORS OFF</source>
-        <translation>■ MOTOREN AUS</translation>
-    </message>
-    <message>
-        <source>▶ Motors on</source>
-        <translation>▶ Motoren ein</translation>
-    </message>
-    <message>
         <source>Switch motors off</source>
         <translation>Motoren ausschalten</translation>
     </message>
     <message>
         <source>Switch motors on</source>
         <translation>Motoren einschalten</translation>
+    </message>
+    <message>
+        <source>● REC</source>
+        <translation>● REC</translation>
+    </message>
+    <message>
+        <source>■ STOP MOTORS</source>
+        <translation>■ MOTOREN STOPPEN</translation>
+    </message>
+    <message>
+        <source>▶ Start motors</source>
+        <translation>▶ Motoren starten</translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation>WIEDERGABE</translation>
+    </message>
+    <message>
+        <source>A recording is played: nothing here happens now, and nothing can be changed.</source>
+        <translation>Eine Aufzeichnung läuft ab: Nichts hiervon geschieht jetzt, und nichts lässt sich ändern.</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULIERT</translation>
+    </message>
+    <message>
+        <source>A simulated gimbal: no real motor moves.</source>
+        <translation>Ein simulierter Gimbal: Kein echter Motor bewegt sich.</translation>
+    </message>
+    <message>
+        <source>READ ONLY</source>
+        <translation>NUR LESEN</translation>
+    </message>
+    <message>
+        <source>Nothing can be written to this board.</source>
+        <translation>Auf dieses Board kann nichts geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>OFFLINE</source>
+        <translation>OFFLINE</translation>
+    </message>
+    <message>
+        <source>No board is connected: what is shown was read before.</source>
+        <translation>Kein Board ist verbunden: Was zu sehen ist, wurde vorher gelesen.</translation>
+    </message>
+    <message>
+        <source>No board is connected: what is shown is the file %1.</source>
+        <translation>Kein Board ist verbunden: Zu sehen ist die Datei %1.</translation>
+    </message>
+    <message>
+        <source>The link is being recorded to %1</source>
+        <translation>Die Verbindung wird in %1 aufgezeichnet</translation>
     </message>
 </context>
 <context>
@@ -2077,50 +2883,27 @@
     <name>MainWindow</name>
     <message>
         <source>Save the configuration</source>
-        <translation>Konfiguration speichern</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Ungesicherte Änderungen</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n change(s) are not on the board.</source>
-        <translation>
-            <numerusform>%n Änderung ist nicht auf dem Board.</numerusform>
-            <numerusform>%n Änderungen sind nicht auf dem Board.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Discard and quit</source>
-        <translation>Verwerfen und beenden</translation>
-    </message>
-    <message>
-        <source>Stay</source>
-        <translation>Bleiben</translation>
+        <translation>Konfiguration sichern</translation>
     </message>
     <message>
         <source>Open a configuration or a recording</source>
         <translation>Konfiguration oder Aufzeichnung öffnen</translation>
     </message>
     <message>
-        <source>Quit and keep for next time</source>
-        <translation>Beenden und fürs nächste Mal aufheben</translation>
+        <source>Play a recording?</source>
+        <translation>Eine Aufzeichnung abspielen?</translation>
     </message>
     <message>
-        <source>Not stored</source>
-        <translation>Nicht gespeichert</translation>
+        <source>The link to the board ends before it is played.</source>
+        <translation>Vorher endet die Verbindung zum Board.</translation>
     </message>
     <message>
-        <source>The board uses values that it has not stored. They are lost when it is switched off.</source>
-        <translation>Das Board verwendet Werte, die es nicht gespeichert hat. Beim Ausschalten gehen sie verloren.</translation>
+        <source>Disconnect and play</source>
+        <translation>Trennen und abspielen</translation>
     </message>
     <message>
-        <source>Store and quit</source>
-        <translation>Speichern und beenden</translation>
-    </message>
-    <message>
-        <source>Quit without storing</source>
-        <translation>Beenden ohne zu speichern</translation>
+        <source>Stay connected</source>
+        <translation>Verbunden bleiben</translation>
     </message>
 </context>
 <context>
@@ -2140,6 +2923,10 @@
     <message>
         <source>Close message</source>
         <translation>Meldung schließen</translation>
+    </message>
+    <message>
+        <source>Close (Esc); Ctrl+F6 leads here and back</source>
+        <translation>Schließen (Esc); Strg+F6 führt hierher und zurück</translation>
     </message>
 </context>
 <context>
@@ -2197,7 +2984,7 @@
     </message>
     <message>
         <source>Save samples</source>
-        <translation>Messwerte speichern</translation>
+        <translation>Messwerte sichern</translation>
     </message>
     <message>
         <source>CSV files (*.csv)</source>
@@ -2205,7 +2992,7 @@
     </message>
     <message>
         <source>%1 lines saved to %2</source>
-        <translation>%1 Zeilen gespeichert in %2</translation>
+        <translation>%1 Zeilen gesichert in %2</translation>
     </message>
     <message>
         <source>polled, up to %1 samples/s</source>
@@ -2225,11 +3012,11 @@
     </message>
     <message>
         <source>Save the last minutes…</source>
-        <translation>Die letzten Minuten speichern…</translation>
+        <translation>Die letzten Minuten sichern…</translation>
     </message>
     <message>
         <source>Save the last minutes</source>
-        <translation>Die letzten Minuten speichern</translation>
+        <translation>Die letzten Minuten sichern</translation>
     </message>
     <message>
         <source>Everything on the link goes into a file that can be opened like the board</source>
@@ -2297,7 +3084,7 @@
     </message>
     <message>
         <source>Save what is seen</source>
-        <translation>Speichert, was zu sehen ist</translation>
+        <translation>Sichert, was zu sehen ist</translation>
     </message>
     <message>
         <source>Tick a channel, or drag it into a plot</source>
@@ -2341,7 +3128,7 @@
     </message>
     <message>
         <source>Save picture</source>
-        <translation>Bild speichern</translation>
+        <translation>Bild sichern</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
@@ -2349,7 +3136,7 @@
     </message>
     <message>
         <source>Picture saved to %1</source>
-        <translation>Bild in %1 gespeichert</translation>
+        <translation>Bild in %1 gesichert</translation>
     </message>
     <message>
         <source>Send to PlotJuggler</source>
@@ -2386,6 +3173,10 @@
     <message>
         <source>%1 s of silence in all</source>
         <translation>insgesamt %1 s Stille</translation>
+    </message>
+    <message>
+        <source>thinned out to %1 samples/s by the slow line</source>
+        <translation>auf %1 Messwerte/s ausgedünnt: langsame Leitung</translation>
     </message>
 </context>
 <context>
@@ -2455,6 +3246,125 @@
     </message>
 </context>
 <context>
+    <name>NotchAdviser</name>
+    <message>
+        <source>Notch %1 of %2</source>
+        <translation>Kerbfilter %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 Hz</source>
+        <translation>%1, %2 Hz</translation>
+    </message>
+    <message>
+        <source>%1: no notch is offered. Without this line the axis would vibrate %2 % less; the delay would cost more.</source>
+        <translation>%1: kein Kerbfilter angeboten. Ohne diese Linie würde die Achse um %2 % weniger vibrieren; die Verzögerung kostete mehr.</translation>
+    </message>
+    <message>
+        <source>%1: no notch is offered. The line is too broad for a resonance: it is what shakes the gimbal, or how the loop reacts to it.</source>
+        <translation>%1: kein Kerbfilter angeboten. Die Linie ist zu breit für eine Resonanz: sie ist, was den Gimbal schüttelt, oder wie der Regelkreis darauf antwortet.</translation>
+    </message>
+    <message>
+        <source>%1: no notch is offered. The target itself moves like that.</source>
+        <translation>%1: kein Kerbfilter angeboten. Das Ziel selbst bewegt sich so.</translation>
+    </message>
+    <message>
+        <source>%1: no notch is offered. The loop itself amplifies there, as measured on Response: lower P or D of this axis.</source>
+        <translation>%1: kein Kerbfilter angeboten. Dort verstärkt der Regelkreis selbst, wie auf Antwort gemessen: P oder D dieser Achse senken.</translation>
+    </message>
+    <message>
+        <source>%1: no notch is offered. It would leave the loop a phase margin of %2° of the %3° measured.</source>
+        <translation>%1: kein Kerbfilter angeboten. Er ließe dem Regelkreis eine Phasenreserve von %2° der gemessenen %3°.</translation>
+    </message>
+    <message>
+        <source>%1: may be a resonance or a motor, %2 % of the vibration. A trial shows whether a notch helps.</source>
+        <translation>%1: vielleicht eine Resonanz oder ein Motor, %2 % der Vibration. Ein Versuch zeigt, ob ein Kerbfilter hilft.</translation>
+    </message>
+    <message>
+        <source>%1, notch %2: %3 Hz, width %4 Hz, depth %5 dB.</source>
+        <translation>%1, Kerbfilter %2: %3 Hz, Breite %4 Hz, Tiefe %5 dB.</translation>
+    </message>
+    <message>
+        <source>%1° at %2 Hz</source>
+        <translation>%1° bei %2 Hz</translation>
+    </message>
+    <message>
+        <source>It delays the loop: %1. Every degree is taken from the phase margin.</source>
+        <translation>Er verzögert den Regelkreis: %1. Jedes Grad geht von der Phasenreserve ab.</translation>
+    </message>
+    <message>
+        <source>The loop as measured has a phase margin of %1° at %2 Hz; with the notch it has %3°.</source>
+        <translation>Der gemessene Regelkreis hat eine Phasenreserve von %1° bei %2 Hz; mit dem Kerbfilter sind es %3°.</translation>
+    </message>
+    <message>
+        <source>How much phase this loop can spare has not been measured (a sweep on Response does), so only the trial shows whether it bears the notch.</source>
+        <translation>Wie viel Phase dieser Regelkreis übrig hat, ist nicht gemessen (ein Durchlauf auf Antwort misst es); so zeigt nur der Versuch, ob er den Kerbfilter verträgt.</translation>
+    </message>
+    <message>
+        <source>This board cannot use a notch without storing it. The trial measures for %1 s, writes the notch to profile %2, measures for %1 s again and writes the old values back in any case, at once if an axis begins to oscillate. Leave gimbal and sticks as they are meanwhile.</source>
+        <translation>Dieses Board kann keinen Kerbfilter benutzen, ohne ihn zu speichern. Der Versuch misst %1 s, schreibt den Kerbfilter in Profil %2, misst noch einmal %1 s und schreibt die alten Werte in jedem Fall zurück, sofort, wenn eine Achse zu schwingen beginnt. Gimbal und Knüppel bleiben währenddessen, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Values in use are not stored; a trial would replace them. Store or revert them on Tuning first.</source>
+        <translation>Werte im Gebrauch sind nicht gespeichert; ein Versuch würde sie ersetzen. Sie sind zuerst auf Abstimmen zu speichern oder zurückzunehmen.</translation>
+    </message>
+    <message>
+        <source>Trial of a notch begins</source>
+        <translation>Versuch eines Kerbfilters beginnt</translation>
+    </message>
+    <message>
+        <source>Trial of a notch is over</source>
+        <translation>Versuch eines Kerbfilters ist vorbei</translation>
+    </message>
+    <message>
+        <source>%1 was not tried; nothing was changed on the board.</source>
+        <translation>%1 wurde nicht versucht; auf dem Board wurde nichts geändert.</translation>
+    </message>
+    <message>
+        <source>The values from before are back on the board.</source>
+        <translation>Die Werte von vorher sind wieder auf dem Board.</translation>
+    </message>
+    <message>
+        <source>The notch could not be taken back; that is done when this board is read again.</source>
+        <translation>Der Kerbfilter konnte nicht zurückgenommen werden; das geschieht, wenn dieses Board wieder gelesen wird.</translation>
+    </message>
+    <message>
+        <source>Before and with it, %1 s each: the line %2 and %3 °/s RMS, all vibration %4 and %5 °/s, angle error %6° and %7°.</source>
+        <translation>Vorher und damit, je %1 s: die Linie %2 und %3 °/s effektiv, alle Vibration %4 und %5 °/s, Winkelfehler %6° und %7°.</translation>
+    </message>
+    <message>
+        <source>%1 helps.</source>
+        <translation>%1 hilft.</translation>
+    </message>
+    <message>
+        <source>Take over as an edit</source>
+        <translation>Als Änderung übernehmen</translation>
+    </message>
+    <message>
+        <source>Leave it</source>
+        <translation>Lassen</translation>
+    </message>
+    <message>
+        <source>%1 is not worth its delay.</source>
+        <translation>%1 ist seine Verzögerung nicht wert.</translation>
+    </message>
+    <message>
+        <source>%1 makes it worse.</source>
+        <translation>%1 macht es schlechter.</translation>
+    </message>
+    <message>
+        <source>%1 makes %2 oscillate (%3 °/s RMS within a quarter of a second; all vibration before: %4 °/s on %5). The trial was ended at once.</source>
+        <translation>%1 lässt %2 schwingen (%3 °/s effektiv in einer Viertelsekunde; alle Vibration vorher: %4 °/s auf %5). Der Versuch wurde sofort beendet.</translation>
+    </message>
+    <message>
+        <source>The trial of %1 was ended before it could show anything.</source>
+        <translation>Der Versuch mit %1 wurde beendet, bevor er etwas zeigen konnte.</translation>
+    </message>
+    <message>
+        <source>The trial of %1 was cut off and the notch is still on the board: the values from before are written back.</source>
+        <translation>Der Versuch mit %1 brach ab, und der Kerbfilter ist noch auf dem Board: die Werte von vorher werden zurückgeschrieben.</translation>
+    </message>
+</context>
+<context>
     <name>Notifications</name>
     <message>
         <source>The board says: %1</source>
@@ -2470,7 +3380,7 @@
     </message>
     <message>
         <source>Recording saved to %1 (%2)</source>
-        <translation>Aufzeichnung in %1 gespeichert (%2)</translation>
+        <translation>Aufzeichnung in %1 gesichert (%2)</translation>
     </message>
     <message>
         <source>The recording has ended.</source>
@@ -2510,7 +3420,7 @@
     </message>
     <message>
         <source>Saved to %1</source>
-        <translation>Gespeichert in %1</translation>
+        <translation>Gesichert in %1</translation>
     </message>
     <message>
         <source>The motors stay disabled until the board restarts.</source>
@@ -2555,6 +3465,18 @@
         <source>The motors were switched off.</source>
         <translation>Die Motoren wurden ausgeschaltet.</translation>
     </message>
+    <message>
+        <source>The board sends data that nobody here has ordered.</source>
+        <translation>Das Board sendet Daten, die hier niemand angefordert hat.</translation>
+    </message>
+    <message>
+        <source>An earlier program has left them on; they take room on the line from everything else.</source>
+        <translation>Ein früheres Programm hat sie laufen lassen; sie nehmen allem anderen Platz auf der Leitung.</translation>
+    </message>
+    <message>
+        <source>Switch the board off and on again.</source>
+        <translation>Das Board aus- und wieder einschalten.</translation>
+    </message>
 </context>
 <context>
     <name>NumberBox</name>
@@ -2580,6 +3502,24 @@
             <numerusform>Höchstens %n Nachkommastelle, %1</numerusform>
             <numerusform>Höchstens %n Nachkommastellen, %1</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>OfferBar</name>
+    <message numerus="yes">
+        <source>%n open question(s)</source>
+        <translation>
+            <numerusform>%n offene Frage</numerusform>
+            <numerusform>%n offene Fragen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fold the question</source>
+        <translation>Frage einklappen</translation>
+    </message>
+    <message>
+        <source>Fold the question; it stays open. Ctrl+F6 leads here and back</source>
+        <translation>Frage einklappen; sie bleibt offen. Strg+F6 führt hierher und zurück</translation>
     </message>
 </context>
 <context>
@@ -2778,6 +3718,22 @@
         <source>All parameters</source>
         <translation>Alle Parameter</translation>
     </message>
+    <message>
+        <source>P%1: %2</source>
+        <translation>P%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: “%2” is no value of it. The value is as before.</source>
+        <translation>%1: „%2“ ist kein Wert dafür. Der Wert ist wie zuvor.</translation>
+    </message>
+    <message>
+        <source>%1: “%2” is no value from %3. The value is as before.</source>
+        <translation>%1: „%2“ ist kein Wert von %3. Der Wert ist wie zuvor.</translation>
+    </message>
+    <message>
+        <source>This is %1. The board uses %2: show that one.</source>
+        <translation>Das ist %1. Das Board benutzt %2: dieses zeigen.</translation>
+    </message>
 </context>
 <context>
     <name>PlotPanel</name>
@@ -2875,6 +3831,10 @@
         <source>  Δ %1 s (%2 Hz)</source>
         <translation>  Δ %1 s (%2 Hz)</translation>
     </message>
+    <message>
+        <source>earlier from %1 to %2 %3</source>
+        <translation>vorher von %1 bis %2 %3</translation>
+    </message>
 </context>
 <context>
     <name>ProfileModel</name>
@@ -2949,7 +3909,7 @@
     </message>
     <message>
         <source>Save to file…</source>
-        <translation>In Datei speichern…</translation>
+        <translation>In Datei sichern…</translation>
     </message>
     <message>
         <source>Load all profiles…</source>
@@ -2977,7 +3937,7 @@
     </message>
     <message>
         <source>Save all profiles with their unsaved changes</source>
-        <translation>Speichert alle Profile mit ihren ungesicherten Änderungen</translation>
+        <translation>Sichert alle Profile mit ihren ungesicherten Änderungen</translation>
     </message>
     <message>
         <source>Load everything in a file, as one edit that can be undone</source>
@@ -3009,7 +3969,7 @@
     </message>
     <message>
         <source>Save profiles</source>
-        <translation>Profile speichern</translation>
+        <translation>Profile sichern</translation>
     </message>
     <message>
         <source>Load into profile %1</source>
@@ -3030,6 +3990,45 @@
     <message>
         <source>Left out, as these values are not allowed: %1.</source>
         <translation>Ausgelassen, weil diese Werte nicht erlaubt sind: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>Questions</name>
+    <message>
+        <source>Start the motors?</source>
+        <translation>Motoren starten?</translation>
+    </message>
+    <message>
+        <source>The gimbal moves at once. Keep hands and cables clear of it.</source>
+        <translation>Der Gimbal bewegt sich sofort. Hände und Kabel fernhalten.</translation>
+    </message>
+    <message>
+        <source>Start motors</source>
+        <translation>Motoren starten</translation>
+    </message>
+    <message>
+        <source>Leave them off</source>
+        <translation>Aus lassen</translation>
+    </message>
+    <message>
+        <source>Switch to profile %1, %2?</source>
+        <translation>Zu Profil %1, %2, wechseln?</translation>
+    </message>
+    <message>
+        <source>The motors are running: its settings act at once.</source>
+        <translation>Die Motoren laufen: Seine Einstellungen wirken sofort.</translation>
+    </message>
+    <message>
+        <source>The motors may be running: its settings act at once.</source>
+        <translation>Die Motoren laufen vielleicht: Seine Einstellungen wirken sofort.</translation>
+    </message>
+    <message>
+        <source>Switch profile</source>
+        <translation>Profil wechseln</translation>
+    </message>
+    <message>
+        <source>Stay in profile %1</source>
+        <translation>Bei Profil %1 bleiben</translation>
     </message>
 </context>
 <context>
@@ -3190,7 +4189,7 @@
     </message>
     <message>
         <source>Measurement saved to %1</source>
-        <translation>Messung in %1 gespeichert</translation>
+        <translation>Messung in %1 gesichert</translation>
     </message>
     <message>
         <source>Measurements</source>
@@ -3378,6 +4377,40 @@
         <source>These values go to the board. They are read back and compared, and a copy of what could be read of the board is kept before the first write.</source>
         <translation>Diese Werte gehen auf das Board. Sie werden zurückgelesen und verglichen, und vor dem ersten Schreiben wird gesichert, was vom Board gelesen werden konnte.</translation>
     </message>
+    <message>
+        <source>Other values in use</source>
+        <translation>Andere Werte in Gebrauch</translation>
+    </message>
+    <message>
+        <source>Leave them in use, without storing them</source>
+        <translation>In Gebrauch lassen, nicht speichern</translation>
+    </message>
+    <message>
+        <source>Store them too</source>
+        <translation>Mitspeichern</translation>
+    </message>
+    <message>
+        <source>Put the stored values into use first</source>
+        <translation>Zuerst die gespeicherten Werte in Gebrauch nehmen</translation>
+    </message>
+    <message>
+        <source>%1: %2 in use, %3 stored</source>
+        <translation>%1: %2 in Gebrauch, %3 gespeichert</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other value(s) in use are not stored:</source>
+        <translation>
+            <numerusform>%n anderer Wert in Gebrauch ist nicht gespeichert:</numerusform>
+            <numerusform>%n andere Werte in Gebrauch sind nicht gespeichert:</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weiterer</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ScriptsPage</name>
@@ -3392,10 +4425,6 @@
     <message>
         <source>Save…</source>
         <translation>Sichern…</translation>
-    </message>
-    <message>
-        <source>Revert</source>
-        <translation>Verwerfen</translation>
     </message>
     <message>
         <source>Take over</source>
@@ -3485,6 +4514,10 @@
         <source>Script %1: %2</source>
         <translation>Skript %1: %2</translation>
     </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
 </context>
 <context>
     <name>SensorCube</name>
@@ -3518,10 +4551,6 @@
     <message>
         <source>Back</source>
         <translation>Zurück</translation>
-    </message>
-    <message>
-        <source>Store in the board</source>
-        <translation>Im Board speichern</translation>
     </message>
     <message>
         <source>Camera sensor (Imu)</source>
@@ -3678,6 +4707,10 @@
         <source>The calibration is stored and read back.</source>
         <translation>Die Kalibrierung ist gespeichert und zurückgelesen.</translation>
     </message>
+    <message>
+        <source>Store on the board</source>
+        <translation>Auf dem Board speichern</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
@@ -3788,6 +4821,10 @@
     <message>
         <source>At most %1 MB with 24 channels at full rate. The last ten minutes of the link itself, for recordings, take up to %2 MB more.</source>
         <translation>Höchstens %1 MB mit 24 Kanälen bei voller Rate. Die letzten zehn Minuten der Leitung selbst, für Aufzeichnungen, brauchen bis zu %2 MB dazu.</translation>
+    </message>
+    <message>
+        <source>Supervisor</source>
+        <translation>Aufsicht</translation>
     </message>
 </context>
 <context>
@@ -4233,48 +5270,12 @@ Spitze %2°</translation>
         <translation>%1° RMS</translation>
     </message>
     <message>
-        <source>Put a notch here…</source>
-        <translation>Hier einen Kerbfilter setzen…</translation>
-    </message>
-    <message>
-        <source>A filter that takes the chosen peak out of the loop, as an edit to review</source>
-        <translation>Ein Filter, der die gewählte Spitze aus dem Regelkreis nimmt, als Änderung zum Prüfen</translation>
-    </message>
-    <message>
         <source>All notch filters of this axis are in use; change one of them on Parameters.</source>
         <translation>Alle Kerbfilter dieser Achse sind in Gebrauch; ändern Sie einen davon unter Parameter.</translation>
     </message>
     <message>
-        <source>%1° at %2 Hz</source>
-        <translation>%1° bei %2 Hz</translation>
-    </message>
-    <message>
-        <source>%1, notch %2: %3 Hz, width %4 Hz, depth %5 dB.</source>
-        <translation>%1, Kerbfilter %2: %3 Hz, Breite %4 Hz, Tiefe %5 dB.</translation>
-    </message>
-    <message>
-        <source>It delays the loop: %1. Every degree is taken from the phase margin.</source>
-        <translation>Er verzögert den Regelkreis: %1. Jedes Grad geht von der Phasenreserve ab.</translation>
-    </message>
-    <message>
-        <source>Nothing is on the board before you review and write.</source>
-        <translation>Auf dem Board ist nichts, bevor Sie prüfen und schreiben.</translation>
-    </message>
-    <message>
-        <source>Put a notch here</source>
-        <translation>Hier einen Kerbfilter setzen</translation>
-    </message>
-    <message>
-        <source>Take over as an edit</source>
-        <translation>Als Änderung übernehmen</translation>
-    </message>
-    <message>
         <source>Leave it</source>
         <translation>Lassen</translation>
-    </message>
-    <message>
-        <source>Notch %1 of %2</source>
-        <translation>Kerbfilter %1 von %2</translation>
     </message>
     <message>
         <source>Waterfall, %1</source>
@@ -4352,6 +5353,34 @@ Spitze %2°</translation>
         <source>Jitter</source>
         <translation>Zittern</translation>
     </message>
+    <message>
+        <source>Try a notch here…</source>
+        <translation>Hier einen Kerbfilter versuchen…</translation>
+    </message>
+    <message>
+        <source>Tries a filter that takes the chosen peak out of the loop, and measures what it does</source>
+        <translation>Versucht einen Filter, der die gewählte Spitze aus dem Regelkreis nimmt, und misst, was er bewirkt</translation>
+    </message>
+    <message>
+        <source>End the trial</source>
+        <translation>Versuch beenden</translation>
+    </message>
+    <message>
+        <source>A notch is being tried. Leave gimbal and sticks as they are.</source>
+        <translation>Ein Kerbfilter wird versucht. Gimbal und Knüppel bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>The motors are off: there is nothing to measure.</source>
+        <translation>Die Motoren sind aus: es gibt nichts zu messen.</translation>
+    </message>
+    <message>
+        <source>Try a notch here</source>
+        <translation>Hier einen Kerbfilter versuchen</translation>
+    </message>
+    <message>
+        <source>Try it</source>
+        <translation>Versuchen</translation>
+    </message>
 </context>
 <context>
     <name>StaleCover</name>
@@ -4398,6 +5427,18 @@ Spitze %2°</translation>
         <source>Look at a snapshot or a saved configuration and edit it without a board, or replay a recording</source>
         <translation>Eine Sicherung oder gespeicherte Konfiguration ansehen und ohne Board bearbeiten, oder eine Aufzeichnung abspielen</translation>
     </message>
+    <message>
+        <source>Lately:</source>
+        <translation>Zuletzt:</translation>
+    </message>
+    <message>
+        <source>Connect to %1</source>
+        <translation>Verbinden mit %1</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
 </context>
 <context>
     <name>StatusStrip</name>
@@ -4440,6 +5481,10 @@ Spitze %2°</translation>
     <message>
         <source>Hold Esc to switch the motors off.</source>
         <translation>Esc halten, um die Motoren auszuschalten.</translation>
+    </message>
+    <message>
+        <source>thinned out: slow line</source>
+        <translation>ausgedünnt: langsame Leitung</translation>
     </message>
 </context>
 <context>
@@ -4510,6 +5555,65 @@ Spitze %2°</translation>
     <message>
         <source>That is too much: %1 % may be used, the rest is kept for commands. Lower a rate, look at fewer channels, or set a faster serial speed.</source>
         <translation>Das ist zu viel: %1 % dürfen genutzt werden, der Rest bleibt für Befehle. Senken Sie eine Rate, sehen Sie weniger Kanäle an oder stellen Sie eine schnellere serielle Geschwindigkeit ein.</translation>
+    </message>
+</context>
+<context>
+    <name>SupervisorForm</name>
+    <message>
+        <source> °</source>
+        <translation> °</translation>
+    </message>
+    <message>
+        <source> °/s</source>
+        <translation> °/s</translation>
+    </message>
+    <message>
+        <source> V</source>
+        <translation> V</translation>
+    </message>
+    <message>
+        <source> °C</source>
+        <translation> °C</translation>
+    </message>
+    <message>
+        <source>An alarm makes a sound</source>
+        <translation>Ein Alarm ist auch zu hören</translation>
+    </message>
+    <message>
+        <source>The program watches live data on every page and tells what goes wrong, with its cause. It can do something about it as well; a board that flies is only warned of.</source>
+        <translation>Das Programm beobachtet die Live-Daten auf jeder Seite und sagt, was schiefgeht und warum. Es kann auch eingreifen; bei einem Board, das fliegt, warnt es nur.</translation>
+    </message>
+    <message>
+        <source>Warn</source>
+        <translation>Warnen</translation>
+    </message>
+    <message>
+        <source>Revert the last live change</source>
+        <translation>Letzte Live-Änderung zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Take it back, else motors off</source>
+        <translation>Zurücknehmen, sonst Motoren aus</translation>
+    </message>
+    <message>
+        <source>Motors off</source>
+        <translation>Motoren aus</translation>
+    </message>
+    <message>
+        <source>Runaway: away from the target by</source>
+        <translation>Durchgehen: weg vom Ziel um</translation>
+    </message>
+    <message>
+        <source>Oscillation: rate of more than (RMS)</source>
+        <translation>Schwingen: Drehrate über (RMS)</translation>
+    </message>
+    <message>
+        <source>Low battery: less per cell than</source>
+        <translation>Akku schwach: je Zelle unter</translation>
+    </message>
+    <message>
+        <source>Overheating: sensor hotter than</source>
+        <translation>Überhitzung: Sensor heißer als</translation>
     </message>
 </context>
 <context>
@@ -5165,10 +6269,6 @@ Spitze %2°</translation>
     <message>
         <source>Change the battery.</source>
         <translation>Wechseln Sie den Akku.</translation>
-    </message>
-    <message>
-        <source>Changes a value in volatile memory; lost at the next start unless saved.</source>
-        <translation>Ändert einen Wert im flüchtigen Speicher; beim nächsten Start verloren, wenn nicht gespeichert.</translation>
     </message>
     <message>
         <source>Check the cable and its ground.</source>
@@ -6471,10 +7571,6 @@ Spitze %2°</translation>
         <translation>Druck auf die Menütaste</translation>
     </message>
     <message>
-        <source>Menu button, %1 presses</source>
-        <translation>Menütaste, %1 Drücke</translation>
-    </message>
-    <message>
         <source>Menu button, long press</source>
         <translation>Menütaste, langer Druck</translation>
     </message>
@@ -7459,14 +8555,6 @@ Spitze %2°</translation>
         <translation>Statistik speichern</translation>
     </message>
     <message>
-        <source>Save the result</source>
-        <translation>Ergebnis speichern</translation>
-    </message>
-    <message>
-        <source>Save variables</source>
-        <translation>Variablen speichern</translation>
-    </message>
-    <message>
         <source>Search limits of pitch</source>
         <translation>Grenzen von Pitch suchen</translation>
     </message>
@@ -8253,10 +9341,6 @@ Spitze %2°</translation>
     <message>
         <source>Vibration level at which gains are lowered.</source>
         <translation>Vibration, bei der Verstärkungen gesenkt werden.</translation>
-    </message>
-    <message>
-        <source>Virtual channel whose signal is put out on this servo pin; 0 = off.</source>
-        <translation>Virtueller Kanal, dessen Signal dieser Servo-Pin ausgibt; 0 = aus.</translation>
     </message>
     <message>
         <source>Voltage of the full battery: power is raised as it falls; negative = off.</source>
@@ -9467,10 +10551,6 @@ Spitze %2°</translation>
         <translation>Eingang, Yaw</translation>
     </message>
     <message>
-        <source>Keeps all values in use, scripts included.</source>
-        <translation>Behält alle Werte in Gebrauch, samt Skripten.</translation>
-    </message>
-    <message>
         <source>Leaves standby.</source>
         <translation>Verlässt die Bereitschaft.</translation>
     </message>
@@ -9801,14 +10881,6 @@ Spitze %2°</translation>
     <message>
         <source>Restarts the controller with the stored values; motors go off meanwhile.</source>
         <translation>Startet den Regler mit den gespeicherten Werten neu; die Motoren sind solange aus.</translation>
-    </message>
-    <message>
-        <source>Restore one value</source>
-        <translation>Einen Wert zurückholen</translation>
-    </message>
-    <message>
-        <source>Retrieve</source>
-        <translation>Zurückholen</translation>
     </message>
     <message>
         <source>Roll (0 = middle)</source>
@@ -10233,10 +11305,6 @@ Spitze %2°</translation>
     <message>
         <source>Within the limits of the sticks</source>
         <translation>In den Grenzen der Knüppel</translation>
-    </message>
-    <message>
-        <source>Word</source>
-        <translation>Wort</translation>
     </message>
     <message>
         <source>Yaw (0 = middle)</source>
@@ -10882,6 +11950,197 @@ Spitze %2°</translation>
         <source>Steers like a receiver would: 700 to 2300 µs, 0 for the middle. An axis without a value stays as it is.</source>
         <translation>Steuert wie ein Empfänger: 700 bis 2300 µs, 0 für die Mitte. Eine Achse ohne Wert bleibt, wie sie ist.</translation>
     </message>
+    <message>
+        <source>all profiles</source>
+        <translation>alle Profile</translation>
+    </message>
+    <message>
+        <source>Changes a value in volatile memory; lost at the next start unless stored.</source>
+        <translation>Ändert einen Wert im flüchtigen Speicher; beim nächsten Start verloren, wenn nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Menu button, five presses</source>
+        <translation>Menütaste, fünfmal drücken</translation>
+    </message>
+    <message>
+        <source>Menu button, four presses</source>
+        <translation>Menütaste, viermal drücken</translation>
+    </message>
+    <message>
+        <source>Menu button, one press</source>
+        <translation>Menütaste, einmal drücken</translation>
+    </message>
+    <message>
+        <source>Menu button, three presses</source>
+        <translation>Menütaste, dreimal drücken</translation>
+    </message>
+    <message>
+        <source>Menu button, two presses</source>
+        <translation>Menütaste, zweimal drücken</translation>
+    </message>
+    <message>
+        <source>Revert all values</source>
+        <translation>Alle Werte zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Revert one value</source>
+        <translation>Einen Wert zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Store variables</source>
+        <translation>Variablen speichern</translation>
+    </message>
+    <message>
+        <source>Stores all values in use, scripts included.</source>
+        <translation>Speichert alle Werte in Gebrauch, samt Skripten.</translation>
+    </message>
+    <message>
+        <source>Virtual channel 1</source>
+        <translation>Virtueller Kanal 1</translation>
+    </message>
+    <message>
+        <source>Virtual channel 10</source>
+        <translation>Virtueller Kanal 10</translation>
+    </message>
+    <message>
+        <source>Virtual channel 11</source>
+        <translation>Virtueller Kanal 11</translation>
+    </message>
+    <message>
+        <source>Virtual channel 12</source>
+        <translation>Virtueller Kanal 12</translation>
+    </message>
+    <message>
+        <source>Virtual channel 13</source>
+        <translation>Virtueller Kanal 13</translation>
+    </message>
+    <message>
+        <source>Virtual channel 14</source>
+        <translation>Virtueller Kanal 14</translation>
+    </message>
+    <message>
+        <source>Virtual channel 15</source>
+        <translation>Virtueller Kanal 15</translation>
+    </message>
+    <message>
+        <source>Virtual channel 16</source>
+        <translation>Virtueller Kanal 16</translation>
+    </message>
+    <message>
+        <source>Virtual channel 17</source>
+        <translation>Virtueller Kanal 17</translation>
+    </message>
+    <message>
+        <source>Virtual channel 18</source>
+        <translation>Virtueller Kanal 18</translation>
+    </message>
+    <message>
+        <source>Virtual channel 19</source>
+        <translation>Virtueller Kanal 19</translation>
+    </message>
+    <message>
+        <source>Virtual channel 2</source>
+        <translation>Virtueller Kanal 2</translation>
+    </message>
+    <message>
+        <source>Virtual channel 20</source>
+        <translation>Virtueller Kanal 20</translation>
+    </message>
+    <message>
+        <source>Virtual channel 21</source>
+        <translation>Virtueller Kanal 21</translation>
+    </message>
+    <message>
+        <source>Virtual channel 22</source>
+        <translation>Virtueller Kanal 22</translation>
+    </message>
+    <message>
+        <source>Virtual channel 23</source>
+        <translation>Virtueller Kanal 23</translation>
+    </message>
+    <message>
+        <source>Virtual channel 24</source>
+        <translation>Virtueller Kanal 24</translation>
+    </message>
+    <message>
+        <source>Virtual channel 25</source>
+        <translation>Virtueller Kanal 25</translation>
+    </message>
+    <message>
+        <source>Virtual channel 26</source>
+        <translation>Virtueller Kanal 26</translation>
+    </message>
+    <message>
+        <source>Virtual channel 27</source>
+        <translation>Virtueller Kanal 27</translation>
+    </message>
+    <message>
+        <source>Virtual channel 28</source>
+        <translation>Virtueller Kanal 28</translation>
+    </message>
+    <message>
+        <source>Virtual channel 29</source>
+        <translation>Virtueller Kanal 29</translation>
+    </message>
+    <message>
+        <source>Virtual channel 3</source>
+        <translation>Virtueller Kanal 3</translation>
+    </message>
+    <message>
+        <source>Virtual channel 30</source>
+        <translation>Virtueller Kanal 30</translation>
+    </message>
+    <message>
+        <source>Virtual channel 31</source>
+        <translation>Virtueller Kanal 31</translation>
+    </message>
+    <message>
+        <source>Virtual channel 32</source>
+        <translation>Virtueller Kanal 32</translation>
+    </message>
+    <message>
+        <source>Virtual channel 4</source>
+        <translation>Virtueller Kanal 4</translation>
+    </message>
+    <message>
+        <source>Virtual channel 5</source>
+        <translation>Virtueller Kanal 5</translation>
+    </message>
+    <message>
+        <source>Virtual channel 6</source>
+        <translation>Virtueller Kanal 6</translation>
+    </message>
+    <message>
+        <source>Virtual channel 7</source>
+        <translation>Virtueller Kanal 7</translation>
+    </message>
+    <message>
+        <source>Virtual channel 8</source>
+        <translation>Virtueller Kanal 8</translation>
+    </message>
+    <message>
+        <source>Virtual channel 9</source>
+        <translation>Virtueller Kanal 9</translation>
+    </message>
+    <message>
+        <source>Virtual channel whose signal is put out on this servo pin.</source>
+        <translation>Virtueller Kanal, dessen Signal an diesem Servopin ausgegeben wird.</translation>
+    </message>
+    <message>
+        <source>Word %1</source>
+        <translation>Wort %1</translation>
+    </message>
+</context>
+<context>
+    <name>ThinningText</name>
+    <message>
+        <source>The line is slow: live data are thinned out to %1 samples/s of the %2 that a faster one would carry.</source>
+        <translation>Die Leitung ist langsam: Live-Daten sind auf %1 Messwerte/s ausgedünnt; eine schnellere trüge %2.</translation>
+    </message>
+    <message>
+        <source>The line is slow: %1 comes %2 times a second instead of %3.</source>
+        <translation>Die Leitung ist langsam: %1 kommt %2-mal statt %3-mal je Sekunde.</translation>
+    </message>
 </context>
 <context>
     <name>TuningPage</name>
@@ -10915,15 +12174,11 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Revert all</source>
-        <translation>Alles zurück</translation>
+        <translation>Alles zurücknehmen</translation>
     </message>
     <message>
         <source>Put the stored values into use at once (F9)</source>
         <translation>Die gespeicherten Werte sofort in Gebrauch nehmen (F9)</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
     </message>
     <message>
         <source>Store the values in use in the active profile; a snapshot is taken first</source>
@@ -11004,6 +12259,10 @@ before</source>
         <translation>Spitze
 vorher</translation>
     </message>
+    <message>
+        <source>Store</source>
+        <translation>Speichern</translation>
+    </message>
 </context>
 <context>
     <name>UnsavedBar</name>
@@ -11021,7 +12280,7 @@ vorher</translation>
     </message>
     <message>
         <source>Save to &amp;file…</source>
-        <translation>In &amp;Datei speichern…</translation>
+        <translation>In &amp;Datei sichern…</translation>
     </message>
     <message>
         <source>Review and &amp;write…</source>
@@ -11033,10 +12292,6 @@ vorher</translation>
             <numerusform>%n ungesicherte Änderung</numerusform>
             <numerusform>%n ungesicherte Änderungen</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>in %1 profiles</source>
-        <translation>in %1 Profilen</translation>
     </message>
     <message>
         <source>No unsaved changes</source>
@@ -11062,16 +12317,8 @@ vorher</translation>
 <context>
     <name>UnstoredBar</name>
     <message>
-        <source>Back to what is stored</source>
-        <translation>Zurück zum Gespeicherten</translation>
-    </message>
-    <message>
         <source>Store on the board</source>
         <translation>Auf dem Board speichern</translation>
-    </message>
-    <message>
-        <source>Keep everything that is in use; a snapshot is taken first</source>
-        <translation>Alles behalten, was in Gebrauch ist; vorher wird eine Sicherung gemacht</translation>
     </message>
     <message>
         <source>Values in use on the board are not stored: a restart loses them.</source>
@@ -11084,21 +12331,33 @@ vorher</translation>
             <numerusform>%n Werte auf dem Board in Gebrauch, nicht gespeichert: ein Neustart verliert sie.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Revert all</source>
+        <translation>Alles zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Put the stored values into use at once</source>
+        <translation>Gespeicherte Werte sofort in Gebrauch nehmen</translation>
+    </message>
+    <message>
+        <source>Store everything that is in use; a snapshot is taken first</source>
+        <translation>Alles speichern, was in Gebrauch ist; vorher wird eine Sicherung gemacht</translation>
+    </message>
+    <message>
+        <source>Revert all?</source>
+        <translation>Alles zurücknehmen?</translation>
+    </message>
+    <message>
+        <source>All values in use that are not stored are lost. The board starts with the stored ones, and so may its motors: keep hands and cables clear of the gimbal.</source>
+        <translation>Alle benutzten, nicht gespeicherten Werte gehen verloren. Das Board beginnt mit den gespeicherten, und auch die Motoren können anlaufen: Hände und Kabel vom Gimbal fernhalten.</translation>
+    </message>
+    <message>
+        <source>Keep what is in use</source>
+        <translation>Benutzte Werte behalten</translation>
+    </message>
 </context>
 <context>
     <name>ValueEditor</name>
-    <message>
-        <source>↺ %1</source>
-        <translation>↺ %1</translation>
-    </message>
-    <message>
-        <source>The board has %1. Go back to it.</source>
-        <translation>Das Board hat %1. Dorthin zurück.</translation>
-    </message>
-    <message>
-        <source>Go back to the board&apos;s value %1</source>
-        <translation>Zurück zum Wert des Boards, %1</translation>
-    </message>
     <message>
         <source>
 On the board: %1</source>
@@ -11110,15 +12369,12 @@ Auf dem Board: %1</translation>
         <translation>Unbekannt (%1)</translation>
     </message>
     <message>
-        <source>None</source>
-        <translation>Keine</translation>
+        <source>The board has %1. Discard the change.</source>
+        <translation>Das Board hat %1. Die Änderung verwerfen.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n set</source>
-        <translation>
-            <numerusform>%n gesetzt</numerusform>
-            <numerusform>%n gesetzt</numerusform>
-        </translation>
+    <message>
+        <source>Discard the change; the board has %1</source>
+        <translation>Die Änderung verwerfen; das Board hat %1</translation>
     </message>
 </context>
 <context>
@@ -11130,10 +12386,6 @@ Auf dem Board: %1</translation>
     <message>
         <source>Keep reading</source>
         <translation>Weiter lesen</translation>
-    </message>
-    <message>
-        <source>A value set here takes effect at once and is forgotten at the next start unless it is saved. Numbers are the board&apos;s own; their meaning is shown beside them.</source>
-        <translation>Ein hier gesetzter Wert wirkt sofort und ist beim nächsten Start vergessen, wenn er nicht gespeichert wird. Die Zahlen sind die des Boards; die Bedeutung steht daneben.</translation>
     </message>
     <message>
         <source>Search (Ctrl+F)</source>
@@ -11148,12 +12400,16 @@ Auf dem Board: %1</translation>
         <translation>Zeigt Änderungen, die Funke, Menü oder ein anderes Programm machen</translation>
     </message>
     <message>
-        <source>Save variables</source>
-        <translation>Variablen speichern</translation>
-    </message>
-    <message>
         <source>Store the values in use in the active profile; a snapshot is taken first</source>
         <translation>Die Werte in Gebrauch im aktiven Profil speichern; vorher wird eine Sicherung gemacht</translation>
+    </message>
+    <message>
+        <source>A value set here takes effect at once and is forgotten at the next start unless it is stored. Numbers are the board&apos;s own; their meaning is shown beside them.</source>
+        <translation>Ein hier gesetzter Wert wirkt sofort und ist beim nächsten Start vergessen, wenn er nicht gespeichert wird. Die Zahlen sind die des Boards; die Bedeutung steht daneben.</translation>
+    </message>
+    <message>
+        <source>Store variables</source>
+        <translation>Variablen speichern</translation>
     </message>
 </context>
 <context>
@@ -11186,13 +12442,6 @@ Auf dem Board: %1</translation>
         <translation>
             <numerusform>Abschließen: %n Wert schreiben</numerusform>
             <numerusform>Abschließen: %n Werte schreiben</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Undo: put %n value(s) back</source>
-        <translation>
-            <numerusform>Zurücknehmen: %n Wert zurück</numerusform>
-            <numerusform>Zurücknehmen: %n Werte zurück</numerusform>
         </translation>
     </message>
     <message>
@@ -11312,14 +12561,6 @@ Auf dem Board: %1</translation>
         <translation>Noch steht keine Verbindung. Die Motoren werden ausgeschaltet, sobald sie steht.</translation>
     </message>
     <message>
-        <source>They may still be running.</source>
-        <translation>Sie laufen vielleicht noch.</translation>
-    </message>
-    <message>
-        <source>Hold the camera and disconnect the power.</source>
-        <translation>Halten Sie die Kamera und trennen Sie den Strom.</translation>
-    </message>
-    <message>
         <source>The gimbal is being set up.</source>
         <translation>Der Gimbal wird gerade eingerichtet.</translation>
     </message>
@@ -11330,6 +12571,20 @@ Auf dem Board: %1</translation>
     <message>
         <source>Go on with it, or cancel it first.</source>
         <translation>Führen Sie es fort oder brechen Sie es zuerst ab.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Revert %n value(s)</source>
+        <translation>
+            <numerusform>%n Wert zurücknehmen</numerusform>
+            <numerusform>%n Werte zurücknehmen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unfinished text(s) of an earlier run belong to this board.</source>
+        <translation>
+            <numerusform>%n unfertiger Text eines früheren Laufs gehört zu diesem Board.</numerusform>
+            <numerusform>%n unfertige Texte eines früheren Laufs gehören zu diesem Board.</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

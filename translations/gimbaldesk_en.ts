@@ -2,12 +2,42 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>AlarmBar</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>AlarmText</name>
+    <message numerus="yes">
+        <source>%n value(s)</source>
+        <translation>
+            <numerusform>%n value</numerusform>
+            <numerusform>%n values</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>BackupsPage</name>
     <message numerus="yes">
         <source>%n value(s) differ.</source>
         <translation>
             <numerusform>%n value differs.</numerusform>
             <numerusform>%n values differ.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>BatteryView</name>
+    <message numerus="yes">
+        <source>%n cell(s) by the voltage, %1 V each</source>
+        <translation>
+            <numerusform>%n cell by the voltage, %1 V each</numerusform>
+            <numerusform>%n cells by the voltage, %1 V each</numerusform>
         </translation>
     </message>
 </context>
@@ -28,10 +58,31 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Undo: put %n value(s) back</source>
+        <source>%n other value(s) stay in use without being stored: %1</source>
         <translation>
-            <numerusform>Undo: put %n value back</numerusform>
-            <numerusform>Undo: put %n values back</numerusform>
+            <numerusform>%n other value stays in use without being stored: %1</numerusform>
+            <numerusform>%n other values stay in use without being stored: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other value(s) in use are stored too: %1</source>
+        <translation>
+            <numerusform>%n other value in use is stored too: %1</numerusform>
+            <numerusform>%n other values in use are stored too: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other value(s) are in use as they are stored again: %1</source>
+        <translation>
+            <numerusform>%n other value is in use as it is stored again: %1</numerusform>
+            <numerusform>%n other values are in use as they are stored again: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Revert %n value(s)</source>
+        <translation>
+            <numerusform>Revert %n value</numerusform>
+            <numerusform>Revert %n values</numerusform>
         </translation>
     </message>
 </context>
@@ -98,6 +149,16 @@
     </message>
 </context>
 <context>
+    <name>Leaving</name>
+    <message numerus="yes">
+        <source>%n change(s) are not on the board.</source>
+        <translation>
+            <numerusform>%n change is not on the board.</numerusform>
+            <numerusform>%n changes are not on the board.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>LinkMarks</name>
     <message numerus="yes">
         <source>%n value(s) written</source>
@@ -111,16 +172,6 @@
         <translation>
             <numerusform>and %n more</numerusform>
             <numerusform>and %n more</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>MainWindow</name>
-    <message numerus="yes">
-        <source>%n change(s) are not on the board.</source>
-        <translation>
-            <numerusform>%n change is not on the board.</numerusform>
-            <numerusform>%n changes are not on the board.</numerusform>
         </translation>
     </message>
 </context>
@@ -141,6 +192,16 @@
         <translation>
             <numerusform>At most %n decimal, %1</numerusform>
             <numerusform>At most %n decimals, %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>OfferBar</name>
+    <message numerus="yes">
+        <source>%n open question(s)</source>
+        <translation>
+            <numerusform>%n open question</numerusform>
+            <numerusform>%n open questions</numerusform>
         </translation>
     </message>
 </context>
@@ -168,6 +229,20 @@
         <translation>
             <numerusform>%n value</numerusform>
             <numerusform>%n values</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other value(s) in use are not stored:</source>
+        <translation>
+            <numerusform>%n other value in use is not stored:</numerusform>
+            <numerusform>%n other values in use are not stored:</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
         </translation>
     </message>
 </context>
@@ -232,29 +307,12 @@
     </message>
 </context>
 <context>
-    <name>ValueEditor</name>
-    <message numerus="yes">
-        <source>%n set</source>
-        <translation>
-            <numerusform>%n set</numerusform>
-            <numerusform>%n set</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>Workspace</name>
     <message numerus="yes">
         <source>Finish: write %n value(s)</source>
         <translation>
             <numerusform>Finish: write %n value</numerusform>
             <numerusform>Finish: write %n values</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Undo: put %n value(s) back</source>
-        <translation>
-            <numerusform>Undo: put %n value back</numerusform>
-            <numerusform>Undo: put %n values back</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -283,6 +341,20 @@
         <translation>
             <numerusform>%n value is not in the file and got its default: %1</numerusform>
             <numerusform>%n values are not in the file and got their defaults: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Revert %n value(s)</source>
+        <translation>
+            <numerusform>Revert %n value</numerusform>
+            <numerusform>Revert %n values</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unfinished text(s) of an earlier run belong to this board.</source>
+        <translation>
+            <numerusform>%n unfinished text of an earlier run belongs to this board.</numerusform>
+            <numerusform>%n unfinished texts of an earlier run belong to this board.</numerusform>
         </translation>
     </message>
 </context>

@@ -83,7 +83,8 @@ protected:
     {
         const QString finding = m_watch ? m_watch->finding() : QString();
         const bool wholeRecording = m_watch && m_watch->isReplayed() && m_seconds <= 0;
-        if (const QString thinned = thinningText(m_client->telemetryPlan()); !thinned.isEmpty()) {
+        const TelemetryPlan &plan = m_client->telemetryPlan();
+        if (const QString thinned = thinningText(plan.rate, plan.fullRate, plan.budget); !thinned.isEmpty()) {
             outcome.note += u'\n' + thinned;
             if (outcome.json.isObject()) {
                 QJsonObject object = outcome.json.toObject();

@@ -400,7 +400,8 @@ void StatusStrip::refresh()
     const quint64 damaged = link.framing.headerErrors + link.framing.bodyErrors;
     const quint64 lost = store ? store->lost() : 0;
     QString text = tr("%1/s · %2 lost").arg(numberText(link.framesPerSecond, 0)).arg(lost);
-    const QString thinned = thinningText(client.telemetryPlan());
+    const TelemetryPlan &plan = client.telemetryPlan();
+    const QString thinned = thinningText(plan.rate, plan.fullRate, plan.budget);
     if (!thinned.isEmpty())
         text += u" · "_s + tr("thinned out: slow line");
     m_link->setToolTip(tr("Frames received per second, samples lost, answer time")

@@ -97,6 +97,11 @@ const LinkAddress &DeviceClient::address() const
     return d->address;
 }
 
+QString DeviceClient::addressText() const
+{
+    return address().toString();
+}
+
 const BoardIdentity &DeviceClient::identity() const
 {
     return d->identity;

@@ -40,6 +40,8 @@ public:
     [[nodiscard]] bool isConnected() const { return state() == State::Connected; }
     [[nodiscard]] const QList<Family> &families() const;
     [[nodiscard]] const LinkAddress &address() const;
+    /// The same, as it is typed.
+    [[nodiscard]] QString addressText() const;
     /// The connected board; while reconnecting, the last one.
     [[nodiscard]] const BoardIdentity &identity() const;
     /// Tables of the connected family; null before the first connection.

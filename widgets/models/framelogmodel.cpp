@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/framelogmodel.h"
 
-#include "protocol/transport/linkaddress.h"
 #include "widgets/models/numbertext.h"
 
 #include <algorithm>
@@ -27,7 +26,7 @@ void FrameLogModel::onState(DeviceClient::State state)
     settle();
     switch (state) {
     case DeviceClient::State::Disconnected: addMark(tr("Link ended")); break;
-    case DeviceClient::State::Connecting: addMark(tr("New link"), m_client.address().toString()); break;
+    case DeviceClient::State::Connecting: addMark(tr("New link"), m_client.addressText()); break;
     case DeviceClient::State::Reconnecting: addMark(tr("Link lost")); break;
     case DeviceClient::State::Connected:
         m_isKnown = true;

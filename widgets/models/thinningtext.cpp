@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/thinningtext.h"
 
-#include "protocol/telemetry/telemetryplan.h"
+#include "protocol/telemetry/streams.h"
 #include "widgets/models/numbertext.h"
 
 #include <QCoreApplication>
@@ -23,16 +23,16 @@ QString words(const char *text)
 
 }  // namespace
 
-QString thinningText(const TelemetryPlan &plan)
+QString thinningText(double rate, double fullRate, const StreamBudget &budget)
 {
-    if (plan.fullRate > 0) {
+    if (fullRate > 0) {
         return words(
                    QT_TRANSLATE_NOOP("ThinningText",
                                      "The line is slow: live data are thinned out to %1 samples/s of the %2 "
                                      "that a faster one would carry."))
-            .arg(rateText(plan.rate), rateText(plan.fullRate));
+            .arg(rateText(rate), rateText(fullRate));
     }
-    for (const StreamUse &use : plan.budget.streams) {
+    for (const StreamUse &use : budget.streams) {
         if (use.fullRate > 0) {
             return words(QT_TRANSLATE_NOOP("ThinningText",
                                            "The line is slow: %1 comes %2 times a second instead of %3."))

@@ -4,8 +4,9 @@
 
 #include <QString>
 
-struct TelemetryPlan;
+struct StreamBudget;
 
 /// Says that live data come less often than they are meant to because the line carries no more, and at which
 /// rate. Empty where it carries them all.
-[[nodiscard]] QString thinningText(const TelemetryPlan &plan);
+/// @param rate, fullRate, budget of the telemetry's plan
+[[nodiscard]] QString thinningText(double rate, double fullRate, const StreamBudget &budget);

@@ -42,7 +42,8 @@ QString number(double value, int decimals, const QString &unit)
 
 QString tableRow(const QString &name, const QString &text)
 {
-    return u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td style='padding:2px 0' align='right'>%2</td></tr>"_s
+    return u"<tr><td style='padding:2px 16px 2px 0'>%1</td>"
+           "<td style='padding:2px 0' align='right'>%2</td></tr>"_s
         .arg(name, text.toHtmlEscaped());
 }
 

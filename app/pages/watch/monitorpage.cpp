@@ -523,7 +523,7 @@ void MonitorPage::updateNote()
                          .arg(numberText(100.0 * plan.budget.bytesPerSecond() / plan.budget.capacity, 0)));
     else if (plan.poll)
         parts.append(tr("polled, up to %1 samples/s").arg(numberText(plan.rate, 0)));
-    const QString thinned = thinningText(plan);
+    const QString thinned = thinningText(plan.rate, plan.fullRate, plan.budget);
     if (!thinned.isEmpty())
         parts.append(tr("thinned out to %1 samples/s by the slow line").arg(numberText(plan.rate, 0)));
     if (m_publication)
