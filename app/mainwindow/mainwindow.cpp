@@ -42,8 +42,16 @@ namespace {
 const QString kWindowLayout = u"window"_s;
 constexpr QSize kFullSize(1024, 640);  // holds every page
 constexpr QSize kSmallestSize(560, 320);
+constexpr QSize kFirstSize(1280, 800);
 constexpr QSize kDecoration(16, 40);  // what a window manager puts around
 constexpr int kAroundContent = 100;  // height of the link bar and the status at most
+
+// Without a display, Qt's screen is one in name only: pictures are as large as they are asked for.
+QSize roomOn(const QScreen *screen)
+{
+    const bool isNominal = QGuiApplication::platformName() == u"offscreen"_s;
+    return screen && !isNominal ? screen->availableSize() - kDecoration : kFirstSize;
+}
 
 }  // namespace
 
@@ -68,9 +76,9 @@ MainWindow::MainWindow(Links links, QList<Family> families, Theme &theme, Settin
 {
     setWindowTitle(u"GimbalDesk"_s);
     // On a screen with less room the content is scrolled, and the red button stays where it is.
-    const QSize room = screen() ? screen()->availableSize() : kFullSize;
-    setMinimumSize(kFullSize.boundedTo(room - kDecoration).expandedTo(kSmallestSize));
-    resize(QSize(1280, 800).boundedTo(room - kDecoration));
+    const QSize room = roomOn(screen());
+    setMinimumSize(kFullSize.boundedTo(room).expandedTo(kSmallestSize));
+    resize(kFirstSize.boundedTo(room));
     restoreGeometry(settings.layout(kWindowLayout));
     layoutFrame();
     connectFrame();
