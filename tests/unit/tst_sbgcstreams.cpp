@@ -456,7 +456,7 @@ void TestSbgcStreams::slowLinesThinOut()
     const QList<int> channels = fast ? QList<int>{roles.angle[0], roles.gyro[0]} : QList<int>{};
     const auto plan = bench.device.subscribe(bench.channel, {channels, rate}, line);
     QVERIFY(plan);
-    const QString told = thinningText(*plan);
+    const QString told = thinningText(plan->rate, plan->fullRate, plan->budget);
     QVERIFY2(told.contains(u"The line is slow"_s), qPrintable(told));
     QVERIFY(plan->rate > 0);
     if (!plan->streaming) {

@@ -295,7 +295,8 @@ void SimulatedBoard::beat()
         const QByteArray version = versionData();
         const auto text = [&version](int at) {
             const QByteArray padded = version.mid(at, 16);
-            return QString::fromLatin1(padded.constData(), qstrnlen(padded.constData(), 16)).trimmed();
+            const qsizetype end = padded.indexOf('\0');
+            return QString::fromLatin1(end < 0 ? padded : padded.first(end)).trimmed();
         };
         for (const QString &line : {u"SToRM32 %1 %2"_s.arg(text(0), text(32)), text(16)})
             sendMessage(mavlink::MessageId::StatusText, {{u"severity"_s, kInfo}, {u"text"_s, line}});
