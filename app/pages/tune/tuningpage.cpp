@@ -33,6 +33,8 @@ constexpr double kFigureSpan = 3.0;  // seconds that the figures look back
 constexpr double kPlotWindow = 10.0;
 constexpr int kControlsWidth = 404;
 constexpr int kMaxControlsWidth = 520;
+constexpr int kLabelWidth = 84;
+constexpr int kMaxLabelWidth = 112;  // a longer word stands above its fields
 
 QPushButton *makeButton(const QString &text, const QString &tip)
 {
@@ -209,7 +211,7 @@ QWidget *TuningPage::makeControls()
             grid = new QGridLayout;
             grid->setHorizontalSpacing(Metric::kGap);
             grid->setVerticalSpacing(Metric::kGap);
-            grid->setColumnMinimumWidth(0, 84);
+            grid->setColumnMinimumWidth(0, kLabelWidth);
             for (int column = 1; column <= 3; ++column) {
                 auto *head = new QLabel(axisLabel(kAxes[std::size_t(column - 1)]));
                 head->setObjectName(u"muted"_s);
@@ -227,7 +229,11 @@ QWidget *TuningPage::makeControls()
             auto *label = new QLabel(parameterLabel(spec, false));
             label->setWordWrap(true);
             label->setToolTip(tableText(spec.row->help));
-            grid->addWidget(label, row, 0, Qt::AlignTop);
+            label->ensurePolished();
+            if (label->minimumSizeHint().width() > kMaxLabelWidth)
+                grid->addWidget(label, row++, 0, 1, 4);
+            else
+                grid->addWidget(label, row, 0, Qt::AlignTop);
         }
         auto *control = new LiveSlider(spec, m_live.range(parameter), firmware);
         const int column = spec.axis == Axis::None ? 1 : int(spec.axis) + 1;
