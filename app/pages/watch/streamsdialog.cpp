@@ -49,6 +49,7 @@ StreamsDialog::StreamsDialog(Workspace &workspace, QWidget *parent)
         row.rate->setValue(wish == now.end() ? 0 : wish->rate);
         row.rate->setAccessibleName(tr("Rate of %1").arg(spec.label));
         row.use->setObjectName(u"muted"_s);
+        row.use->setWordWrap(true);
         const int line = grid->rowCount();
         grid->addWidget(row.check, line, 0);
         grid->addWidget(row.rate, line, 1);
@@ -130,6 +131,7 @@ void StreamsDialog::update()
         row.check->setEnabled(byHand);
         row.rate->setEnabled(byHand && row.check->isChecked());
         row.use->clear();
+        row.use->setMinimumHeight(2 * row.use->fontMetrics().lineSpacing());  // so that no row moves
     }
     const bool nothing = byHand && chosen().isEmpty();
     const auto budget = m_workspace.client().device()->streamControl()->streamBudget(
