@@ -64,6 +64,15 @@ QString clippedText(const QWidget *widget)
     return {};
 }
 
+// On a small screen the page is scrolled, and so are forms everywhere.
+void scrollTo(QWidget &widget)
+{
+    for (QWidget *at = widget.parentWidget(); at; at = at->parentWidget()) {
+        if (auto *area = qobject_cast<QScrollArea *>(at))
+            area->ensureWidgetVisible(&widget);
+    }
+}
+
 // An entry of an open list that cannot be read: cut off, hidden, or without contrast.
 QString unreadableEntry(const QComboBox &box)
 {
@@ -328,6 +337,7 @@ void TestLooks::choicesAreReadable()
         rig.window().showPage(QLatin1String(entry.key));
         QVERIFY(rig.isSettled());
         for (QComboBox *box : rig.window().findChildren<QComboBox *>()) {
+            scrollTo(*box);
             if (!box->isVisible() || !box->isEnabled() || box->visibleRegion().isEmpty() || box->count() == 0)
                 continue;
             ++seen;
