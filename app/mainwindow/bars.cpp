@@ -193,6 +193,7 @@ void OfferBar::setFolded(bool folded)
     m_fold->setText(folded ? tr("%n open question(s)", nullptr, int(m_offers.size())) : u"▴"_s);
     m_fold->setAccessibleName(folded ? m_fold->text() : tr("Fold the question"));
     m_fold->setToolTip(folded ? text() : tr("Fold the question; it stays open. Ctrl+F6 leads here and back"));
+    m_row->invalidate();  // it does not learn that its widgets were hidden before it is laid out
     setMaximumWidth(folded ? sizeHint().width() : QWIDGETSIZE_MAX);
     updateGeometry();
 }
@@ -220,6 +221,7 @@ UnsavedBar::UnsavedBar(Workspace &workspace, QWidget *parent)
     layout->setSpacing(Metric::kGap);
     m_text->setObjectName(u"changed"_s);
     m_where->setObjectName(u"muted"_s);
+    m_where->setMinimumWidth(1);  // the first to give way
     layout->addWidget(m_text);
     layout->addWidget(m_where, 1);
     // What comes and goes with the link stands where it moves none of the others.

@@ -242,7 +242,9 @@ void TestFrame::barsFitSideBySide()
                                     .arg(button->geometry().right())
                                     .arg(bar->width())));
             QVERIFY2(!button->isVisible() || button->width() >= button->sizeHint().width(),
-                     qPrintable(button->text()));
+                     qPrintable(u"%1 has %2 of %3 px"_s.arg(button->text())
+                                    .arg(button->width())
+                                    .arg(button->sizeHint().width())));
         }
     }
     QVERIFY(!unstored->geometry().intersects(window().unsavedBar()->geometry()));
@@ -331,7 +333,9 @@ void TestFrame::questionsFold()
     auto *fold = window().offerBar()->findChild<QToolButton *>();
     QTest::mouseClick(fold, Qt::LeftButton);
     QVERIFY(m_rig->isSettled());
-    QVERIFY(window().offerBar()->isVisible() && window().offerBar()->width() < wide / 3);
+    QVERIFY(window().offerBar()->isVisible());
+    QVERIFY2(window().offerBar()->width() < wide / 3,
+             qPrintable(u"%1 of %2 px"_s.arg(window().offerBar()->width()).arg(wide)));
     QVERIFY2(fold->text().contains(u"1 open question"_s), qPrintable(fold->text()));
     QVERIFY(!window().offerBar()->buttons().first()->isVisible());
     QTest::mouseClick(fold, Qt::LeftButton);
