@@ -95,7 +95,12 @@ void Leaving::ended(Wait what)
     if (m_wait != what)
         return;
     m_wait = Wait::Nothing;
-    // After a write the values in use are read again: what is not stored is known after that.
+    onceRead();
+}
+
+// After a write the board is read again: what it holds is known after that.
+void Leaving::onceRead()
+{
     m_workspace.client()
         .submit<void>([](Channel &, Device &) -> Result<void> { return {}; })
         .then(this, [this](const Result<void> &) { later(); });
@@ -156,10 +161,11 @@ void Leaving::askAboutValues()
         m_valuesAreSettled = true;
         later();
     };
-    const auto store = [this, goOn] {
-        m_workspace.saveLive().then(this, [goOn](bool stored) {
+    const auto store = [this] {
+        m_workspace.saveLive().then(this, [this](bool stored) {
+            m_valuesAreSettled = stored;
             if (stored)
-                goOn();
+                onceRead();
         });
     };
     askInPanel({tr("Not stored"),

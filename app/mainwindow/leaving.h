@@ -31,6 +31,7 @@ private:
     void later();
     void waitFor(Wait what, const QString &told);
     void ended(Wait what);
+    void onceRead();
     void askAboutWork();
     void askAboutEdits();
     void askAboutValues();
