@@ -19,9 +19,11 @@
 #include "tests/support/simprocess.h"
 #include "tests/support/stormwindow.h"
 #include "widgets/forms/numberbox.h"
+#include "widgets/forms/panel.h"
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialog>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -208,7 +210,11 @@ void TestStormMotion::setupCanBeCancelled()
     QVERIFY(workspace().isUnstored());  // the motors are disabled, and it says so
     QTRY_COMPARE(inUse(79), 3);
     QVERIFY(store->isEnabled() && bar->backButton()->isEnabled());
+    // The board starts anew with it, and so may its motors: that is asked.
     bar->backButton()->click();
+    auto *question = m_rig->window().panels()->findChild<QDialog *>();
+    QVERIFY(question);
+    named<QPushButton>(question, u"Revert all"_s)->click();
     QTRY_COMPARE_WITH_TIMEOUT(inUse(79), 0, 8000);
     // Nothing ticked: nothing to begin.
     for (int task = 0; task < SetupPage::kTasks; ++task)
