@@ -23,14 +23,16 @@ FrameLogModel::FrameLogModel(DeviceClient &client, QObject *parent)
 
 void FrameLogModel::onState(DeviceClient::State state)
 {
+    // How a board was found is worded with its own tables, which are there once it is connected.
+    const bool isConnected = state == DeviceClient::State::Connected;
+    m_isKnown = m_isKnown || isConnected;
     settle();
+    m_isKnown = isConnected;
     switch (state) {
     case DeviceClient::State::Disconnected: addMark(tr("Link ended")); break;
     case DeviceClient::State::Connecting: addMark(tr("New link"), m_client.addressText()); break;
     case DeviceClient::State::Reconnecting: addMark(tr("Link lost")); break;
     case DeviceClient::State::Connected:
-        m_isKnown = true;
-        refresh();  // how the board was found
         addMark(tr("Connected"), u"%1 · %2"_s.arg(m_client.identity().model, m_client.identity().firmware));
         break;
     }
@@ -42,7 +44,6 @@ void FrameLogModel::settle()
     refresh();
     for (const Row &row : m_rows)
         std::ignore = textOf(row);
-    m_isKnown = false;
 }
 
 void FrameLogModel::addMark(const QString &what, const QString &more)
