@@ -37,12 +37,15 @@ public:
     /// The program ends and starts again.
     void restart()
     {
+        // Pages have the room that they are made for, however small the screen of the platform is.
+        const QSize size = m_window ? m_window->size() : QSize(1280, 800);
         m_window.reset();
         m_settings = std::make_unique<Settings>(filePath(QStringLiteral("settings.ini")));
         m_window = std::make_unique<MainWindow>(m_links, m_families, m_theme, *m_settings);
         // What the operator was told stands beside a failure.
         QObject::connect(&workspace().notifications(), &Notifications::problem, m_window.get(),
                          [](const ErrorText &text) { qInfo().noquote() << "told:" << text.oneLine(); });
+        m_window->resize(size);
         m_window->show();
         if (!QTest::qWaitForWindowExposed(m_window.get()))
             qFatal("no window");
