@@ -5,6 +5,7 @@
 #include "app/mainwindow/alarmbar.h"
 #include "app/mainwindow/bannerarea.h"
 #include "app/mainwindow/bars.h"
+#include "app/mainwindow/contentarea.h"
 #include "app/mainwindow/footbar.h"
 #include "app/mainwindow/leaving.h"
 #include "app/mainwindow/linkbar.h"
@@ -29,7 +30,6 @@
 #include <QLoggingCategory>
 #include <QPushButton>
 #include <QScreen>
-#include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -119,13 +119,8 @@ void MainWindow::layoutFrame()
     contentLayout->addWidget(m_replay);
     contentLayout->addLayout(middle, 1);
     contentLayout->addWidget(m_foot);
-    m_content->setMinimumSize(kFullSize.width(), kFullSize.height() - kAroundContent);
-    m_content->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);  // its minimum is what counts
-    auto *scrolled = new QScrollArea;
-    scrolled->setWidgetResizable(true);
-    scrolled->setFocusPolicy(Qt::NoFocus);
-    scrolled->setWidget(m_content);
-    m_panels = new PanelArea(scrolled);
+    const QSize smallest(kFullSize.width(), kFullSize.height() - kAroundContent);
+    m_panels = new PanelArea(new ContentArea(*m_content, smallest));
     auto *central = new QWidget;
     auto *layout = new QVBoxLayout(central);
     layout->setContentsMargins(0, 0, 0, 0);

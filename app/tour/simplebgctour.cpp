@@ -255,6 +255,12 @@ void Tour::addCalibrationSteps()
     m_steps.append(
         {u"calibration-result"_s, {}, [page] { return page()->step() == Wizard::Result; }, 300, {}, true});
     m_steps.append({{},
+                    [this] { m_window.workspace().setMotors(false); },
+                    [this] { return m_window.workspace().motorsRunning() == false; },
+                    0,
+                    {},
+                    false});
+    m_steps.append({{},
                     [this, page] {
                         page()->start(Kind::SixPositions);
                         m_window.workspace().changeWorld(u"pose=1"_s);
@@ -279,8 +285,9 @@ void Tour::addCalibrationSteps()
                     [this, page] {
                         page()->cancelButton()->click();
                         m_window.workspace().changeWorld(u"pose=0"_s);
+                        m_window.workspace().setMotors(true);
                     },
-                    {},
+                    [this] { return m_window.workspace().motorsRunning() == true; },
                     500,
                     {},
                     false});

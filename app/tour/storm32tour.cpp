@@ -137,6 +137,12 @@ void Tour::addSensorSteps(const QString &family)
     const auto sensors = [this] { return static_cast<SensorPage *>(m_window.page(u"sensor"_s)); };
     m_steps.append({pictureName(family, u"calibration"_s), show(u"sensor"_s), {}, 500, {}, false});
     m_steps.append({{},
+                    [this] { m_window.workspace().setMotors(false); },
+                    [this] { return m_window.workspace().motorsRunning() == false; },
+                    0,
+                    {},
+                    true});
+    m_steps.append({{},
                     [this, sensors] {
                         m_window.workspace().changeWorld(u"pose=1"_s);
                         sensors()->start(true);
@@ -169,7 +175,15 @@ void Tour::addSensorSteps(const QString &family)
                     400,
                     {},
                     true});
-    m_steps.append({{}, [this] { m_window.workspace().changeWorld(u"pose=0"_s); }, {}, 200, {}, true});
+    m_steps.append({{},
+                    [this] {
+                        m_window.workspace().changeWorld(u"pose=0"_s);
+                        m_window.workspace().setMotors(true);
+                    },
+                    [this] { return m_window.workspace().motorsRunning() == true; },
+                    200,
+                    {},
+                    true});
 }
 
 void Tour::addSetupSteps(const QString &family)

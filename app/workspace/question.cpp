@@ -50,6 +50,34 @@ void askToStartMotors(Workspace &workspace, QWidget *parent)
     withdrawWithTheLink(workspace, askInPanel(question, parent));
 }
 
+void askForMotorsOff(Workspace &workspace, QWidget *parent, const std::function<void()> &goOn)
+{
+    if (workspace.motorsRunning() == false) {
+        goOn();
+        return;
+    }
+    const auto switchOff = [&workspace, parent, goOn] {
+        // The board's state proves it; what failed is told by the stop itself.
+        auto *once = new QObject(parent);
+        QObject::connect(&workspace.client(), &DeviceClient::motorsOffFinished, once,
+                         [once, goOn](bool confirmed) {
+                             once->deleteLater();
+                             once->disconnect();
+                             if (confirmed)
+                                 goOn();
+                         });
+        workspace.setMotors(false);
+    };
+    Question question{
+        Questions::tr("Switch the motors off?"),
+        Questions::tr("The sensor is turned over by hand, which motors would work against. Hold "
+                      "the camera: it falls when they let go. They stay off until they are "
+                      "started again."),
+        {{Questions::tr("Switch motors off"), switchOff}},
+        Questions::tr("Leave them on")};
+    withdrawWithTheLink(workspace, askInPanel(question, parent));
+}
+
 void askToUseProfile(Workspace &workspace, int profile, QWidget *parent,
                      const std::function<void()> &otherwise)
 {

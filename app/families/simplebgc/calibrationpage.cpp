@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/families/simplebgc/calibrationpage.h"
 
+#include "app/workspace/question.h"
 #include "app/workspace/wizardparts.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/plot/spanstatistics.h"
@@ -101,7 +102,12 @@ QWidget *CalibrationPage::makeChooser()
     const auto add
         = [&](Kind kind, const QString &title, const QString &text, const QString &button, int face) {
               connect(addMethod(*row, workspace().theme(), title, text, button, face), &QPushButton::clicked,
-                      this, [this, kind] { start(kind); });
+                      this, [this, kind] {
+                          if (kind == Kind::SixPositions)
+                              askForMotorsOff(workspace(), this, [this, kind] { start(kind); });
+                          else
+                              start(kind);
+                      });
           };
     add(Kind::Gyroscope, tr("Gyroscope"),
         tr("Finds the zero of the turn-rate sensor. Do it when the camera drifts, after large temperature "
@@ -217,9 +223,10 @@ void CalibrationPage::setStep(Step step)
             break;
         case Kind::Level: m_what->setText(tr("Put the sensor level, Z up, and let it lie still.")); break;
         case Kind::SixPositions:
-            m_what->setText(doneCount() == 0
-                                ? tr("Lay the sensor on one of its six faces. Begin with Z up.")
-                                : tr("%1 of 6 done. Lay the sensor on another face.").arg(doneCount()));
+            m_what->setText(
+                doneCount() == 0
+                    ? tr("Lay the sensor on one of its six faces, with the motors off. Begin with Z up.")
+                    : tr("%1 of 6 done. Lay the sensor on another face.").arg(doneCount()));
             break;
         }
         look();
@@ -240,6 +247,8 @@ QString CalibrationPage::waitingFor() const
         return tr("Waiting for live data of the sensor.");
     if (m_motion > kStillEnough)
         return tr("It moves (%1 °/s). Waiting until it is still.").arg(numberText(m_motion, 1));
+    if (m_kind == Kind::SixPositions && workspace().motorsRunning() == true)
+        return tr("The motors run. Stop them before the sensor is turned over.");
     if (m_kind == Kind::Level && m_face != 0)
         return tr("Still, but not level: %1. Waiting for Z up.").arg(faceName(m_face));
     if (m_kind == Kind::SixPositions && m_face < 0)

@@ -3,6 +3,7 @@
 #include "app/families/storm32/sensorpage.h"
 
 #include "app/workspace/files.h"
+#include "app/workspace/question.h"
 #include "app/workspace/wizardparts.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/views/sensorcube.h"
@@ -113,7 +114,8 @@ QWidget *SensorPage::makeChooser()
                                "up once, in any order. Takes about a minute."),
                             tr("Calibrate six positions"), 2);
     connect(m_oneButton, &QPushButton::clicked, this, [this] { start(false); });
-    connect(m_sixButton, &QPushButton::clicked, this, [this] { start(true); });
+    connect(m_sixButton, &QPushButton::clicked, this,
+            [this] { askForMotorsOff(workspace(), this, [this] { start(true); }); });
     return holder;
 }
 
