@@ -310,7 +310,9 @@ void Tour::addFamilyBoardSteps(const QString &family)
     m_steps.append({pictureName(family, u"unstored"_s),
                     [this] {
                         m_window.showPage(u"actions"_s);
-                        m_window.workspace().perform(u"directions.take"_s, {});
+                        // The directions are stored since the setup; these poles are not.
+                        m_window.workspace().perform(u"setup.poles"_s,
+                                                     {{u"pitch"_s, 16}, {u"roll"_s, 14}, {u"yaw"_s, 14}});
                     },
                     [&workspace] { return workspace.isUnstored(); },
                     400,
