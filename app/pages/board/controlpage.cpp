@@ -370,12 +370,19 @@ bool ControlPage::isArmed() const
     return m_send.isActive();
 }
 
+// Motors that no command switches on are started by steering, so they are off before it.
+bool ControlPage::isLimp() const
+{
+    const Device *device = workspace().client().device();
+    return device && device->motorSwitch() && !workspace().motorsRunning().value_or(true);
+}
+
 void ControlPage::setArmed(bool on)
 {
     const bool allowed = on && isVisible() && workspace().client().isConnected()
         && workspace().client().identity().writable && mode() && workspace().client().telemetry()
-        && workspace().motorsRunning().value_or(true);
-    if (on && !allowed && isVisible() && !workspace().motorsRunning().value_or(true))
+        && !isLimp();
+    if (on && !allowed && isVisible() && isLimp())
         workspace().notifications().notify(
             tr("Not armed: the motors are off, and where a limp camera hangs is no target. Start the motors, "
                "then arm."),
@@ -525,7 +532,7 @@ void ControlPage::tick()
                                            Notice::Hint);
         return;
     }
-    if (!workspace().motorsRunning().value_or(true)) {
+    if (isLimp()) {
         setArmed(false);
         workspace().notifications().notify(tr("Control was disarmed: the motors are off."), Notice::Hint);
         return;

@@ -56,6 +56,7 @@ private:
     [[nodiscard]] SteeringSetpoint holdingSetpoint(SteeredBefore steeredBefore) const;
     [[nodiscard]] bool wordIsNeeded() const;
     void onWord(bool given);
+    [[nodiscard]] bool isLimp() const;
     [[nodiscard]] QString stateText() const;
     void touch();
     void fillInputs();
