@@ -1112,10 +1112,6 @@
         <translation>Legen Sie den Sensor waagerecht, Z oben, und lassen Sie ihn still liegen.</translation>
     </message>
     <message>
-        <source>Lay the sensor on one of its six faces. Begin with Z up.</source>
-        <translation>Legen Sie den Sensor auf eine seiner sechs Seiten. Beginnen Sie mit Z oben.</translation>
-    </message>
-    <message>
         <source>%1 of 6 done. Lay the sensor on another face.</source>
         <translation>%1 von 6 erledigt. Legen Sie den Sensor auf eine andere Seite.</translation>
     </message>
@@ -1218,6 +1214,14 @@
     <message>
         <source>This board has no command for it.</source>
         <translation>Dieses Board hat keinen Befehl dafür.</translation>
+    </message>
+    <message>
+        <source>Lay the sensor on one of its six faces, with the motors off. Begin with Z up.</source>
+        <translation>Den Sensor bei ausgeschalteten Motoren auf eine seiner sechs Seiten legen. Mit Z oben beginnen.</translation>
+    </message>
+    <message>
+        <source>The motors run. Stop them before the sensor is turned over.</source>
+        <translation>Die Motoren laufen. Sie müssen aus sein, bevor der Sensor gewendet wird.</translation>
     </message>
 </context>
 <context>
@@ -4029,6 +4033,22 @@
     <message>
         <source>Stay in profile %1</source>
         <translation>Bei Profil %1 bleiben</translation>
+    </message>
+    <message>
+        <source>Switch the motors off?</source>
+        <translation>Motoren ausschalten?</translation>
+    </message>
+    <message>
+        <source>The sensor is turned over by hand, which motors would work against. Hold the camera: it falls when they let go. They stay off until they are started again.</source>
+        <translation>Der Sensor wird von Hand gewendet, dagegen würden die Motoren arbeiten. Die Kamera festhalten: sie fällt, sobald sie loslassen. Sie bleiben aus, bis sie wieder gestartet werden.</translation>
+    </message>
+    <message>
+        <source>Switch motors off</source>
+        <translation>Motoren ausschalten</translation>
+    </message>
+    <message>
+        <source>Leave them on</source>
+        <translation>Eingeschaltet lassen</translation>
     </message>
 </context>
 <context>

@@ -33,8 +33,8 @@ QDialog *askInPanel(const Question &question, QWidget *parent);
 /// Starts the motors once the operator has said so again: the gimbal moves at once.
 void askToStartMotors(Workspace &workspace, QWidget *parent);
 
-/// Goes on once the motors are known to be off, after asking where they run or may run: whoever turns a sensor
-/// over in his hands needs it limp. They stay off until the operator starts them.
+/// Goes on once the motors are known to be off, after asking where they run or may run: whoever turns a
+/// sensor over in his hands needs it limp. They stay off until the operator starts them.
 void askForMotorsOff(Workspace &workspace, QWidget *parent, const std::function<void()> &goOn);
 
 /// Makes a profile the active one, after asking where motors run or may run.

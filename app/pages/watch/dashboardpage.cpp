@@ -43,8 +43,7 @@ QString number(double value, int decimals, const QString &unit)
 QString tableRow(const QString &name, const QString &text)
 {
     return u"<tr><td style='padding:2px 16px 2px 0'>%1</td>"
-           "<td style='padding:2px 0' align='right'>%2</td></tr>"_s
-        .arg(name, text.toHtmlEscaped());
+           "<td style='padding:2px 0' align='right'>%2</td></tr>"_s.arg(name, text.toHtmlEscaped());
 }
 
 /// A fault of the board: its name large, then what it means and what to do.
