@@ -327,7 +327,7 @@ void TestMainWindow::profileSwitch()
     QTest::keyClick(box, Qt::Key_Down);
     answerQuestion(u"Switch profile"_s);
     QTRY_COMPARE_WITH_TIMEOUT(model().board().activeProfile(), 1, 10000);
-    QCOMPARE(numberBox(u"pid.roll.p"_s)->value(), 45.0);
+    QTRY_COMPARE(numberBox(u"pid.roll.p"_s)->value(), 45.0);
     // The board really changed: its telemetry says so.
     QTRY_COMPARE_WITH_TIMEOUT(m_window->workspace().latest(m_window->workspace().roles().activeProfile), 1.0,
                               5000);

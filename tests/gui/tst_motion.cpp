@@ -234,7 +234,7 @@ void TestMotion::sixPositionsToTheEnd()
     QTRY_VERIFY((off = buttonOf(&m_rig->window(), u"Switch motors off"_s)));
     off->click();
     QTRY_COMPARE_WITH_TIMEOUT(page->step(), CalibrationPage::Step::Place, 5000);
-    QCOMPARE(workspace().motorsRunning(), std::optional(false));
+    QTRY_COMPARE(workspace().motorsRunning(), std::optional(false));
     for (int pose = 1; pose <= 6; ++pose) {
         QVERIFY2(place(page, pose), qPrintable(QString::number(pose)));
         QCOMPARE(page->faceUp(), pose - 1);

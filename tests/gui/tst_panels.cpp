@@ -47,6 +47,7 @@ constexpr PanelSite kSites[]{
     {"play", "app/mainwindow/mainwindow.cpp openFile"},
     {"start", "app/workspace/question.cpp askToStartMotors"},
     {"switch", "app/workspace/question.cpp askToUseProfile"},
+    {"limp", "app/workspace/question.cpp askForMotorsOff"},
     {"streams", "app/pages/watch/monitorpage.cpp askStreams"},
     {"layout", "app/pages/watch/monitorpage.cpp askLayoutName"},
     {"publish", "app/pages/watch/monitorpage.cpp askPublish"},
@@ -200,6 +201,8 @@ QDialog *TestPanels::open(const QString &name)
         window().openFile(m_rig->filePath(u"link.gimbalrec"_s));
     else if (name == u"start"_s)
         askToStartMotors(workspace(), &window());
+    else if (name == u"limp"_s)
+        askForMotorsOff(workspace(), &window(), [] {});
     else if (name == u"switch"_s)
         askToUseProfile(workspace(), 1, &window());
     else if (name == u"work"_s) {
