@@ -227,7 +227,6 @@ UnsavedBar::UnsavedBar(Workspace &workspace, QWidget *parent)
     // What comes and goes with the link stands where it moves none of the others.
     for (QPushButton *button : {m_saveFile, m_undo, m_redo, m_discard})
         layout->addWidget(button);
-    layout->addSpacing(Metric::kGap);
     layout->addWidget(m_write);
     connect(m_saveFile, &QPushButton::clicked, this, &UnsavedBar::saveFileRequested);
     QUndoStack &stack = workspace.edits().undoStack();
