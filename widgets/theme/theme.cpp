@@ -123,8 +123,9 @@ QAbstractSpinBox[changed="true"], QComboBox[changed="true"], QPushButton[changed
 QAbstractSpinBox[changed="true"]:focus, QComboBox[changed="true"]:focus { border: 2px solid @Accent; border-left: 4px solid @Changed; }
 QAbstractSpinBox[refused="true"], QAbstractSpinBox[refused="true"]:focus { border: 2px solid @Danger; padding: 1px 5px; color: @Danger; }
 QToolButton#hint { background: @Danger; color: @DangerText; border: none; border-radius: 4px; padding: 2px 8px; min-height: 0; }
+QCheckBox, QRadioButton { border: 2px solid transparent; border-radius: 4px; }
 QCheckBox[changed="true"] { border-left: 4px solid @Changed; padding-left: 4px; }
-QCheckBox:focus, QRadioButton:focus { border: 2px solid @Text; border-radius: 4px; }
+QCheckBox:focus, QRadioButton:focus { border-color: @Text; }
 QLabel#title { font-weight: 600; }
 QLabel#section { font-weight: 600; color: @Text; }
 QLabel#muted, QLabel#unit { color: @Muted; }
