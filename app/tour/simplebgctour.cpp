@@ -395,9 +395,9 @@ void Tour::addDialogSteps()
                     400,
                     [this] { return m_window.commandPalette(); },
                     false});
+    m_steps.append({{}, [this] { m_window.commandPalette()->close(); }, {}, 0, {}, false});
     m_steps.append({u"offer"_s,
                     [this] {
-                        m_window.commandPalette()->close();
                         Offer offer;
                         offer.text
                             = Workspace::tr(
