@@ -28,6 +28,8 @@ private slots:
     void simplebgc();
 
 private:
+    /// Screen and board agree at first and after each operation of the row.
+    void agreeAfterEach();
     bool openStorm();
     bool openSimplebgc();
     bool open(std::unique_ptr<SimulatedBoard> board, const SimulatorOptions &options);
@@ -237,10 +239,9 @@ void TestAgreement::storm_data()
                                           u"slot"_s, u"edit"_s, u"write"_s};
 }
 
-void TestAgreement::storm()
+void TestAgreement::agreeAfterEach()
 {
     QFETCH(QStringList, operations);
-    QVERIFY(openStorm());
     QTRY_COMPARE_WITH_TIMEOUT(disagreement(), QString(), 10000);
     for (const QString &operation : operations) {
         perform(operation);
@@ -251,6 +252,12 @@ void TestAgreement::storm()
             QVERIFY(m_rig->jobsAreDone());
         QTRY_COMPARE_WITH_TIMEOUT(operation + u' ' + disagreement(), operation + u' ', 10000);
     }
+}
+
+void TestAgreement::storm()
+{
+    QVERIFY(openStorm());
+    agreeAfterEach();
 }
 
 void TestAgreement::stormReviewOffersEveryWay_data()
@@ -312,18 +319,8 @@ void TestAgreement::simplebgc_data()
 
 void TestAgreement::simplebgc()
 {
-    QFETCH(QStringList, operations);
     QVERIFY(openSimplebgc());
-    QTRY_COMPARE_WITH_TIMEOUT(disagreement(), QString(), 10000);
-    for (const QString &operation : operations) {
-        perform(operation);
-        if (QTest::currentTestFailed())
-            return;
-        // What an operation leads to may itself ask the board again.
-        for (int round = 0; round < 3; ++round)
-            QVERIFY(m_rig->jobsAreDone());
-        QTRY_COMPARE_WITH_TIMEOUT(operation + u' ' + disagreement(), operation + u' ', 10000);
-    }
+    agreeAfterEach();
 }
 
 QTEST_MAIN(TestAgreement)
