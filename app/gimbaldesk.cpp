@@ -223,6 +223,8 @@ int main(int argc, char **argv)
         return wrong(address.error().detail);
 
     MainWindow window(allLinks(), allFamilies(), theme, settings);
+    QObject::connect(&window, &MainWindow::languageDue, &window,
+                     [&translations](const QString &wanted) { translations.setLanguage(wanted); });
     // What only some boards have is shown once such a board is connected.
     if (const QString page = parser.value(u"page"_s);
         parser.isSet(u"page"_s) && !window.showPage(page) && !window.navigation()->awaitPage(page))

@@ -72,16 +72,20 @@
         <translation>erledigt</translation>
     </message>
     <message>
-        <source>The board as it was is kept in %1</source>
-        <translation>Das Board, wie es war, liegt in %1</translation>
-    </message>
-    <message>
         <source>sent</source>
         <translation>gesendet</translation>
     </message>
     <message>
         <source>The gimbal is being set up.</source>
         <translation>Der Gimbal wird gerade eingerichtet.</translation>
+    </message>
+    <message>
+        <source>A search, measurement or calibration is running.</source>
+        <translation>Eine Suche, Messung oder Kalibrierung läuft.</translation>
+    </message>
+    <message>
+        <source>The settings as they were are kept in %1</source>
+        <translation>Die Einstellungen, wie sie waren, liegen in %1</translation>
     </message>
 </context>
 <context>
@@ -130,10 +134,6 @@
 <context>
     <name>AlarmBar</name>
     <message>
-        <source>Motors off</source>
-        <translation>Motoren aus</translation>
-    </message>
-    <message>
         <source>Acknowledge</source>
         <translation>Quittieren</translation>
     </message>
@@ -163,6 +163,14 @@
             <numerusform>und %n weiterer</numerusform>
             <numerusform>und %n weitere</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Stop motors</source>
+        <translation>Motoren stoppen</translation>
+    </message>
+    <message>
+        <source>Over: %1</source>
+        <translation>Vorbei: %1</translation>
     </message>
 </context>
 <context>
@@ -441,6 +449,62 @@
         <source>No data while steering</source>
         <translation>Keine Daten beim Steuern</translation>
     </message>
+    <message>
+        <source>The motor of %1 is at %2 °C, the limit is %3 °C.</source>
+        <translation>Der Motor von %1 hat %2 °C, die Grenze ist %3 °C.</translation>
+    </message>
+    <message>
+        <source>Overheating of the motors</source>
+        <translation>Überhitzung der Motoren</translation>
+    </message>
+    <message>
+        <source>the board does not tell it</source>
+        <translation>das Board meldet nichts dazu</translation>
+    </message>
+    <message>
+        <source>no data for it come</source>
+        <translation>es kommen keine Daten dazu</translation>
+    </message>
+    <message>
+        <source>above %1 Hz: data come too slowly</source>
+        <translation>über %1 Hz: die Daten kommen zu langsam</translation>
+    </message>
+    <message>
+        <source>except while it is steered to an angle from here</source>
+        <translation>außer während von hier aus auf einen Winkel gesteuert wird</translation>
+    </message>
+    <message>
+        <source>while it is steered otherwise than to angles</source>
+        <translation>während anders als auf Winkel gesteuert wird</translation>
+    </message>
+    <message>
+        <source>%1 turns on and on: %2° without a stop, and nothing is steered from here.</source>
+        <translation>%1 dreht immer weiter: %2° ohne Halt, und von hier wird nichts gesteuert.</translation>
+    </message>
+    <message>
+        <source>It may follow whoever turns the frame, or be steered by a remote control: the motors were left on. If neither is so, it runs away.</source>
+        <translation>Vielleicht folgt die Achse jemandem, der den Rahmen dreht, oder eine Fernsteuerung steuert sie: Die Motoren blieben eingeschaltet. Ist beides nicht so, läuft sie weg.</translation>
+    </message>
+    <message>
+        <source>Nobody is known to steer it: its motor drives it, in the wrong direction or by a sensor that does not see where it points.</source>
+        <translation>Niemand scheint sie zu steuern: Ihr Motor treibt sie, in der falschen Richtung oder nach einem Sensor, der nicht sieht, wohin sie zeigt.</translation>
+    </message>
+    <message>
+        <source>If nobody turns it, stop the motors.</source>
+        <translation>Wenn niemand sie dreht, stoppen Sie die Motoren.</translation>
+    </message>
+    <message>
+        <source>the board measures no battery&apos;s voltage</source>
+        <translation>das Board misst keine Akkuspannung</translation>
+    </message>
+    <message>
+        <source>The last live change was reverted (%1); it has been quiet since.</source>
+        <translation>Die letzte Live-Änderung wurde zurückgenommen (%1); seither ist Ruhe.</translation>
+    </message>
+    <message>
+        <source>The last live change was reverted (%1); it went on for a while after that.</source>
+        <translation>Die letzte Live-Änderung wurde zurückgenommen (%1); danach ging es noch eine Weile weiter.</translation>
+    </message>
 </context>
 <context>
     <name>ArgumentForm</name>
@@ -523,10 +587,6 @@
         <translation>Durchgang %1. Lassen Sie den Gimbal, wie er ist. F12 oder der rote Knopf hält alles an.</translation>
     </message>
     <message>
-        <source>When it is connected again, look at Tuning: “Revert all” puts the stored gains back.</source>
-        <translation>Wenn es wieder verbunden ist, „Abstimmen“ ansehen: „Alles zurücknehmen“ holt die gespeicherten Werte.</translation>
-    </message>
-    <message>
         <source>The previous gains are in use again.</source>
         <translation>Die Werte von vorher sind wieder in Gebrauch.</translation>
     </message>
@@ -540,7 +600,7 @@
     </message>
     <message>
         <source>Stop and revert to the old gains</source>
-        <translation>Anhalten und die alten Werte zurücknehmen</translation>
+        <translation>Anhalten und die neuen Werte zurücknehmen</translation>
     </message>
     <message>
         <source>Accept and store</source>
@@ -548,7 +608,7 @@
     </message>
     <message>
         <source>Revert to the old gains</source>
-        <translation>Alte Werte zurücknehmen</translation>
+        <translation>Neue Werte zurücknehmen</translation>
     </message>
     <message>
         <source>In use now</source>
@@ -568,11 +628,75 @@
     </message>
     <message>
         <source>The new gains are in use, but not stored. Try them: turn the gimbal by hand and look at Tuning. Then accept them or revert to the old ones.</source>
-        <translation>Die neuen Werte sind in Gebrauch, aber nicht gespeichert. Zum Probieren den Gimbal von Hand drehen und „Abstimmen“ ansehen. Dann annehmen oder die alten zurücknehmen.</translation>
+        <translation>Die neuen Werte sind in Gebrauch, aber nicht gespeichert. Zum Probieren den Gimbal von Hand drehen und „Abstimmen“ ansehen. Dann annehmen oder zurücknehmen.</translation>
     </message>
     <message>
-        <source>Nothing was stored. The board may still use what it has found so far, until its next start.</source>
-        <translation>Nichts wurde gespeichert. Das Board benutzt vielleicht noch, was es bisher fand, bis zum nächsten Start.</translation>
+        <source>Angle error, RMS: %1.</source>
+        <translation>Winkelfehler, RMS: %1.</translation>
+    </message>
+    <message>
+        <source>The gains that the board found hold the camera worse; they were reverted.</source>
+        <translation>Die Verstärkungen, die das Board gefunden hat, halten die Kamera schlechter; sie wurden zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>Balance the camera, hold the gimbal still, and search again with a lower gain.</source>
+        <translation>Tarieren Sie die Kamera aus, halten Sie den Gimbal still und suchen Sie noch einmal mit weniger Verstärkung.</translation>
+    </message>
+    <message>
+        <source>The search that was broken off could not be ended: the board may be moving the camera on.</source>
+        <translation>Die abgebrochene Suche ließ sich nicht beenden: Das Board bewegt die Kamera womöglich weiter.</translation>
+    </message>
+    <message>
+        <source>The search that was broken off has been stopped; the gains are those from before.</source>
+        <translation>Die abgebrochene Suche wurde beendet; die Verstärkungen sind die von zuvor.</translation>
+    </message>
+    <message>
+        <source>The search was broken off and has been stopped. The board uses other gains than before, and may have stored them: %1. Revert and store the old gains, or accept the new ones.</source>
+        <translation>Die Suche wurde abgebrochen und ist beendet. Das Board verwendet andere Verstärkungen als zuvor und hat sie womöglich gespeichert: %1. Nehmen Sie sie zurück und speichern Sie die alten, oder übernehmen Sie die neuen.</translation>
+    </message>
+    <message>
+        <source>After the search that was broken off the board uses other gains.</source>
+        <translation>Nach der abgebrochenen Suche verwendet das Board andere Verstärkungen.</translation>
+    </message>
+    <message>
+        <source>It may have stored them; it does not tell.</source>
+        <translation>Womöglich hat es sie gespeichert; es sagt dazu nichts.</translation>
+    </message>
+    <message>
+        <source>Revert to the old gains on the page Auto-tune and store them, or accept the new ones.</source>
+        <translation>Sie können auf der Seite Auto-Abstimmung die neuen Verstärkungen zurücknehmen und die alten speichern, oder die neuen übernehmen.</translation>
+    </message>
+    <message>
+        <source>The board may be searching on, and store what it finds.</source>
+        <translation>Das Board sucht womöglich weiter und speichert, was es findet.</translation>
+    </message>
+    <message>
+        <source>When it is connected again, the search is stopped and the gains are compared.</source>
+        <translation>Sobald es wieder verbunden ist, wird die Suche beendet und werden die Verstärkungen verglichen.</translation>
+    </message>
+    <message>
+        <source>The link ended before the new gains were accepted or reverted.</source>
+        <translation>Die Verbindung endete, bevor die neuen Verstärkungen angenommen oder zurückgenommen wurden.</translation>
+    </message>
+    <message>
+        <source>Stop the motors.</source>
+        <translation>Stoppen Sie die Motoren.</translation>
+    </message>
+    <message>
+        <source>The board uses the gains from before the search again.</source>
+        <translation>Das Board benutzt wieder die Verstärkungen von vor der Suche.</translation>
+    </message>
+    <message>
+        <source>The link ended before the new gains were accepted or reverted. The board uses them still: %1. Accept them, or revert to the old ones.</source>
+        <translation>Die Verbindung endete, bevor die neuen Verstärkungen angenommen oder zurückgenommen wurden. Das Board benutzt sie noch: %1. Nehmen Sie sie an oder kehren Sie zu den alten zurück.</translation>
+    </message>
+    <message>
+        <source>Profile %1 is in use now. What was found for profile %2 was not stored and is gone.</source>
+        <translation>Jetzt wird Profil %1 verwendet. Was für Profil %2 gefunden wurde, wurde nicht gespeichert und ist weg.</translation>
+    </message>
+    <message>
+        <source>The search has ended with it.</source>
+        <translation>Die Suche ist damit zu Ende.</translation>
     </message>
 </context>
 <context>
@@ -609,6 +733,10 @@
         <source>This axis keeps its direction, however the frame turns.</source>
         <translation>Diese Achse hält ihre Richtung, wie auch immer sich der Rahmen dreht.</translation>
     </message>
+    <message>
+        <source>motor off</source>
+        <translation>Motor aus</translation>
+    </message>
 </context>
 <context>
     <name>BackupsPage</name>
@@ -619,10 +747,6 @@
     <message>
         <source>before the first write</source>
         <translation>vor dem ersten Schreiben</translation>
-    </message>
-    <message>
-        <source>unsaved edits of an earlier run</source>
-        <translation>ungesicherte Änderungen von früher</translation>
     </message>
     <message>
         <source>before the action %1</source>
@@ -699,10 +823,6 @@
     <message>
         <source>GimbalDesk configurations (*.json)</source>
         <translation>GimbalDesk-Konfigurationen (*.json)</translation>
-    </message>
-    <message>
-        <source>Saved to %1</source>
-        <translation>Gesichert in %1</translation>
     </message>
     <message>
         <source>damaged</source>
@@ -803,6 +923,25 @@
         <source>Board “%1”. It has no serial number.</source>
         <translation>Board „%1“. Es hat keine Seriennummer.</translation>
     </message>
+    <message>
+        <source>unwritten edits of an earlier run</source>
+        <translation>ungeschriebene Änderungen von früher</translation>
+    </message>
+    <message numerus="yes">
+        <source>Compared with what the board holds; %n unwritten change(s) are left aside.</source>
+        <translation>
+            <numerusform>Verglichen mit dem, was das Board enthält; %n ungeschriebene Änderung bleibt außer Betracht.</numerusform>
+            <numerusform>Verglichen mit dem, was das Board enthält; %n ungeschriebene Änderungen bleiben außer Betracht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>by the operator, of what was in use</source>
+        <translation>von Hand, was in Gebrauch war</translation>
+    </message>
+    <message>
+        <source>A snapshot holds no calibration of the board&apos;s sensors: restoring one leaves that as it is.</source>
+        <translation>Eine Sicherung enthält die Kalibrierung der Sensoren nicht: Beim Wiederherstellen bleibt diese, wie sie auf dem Board ist.</translation>
+    </message>
 </context>
 <context>
     <name>BatteryView</name>
@@ -873,10 +1012,6 @@
         <translation>Welches Board ist das?</translation>
     </message>
     <message>
-        <source>It has no serial number. Under its name its snapshots and unsaved changes are kept apart from those of other boards.</source>
-        <translation>Es hat keine Seriennummer. Unter seinem Namen bleiben seine Sicherungen und ungespeicherten Änderungen von denen anderer Boards getrennt.</translation>
-    </message>
-    <message>
         <source>It is “%1”</source>
         <translation>Es ist „%1“</translation>
     </message>
@@ -904,13 +1039,17 @@
         <source>A board of that name is known: it becomes this one.</source>
         <translation>Ein Board dieses Namens ist bekannt: Es gilt dann als dieses.</translation>
     </message>
+    <message>
+        <source>It has no serial number. Under its name its snapshots and unwritten changes are kept apart from those of other boards.</source>
+        <translation>Es hat keine Seriennummer. Unter seinem Namen bleiben seine Sicherungen und ungeschriebenen Änderungen von denen anderer Boards getrennt.</translation>
+    </message>
+    <message>
+        <source>The board has this name already. If it is the one that it left the factory with, every such board will be taken for this one.</source>
+        <translation>Das Board hat diesen Namen bereits. Wenn es der Name ab Werk ist, wird jedes solche Board für dieses gehalten.</translation>
+    </message>
 </context>
 <context>
     <name>BoardNaming</name>
-    <message>
-        <source>This board has no serial number. Give it a name once, so that its snapshots and unsaved changes are not mixed with those of another board that looks the same.</source>
-        <translation>Dieses Board hat keine Seriennummer. Einmal benannt, vermischen sich seine Sicherungen und ungespeicherten Änderungen nicht mit denen eines anderen, das gleich aussieht.</translation>
-    </message>
     <message>
         <source>This board has no serial number and looks like none that has a name here. It may be a new one, or one that was renamed elsewhere (known: %1).</source>
         <translation>Dieses Board hat keine Seriennummer und gleicht keinem, das hier einen Namen hat. Es kann neu sein oder anderswo umbenannt (bekannt: %1).</translation>
@@ -935,6 +1074,10 @@
         <source>Board %1</source>
         <translation>Board %1</translation>
     </message>
+    <message>
+        <source>This board has no serial number. Give it a name once, so that its snapshots and unwritten changes are not mixed with those of another board that looks the same.</source>
+        <translation>Dieses Board hat keine Seriennummer. Einmal benannt, vermischen sich seine Sicherungen und ungeschriebenen Änderungen nicht mit denen eines anderen, das gleich aussieht.</translation>
+    </message>
 </context>
 <context>
     <name>BoardWriter</name>
@@ -952,10 +1095,6 @@
             <numerusform>%n Wert geschrieben und zurückgelesen.</numerusform>
             <numerusform>%n Werte geschrieben und zurückgelesen.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>The board as it was is kept in %1</source>
-        <translation>Das Board, wie es war, liegt in %1</translation>
     </message>
     <message>
         <source>When the board is back it is read again; then the write can be finished or undone.</source>
@@ -979,10 +1118,6 @@
     <message>
         <source>Leave it as it is</source>
         <translation>So lassen</translation>
-    </message>
-    <message>
-        <source>What could be read of the board as it was is kept in %1</source>
-        <translation>Was vom Board, wie es war, zu lesen war, liegt in %1</translation>
     </message>
     <message>
         <source>The interrupted write was complete: every value is on the board.</source>
@@ -1024,6 +1159,34 @@
             <numerusform>%n Werte zurücknehmen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Whether the interrupted write is stored could not be read.</source>
+        <translation>Ob der unterbrochene Schreibvorgang gespeichert ist, konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The interrupted write has left “%1” as the active profile; before it was “%2”.</source>
+        <translation>Das unterbrochene Schreiben hat „%1“ als aktives Profil zurückgelassen; zuvor war es „%2“.</translation>
+    </message>
+    <message>
+        <source>The interrupted write belongs to the board before: it is neither finished nor undone on this one.</source>
+        <translation>Der unterbrochene Schreibvorgang gehört zum vorherigen Board: Auf diesem wird er weder beendet noch rückgängig gemacht.</translation>
+    </message>
+    <message>
+        <source>Once the board has started, compare what is in use with what is stored.</source>
+        <translation>Vergleichen Sie, sobald das Board gestartet ist, was in Gebrauch und was gespeichert ist.</translation>
+    </message>
+    <message>
+        <source>Not in use any more, because it was not stored: %1</source>
+        <translation>Nicht mehr in Gebrauch, weil es nicht gespeichert war: %1</translation>
+    </message>
+    <message>
+        <source>The settings as they were are kept in %1</source>
+        <translation>Die Einstellungen, wie sie waren, liegen in %1</translation>
+    </message>
+    <message>
+        <source>What could be read of the settings as they were is kept in %1</source>
+        <translation>Was von den Einstellungen, wie sie waren, zu lesen war, liegt in %1</translation>
+    </message>
 </context>
 <context>
     <name>CalibrationPage</name>
@@ -1061,7 +1224,7 @@
     </message>
     <message>
         <source>Finds the zero of the turn-rate sensor. Do it when the camera drifts, after large temperature changes, and before anything else. Takes about ten seconds, with the camera lying still.</source>
-        <translation>Findet den Nullpunkt des Drehratensensors. Nötig, wenn die Kamera wandert, nach großen Temperaturwechseln und vor allem anderen. Dauert etwa zehn Sekunden, während die Kamera still liegt.</translation>
+        <translation>Findet den Nullpunkt des Gyroskops. Nötig, wenn die Kamera wandert, nach großen Temperaturwechseln und vor allem anderen. Dauert etwa zehn Sekunden, während die Kamera still liegt.</translation>
     </message>
     <message>
         <source>Calibrate the gyroscope</source>
@@ -1125,23 +1288,23 @@
     </message>
     <message>
         <source>Waiting for live data of the sensor.</source>
-        <translation>Warte auf Daten des Sensors.</translation>
+        <translation>Es wird auf Daten des Sensors gewartet.</translation>
     </message>
     <message>
         <source>It moves (%1 °/s). Waiting until it is still.</source>
-        <translation>Er bewegt sich (%1 °/s). Warte, bis er still ist.</translation>
+        <translation>Bewegung (%1 °/s). Es geht weiter, sobald alles still ist.</translation>
     </message>
     <message>
         <source>Still, but not level: %1. Waiting for Z up.</source>
-        <translation>Still, aber nicht waagerecht: %1. Warte auf Z oben.</translation>
+        <translation>Still, aber nicht waagerecht: %1. Es geht weiter, sobald Z oben liegt.</translation>
     </message>
     <message>
         <source>Still, but tilted. Waiting until one face lies up.</source>
-        <translation>Still, aber schräg. Warte, bis eine Seite oben liegt.</translation>
+        <translation>Still, aber schräg. Es geht weiter, sobald eine Seite oben liegt.</translation>
     </message>
     <message>
         <source>%1 is done already. Waiting for another face.</source>
-        <translation>%1 ist schon erledigt. Warte auf eine andere Seite.</translation>
+        <translation>%1 ist schon erledigt. Es geht mit einer anderen Seite weiter.</translation>
     </message>
     <message>
         <source>✓ Still, %1. Ready.</source>
@@ -1223,6 +1386,30 @@
         <source>The motors run. Stop them before the sensor is turned over.</source>
         <translation>Die Motoren laufen. Sie müssen aus sein, bevor der Sensor gewendet wird.</translation>
     </message>
+    <message>
+        <source>%1 of 6 positions were measured: %2.</source>
+        <translation>%1 von 6 Lagen wurden gemessen: %2.</translation>
+    </message>
+    <message>
+        <source>Whether the board has finished the measurement under way is not known.</source>
+        <translation>Ob das Board die laufende Messung beendet hat, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Nothing was measured; the sensor&apos;s calibration is the one from before.</source>
+        <translation>Es wurde nichts gemessen; die Kalibrierung des Sensors ist die von vorher.</translation>
+    </message>
+    <message>
+        <source>Calibrate again from the beginning when the board is connected.</source>
+        <translation>Kalibrieren Sie von vorn, wenn das Board verbunden ist.</translation>
+    </message>
+    <message>
+        <source>The calibration ended with the link.</source>
+        <translation>Die Kalibrierung endete mit der Verbindung.</translation>
+    </message>
+    <message>
+        <source>It measures %1 g instead of 1 g, which no sensor at rest does. Let it lie still, or check the sensor and its calibration.</source>
+        <translation>Er misst %1 g statt 1 g, was kein ruhender Sensor tut. Lassen Sie ihn still liegen, oder prüfen Sie den Sensor und seine Kalibrierung.</translation>
+    </message>
 </context>
 <context>
     <name>ChangeModel</name>
@@ -1300,14 +1487,6 @@
         <translation>Befehl</translation>
     </message>
     <message>
-        <source>Motors off</source>
-        <translation>Motoren aus</translation>
-    </message>
-    <message>
-        <source>Motors on</source>
-        <translation>Motoren ein</translation>
-    </message>
-    <message>
         <source>Review and write</source>
         <translation>Prüfen und schreiben</translation>
     </message>
@@ -1326,6 +1505,26 @@
     <message>
         <source>Action</source>
         <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>Stop motors</source>
+        <translation>Motoren stoppen</translation>
+    </message>
+    <message>
+        <source>Start motors</source>
+        <translation>Motoren starten</translation>
+    </message>
+    <message>
+        <source>Read the board again</source>
+        <translation>Das Board neu lesen</translation>
+    </message>
+    <message>
+        <source>Nothing was found.</source>
+        <translation>Nichts gefunden.</translation>
+    </message>
+    <message>
+        <source>Messages so far</source>
+        <translation>Bisherige Meldungen</translation>
     </message>
 </context>
 <context>
@@ -1543,6 +1742,10 @@
         <source>Control was disarmed: the motors are off.</source>
         <translation>Die Steuerung ist nicht mehr scharf: Die Motoren sind aus.</translation>
     </message>
+    <message>
+        <source>Not armed: the motors are being stopped, and the board has not confirmed it.</source>
+        <translation>Nicht scharf: Die Motoren werden gestoppt, und das Board hat es noch nicht bestätigt.</translation>
+    </message>
 </context>
 <context>
     <name>CurveChart</name>
@@ -1669,6 +1872,26 @@
         <source>Unanswered</source>
         <translation>Unbeantwortet</translation>
     </message>
+    <message>
+        <source>Angles, last %1 s</source>
+        <translation>Winkel, letzte %1 s</translation>
+    </message>
+    <message>
+        <source>Angles of the camera</source>
+        <translation>Winkel der Kamera</translation>
+    </message>
+    <message>
+        <source>The recording stands still.</source>
+        <translation>Die Aufzeichnung steht.</translation>
+    </message>
+    <message>
+        <source>Live data have stopped.</source>
+        <translation>Es kommen keine Live-Daten mehr.</translation>
+    </message>
+    <message>
+        <source>⚠ Whether the motors run is not known: the live data stand still.</source>
+        <translation>⚠ Ob die Motoren laufen, ist nicht bekannt: Die Live-Daten stehen still.</translation>
+    </message>
 </context>
 <context>
     <name>DebugModel</name>
@@ -1794,9 +2017,12 @@
         <source>The board restarts when it is written.</source>
         <translation>Das Board startet neu, wenn es geschrieben wird.</translation>
     </message>
+</context>
+<context>
+    <name>EditGuide</name>
     <message>
-        <source>%1 is too long for this document, or no UTF-8 text</source>
-        <translation>%1 ist zu lang für dieses Dokument oder kein UTF-8-Text</translation>
+        <source>%1: “%2” is no value of it (%3). Change it, or press Esc in its field; then review.</source>
+        <translation>%1: „%2“ ist kein Wert dafür (%3). Ändern Sie ihn, oder drücken Sie Esc in seinem Feld; prüfen Sie dann.</translation>
     </message>
 </context>
 <context>
@@ -1812,6 +2038,10 @@
     <message>
         <source>Copy profile %1 onto profile %2</source>
         <translation>Profil %1 auf Profil %2 kopieren</translation>
+    </message>
+    <message>
+        <source>Unwritten changes</source>
+        <translation>Ungeschriebene Änderungen</translation>
     </message>
 </context>
 <context>
@@ -1835,10 +2065,6 @@
     <message>
         <source>The link to the board broke.</source>
         <translation>Die Verbindung zum Board ist abgerissen.</translation>
-    </message>
-    <message>
-        <source>The board keeps doing what it did.</source>
-        <translation>Das Board tut weiter, was es tat.</translation>
     </message>
     <message>
         <source>Check cable and power; the program connects again by itself.</source>
@@ -1947,10 +2173,6 @@
     <message>
         <source>Try again; if that does not help, the firmware is not supported.</source>
         <translation>Versuchen Sie es nochmals; bleibt es so, wird die Firmware nicht unterstützt.</translation>
-    </message>
-    <message>
-        <source>That does not make sense.</source>
-        <translation>Das ergibt keinen Sinn.</translation>
     </message>
     <message>
         <source>The value is outside its range.</source>
@@ -2069,28 +2291,12 @@
         <translation>Verlangen Sie weniger Kanäle oder eine niedrigere Rate, oder stellen Sie eine schnellere serielle Geschwindigkeit ein.</translation>
     </message>
     <message>
-        <source>The test could not be made.</source>
-        <translation>Der Versuch konnte nicht gemacht werden.</translation>
-    </message>
-    <message>
-        <source>The camera has to be held by running motors, and live data has to come.</source>
-        <translation>Laufende Motoren müssen die Kamera halten, und Livedaten müssen kommen.</translation>
-    </message>
-    <message>
-        <source>Switch the motors on, let the camera settle, then try again.</source>
-        <translation>Schalten Sie die Motoren ein, lassen Sie die Kamera zur Ruhe kommen und versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
         <source>The axis did not follow; the motors were switched off.</source>
         <translation>Die Achse folgte nicht; die Motoren wurden ausgeschaltet.</translation>
     </message>
     <message>
         <source>It moved further than the test allows.</source>
         <translation>Sie bewegte sich weiter, als der Versuch erlaubt.</translation>
-    </message>
-    <message>
-        <source>Lower the gains or make the movement smaller, then switch the motors on again.</source>
-        <translation>Nehmen Sie die Verstärkungen zurück oder verkleinern Sie die Bewegung, dann schalten Sie die Motoren wieder ein.</translation>
     </message>
     <message>
         <source>What the procedure waited for did not happen.</source>
@@ -2141,14 +2347,6 @@
         <translation>Die Werte, die in Gebrauch waren, konnten nicht zurückgesetzt werden.</translation>
     </message>
     <message>
-        <source>The board uses its stored values now; nothing that is stored was changed.</source>
-        <translation>Das Board verwendet jetzt seine gespeicherten Werte; an diesen wurde nichts verändert.</translation>
-    </message>
-    <message>
-        <source>The details list what was in use. Set it again if you want to keep it.</source>
-        <translation>Die Einzelheiten nennen, was in Gebrauch war. Setzen Sie es neu, wenn Sie es behalten wollen.</translation>
-    </message>
-    <message>
         <source>%1 is written; waiting for the board to restart</source>
         <translation>%1 ist geschrieben; es wird gewartet, bis das Board neu gestartet ist</translation>
     </message>
@@ -2171,10 +2369,6 @@
     <message>
         <source>The board is not in the state that this action needs.</source>
         <translation>Das Board ist nicht in dem Zustand, den diese Aktion braucht.</translation>
-    </message>
-    <message>
-        <source>Nothing was sent to it.</source>
-        <translation>Es wurde nichts gesendet.</translation>
     </message>
     <message>
         <source>The details say which condition must be met first.</source>
@@ -2223,10 +2417,6 @@
     <message>
         <source>No live data come.</source>
         <translation>Es kommen keine Live-Daten.</translation>
-    </message>
-    <message>
-        <source>The board sends none, or none that can be read; what came before is kept.</source>
-        <translation>Das Board sendet keine oder keine lesbaren; was vorher kam, bleibt erhalten.</translation>
     </message>
     <message>
         <source>Check cable and power, and that the board still answers; then start again.</source>
@@ -2329,6 +2519,236 @@
         <source>Measuring with the notch</source>
         <translation>Messen mit dem Kerbfilter</translation>
     </message>
+    <message>
+        <source>What was entered cannot be used.</source>
+        <translation>Die Eingabe lässt sich nicht verwenden.</translation>
+    </message>
+    <message>
+        <source>Correct it, then try again.</source>
+        <translation>Berichtigen Sie sie und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>What was entered cannot be used: %1.</source>
+        <translation>Die Eingabe lässt sich nicht verwenden: %1.</translation>
+    </message>
+    <message>
+        <source>The value is outside its range: %1.</source>
+        <translation>Der Wert liegt außerhalb seines Bereichs: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing was taken from it or saved to it.</source>
+        <translation>Nichts wurde daraus übernommen oder darin gesichert.</translation>
+    </message>
+    <message>
+        <source>Use another copy, or choose another file.</source>
+        <translation>Verwenden Sie eine andere Kopie, oder wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>The file cannot be used: %1.</source>
+        <translation>Die Datei lässt sich nicht verwenden: %1.</translation>
+    </message>
+    <message>
+        <source>The board is not ready for this.</source>
+        <translation>Das Board ist dafür nicht bereit.</translation>
+    </message>
+    <message>
+        <source>Nothing was stored. A test needs running motors that hold the camera, and live data; comparing and storing need a board that has started.</source>
+        <translation>Nichts wurde gespeichert. Ein Test braucht laufende Motoren, die die Kamera halten, und Live-Daten; Vergleichen und Speichern brauchen ein gestartetes Board.</translation>
+    </message>
+    <message>
+        <source>The details say what is missing. Let the board start and the camera settle, then try again.</source>
+        <translation>Die Einzelheiten sagen, was fehlt. Warten Sie, bis das Board gestartet und die Kamera ruhig ist, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>What the board holds now could not be read.</source>
+        <translation>Was das Board jetzt enthält, konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The board was read again, but not all of it: what was read is as before.</source>
+        <translation>Das Board wurde erneut gelesen, aber nicht vollständig: Was gelesen wurde, ist wie zuvor.</translation>
+    </message>
+    <message>
+        <source>The board was read again: it uses the old values.</source>
+        <translation>Das Board wurde erneut gelesen: Es verwendet die alten Werte.</translation>
+    </message>
+    <message>
+        <source>The snapshot holds what was there before: compare, and restore it if need be.</source>
+        <translation>Die Sicherung enthält, was vorher da war: Vergleichen Sie, und stellen Sie sie bei Bedarf wieder her.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weiterer</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not read: %1</source>
+        <translation>nicht gelesen: %1</translation>
+    </message>
+    <message>
+        <source>snapshot: %1</source>
+        <translation>Sicherung: %1</translation>
+    </message>
+    <message>
+        <source>profile names verified</source>
+        <translation>Profilnamen bestätigt</translation>
+    </message>
+    <message>
+        <source>profile names unknown</source>
+        <translation>Profilnamen unbekannt</translation>
+    </message>
+    <message>
+        <source>profile names not written</source>
+        <translation>Profilnamen nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>profile names different</source>
+        <translation>Profilnamen abweichend</translation>
+    </message>
+    <message>
+        <source>profile names put back</source>
+        <translation>Profilnamen zurückgesetzt</translation>
+    </message>
+    <message>
+        <source>Which names the profiles have now could not be read.</source>
+        <translation>Welche Namen die Profile jetzt haben, konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The board was read again: the profile names are not as they were before.</source>
+        <translation>Das Board wurde erneut gelesen: Die Profilnamen sind nicht wie zuvor.</translation>
+    </message>
+    <message>
+        <source>profile names on the board: %1</source>
+        <translation>Profilnamen auf dem Board: %1</translation>
+    </message>
+    <message>
+        <source>The write is not complete.</source>
+        <translation>Das Schreiben ist nicht vollständig.</translation>
+    </message>
+    <message>
+        <source>Which profile is active now could not be read.</source>
+        <translation>Welches Profil jetzt aktiv ist, konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The active profile is now %1 instead of %2: the gimbal uses its values.</source>
+        <translation>Das aktive Profil ist jetzt %1 statt %2: Der Gimbal verwendet dessen Werte.</translation>
+    </message>
+    <message>
+        <source>The board has not stored everything that it uses.</source>
+        <translation>Das Board hat nicht alles gespeichert, was es benutzt.</translation>
+    </message>
+    <message>
+        <source>A restart brings the stored values back.</source>
+        <translation>Nach einem Neustart gelten wieder die gespeicherten Werte.</translation>
+    </message>
+    <message>
+        <source>Store once more. If that does not help, save the values into a file.</source>
+        <translation>Speichern Sie noch einmal. Hilft das nicht, sichern Sie die Werte in eine Datei.</translation>
+    </message>
+    <message>
+        <source>The board may use other values now; nothing that is stored was changed.</source>
+        <translation>Das Board verwendet jetzt womöglich andere Werte; an den gespeicherten hat sich nichts geändert.</translation>
+    </message>
+    <message>
+        <source>The details list what was in use and, where it could be read, what is now. Set it again if you want to keep it.</source>
+        <translation>Die Einzelheiten nennen, was in Gebrauch war, und, soweit lesbar, was es jetzt ist. Setzen Sie es erneut, wenn Sie es behalten wollen.</translation>
+    </message>
+    <message>
+        <source>The board restarted by itself.</source>
+        <translation>Das Board ist von selbst neu gestartet.</translation>
+    </message>
+    <message>
+        <source>Check its supply voltage and its cables.</source>
+        <translation>Prüfen Sie seine Spannungsversorgung und seine Kabel.</translation>
+    </message>
+    <message>
+        <source>%1 in use: %2, before %3</source>
+        <translation>%1 in Gebrauch: %2, vorher %3</translation>
+    </message>
+    <message>
+        <source>%1 in use: others</source>
+        <translation>%1 in Gebrauch: andere</translation>
+    </message>
+    <message>
+        <source>What was written is in use; whether it is stored could not be read.</source>
+        <translation>Was geschrieben wurde, ist in Gebrauch; ob es gespeichert ist, ließ sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>The board was read again: the old values are stored.</source>
+        <translation>Das Board wurde erneut gelesen: Gespeichert sind die alten Werte.</translation>
+    </message>
+    <message>
+        <source>Which values are in use now could not be read.</source>
+        <translation>Welche Werte jetzt in Gebrauch sind, ließ sich nicht lesen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) in use are not as they were before.</source>
+        <translation>
+            <numerusform>%n Wert in Gebrauch ist nicht wie zuvor.</numerusform>
+            <numerusform>%n Werte in Gebrauch sind nicht wie zuvor.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The values do not change.</source>
+        <translation>Die Werte ändern sich nicht.</translation>
+    </message>
+    <message>
+        <source>Either nothing moved by as much as the board tells apart, or it sent old values again and again.</source>
+        <translation>Entweder bewegte sich nichts um so viel, wie das Board unterscheidet, oder es schickte immer wieder alte Werte.</translation>
+    </message>
+    <message>
+        <source>Let the gimbal work while it is measured: walk with it, or shake its frame.</source>
+        <translation>Lassen Sie den Gimbal beim Messen arbeiten: Gehen Sie mit ihm, oder rütteln Sie an seinem Rahmen.</translation>
+    </message>
+    <message>
+        <source>Lower the gains or make the movement smaller, then start the motors again.</source>
+        <translation>Nehmen Sie die Verstärkungen zurück oder verkleinern Sie die Bewegung, dann starten Sie die Motoren wieder.</translation>
+    </message>
+    <message>
+        <source>Whether sensors were calibrated cannot be seen from that.</source>
+        <translation>Ob Sensoren kalibriert wurden, ist daran nicht zu sehen.</translation>
+    </message>
+    <message>
+        <source>What the board does now is not known: it may go on as before, or have restarted and run its motors.</source>
+        <translation>Was das Board jetzt tut, ist nicht bekannt: Es kann weitermachen wie bisher oder neu gestartet sein und seine Motoren laufen lassen.</translation>
+    </message>
+    <message>
+        <source>The board sends none, none that can be read, or the same again and again; what came before is kept.</source>
+        <translation>Das Board sendet keine, keine lesbaren oder immer wieder dieselben; was vorher kam, bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>What was in use without being stored is lost.</source>
+        <translation>Was in Gebrauch war, ohne gespeichert zu sein, ist verloren.</translation>
+    </message>
+    <message>
+        <source>Its motors may run again.</source>
+        <translation>Seine Motoren laufen womöglich wieder.</translation>
+    </message>
+    <message>
+        <source>Where they are not stored, a restart brings the stored ones back.</source>
+        <translation>Wo sie nicht gespeichert sind, bringt ein Neustart die gespeicherten zurück.</translation>
+    </message>
+    <message>
+        <source>Check cable and power.</source>
+        <translation>Prüfen Sie Kabel und Strom.</translation>
+    </message>
+    <message>
+        <source>not to be written: %1</source>
+        <translation>nicht zu schreiben: %1</translation>
+    </message>
+    <message>
+        <source>The board was silent for %1 s during the write and its motors run now, which were off before: it has restarted. What was in use without being stored is lost.</source>
+        <translation>Das Board hat während des Schreibens %1 s geschwiegen, und seine Motoren laufen jetzt, die vorher aus waren: Es hat neu gestartet. Was in Gebrauch und nicht gespeichert war, ist verloren.</translation>
+    </message>
+    <message>
+        <source>The motors run now; before the write they were off.</source>
+        <translation>Die Motoren laufen jetzt; vor dem Schreiben waren sie aus.</translation>
+    </message>
+    <message>
+        <source>The board was silent for %1 s during the write. If it has restarted, what was in use without being stored is lost, and its motors may run.</source>
+        <translation>Das Board hat während des Schreibens %1 s geschwiegen. Falls es neu gestartet hat, ist verloren, was in Gebrauch und nicht gespeichert war, und seine Motoren laufen vielleicht.</translation>
+    </message>
 </context>
 <context>
     <name>FaceList</name>
@@ -2363,6 +2783,284 @@
     <message>
         <source>Faces</source>
         <translation>Flächen</translation>
+    </message>
+</context>
+<context>
+    <name>FileDialogs</name>
+    <message>
+        <source>The file is chosen in a window of its own. The motors can be stopped meanwhile, here and there.</source>
+        <translation>Die Datei wird in einem eigenen Fenster gewählt. Die Motoren lassen sich währenddessen hier wie dort stoppen.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>There is no such file:</source>
+        <translation>Diese Datei gibt es nicht:</translation>
+    </message>
+    <message>
+        <source>Replace “%1”?</source>
+        <translation>„%1“ ersetzen?</translation>
+    </message>
+    <message>
+        <source>The folder %1 has a file of this name; what it holds is lost.</source>
+        <translation>Der Ordner %1 hat eine Datei dieses Namens; ihr Inhalt geht verloren.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Choose another name…</source>
+        <translation>Anderen Namen wählen …</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Behalten</translation>
+    </message>
+</context>
+<context>
+    <name>FileFault</name>
+    <message>
+        <source>a configuration</source>
+        <translation>eine Konfiguration</translation>
+    </message>
+    <message>
+        <source>a recording</source>
+        <translation>eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>a settings file of the manufacturer&apos;s program</source>
+        <translation>eine Einstellungsdatei des Programms des Herstellers</translation>
+    </message>
+    <message>
+        <source>a sensor calibration</source>
+        <translation>eine Sensorkalibrierung</translation>
+    </message>
+    <message>
+        <source>a measurement (two columns of numbers)</source>
+        <translation>eine Messung (zwei Spalten mit Zahlen)</translation>
+    </message>
+    <message>
+        <source>a script</source>
+        <translation>ein Skript</translation>
+    </message>
+    <message>
+        <source>a text in UTF-8</source>
+        <translation>ein Text in UTF-8</translation>
+    </message>
+    <message>
+        <source>the list of boards</source>
+        <translation>die Liste der Boards</translation>
+    </message>
+    <message>
+        <source>a layout of plots</source>
+        <translation>eine Anordnung von Diagrammen</translation>
+    </message>
+    <message>
+        <source>the program&apos;s settings</source>
+        <translation>die Einstellungen des Programms</translation>
+    </message>
+    <message>
+        <source>a file of this program</source>
+        <translation>eine Datei dieses Programms</translation>
+    </message>
+    <message>
+        <source>%1 does not exist.</source>
+        <translation>%1 gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Check the name and the folder.</source>
+        <translation>Prüfen Sie Namen und Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 may not be read by this user.</source>
+        <translation>%1 darf von diesem Benutzer nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Change the file&apos;s permissions, or choose another file.</source>
+        <translation>Ändern Sie die Rechte der Datei, oder wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>%1 may not be written by this user.</source>
+        <translation>%1 darf von diesem Benutzer nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Change the permissions, or choose another folder.</source>
+        <translation>Ändern Sie die Rechte, oder wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>The disk is full: %1 could not be written.</source>
+        <translation>Der Datenträger ist voll: %1 konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Free some space or choose another disk, then save again.</source>
+        <translation>Schaffen Sie Platz, oder wählen Sie einen anderen Datenträger, und sichern Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 could not be read or written: %2.</source>
+        <translation>%1 konnte nicht gelesen oder geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>Check the file and the disk, then try again.</source>
+        <translation>Prüfen Sie Datei und Datenträger, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 is empty.</source>
+        <translation>%1 ist leer.</translation>
+    </message>
+    <message>
+        <source>Use another copy, or save the file again.</source>
+        <translation>Verwenden Sie eine andere Kopie, oder sichern Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 is cut off: its end is missing.</source>
+        <translation>%1 ist abgeschnitten: Das Ende fehlt.</translation>
+    </message>
+    <message>
+        <source>Use another copy: this one was not saved or copied completely.</source>
+        <translation>Verwenden Sie eine andere Kopie: Diese wurde nicht vollständig gesichert oder kopiert.</translation>
+    </message>
+    <message>
+        <source>%1 is not %2.</source>
+        <translation>%1 ist etwas anderes als %2.</translation>
+    </message>
+    <message>
+        <source>Choose another file.</source>
+        <translation>Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to boards of another family: %2 instead of %3.</source>
+        <translation>%1 gehört zu Boards einer anderen Familie: %2 statt %3.</translation>
+    </message>
+    <message>
+        <source>Choose a file that was saved from a board of the right family.</source>
+        <translation>Wählen Sie eine Datei, die von einem Board der richtigen Familie gesichert wurde.</translation>
+    </message>
+    <message>
+        <source>%1 was written by a newer version of the program (format %2; this version reads up to %3).</source>
+        <translation>%1 stammt von einer neueren Version des Programms (Format %2; diese Version liest bis %3).</translation>
+    </message>
+    <message>
+        <source>Update the program.</source>
+        <translation>Aktualisieren Sie das Programm.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is %3, allowed: %4.</source>
+        <translation>%1: %2 ist %3, erlaubt: %4.</translation>
+    </message>
+    <message>
+        <source>Correct the value in the file, or use another copy.</source>
+        <translation>Berichtigen Sie den Wert in der Datei, oder verwenden Sie eine andere Kopie.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is “%3”, which is not understood; expected: %4.</source>
+        <translation>%1: %2 ist „%3“, was nicht verstanden wird; erwartet: %4.</translation>
+    </message>
+    <message>
+        <source>Correct the entry in the file, or use another copy.</source>
+        <translation>Berichtigen Sie den Eintrag in der Datei, oder verwenden Sie eine andere Kopie.</translation>
+    </message>
+    <message>
+        <source>%1 lacks the entry “%2”.</source>
+        <translation>%1 enthält den Eintrag „%2“ nicht.</translation>
+    </message>
+    <message>
+        <source>Add the entry, or use another copy.</source>
+        <translation>Ergänzen Sie den Eintrag, oder verwenden Sie eine andere Kopie.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged.</source>
+        <translation>%1 ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>Use another copy.</source>
+        <translation>Verwenden Sie eine andere Kopie.</translation>
+    </message>
+    <message>
+        <source>%1 is too large for %2.</source>
+        <translation>%1 ist zu groß; erwartet: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is the very file that is to be copied.</source>
+        <translation>%1 ist genau die Datei, die kopiert werden soll.</translation>
+    </message>
+    <message>
+        <source>Choose another name or folder.</source>
+        <translation>Wählen Sie einen anderen Namen oder Ordner.</translation>
+    </message>
+    <message>
+        <source>Nothing was copied.</source>
+        <translation>Nichts wurde kopiert.</translation>
+    </message>
+    <message>
+        <source>What was to be saved is not, or not completely, in it.</source>
+        <translation>Was gesichert werden sollte, steht nicht oder nicht vollständig darin.</translation>
+    </message>
+    <message>
+        <source>Which snapshots belong to which board without a serial number is not known.</source>
+        <translation>Welche Sicherungen zu welchem Board ohne Seriennummer gehören, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Default settings are used in their place.</source>
+        <translation>Stattdessen gelten die Voreinstellungen.</translation>
+    </message>
+    <message>
+        <source>Nothing was taken from it.</source>
+        <translation>Nichts wurde daraus übernommen.</translation>
+    </message>
+    <message>
+        <source>\1 to \2</source>
+        <translation>\1 bis \2</translation>
+    </message>
+    <message>
+        <source>The file, line %1,</source>
+        <translation>Die Datei, Zeile %1,</translation>
+    </message>
+    <message>
+        <source>The file</source>
+        <translation>Die Datei</translation>
+    </message>
+    <message>
+        <source>“%1”, line %2,</source>
+        <translation>„%1“, Zeile %2,</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>%1 of profile %2</source>
+        <translation>%1 von Profil %2</translation>
+    </message>
+    <message>
+        <source>The folder of %1 does not exist.</source>
+        <translation>Den Ordner von %1 gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to boards of the family “%2”, which this program does not know.</source>
+        <translation>%1 gehört zu Boards der Familie „%2“, die dieses Programm nicht kennt.</translation>
+    </message>
+    <message>
+        <source>%1: “%2” is not understood; expected: %3.</source>
+        <translation>%1: „%2“ wird nicht verstanden; erwartet: %3.</translation>
+    </message>
+    <message>
+        <source>a list of unwritten edits</source>
+        <translation>eine Liste ungeschriebener Änderungen</translation>
+    </message>
+    <message>
+        <source>Unwritten edits of an earlier run cannot be restored from it.</source>
+        <translation>Ungeschriebene Änderungen eines früheren Laufs lassen sich daraus nicht wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>%1: %2 stands there twice, first in line %3.</source>
+        <translation>%1: %2 steht dort zweimal, zuerst in Zeile %3.</translation>
+    </message>
+    <message>
+        <source>Remove the one that is wrong, or use another copy.</source>
+        <translation>Den falschen Eintrag entfernen oder eine andere Kopie verwenden.</translation>
     </message>
 </context>
 <context>
@@ -2410,8 +3108,8 @@
 <context>
     <name>FootBar</name>
     <message>
-        <source>No unsaved changes</source>
-        <translation>Keine ungesicherten Änderungen</translation>
+        <source>No unwritten changes</source>
+        <translation>Keine ungeschriebenen Änderungen</translation>
     </message>
 </context>
 <context>
@@ -2467,6 +3165,25 @@
     <message>
         <source>Connected</source>
         <translation>Verbunden</translation>
+    </message>
+    <message>
+        <source>Board restarts</source>
+        <translation>Das Board startet neu</translation>
+    </message>
+</context>
+<context>
+    <name>Freshness</name>
+    <message>
+        <source>No data since %1</source>
+        <translation>Keine Daten seit %1</translation>
+    </message>
+    <message>
+        <source>The board sees no sensor</source>
+        <translation>Das Board sieht keinen Sensor</translation>
+    </message>
+    <message>
+        <source>Unchanged since %1</source>
+        <translation>Unverändert seit %1</translation>
     </message>
 </context>
 <context>
@@ -2651,10 +3368,6 @@
         <source>Stay</source>
         <translation>Bleiben</translation>
     </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Ungesicherte Änderungen</translation>
-    </message>
     <message numerus="yes">
         <source>%n change(s) are not on the board.</source>
         <translation>
@@ -2706,6 +3419,50 @@
         <source>Quit all the same</source>
         <translation>Trotzdem beenden</translation>
     </message>
+    <message>
+        <source>Unwritten changes</source>
+        <translation>Ungeschriebene Änderungen</translation>
+    </message>
+    <message>
+        <source>The motors are switched off, then the link ends.</source>
+        <translation>Die Motoren werden ausgeschaltet, dann endet die Verbindung.</translation>
+    </message>
+    <message>
+        <source>The motors are running</source>
+        <translation>Die Motoren laufen</translation>
+    </message>
+    <message>
+        <source>Without this program they go on running, and nothing watches them or can stop them from here.</source>
+        <translation>Ohne dieses Programm laufen sie weiter; nichts überwacht sie, und von hier aus lassen sie sich nicht stoppen.</translation>
+    </message>
+    <message>
+        <source>Stop motors and quit</source>
+        <translation>Motoren stoppen und beenden</translation>
+    </message>
+    <message>
+        <source>Stop motors and disconnect</source>
+        <translation>Motoren stoppen und trennen</translation>
+    </message>
+    <message>
+        <source>Quit and leave them running</source>
+        <translation>Beenden und laufen lassen</translation>
+    </message>
+    <message>
+        <source>Disconnect and leave them running</source>
+        <translation>Trennen und laufen lassen</translation>
+    </message>
+    <message>
+        <source>The camera may go on moving</source>
+        <translation>Die Kamera bewegt sich vielleicht weiter</translation>
+    </message>
+    <message>
+        <source>The board did not confirm that it has stopped turning the camera.</source>
+        <translation>Das Board hat nicht bestätigt, dass es die Kamera nicht mehr dreht.</translation>
+    </message>
+    <message>
+        <source>Disconnect all the same</source>
+        <translation>Trotzdem trennen</translation>
+    </message>
 </context>
 <context>
     <name>LinkBar</name>
@@ -2732,10 +3489,6 @@
     <message>
         <source>Active profile of the board</source>
         <translation>Aktives Profil des Boards</translation>
-    </message>
-    <message>
-        <source>F12 switches the motors off from anywhere</source>
-        <translation>F12 schaltet die Motoren von überall aus</translation>
     </message>
     <message>
         <source>&amp;Profile</source>
@@ -2772,14 +3525,6 @@
     <message>
         <source>Disconnect</source>
         <translation>Trennen</translation>
-    </message>
-    <message>
-        <source>Switch motors off</source>
-        <translation>Motoren ausschalten</translation>
-    </message>
-    <message>
-        <source>Switch motors on</source>
-        <translation>Motoren einschalten</translation>
     </message>
     <message>
         <source>● REC</source>
@@ -2833,6 +3578,22 @@
         <source>The link is being recorded to %1</source>
         <translation>Die Verbindung wird in %1 aufgezeichnet</translation>
     </message>
+    <message>
+        <source>Board restarts, connecting again…</source>
+        <translation>Das Board startet neu, verbinde wieder …</translation>
+    </message>
+    <message>
+        <source>Stop motors</source>
+        <translation>Motoren stoppen</translation>
+    </message>
+    <message>
+        <source>Start motors</source>
+        <translation>Motoren starten</translation>
+    </message>
+    <message>
+        <source>F12 stops the motors from anywhere</source>
+        <translation>F12 stoppt die Motoren von überall aus</translation>
+    </message>
 </context>
 <context>
     <name>LinkMarks</name>
@@ -2882,6 +3643,10 @@
         <source>The board was silent for %1 s</source>
         <translation>Das Board war %1 s lang still</translation>
     </message>
+    <message>
+        <source>Board restarted</source>
+        <translation>Board neu gestartet</translation>
+    </message>
 </context>
 <context>
     <name>MainWindow</name>
@@ -2909,9 +3674,28 @@
         <source>Stay connected</source>
         <translation>Verbunden bleiben</translation>
     </message>
+    <message>
+        <source>This board has no page “%1”. It has: %2.</source>
+        <translation>Dieses Board hat keine Seite „%1“. Es hat: %2.</translation>
+    </message>
 </context>
 <context>
-    <name>MessageBar</name>
+    <name>MessageHistory</name>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Nothing was told yet.</source>
+        <translation>Bisher gab es keine Meldung.</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>MessageRow</name>
     <message>
         <source>Details</source>
         <translation>Einzelheiten</translation>
@@ -3139,10 +3923,6 @@
         <translation>Bilder (*.png)</translation>
     </message>
     <message>
-        <source>Picture saved to %1</source>
-        <translation>Bild in %1 gesichert</translation>
-    </message>
-    <message>
         <source>Send to PlotJuggler</source>
         <translation>An PlotJuggler senden</translation>
     </message>
@@ -3181,6 +3961,14 @@
     <message>
         <source>thinned out to %1 samples/s by the slow line</source>
         <translation>auf %1 Messwerte/s ausgedünnt: langsame Leitung</translation>
+    </message>
+    <message>
+        <source>Nothing is sent to %1 any more: the link over which the data came has ended.</source>
+        <translation>An %1 wird nichts mehr gesendet: Die Verbindung, über die die Daten kamen, ist beendet.</translation>
+    </message>
+    <message>
+        <source>%1 holds no samples: none came in the time shown.</source>
+        <translation>%1 enthält keine Werte: In der gezeigten Zeit kamen keine.</translation>
     </message>
 </context>
 <context>
@@ -3245,8 +4033,8 @@
         <translation>%1 (Strg+%2)</translation>
     </message>
     <message>
-        <source>%1, with unsaved changes</source>
-        <translation>%1, mit ungesicherten Änderungen</translation>
+        <source>%1, with unwritten changes</source>
+        <translation>%1, mit ungeschriebenen Änderungen</translation>
     </message>
 </context>
 <context>
@@ -3367,6 +4155,10 @@
         <source>The trial of %1 was cut off and the notch is still on the board: the values from before are written back.</source>
         <translation>Der Versuch mit %1 brach ab, und der Kerbfilter ist noch auf dem Board: die Werte von vorher werden zurückgeschrieben.</translation>
     </message>
+    <message>
+        <source>A search, measurement or calibration is running.</source>
+        <translation>Eine Suche, Messung oder Kalibrierung läuft.</translation>
+    </message>
 </context>
 <context>
     <name>Notifications</name>
@@ -3377,10 +4169,6 @@
     <message>
         <source>Control was released because the program did not refresh it in time.</source>
         <translation>Die Steuerung wurde abgegeben, weil das Programm sie nicht rechtzeitig erneuert hat.</translation>
-    </message>
-    <message>
-        <source>Unsaved edits would not survive a crash of the program.</source>
-        <translation>Ungesicherte Änderungen würden einen Absturz des Programms nicht überstehen.</translation>
     </message>
     <message>
         <source>Recording saved to %1 (%2)</source>
@@ -3401,10 +4189,6 @@
     <message>
         <source>This is a recording: everything can be looked at, nothing can be changed.</source>
         <translation>Das ist eine Aufzeichnung: alles lässt sich ansehen, nichts ändern.</translation>
-    </message>
-    <message>
-        <source> Unsaved changes are kept.</source>
-        <translation> Ungesicherte Änderungen bleiben erhalten.</translation>
     </message>
     <message>
         <source>Live data could not be started. </source>
@@ -3481,16 +4265,180 @@
         <source>Switch the board off and on again.</source>
         <translation>Das Board aus- und wieder einschalten.</translation>
     </message>
+    <message>
+        <source>The file is kept in the folder %1.</source>
+        <translation>Die Datei ist im Ordner %1 aufgehoben.</translation>
+    </message>
+    <message>
+        <source>New edits take the place of edits of an earlier run, which concern parts of the board that could not be read. Those are kept in %1.</source>
+        <translation>Neue Änderungen treten an die Stelle von Änderungen eines früheren Laufs, die Teile des Boards betreffen, die nicht gelesen werden konnten. Diese sind in %1 aufgehoben.</translation>
+    </message>
+    <message>
+        <source>The recording %1 holds no live data: none came while it was made.</source>
+        <translation>Die Aufzeichnung %1 enthält keine Live-Daten: Während sie lief, kamen keine.</translation>
+    </message>
+    <message>
+        <source>Live data have stopped while the link is being recorded.</source>
+        <translation>Während die Verbindung aufgezeichnet wird, kommen keine Live-Daten mehr.</translation>
+    </message>
+    <message>
+        <source>The recording goes on, and has a gap from here on.</source>
+        <translation>Die Aufzeichnung läuft weiter und hat ab hier eine Lücke.</translation>
+    </message>
+    <message>
+        <source>Choose streams on the Monitor, or connect again.</source>
+        <translation>Wählen Sie Datenströme auf der Monitorseite, oder verbinden Sie neu.</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nicht verbunden</translation>
+    </message>
+    <message>
+        <source>connecting</source>
+        <translation>verbindet</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>Link: %1, %2</source>
+        <translation>Verbindung: %1, %2</translation>
+    </message>
+    <message>
+        <source>none used yet</source>
+        <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>Board: none</source>
+        <translation>Board: keines</translation>
+    </message>
+    <message>
+        <source>Board: %1, firmware %2</source>
+        <translation>Board: %1, Firmware %2</translation>
+    </message>
+    <message>
+        <source>, number %1</source>
+        <translation>, Nummer %1</translation>
+    </message>
+    <message>
+        <source> (read before, or from a file)</source>
+        <translation> (früher gelesen, oder aus einer Datei)</translation>
+    </message>
+    <message>
+        <source>Saved to %1, but not everything.</source>
+        <translation>In %1 gesichert, aber nicht alles.</translation>
+    </message>
+    <message>
+        <source>The file lacks what could not be read: %1.</source>
+        <translation>In der Datei fehlt, was nicht gelesen werden konnte: %1.</translation>
+    </message>
+    <message>
+        <source>Read the board again, then save once more.</source>
+        <translation>Lesen Sie das Board erneut, und sichern Sie dann noch einmal.</translation>
+    </message>
+    <message>
+        <source>Unwritten edits would not survive a crash of the program.</source>
+        <translation>Ungeschriebene Änderungen würden einen Absturz des Programms nicht überstehen.</translation>
+    </message>
+    <message>
+        <source> Unwritten edits are kept.</source>
+        <translation> Ungeschriebene Änderungen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>The board did not confirm that it has stopped turning the camera.</source>
+        <translation>Das Board hat nicht bestätigt, dass es die Kamera nicht mehr dreht.</translation>
+    </message>
+    <message>
+        <source>The camera may go on moving as it was steered last.</source>
+        <translation>Die Kamera bewegt sich vielleicht weiter, wie sie zuletzt gesteuert wurde.</translation>
+    </message>
+    <message>
+        <source>%1, “%2”</source>
+        <translation>%1, „%2“</translation>
+    </message>
+    <message>
+        <source>%1, number %2</source>
+        <translation>%1, Nummer %2</translation>
+    </message>
+    <message>
+        <source>New edits take the place of edits of an earlier run. Those are kept as the snapshot %1.</source>
+        <translation>Neue Änderungen treten an die Stelle von Änderungen aus einem früheren Lauf. Diese sind als Sicherung %1 aufgehoben.</translation>
+    </message>
+    <message>
+        <source>Another board answers now: %1. It is read anew; the one before was %2.</source>
+        <translation>Jetzt antwortet ein anderes Board: %1. Es wird neu gelesen; das vorherige war %2.</translation>
+    </message>
+    <message>
+        <source>The board has restarted and is back.</source>
+        <translation>Das Board ist neu gestartet und wieder da.</translation>
+    </message>
+    <message>
+        <source>The board restarts, as it was told to. The program connects again as soon as it is back.</source>
+        <translation>Das Board startet neu, wie verlangt. Das Programm verbindet wieder, sobald es zurück ist.</translation>
+    </message>
+    <message>
+        <source>The program connects again as soon as it is back. Check its supply voltage and its cables.</source>
+        <translation>Das Programm verbindet wieder, sobald es zurück ist. Prüfen Sie seine Spannungsversorgung und seine Kabel.</translation>
+    </message>
+    <message>
+        <source>The recording has ended: another board answers on this link. What came from the one before is in %1.</source>
+        <translation>Die Aufzeichnung ist zu Ende: Ein anderes Board antwortet auf dieser Verbindung. Was vom vorigen kam, ist in %1.</translation>
+    </message>
+    <message>
+        <source>Stop the motors (F12), once there is a link; or hold the camera and disconnect the power.</source>
+        <translation>Stoppen Sie die Motoren (F12), sobald eine Verbindung besteht; oder halten Sie die Kamera fest und trennen Sie die Stromversorgung.</translation>
+    </message>
+    <message>
+        <source>The board restarted by itself and is back. It uses the stored values.</source>
+        <translation>Das Board ist von selbst neu gestartet und wieder da. Es benutzt die gespeicherten Werte.</translation>
+    </message>
+    <message>
+        <source>Its motors may run.</source>
+        <translation>Seine Motoren laufen vielleicht.</translation>
+    </message>
+    <message>
+        <source>The motors run on although they were told to stop.</source>
+        <translation>Die Motoren laufen weiter, obwohl sie ausgeschaltet werden sollten.</translation>
+    </message>
+    <message>
+        <source>The board answers and reports that they run; stopping them is repeated.</source>
+        <translation>Das Board antwortet und meldet, dass sie laufen; das Ausschalten wird wiederholt.</translation>
+    </message>
+    <message>
+        <source>There is no connection: nothing was sent to stop motors.</source>
+        <translation>Es besteht keine Verbindung: zum Ausschalten der Motoren wurde nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>Motors that run go on running.</source>
+        <translation>Motoren, die laufen, laufen weiter.</translation>
+    </message>
+    <message>
+        <source>Connect first, then stop them (F12); or disconnect their power.</source>
+        <translation>Verbinden Sie erst und schalten Sie sie dann aus (F12), oder trennen Sie ihren Strom.</translation>
+    </message>
+    <message>
+        <source>No live data have come since %1; the motors ran then.</source>
+        <translation>Seit %1 kommen keine Live-Daten; da liefen die Motoren.</translation>
+    </message>
+    <message>
+        <source>They may go on, and nothing is watched: no alarm can tell or stop anything.</source>
+        <translation>Sie laufen vielleicht weiter, und nichts wird überwacht: kein Alarm kann warnen oder eingreifen.</translation>
+    </message>
+    <message>
+        <source>Keep clear of the gimbal. Stop the motors (F12), or disconnect the power.</source>
+        <translation>Bleiben Sie vom Gimbal weg. Schalten Sie die Motoren aus (F12), oder trennen Sie den Strom.</translation>
+    </message>
 </context>
 <context>
     <name>NumberBox</name>
     <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
-    </message>
-    <message>
-        <source>No number; %1. Back to %2</source>
-        <translation>Keine Zahl; %1. Zurück zu %2</translation>
     </message>
     <message>
         <source>%1. Take %2</source>
@@ -3506,6 +4454,14 @@
             <numerusform>Höchstens %n Nachkommastelle, %1</numerusform>
             <numerusform>Höchstens %n Nachkommastellen, %1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Can be read as %1 or as %2; %3</source>
+        <translation>Lässt sich als %1 oder als %2 lesen; %3</translation>
+    </message>
+    <message>
+        <source>No number; %1. Go back to %2</source>
+        <translation>Keine Zahl; %1. Zurück zu %2</translation>
     </message>
 </context>
 <context>
@@ -3731,12 +4687,12 @@
         <translation>%1: „%2“ ist kein Wert dafür. Der Wert ist wie zuvor.</translation>
     </message>
     <message>
-        <source>%1: “%2” is no value from %3. The value is as before.</source>
-        <translation>%1: „%2“ ist kein Wert von %3. Der Wert ist wie zuvor.</translation>
-    </message>
-    <message>
         <source>This is %1. The board uses %2: show that one.</source>
         <translation>Das ist %1. Das Board benutzt %2: dieses zeigen.</translation>
+    </message>
+    <message>
+        <source>%1: “%2” is no value of it (%3). The value is as before.</source>
+        <translation>%1: „%2“ ist kein Wert dafür (%3). Der Wert ist wie zuvor.</translation>
     </message>
 </context>
 <context>
@@ -3847,13 +4803,6 @@
         <translation>● aktiv</translation>
     </message>
     <message numerus="yes">
-        <source>%n unsaved</source>
-        <translation>
-            <numerusform>%n ungesichert</numerusform>
-            <numerusform>%n ungesichert</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>differs in %n value(s)</source>
         <translation>
             <numerusform>anders in %n Wert</numerusform>
@@ -3883,6 +4832,17 @@
     <message>
         <source>Against the active profile</source>
         <translation>Gegenüber dem aktiven Profil</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>nicht gelesen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unwritten</source>
+        <translation>
+            <numerusform>%n ungeschrieben</numerusform>
+            <numerusform>%n ungeschrieben</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3940,10 +4900,6 @@
         <translation>Übernimmt ein Profil einer Datei in das gewählte Profil, als Änderung, die sich zurücknehmen lässt</translation>
     </message>
     <message>
-        <source>Save all profiles with their unsaved changes</source>
-        <translation>Sichert alle Profile mit ihren ungesicherten Änderungen</translation>
-    </message>
-    <message>
         <source>Load everything in a file, as one edit that can be undone</source>
         <translation>Übernimmt alles aus einer Datei, als eine Änderung, die sich zurücknehmen lässt</translation>
     </message>
@@ -3954,10 +4910,6 @@
     <message>
         <source>The name of profile %1 is too long.</source>
         <translation>Der Name von Profil %1 ist zu lang.</translation>
-    </message>
-    <message>
-        <source>It has %1 bytes, the board holds %2; an accented letter counts as two.</source>
-        <translation>Er hat %1 Bytes, das Board fasst %2; ein Umlaut zählt als zwei.</translation>
     </message>
     <message>
         <source>Choose a shorter one.</source>
@@ -3994,6 +4946,18 @@
     <message>
         <source>Left out, as these values are not allowed: %1.</source>
         <translation>Ausgelassen, weil diese Werte nicht erlaubt sind: %1.</translation>
+    </message>
+    <message>
+        <source>Save all profiles with their unwritten changes</source>
+        <translation>Sichert alle Profile mit ihren ungeschriebenen Änderungen</translation>
+    </message>
+    <message>
+        <source>The names could not be read. The board takes all of them at once, so the others would be erased: read the board again (F5) first.</source>
+        <translation>Die Namen konnten nicht gelesen werden. Das Board übernimmt alle auf einmal, die übrigen würden also gelöscht: Lesen Sie das Board zuerst erneut (F5).</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 bytes, the board holds %3; an accented letter counts as two.</source>
+        <translation>„%1“ hat %2 Bytes, das Board fasst %3; ein Buchstabe mit Akzent zählt als zwei.</translation>
     </message>
 </context>
 <context>
@@ -4035,20 +4999,36 @@
         <translation>Bei Profil %1 bleiben</translation>
     </message>
     <message>
-        <source>Switch the motors off?</source>
-        <translation>Motoren ausschalten?</translation>
-    </message>
-    <message>
         <source>The sensor is turned over by hand, which motors would work against. Hold the camera: it falls when they let go. They stay off until they are started again.</source>
         <translation>Der Sensor wird von Hand gewendet, dagegen würden die Motoren arbeiten. Die Kamera festhalten: sie fällt, sobald sie loslassen. Sie bleiben aus, bis sie wieder gestartet werden.</translation>
     </message>
     <message>
-        <source>Switch motors off</source>
-        <translation>Motoren ausschalten</translation>
-    </message>
-    <message>
         <source>Leave them on</source>
         <translation>Eingeschaltet lassen</translation>
+    </message>
+    <message>
+        <source>%1: let the motors go?</source>
+        <translation>%1: Dürfen die Motoren loslassen?</translation>
+    </message>
+    <message>
+        <source>The motors are running. They lose their current: hold the camera, it falls when they let go.</source>
+        <translation>Die Motoren laufen. Sie verlieren ihren Strom: Kamera festhalten, sie fällt, sobald sie loslassen.</translation>
+    </message>
+    <message>
+        <source>The motors may be running. They lose their current: hold the camera, it falls when they let go.</source>
+        <translation>Die Motoren laufen vielleicht. Sie verlieren ihren Strom: Kamera festhalten, sie fällt, sobald sie loslassen.</translation>
+    </message>
+    <message>
+        <source>Do nothing</source>
+        <translation>Nichts tun</translation>
+    </message>
+    <message>
+        <source>Stop the motors?</source>
+        <translation>Motoren stoppen?</translation>
+    </message>
+    <message>
+        <source>Stop motors</source>
+        <translation>Motoren stoppen</translation>
     </message>
 </context>
 <context>
@@ -4208,10 +5188,6 @@
         <translation>CSV-Dateien (*.csv)</translation>
     </message>
     <message>
-        <source>Measurement saved to %1</source>
-        <translation>Messung in %1 gesichert</translation>
-    </message>
-    <message>
         <source>Measurements</source>
         <translation>Messungen</translation>
     </message>
@@ -4343,16 +5319,16 @@
         <source>Armed: Start brings the camera to its middle, then moves the axis by %1°. Keep clear.</source>
         <translation>Scharf: Start bringt die Kamera in ihre Mitte und bewegt dann die Achse um %1°. Abstand halten.</translation>
     </message>
+    <message>
+        <source>The test ended with the link: nothing was measured, and the camera may go on as it was moved last.</source>
+        <translation>Der Test endete mit der Verbindung: Es wurde nichts gemessen, und die Kamera bewegt sich vielleicht so weiter wie zuletzt.</translation>
+    </message>
 </context>
 <context>
     <name>ReviewDialog</name>
     <message>
         <source>Review and write</source>
         <translation>Prüfen und schreiben</translation>
-    </message>
-    <message>
-        <source>These values go to the board. They are read back and compared, and a copy of the whole board is kept before the first write.</source>
-        <translation>Diese Werte gehen auf das Board. Sie werden zurückgelesen und verglichen, und vor dem ersten Schreiben wird das ganze Board gesichert.</translation>
     </message>
     <message>
         <source>Changes to write</source>
@@ -4430,6 +5406,17 @@
             <numerusform>und %n weiterer</numerusform>
             <numerusform>und %n weitere</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other value(s) in use are not stored; the board goes back to the stored ones:</source>
+        <translation>
+            <numerusform>%n anderer Wert in Gebrauch ist nicht gespeichert; das Board kehrt zum gespeicherten zurück:</numerusform>
+            <numerusform>%n andere Werte in Gebrauch sind nicht gespeichert; das Board kehrt zu den gespeicherten zurück:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>These values go to the board. They are read back and compared, and a copy of all settings of the board is kept before the first write.</source>
+        <translation>Diese Werte gehen auf das Board. Sie werden zurückgelesen und verglichen, und vor dem ersten Schreiben werden alle Einstellungen des Boards gesichert.</translation>
     </message>
 </context>
 <context>
@@ -4519,10 +5506,6 @@
         <translation>Skripte (*.%1)</translation>
     </message>
     <message>
-        <source>%1 is too large for a script</source>
-        <translation>%1 ist zu groß für ein Skript</translation>
-    </message>
-    <message>
         <source>Save the script</source>
         <translation>Skript sichern</translation>
     </message>
@@ -4537,6 +5520,33 @@
     <message>
         <source>Discard</source>
         <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>The scripts did not come. Read the board again (F5).</source>
+        <translation>Die Skripte kamen nicht an. Lesen Sie das Board erneut (F5).</translation>
+    </message>
+    <message>
+        <source>The board stores no comments. Save the script to a file to keep them.</source>
+        <translation>Das Board speichert keine Kommentare. Sichern Sie das Skript in einer Datei, um sie zu behalten.</translation>
+    </message>
+    <message>
+        <source>Discard what was typed?</source>
+        <translation>Getipptes verwerfen?</translation>
+    </message>
+    <message numerus="yes">
+        <source>The texts of %n other script(s) that were not taken over are lost as well.</source>
+        <translation>
+            <numerusform>Der Text %n anderen Skripts, der nicht übernommen wurde, geht ebenfalls verloren.</numerusform>
+            <numerusform>Die Texte von %n anderen Skripten, die nicht übernommen wurden, gehen ebenfalls verloren.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Keep them</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>No code: a script has a mistake</source>
+        <translation>Kein Code: Ein Skript hat einen Fehler</translation>
     </message>
 </context>
 <context>
@@ -4630,7 +5640,7 @@
     </message>
     <message>
         <source>Waiting for readings of the sensor.</source>
-        <translation>Warte auf Messwerte des Sensors.</translation>
+        <translation>Es wird auf Messwerte des Sensors gewartet.</translation>
     </message>
     <message>
         <source>Lay the sensor on its faces, one after the other, and let it lie still on each.</source>
@@ -4658,11 +5668,11 @@
     </message>
     <message>
         <source>It moves. Waiting until it lies still.</source>
-        <translation>Er bewegt sich. Warte, bis er still liegt.</translation>
+        <translation>Bewegung. Es geht weiter, sobald alles still liegt.</translation>
     </message>
     <message>
         <source>It is tilted. Waiting until one face lies up.</source>
-        <translation>Er liegt schräg. Warte, bis eine Fläche oben liegt.</translation>
+        <translation>Schräg. Es geht weiter, sobald eine Seite oben liegt.</translation>
     </message>
     <message numerus="yes">
         <source>%1 is done. %n face(s) to go: turn the sensor.</source>
@@ -4673,7 +5683,7 @@
     </message>
     <message>
         <source>%1 lies up. Waiting until it has been still for a moment.</source>
-        <translation>%1. Warte, bis er einen Moment still gelegen hat.</translation>
+        <translation>%1. Es geht weiter, sobald alles einen Moment still gelegen hat.</translation>
     </message>
     <message>
         <source>Calibration from the file</source>
@@ -4731,20 +5741,28 @@
         <source>Store on the board</source>
         <translation>Auf dem Board speichern</translation>
     </message>
+    <message>
+        <source>%1 of 6 faces were measured; nothing of it is on the board.</source>
+        <translation>%1 von 6 Seiten wurden gemessen; auf dem Board ist nichts davon.</translation>
+    </message>
+    <message>
+        <source>Nothing of it is on the board.</source>
+        <translation>Auf dem Board ist nichts davon.</translation>
+    </message>
+    <message>
+        <source>The calibration ended with the link.</source>
+        <translation>Die Kalibrierung endete mit der Verbindung.</translation>
+    </message>
+    <message>
+        <source>It measures %1 g instead of 1 g, which no sensor at rest does: it is not taken. Let it lie still, or check the sensor.</source>
+        <translation>Er misst %1 g statt 1 g, was kein ruhender Sensor tut: Das wird nicht übernommen. Lassen Sie ihn still liegen, oder prüfen Sie den Sensor.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
     <message>
         <source>Settings</source>
         <translation>Einstellungen</translation>
-    </message>
-    <message>
-        <source>Switch the motors off when the program is closed</source>
-        <translation>Motoren ausschalten, wenn das Programm geschlossen wird</translation>
-    </message>
-    <message>
-        <source>The language changes at the next start.</source>
-        <translation>Die Sprache wechselt beim nächsten Start.</translation>
     </message>
     <message>
         <source>As the system</source>
@@ -4815,10 +5833,6 @@
         <translation>Sicherheit</translation>
     </message>
     <message>
-        <source>Hold Esc to switch motors off</source>
-        <translation>Esc halten für Motoren aus</translation>
-    </message>
-    <message>
         <source>Highest speed on Control</source>
         <translation>Höchste Geschwindigkeit</translation>
     </message>
@@ -4846,12 +5860,32 @@
         <source>Supervisor</source>
         <translation>Aufsicht</translation>
     </message>
+    <message>
+        <source>The language changes as soon as what runs, or is half done on a page, has ended.</source>
+        <translation>Die Sprache wechselt, sobald beendet ist, was läuft oder auf einer Seite halb fertig ist.</translation>
+    </message>
+    <message>
+        <source>Ask before the link ends while motors run</source>
+        <translation>Fragen, bevor die Verbindung bei laufenden Motoren endet</translation>
+    </message>
+    <message>
+        <source>Stop the motors when the program is closed</source>
+        <translation>Motoren stoppen, wenn das Programm geschlossen wird</translation>
+    </message>
+    <message>
+        <source>Hold Esc to stop the motors</source>
+        <translation>Esc halten, um die Motoren zu stoppen</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPicture</name>
     <message>
         <source>%1 · bold differs from the default · GimbalDesk</source>
         <translation>%1 · fett weicht vom Vorgabewert ab · GimbalDesk</translation>
+    </message>
+    <message>
+        <source>not read: %1</source>
+        <translation>nicht gelesen: %1</translation>
     </message>
 </context>
 <context>
@@ -4965,10 +5999,6 @@
         <translation>Jetzt starten die Motoren. Setzen Sie die Kamera ein, halten Sie den Griff still und schließen Sie den Akku an.</translation>
     </message>
     <message>
-        <source>The board levels the camera and turns each motor a little to find its direction. Motors off stops it at any time.</source>
-        <translation>Das Board richtet die Kamera waagerecht und dreht jeden Motor ein wenig, um seine Richtung zu finden. „Motoren aus“ stoppt jederzeit.</translation>
-    </message>
-    <message>
         <source>Start the motors</source>
         <translation>Motoren starten</translation>
     </message>
@@ -4991,10 +6021,6 @@
     <message>
         <source>Everything is set. Store it, and start the gimbal?</source>
         <translation>Alles ist eingestellt. Speichern und den Gimbal starten?</translation>
-    </message>
-    <message>
-        <source>A snapshot of the board as it was is kept. The motors start.</source>
-        <translation>Eine Sicherung des Boards, wie es war, wird aufgehoben. Die Motoren starten.</translation>
     </message>
     <message>
         <source>Start and store</source>
@@ -5061,10 +6087,6 @@
         <translation>✓ Alles ist gespeichert.</translation>
     </message>
     <message>
-        <source>✖ It could not be stored. Use “Store on the board” below.</source>
-        <translation>✖ Es konnte nicht gespeichert werden. Verwenden Sie unten „Auf dem Board speichern“.</translation>
-    </message>
-    <message>
         <source>Cancelled. The values set so far are in use, but not stored.</source>
         <translation>Abgebrochen. Was bis hier eingestellt wurde, ist in Gebrauch, aber nicht gespeichert.</translation>
     </message>
@@ -5086,19 +6108,47 @@
     </message>
     <message>
         <source>Waiting until one axis shows the tilt and the other none.</source>
-        <translation>Warte, bis eine Achse die Neigung zeigt und die andere keine.</translation>
+        <translation>Es geht weiter, sobald eine Achse die Neigung zeigt und die andere keine.</translation>
     </message>
     <message>
         <source>Waiting until one axis points straight up.</source>
-        <translation>Warte, bis eine Achse gerade nach oben zeigt.</translation>
+        <translation>Es geht weiter, sobald eine Achse gerade nach oben zeigt.</translation>
     </message>
     <message>
         <source>Waiting for the battery: connect it, and see that it is charged.</source>
-        <translation>Warte auf den Akku: schließen Sie ihn an und achten Sie darauf, dass er geladen ist.</translation>
+        <translation>Es wird auf den Akku gewartet: Schließen Sie ihn an, und achten Sie darauf, dass er geladen ist.</translation>
     </message>
     <message>
         <source>State: %1. Waiting for normal operation.</source>
-        <translation>Zustand: %1. Warte auf normales Arbeiten.</translation>
+        <translation>Zustand: %1. Es geht weiter, sobald das Board normal arbeitet.</translation>
+    </message>
+    <message>
+        <source>The board levels the camera and turns each motor a little to find its direction. Stop motors ends it at any time.</source>
+        <translation>Das Board richtet die Kamera waagerecht und dreht jeden Motor ein wenig, um seine Richtung zu finden. „Motoren stoppen“ hält es jederzeit an.</translation>
+    </message>
+    <message>
+        <source>✖ Not everything is stored. Use “Store on the board” below.</source>
+        <translation>✖ Nicht alles ist gespeichert. Nutzen Sie unten „Auf dem Board speichern“.</translation>
+    </message>
+    <message>
+        <source>It was starting or storing: what is stored is seen when the board is read again.</source>
+        <translation>Es wurde gerade gestartet oder gespeichert: Was gespeichert ist, zeigt sich, wenn das Board wieder gelesen wird.</translation>
+    </message>
+    <message>
+        <source>What was set by then is in use and not stored: a restart of the board takes it back.</source>
+        <translation>Was bis dahin gesetzt wurde, ist in Gebrauch und nicht gespeichert: Ein Neustart des Boards nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>The gimbal setup ended with the link.</source>
+        <translation>Das Einrichten des Gimbals endete mit der Verbindung.</translation>
+    </message>
+    <message>
+        <source>What was set by then is lost: the board restarted.</source>
+        <translation>Was bis dahin gesetzt war, ist verloren: Das Board ist neu gestartet.</translation>
+    </message>
+    <message>
+        <source>A snapshot of the settings as they were is kept. The motors start.</source>
+        <translation>Eine Sicherung der Einstellungen, wie sie waren, wird aufgehoben. Die Motoren starten.</translation>
     </message>
 </context>
 <context>
@@ -5106,10 +6156,6 @@
     <message>
         <source>Share settings</source>
         <translation>Einstellungen teilen</translation>
-    </message>
-    <message>
-        <source>All values as they are shown now, edits included, for a forum or a colleague.</source>
-        <translation>Alle Werte, wie sie jetzt gezeigt werden, mit Änderungen, für ein Forum oder einen Kollegen.</translation>
     </message>
     <message>
         <source>Picture of all values</source>
@@ -5138,6 +6184,25 @@
     <message>
         <source>Pictures (*.png)</source>
         <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>With unwritten changes</source>
+        <translation>Mit ungeschriebenen Änderungen</translation>
+    </message>
+    <message>
+        <source>All values, for a forum or a colleague.</source>
+        <translation>Alle Werte, für ein Forum oder eine Kollegin.</translation>
+    </message>
+    <message>
+        <source>The picture says that they are on it and on no board</source>
+        <translation>Das Bild sagt, dass sie darauf sind und auf keinem Board</translation>
+    </message>
+    <message numerus="yes">
+        <source>with %n unwritten change(s)</source>
+        <translation>
+            <numerusform>mit %n ungeschriebener Änderung</numerusform>
+            <numerusform>mit %n ungeschriebenen Änderungen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5209,10 +6274,6 @@
         <translation>Frequenz</translation>
     </message>
     <message>
-        <source>Strength (RMS)</source>
-        <translation>Stärke (RMS)</translation>
-    </message>
-    <message>
         <source>Width</source>
         <translation>Breite</translation>
     </message>
@@ -5226,7 +6287,7 @@
     </message>
     <message>
         <source>Gyro</source>
-        <translation>Kreisel</translation>
+        <translation>Gyroskop</translation>
     </message>
     <message>
         <source>Angle error</source>
@@ -5401,12 +6462,9 @@ Spitze %2°</translation>
         <source>Try it</source>
         <translation>Versuchen</translation>
     </message>
-</context>
-<context>
-    <name>StaleCover</name>
     <message>
-        <source>No data since %1</source>
-        <translation>Keine Daten seit %1</translation>
+        <source>RMS</source>
+        <translation>RMS</translation>
     </message>
 </context>
 <context>
@@ -5436,10 +6494,6 @@ Spitze %2°</translation>
         <translation>Der simulierte Gimbal wackelt, driftet und antwortet wie ein echter: ein sicherer Ort zum Lernen.</translation>
     </message>
     <message>
-        <source>Unsaved changes of an earlier run:</source>
-        <translation>Ungesicherte Änderungen von früher:</translation>
-    </message>
-    <message>
         <source>Board %1, %2</source>
         <translation>Board %1, %2</translation>
     </message>
@@ -5458,6 +6512,10 @@ Spitze %2°</translation>
     <message>
         <source>Open %1</source>
         <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Unwritten changes of an earlier run:</source>
+        <translation>Ungeschriebene Änderungen von früher:</translation>
     </message>
 </context>
 <context>
@@ -5499,12 +6557,16 @@ Spitze %2°</translation>
         <translation>keine Live-Daten</translation>
     </message>
     <message>
-        <source>Hold Esc to switch the motors off.</source>
-        <translation>Esc halten, um die Motoren auszuschalten.</translation>
-    </message>
-    <message>
         <source>thinned out: slow line</source>
         <translation>ausgedünnt: langsame Leitung</translation>
+    </message>
+    <message>
+        <source>Hold Esc to stop the motors.</source>
+        <translation>Esc halten, um die Motoren zu stoppen.</translation>
+    </message>
+    <message>
+        <source>live data stand still</source>
+        <translation>Live-Daten stehen still</translation>
     </message>
 </context>
 <context>
@@ -5632,8 +6694,20 @@ Spitze %2°</translation>
         <translation>Akku schwach: je Zelle unter</translation>
     </message>
     <message>
-        <source>Overheating: sensor hotter than</source>
-        <translation>Überhitzung: Sensor heißer als</translation>
+        <source>Not watched</source>
+        <translation>Nicht überwacht</translation>
+    </message>
+    <message>
+        <source>No board is connected</source>
+        <translation>Es ist kein Board verbunden</translation>
+    </message>
+    <message>
+        <source>Nothing: all of these can be seen</source>
+        <translation>Nichts: all das ist zu sehen</translation>
+    </message>
+    <message>
+        <source>Overheating: sensor or motor hotter than</source>
+        <translation>Überhitzung: Sensor oder Motor heißer als</translation>
     </message>
 </context>
 <context>
@@ -5920,7 +6994,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Adaptive gyro trust</source>
-        <translation>Adaptives Kreiselvertrauen</translation>
+        <translation>Adaptives Vertrauen ins Gyroskop</translation>
     </message>
     <message>
         <source>Added to the signal, in 1/128 of half the range.</source>
@@ -6491,174 +7565,6 @@ Spitze %2°</translation>
         <translation>Not-Halt</translation>
     </message>
     <message>
-        <source>Emergency stop (cause 19)</source>
-        <translation>Not-Halt (Ursache 19)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 20)</source>
-        <translation>Not-Halt (Ursache 20)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 21)</source>
-        <translation>Not-Halt (Ursache 21)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 22)</source>
-        <translation>Not-Halt (Ursache 22)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 23)</source>
-        <translation>Not-Halt (Ursache 23)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 24)</source>
-        <translation>Not-Halt (Ursache 24)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 25)</source>
-        <translation>Not-Halt (Ursache 25)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 26)</source>
-        <translation>Not-Halt (Ursache 26)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 27)</source>
-        <translation>Not-Halt (Ursache 27)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 28)</source>
-        <translation>Not-Halt (Ursache 28)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 29)</source>
-        <translation>Not-Halt (Ursache 29)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 30)</source>
-        <translation>Not-Halt (Ursache 30)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 31)</source>
-        <translation>Not-Halt (Ursache 31)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 32)</source>
-        <translation>Not-Halt (Ursache 32)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 33)</source>
-        <translation>Not-Halt (Ursache 33)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 34)</source>
-        <translation>Not-Halt (Ursache 34)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 35)</source>
-        <translation>Not-Halt (Ursache 35)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 36)</source>
-        <translation>Not-Halt (Ursache 36)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 37)</source>
-        <translation>Not-Halt (Ursache 37)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 38)</source>
-        <translation>Not-Halt (Ursache 38)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 39)</source>
-        <translation>Not-Halt (Ursache 39)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 40)</source>
-        <translation>Not-Halt (Ursache 40)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 41)</source>
-        <translation>Not-Halt (Ursache 41)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 42)</source>
-        <translation>Not-Halt (Ursache 42)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 43)</source>
-        <translation>Not-Halt (Ursache 43)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 44)</source>
-        <translation>Not-Halt (Ursache 44)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 45)</source>
-        <translation>Not-Halt (Ursache 45)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 46)</source>
-        <translation>Not-Halt (Ursache 46)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 47)</source>
-        <translation>Not-Halt (Ursache 47)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 48)</source>
-        <translation>Not-Halt (Ursache 48)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 49)</source>
-        <translation>Not-Halt (Ursache 49)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 50)</source>
-        <translation>Not-Halt (Ursache 50)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 51)</source>
-        <translation>Not-Halt (Ursache 51)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 52)</source>
-        <translation>Not-Halt (Ursache 52)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 53)</source>
-        <translation>Not-Halt (Ursache 53)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 54)</source>
-        <translation>Not-Halt (Ursache 54)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 55)</source>
-        <translation>Not-Halt (Ursache 55)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 56)</source>
-        <translation>Not-Halt (Ursache 56)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 57)</source>
-        <translation>Not-Halt (Ursache 57)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 58)</source>
-        <translation>Not-Halt (Ursache 58)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 59)</source>
-        <translation>Not-Halt (Ursache 59)</translation>
-    </message>
-    <message>
-        <source>Emergency stop (cause 60)</source>
-        <translation>Not-Halt (Ursache 60)</translation>
-    </message>
-    <message>
         <source>Emergency stop (cause 61)</source>
         <translation>Not-Halt (Ursache 61)</translation>
     </message>
@@ -7092,35 +7998,35 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Gyro calibration at start</source>
-        <translation>Kreiselkalibrierung beim Start</translation>
+        <translation>Gyroskop beim Start kalibrieren</translation>
     </message>
     <message>
         <source>Gyro dead band</source>
-        <translation>Totbereich des Kreisels</translation>
+        <translation>Totbereich des Gyroskops</translation>
     </message>
     <message>
         <source>Gyro heading correction (0.001)</source>
-        <translation>Kurskorrektur des Kreisels (0,001)</translation>
+        <translation>Kurskorrektur des Gyroskops (0,001)</translation>
     </message>
     <message>
         <source>Gyro sensitivity</source>
-        <translation>Empfindlichkeit des Kreisels</translation>
+        <translation>Empfindlichkeit des Gyroskops</translation>
     </message>
     <message>
         <source>Gyro trust</source>
-        <translation>Kreiselvertrauen</translation>
+        <translation>Vertrauen ins Gyroskop</translation>
     </message>
     <message>
         <source>Gyro, pitch</source>
-        <translation>Kreisel, Pitch</translation>
+        <translation>Gyroskop, Pitch</translation>
     </message>
     <message>
         <source>Gyro, roll</source>
-        <translation>Kreisel, Roll</translation>
+        <translation>Gyroskop, Roll</translation>
     </message>
     <message>
         <source>Gyro, yaw</source>
-        <translation>Kreisel, Yaw</translation>
+        <translation>Gyroskop, Yaw</translation>
     </message>
     <message>
         <source>Heading correction factor</source>
@@ -7573,10 +8479,6 @@ Spitze %2°</translation>
     <message>
         <source>Measured voltage</source>
         <translation>Gemessene Spannung</translation>
-    </message>
-    <message>
-        <source>Measures the zero of the accelerometer in this position. The sensor must be level and still.</source>
-        <translation>Misst den Nullpunkt des Beschleunigungssensors in dieser Lage. Der Sensor muss waagerecht und still liegen.</translation>
     </message>
     <message>
         <source>Measures the zero of the gyroscope. The camera must stand absolutely still.</source>
@@ -8451,10 +9353,6 @@ Spitze %2°</translation>
         <translation>Starten Sie das Board neu.</translation>
     </message>
     <message>
-        <source>Restarts the controller; motors go off meanwhile.</source>
-        <translation>Startet den Controller neu; die Motoren gehen so lange aus.</translation>
-    </message>
-    <message>
         <source>Retracted position</source>
         <translation>Eingezogene Lage</translation>
     </message>
@@ -8512,7 +9410,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Rotation below this is taken for noise, in gyro units.</source>
-        <translation>Drehung darunter gilt als Rauschen, in Kreiseleinheiten.</translation>
+        <translation>Drehung darunter gilt als Rauschen, in Einheiten des Gyroskops.</translation>
     </message>
     <message>
         <source>Run script 1</source>
@@ -9179,10 +10077,6 @@ Spitze %2°</translation>
         <translation>Das Board sucht Verstärkungen, indem es die Kamera bewegt.</translation>
     </message>
     <message>
-        <source>The board switched the motors off.</source>
-        <translation>Das Board hat die Motoren ausgeschaltet.</translation>
-    </message>
-    <message>
         <source>The encoder turns faster or slower than the axis.</source>
         <translation>Der Geber dreht schneller oder langsamer als die Achse.</translation>
     </message>
@@ -9193,10 +10087,6 @@ Spitze %2°</translation>
     <message>
         <source>The horizon will be tilted.</source>
         <translation>Der Horizont wird schief sein.</translation>
-    </message>
-    <message>
-        <source>The motor drivers switched off to save themselves.</source>
-        <translation>Die Motortreiber haben sich zum Schutz abgeschaltet.</translation>
     </message>
     <message>
         <source>The motors have no power and the camera hangs free.</source>
@@ -10587,10 +11477,6 @@ Spitze %2°</translation>
         <translation>Richtet den Gimbal neu aus.</translation>
     </message>
     <message>
-        <source>Like switching off and on.</source>
-        <translation>Wie aus- und einschalten.</translation>
-    </message>
-    <message>
         <source>Limits how fast following changes.</source>
         <translation>Begrenzt, wie schnell sich das Folgen ändert.</translation>
     </message>
@@ -10897,10 +11783,6 @@ Spitze %2°</translation>
     <message>
         <source>Restart</source>
         <translation>Neustart</translation>
-    </message>
-    <message>
-        <source>Restarts the controller with the stored values; motors go off meanwhile.</source>
-        <translation>Startet den Regler mit den gespeicherten Werten neu; die Motoren sind solange aus.</translation>
     </message>
     <message>
         <source>Roll (0 = middle)</source>
@@ -11659,10 +12541,6 @@ Spitze %2°</translation>
         <translation>Findet seine Nullpunkte, während er still auf einer Fläche liegt. Mit Motoren aus, nur mit USB-Strom.</translation>
     </message>
     <message>
-        <source>Finds zeros and scales; each face has to lie up once. Do it with the motors off, on USB power.</source>
-        <translation>Findet Nullpunkte und Maßstäbe; jede Fläche muss einmal oben liegen. Mit Motoren aus, nur mit USB-Strom.</translation>
-    </message>
-    <message>
         <source>Hold the camera level, then tilt it 45° down. Sets the orientation of each sensor; in RAM.</source>
         <translation>Kamera waagerecht halten, dann 45° nach unten neigen. Setzt die Ausrichtung jedes Sensors; im RAM.</translation>
     </message>
@@ -12150,6 +13028,238 @@ Spitze %2°</translation>
         <source>Word %1</source>
         <translation>Wort %1</translation>
     </message>
+    <message>
+        <source>Finds zeros and scales; each face has to lie up once. Switches the motors off and leaves them off: hold the camera.</source>
+        <translation>Findet Nullpunkte und Skalierungen; jede Seite muss einmal oben liegen. Schaltet die Motoren aus und lässt sie aus: Halten Sie die Kamera fest.</translation>
+    </message>
+    <message>
+        <source>Measures the accelerometer in this position. The sensor must be still, and level unless it is one of six positions: for those the motors are switched off and left off, so hold the camera.</source>
+        <translation>Misst den Beschleunigungssensor in dieser Lage. Der Sensor muss still liegen, und waagerecht, wenn es nicht eine von sechs Lagen ist: Für diese werden die Motoren ausgeschaltet und bleiben aus, halten Sie also die Kamera fest.</translation>
+    </message>
+    <message>
+        <source>One of six positions, motors off</source>
+        <translation>Eine von sechs Lagen, Motoren aus</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be %2</source>
+        <translation>„%1“ kann nicht %2 sein</translation>
+    </message>
+    <message>
+        <source>Start motors</source>
+        <translation>Motoren starten</translation>
+    </message>
+    <message>
+        <source>Stop motors</source>
+        <translation>Motoren stoppen</translation>
+    </message>
+    <message>
+        <source>Ends a search of gains that may still be going on, and proves it.</source>
+        <translation>Beendet eine Suche nach Verstärkungen, die womöglich noch läuft, und weist das nach.</translation>
+    </message>
+    <message>
+        <source>Like switching off and on: motors go off, then start by themselves.</source>
+        <translation>Wie Aus- und Einschalten: Die Motoren gehen aus und laufen dann von selbst an.</translation>
+    </message>
+    <message>
+        <source>Restarts the controller with the stored values; motors go off, then start by themselves.</source>
+        <translation>Startet den Controller mit den gespeicherten Werten neu; die Motoren gehen aus und laufen dann von selbst an.</translation>
+    </message>
+    <message>
+        <source>Restarts the controller; motors go off, and may start by themselves afterwards.</source>
+        <translation>Startet den Controller neu; die Motoren gehen aus und laufen danach vielleicht von selbst an.</translation>
+    </message>
+    <message>
+        <source>Stop auto-tune</source>
+        <translation>Auto-Abstimmung beenden</translation>
+    </message>
+    <message>
+        <source>a board cannot hold %1: the nearest is %2</source>
+        <translation>ein Board kann %1 nicht halten: am nächsten ist %2</translation>
+    </message>
+    <message>
+        <source>Emergency stop: CAN bus off, inside</source>
+        <translation>Not-Halt: CAN-Bus innen abgeschaltet</translation>
+    </message>
+    <message>
+        <source>Emergency stop: CAN bus off, outside</source>
+        <translation>Not-Halt: CAN-Bus außen abgeschaltet</translation>
+    </message>
+    <message>
+        <source>Emergency stop: CAN driver does not answer</source>
+        <translation>Not-Halt: CAN-Treiber antwortet nicht</translation>
+    </message>
+    <message>
+        <source>Emergency stop: CAN driver: controller too hot</source>
+        <translation>Not-Halt: CAN-Treiber: Controller zu heiß</translation>
+    </message>
+    <message>
+        <source>Emergency stop: CAN driver: emergency pin</source>
+        <translation>Not-Halt: CAN-Treiber: Not-Aus-Eingang</translation>
+    </message>
+    <message>
+        <source>Emergency stop: CAN driver: field-oriented control</source>
+        <translation>Not-Halt: CAN-Treiber: feldorientierte Regelung</translation>
+    </message>
+    <message>
+        <source>Emergency stop: CAN driver: lasting over-current</source>
+        <translation>Not-Halt: CAN-Treiber: anhaltender Überstrom</translation>
+    </message>
+    <message>
+        <source>Emergency stop: CAN driver: motor too hot</source>
+        <translation>Not-Halt: CAN-Treiber: Motor zu heiß</translation>
+    </message>
+    <message>
+        <source>Emergency stop: CAN driver: over-current</source>
+        <translation>Not-Halt: CAN-Treiber: Überstrom</translation>
+    </message>
+    <message>
+        <source>Emergency stop: CAN driver: parameters</source>
+        <translation>Not-Halt: CAN-Treiber: Parameter</translation>
+    </message>
+    <message>
+        <source>Emergency stop: CAN driver: several faults</source>
+        <translation>Not-Halt: CAN-Treiber: mehrere Fehler</translation>
+    </message>
+    <message>
+        <source>Emergency stop: CAN driver: under-voltage</source>
+        <translation>Not-Halt: CAN-Treiber: Unterspannung</translation>
+    </message>
+    <message>
+        <source>Emergency stop: analogue inputs</source>
+        <translation>Not-Halt: Analogeingänge</translation>
+    </message>
+    <message>
+        <source>Emergency stop: battery setting</source>
+        <translation>Not-Halt: Akku-Einstellung</translation>
+    </message>
+    <message>
+        <source>Emergency stop: calibration of the driver</source>
+        <translation>Not-Halt: Kalibrierung des Treibers</translation>
+    </message>
+    <message>
+        <source>Emergency stop: calibration with motors off</source>
+        <translation>Not-Halt: Kalibrierung bei ausgeschalteten Motoren</translation>
+    </message>
+    <message>
+        <source>Emergency stop: clock crystal</source>
+        <translation>Not-Halt: Taktquarz</translation>
+    </message>
+    <message>
+        <source>Emergency stop: data of the encoder too late</source>
+        <translation>Not-Halt: Encoderdaten zu spät</translation>
+    </message>
+    <message>
+        <source>Emergency stop: driver licence</source>
+        <translation>Not-Halt: Lizenz des Treibers</translation>
+    </message>
+    <message>
+        <source>Emergency stop: encoder missing</source>
+        <translation>Not-Halt: Encoder fehlt</translation>
+    </message>
+    <message>
+        <source>Emergency stop: encoder type</source>
+        <translation>Not-Halt: Encodertyp</translation>
+    </message>
+    <message>
+        <source>Emergency stop: external IMU lost</source>
+        <translation>Not-Halt: externe IMU verloren</translation>
+    </message>
+    <message>
+        <source>Emergency stop: frame IMU lost</source>
+        <translation>Not-Halt: Rahmen-IMU verloren</translation>
+    </message>
+    <message>
+        <source>Emergency stop: link on the CAN bus lost</source>
+        <translation>Not-Halt: Verbindung am CAN-Bus verloren</translation>
+    </message>
+    <message>
+        <source>Emergency stop: magnetometer lost</source>
+        <translation>Not-Halt: Magnetometer verloren</translation>
+    </message>
+    <message>
+        <source>Emergency stop: not in its normal position</source>
+        <translation>Not-Halt: nicht in normaler Lage</translation>
+    </message>
+    <message>
+        <source>Emergency stop: over-current</source>
+        <translation>Not-Halt: Überstrom</translation>
+    </message>
+    <message>
+        <source>Emergency stop: over-speed</source>
+        <translation>Not-Halt: Überdrehzahl</translation>
+    </message>
+    <message>
+        <source>Emergency stop: parameters of the external IMU</source>
+        <translation>Not-Halt: Parameter der externen IMU</translation>
+    </message>
+    <message>
+        <source>Emergency stop: parameters were changed</source>
+        <translation>Not-Halt: Parameter wurden geändert</translation>
+    </message>
+    <message>
+        <source>Emergency stop: self-calibration of the encoder</source>
+        <translation>Not-Halt: Selbstkalibrierung des Encoders</translation>
+    </message>
+    <message>
+        <source>Emergency stop: serial number on the CAN bus</source>
+        <translation>Not-Halt: Seriennummer am CAN-Bus</translation>
+    </message>
+    <message>
+        <source>Emergency stop: serial numbers on the CAN bus differ</source>
+        <translation>Not-Halt: Seriennummern am CAN-Bus verschieden</translation>
+    </message>
+    <message>
+        <source>Emergency stop: stage of the driver&apos;s start</source>
+        <translation>Not-Halt: Startstufe des Treibers</translation>
+    </message>
+    <message>
+        <source>Emergency stop: start of the motor driver</source>
+        <translation>Not-Halt: Start des Motortreibers</translation>
+    </message>
+    <message>
+        <source>Emergency stop: stored parameters</source>
+        <translation>Not-Halt: gespeicherte Parameter</translation>
+    </message>
+    <message>
+        <source>Emergency stop: stored variables</source>
+        <translation>Not-Halt: gespeicherte Variablen</translation>
+    </message>
+    <message>
+        <source>Emergency stop: time-out</source>
+        <translation>Not-Halt: Zeitüberschreitung</translation>
+    </message>
+    <message>
+        <source>Emergency stop: type of the external IMU</source>
+        <translation>Not-Halt: Typ der externen IMU</translation>
+    </message>
+    <message>
+        <source>Emergency stop: unsafe voltage</source>
+        <translation>Not-Halt: unsichere Spannung</translation>
+    </message>
+    <message>
+        <source>Emergency stop: version on the CAN bus</source>
+        <translation>Not-Halt: Version am CAN-Bus</translation>
+    </message>
+    <message>
+        <source>Emergency stop: watchdog</source>
+        <translation>Not-Halt: Watchdog</translation>
+    </message>
+    <message>
+        <source>The board says that it switches the motors off then.</source>
+        <translation>Das Board schaltet dann nach eigenen Angaben die Motoren aus.</translation>
+    </message>
+    <message>
+        <source>The motor drivers switch off to save themselves.</source>
+        <translation>Die Motortreiber schalten ab, um sich zu schützen.</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>not present</source>
+        <translation>nicht vorhanden</translation>
+    </message>
 </context>
 <context>
     <name>ThinningText</name>
@@ -12197,10 +13307,6 @@ Spitze %2°</translation>
         <translation>Alles zurücknehmen</translation>
     </message>
     <message>
-        <source>Put the stored values into use at once (F9)</source>
-        <translation>Die gespeicherten Werte sofort in Gebrauch nehmen (F9)</translation>
-    </message>
-    <message>
         <source>Store the values in use in the active profile; a snapshot is taken first</source>
         <translation>Die Werte in Gebrauch im aktiven Profil speichern; vorher wird eine Sicherung gemacht</translation>
     </message>
@@ -12230,7 +13336,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation>Vergleichen</translation>
+        <translation>Vergleich</translation>
     </message>
     <message>
         <source>Compare what follows with these figures; switching sets does so too</source>
@@ -12283,6 +13389,30 @@ vorher</translation>
         <source>Store</source>
         <translation>Speichern</translation>
     </message>
+    <message>
+        <source>Put the values that were read from the board into use at once (F9)</source>
+        <translation>Die vom Board gelesenen Werte sofort in Gebrauch nehmen (F9)</translation>
+    </message>
+    <message>
+        <source>Reads what is stored: the board uses it for a moment</source>
+        <translation>Liest, was gespeichert ist: Das Board verwendet es einen Augenblick lang</translation>
+    </message>
+    <message>
+        <source>Whether what is in use is stored is not known yet</source>
+        <translation>Ob gespeichert ist, was in Gebrauch ist, ist noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Nothing is changed here; this board does not tell what it has stored</source>
+        <translation>Hier ist nichts geändert; dieses Board sagt nicht, was es gespeichert hat</translation>
+    </message>
+    <message>
+        <source>Compare with stored</source>
+        <translation>Mit Gespeichertem vergleichen</translation>
+    </message>
+    <message>
+        <source>Locked while a search, measurement or calibration runs</source>
+        <translation>Gesperrt, solange eine Suche, Messung oder Kalibrierung läuft</translation>
+    </message>
 </context>
 <context>
     <name>UnsavedBar</name>
@@ -12306,17 +13436,6 @@ vorher</translation>
         <source>Review and &amp;write…</source>
         <translation>&amp;Prüfen und schreiben…</translation>
     </message>
-    <message numerus="yes">
-        <source>%n unsaved change(s)</source>
-        <translation>
-            <numerusform>%n ungesicherte Änderung</numerusform>
-            <numerusform>%n ungesicherte Änderungen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>No unsaved changes</source>
-        <translation>Keine ungesicherten Änderungen</translation>
-    </message>
     <message>
         <source>Undo: %1 (Ctrl+Z)</source>
         <translation>Rückgängig: %1 (Strg+Z)</translation>
@@ -12332,6 +13451,46 @@ vorher</translation>
     <message>
         <source>Connect the board to write to it</source>
         <translation>Verbinden Sie das Board, um darauf zu schreiben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entry(s) that are no values</source>
+        <translation>
+            <numerusform>%n Eintrag, der kein Wert ist</numerusform>
+            <numerusform>%n Einträge, die keine Werte sind</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n no value</source>
+        <translation>
+            <numerusform>%n kein Wert</numerusform>
+            <numerusform>%n keine Werte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>all: %1</source>
+        <translation>alle: %1</translation>
+    </message>
+    <message>
+        <source>P%1: %2</source>
+        <translation>P%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unwritten change(s)</source>
+        <translation>
+            <numerusform>%n ungeschriebene Änderung</numerusform>
+            <numerusform>%n ungeschriebene Änderungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unwritten</source>
+        <translation>
+            <numerusform>%n ungeschrieben</numerusform>
+            <numerusform>%n ungeschrieben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No unwritten changes</source>
+        <translation>Keine ungeschriebenen Änderungen</translation>
     </message>
 </context>
 <context>
@@ -12356,10 +13515,6 @@ vorher</translation>
         <translation>Alles zurücknehmen</translation>
     </message>
     <message>
-        <source>Put the stored values into use at once</source>
-        <translation>Gespeicherte Werte sofort in Gebrauch nehmen</translation>
-    </message>
-    <message>
         <source>Store everything that is in use; a snapshot is taken first</source>
         <translation>Alles speichern, was in Gebrauch ist; vorher wird eine Sicherung gemacht</translation>
     </message>
@@ -12374,6 +13529,28 @@ vorher</translation>
     <message>
         <source>Keep what is in use</source>
         <translation>Benutzte Werte behalten</translation>
+    </message>
+    <message>
+        <source>Put the values that were read from the board into use at once</source>
+        <translation>Die vom Board gelesenen Werte sofort in Gebrauch nehmen</translation>
+    </message>
+    <message>
+        <source>Values are not stored</source>
+        <translation>Werte nicht gespeichert</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not stored</source>
+        <translation>
+            <numerusform>%n nicht gespeichert</numerusform>
+            <numerusform>%n nicht gespeichert</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>UnwatchedNote</name>
+    <message>
+        <source>Not watched: %1.</source>
+        <translation>Nicht überwacht: %1.</translation>
     </message>
 </context>
 <context>
@@ -12395,6 +13572,10 @@ Auf dem Board: %1</translation>
     <message>
         <source>Discard the change; the board has %1</source>
         <translation>Die Änderung verwerfen; das Board hat %1</translation>
+    </message>
+    <message>
+        <source>Discard the change. What the board has is not known now.</source>
+        <translation>Die Änderung verwerfen. Was das Board jetzt hat, ist nicht bekannt.</translation>
     </message>
 </context>
 <context>
@@ -12476,13 +13657,6 @@ Auf dem Board: %1</translation>
         <source>%1 °C</source>
         <translation>%1 °C</translation>
     </message>
-    <message numerus="yes">
-        <source>%n unsaved step(s) of an earlier run belong to this board.</source>
-        <translation>
-            <numerusform>%n ungesicherter Schritt von früher gehört zu diesem Board.</numerusform>
-            <numerusform>%n ungesicherte Schritte von früher gehören zu diesem Board.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Restore them</source>
         <translation>Wiederherstellen</translation>
@@ -12494,17 +13668,6 @@ Auf dem Board: %1</translation>
     <message>
         <source>Throw them away</source>
         <translation>Wegwerfen</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n entry(s) of the file are unknown and were left out.</source>
-        <translation>
-            <numerusform>%n Eintrag der Datei ist unbekannt und wurde ausgelassen.</numerusform>
-            <numerusform>%n Einträge der Datei sind unbekannt und wurden ausgelassen.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The file is of another family of boards.</source>
-        <translation>Die Datei ist von einer anderen Familie von Boards.</translation>
     </message>
     <message>
         <source>Load profile %1 from %2</source>
@@ -12528,17 +13691,6 @@ Auf dem Board: %1</translation>
     <message>
         <source>This is a recording: there are no motors to switch.</source>
         <translation>Das ist eine Aufzeichnung: hier gibt es keine Motoren zu schalten.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n value(s) are not in the file and got their defaults: %1</source>
-        <translation>
-            <numerusform>%n Wert steht nicht in der Datei und bekam seine Vorgabe: %1</numerusform>
-            <numerusform>%n Werte stehen nicht in der Datei und bekamen ihre Vorgaben: %1</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Stored on the board. The board as it was is kept in %1</source>
-        <translation>Auf dem Board gespeichert. Das Board, wie es war, ist aufgehoben in %1</translation>
     </message>
     <message>
         <source>GimbalDesk configurations (*.json)</source>
@@ -12605,6 +13757,187 @@ Auf dem Board: %1</translation>
             <numerusform>%n unfertiger Text eines früheren Laufs gehört zu diesem Board.</numerusform>
             <numerusform>%n unfertige Texte eines früheren Laufs gehören zu diesem Board.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>They concern parts of the board that could not be read. They are kept, and offered again once a reading is complete (F5).</source>
+        <translation>Sie betreffen Teile des Boards, die nicht gelesen werden konnten. Sie sind aufgehoben und werden wieder angeboten, sobald ein Lesen vollständig ist (F5).</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edit(s) do not fit this board any more and were left out.</source>
+        <translation>
+            <numerusform>%n Änderung passt nicht mehr zu diesem Board und wurde ausgelassen.</numerusform>
+            <numerusform>%n Änderungen passen nicht mehr zu diesem Board und wurden ausgelassen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entry(s) of the file are unknown and were left out: %1</source>
+        <translation>
+            <numerusform>%n Eintrag der Datei ist unbekannt und wurde ausgelassen: %1</numerusform>
+            <numerusform>%n Einträge der Datei sind unbekannt und wurden ausgelassen: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unwritten step(s) of an earlier run belong to this board.</source>
+        <translation>
+            <numerusform>%n ungeschriebener Schritt von früher gehört zu diesem Board.</numerusform>
+            <numerusform>%n ungeschriebene Schritte von früher gehören zu diesem Board.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unwritten change(s) belong to the board before (%1) and are kept for it; they are offered when it is connected again.</source>
+        <translation>
+            <numerusform>%n ungeschriebene Änderung gehört zum vorherigen Board (%1) und wird für dieses aufgehoben; sie wird angeboten, wenn es wieder verbunden ist.</numerusform>
+            <numerusform>%n ungeschriebene Änderungen gehören zum vorherigen Board (%1) und werden für dieses aufgehoben; sie werden angeboten, wenn es wieder verbunden ist.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The board that answers looks like the one before, but %n of its values differ from what was read then. Is it the same one?</source>
+        <translation>
+            <numerusform>Das Board, das antwortet, sieht aus wie das vorherige, aber %n seiner Werte ist anders als damals gelesen. Ist es dasselbe?</numerusform>
+            <numerusform>Das Board, das antwortet, sieht aus wie das vorherige, aber %n seiner Werte sind anders als damals gelesen. Ist es dasselbe?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is the same one</source>
+        <translation>Es ist dasselbe</translation>
+    </message>
+    <message>
+        <source>It is another one</source>
+        <translation>Es ist ein anderes</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) on the board differ from what was read before the link ended.</source>
+        <translation>
+            <numerusform>%n Wert auf dem Board ist anders als zuletzt gelesen, bevor die Verbindung endete.</numerusform>
+            <numerusform>%n Werte auf dem Board sind anders als zuletzt gelesen, bevor die Verbindung endete.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The unwritten changes of the board before are kept in %1. Say under Backups which board this is.</source>
+        <translation>Die ungeschriebenen Änderungen des vorherigen Boards sind in %1 aufgehoben. Geben Sie unter „Sicherungen“ an, welches Board dies ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The file holds %n unwritten change(s): it is not what the board holds.</source>
+        <translation>
+            <numerusform>Die Datei enthält %n ungeschriebene Änderung: Sie ist nicht, was das Board enthält.</numerusform>
+            <numerusform>Die Datei enthält %n ungeschriebene Änderungen: Sie ist nicht, was das Board enthält.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The command to store was sent, but whether the board has stored could not be proven: %1</source>
+        <translation>Der Befehl zum Speichern wurde gesendet, aber ob das Board gespeichert hat, ließ sich nicht nachweisen: %1</translation>
+    </message>
+    <message>
+        <source>Store everything in use?</source>
+        <translation>Alles speichern, was in Gebrauch ist?</translation>
+    </message>
+    <message>
+        <source>What is stored cannot be compared now, so values cannot be kept out: %1. The board stores everything that it uses, whoever has set it.</source>
+        <translation>Was gespeichert ist, lässt sich jetzt nicht vergleichen, deshalb lassen sich keine Werte ausnehmen: %1. Das Board speichert alles, was es verwendet, wer auch immer es gesetzt hat.</translation>
+    </message>
+    <message>
+        <source>Store everything</source>
+        <translation>Alles speichern</translation>
+    </message>
+    <message>
+        <source>Store nothing</source>
+        <translation>Nichts speichern</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) that were in use without being stored are lost: the board restarted.</source>
+        <translation>
+            <numerusform>%n Wert, der benutzt und nicht gespeichert war, ist verloren: Das Board ist neu gestartet.</numerusform>
+            <numerusform>%n Werte, die benutzt und nicht gespeichert waren, sind verloren: Das Board ist neu gestartet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) are not in the file; what is shown for them are defaults: %1</source>
+        <translation>
+            <numerusform>%n Wert steht nicht in der Datei; gezeigt wird dafür der Standardwert: %1</numerusform>
+            <numerusform>%n Werte stehen nicht in der Datei; gezeigt werden dafür Standardwerte: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) are not in the file and stay as they are: %1</source>
+        <translation>
+            <numerusform>%n Wert steht nicht in der Datei und bleibt, wie er ist: %1</numerusform>
+            <numerusform>%n Werte stehen nicht in der Datei und bleiben, wie sie sind: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) of the file were rounded to what the board can hold: %1</source>
+        <translation>
+            <numerusform>%n Wert der Datei wurde auf das gerundet, was das Board halten kann: %1</numerusform>
+            <numerusform>%n Werte der Datei wurden auf das gerundet, was das Board halten kann: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>“%1” was interrupted.</source>
+        <translation>„%1“ wurde unterbrochen.</translation>
+    </message>
+    <message>
+        <source>Whether the board has carried it out is not known.</source>
+        <translation>Ob das Board es ausgeführt hat, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>It had not begun: nothing was changed.</source>
+        <translation>Es hatte noch nicht begonnen: Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Snapshot taken of what is in use: it has not been compared with what is stored, which may differ.</source>
+        <translation>Sicherung dessen gemacht, was in Gebrauch ist: Es wurde nicht mit dem Gespeicherten verglichen, das abweichen kann.</translation>
+    </message>
+    <message>
+        <source>A search, measurement or calibration is running.</source>
+        <translation>Eine Suche, Messung oder Kalibrierung läuft.</translation>
+    </message>
+    <message>
+        <source>A change made now would only take effect afterwards, and replace what was found.</source>
+        <translation>Eine Änderung würde erst danach wirken und ersetzen, was gefunden wurde.</translation>
+    </message>
+    <message>
+        <source>Wait until it is over, or end it first. F12 and the red button switch the motors off at once.</source>
+        <translation>Warten Sie, bis sie fertig ist, oder beenden Sie sie zuerst. F12 und der rote Knopf schalten die Motoren sofort aus.</translation>
+    </message>
+    <message>
+        <source>The motors run again.</source>
+        <translation>Die Motoren laufen wieder.</translation>
+    </message>
+    <message>
+        <source>They were off before the link ended. A board that restarts switches them on by itself.</source>
+        <translation>Sie waren aus, bevor die Verbindung endete. Ein Board, das neu startet, schaltet sie von selbst ein.</translation>
+    </message>
+    <message>
+        <source>Keep clear of the gimbal, or stop them (F12).</source>
+        <translation>Abstand zum Gimbal halten oder sie stoppen (F12).</translation>
+    </message>
+    <message>
+        <source>The board sends the same live data again and again.</source>
+        <translation>Das Board sendet immer wieder dieselben Live-Daten.</translation>
+    </message>
+    <message>
+        <source>What they say of the gimbal and its motors is old.</source>
+        <translation>Was sie über den Gimbal und seine Motoren sagen, ist alt.</translation>
+    </message>
+    <message>
+        <source>Keep clear of the gimbal. Restart the board if it stays so.</source>
+        <translation>Abstand zum Gimbal halten. Das Board neu starten, wenn es so bleibt.</translation>
+    </message>
+    <message>
+        <source>Stored on the board. The settings as they were are kept in %1</source>
+        <translation>Auf dem Board gespeichert. Die Einstellungen, wie sie waren, sind aufgehoben in %1</translation>
+    </message>
+    <message>
+        <source>Store values that an alarm came with?</source>
+        <translation>Werte speichern, mit denen ein Alarm kam?</translation>
+    </message>
+    <message>
+        <source>With these values in use, the program has seen the gimbal run away or oscillate. Stored, they are used again after every start of the board.</source>
+        <translation>Mit diesen Werten hat das Programm den Gimbal weglaufen oder schwingen sehen. Gespeichert gelten sie nach jedem Start des Boards wieder.</translation>
+    </message>
+    <message>
+        <source>Store them all the same</source>
+        <translation>Trotzdem speichern</translation>
     </message>
 </context>
 </TS>

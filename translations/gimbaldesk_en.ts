@@ -30,6 +30,13 @@
             <numerusform>%n values differ.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Compared with what the board holds; %n unwritten change(s) are left aside.</source>
+        <translation>
+            <numerusform>Compared with what the board holds; %n unwritten change is left aside.</numerusform>
+            <numerusform>Compared with what the board holds; %n unwritten changes are left aside.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>BatteryView</name>
@@ -147,6 +154,20 @@
             <numerusform>The board was read again: %n values are not as they were before.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) in use are not as they were before.</source>
+        <translation>
+            <numerusform>%n value in use is not as it was before.</numerusform>
+            <numerusform>%n values in use are not as they were before.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Leaving</name>
@@ -208,17 +229,17 @@
 <context>
     <name>ProfileModel</name>
     <message numerus="yes">
-        <source>%n unsaved</source>
-        <translation>
-            <numerusform>%n unsaved</numerusform>
-            <numerusform>%n unsaved</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>differs in %n value(s)</source>
         <translation>
             <numerusform>differs in %n value</numerusform>
             <numerusform>differs in %n values</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unwritten</source>
+        <translation>
+            <numerusform>%n unwritten</numerusform>
+            <numerusform>%n unwritten</numerusform>
         </translation>
     </message>
 </context>
@@ -245,6 +266,23 @@
             <numerusform>and %n more</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n other value(s) in use are not stored; the board goes back to the stored ones:</source>
+        <translation>
+            <numerusform>%n other value in use is not stored; the board goes back to the stored one:</numerusform>
+            <numerusform>%n other values in use are not stored; the board goes back to the stored ones:</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ScriptsPage</name>
+    <message numerus="yes">
+        <source>The texts of %n other script(s) that were not taken over are lost as well.</source>
+        <translation>
+            <numerusform>The text of %n other script that was not taken over is lost as well.</numerusform>
+            <numerusform>The texts of %n other scripts that were not taken over are lost as well.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>SensorPage</name>
@@ -253,6 +291,16 @@
         <translation>
             <numerusform>%1 is done. %n face to go: turn the sensor.</numerusform>
             <numerusform>%1 is done. %n faces to go: turn the sensor.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ShareDialog</name>
+    <message numerus="yes">
+        <source>with %n unwritten change(s)</source>
+        <translation>
+            <numerusform>with %n unwritten change</numerusform>
+            <numerusform>with %n unwritten changes</numerusform>
         </translation>
     </message>
 </context>
@@ -289,10 +337,31 @@
 <context>
     <name>UnsavedBar</name>
     <message numerus="yes">
-        <source>%n unsaved change(s)</source>
+        <source>%n entry(s) that are no values</source>
         <translation>
-            <numerusform>%n unsaved change</numerusform>
-            <numerusform>%n unsaved changes</numerusform>
+            <numerusform>%n entry that is no value</numerusform>
+            <numerusform>%n entries that are no values</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n no value</source>
+        <translation>
+            <numerusform>%n no value</numerusform>
+            <numerusform>%n no values</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unwritten change(s)</source>
+        <translation>
+            <numerusform>%n unwritten change</numerusform>
+            <numerusform>%n unwritten changes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unwritten</source>
+        <translation>
+            <numerusform>%n unwritten</numerusform>
+            <numerusform>%n unwritten</numerusform>
         </translation>
     </message>
 </context>
@@ -303,6 +372,13 @@
         <translation>
             <numerusform>%n value in use on the board, not stored: a restart loses it.</numerusform>
             <numerusform>%n values in use on the board, not stored: a restart loses them.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not stored</source>
+        <translation>
+            <numerusform>%n not stored</numerusform>
+            <numerusform>%n not stored</numerusform>
         </translation>
     </message>
 </context>
@@ -316,31 +392,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n unsaved step(s) of an earlier run belong to this board.</source>
-        <translation>
-            <numerusform>%n unsaved step of an earlier run belongs to this board.</numerusform>
-            <numerusform>%n unsaved steps of an earlier run belong to this board.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n entry(s) of the file are unknown and were left out.</source>
-        <translation>
-            <numerusform>%n entry of the file is unknown and was left out.</numerusform>
-            <numerusform>%n entries of the file are unknown and were left out.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n value(s) of the file do not fit this board and were left out: %1</source>
         <translation>
             <numerusform>%n value of the file does not fit this board and was left out: %1</numerusform>
             <numerusform>%n values of the file do not fit this board and were left out: %1</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n value(s) are not in the file and got their defaults: %1</source>
-        <translation>
-            <numerusform>%n value is not in the file and got its default: %1</numerusform>
-            <numerusform>%n values are not in the file and got their defaults: %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -355,6 +410,83 @@
         <translation>
             <numerusform>%n unfinished text of an earlier run belongs to this board.</numerusform>
             <numerusform>%n unfinished texts of an earlier run belong to this board.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edit(s) do not fit this board any more and were left out.</source>
+        <translation>
+            <numerusform>%n edit does not fit this board any more and was left out.</numerusform>
+            <numerusform>%n edits do not fit this board any more and were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entry(s) of the file are unknown and were left out: %1</source>
+        <translation>
+            <numerusform>%n entry of the file is unknown and was left out: %1</numerusform>
+            <numerusform>%n entries of the file are unknown and were left out: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unwritten step(s) of an earlier run belong to this board.</source>
+        <translation>
+            <numerusform>%n unwritten step of an earlier run belongs to this board.</numerusform>
+            <numerusform>%n unwritten steps of an earlier run belong to this board.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unwritten change(s) belong to the board before (%1) and are kept for it; they are offered when it is connected again.</source>
+        <translation>
+            <numerusform>%n unwritten change belongs to the board before (%1) and is kept for it; it is offered when that board is connected again.</numerusform>
+            <numerusform>%n unwritten changes belong to the board before (%1) and are kept for it; they are offered when that board is connected again.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The board that answers looks like the one before, but %n of its values differ from what was read then. Is it the same one?</source>
+        <translation>
+            <numerusform>The board that answers looks like the one before, but %n of its values differs from what was read then. Is it the same one?</numerusform>
+            <numerusform>The board that answers looks like the one before, but %n of its values differ from what was read then. Is it the same one?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) on the board differ from what was read before the link ended.</source>
+        <translation>
+            <numerusform>%n value on the board differs from what was read before the link ended.</numerusform>
+            <numerusform>%n values on the board differ from what was read before the link ended.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The file holds %n unwritten change(s): it is not what the board holds.</source>
+        <translation>
+            <numerusform>The file holds %n unwritten change: it is not what the board holds.</numerusform>
+            <numerusform>The file holds %n unwritten changes: it is not what the board holds.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) that were in use without being stored are lost: the board restarted.</source>
+        <translation>
+            <numerusform>%n value that was in use without being stored is lost: the board restarted.</numerusform>
+            <numerusform>%n values that were in use without being stored are lost: the board restarted.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) are not in the file; what is shown for them are defaults: %1</source>
+        <translation>
+            <numerusform>%n value is not in the file; what is shown for it is the default: %1</numerusform>
+            <numerusform>%n values are not in the file; what is shown for them are defaults: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) are not in the file and stay as they are: %1</source>
+        <translation>
+            <numerusform>%n value is not in the file and stays as it is: %1</numerusform>
+            <numerusform>%n values are not in the file and stay as they are: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) of the file were rounded to what the board can hold: %1</source>
+        <translation>
+            <numerusform>%n value of the file was rounded to what the board can hold: %1</numerusform>
+            <numerusform>%n values of the file were rounded to what the board can hold: %1</numerusform>
         </translation>
     </message>
 </context>

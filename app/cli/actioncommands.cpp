@@ -10,6 +10,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+constexpr auto kStopPatience = 1s;  // before a stop that is not over is told of
+
 Result<QMap<QString, QString>> assignments(const QStringList &words)
 {
     QMap<QString, QString> map;
@@ -28,6 +30,14 @@ const ActionSpec *findAction(const Device &device, const QString &key)
         return key == QLatin1String(action.key);
     });
     return it == actions.end() ? nullptr : &*it;
+}
+
+// Whether it, or one of its entries, cuts the motors' current.
+bool mayLetGo(const ActionSpec &action)
+{
+    return action.letsGo
+        || std::any_of(action.entries.begin(), action.entries.end(),
+                       [](const EntryEffect &entry) { return entry.letsGo; });
 }
 
 // An action that no board answers is sent; whether it was done nobody can tell.
@@ -59,6 +69,109 @@ CommandOutcome doneOutcome(const QString &key, const ActionReply &reply, bool an
     return outcome;
 }
 
+const QString kStopKey = u"motors.off"_s;
+
+// Whatever ended a stop, nobody has seen it work; the words for NotProven say so themselves.
+QString unstopped(const Error &error)
+{
+    if (error.code == ErrorCode::NotProven)
+        return {};
+    return u"nobody has seen the motors stop, and they may be running: hold the camera and disconnect the "
+           "power"_s;
+}
+
+/// Stops the motors for a command, which always works: runs the board's stop plan until something confirms
+/// that they have stopped.
+class MotorStop final : public QObject
+{
+public:
+    explicit MotorStop(Command &command)
+        : m_command(command)
+    {
+    }
+
+    void start(DeviceClient &client)
+    {
+        m_client = &client;
+        connect(&client, &DeviceClient::motorsOffFinished, this, &MotorStop::onStopped);
+        connect(&client, &DeviceClient::motorsOffSettled, this, &MotorStop::onSettled);
+        connect(&m_repeating, &QTimer::timeout, this, [this] {
+            emit m_command.told(u"the motors are not proven to be off; still stopping them"_s);
+        });
+        sayUnlessOver(u"the board does not confirm yet that the motors are off: the command is repeated; "
+                      u"hold the camera"_s);
+        client.motorsOff();
+    }
+    [[nodiscard]] bool isRunning() const { return m_client; }
+    /// The link was lost. False: nothing was being stopped.
+    bool endsWith(const Error &error)
+    {
+        if (isRunning())
+            emit m_command.finished(failure(ErrorCode::NotProven, u"the link ended: "_s + error.detail));
+        return isRunning();
+    }
+    /// Ctrl-C. False: nothing is being stopped, or only what it changed beside is being put back.
+    bool interrupt()
+    {
+        const bool ends = isRunning() && !m_isProven;
+        if (ends)
+            emit m_command.finished(failure(ErrorCode::NotProven));
+        return ends;
+    }
+
+private:
+    // Nobody waits without knowing what for.
+    void sayUnlessOver(const QString &line)
+    {
+        m_patience.disconnect(this);
+        connect(&m_patience, &QTimer::timeout, this, [this, line] { emit m_command.told(line); });
+        m_patience.setSingleShot(true);
+        m_patience.start(kStopPatience);
+    }
+    // What is not proven is repeated by the session itself, until it is.
+    void onStopped(bool proven)
+    {
+        m_isProven = proven;
+        if (proven) {
+            m_repeating.stop();
+            sayUnlessOver(u"the motors are off; they stay disabled until the board confirms that it stands "
+                          u"by, which is asked for half a minute at most, and what was in use before follows "
+                          u"then"_s);
+        } else if (!m_repeating.isActive()) {
+            m_patience.stop();
+            emit m_command.told(
+                u"the board did not confirm that the motors are off, and they may still be running: "
+                "stopping them goes on until it does (Ctrl-C ends it). Hold the camera; disconnecting "
+                "the power stops them too"_s);
+            if (m_client->device() && m_client->device()->stopPlan().restore)
+                emit m_command.told(
+                    u"if the board takes the stop late, its motors are disabled in volatile memory: restart "
+                    u"it to have them back, and store nothing before"_s);
+            m_repeating.start(kToldAgain);
+        }
+    }
+    void onSettled(bool restored)
+    {
+        m_patience.stop();
+        CommandOutcome outcome = doneOutcome(kStopKey, {});
+        if (!restored) {
+            outcome.note
+                = u"the motors are off, but disabled in volatile memory, and what was in use before could "
+                  u"not be put back: restart the board before you use them (gimbalctl do restart), and "
+                  u"store nothing before"_s;
+            outcome.exitCode = Refused;
+        }
+        emit m_command.finished(outcome);
+    }
+
+    static constexpr auto kToldAgain = 5s;
+    Command &m_command;
+    DeviceClient *m_client = nullptr;
+    QTimer m_patience;
+    QTimer m_repeating;
+    bool m_isProven = false;
+};
+
 /// Performs one of the board's actions.
 class ActionCommand : public BoardCommand
 {
@@ -83,6 +196,8 @@ protected:
             if (const int channel = channelOf(condition, rolesOf(device)); channel >= 0)
                 channels.append(channel);
         }
+        if (const int outputs = rolesOf(device).outputs; action && mayLetGo(*action) && outputs >= 0)
+            channels.append(outputs);
         return channels;
     }
     Result<CommandOutcome> run(Channel &channel, Device &device) override;
@@ -112,16 +227,33 @@ Result<CommandOutcome> ActionCommand::run(Channel &channel, Device &device)
                        u"%1 has to be confirmed with --confirmed each time: \"%2\""_s.arg(
                            actionKey(), QString::fromUtf8(action->confirm)));
     }
+    if (chosenAction(*action, *arguments).risk == ActionRisk::Destroys && !m_confirmed) {
+        return failure(ErrorCode::InvalidArgument,
+                       u"%1 replaces values on the board: confirm it with --confirmed"_s.arg(actionKey()));
+    }
+    if (chosenAction(*action, *arguments).letsGo && !m_confirmed) {
+        const std::optional<bool> run = motorsRun(device, latest(), channel.now());
+        if (run.value_or(true))
+            return failure(
+                ErrorCode::InvalidArgument,
+                u"%1 makes the motors let go, and what they hold falls; %2: hold it and confirm "
+                "with --confirmed"_s.arg(actionKey(),
+                                         run ? u"they are running"_s : u"nothing tells whether they run"_s));
+    }
     const auto done = performSafely(channel, device, actionKey(), *arguments, history(), {}, latest());
     if (!done)
         return tl::unexpected(done.error());
     CommandOutcome outcome = doneOutcome(actionKey(), done->reply, done->answered, action);
+    QJsonObject json = outcome.json.toObject();
     if (!done->snapshotPath.isEmpty()) {
-        QJsonObject json = outcome.json.toObject();
         json.insert(u"snapshot"_s, done->snapshotPath);
-        outcome.json = json;
         outcome.note = u"snapshot: "_s + done->snapshotPath;
     }
+    if (done->stored) {
+        if (const QString told = tellOthers(*done->stored, outcome.text, json); !told.isEmpty())
+            outcome.note += u'\n' + told;
+    }
+    outcome.json = json;
     return outcome;
 }
 
@@ -146,12 +278,45 @@ public:
     {
         return arguments().first() == u"help"_s ? help(device) : ActionCommand::run(channel, device);
     }
+    // Stopping the motors does not give up, whatever it is called.
+    void start(DeviceClient &client) override
+    {
+        const ActionSpec *action = findAction(*client.device(), actionKey());
+        if (action && action->stopsMotors && given().isEmpty() && !client.address().isReplay())
+            m_stop.start(client);
+        else
+            ActionCommand::start(client);
+    }
+    [[nodiscard]] bool reportsLoss() const override { return !m_stop.isRunning(); }
+    [[nodiscard]] bool endsWith(const Error &error) override { return m_stop.endsWith(error); }
+    [[nodiscard]] QString leftOpen(const Error &error) const override
+    {
+        return m_stop.isRunning() || actionKey() == kStopKey ? unstopped(error) : QString();
+    }
+    void stop() override
+    {
+        if (!m_stop.isRunning())
+            ActionCommand::stop();
+        else
+            m_stop.interrupt();
+    }
 
 protected:
     QString actionKey() const override { return arguments().first(); }
     QStringList given() const override { return arguments().mid(1); }
+    // Any action by which the motors were to stop.
+    [[nodiscard]] bool goesOnAfter(const Error &error) override
+    {
+        const ActionSpec *action = findAction(*client().device(), actionKey());
+        if (error.code != ErrorCode::NotProven || !action || action->isProcedure || !client().isConnected())
+            return false;
+        m_stop.start(client());
+        return true;
+    }
 
 private:
+    MotorStop m_stop{*this};
+
     static Result<CommandOutcome> help(Device &device)
     {
         constexpr std::array<const char *, 4> risks{"safe", "moves", "writes", "destroys"};
@@ -182,6 +347,31 @@ private:
                              {u"risk"_s, risk},
                              {u"help"_s, QString::fromUtf8(action.help)},
                              {u"arguments"_s, arguments}};
+            QJsonArray entries;
+            for (const EntryEffect &entry : action.entries) {
+                const auto choices = action.arguments.front().choices;
+                const auto choice
+                    = std::find_if(choices.begin(), choices.end(),
+                                   [&entry](const Choice &each) { return each.value == entry.value; });
+                const QString other = QLatin1String(risks[std::size_t(entry.risk)]);
+                if (choice == choices.end() || other == risk)
+                    continue;
+                entries.append(QJsonObject{{u"entry"_s, QString::fromUtf8(choice->name)},
+                                           {u"risk"_s, other},
+                                           {u"answered"_s, entry.answered}});
+                outcome.text
+                    += u"      %1 %2\n"_s.arg(other.leftJustified(9), QString::fromUtf8(choice->name));
+            }
+            if (!entries.isEmpty())
+                json.insert(u"entries"_s, entries);
+            if (action.risk == ActionRisk::Destroys && !*action.confirm)
+                outcome.text += u"    --confirmed\n"_s;
+            else if (mayLetGo(action))
+                outcome.text += action.letsGo
+                    ? u"    --confirmed  while the motors run\n"_s
+                    : u"    --confirmed  while the motors run, where they let go\n"_s;
+            if (mayLetGo(action))
+                json.insert(u"letsGo"_s, true);
             if (*action.confirm) {
                 json.insert(u"confirm"_s, QString::fromUtf8(action.confirm));
                 outcome.text += u"    --confirmed  \"%1\"\n"_s.arg(QString::fromUtf8(action.confirm));
@@ -226,7 +416,6 @@ protected:
     QStringList given() const override { return arguments(); }
 };
 
-/// Off always works: it runs the board's stop plan until something confirms that the motors have stopped.
 class MotorsCommand final : public Command
 {
 public:
@@ -241,16 +430,16 @@ public:
         return arguments().size() == 1 && (word == u"on"_s || word == u"off"_s) ? QString()
                                                                                 : u"motors needs on or off"_s;
     }
+    [[nodiscard]] bool endsWith(const Error &error) override { return m_stop.endsWith(error); }
+    [[nodiscard]] QString leftOpen(const Error &error) const override
+    {
+        return arguments().first() == u"off"_s ? unstopped(error) : QString();
+    }
     void start(DeviceClient &client) override
     {
         m_client = &client;
         if (arguments().first() == u"off"_s) {
-            connect(&client, &DeviceClient::motorsOffFinished, this, [this](bool proven) {
-                if (!proven)
-                    emit finished(failure(ErrorCode::NotProven));
-            });
-            connect(&client, &DeviceClient::motorsOffSettled, this, &MotorsCommand::onSettled);
-            client.motorsOff();
+            m_stop.start(client);
             return;
         }
         client
@@ -258,20 +447,13 @@ public:
                 [safe = history()](Channel &channel, Device &device) { return on(channel, device, safe); })
             .then(this, [this](const Result<CommandOutcome> &outcome) { emit finished(outcome); });
     }
-    void stop() override { m_client->cancelJobs(); }
+    void stop() override
+    {
+        if (!m_stop.interrupt())
+            m_client->cancelJobs();
+    }
 
 private:
-    void onSettled(bool restored)
-    {
-        CommandOutcome outcome = doneOutcome(u"motors.off"_s, {});
-        if (!restored) {
-            outcome.note
-                = u"the motors are off, but disabled until the board restarts: restart it before you use "
-                  "them, and store nothing before"_s;
-            outcome.exitCode = Refused;
-        }
-        emit finished(outcome);
-    }
     static Result<CommandOutcome> on(Channel &channel, Device &device, const BoardHistory &history)
     {
         const QString key = u"motors.on"_s;
@@ -287,6 +469,7 @@ private:
     }
 
     DeviceClient *m_client = nullptr;
+    MotorStop m_stop{*this};
 };
 
 class StreamsCommand final : public BoardCommand

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
 
-#include "widgets/models/errortext.h"
+#include "app/cli/faultteller.h"
+#include "protocol/base/linkloss.h"
+#include "protocol/configuration/aftermath.h"
+#include "protocol/procedure/wholewrite.h"
+#include "widgets/models/alarmtext.h"
 #include "widgets/models/missingtext.h"
 
 #include <QSet>
@@ -21,76 +25,20 @@ constexpr auto kTelemetryPeriod = 20ms;
 constexpr auto kAbsence = 20s;  // of a board whose link broke during a write
 constexpr qsizetype kGapsTold = 10;
 
-QString stateText(WriteState state)
-{
-    switch (state) {
-    case WriteState::Verified: return u"verified"_s;
-    case WriteState::Unknown: return u"unknown"_s;
-    case WriteState::NotWritten: return u"not written"_s;
-    case WriteState::Mismatch: return u"mismatch"_s;
-    case WriteState::RolledBack: return u"rolled back"_s;
-    }
-    return {};
-}
-
 // Something that was sent is unknown because the link broke.
-bool isOpen(const CommandOutcome &outcome)
+bool isOpen(const Result<CommandOutcome> &outcome)
 {
-    return outcome.report && outcome.report->error && outcome.report->error->code == ErrorCode::LinkClosed
-        && outcome.report->count(WriteState::Unknown) > 0;
+    if (!outcome)
+        return outcome.error().after && !outcome.error().after->now;
+    if (!outcome->report || !outcome->report->error || !outcome->report->hasUnknown())
+        return false;
+    const Error &error = *outcome->report->error;
+    return isLinkLoss(error) || error.code == ErrorCode::Cancelled;
 }
 
-// The report comes before what the command has to say beside it.
-void tellReport(CommandOutcome &outcome)
+const Configuration &beforeOf(const Result<CommandOutcome> &outcome)
 {
-    if (!outcome.report)
-        return;
-    const WriteReport &report = *outcome.report;
-    QString text;
-    QJsonArray lines;
-    for (const WriteLine &line : report.lines) {
-        QJsonObject object = changeJson({line.spec, line.profile, line.from, line.to});
-        object.insert(u"state"_s, stateText(line.state));
-        if (line.state != WriteState::Unknown)
-            object.insert(u"onBoard"_s, valueJson(*line.spec, line.found));
-        lines.append(object);
-        text += u"%1 %2 %3 -> %4"_s.arg(stateText(line.state).leftJustified(12),
-                                        line.spec->key.leftJustified(28), valueText(*line.spec, line.from),
-                                        valueText(*line.spec, line.to));
-        if (line.state == WriteState::Mismatch)
-            text += u" (the board holds %1)"_s.arg(valueText(*line.spec, line.found));
-        text += u'\n';
-    }
-    QJsonArray data;
-    for (const WriteData &block : report.data) {
-        data.append(
-            QJsonObject{{u"data"_s, QLatin1String(block.spec->data)}, {u"state"_s, stateText(block.state)}});
-        text += u"%1 %2\n"_s.arg(stateText(block.state).leftJustified(12), QLatin1String(block.spec->data));
-    }
-    if (report.namesWritten)
-        text += u"verified     profile names\n"_s;
-    QJsonObject json = outcome.json.toObject();
-    json.insert(u"complete"_s, report.isComplete());
-    json.insert(u"written"_s, lines);
-    json.insert(u"data"_s, data);
-    json.insert(u"namesWritten"_s, report.namesWritten);
-    json.insert(u"snapshot"_s, report.snapshotPath);
-    const QString others = tellOthers(report, text, json);
-    QStringList notes;
-    if (report.error) {
-        outcome.exitCode = Refused;
-        notes.append(describe(report).oneLine());
-        json.insert(u"error"_s, notes.first());
-    }
-    if (!report.snapshotPath.isEmpty())
-        notes.append(u"snapshot: "_s + report.snapshotPath);
-    if (!others.isEmpty())
-        notes.append(others);
-    if (!outcome.note.isEmpty())
-        notes.append(outcome.note.trimmed());
-    outcome.text = text + outcome.text;
-    outcome.note = notes.join(u'\n');
-    outcome.json = json;
+    return outcome ? outcome->report->before : outcome.error().after->before;
 }
 
 }  // namespace
@@ -185,9 +133,34 @@ QString Command::fullHelp()
             QLatin1String(example()));
 }
 
+void Command::tellCondition(DeviceClient &client)
+{
+    connect(&client, &DeviceClient::unwatchedChanged, this, [this, &client] {
+        if (const QString missing = unwatchedText(client.unwatched()); !missing.isEmpty())
+            emit told(u"not watched: "_s + missing);
+    });
+    connect(new FaultTeller(client, this), &FaultTeller::told, this, &Command::told);
+}
+
 void BoardCommand::start(DeviceClient &client)
 {
     m_client = &client;
+    if (!client.identity().writable && !client.address().isReplay())
+        emit told(u"this program does not know the firmware %1: what is read may mean something else, and "
+                  "nothing is written"_s.arg(client.identity().firmware));
+    connect(&client, &DeviceClient::steeringEnded, this, [this](bool confirmed) {
+        if (confirmed)
+            return;
+        m_goesOn = true;
+        emit told(u"the board did not confirm that it has stopped turning the camera, which may go on "
+                  "moving: stop it by \"gimbalctl motors off\", or hold it and disconnect the power"_s);
+    });
+    if (moves()) {
+        tellCondition(client);
+        const ChannelRoles &roles = client.roles();
+        if (client.device()->steering() && !client.address().isReplay())
+            client.subscribe({ChannelRoles::present({roles.angle, roles.target, roles.gyro})});
+    }
     m_telemetry = client.telemetry();
     if (const QList<int> channels = awaits(*client.device()); !channels.isEmpty())
         awaitTelemetry(channels);
@@ -219,22 +192,36 @@ void BoardCommand::submit()
         .then(this, [this](const Result<CommandOutcome> &outcome) {
             // A moving job posts its "stop" last; the link stays open until that has been sent.
             QTimer::singleShot(outcome ? 0 : 100, this, [this, outcome] {
-                if (!outcome)
-                    emit finished(outcome);
-                else if (isOpen(*outcome))
-                    awaitBoard(*outcome);
-                else
-                    conclude(*outcome);
+                if (!outcome && goesOnAfter(outcome.error()))
+                    return;
+                onceStill([this, outcome] { isOpen(outcome) ? awaitBoard(outcome) : conclude(outcome); });
             });
         });
 }
 
-// The link broke in the middle of a write. The client connects again by itself; what the board holds is read
-// then.
-void BoardCommand::awaitBoard(const CommandOutcome &outcome)
+// The link stays open until the board was seen to stand still, or was not.
+void BoardCommand::onceStill(const std::function<void()> &then)
+{
+    if (m_client->isSteering())
+        connect(m_client, &DeviceClient::steeringEnded, this, then, Qt::SingleShotConnection);
+    else
+        then();
+}
+
+// The link broke in the middle of a write, or of something else that changes values. The client connects
+// again by itself; what the board holds is read then.
+void BoardCommand::awaitBoard(const Result<CommandOutcome> &outcome)
 {
     m_interrupted = outcome;
-    emit told(u"the link broke during the write; waiting for the board, to read what it holds"_s);
+    const ErrorCode why = (outcome ? *outcome->report->error : outcome.error()).code;
+    if (why == ErrorCode::Restarted)
+        emit told(u"the board restarted by itself; waiting until it is back, to read what it holds"_s);
+    else if (outcome && why == ErrorCode::Cancelled)
+        emit told(u"cancelled in the middle of the write; reading what the board holds"_s);
+    else if (outcome)
+        emit told(u"the link broke during the write; waiting for the board, to read what it holds"_s);
+    else if (why == ErrorCode::LinkClosed)
+        emit told(u"the link broke; waiting for the board, to read what it holds"_s);
     connect(m_client, &DeviceClient::stateChanged, this, &BoardCommand::readAgain);
     connect(&m_absence, &QTimer::timeout, this, [this] {
         if (m_interrupted)
@@ -247,27 +234,51 @@ void BoardCommand::awaitBoard(const CommandOutcome &outcome)
 
 void BoardCommand::readAgain()
 {
-    if (!m_client->isConnected() || !m_interrupted
-        || m_client->identity().serial != m_interrupted->report->before.identity().serial)
+    if (!m_client->isConnected() || !m_interrupted)
         return;
+    const BoardIdentity &before = beforeOf(*m_interrupted).identity();
+    if (m_client->identity().serial != before.serial) {
+        emit told(u"another board answers now: %1, serial %2; before it was %3, serial %4"_s.arg(
+            m_client->identity().model, m_client->identity().serial, before.model, before.serial));
+        conclude(*m_interrupted);
+        return;
+    }
+    const bool isInUse = !*m_interrupted && m_interrupted->error().after->isInUse;
     m_client
-        ->submit<Configuration>(
-            [](Channel &channel, Device &device) { return device.readConfiguration(channel); })
-        .then(this, [this](const Result<Configuration> &board) {
-            if (!board || !m_interrupted)
+        ->submit<WholeMemory::Contents>(
+            [isInUse](Channel &channel, Device &device) -> Result<WholeMemory::Contents> {
+                // What such a board answers says nothing about what is stored.
+                if (WholeMemory *memory = device.wholeMemory(); memory && !isInUse)
+                    return memory->readBoth(channel);
+                return device.readConfiguration(channel).map([](const Configuration &board) {
+                    return WholeMemory::Contents{board, board};
+                });
+            })
+        .then(this, [this](const Result<WholeMemory::Contents> &board) {
+            if (!m_interrupted)
+                return;
+            if (!board && !isUntold(board.error()))
                 return;  // lost again: the next connection, or the limit
-            WriteReport report = *m_interrupted->report;
-            report.learn(*board);
-            m_interrupted->report = std::make_shared<const WriteReport>(std::move(report));
+            if (board && *m_interrupted) {
+                WriteReport report = *(*m_interrupted)->report;
+                report.learn(board->stored);
+                report.learnOthers(board->inUse);
+                (*m_interrupted)->report = std::make_shared<const WriteReport>(std::move(report));
+            } else if (board) {
+                m_interrupted = tl::unexpected(settled(m_interrupted->error(), board->stored));
+            }
             conclude(*m_interrupted);
         });
 }
 
-void BoardCommand::conclude(CommandOutcome outcome)
+void BoardCommand::conclude(Result<CommandOutcome> outcome)
 {
     m_interrupted.reset();
     m_absence.stop();
-    tellReport(outcome);
+    if (outcome)
+        tellReport(*outcome);
+    if (outcome && m_goesOn)
+        outcome->exitCode = Refused;
     emit finished(outcome);
 }
 
@@ -387,15 +398,12 @@ void reportMissing(CommandOutcome &outcome, const Configuration &configuration, 
         return;
     if (!outcome.note.isEmpty())
         outcome.note += u'\n';
-    outcome.note += u"%1 lacks %2, so nothing is known about the values there"_s.arg(
-        where, missingText(configuration, configuration.missing()));
-    const bool isList = outcome.json.isArray();
-    QJsonObject object = outcome.json.toObject();
-    QJsonArray parts = isList ? outcome.json.toArray() : object.value(u"missing"_s).toArray();
-    for (const QString &name : names)
-        parts.append(QJsonObject{{u"missing"_s, name}, {u"where"_s, where}});
-    object.insert(u"missing"_s, parts);
-    outcome.json = isList ? QJsonValue(parts) : QJsonValue(object);
+    // What a board has was asked for; a file may have been saved without it.
+    const QString told = where == kTheBoard
+        ? u"%2 could not be read from %1, so nothing is known about the values there"_s
+        : u"%1 lacks %2, so nothing is known about the values there"_s;
+    outcome.note += told.arg(where, missingText(configuration, configuration.missing()));
+    addMissing(outcome, names, where);
     if (!partial)
         outcome.exitCode = Refused;
 }
@@ -443,20 +451,46 @@ void reportLeftOut(CommandOutcome &outcome, const QList<ReplayGap> &gaps, bool p
         outcome.exitCode = Refused;
 }
 
+ErrorText forConsole(ErrorText text, ErrorCode code)
+{
+    if (code == ErrorCode::LinkClosed)
+        text.cure = u"Check cable and power, then run the command again."_s;
+    return text;
+}
+
+ErrorText consoleText(const Error &error)
+{
+    return forConsole(describe(error), error.code);
+}
+
 QJsonObject errorJson(const Error &error)
 {
-    const ErrorText text = describe(error);
-    return {{u"error"_s, text.what},
-            {u"meaning"_s, text.meaning},
-            {u"cure"_s, text.cure},
-            {u"detail"_s, text.detail}};
+    const ErrorText text = consoleText(error);
+    QJsonObject json{{u"error"_s, text.what},
+                     {u"meaning"_s, text.meaning},
+                     {u"cure"_s, text.cure},
+                     {u"detail"_s, text.detail}};
+    if (!error.after)
+        return json;
+    json.insert(u"snapshot"_s, error.after->snapshotPath);
+    if (!error.after->now)
+        return json;
+    QJsonArray changed;
+    for (const ParameterChange &change : error.after->changes())
+        changed.append(changeJson(change));
+    for (const DataChange &change : error.after->dataChanges())
+        changed.append(QJsonObject{{u"data"_s, QLatin1String(change.spec->data)}});
+    json.insert(u"changed"_s, changed);
+    if (const QStringList lost = error.after->lost(); !lost.isEmpty())
+        json.insert(u"missing"_s, QJsonArray::fromStringList(lost));
+    return json;
 }
 
 void reportError(CommandOutcome &outcome, const Error &error)
 {
     if (!outcome.note.isEmpty())
         outcome.note += u'\n';
-    outcome.note += u"gimbalctl: "_s + describe(error).oneLine();
+    outcome.note += u"gimbalctl: "_s + consoleText(error).oneLine();
     QJsonObject object = outcome.json.toObject();
     const QJsonObject words = errorJson(error);
     for (auto it = words.begin(); it != words.end(); ++it)
@@ -469,14 +503,25 @@ Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Co
                                       const Configuration &edited, WriteOptions options)
 {
     auto report = writeConfiguration(channel, device, base, edited, options);
-    if (!report && report.error().code == ErrorCode::ConditionUnmet && device.wholeMemory())
+    const bool isUntold = !report
+        && (report.error().code == ErrorCode::ConditionUnmet || report.error().code == ErrorCode::Unready);
+    if (isUntold && device.wholeMemory())
         report.error().detail += u"; --others store stores everything that is in use"_s;
     if (!report)
         return tl::unexpected(report.error());
     CommandOutcome outcome;
-    if (report->lines.empty() && report->data.empty() && !report->namesWritten && report->isComplete())
+    if (report->lines.empty() && report->data.empty() && !report->namesWanted && report->isComplete())
         outcome.text = base.missing().empty() ? u"nothing to write: the board holds these values already\n"_s
                                               : u"nothing to write in what the board delivered\n"_s;
     outcome.report = std::make_shared<const WriteReport>(std::move(*report));
+    return outcome;
+}
+
+Result<CommandOutcome> writeAndTellMissing(Channel &channel, Device &device, const Configuration &base,
+                                           const Configuration &edited, const WriteOptions &options)
+{
+    auto outcome = writeAndReport(channel, device, base, edited, options);
+    if (outcome)
+        reportMissing(*outcome, base, kTheBoard, true);
     return outcome;
 }

@@ -9,15 +9,18 @@
 #include "protocol/procedure/motiontest.h"
 #include "protocol/procedure/writeconfiguration.h"
 #include "protocol/record/boardhistory.h"
+#include "protocol/supervisor/alarm.h"
 #include "protocol/telemetry/streams.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "protocol/transport/replay.h"
+#include "widgets/models/errortext.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
 #include <QTimer>
 
 #include <memory>
+#include <optional>
 
 /// What the program provides to every command.
 struct CommandContext
@@ -26,6 +29,7 @@ struct CommandContext
     BoardHistory history;
     bool json = false;
     QStringList arguments;  ///< words after the command's name
+    SupervisorRules rules{};
 };
 
 /// An option that a command takes. Without a value name it is a switch.
@@ -95,6 +99,10 @@ public:
     virtual void startWithoutBoard() { emit finished(failure(ErrorCode::NotConnected)); }
     /// A lost link is its own affair: it ends by itself, with what it knows.
     [[nodiscard]] virtual bool reportsLoss() const { return false; }
+    /// What stays open when it fails, for people: motors that may run. Empty: nothing.
+    [[nodiscard]] virtual QString leftOpen(const Error &) const { return {}; }
+    /// The link was lost and does not come back in time; true if the command ends with what it has.
+    [[nodiscard]] virtual bool endsWith(const Error &) { return false; }
     /// Ctrl-C: stops whatever moves; the end is reported as usual.
     virtual void stop() = 0;
 
@@ -111,9 +119,13 @@ signals:
     void told(const QString &line);
 
 protected:
+    /// What the supervisor cannot see, and which faults the board reports, is told from now on.
+    void tellCondition(DeviceClient &client);
     [[nodiscard]] const QStringList &arguments() const { return m_context.arguments; }
     [[nodiscard]] const QList<Family> &families() const { return m_context.families; }
     [[nodiscard]] const BoardHistory &history() const { return m_context.history; }
+    /// What the operator wants the supervisor to do.
+    [[nodiscard]] const SupervisorRules &rules() const { return m_context.rules; }
     [[nodiscard]] bool speaksJson() const { return m_context.json; }
 
 private:
@@ -127,9 +139,9 @@ class BoardCommand : public Command
 public:
     using Command::Command;
 
-    [[nodiscard]] bool reportsLoss() const final { return true; }
-    void start(DeviceClient &client) final;
-    void stop() final;
+    [[nodiscard]] bool reportsLoss() const override { return true; }
+    void start(DeviceClient &client) override;
+    void stop() override;
 
 protected:
     /// A moving job is cancelled when the motors are switched off.
@@ -138,19 +150,24 @@ protected:
     /// the same and finds them without values.
     [[nodiscard]] virtual QList<int> awaits(const Device &) const { return {}; }
     virtual Result<CommandOutcome> run(Channel &channel, Device &device) = 0;
+    /// It failed; true if the command goes on by itself and tells how it ends.
+    [[nodiscard]] virtual bool goesOnAfter(const Error &) { return false; }
+    [[nodiscard]] DeviceClient &client() const { return *m_client; }
     /// The newest telemetry of the board.
     [[nodiscard]] const LatestValues *latest() const { return m_telemetry.get(); }
 
 private:
     void awaitTelemetry(const QList<int> &channels);
     void submit();
-    void awaitBoard(const CommandOutcome &outcome);
+    void awaitBoard(const Result<CommandOutcome> &outcome);
     void readAgain();
-    void conclude(CommandOutcome outcome);
+    void conclude(Result<CommandOutcome> outcome);
+    void onceStill(const std::function<void()> &then);
 
     DeviceClient *m_client = nullptr;
-    std::optional<CommandOutcome> m_interrupted;  // waits for the board to come back
+    std::optional<Result<CommandOutcome>> m_interrupted;  // waits for the board to come back
     QTimer m_absence;
+    bool m_goesOn = false;  // what it has moved
     std::shared_ptr<const TelemetryStore> m_telemetry;
     QTimer m_awaiting;
 };
@@ -216,27 +233,58 @@ template <typename... Each> [[nodiscard]] Commands makeCommands(const CommandCon
 [[nodiscard]] QString dataText(const std::vector<DataChange> &changes);
 /// The switch for a result that may lack parts of the board, or of a recording.
 [[nodiscard]] CommandOption partialOption(bool &on);
+/// `where` of reportMissing() for a board.
+inline const QString kTheBoard = QStringLiteral("the board");
 /// Names what this board or file lacks, in the note and in the document: its "missing", or an entry each of
 /// an array. The exit code is then 1 unless the operator wants a partial result.
 void reportMissing(CommandOutcome &outcome, const Configuration &configuration, const QString &where,
                    bool partial);
+/// Names what is missing in the document alone.
+void addMissing(CommandOutcome &outcome, const QStringList &names, const QString &where);
+/// Names what was rounded to what the board can hold, in the note and in the document.
+void reportRounded(CommandOutcome &outcome, const QStringList &rounded);
 /// Lines that tell what a damaged recording lacks.
 [[nodiscard]] QString leftOutText(const QList<ReplayGap> &gaps);
 /// Adds them to the note, and to the document as reportMissing() does, under "leftOut". The exit code is then
 /// 1 unless the operator wants a partial result.
 void reportLeftOut(CommandOutcome &outcome, const QList<ReplayGap> &gaps, bool partial);
+/// Words for an error as a command says them, which has ended: no window connects again by itself.
+[[nodiscard]] ErrorText forConsole(ErrorText text, ErrorCode code);
+/// The same, from the error.
+[[nodiscard]] ErrorText consoleText(const Error &error);
 /// An error in a document: "error", "meaning", "cure" and "detail".
 [[nodiscard]] QJsonObject errorJson(const Error &error);
 /// Adds an error to what came all the same, in the note and in the document (an object). The exit code is 1.
 void reportError(CommandOutcome &outcome, const Error &error);
 /// What becomes of values that are in use without being stored, beside those that are written.
-[[nodiscard]] CommandOption othersOption(OtherValues &others);
-/// Tells what else was in use without being stored: adds lines to the text and "others" to the document, and
-/// returns a sentence for the note; empty if there is nothing.
+[[nodiscard]] CommandOption othersOption(std::optional<OtherValues> &others);
+/// The report of a write becomes text, note and document; it comes before what the command has to say beside
+/// it.
+void tellReport(CommandOutcome &outcome);
+/// "Studio: " where the lines of a report are of several profiles.
+[[nodiscard]] QString profileOf(const WriteReport &report, const WriteLine &line);
+/// Tells what else was in use without being stored, and which profile is active if another one than before:
+/// adds lines to the text and "others" to the document, and returns a sentence for the note; empty if there
+/// is nothing.
 [[nodiscard]] QString tellOthers(const WriteReport &report, QString &text, QJsonObject &json);
 /// Reads what a write starts from: everything as it is stored, where the board tells that apart from what is
 /// in use. Goes into the options of the write.
-Result<Configuration> readBase(Channel &channel, Device &device, OtherValues others, WriteOptions &options);
+/// Errors: InvalidArgument where the board cannot do what was asked for.
+Result<Configuration> readBase(Channel &channel, Device &device, std::optional<OtherValues> others,
+                               WriteOptions &options);
+/// Whether the board has a choice about them. Errors: InvalidArgument.
+Result<void> checkOthers(Device &device, std::optional<OtherValues> others);
+/// What else is in use without being stored, as found by readBase(): a sentence before anything is written.
+/// @param wanted keys of parameters, and names of blocks without any, that are to be written
+[[nodiscard]] QString othersText(Device &device, const WriteOptions &options, const QSet<QString> &wanted);
+/// What a write of these would replace in use, on a board that loads what is written: a sentence; empty if
+/// nothing is known to be.
+/// @param wanted keys of parameters that are to be written
+[[nodiscard]] QString replacedText(Channel &channel, Device &device, const Configuration &base,
+                                   const QSet<QString> &wanted);
 /// Writes and reports the result. The exit code is 1 unless everything was verified.
 Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Configuration &base,
                                       const Configuration &edited, WriteOptions options);
+/// The same, and names what of the board was not read beside it; that is no failure of this write.
+Result<CommandOutcome> writeAndTellMissing(Channel &channel, Device &device, const Configuration &base,
+                                           const Configuration &edited, const WriteOptions &options);

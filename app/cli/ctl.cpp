@@ -3,12 +3,15 @@
 #include "app/cli/ctl.h"
 
 #include "app/cli/signalwatcher.h"
+#include "app/cli/telemetryprinter.h"
+#include "protocol/supervisor/alarmkeys.h"
 #include "widgets/models/alarmtext.h"
 
 #include <QCommandLineParser>
 #include <QJsonDocument>
 
 #include <algorithm>
+#include <cerrno>
 
 using namespace Qt::StringLiterals;
 
@@ -20,6 +23,7 @@ struct GeneralOption
     const char *name;
     const char *value;
     const char *help;
+    bool repeats = false;
 };
 
 // clang-format off
@@ -29,11 +33,43 @@ constexpr std::array kGeneralOptions{
     GeneralOption{"json", "", "one JSON document on stdout"},
     GeneralOption{"history", "DIR", "where snapshots of boards are kept"},
     GeneralOption{"board", "NAME", "which board without a serial number it is"},
+    GeneralOption{"alarm", "KIND=WHAT", "what happens at an alarm: warn, revert, revert-or-off, off", true},
     GeneralOption{"version", "", "which version this is"},
 };
+constexpr std::array<const char *, 4> kReactions{"warn", "revert", "revert-or-off", "off"};  // by AlarmAction
 // clang-format on
 
 constexpr int kUsageWidth = 70;
+
+template <std::size_t N> QString choicesIn(const std::array<const char *, N> &names)
+{
+    QStringList list;
+    for (const char *name : names)
+        list.append(QLatin1String(name));
+    return list.join(u", "_s);
+}
+
+/// "runaway=warn".
+Result<void> takeReaction(SupervisorRules &rules, const QString &text)
+{
+    const auto find = [](const auto &names, const QString &name) {
+        return std::find_if(names.begin(), names.end(),
+                            [&name](const char *each) { return name == QLatin1String(each); });
+    };
+    const auto kind = find(kAlarmKeys, text.section(u'=', 0, 0));
+    const auto reaction = find(kReactions, text.section(u'=', 1));
+    if (kind == kAlarmKeys.end() || reaction == kReactions.end())
+        return failure(ErrorCode::InvalidArgument,
+                       u"--alarm needs KIND=WHAT, not '%1'; KIND is one of %2, WHAT of %3"_s.arg(
+                           text, choicesIn(kAlarmKeys), choicesIn(kReactions)));
+    const auto of = AlarmKind(kind - kAlarmKeys.begin());
+    const auto action = AlarmAction(reaction - kReactions.begin());
+    if (!SupervisorRules::offers(of, action))
+        return failure(ErrorCode::InvalidArgument,
+                       u"--alarm %1: no change of values is its cause; choose warn or off"_s.arg(text));
+    rules.actions[std::size_t(of)] = action;
+    return {};
+}
 
 QByteArray toJsonText(const QJsonValue &value)
 {
@@ -85,8 +121,7 @@ QString Ctl::helpText() const
 int Ctl::say(const QString &text)
 {
     m_out << text;
-    m_out.flush();
-    return Done;
+    return flushed() ? Done : Refused;
 }
 
 int Ctl::wrong(const QString &message)
@@ -161,8 +196,12 @@ Result<void> Ctl::takeOptions(const QCommandLineParser &parser)
     for (const GeneralOption &option : kGeneralOptions) {
         const QString name = QLatin1String(option.name);
         given.removeAll(name);
-        if (*option.value && parser.values(name).size() > 1)
+        if (*option.value && !option.repeats && parser.values(name).size() > 1)
             return failure(ErrorCode::InvalidArgument, u"--%1 is given twice"_s.arg(name));
+    }
+    for (const QString &reaction : parser.values(u"alarm"_s)) {
+        if (const auto taken = takeReaction(m_context.rules, reaction); !taken)
+            return taken;
     }
     m_partial = parser.isSet(u"partial"_s);
     QStringList takes;
@@ -240,18 +279,22 @@ std::optional<int> Ctl::connectToBoard(const QString &link, const QString &famil
     connect(m_client.get(), &DeviceClient::connectionFailed, this,
             [this](const Error &error) { onError(error, Refused); });
     connect(m_client.get(), &DeviceClient::connectionLost, this, [this](const Error &error) {
-        if (!m_started || !m_command->reportsLoss())
+        if (!m_started || !(m_command->reportsLoss() || m_command->endsWith(error)))
             onError(error, Refused);
     });
     connect(m_client.get(), &DeviceClient::progressChanged, this, &Ctl::onProgress);
     connect(m_client.get(), &DeviceClient::boardSpoke, this,
             [this](const QString &text) { onTold(u"the board says: "_s + text); });
     connect(m_client.get(), &DeviceClient::alarmChanged, this, [this](const AlarmReport &report) {
-        if (!report.isOver && report.outcome != AlarmOutcome::Acting)
-            onTold(u"alarm: "_s + describe(report, m_client->device()->parameters().get()).oneLine());
+        if (report.isOver || report.outcome == AlarmOutcome::Acting)
+            return;
+        const QString text = describe(report, m_client->device()->parameters().get()).oneLine();
+        m_alarms.append(text);
+        onTold(u"alarm: "_s + text);
     });
     auto *watcher = new SignalWatcher(this);
     connect(watcher, &SignalWatcher::stopRequested, this, &Ctl::stop);
+    m_client->setSupervisorRules(m_context.rules);
     m_command->prepare(*m_client);
     m_client->connectTo(*address, family);
     return {};
@@ -290,6 +333,8 @@ Result<void> Ctl::knowBoard()
     if (const QString left = identity.extra.value(u"streams.left"_s).toString(); !left.isEmpty())
         onTold(u"the board sends data that an earlier program has left on and that could not be stopped: %1; "
                "switch it off and on again"_s.arg(left));
+    if (const auto names = history.checkNames(); !names)
+        onTold(describe(names.error()).oneLine());
     const auto known = history.meet(identity);
     if (!m_board.isEmpty())
         return history.choose(identity, m_board);
@@ -303,6 +348,8 @@ Result<void> Ctl::knowBoard()
                "snapshots with no other"_s.arg(
                    names.isEmpty() ? QString() : u" and looks like none of "_s + names.join(u", "_s)));
     }
+    m_isNameless = known == BoardHistory::Acquaintance::Unnamed && names.isEmpty()
+        && history.snapshots(identity.serial).isEmpty();
     return {};
 }
 
@@ -319,13 +366,42 @@ void Ctl::onError(const Error &error, int exitCode)
     m_finished = true;
     if (!m_leftOut.isEmpty())
         m_err << leftOutText(m_leftOut) << "\n";
-    m_err << "gimbalctl: " << describe(error).oneLine() << "\n";
+    const QString open = m_command->leftOpen(error);
+    m_err << "gimbalctl: " << consoleText(error).oneLine() << "\n";
+    if (!open.isEmpty())
+        m_err << open << "\n";
     m_err.flush();
     if (m_context.json) {
-        m_out << toJsonText(errorJson(error));
+        QJsonObject json = errorJson(error);
+        if (!open.isEmpty())
+            json.insert(u"open"_s, open);
+        m_out << toJsonText(withAlarms(json));
         m_out.flush();
     }
     emit finished(exitCode);
+}
+
+// What nobody could read was not told.
+bool Ctl::flushed()
+{
+    errno = 0;
+    m_out.flush();
+    if (m_out.status() == QTextStream::Ok)
+        return true;
+    const Error error = outputError(errno);
+    m_err << "gimbalctl: " << consoleText(error).oneLine() << "\n";
+    m_err.flush();
+    return false;
+}
+
+// What was told while it ran; a bare list has no place for it.
+QJsonValue Ctl::withAlarms(const QJsonValue &json) const
+{
+    if (m_alarms.isEmpty() || !json.isObject())
+        return json;
+    QJsonObject object = json.toObject();
+    object.insert(u"alarms"_s, m_alarms);
+    return object;
 }
 
 void Ctl::onProgress(const Progress &progress)
@@ -364,10 +440,13 @@ void Ctl::finish(const Result<CommandOutcome> &outcome)
     reportLeftOut(whole, m_leftOut, m_partial);
     if (!whole.note.isEmpty())
         onTold(whole.note);
+    if (m_isNameless && !whole.json.toObject().value(u"snapshot"_s).toString().isEmpty())
+        onTold(
+            u"this board has no serial number, and boards that look like it share this history; name it once "
+            "with --board NAME"_s);
     if (m_context.json)
-        m_out << toJsonText(whole.json);
+        m_out << toJsonText(withAlarms(whole.json));
     else
         m_out << whole.text;
-    m_out.flush();
-    emit finished(whole.exitCode);
+    emit finished(flushed() ? whole.exitCode : Refused);
 }

@@ -5,6 +5,7 @@
 #include "app/cli/command.h"
 #include "app/composition/links.h"
 
+#include <QJsonArray>
 #include <QTextStream>
 
 class QCommandLineParser;
@@ -41,6 +42,8 @@ private:
     Result<void> knowBoard();
     void onError(const Error &error, int exitCode);
     void onProgress(const Progress &progress);
+    bool flushed();
+    [[nodiscard]] QJsonValue withAlarms(const QJsonValue &json) const;
     void onTold(const QString &line);
     void finish(const Result<CommandOutcome> &outcome);
 
@@ -53,6 +56,8 @@ private:
     QString m_board;  // what the operator calls it
     QString m_lastProgress;
     std::unique_ptr<DeviceClient> m_client;
+    bool m_isNameless = false;  // shares its history with boards that look the same
+    QJsonArray m_alarms;  // that were told
     QList<ReplayGap> m_leftOut;  // of the recording that is replayed
     bool m_partial = false;
     bool m_started = false;

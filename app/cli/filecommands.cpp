@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
+#include "protocol/base/filefault.h"
 #include "protocol/record/configurationformats.h"
 #include "protocol/transport/portlist.h"
-
-#include <QFile>
 
 using namespace Qt::StringLiterals;
 
@@ -16,16 +15,33 @@ CommandOption dryRunOption(bool &on)
 }
 
 // Everything that a file says is to be in use.
-QSet<QString> namesIn(const Configuration &file)
+QSet<QString> namesIn(const ConfigurationFile &file)
 {
     QSet<QString> names;
-    for (const ParameterSpec &spec : file.parameters().all())
+    for (const ParameterSpec &spec : file.configuration.parameters().all())
         names.insert(spec.key);
-    for (const auto &[key, bytes] : file.blocks()) {
-        if (const BlockSpec *block = file.parameters().block(key.block); block && block->isData())
+    for (const auto &[key, bytes] : file.configuration.blocks()) {
+        if (const BlockSpec *block = file.configuration.parameters().block(key.block);
+            block && block->isData())
             names.insert(QLatin1String(block->data));
     }
+    for (const QString &key : file.missingKeys)
+        names.remove(key);
     return names;
+}
+
+// Values that a file does not have: what became of them, in the note and in the document. The exit code is 1
+// unless the operator wants a partial result.
+void reportAbsent(CommandOutcome &outcome, const QStringList &keys, const QString &where, const QString &what,
+                  bool partial)
+{
+    if (keys.isEmpty())
+        return;
+    outcome.note += outcome.note.isEmpty() ? u""_s : u"\n"_s;
+    outcome.note += u"not in %1, so %2: %3"_s.arg(where, what, keys.join(u", "_s));
+    addMissing(outcome, keys, where);
+    if (!partial)
+        outcome.exitCode = Refused;
 }
 
 class PortsCommand final : public LocalCommand
@@ -86,7 +102,10 @@ public:
         CommandOutcome outcome;
         outcome.json = QJsonObject{{u"file"_s, path}, {u"blocks"_s, qint64(configuration->blocks().size())}};
         outcome.text = u"saved to %1\n"_s.arg(path);
-        reportMissing(outcome, *configuration, u"the board"_s, m_partial);
+        if (device.wholeMemory())
+            outcome.note
+                = u"these are the values in use; \"do stored.compare\" tells whether others are stored"_s;
+        reportMissing(outcome, *configuration, kTheBoard, m_partial);
         return outcome;
     }
 
@@ -121,6 +140,8 @@ private:
     [[nodiscard]] Result<CommandOutcome> compare(const Configuration *board) const
     {
         std::array<Configuration, 2> sides;
+        std::array<QStringList, 2> absent;
+        QStringList unknown;  // entries that match no parameter
         for (std::size_t i = 0; i < sides.size(); ++i) {
             const QString name = arguments().value(qsizetype(i));
             if (name == u"board"_s) {
@@ -130,12 +151,23 @@ private:
             auto file = loadConfiguration(name, families());
             if (!file)
                 return tl::unexpected(file.error());
+            for (const QString &key : std::as_const(file->unknownKeys))
+                unknown.append(u"%1 (%2)"_s.arg(key, name));
             sides[i] = std::move(file->configuration);
+            absent[i] = file->missingKeys;
         }
+        // Families use some of the same names for other things.
+        const bool secondIsBoard = arguments().value(1) == u"board"_s;
+        const std::size_t file = secondIsBoard ? 0 : 1;
+        if (const auto same = checkSameFamily(sides[file], arguments().value(qsizetype(file)),
+                                              sides[1 - file].identity().family, families());
+            !same)
+            return tl::unexpected(same.error());
         // Both sides in the first one's terms, so boards of different firmware can be compared.
         CommandOutcome outcome;
         QStringList skipped;
-        const Configuration second = applied(sides[0], sides[1], skipped, AppliedFor::Comparing);
+        const Configuration second
+            = applied(sides[0], sides[1], skipped, AppliedFor::Comparing, absent[0] + absent[1]);
         const auto changes = sides[0].changesTo(second);
         QJsonArray array;
         for (const ParameterChange &change : changes)
@@ -153,16 +185,22 @@ private:
             outcome.text += u"name of profile %1: %2 -> %3\n"_s.arg(i + 1).arg(
                 sides[0].profileNames().value(i), second.profileNames().value(i));
         }
-        const bool isWhole = sides[0].missing().empty() && sides[1].missing().empty();
+        const bool isWhole = sides[0].missing().empty() && sides[1].missing().empty() && unknown.isEmpty()
+            && absent[0].isEmpty() && absent[1].isEmpty();
         if (array.isEmpty())
             outcome.text = isWhole ? u"no difference\n"_s : u"no difference in what both have\n"_s;
         if (!skipped.isEmpty())
             outcome.note
                 = u"not compared, as the first side does not have them: %1"_s.arg(skipped.join(u", "_s));
+        if (!unknown.isEmpty()) {
+            outcome.note += outcome.note.isEmpty() ? u""_s : u"\n"_s;
+            outcome.note += u"not compared, as no parameter has this name: "_s + unknown.join(u", "_s);
+        }
         outcome.json = array;
         for (std::size_t i = 0; i < sides.size(); ++i) {
             const QString name = arguments().value(qsizetype(i));
-            reportMissing(outcome, sides[i], name == u"board"_s ? u"the board"_s : name, m_partial);
+            reportMissing(outcome, sides[i], name == u"board"_s ? kTheBoard : name, m_partial);
+            reportAbsent(outcome, absent[i], name, u"not compared"_s, m_partial);
         }
         return outcome;
     }
@@ -194,19 +232,23 @@ public:
         auto file = loadConfiguration(arguments().first(), families());
         if (!file)
             return tl::unexpected(file.error());
-        if (file->configuration.identity().family != device.identity().family) {
-            return failure(
-                ErrorCode::BadFile,
-                u"it is for a board of the family %1"_s.arg(file->configuration.identity().family));
-        }
+        if (const auto same
+            = checkSameFamily(file->configuration, arguments().first(), device.identity().family, families());
+            !same)
+            return tl::unexpected(same.error());
         WriteOptions options;
-        const auto base
-            = m_dryRun ? device.readConfiguration(channel) : readBase(channel, device, m_others, options);
+        const auto base = readBase(channel, device, m_others, options);
         if (!base)
             return tl::unexpected(base.error());
         QStringList skipped = file->unknownKeys;
-        const Configuration edited = applied(*base, file->configuration, skipped);
+        const Configuration edited = applied(*base, *file, skipped);
         Result<CommandOutcome> outcome = CommandOutcome();
+        if (const auto checked = edited.checkRules(*base); !checked)
+            return tl::unexpected(checked.error());
+        QSet<QString> wanted;
+        for (const ParameterChange &change : base->changesTo(edited))
+            wanted.insert(change.spec->key);
+        const QString replaced = wanted.isEmpty() ? QString() : replacedText(channel, device, *base, wanted);
         if (m_dryRun) {
             const auto changes = base->changesTo(edited);
             QJsonArray array;
@@ -218,19 +260,25 @@ public:
             outcome->text = array.isEmpty()
                 ? u"nothing would change\n"_s
                 : changeText(*base, changes) + dataText(base->dataChangesTo(edited));
+            outcome->note = othersText(device, options, namesIn(*file));
+            outcome->note += replaced;
         } else {
+            if (!replaced.isEmpty())
+                emit told(replaced);
             options.history = &history();
-            options.named = namesIn(file->configuration);
+            options.named = namesIn(*file);
             outcome = writeAndReport(channel, device, *base, edited, options);
         }
-        if (outcome && !file->missingKeys.isEmpty())
-            outcome->note
-                += u"\nnot in the file, so the default was taken: "_s + file->missingKeys.join(u", "_s);
         if (outcome && !skipped.isEmpty())
             outcome->note += u"\nnot applied, as this board does not take them: "_s + skipped.join(u", "_s);
+        if (outcome && !skipped.isEmpty() && !m_partial)
+            outcome->exitCode = Refused;
         if (outcome) {
-            reportMissing(*outcome, *base, u"the board"_s, m_partial);
+            reportMissing(*outcome, *base, kTheBoard, m_partial);
             reportMissing(*outcome, file->configuration, arguments().first(), m_partial);
+            reportRounded(*outcome, file->rounded);
+            reportAbsent(*outcome, file->missingKeys, arguments().first(), u"left as the board holds them"_s,
+                         m_partial);
         }
         return outcome;
     }
@@ -238,7 +286,7 @@ public:
 private:
     bool m_dryRun = false;
     bool m_partial = false;
-    OtherValues m_others = OtherValues::Keep;
+    std::optional<OtherValues> m_others;
 };
 
 class ScriptCommand final : public BoardCommand
@@ -276,21 +324,25 @@ public:
         if (!base)
             return tl::unexpected(base.error());
         const BlockKey key{0, family->scripts->block()};
+        // What did not come this time can be read the next time.
+        const MissingPart *part = base->findMissing(key);
+        if (part && part->why.code != ErrorCode::Unsupported)
+            return failure(ErrorCode::Incomplete, base->partName(key));
         if (base->block(key).isEmpty())
             return failure(ErrorCode::Unsupported, u"the scripts cannot be read over this link"_s);
         if (arguments().size() == 1) {
             CommandOutcome outcome;
             outcome.text = family->scripts->text(*base, script);
             outcome.json = QJsonObject{{u"script"_s, script + 1}, {u"text"_s, outcome.text}};
+            reportMissing(outcome, *base, kTheBoard, true);
             return outcome;
         }
-        QFile file(arguments()[1]);
-        if (!file.open(QIODevice::ReadOnly))
-            return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(file.fileName(), file.errorString()));
+        const auto text = readWhole(arguments()[1], FileKind::Script, kLargestScript);
+        if (!text)
+            return tl::unexpected(text.error());
         QStringList texts;
         for (int each = 0; each < family->scripts->count(); ++each)
-            texts.append(each == script ? QString::fromUtf8(file.read(kLargestScript))
-                                        : family->scripts->text(*base, each));
+            texts.append(each == script ? QString::fromUtf8(*text) : family->scripts->text(*base, each));
         const auto code = family->scripts->compile(*base, texts);
         if (!code)
             return tl::unexpected(code.error().error());
@@ -298,7 +350,7 @@ public:
         edited.setBlock(key, *code);
         options.named.insert(QLatin1String(base->parameters().block(key.block)->data));
         if (!m_dryRun)
-            return writeAndReport(channel, device, *base, edited, options);
+            return writeAndTellMissing(channel, device, *base, edited, options);
         const auto [used, all] = family->scripts->used(edited);
         CommandOutcome outcome;
         outcome.json = QJsonObject{{u"bytesUsed"_s, used}, {u"bytes"_s, all}};
@@ -309,7 +361,7 @@ public:
 private:
     static constexpr qint64 kLargestScript = 65536;
     bool m_dryRun = false;
-    OtherValues m_others = OtherValues::Keep;
+    std::optional<OtherValues> m_others;
 };
 
 }  // namespace

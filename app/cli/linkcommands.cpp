@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
 #include "app/cli/measurecommand.h"
-#include "app/cli/samplewatch.h"
 #include "app/cli/telemetryprinter.h"
+#include "protocol/base/linkloss.h"
+#include "protocol/client/samplewatch.h"
 #include "protocol/record/recorder.h"
 #include "protocol/record/udpexport.h"
+#include "protocol/supervisor/boardlimits.h"
 #include "protocol/telemetry/telemetryplan.h"
+#include "widgets/models/errortext.h"
 #include "widgets/models/thinningtext.h"
 
 #include <algorithm>
@@ -17,6 +20,8 @@ namespace {
 
 constexpr double kLongest = 1e6;  // seconds
 constexpr auto kWatchPeriod = 250ms;
+constexpr qint64 kConfigurationBytes = 4000;  // about, of any board
+constexpr double kLongestReading = 1;  // seconds
 
 /// A command that runs telemetry for some time, until it stops coming, or until interrupted.
 class StreamingCommand : public Command
@@ -44,11 +49,24 @@ public:
         }
         connect(&client, &DeviceClient::telemetryFailed, this,
                 [this](const Error &error) { emit finished(tl::unexpected(error)); });
+        if (!client.address().isReplay())
+            supervise();
         begin(named->isEmpty() ? defaultChannels(*device) : *named);
+    }
+
+    bool endsWith(const Error &error) final
+    {
+        if (!hasBegun())
+            return false;
+        m_lost = error;
+        stop();
+        return true;
     }
 
 protected:
     virtual void begin(const QList<int> &channels) = 0;
+    /// It has something to end with.
+    [[nodiscard]] virtual bool hasBegun() const = 0;
     [[nodiscard]] DeviceClient &client() const { return *m_client; }
     [[nodiscard]] double duration() const { return m_seconds; }
     [[nodiscard]] Subscription subscriptionFor(const QList<int> &channels) const
@@ -92,7 +110,9 @@ protected:
                 outcome.json = object;
             }
         }
-        if (!m_watch || !m_watch->hasHeard())
+        if (m_lost)
+            reportError(outcome, *m_lost);
+        else if (!m_watch || !m_watch->hasHeard())
             reportError(outcome,
                         {ErrorCode::NoSamples, finding.isEmpty() ? u"not one sample"_s : finding, 0});
         else if (!finding.isEmpty() && !wholeRecording)
@@ -101,6 +121,37 @@ protected:
     }
 
 private:
+    // The supervisor knows the board's limits from its configuration, and says what it cannot see.
+    void supervise()
+    {
+        tellCondition(*m_client);
+        // Beside live data a slow line would carry nothing else for seconds.
+        if (const auto &line = m_client->line();
+            line && line->secondsFor(kConfigurationBytes) > kLongestReading) {
+            emit told(u"not watched: the board's own limits of angles and voltage: this line is too slow to "
+                      u"read them beside "
+                      "live data"_s);
+            return;
+        }
+        m_client
+            ->submit<SupervisorRules>(
+                [rules = rules()](Channel &channel, Device &device) -> Result<SupervisorRules> {
+                    const auto board = device.readConfiguration(channel);
+                    if (!board)
+                        return tl::unexpected(board.error());
+                    SupervisorRules known = rules;
+                    setBoardLimits(known, device, *board);
+                    return known;
+                })
+            .then(this, [this](const Result<SupervisorRules> &rules) {
+                if (rules)
+                    m_client->setSupervisorRules(*rules);
+                else if (rules.error().code != ErrorCode::Cancelled && !isLinkLoss(rules.error()))
+                    emit told(u"not watched: the board's own limits of angles and voltage: %1"_s.arg(
+                        describe(rules.error()).oneLine()));
+            });
+    }
+
     Result<void> takeStream(const QString &text)
     {
         const auto stream = parseStreamChoice(text);
@@ -123,6 +174,7 @@ private:
     QStringList m_channels;
     QList<StreamChoice> m_streams;
     double m_seconds = 0;  // 0 = until interrupted
+    std::optional<Error> m_lost;  // the link, meanwhile
     std::unique_ptr<SampleWatch> m_watch;
 };
 
@@ -142,6 +194,7 @@ public:
     void stop() override { m_printer->finish(); }
 
 protected:
+    [[nodiscard]] bool hasBegun() const override { return m_printer != nullptr; }
     void begin(const QList<int> &channels) override
     {
         m_printer = std::make_unique<TelemetryPrinter>(client(), channels, subscriptionFor(channels),
@@ -150,6 +203,11 @@ protected:
             CommandOutcome outcome;
             outcome.json = m_printer->json();
             outcome.note = note;
+            if (m_printer->failure())
+                reportError(outcome, *m_printer->failure());
+            else if (const double silent = m_printer->silentAtEnd(); silent > 0)
+                reportError(outcome,
+                            {ErrorCode::NoSamples, u"nothing more for %1 s"_s.arg(silent, 0, 'f', 1), 0});
             conclude(outcome);
         });
         m_printer->start();
@@ -201,6 +259,7 @@ public:
     }
 
 protected:
+    [[nodiscard]] bool hasBegun() const override { return m_task != nullptr; }
     // Everything is read first, so that the recording can be opened like the board itself; then the streams
     // start.
     void begin(const QList<int> &channels) override
@@ -255,6 +314,7 @@ public:
     }
 
 protected:
+    [[nodiscard]] bool hasBegun() const override { return m_export != nullptr; }
     void begin(const QList<int> &channels) override
     {
         m_export = std::make_unique<UdpExport>(client().device()->channels(), client().telemetry(), channels);

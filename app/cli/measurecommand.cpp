@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/measurecommand.h"
 
+#include "protocol/base/filefault.h"
 #include "protocol/record/responsecsv.h"
 
 #include <QSaveFile>
@@ -72,6 +73,7 @@ QString MeasureCommand::check() const
 void MeasureCommand::start(DeviceClient &client)
 {
     m_client = &client;
+    tellCondition(client);
     const MotionTestPlan plan = *motionPlan(arguments());
     connect(&client, &DeviceClient::telemetryFailed, this,
             [this](const Error &error) { emit finished(tl::unexpected(error)); });
@@ -115,11 +117,14 @@ void MeasureCommand::onMeasured(const MotionTestResult &result)
     auto outcome = describeMotion(result);
     if (outcome && !m_csv.isEmpty()) {
         QSaveFile file(m_csv);
-        const bool written = file.open(QIODevice::WriteOnly)
+        const auto checked = checkTarget(m_csv, FileKind::Measurement);
+        const bool written = checked && file.open(QIODevice::WriteOnly)
             && writeResponseCsv(file, result.target.values, result.angle.values, result.angle.rate)
             && file.commit();
-        if (!written)
-            outcome = failure(ErrorCode::BadFile, u"%1: %2"_s.arg(m_csv, file.errorString()));
+        if (!checked)
+            outcome = tl::unexpected(checked.error());
+        else if (!written)
+            outcome = tl::unexpected(systemError(file, FileKind::Measurement, true));
         else
             outcome->note = u"both sides are in "_s + m_csv;
     }

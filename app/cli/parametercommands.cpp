@@ -1,6 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
+#include "protocol/base/linkloss.h"
+#include "protocol/configuration/aftermath.h"
+#include "protocol/configuration/rounding.h"
+#include "protocol/procedure/motorsnow.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QRegularExpression>
@@ -146,7 +150,7 @@ public:
             outcome.note = u"no parameter matches '%1'"_s.arg(pattern);
             outcome.exitCode = Refused;
         }
-        reportMissing(outcome, *configuration, u"the board"_s, m_partial);
+        reportMissing(outcome, *configuration, kTheBoard, m_partial);
         return outcome;
     }
 
@@ -198,6 +202,41 @@ private:
     int m_profile = 0;
 };
 
+// Perhaps some of the values are in use all the same: whatever was confirmed, the board is asked.
+Error afterLive(Channel &channel, Device &device, Error error, const Configuration &before)
+{
+    if (error.code == ErrorCode::InvalidArgument || error.code == ErrorCode::OutOfRange)
+        return error;
+    error.after = std::make_shared<const Aftermath>(Aftermath{{}, before, true});
+    if (isLinkLoss(error) || error.code == ErrorCode::Cancelled)
+        return error;  // read when the board is back
+    auto now = device.readConfiguration(channel);
+    return now ? settled(std::move(error), *std::move(now)) : error;
+}
+
+// What was asked for and is there already: no line of the report, and not left out either.
+void tellUnchanged(CommandOutcome &outcome, const Configuration &base, int profile,
+                   const QStringList &assignments)
+{
+    QJsonArray array;
+    for (const QString &assignment : assignments) {
+        const ParameterSpec *spec = base.parameters().find(assignment.section(u'=', 0, 0));
+        const auto &lines = outcome.report->lines;
+        if (std::any_of(lines.begin(), lines.end(),
+                        [spec](const WriteLine &line) { return line.spec == spec; }))
+            continue;
+        const double raw = base.raw(*spec, profile).value_or(std::nan(""));
+        array.append(parameterJson(*spec, profile, raw));
+        outcome.text += u"%1 %2 %3 (the board held it already)\n"_s.arg(
+            u"unchanged"_s.leftJustified(12), spec->key.leftJustified(28), valueText(*spec, raw));
+    }
+    if (array.isEmpty())
+        return;
+    QJsonObject json = outcome.json.toObject();
+    json.insert(u"unchanged"_s, array);
+    outcome.json = json;
+}
+
 class SetCommand final : public BoardCommand
 {
 public:
@@ -231,6 +270,8 @@ public:
     Result<CommandOutcome> run(Channel &channel, Device &device) override
     {
         WriteOptions options;
+        if (const auto checked = checkOthers(device, m_others); !checked)
+            return tl::unexpected(checked.error());
         const auto base
             = m_noSave ? device.readConfiguration(channel) : readBase(channel, device, m_others, options);
         if (!base)
@@ -240,6 +281,7 @@ public:
             return tl::unexpected(profile.error());
         Configuration edited = *base;
         std::vector<AdjustableValue> live;
+        QStringList rounded;
         for (const QString &assignment : arguments()) {
             const QString key = assignment.section(u'=', 0, 0);
             const ParameterSpec *spec = base->parameters().find(key);
@@ -256,6 +298,9 @@ public:
                 return tl::unexpected(known.error());
             if (const auto set = edited.setRaw(*spec, *profile, *raw); !set)
                 return tl::unexpected(set.error());
+            if (const QString told = roundingText(*spec, assignment.section(u'=', 1).toDouble(), *raw);
+                !told.isEmpty())
+                rounded.append(told);
             const int variable = device.live() ? device.live()->variableOf(*spec) : -1;
             if (m_noSave && variable < 0) {
                 return failure(ErrorCode::Unsupported,
@@ -266,25 +311,52 @@ public:
         }
         if (!m_noSave) {
             options.history = &history();
-            return writeAndReport(channel, device, *base, edited, options);
+            const QString replaced = base->changesTo(edited).empty()
+                ? QString()
+                : replacedText(channel, device, *base, options.named);
+            if (!replaced.isEmpty())
+                emit told(replaced);
+            auto outcome = writeAndTellMissing(channel, device, *base, edited, options);
+            if (outcome) {
+                tellUnchanged(*outcome, *base, *profile, arguments());
+                reportRounded(*outcome, rounded);
+            }
+            return outcome;
         }
 
         if (!device.identity().writable)
             return failure(ErrorCode::ReadOnly, device.identity().firmware);
         if (*profile != base->activeProfile())
             return failure(ErrorCode::InvalidArgument, u"--no-save works on the active profile only"_s);
-        if (const auto done = device.live()->writeAdjustables(channel, live); !done)
-            return tl::unexpected(done.error());
+        const auto ranBefore = askMotors(channel, device);
+        if (const auto done = device.live()->writeAdjustables(channel, live); !done) {
+            Error error = afterLive(channel, device, done.error(), *base);
+            if (!isLinkLoss(error) && ranBefore == false && askMotors(channel, device) == true)
+                error.detail += u"; the motors run now, before this they were off"_s;
+            return tl::unexpected(error);
+        }
         CommandOutcome outcome;
         outcome.json = QJsonObject{{u"volatile"_s, true}, {u"count"_s, qint64(live.size())}};
         outcome.text = u"changed until the next restart: %1\n"_s.arg(arguments().join(u", "_s));
+        // Such a board does not tell what is in use apart from what is stored.
+        if (!device.wholeMemory())
+            outcome.note = u"whatever writes to this profile before that stores them too, or puts the stored "
+                           u"ones into "
+                           "use"_s;
+        // A board that has started anew takes them as well.
+        if (ranBefore == false && askMotors(channel, device) == true) {
+            outcome.note += (outcome.note.isEmpty() ? u""_s : u"\n"_s)
+                + u"the motors run now; before this they were off"_s;
+            outcome.exitCode = Refused;
+        }
+        reportRounded(outcome, rounded);
         return outcome;
     }
 
 private:
     int m_profile = 0;
     bool m_noSave = false;
-    OtherValues m_others = OtherValues::Keep;
+    std::optional<OtherValues> m_others;
 };
 
 class ProfilesCommand final : public BoardCommand
@@ -363,7 +435,7 @@ public:
         edited.setProfileNames(names);
         WriteOptions options;
         options.history = &history();
-        return writeAndReport(channel, device, *base, edited, options);
+        return writeAndTellMissing(channel, device, *base, edited, options);
     }
 };
 

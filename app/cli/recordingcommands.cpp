@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
+#include "app/cli/holes.h"
+#include "app/cli/telemetryprinter.h"
 #include "protocol/analysis/frequencyresponse.h"
 #include "protocol/analysis/holdingquality.h"
 #include "protocol/analysis/stepresponse.h"
+#include "protocol/base/filefault.h"
 #include "protocol/record/replaystore.h"
 #include "protocol/record/responsecsv.h"
 #include "protocol/record/telemetrycsv.h"
@@ -13,12 +16,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 using namespace Qt::StringLiterals;
 
 namespace {
 
 constexpr double kAllTime = 1e12;
+constexpr qint64 kLargestText = 512 * 1024 * 1024;
 constexpr double kStepSize = 0.5;  // degrees: a smaller jump of a target is no step
 constexpr double kStepRest = 0.5;  // seconds a target must rest before and after
 constexpr std::array kAxisNames{"roll", "pitch", "yaw"};
@@ -42,19 +47,57 @@ struct Opened
             Opened opened{std::move(*recording), family.makeDevice(), nullptr};
             auto store = readTelemetry(opened.recording, family, *opened.device);
             if (!store)
-                return failure(store.error().code, path + u": "_s + store.error().detail);
+                return tl::unexpected(inFile(store.error(), path));
             opened.store = std::move(*store);
             return opened;
         }
-        return failure(ErrorCode::BadFile, u"%1: this program knows no family '%2'"_s.arg(path, key));
+        return fileFailure(
+            {.problem = FileProblem::OtherFamily, .kind = FileKind::Recording, .path = path, .value = key});
     }
 
     [[nodiscard]] QString note() const
     {
         return u"%1 s recorded, %2 rows, %3 lost"_s
-            .arg(double(recording.end() - recording.begin()) * 1e-9, 0, 'f', 1)
-            .arg(store->rows())
-            .arg(store->lost());
+                   .arg(double(recording.end() - recording.begin()) * 1e-9, 0, 'f', 1)
+                   .arg(store->rows())
+                   .arg(store->lost())
+            + holes().words();
+    }
+    /// For scripts, where there are any.
+    void tellHoles(CommandOutcome &outcome) const
+    {
+        const Holes found = holes();
+        if (found.count() == 0)
+            return;
+        QJsonObject object = outcome.json.toObject();
+        object.insert(u"holes"_s, found.json());
+        outcome.json = object;
+    }
+
+private:
+    [[nodiscard]] Holes holes() const
+    {
+        std::vector<TrackView> fullest;
+        std::size_t maxRows = 0;
+        for (int channel = 0; channel < store->channelCount(); ++channel) {
+            std::vector<TrackView> tracks = store->tracks(channel);
+            std::size_t rows = 0;
+            for (const TrackView &track : tracks)
+                rows += track.end() - track.begin();
+            if (rows > maxRows) {
+                maxRows = rows;
+                fullest = std::move(tracks);
+            }
+        }
+        Holes found;
+        std::optional<double> last;
+        for (const TrackView &track : fullest) {
+            for (std::size_t row = track.begin(); row < track.end(); ++row) {
+                found.take(track.time(row) - last.value_or(track.time(row)), track.period());
+                last = track.time(row);
+            }
+        }
+        return found;
     }
 };
 
@@ -105,12 +148,12 @@ QJsonObject describeResponse(const FrequencyResponse &closed, const Margins &m, 
 
 Result<CommandOutcome> responseOfText(const QString &path, double assumedRate)
 {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
-    const auto samples = readResponseCsv(file.readAll(), assumedRate);
+    const auto text = readWhole(path, FileKind::Measurement, kLargestText);
+    if (!text)
+        return tl::unexpected(text.error());
+    const auto samples = readResponseCsv(*text, assumedRate);
     if (!samples)
-        return failure(samples.error().code, path + u": "_s + samples.error().detail);
+        return tl::unexpected(inFile(samples.error(), path));
     const auto closed = frequencyResponse(samples->in, samples->out, samples->rate,
                                           averaging(samples->in.size(), samples->rate));
     if (!closed)
@@ -153,6 +196,8 @@ public:
         if (!channels)
             return tl::unexpected(channels.error());
         const bool toScreen = m_csv.isEmpty() || m_csv == u"-"_s;
+        if (const auto checked = toScreen ? Result<void>() : checkTarget(m_csv, FileKind::Other); !checked)
+            return tl::unexpected(checked.error());
         std::unique_ptr<QFileDevice> file;
         if (toScreen)
             file = std::make_unique<QFile>();
@@ -161,18 +206,19 @@ public:
         const bool open = toScreen ? static_cast<QFile &>(*file).open(stdout, QIODevice::WriteOnly)
                                    : file->open(QIODevice::WriteOnly);
         if (!open)
-            return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(m_csv, file->errorString()));
+            return tl::unexpected(systemError(*file, FileKind::Other, true));
         const auto lines = writeTelemetryCsv(*file, *opened->store, opened->device->channels(), *channels,
                                              -kAllTime, kAllTime);
         if (!lines)
             return tl::unexpected(lines.error());
         if (!toScreen && !static_cast<QSaveFile &>(*file).commit())
-            return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(m_csv, file->errorString()));
+            return tl::unexpected(systemError(*file, FileKind::Other, true));
         CommandOutcome outcome;
-        outcome.note = opened->note();
+        outcome.note = opened->note() + valuelessNote(*opened->store, opened->device->channels(), *channels);
         if (!toScreen)
             outcome.text = u"%1 lines saved to %2\n"_s.arg(*lines).arg(m_csv);
         outcome.json = QJsonObject{{u"lines"_s, *lines}, {u"file"_s, m_csv}};
+        opened->tellHoles(outcome);
         reportLeftOut(outcome, opened->recording.leftOut(), m_partial);
         return outcome;
     }
@@ -215,9 +261,12 @@ public:
         const QList<ReplayGap> gaps = opened->recording.leftOut();
         if (outcome) {
             outcome->note = opened->note();
+            opened->tellHoles(*outcome);
             reportLeftOut(*outcome, gaps, m_partial);
-        } else if (!gaps.isEmpty()) {
-            emit told(leftOutText(gaps));
+        } else {
+            emit told(opened->note());  // it may be why
+            if (!gaps.isEmpty())
+                emit told(leftOutText(gaps));
         }
         return outcome;
     }
@@ -300,6 +349,7 @@ private:
         CommandOutcome outcome;
         QJsonObject json;
         bool anyKnown = false;
+        bool anyChanges = false;
         for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
             const auto samples = samplesOf(opened, roles.angle[axis], roles.target[axis]);
             if (!samples)
@@ -307,6 +357,13 @@ private:
             QJsonArray bands;
             const QString name = QString::fromLatin1(kAxisNames[axis]);
             outcome.text += name + u":\n"_s;
+            if (std::adjacent_find(samples->values.begin(), samples->values.end(), std::not_equal_to<>())
+                == samples->values.end()) {
+                outcome.text += u"  does not change: that is no measurement\n"_s;
+                json.insert(name, QJsonValue());
+                continue;
+            }
+            anyChanges = true;
             for (const BandQuality &quality : holdingQuality(samples->values, samples->rate)) {
                 if (!quality.known)
                     continue;
@@ -322,6 +379,8 @@ private:
             }
             json.insert(name, bands);
         }
+        if (!anyChanges)
+            return failure(ErrorCode::NoMotion, u"angles of all axes"_s);
         if (!anyKnown)
             return failure(ErrorCode::TooFewSamples, u"not enough for any band of frequencies"_s);
         outcome.json = json;

@@ -37,4 +37,11 @@ SignalWatcher::SignalWatcher(QObject *parent)
     action.sa_handler = onSignal;
     ::sigaction(SIGINT, &action, nullptr);
     ::sigaction(SIGTERM, &action, nullptr);
+    // Whoever starts it with nohup wants it to outlive its terminal.
+    struct sigaction before
+    {
+    };
+    ::sigaction(SIGHUP, nullptr, &before);
+    if (before.sa_handler != SIG_IGN)
+        ::sigaction(SIGHUP, &action, nullptr);
 }

@@ -4,7 +4,7 @@
 
 #include <QObject>
 
-/// Turns SIGINT and SIGTERM into a Qt signal, so that programs can shut down cleanly.
+/// Turns SIGINT, SIGTERM and SIGHUP into a Qt signal, so that programs can shut down cleanly.
 class SignalWatcher final : public QObject
 {
     Q_OBJECT

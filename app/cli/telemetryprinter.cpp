@@ -2,17 +2,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/telemetryprinter.h"
 
+#include "protocol/base/filefault.h"
+
 #include <QJsonObject>
 
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 
 using namespace Qt::StringLiterals;
 
 namespace {
 
 constexpr auto kDrainPeriod = 50ms;
+constexpr auto kUnderWay = 500ms;  // what was sent in time is here by then
 
 }  // namespace
+
+Error outputError(int code)
+{
+    return FileFault{.problem = code == ENOSPC ? FileProblem::DiskFull : FileProblem::System,
+                     .kind = FileKind::Other,
+                     .path = u"stdout"_s,
+                     .writing = true,
+                     .said = code ? QString::fromLocal8Bit(std::strerror(code)) : u"it takes no more"_s}
+        .error();
+}
+
+QString valuelessNote(const TelemetryStore &store, ChannelTable table, const QList<int> &channels)
+{
+    QStringList keys;
+    for (const int channel : channels) {
+        if (store.latestAt(channel) != TimePoint{} && std::isnan(store.latest(channel)))
+            keys.append(QLatin1String(table[std::size_t(channel)].key));
+    }
+    return keys.isEmpty()
+        ? QString()
+        : u", without a value (no number came, as where no sensor sends any): %1"_s.arg(keys.join(u' '));
+}
 
 TelemetryPrinter::TelemetryPrinter(DeviceClient &client, QList<int> channels, Subscription subscription,
                                    double seconds, bool asJson)
@@ -69,7 +96,27 @@ void TelemetryPrinter::drain()
     const TrackView &lead = *m_tracks[std::size_t(m_lead)];
     for (m_next = std::max(m_next, lead.begin()); m_next < lead.end() && !m_done; ++m_next)
         printRow(lead.time(m_next), m_next);
+    flush();
+    // A board that sends less than it should does not make it longer.
+    const bool isLive = !m_client.address().isReplay();
+    if (m_failure
+        || (isLive && m_firstTime && m_seconds > 0
+            && Clock::now() - m_begunAt >= durationFromSeconds(m_seconds) + kUnderWay)) {
+        const int holes = m_holes.count();
+        const double rest = m_seconds - (m_lastTime - m_firstTime.value_or(m_lastTime));
+        m_holes.take(rest, m_tracks[std::size_t(m_lead)]->period());
+        m_silentAtEnd = m_holes.count() > holes ? rest : 0.0;
+        finish();
+    }
+}
+
+// A full disk, say: the rows are lost.
+void TelemetryPrinter::flush()
+{
+    errno = 0;
     m_out.flush();
+    if (m_out.status() != QTextStream::Ok && !m_failure)
+        m_failure = outputError(errno);
 }
 
 void TelemetryPrinter::printHeading()
@@ -85,10 +132,14 @@ void TelemetryPrinter::printHeading()
 void TelemetryPrinter::printRow(double time, std::size_t row)
 {
     if (!m_firstTime) {
-        m_firstTime = time;
+        m_firstTime = m_lastTime = time;
+        m_begunAt = Clock::now();
         printHeading();
     }
     const double elapsed = time - *m_firstTime;
+    const TelemetryGroup *leadGroup = m_tracks[std::size_t(m_lead)]->group();
+    m_holes.take(time - m_lastTime, m_tracks[std::size_t(m_lead)]->period());
+    m_lastTime = time;
     if (m_seconds > 0 && elapsed >= m_seconds) {
         finish();
         return;
@@ -97,7 +148,6 @@ void TelemetryPrinter::printRow(double time, std::size_t row)
     QJsonArray values;
     if (!m_asJson)
         m_out << QString::number(elapsed, 'f', 4);
-    const TelemetryGroup *leadGroup = m_tracks[std::size_t(m_lead)]->group();
     for (const auto &track : m_tracks) {
         float value = std::numeric_limits<float>::quiet_NaN();
         if (track && track->group() == leadGroup)
@@ -123,7 +173,7 @@ void TelemetryPrinter::finish()
         return;
     m_done = true;
     m_timer.stop();
-    m_out.flush();
+    flush();
     const auto store = m_client.telemetry();
     QString note = u"%1 rows, %2 lost"_s.arg(m_rows).arg(store ? store->lost() : 0);
     if (const double rate = m_client.telemetryPlan().rate;
@@ -134,8 +184,9 @@ void TelemetryPrinter::finish()
         note += u", %1 of %2 bytes/s"_s.arg(budget.bytesPerSecond(), 0, 'f', 0)
                     .arg(budget.capacity, 0, 'f', 0);
     }
-    if (store && store->silences() > 0)
-        note += u", silent %1 times, %2 s"_s.arg(store->silences()).arg(store->silentSeconds(), 0, 'f', 1);
+    note += m_holes.words();
+    if (store && m_client.device())
+        note += valuelessNote(*store, m_client.device()->channels(), m_channels);
     emit finished(note);
 }
 
@@ -145,8 +196,11 @@ QJsonValue TelemetryPrinter::json() const
     for (const int channel : m_channels)
         names.append(QLatin1String(m_client.device()->channels()[std::size_t(channel)].key));
     const auto store = m_client.telemetry();
-    return QJsonObject{{u"columns"_s, names},
+    QJsonObject object{{u"columns"_s, names},
                        {u"rows"_s, m_json},
                        {u"lost"_s, qint64(store ? store->lost() : 0)},
                        {u"rate"_s, m_client.telemetryPlan().rate}};
+    if (m_holes.count() > 0)
+        object.insert(u"holes"_s, m_holes.json());
+    return object;
 }

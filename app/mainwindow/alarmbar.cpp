@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/alarmbar.h"
 
+#include "app/mainwindow/clickshield.h"
 #include "app/workspace/alarms.h"
 #include "widgets/models/alarmtext.h"
 #include "widgets/theme/theme.h"
 
+#include <QCursor>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -22,14 +24,15 @@ constexpr qint64 kTooSoonMs = 600;
 
 }  // namespace
 
-AlarmBar::AlarmBar(Alarms &alarms, QWidget *area)
+AlarmBar::AlarmBar(Alarms &alarms, QWidget *area, int smallest)
     : QFrame(area->parentWidget())
     , m_alarms(alarms)
     , m_area(area)
+    , m_smallest(smallest)
     , m_icon(new QLabel)
     , m_text(new QLabel)
     , m_more(new QLabel)
-    , m_remedy(new QPushButton(tr("Motors off")))
+    , m_remedy(new QPushButton(tr("Stop motors")))
     , m_acknowledge(new QPushButton(tr("Acknowledge")))
 {
     setObjectName(u"alarmBar"_s);
@@ -61,7 +64,7 @@ AlarmBar::AlarmBar(Alarms &alarms, QWidget *area)
     });
     connect(&alarms, &Alarms::changed, this, &AlarmBar::refresh);
     area->installEventFilter(this);
-    hide();
+    refresh();
 }
 
 bool AlarmBar::isTooSoon() const
@@ -78,6 +81,8 @@ bool AlarmBar::eventFilter(QObject *watched, QEvent *event)
 {
     if (watched == m_area && (event->type() == QEvent::Resize || event->type() == QEvent::Move))
         place();
+    else if (watched == m_area && event->type() == QEvent::Leave)
+        makeRoom();
     return QFrame::eventFilter(watched, event);
 }
 
@@ -89,6 +94,40 @@ void AlarmBar::place()
     const int height = std::max(minimumSizeHint().height(), layout()->heightForWidth(width));
     setGeometry(m_area->x(), m_area->y(), width, height);
     raise();
+    makeRoom();
+}
+
+void AlarmBar::makeRoom()
+{
+    if (m_area->rect().contains(m_area->mapFromGlobal(QCursor::pos())))
+        return;
+    const int wanted = isHidden() || m_area->height() - height() < m_smallest ? 0 : height();
+    if (m_area->layout()->contentsMargins().top() == wanted)
+        return;
+    m_area->layout()->setContentsMargins(0, wanted, 0, 0);
+    shield(m_area->geometry());
+}
+
+// A click that was meant for what has just moved, or for this bar, reaches nothing.
+void AlarmBar::shield(const QRect &place)
+{
+    if (!parentWidget()->isVisible())
+        return;
+    new ClickShield(*parentWidget(), place);
+    raise();
+}
+
+void AlarmBar::leaveEvent(QEvent *event)
+{
+    QFrame::leaveEvent(event);
+    makeRoom();
+}
+
+void AlarmBar::hideEvent(QHideEvent *event)
+{
+    QFrame::hideEvent(event);
+    if (!event->spontaneous())
+        shield(geometry());
 }
 
 void AlarmBar::refresh()
@@ -97,10 +136,11 @@ void AlarmBar::refresh()
     if (pressing.isEmpty()) {
         m_number = 0;
         hide();
+        makeRoom();
         return;
     }
     const AlarmReport &first = pressing.first();
-    const ErrorText text = m_alarms.text(first);
+    ErrorText text = m_alarms.text(first);
     // Motion and what the program had to do is red; what gives time is amber.
     const bool isSevere = first.hasActed() || first.alarm.kind <= AlarmKind::Oscillation
         || first.alarm.kind == AlarmKind::Sensor || first.alarm.kind == AlarmKind::Stale;
@@ -108,6 +148,7 @@ void AlarmBar::refresh()
     m_icon->setAccessibleName(isSevere ? tr("Severe") : tr("Warning"));
     const int times = m_alarms.timesOf(first.number);
     const QString again = times > 1 ? u' ' + tr("(%1 times)").arg(times) : QString();
+    text.what = first.isOver ? tr("Over: %1").arg(text.what) : text.what;
     m_text->setText(u"<b>%1</b>%2 %3 %4"_s.arg(text.what.toHtmlEscaped(), again.toHtmlEscaped(),
                                                text.meaning.toHtmlEscaped(), text.cure.toHtmlEscaped()));
     setAccessibleDescription(text.oneLine());

@@ -10,15 +10,17 @@ class QLabel;
 class QPushButton;
 struct AlarmReport;
 
-/// What cannot wait: over the whole width of the window's upper edge, above pages and panels, which keep
-/// their places beneath it. Stays until the cause is gone, or until it is acknowledged. Never takes the focus
-/// by itself.
+/// What cannot wait: over the whole width of the window's upper edge, above pages and panels. Pages make room
+/// for it where there is height to spare and as soon as the pointer is neither on them nor on the bar, so
+/// that nothing moves beneath it, nor beneath a bar that goes. Stays until the cause is gone, or until it is
+/// acknowledged. Never takes the focus by itself.
 class AlarmBar final : public QFrame
 {
     Q_OBJECT
 public:
-    /// @param area the bar lies over its upper edge
-    AlarmBar(Alarms &alarms, QWidget *area);
+    /// @param area the bar lies over its upper edge; its layout makes room
+    /// @param smallest the height that is left to it at least
+    AlarmBar(Alarms &alarms, QWidget *area, int smallest);
 
     /// Text of the alarm that is shown; empty without one.
     [[nodiscard]] QString text() const;
@@ -27,15 +29,20 @@ public:
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
+    void leaveEvent(QEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
 
 private:
     void refresh();
     void place();
+    void makeRoom();
+    void shield(const QRect &place);
     /// A click that was meant for what lay there before must not do anything.
     [[nodiscard]] bool isTooSoon() const;
 
     Alarms &m_alarms;
     QWidget *m_area;
+    int m_smallest;
     QLabel *m_icon;
     QLabel *m_text;
     QLabel *m_more;

@@ -2,22 +2,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bannerarea.h"
 
+#include "app/mainwindow/clickshield.h"
 #include "widgets/theme/theme.h"
 
 #include <QApplication>
 #include <QCursor>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QShortcut>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
-BannerArea::BannerArea(QWidget &page, QWidget *parent)
+using namespace Qt::StringLiterals;
+
+BannerArea::BannerArea(QStackedWidget &pages, QWidget *parent)
     : QWidget(parent)
+    , m_pages(pages)
 {
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(&page);
+    layout->addWidget(&pages);
     connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_F6), this), &QShortcut::activated, this,
             &BannerArea::jump);
     connect(qApp, &QApplication::focusChanged, this, &BannerArea::followFocus);
@@ -29,20 +36,50 @@ BannerArea::~BannerArea()
     qApp->disconnect(this);
 }
 
-void BannerArea::add(QWidget &banner, Closing closing)
+void BannerArea::add(QWidget &banner, std::function<void()> close)
 {
     banner.setParent(this);
     banner.hide();
     banner.installEventFilter(this);
-    m_banners.push_back({&banner, closing});
+    m_banners.push_back({&banner, std::move(close)});
+}
+
+void BannerArea::giveWayTo(QWidget &cover)
+{
+    m_cover = &cover;
+    cover.installEventFilter(this);
+}
+
+// How far down from its upper edge this area is covered.
+int BannerArea::covered() const
+{
+    if (!m_cover || m_cover->isHidden())
+        return 0;
+    const int end = mapFromGlobal(m_cover->mapToGlobal(QPoint(0, m_cover->height()))).y();
+    return std::max(0, end);
+}
+
+// Where the row ends that holds the title of the page.
+int BannerArea::headEnd() const
+{
+    const QWidget *page = m_pages.currentWidget();
+    const auto *title = page ? page->findChild<QLabel *>(u"title"_s, Qt::FindDirectChildrenOnly) : nullptr;
+    return title ? title->mapTo(this, QPoint(0, title->height())).y() : 0;
 }
 
 bool BannerArea::eventFilter(QObject *watched, QEvent *event)
 {
+    if (watched == m_cover) {
+        const auto type = event->type();
+        if (type == QEvent::Show || type == QEvent::Hide || type == QEvent::Resize || type == QEvent::Move)
+            place();
+        return QWidget::eventFilter(watched, event);
+    }
     auto *widget = qobject_cast<QWidget *>(watched);
     switch (event->type()) {
     case QEvent::ShowToParent: appear(widget); break;
     case QEvent::HideToParent:
+        shield(widget->geometry());
         std::erase_if(m_shown, [widget](const Banner &banner) { return banner.widget == widget; });
         break;
     case QEvent::LayoutRequest: place(); break;
@@ -57,6 +94,7 @@ void BannerArea::appear(QWidget *widget)
                                     [widget](const Banner &banner) { return banner.widget == widget; });
     std::erase_if(m_shown, [widget](const Banner &banner) { return banner.widget == widget; });
     const bool isFirst = m_shown.empty();
+    widget->setGeometry({});  // it was nowhere: nothing there is shielded
     m_shown.push_back(*known);
     place();
     if (!isFirst)
@@ -64,6 +102,7 @@ void BannerArea::appear(QWidget *widget)
     const bool lower = isInUse(room(false)) && !isInUse(room(true));
     if (lower != m_lower) {
         m_lower = lower;
+        widget->setGeometry({});
         place();
     }
 }
@@ -77,24 +116,39 @@ int BannerArea::heightOf(const QWidget &widget) const
 // Each behind the one before it, and never nearer to the edge than it was.
 void BannerArea::place()
 {
-    int next = Metric::kGap;
+    int next = Metric::kGap + (m_lower ? 0 : std::max(covered(), headEnd()));
     for (Banner &banner : m_shown) {
         banner.offset = std::max(banner.offset, next);
         const int height = heightOf(*banner.widget);
         const int y = m_lower ? this->height() - banner.offset - height : banner.offset;
         const int wide = std::min(width() - 2 * Metric::kMargin, banner.widget->maximumWidth());
+        const QRect before = banner.widget->geometry();
         banner.widget->setGeometry(width() - Metric::kMargin - wide, y, wide, height);
+        const QRect now = banner.widget->geometry();
+        if (banner.widget->isVisible() && !before.isEmpty()
+            && (height < before.height() || now.topLeft() != before.topLeft()))
+            shield(before.united(now));
         banner.widget->raise();
         next = banner.offset + height + Metric::kGap;
     }
+    ClickShield::raiseAll(*this);
+}
+
+void BannerArea::shield(const QRect &place)
+{
+    if (isVisible())
+        new ClickShield(*this, place);
 }
 
 QRect BannerArea::room(bool lower) const
 {
     int deep = 0;
-    for (const Banner &banner : m_shown)
+    int near = height();
+    for (const Banner &banner : m_shown) {
         deep = std::max(deep, banner.offset + heightOf(*banner.widget));
-    return {0, lower ? height() - deep : 0, width(), deep};
+        near = std::min(near, banner.offset);
+    }
+    return {0, lower ? height() - deep : near, width(), deep - near};
 }
 
 bool BannerArea::isPointerIn(const QRect &room) const
@@ -162,9 +216,9 @@ void BannerArea::resizeEvent(QResizeEvent *event)
 void BannerArea::keyPressEvent(QKeyEvent *event)
 {
     const auto newest = std::find_if(m_shown.rbegin(), m_shown.rend(),
-                                     [](const Banner &banner) { return banner.closing == Closing::ByEsc; });
+                                     [](const Banner &banner) { return bool(banner.close); });
     if (event->key() == Qt::Key_Escape && newest != m_shown.rend())
-        newest->widget->hide();
+        std::function(newest->close)();  // it may go with its banner
     else
         QWidget::keyPressEvent(event);
 }

@@ -5,7 +5,10 @@
 #include <QPointer>
 #include <QWidget>
 
+#include <functional>
 #include <vector>
+
+class QStackedWidget;
 
 /// The room of the page, with messages and questions floating over its upper edge: nothing of the page moves
 /// when one comes or goes. They come at the lower edge instead where the pointer or the keyboard is at the
@@ -15,13 +18,14 @@ class BannerArea final : public QWidget
 {
     Q_OBJECT
 public:
-    /// @param page takes all the room
-    explicit BannerArea(QWidget &page, QWidget *parent = nullptr);
+    /// @param pages take all the room; the title of the one shown and the controls beside it stay in sight
+    explicit BannerArea(QStackedWidget &pages, QWidget *parent = nullptr);
     ~BannerArea() override;
 
-    enum class Closing { ByEsc, Never };
-    /// Lets this float; whoever has it shows and hides it.
-    void add(QWidget &banner, Closing closing);
+    /// Lets this float; whoever has it shows and hides it. @param close what Esc does; nothing without it
+    void add(QWidget &banner, std::function<void()> close = {});
+    /// What lies over the upper edge while it is shown: banners come beneath it.
+    void giveWayTo(QWidget &cover);
 
     bool eventFilter(QObject *watched, QEvent *event) override;
 
@@ -33,7 +37,7 @@ private:
     struct Banner
     {
         QWidget *widget = nullptr;
-        Closing closing = Closing::Never;
+        std::function<void()> close;
         int offset = 0;  // from the edge
     };
     void appear(QWidget *widget);
@@ -45,10 +49,16 @@ private:
     [[nodiscard]] QRect room(bool lower) const;
     [[nodiscard]] bool isInUse(const QRect &room) const;
     [[nodiscard]] bool isPointerIn(const QRect &room) const;
+    [[nodiscard]] int covered() const;
+    [[nodiscard]] int headEnd() const;
+    /// A click that was meant for a banner which has just gone or moved reaches nothing.
+    void shield(const QRect &place);
     [[nodiscard]] int heightOf(const QWidget &widget) const;
 
+    QStackedWidget &m_pages;
     std::vector<Banner> m_banners;
     std::vector<Banner> m_shown;  // the newest last
     QPointer<QWidget> m_before;  // had the keyboard before a banner
+    QPointer<QWidget> m_cover;
     bool m_lower = false;
 };

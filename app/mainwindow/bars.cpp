@@ -7,120 +7,30 @@
 #include "protocol/session/linkstatistics.h"
 #include "protocol/telemetry/telemetryplan.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "widgets/forms/numberbox.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/models/thinningtext.h"
 #include "widgets/views/elidedlabel.h"
 
-#include <QClipboard>
 #include <QDialog>
 #include <QFileInfo>
-#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr auto kNoticeTime = 8s;
 constexpr qint64 kBadTimeMs = 10000;  // how long a loss colours the link's dot
 
 }  // namespace
-
-MessageBar::MessageBar(QWidget *parent)
-    : QFrame(parent)
-    , m_text(new QLabel)
-    , m_detail(new QLabel)
-    , m_more(new QToolButton)
-    , m_copy(new QToolButton)
-    , m_close(new QToolButton)
-{
-    setObjectName(u"messageBar"_s);
-    m_detail->setObjectName(u"muted"_s);
-    m_detail->setWordWrap(true);
-    m_detail->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_more->setText(tr("Details"));
-    m_more->setCheckable(true);
-    m_text->setWordWrap(true);
-    m_text->setTextFormat(Qt::RichText);
-    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_copy->setText(tr("Copy"));
-    m_copy->setToolTip(tr("Copy everything that technical support needs"));
-    m_close->setText(u"✕"_s);
-    m_close->setAccessibleName(tr("Close message"));
-    m_close->setToolTip(tr("Close (Esc); Ctrl+F6 leads here and back"));
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(12, Metric::kGap, Metric::kGap, Metric::kGap);
-    auto *texts = new QVBoxLayout;
-    texts->setSpacing(Metric::kUnit);
-    texts->addWidget(m_text);
-    texts->addWidget(m_detail);
-    layout->addLayout(texts, 1);
-    // At the top: they stay where they are when details unfold.
-    for (QToolButton *button : {m_more, m_copy, m_close})
-        layout->addWidget(button, 0, Qt::AlignTop);
-    connect(m_more, &QToolButton::toggled, m_detail, &QWidget::setVisible);
-    connect(m_copy, &QToolButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(m_full); });
-    connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
-    m_hide.setSingleShot(true);
-    connect(&m_hide, &QTimer::timeout, this, &QWidget::hide);
-    hide();
-}
-
-void MessageBar::setSevere(bool severe)
-{
-    setProperty("severe", severe);
-    repolish(this);
-    m_copy->setVisible(severe);
-    m_more->setChecked(false);
-    m_more->setVisible(false);
-    m_detail->hide();
-}
-
-void MessageBar::showProblem(const ErrorText &text)
-{
-    m_hide.stop();
-    m_full = text.oneLine();
-    QString html = u"<b>✖ %1</b>"_s.arg(text.what.toHtmlEscaped());
-    for (const QString &part : {text.meaning, text.cure}) {
-        if (!part.isEmpty())
-            html += u' ' + part.toHtmlEscaped();
-    }
-    m_text->setText(html);
-    m_detail->setText(text.detail);
-    setSevere(true);
-    m_more->setVisible(!text.detail.isEmpty());
-    show();
-}
-
-void MessageBar::showNotice(const QString &text, Notice kind)
-{
-    const QString sign = kind == Notice::Done ? u"✓ "_s : kind == Notice::Hint ? u"ℹ "_s : u"⚠ "_s;
-    m_full = text;
-    m_text->setText(sign + text.toHtmlEscaped());
-    setSevere(false);
-    show();
-    m_hide.start(kNoticeTime);
-    if (kind == Notice::Attention)
-        m_hide.stop();
-}
-
-void MessageBar::withdraw(const QString &text)
-{
-    if (text == m_full)
-        hide();
-}
-
-QString MessageBar::text() const
-{
-    return m_full;
-}
 
 OfferBar::OfferBar(QWidget *parent)
     : QFrame(parent)
@@ -144,10 +54,27 @@ OfferBar::OfferBar(QWidget *parent)
 
 void OfferBar::ask(const Offer &offer)
 {
-    m_offers.append(offer);
-    if (m_offers.size() == 1)
+    const auto known = std::find_if(m_offers.begin(), m_offers.end(), [&offer](const Offer &each) {
+        return offer.topic != Topic::None && each.topic == offer.topic;
+    });
+    const bool isFirst = m_offers.isEmpty() || known == m_offers.begin();
+    if (known == m_offers.end())
+        m_offers.append(offer);
+    else
+        *known = offer;
+    if (isFirst)
         showFirst();
     else
+        setFolded(m_fold->isChecked());
+}
+
+void OfferBar::withdraw(Topic topic)
+{
+    const bool isFirst = !m_offers.isEmpty() && m_offers.first().topic == topic;
+    m_offers.removeIf([topic](const Offer &each) { return each.topic == topic; });
+    if (isFirst)
+        showFirst();
+    else if (!m_offers.isEmpty())
         setFolded(m_fold->isChecked());
 }
 
@@ -217,13 +144,16 @@ UnsavedBar::UnsavedBar(Workspace &workspace, QWidget *parent)
     setObjectName(u"unsavedBar"_s);
     m_write->setObjectName(u"primary"_s);
     auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(Metric::kMargin, Metric::kGap, Metric::kMargin, Metric::kGap);
+    layout->setContentsMargins(Metric::kMargin, Metric::kUnit, Metric::kMargin, Metric::kUnit);
     layout->setSpacing(Metric::kGap);
     m_text->setObjectName(u"changed"_s);
     m_where->setObjectName(u"muted"_s);
-    m_where->setMinimumWidth(1);  // the first to give way
-    layout->addWidget(m_text);
-    layout->addWidget(m_where, 1);
+    // One above the other: beside each other, the profiles would be cut away first.
+    auto *words = new QVBoxLayout;
+    words->setSpacing(0);
+    words->addWidget(m_text);
+    words->addWidget(m_where);
+    layout->addLayout(words, 1);
     // What comes and goes with the link stands where it moves none of the others.
     for (QPushButton *button : {m_saveFile, m_undo, m_redo, m_discard})
         layout->addWidget(button);
@@ -240,6 +170,7 @@ UnsavedBar::UnsavedBar(Workspace &workspace, QWidget *parent)
     });
     connect(&stack, &QUndoStack::cleanChanged, this, &UnsavedBar::refresh);
     connect(&workspace.configuration(), &ConfigurationModel::changeCountChanged, this, &UnsavedBar::refresh);
+    connect(&workspace.edits().refused(), &RefusedTexts::changed, this, &UnsavedBar::refresh);
     connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &UnsavedBar::refresh);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &UnsavedBar::refresh);
     connect(&workspace, &Workspace::writeFinished, this, [this] {
@@ -254,23 +185,53 @@ void UnsavedBar::refresh()
     const ConfigurationModel &model = m_workspace.configuration();
     const int count = model.changeCount();
     QUndoStack &stack = m_workspace.edits().undoStack();
-    m_text->setFullText(count == 0 ? tr("No unsaved changes") : tr("%n unsaved change(s)", nullptr, count));
-    const QStringList places = changePlaces(model, model.changesByProfile());
-    m_where->setFullText(places.join(u" · "_s));
+    const int refused = m_workspace.edits().refused().count();
+    showCounts(count, refused);
     m_undo->setEnabled(stack.canUndo());
     m_redo->setEnabled(stack.canRedo());
     m_undo->setToolTip(stack.canUndo() ? tr("Undo: %1 (Ctrl+Z)").arg(stack.undoText()) : QString());
     m_redo->setToolTip(stack.canRedo() ? tr("Redo: %1 (Ctrl+Shift+Z)").arg(stack.redoText()) : QString());
-    m_discard->setEnabled(count > 0);
-    const bool canWrite = count > 0 && m_workspace.client().isConnected()
+    m_discard->setEnabled(count + refused > 0);
+    // With a text that is no value, a review leads there.
+    const bool canWrite = count + refused > 0 && m_workspace.client().isConnected()
         && m_workspace.client().identity().writable && !m_workspace.isWriting();
     m_write->setEnabled(canWrite);
-    m_write->setToolTip(canWrite || count == 0 ? tr("Ctrl+S") : tr("Connect the board to write to it"));
+    m_write->setToolTip(canWrite || count + refused == 0 ? tr("Ctrl+S")
+                                                         : tr("Connect the board to write to it"));
     const QString offline = m_workspace.offlineFile();
     m_saveFile->setVisible(!model.isEmpty() && !m_workspace.client().isConnected());
     m_saveFile->setToolTip(offline);
     // After a write, redoing is possible only by its shortcut; the bar is for unsaved changes.
-    setVisible(count > 0 || (stack.canRedo() && !m_written));
+    setVisible(count + refused > 0 || (stack.canRedo() && !m_written));
+}
+
+// With their profiles, which have numbers where there is no room for names.
+void UnsavedBar::showCounts(int changes, int refused)
+{
+    const ConfigurationModel &model = m_workspace.configuration();
+    QStringList counts;
+    QStringList shortCounts;
+    if (changes > 0) {
+        counts.append(tr("%n unwritten change(s)", nullptr, changes));
+        shortCounts.append(tr("%n unwritten", nullptr, changes));
+    }
+    if (refused > 0) {
+        counts.append(tr("%n entry(s) that are no values", nullptr, refused));
+        shortCounts.append(tr("%n no value", nullptr, refused));
+    }
+    if (counts.isEmpty())
+        counts.append(tr("No unwritten changes"));
+    m_text->setFullText(counts.join(u", "_s), {}, shortCounts.join(u", "_s));
+    const QMap<int, int> byProfile = model.changesByProfile();
+    QStringList numbers;
+    for (auto each = byProfile.begin(); each != byProfile.end(); ++each)
+        numbers.append(each.key() == ConfigurationModel::kAllProfiles
+                           ? tr("all: %1").arg(each.value())
+                           : tr("P%1: %2").arg(each.key() + 1).arg(each.value()));
+    const QString places = changePlaces(model, byProfile).join(u" · "_s);
+    m_where->setFullText(places, {}, numbers.join(u" · "_s));
+    m_where->setMinimumHeight(m_where->fontMetrics().height());  // its line stays when nothing is in it
+    m_where->setVisible(m_workspace.profileCount() > 1);
 }
 
 UnstoredBar::UnstoredBar(Workspace &workspace, QWidget *parent)
@@ -283,7 +244,7 @@ UnstoredBar::UnstoredBar(Workspace &workspace, QWidget *parent)
     setObjectName(u"unsavedBar"_s);
     m_text->setObjectName(u"changed"_s);
     m_store->setObjectName(u"primary"_s);
-    m_back->setToolTip(tr("Put the stored values into use at once"));
+    m_back->setToolTip(tr("Put the values that were read from the board into use at once"));
     m_store->setToolTip(tr("Store everything that is in use; a snapshot is taken first"));
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(Metric::kMargin, Metric::kGap, Metric::kMargin, Metric::kGap);
@@ -292,13 +253,16 @@ UnstoredBar::UnstoredBar(Workspace &workspace, QWidget *parent)
     layout->addWidget(m_back);
     layout->addWidget(m_store);
     connect(m_store, &QPushButton::clicked, this, [this] {
+        if (NumberBox::refusedIn(*window()))  // it is not in use, and would not be stored
+            return;
         setEnabled(false);
-        m_workspace.saveLive().then(this, [this](bool) { setEnabled(true); });
+        m_workspace.saveLive(*this).then(this, [this](bool) { setEnabled(true); });
     });
     connect(m_back, &QPushButton::clicked, this, &UnstoredBar::goBack);
     connect(&workspace, &Workspace::unstoredChanged, this, &UnstoredBar::refresh);
     connect(&workspace, &Workspace::guidedChanged, this, &UnstoredBar::refresh);
     connect(&workspace.live(), &LiveModel::changeCountChanged, this, &UnstoredBar::refresh);
+    connect(&workspace.live(), &LiveModel::heldChanged, this, &UnstoredBar::refresh);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &UnstoredBar::refresh);
     refresh();
 }
@@ -338,9 +302,11 @@ void UnstoredBar::refresh()
     const bool more = m_workspace.isUnstored();
     m_text->setFullText(
         more ? tr("Values in use on the board are not stored: a restart loses them.")
-             : tr("%n value(s) in use on the board, not stored: a restart loses them.", nullptr, live));
-    m_back->setEnabled((!more || !reloadAction().isEmpty()) && !m_workspace.isGuided());
-    m_store->setEnabled(!m_workspace.isGuided());
+             : tr("%n value(s) in use on the board, not stored: a restart loses them.", nullptr, live),
+        {}, more ? tr("Values are not stored") : tr("%n not stored", nullptr, live));
+    const bool isFree = !m_workspace.isGuided() && !m_workspace.live().isHeld();
+    m_back->setEnabled((!more || !reloadAction().isEmpty()) && isFree);
+    m_store->setEnabled(isFree);
     setVisible(connected && (more || live > 0));
 }
 
@@ -374,7 +340,7 @@ StatusStrip::StatusStrip(Workspace &workspace, QWidget *parent)
 void StatusStrip::follow(const MotorsKeys &keys)
 {
     connect(&keys, &MotorsKeys::holdStarted, this,
-            [this] { m_hint->setText(tr("Hold Esc to switch the motors off.")); });
+            [this] { m_hint->setText(tr("Hold Esc to stop the motors.")); });
     connect(&keys, &MotorsKeys::holdEnded, m_hint, &QLabel::clear);
 }
 
@@ -418,11 +384,13 @@ void StatusStrip::refresh()
     }
     const bool bad = m_lastBad > 0 && m_badAt.isValid() && m_badAt.elapsed() < kBadTimeMs;
     const bool stale = m_workspace.freshness().staleSince().has_value();
-    m_link->setText(dot(bad || stale ? ColorRole::Warning : ColorRole::Ok) + text);
-    if (stale) {
+    const bool frozen = m_workspace.freshness().frozenSince().has_value();
+    m_link->setText(dot(bad || stale || frozen ? ColorRole::Warning : ColorRole::Ok) + text);
+    if (stale || frozen) {
         // What they said is old; the views say since when.
         m_battery->setText(u"<span style='color:%1'>%2</span>"_s.arg(theme.color(ColorRole::Warning).name(),
-                                                                     tr("no live data")));
+                                                                     frozen ? tr("live data stand still")
+                                                                            : tr("no live data")));
         m_temperature->clear();
         m_faults->clear();
         return;

@@ -15,32 +15,6 @@ class QLabel;
 class QPushButton;
 class QToolButton;
 
-/// What the operator must know, over the page: cause, meaning, cure; details folded; a button that
-/// copies it all. Questions stay beside it until they are answered.
-class MessageBar final : public QFrame
-{
-    Q_OBJECT
-public:
-    explicit MessageBar(QWidget *parent = nullptr);
-    void showProblem(const ErrorText &text);
-    /// Disappears by itself, unless it asks for attention.
-    void showNotice(const QString &text, Notice kind);
-    /// Takes this away if it is what is shown.
-    void withdraw(const QString &text);
-    [[nodiscard]] QString text() const;
-
-private:
-    void setSevere(bool severe);
-
-    QLabel *m_text;
-    QLabel *m_detail;
-    QToolButton *m_more;
-    QToolButton *m_copy;
-    QToolButton *m_close;
-    QTimer m_hide;
-    QString m_full;
-};
-
 /// A question with its answers as buttons; stays until one was chosen, and can be folded meanwhile. Questions
 /// queue up.
 class OfferBar final : public QFrame
@@ -49,10 +23,13 @@ class OfferBar final : public QFrame
 public:
     explicit OfferBar(QWidget *parent = nullptr);
     void ask(const Offer &offer);
+    void withdraw(Topic topic);
     /// Forgets all questions: they belonged to another board.
     void clear();
     [[nodiscard]] QString text() const;
     [[nodiscard]] QList<QPushButton *> buttons() const { return m_buttons; }
+    /// Questions without an answer yet, the oldest first.
+    [[nodiscard]] const QList<Offer> &open() const { return m_offers; }
 
 private:
     void showFirst();
@@ -79,6 +56,7 @@ signals:
 
 private:
     void refresh();
+    void showCounts(int changes, int refused);
 
     Workspace &m_workspace;
     ElidedLabel *m_text;

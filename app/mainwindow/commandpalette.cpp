@@ -67,13 +67,15 @@ void CommandPalette::refilter()
             item->setData(kIndexRole, i);
         }
     }
+    if (m_list->count() == 0)
+        (new QListWidgetItem(tr("Nothing was found."), m_list))->setFlags(Qt::NoItemFlags);
     m_list->setCurrentRow(0);
 }
 
 void CommandPalette::choose()
 {
     const QListWidgetItem *item = m_list->currentItem();
-    if (!item)
+    if (!item || !item->flags().testFlag(Qt::ItemIsEnabled))
         return;
     const auto chosen = m_entries[item->data(kIndexRole).toInt()].chosen;
     accept();

@@ -5,12 +5,15 @@
 #include <QObject>
 
 #include <functional>
+#include <optional>
+#include <utility>
 
 class Page;
 class Workspace;
 struct EditPlace;
 
-/// Leads to where a step was undone or done again: the page, the profile and the field.
+/// Leads to where a step was undone or done again, or to what was typed and is no value: the page, the
+/// profile and the field.
 class EditGuide final : public QObject
 {
     Q_OBJECT
@@ -19,9 +22,16 @@ public:
     using ShowPage = std::function<Page *(const QString &key)>;
     EditGuide(Workspace &workspace, ShowPage showPage, QObject *parent);
 
+    /// Leads to the first text that is no value, and says which one it is. False: there is none.
+    bool showRefused();
+
 private:
     void show(const EditPlace &place);
+    void showData(const EditPlace &place);
+    void withdrawWhatIsMended();
 
     Workspace &m_workspace;
     ShowPage m_showPage;
+    std::optional<QString> m_told;  // text that is no value
+    std::pair<QString, int> m_toldOf;  // parameter and profile
 };

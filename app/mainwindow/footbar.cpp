@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/footbar.h"
 
+#include "app/mainwindow/clickshield.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
 
@@ -12,7 +14,7 @@ using namespace Qt::StringLiterals;
 FootBar::FootBar(Workspace &workspace, const QList<QWidget *> &bars, QWidget *parent)
     : QFrame(parent)
     , m_bars(bars)
-    , m_calm(new QLabel(tr("No unsaved changes"), this))
+    , m_calm(new QLabel(tr("No unwritten changes"), this))
 {
     setObjectName(u"footBar"_s);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
@@ -24,6 +26,8 @@ FootBar::FootBar(Workspace &workspace, const QList<QWidget *> &bars, QWidget *pa
     layout->setSizeConstraint(QLayout::SetNoConstraint);  // the room is there before a bar is
     for (QWidget *bar : m_bars)
         layout->addWidget(bar, 1);  // what they say is cut first
+    for (QWidget *bar : m_bars)
+        bar->installEventFilter(this);
     const auto refresh = [this, &workspace] {
         const DeviceClient &client = workspace.client();
         setVisible(!workspace.configuration().isEmpty()
@@ -39,6 +43,17 @@ void FootBar::resizeEvent(QResizeEvent *event)
     QFrame::resizeEvent(event);
     m_calm->setGeometry(rect());
     m_calm->lower();
+}
+
+bool FootBar::eventFilter(QObject *watched, QEvent *event)
+{
+    const auto type = event->type();
+    const bool isOther = std::any_of(m_bars.begin(), m_bars.end(), [watched](const QWidget *bar) {
+        return bar != watched && bar->isVisible();
+    });
+    if (isVisible() && (type == QEvent::HideToParent || (type == QEvent::ShowToParent && isOther)))
+        new ClickShield(*this, rect());
+    return QFrame::eventFilter(watched, event);
 }
 
 QSize FootBar::sizeHint() const

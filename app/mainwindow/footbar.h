@@ -9,7 +9,8 @@
 class QLabel;
 
 /// The room at the foot of the window for what is not stored and what is not written. Kept while values are
-/// shown, so that no page moves when one of the two bars comes or goes.
+/// shown, so that no page moves when one of the two bars comes or goes; the other one may, and takes no
+/// clicks then.
 class FootBar final : public QFrame
 {
     Q_OBJECT
@@ -19,6 +20,7 @@ public:
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 protected:
     void resizeEvent(QResizeEvent *event) override;

@@ -4,6 +4,8 @@
 
 #include "app/workspace/question.h"
 
+#include <QDialog>
+
 #include <utility>
 
 Leaving::Leaving(Workspace &workspace, QWidget &window)
@@ -17,7 +19,24 @@ Leaving::Leaving(Workspace &workspace, QWidget &window)
         if (!isAtWork())
             ended(Wait::Work);
     });
+    connect(&workspace.client(), &DeviceClient::steeringEnded, this, [this](bool confirmed) {
+        if (m_wait != Wait::Steering)
+            return;
+        m_steeringIsSettled = true;
+        m_wait = Wait::Nothing;
+        if (confirmed)
+            later();
+        else
+            askAboutSteering();
+    });
     connect(&workspace.client(), &DeviceClient::motorsOffFinished, this, [this](bool confirmed) {
+        // Proven while it is asked what to do without proof.
+        if (confirmed && m_motorsQuestion && m_motorsQuestion->isVisible()) {
+            m_motorsAreSettled = true;
+            m_motorsQuestion->reject();
+            later();
+            return;
+        }
         if (m_wait != Wait::MotorsOff)
             return;
         m_motorsAreSettled = confirmed;
@@ -38,6 +57,7 @@ bool Leaving::mayGo(Way way, const std::function<void()> &go)
     m_editsAreSettled = false;
     m_valuesAreSettled = false;
     m_motorsAreSettled = false;
+    m_steeringIsSettled = false;
     return isClear();
 }
 
@@ -60,6 +80,11 @@ bool Leaving::isClear()
         askAboutWork();
         return false;
     }
+    if (isLinked && !m_steeringIsSettled && client.isSteering()) {
+        m_wait = Wait::Steering;
+        m_workspace.releaseControl();
+        return false;
+    }
     if (quits() && !m_editsAreSettled && m_workspace.unsavedCount() > 0) {
         askAboutEdits();
         return false;
@@ -71,8 +96,13 @@ bool Leaving::isClear()
     }
     if (isLinked && quits() && !m_motorsAreSettled && m_workspace.settings().motorsOffOnQuit()
         && m_workspace.motorsRunning().value_or(true)) {
-        waitFor(Wait::MotorsOff, tr("The motors are switched off, then the program quits."));
-        m_workspace.client().motorsOff();
+        stopMotors();
+        return false;
+    }
+    const bool isRunning = m_workspace.motorsRunning().value_or(false) || m_workspace.isStarting();
+    if (isLinked && !m_motorsAreSettled && isRunning && client.identity().writable
+        && m_workspace.settings().askAboutMotors()) {
+        askAboutRunning();
         return false;
     }
     return true;
@@ -148,7 +178,7 @@ void Leaving::askAboutEdits()
         m_workspace.discardUnsaved();
         goOn();
     };
-    askInPanel({tr("Unsaved changes"),
+    askInPanel({tr("Unwritten changes"),
                 tr("%n change(s) are not on the board.", nullptr, m_workspace.unsavedCount()),
                 {{tr("Quit and keep for next time"), goOn}, {tr("Discard and quit"), discard, true}},
                 tr("Stay")},
@@ -162,7 +192,7 @@ void Leaving::askAboutValues()
         later();
     };
     const auto store = [this] {
-        m_workspace.saveLive().then(this, [this](bool stored) {
+        m_workspace.saveLive(m_window).then(this, [this](bool stored) {
             m_valuesAreSettled = stored;
             if (stored)
                 onceRead();
@@ -176,15 +206,51 @@ void Leaving::askAboutValues()
                &m_window);
 }
 
+void Leaving::stopMotors()
+{
+    waitFor(Wait::MotorsOff,
+            quits() ? tr("The motors are switched off, then the program quits.")
+                    : tr("The motors are switched off, then the link ends."));
+    m_workspace.client().motorsOff();
+}
+
+void Leaving::askAboutRunning()
+{
+    const auto goOn = [this] {
+        m_motorsAreSettled = true;
+        later();
+    };
+    askInPanel(
+        {tr("The motors are running"),
+         tr("Without this program they go on running, and nothing watches them or can stop them from "
+            "here."),
+         {{quits() ? tr("Stop motors and quit") : tr("Stop motors and disconnect"), [this] { stopMotors(); }},
+          {quits() ? tr("Quit and leave them running") : tr("Disconnect and leave them running"), goOn,
+           true}},
+         tr("Stay")},
+        &m_window);
+}
+
+void Leaving::askAboutSteering()
+{
+    askInPanel(
+        {tr("The camera may go on moving"),
+         tr("The board did not confirm that it has stopped turning the camera."),
+         {{quits() ? tr("Quit all the same") : tr("Disconnect all the same"), [this] { later(); }, true}},
+         tr("Stay")},
+        &m_window);
+}
+
 void Leaving::askAboutMotors()
 {
     const auto goOn = [this] {
         m_motorsAreSettled = true;
         later();
     };
-    askInPanel({tr("The motors may be running"),
-                tr("The board did not confirm that the motors are off."),
-                {{tr("Quit all the same"), goOn, true}},
-                tr("Stay")},
-               &m_window);
+    m_motorsQuestion
+        = askInPanel({tr("The motors may be running"),
+                      tr("The board did not confirm that the motors are off."),
+                      {{quits() ? tr("Quit all the same") : tr("Disconnect all the same"), goOn, true}},
+                      tr("Stay")},
+                     &m_window);
 }

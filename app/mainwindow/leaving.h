@@ -4,11 +4,16 @@
 
 #include "app/workspace/workspace.h"
 
+#include <QPointer>
+
 #include <functional>
 
+class QDialog;
+
 /// What has to be settled before a link or the program ends: a write is waited for, a procedure is waited for
-/// or cancelled, unsaved edits and values in use that are not stored are asked about, motors that shall be
-/// off are proven to be. One after the other, each with a way to stay.
+/// or cancelled, unsaved edits and values in use that are not stored are asked about, steering is
+/// ended, motors that shall be off are proven to be, and others that run are asked about. One after the
+/// other, each with a way to stay.
 class Leaving final : public QObject
 {
     Q_OBJECT
@@ -23,7 +28,7 @@ public:
     [[nodiscard]] bool mayGo(Way way, const std::function<void()> &go);
 
 private:
-    enum class Wait { Nothing, Write, Work, MotorsOff };
+    enum class Wait { Nothing, Write, Work, Steering, MotorsOff };
     /// Waits, asks, or returns true.
     bool isClear();
     [[nodiscard]] bool isAtWork() const;
@@ -35,6 +40,9 @@ private:
     void askAboutWork();
     void askAboutEdits();
     void askAboutValues();
+    void stopMotors();
+    void askAboutRunning();
+    void askAboutSteering();
     void askAboutMotors();
     [[nodiscard]] bool quits() const { return m_way == Way::Quit; }
 
@@ -46,4 +54,6 @@ private:
     bool m_editsAreSettled = false;
     bool m_valuesAreSettled = false;
     bool m_motorsAreSettled = false;
+    bool m_steeringIsSettled = false;
+    QPointer<QDialog> m_motorsQuestion;  // what to do without proof
 };

@@ -66,7 +66,7 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     m_profile->setMinimumWidth(140);
     m_motors->setObjectName(u"motors"_s);
     m_motors->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard where it was
-    m_motors->setToolTip(tr("F12 switches the motors off from anywhere"));
+    m_motors->setToolTip(tr("F12 stops the motors from anywhere"));
     m_profileLabel->setObjectName(u"muted"_s);
     m_profileLabel->setBuddy(m_profile);
 
@@ -88,8 +88,10 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     connect(m_connect, &QPushButton::clicked, this, &LinkBar::connectOrDisconnect);
     connect(m_address->lineEdit(), &QLineEdit::returnPressed, this, &LinkBar::connectOrDisconnect);
     connect(m_motors, &QPushButton::clicked, this, &LinkBar::onMotors);
-    connect(m_profile, &QComboBox::activated, this,
-            [this](int index) { askToUseProfile(m_workspace, index, this, [this] { updateProfiles(); }); });
+    connect(m_profile, &QComboBox::activated, this, [this](int index) {
+        updateProfiles();  // it shows what is in use until the board has switched
+        askToUseProfile(m_workspace, index, this, [this] { updateProfiles(); });
+    });
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &LinkBar::updateState);
     connect(&workspace.client(), &DeviceClient::progressChanged, this, [this](const Progress &progress) {
         m_progress = describe(progress);
@@ -101,6 +103,7 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
     });
     ConfigurationModel &configuration = workspace.configuration();
     connect(&configuration, &ConfigurationModel::boardReset, this, &LinkBar::updateProfiles);
+    connect(&workspace.live(), &LiveModel::heldChanged, this, &LinkBar::updateProfiles);
     connect(&configuration, &ConfigurationModel::profileNamesChanged, this, &LinkBar::updateProfiles);
     connect(&configuration, &ConfigurationModel::activeProfileChanged, this, &LinkBar::updateProfiles);
     connect(&configuration, &ConfigurationModel::shownProfileChanged, this, &LinkBar::updateProfiles);
@@ -154,6 +157,7 @@ void LinkBar::giveWay()
     m_profileLabel->setVisible(m_hasProfiles);
     m_profile->setVisible(m_hasProfiles);
     m_address->setMinimumWidth(kAddressWidth);
+    m_address->show();
     const auto isTight = [this, room] { return m_linkLayout->minimumSize().width() > room; };
     for (QWidget *part : std::initializer_list<QWidget *>{m_state, m_profileLabel}) {
         if (isTight())
@@ -163,6 +167,9 @@ void LinkBar::giveWay()
         m_address->setMinimumWidth(kShortAddressWidth);
     if (isTight())
         m_profile->hide();
+    // What is looked at must be read in full; where it is can be asked for again.
+    if (isTight() && m_workspace.client().state() != DeviceClient::State::Disconnected)
+        m_address->hide();
 }
 
 void LinkBar::setAddress(const QString &address)
@@ -172,6 +179,7 @@ void LinkBar::setAddress(const QString &address)
         m_address->setCurrentIndex(known);
     else
         m_address->setEditText(address);
+    m_address->lineEdit()->home(false);  // of what is too long, the beginning says more
 }
 
 void LinkBar::scanPorts()
@@ -260,7 +268,8 @@ void LinkBar::updateState()
         break;
     case DeviceClient::State::Reconnecting:
         dot = theme.color(ColorRole::Warning).name();
-        text = tr("Link lost, connecting again…");
+        text = client.loss() == DeviceClient::Loss::Link ? tr("Link lost, connecting again…")
+                                                         : tr("Board restarts, connecting again…");
         m_connect->setText(tr("Give up"));
         break;
     case DeviceClient::State::Connected:
@@ -332,7 +341,7 @@ void LinkBar::updateProfiles()
         m_profile->addItem(u"%1  %2"_s.arg(profile + 1).arg(profileLabel(model.edited(), profile)));
     const bool onBoard = m_workspace.client().isConnected() && !m_workspace.client().address().isReplay();
     m_profile->setCurrentIndex(onBoard ? model.board().activeProfile() : model.shownProfile());
-    m_profile->setEnabled(true);
+    m_profile->setEnabled(!m_workspace.live().isHeld());
 }
 
 void LinkBar::updateMotors()
@@ -345,7 +354,9 @@ void LinkBar::updateMotors()
     // So does a board without a command to switch them on: there the button can only stop.
     const Device *device = m_workspace.client().device();
     const bool canSwitchOn = !linked || (device && device->motorSwitch());
-    m_offNext = !running || *running || !canSwitchOn;
+    // And a board that starts: its motors run soon.
+    const bool mayRun = !running || *running || m_workspace.isStarting();
+    m_offNext = mayRun || !canSwitchOn;
     const bool tooSoon = !m_offNext && m_pressedOff.isValid() && m_pressedOff.elapsed() < kNoOnAfterOffMs;
     const bool isItsStep = !m_offNext && m_workspace.isGuided();
     // Beneath a panel it only stops.
@@ -353,9 +364,9 @@ void LinkBar::updateMotors()
     const QString text = m_offNext ? tr("■ STOP MOTORS") : tr("▶ Start motors");
     if (m_motors->text() != text) {
         m_motors->setText(text);
-        m_motors->setAccessibleName(m_offNext ? tr("Switch motors off") : tr("Switch motors on"));
+        m_motors->setAccessibleName(m_offNext ? tr("Stop motors") : tr("Start motors"));
     }
-    const bool red = linked && (!running || *running);
+    const bool red = linked && mayRun;
     if (m_motors->property("running").toBool() != red) {
         m_motors->setProperty("running", red);
         repolish(m_motors);

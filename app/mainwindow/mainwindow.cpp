@@ -6,9 +6,14 @@
 #include "app/mainwindow/bannerarea.h"
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/contentarea.h"
+#include "app/mainwindow/editguide.h"
+#include "app/mainwindow/focusguard.h"
 #include "app/mainwindow/footbar.h"
+#include "app/mainwindow/languageswitch.h"
 #include "app/mainwindow/leaving.h"
 #include "app/mainwindow/linkbar.h"
+#include "app/mainwindow/messagebar.h"
+#include "app/mainwindow/messagehistory.h"
 #include "app/mainwindow/motorskeys.h"
 #include "app/mainwindow/navigation.h"
 #include "app/mainwindow/pagetable.h"
@@ -18,8 +23,8 @@
 #include "app/workspace/filedialogs.h"
 #include "app/workspace/question.h"
 #include "protocol/record/recording.h"
-#include "widgets/forms/numberbox.h"
 #include "widgets/forms/panel.h"
+#include "widgets/forms/wheelguard.h"
 
 #include <QAbstractItemView>
 #include <QApplication>
@@ -29,7 +34,6 @@
 #include <QLineEdit>
 #include <QLoggingCategory>
 #include <QPushButton>
-#include <QScreen>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -40,60 +44,35 @@ Q_LOGGING_CATEGORY(logStart, "gimbal.start", QtWarningMsg)
 namespace {
 
 const QString kWindowLayout = u"window"_s;
-constexpr QSize kFullSize(1024, 640);  // holds every page
-constexpr QSize kSmallestSize(560, 320);
-constexpr QSize kFirstSize(1280, 800);
-constexpr QSize kDecoration(16, 40);  // what a window manager puts around
+constexpr QSize kContentSize(1024, 640);  // holds every page
 constexpr int kAroundContent = 100;  // height of the link bar and the status at most
-
-// Without a display, Qt's screen is one in name only: pictures are as large as they are asked for.
-QSize roomOn(const QScreen *screen)
-{
-    const bool isNominal = QGuiApplication::platformName() == u"offscreen"_s;
-    return screen && !isNominal ? screen->availableSize() - kDecoration : kFirstSize;
-}
 
 }  // namespace
 
 MainWindow::MainWindow(Links links, QList<Family> families, Theme &theme, Settings &settings, QWidget *parent)
     : QMainWindow(parent)
     , m_workspace(std::make_unique<Workspace>(std::move(links), std::move(families), theme, settings))
-    , m_linkBar(new LinkBar(*m_workspace))
-    , m_replay(new ReplayBar(*m_workspace))
-    , m_messages(new MessageBar)
-    , m_offers(new OfferBar)
-    , m_navigation(new Navigation)
-    , m_stack(new QStackedWidget)
-    , m_banners(new BannerArea(*m_stack))
-    , m_start(new StartPage)
-    , m_unsavedBar(new UnsavedBar(*m_workspace))
-    , m_unstoredBar(new UnstoredBar(*m_workspace))
-    , m_foot(new FootBar(*m_workspace, {m_unstoredBar, m_unsavedBar}))
-    , m_status(new StatusStrip(*m_workspace))
     , m_keys(new MotorsKeys(*m_workspace, this))
     , m_leaving(new Leaving(*m_workspace, *this))
     , m_themeChoice(settings.theme())
 {
     setWindowTitle(u"GimbalDesk"_s);
-    // On a screen with less room the content is scrolled, and the red button stays where it is.
-    const QSize room = roomOn(screen());
-    setMinimumSize(kFullSize.boundedTo(room).expandedTo(kSmallestSize));
-    resize(kFirstSize.boundedTo(room));
-    restoreGeometry(settings.layout(kWindowLayout));
-    layoutFrame();
-    connectFrame();
-    addShortcuts();
-    m_start->setLeftovers(m_workspace->history().unsavedBases());
-    m_start->setRecent(settings.recentAddresses(), settings.recentFiles());
+    new WheelGuard(this);
+    takePlace(settings.layout(kWindowLayout));
+    makeFrame();
+    connectWorkspace();
     m_navigation->setCurrentPage(QLatin1String(pageTable().front().key));
-    page(u"console"_s);  // it lists each link from its beginning
     updateOffered();
     updateStart();
 }
 
 MainWindow::~MainWindow()
 {
+    m_panels->rejectAll();
     m_workspace->shutDown();
+    // What that has ended arrives while those who wait for it are still there.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::MetaCall);
+    delete m_focus;
     // Dialogs and pages refer to the workspace, which would otherwise be destroyed first.
     delete m_review;
     delete m_palette;
@@ -105,8 +84,8 @@ MainWindow::~MainWindow()
 void MainWindow::layoutFrame()
 {
     m_stack->addWidget(m_start);
-    m_banners->add(*m_offers, BannerArea::Closing::Never);
-    m_banners->add(*m_messages, BannerArea::Closing::ByEsc);
+    m_banners->add(*m_offers);
+    m_banners->add(*m_messages, [this] { m_messages->closeNewest(); });
     auto *middle = new QHBoxLayout;
     middle->setContentsMargins(0, 0, 0, 0);
     middle->setSpacing(0);
@@ -119,7 +98,7 @@ void MainWindow::layoutFrame()
     contentLayout->addWidget(m_replay);
     contentLayout->addLayout(middle, 1);
     contentLayout->addWidget(m_foot);
-    const QSize smallest(kFullSize.width(), kFullSize.height() - kAroundContent);
+    const QSize smallest(kContentSize.width(), kContentSize.height() - kAroundContent);
     m_panels = new PanelArea(new ContentArea(*m_content, smallest));
     auto *central = new QWidget;
     auto *layout = new QVBoxLayout(central);
@@ -129,7 +108,8 @@ void MainWindow::layoutFrame()
     layout->addWidget(m_panels, 1);
     layout->addWidget(m_status);
     setCentralWidget(central);
-    new AlarmBar(m_workspace->alarms(), m_panels);
+    m_banners->giveWayTo(*new AlarmBar(m_workspace->alarms(), m_panels, smallest.height()));
+    m_focus = new FocusGuard(*this, *m_stack, *m_panels);
 }
 
 void MainWindow::connectFrame()
@@ -139,6 +119,8 @@ void MainWindow::connectFrame()
     connect(&workspace->notifications(), &Notifications::notice, m_messages, &MessageBar::showNotice);
     connect(&workspace->notifications(), &Notifications::withdrawn, m_messages, &MessageBar::withdraw);
     connect(&workspace->notifications(), &Notifications::offer, m_offers, &OfferBar::ask);
+    connect(&workspace->notifications(), &Notifications::offerWithdrawn, m_offers, &OfferBar::withdraw);
+    connect(&workspace->notifications(), &Notifications::boardReplaced, m_offers, &OfferBar::clear);
     m_status->follow(*m_keys);
     m_keys->serve(*m_linkBar->motorsButton());
     connect(m_linkBar, &LinkBar::disconnectRequested, this, [this] {
@@ -160,20 +142,31 @@ void MainWindow::connectFrame()
     connect(m_start, &StartPage::demoRequested, this,
             [this] { openLink(u"sim:"_s + m_workspace->defaultFamily()); });
     connect(m_navigation, &Navigation::pageChosen, this, &MainWindow::updateStart);
+}
+
+void MainWindow::connectWorkspace()
+{
+    Workspace *workspace = m_workspace.get();
     connect(&workspace->configuration(), &ConfigurationModel::boardReset, this, &MainWindow::updateStart);
     connect(&workspace->configuration(), &ConfigurationModel::boardReset, this, &MainWindow::updateOffered);
     connect(&workspace->client(), &DeviceClient::stateChanged, this, &MainWindow::updateOffered);
     connect(&workspace->configuration(), &ConfigurationModel::changeCountChanged, this,
             &MainWindow::updateMarks);
+    connect(&workspace->edits().refused(), &RefusedTexts::changed, this, &MainWindow::updateMarks);
     connect(&workspace->client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
         if (state == DeviceClient::State::Connecting) {
-            m_messages->hide();
+            m_messages->keepOnly({Concern::Motors, Concern::Steering});
             m_offers->clear();
         }
         updateStart();
+        if (state == DeviceClient::State::Connected)
+            m_focus->leave(*m_linkBar);  // where a key would now disconnect
     });
     connect(&workspace->settings(), &Settings::changed, this, &MainWindow::applyTheme);
     connect(&workspace->naming(), &BoardNaming::asked, this, [this] { showPage(u"backups"_s); });
+    const auto *language = new LanguageSwitch(
+        workspace->settings(), [this] { return mayRenew(); }, this);
+    connect(language, &LanguageSwitch::due, this, &MainWindow::languageDue);
 }
 
 void MainWindow::openLink(const QString &address)
@@ -181,7 +174,7 @@ void MainWindow::openLink(const QString &address)
     m_linkBar->setAddress(address);
     const auto parsed = LinkAddress::parse(address);
     if (!parsed) {
-        m_messages->showProblem(describe(parsed.error()));
+        m_workspace->notifications().report(parsed.error());
         return;
     }
     m_workspace->connectTo(*parsed);
@@ -207,10 +200,9 @@ void MainWindow::openFile(const QString &path)
     }
     // With a board, a configuration is loaded as edits of it.
     const bool isEdit = m_workspace->client().isConnected();
-    if (const auto opened = isEdit ? m_workspace->applyFile(path) : m_workspace->openFile(path); !opened) {
-        m_messages->showProblem(describe(opened.error()));
+    if (const auto opened = isEdit ? m_workspace->applyFile(path) : m_workspace->openFile(path);
+        !m_workspace->notifications().reportLoaded(opened))
         return;
-    }
     m_workspace->settings().addRecentFile(path);
     if (isEdit || !m_workspace->offlineFile().isEmpty())
         showPage(u"parameters"_s);
@@ -227,7 +219,8 @@ void MainWindow::askSaveFile()
 {
     askSavePath(this, tr("Save the configuration"), u"gimbal.json"_s, m_workspace->configurationFilter(),
                 [this](const QString &path) {
-                    m_workspace->notifications().reportSaved(m_workspace->saveFile(path), path);
+                    m_workspace->notifications().reportSaved(m_workspace->saveFile(path), path,
+                                                             m_workspace->lacking());
                 });
 }
 
@@ -260,13 +253,31 @@ bool MainWindow::showPage(const QString &key)
     return true;
 }
 
+bool MainWindow::enterPage(const QString &key)
+{
+    if (!showPage(key))
+        return false;
+    m_focus->enterPage(Qt::ShortcutFocusReason);
+    return true;
+}
+
 // Pages that the board shown has no use for are not offered.
 void MainWindow::updateOffered()
 {
     for (const PageEntry &entry : pageTable())
         m_navigation->setOffered(QLatin1String(entry.key), isOffered(entry, *m_workspace));
+    const bool isConnected = m_workspace->client().isConnected();
+    const QString awaited = isConnected ? m_navigation->takeAwaited() : QString();
+    const QString wanted = awaited.isEmpty() ? m_navigation->currentPage() : awaited;
+    if (m_navigation->isOffered(wanted) || showPage(m_navigation->offeredInPlaceOf(wanted)))
+        return;
     if (!m_navigation->isOffered(m_navigation->currentPage()))
         showPage(QLatin1String(pageTable().front().key));
+    if (isConnected)
+        m_workspace->notifications().notify(
+            tr("This board has no page “%1”. It has: %2.")
+                .arg(m_navigation->titleOf(wanted), m_navigation->offeredTitles().join(u", "_s)),
+            Notice::Attention);
 }
 
 // Pages are shown with the first board or file; until then, one card says how to begin.
@@ -277,14 +288,18 @@ void MainWindow::updateStart()
     const bool begin
         = needsBoard && m_workspace->configuration().isEmpty() && !m_workspace->client().isConnected();
     QWidget *wanted = begin ? static_cast<QWidget *>(m_start) : page(key);
-    if (wanted && m_stack->currentWidget() != wanted)
-        m_stack->setCurrentWidget(wanted);
+    if (!wanted || m_stack->currentWidget() == wanted)
+        return;
+    m_stack->setCurrentWidget(wanted);
+    m_focus->leave(*m_stack);
 }
 
 void MainWindow::updateMarks()
 {
     const ConfigurationModel &model = m_workspace->configuration();
-    m_navigation->setMarked(u"parameters"_s, !model.isEmpty() && !model.changes().empty());
+    m_navigation->setMarked(u"parameters"_s,
+                            !model.isEmpty()
+                                && (!model.changes().empty() || m_workspace->edits().refused().count() > 0));
     m_navigation->setMarked(u"profiles"_s, !model.isEmpty() && model.namesChanged());
     for (auto it = m_pages.begin(); it != m_pages.end(); ++it) {
         if (it.key() != u"parameters"_s && it.key() != u"profiles"_s)
@@ -295,7 +310,7 @@ void MainWindow::updateMarks()
 void MainWindow::review()
 {
     ConfigurationModel &model = m_workspace->configuration();
-    if (m_review || model.isEmpty() || model.changeCount() == 0 || !m_workspace->client().isConnected()
+    if (m_review || model.isEmpty() || !m_workspace->client().isConnected()
         || !m_workspace->client().identity().writable)
         return;
     // A value still being typed belongs to the edits as well; one that is refused would be missed.
@@ -303,10 +318,13 @@ void MainWindow::review()
         focus->clearFocus();
         focus->setFocus();
     }
-    if (NumberBox::refusedIn(*m_stack->currentWidget()))
+    if (m_guide->showRefused() || model.changeCount() == 0)
         return;
     m_review = new ReviewDialog(model.board(), model.edited(), m_workspace->storedWithAWrite(), this);
+    m_review->setReplaced(m_workspace->replacedByAWrite());
     m_review->setAttribute(Qt::WA_DeleteOnClose);
+    // What it compares with is old then.
+    connect(&model, &ConfigurationModel::boardReset, m_review, &QDialog::reject);
     connect(m_review, &QDialog::accepted, this,
             [this] { m_workspace->write(m_review->chosen(), m_review->others()); });
     openPanel(*m_review);
@@ -316,11 +334,13 @@ void MainWindow::showPalette()
 {
     if (m_palette)
         return;
-    const PaletteTargets targets{[this](const QString &key) {
-                                     showPage(key);
-                                     return page(key);
-                                 },
-                                 [this] { review(); }, [this] { askToStartMotors(*m_workspace, this); }};
+    const PaletteTargets targets{
+        [this](const QString &key) {
+            enterPage(key);
+            return page(key);
+        },
+        [this] { review(); }, [this] { askToStartMotors(*m_workspace, this); },
+        [this] { openPanel(*new MessageHistory(m_workspace->notifications(), this)); }};
     m_palette = new CommandPalette(paletteEntries(*m_workspace, *m_navigation, targets), this);
     m_palette->input()->setFocus();
     openPanel(*m_palette);
@@ -333,7 +353,7 @@ void MainWindow::showHelp()
     if (auto *help = qobject_cast<HelpPage *>(page(u"help"_s))) {
         if (topic != u"help"_s)
             help->showTopic(topic);
-        showPage(u"help"_s);
+        enterPage(u"help"_s);
     }
 }
 

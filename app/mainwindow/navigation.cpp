@@ -4,6 +4,8 @@
 
 #include "app/mainwindow/pagetable.h"
 
+#include <utility>
+
 using namespace Qt::StringLiterals;
 
 namespace {
@@ -81,6 +83,11 @@ bool Navigation::awaitPage(const QString &key)
     return true;
 }
 
+QString Navigation::takeAwaited()
+{
+    return std::exchange(m_awaited, QString());
+}
+
 void Navigation::setMarked(const QString &key, bool marked)
 {
     QListWidgetItem *found = itemOf(key);
@@ -89,7 +96,7 @@ void Navigation::setMarked(const QString &key, bool marked)
     found->setData(kMarkRole, marked);
     const QString title = found->data(kTitleRole).toString();
     found->setText(marked ? title + u"  •"_s : title);
-    found->setData(Qt::AccessibleTextRole, marked ? tr("%1, with unsaved changes").arg(title) : title);
+    found->setData(Qt::AccessibleTextRole, marked ? tr("%1, with unwritten changes").arg(title) : title);
 }
 
 void Navigation::setOffered(const QString &key, bool offered)
@@ -127,4 +134,31 @@ bool Navigation::isOffered(const QString &key) const
 {
     const QListWidgetItem *found = itemOf(key);
     return found && !found->isHidden();
+}
+
+QString Navigation::titleOf(const QString &key) const
+{
+    const QListWidgetItem *found = itemOf(key);
+    return found ? found->data(kTitleRole).toString() : QString();
+}
+
+QStringList Navigation::offeredTitles() const
+{
+    QStringList titles;
+    for (int row = 0; row < count(); ++row) {
+        if (const QString title = item(row)->data(kTitleRole).toString();
+            !title.isEmpty() && !item(row)->isHidden())
+            titles.append(title);
+    }
+    return titles;
+}
+
+QString Navigation::offeredInPlaceOf(const QString &key) const
+{
+    for (int row = 0; row < count(); ++row) {
+        const QString other = item(row)->data(kKeyRole).toString();
+        if (!other.isEmpty() && !item(row)->isHidden() && titleOf(other) == titleOf(key))
+            return other;
+    }
+    return {};
 }

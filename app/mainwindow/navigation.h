@@ -17,10 +17,17 @@ public:
     /// Makes it the current one as soon as it is offered, unless another is chosen before. False if there is
     /// no such page.
     bool awaitPage(const QString &key);
+    /// The page that is still awaited, and is no longer from now on. Empty if there is none.
+    [[nodiscard]] QString takeAwaited();
     void setMarked(const QString &key, bool marked);
     /// A page that the board shown has no use for is not listed.
     void setOffered(const QString &key, bool offered);
     [[nodiscard]] bool isOffered(const QString &key) const;
+    [[nodiscard]] QString titleOf(const QString &key) const;
+    [[nodiscard]] QStringList offeredTitles() const;
+    /// The page that is offered under the title of this one, which another family has. Empty if there is
+    /// none.
+    [[nodiscard]] QString offeredInPlaceOf(const QString &key) const;
     /// The page that Ctrl and this number (from 1) show: they count what is listed. Empty if there is none.
     [[nodiscard]] QString pageOfNumber(int number) const;
 

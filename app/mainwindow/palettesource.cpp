@@ -9,6 +9,8 @@
 #include "app/pages/watch/monitorpage.h"
 #include "widgets/models/parametermodel.h"
 
+#include <QKeySequence>
+
 using namespace Qt::StringLiterals;
 
 namespace {
@@ -33,11 +35,17 @@ QList<PaletteEntry> paletteEntries(Workspace &workspace, const Navigation &navig
         entries.append(makeEntry(CommandPalette::tr("Page"), pageText(page.title), pageText(page.group), key,
                                  [showPage, key] { showPage(key); }));
     }
-    entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Motors off"), u"F12"_s, {},
+    entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Stop motors"), u"F12"_s, {},
                              [&workspace] { workspace.setMotors(false); }));
-    if (workspace.client().isConnected())
-        entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Motors on"), {}, {},
+    entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Messages so far"), {}, {},
+                             targets.showMessages));
+    if (workspace.client().isConnected()) {
+        entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Start motors"), {}, {},
                                  targets.startMotors));
+        entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Read the board again"),
+                                 QKeySequence(QKeySequence::Refresh).toString(QKeySequence::NativeText), {},
+                                 [&workspace] { workspace.readBoard(); }));
+    }
     if (!workspace.configuration().isEmpty()) {
         entries.append(makeEntry(CommandPalette::tr("Command"), CommandPalette::tr("Review and write"),
                                  u"Ctrl+S"_s, {}, targets.review));

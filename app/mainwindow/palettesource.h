@@ -14,6 +14,7 @@ struct PaletteTargets
     std::function<Page *(const QString &key)> showPage;  ///< shows a page and returns it
     std::function<void()> review;
     std::function<void()> startMotors;
+    std::function<void()> showMessages;
 };
 
 /// Everything the palette can find: the pages that are offered, parameters, channels and actions of the

@@ -69,15 +69,13 @@ ReplayBar::ReplayBar(Workspace &workspace, QWidget *parent)
             [this] { m_workspace.client().replay().setSpeed(m_speed->currentData().toDouble()); });
     DeviceClient &client = workspace.client();
     connect(&client, &DeviceClient::statisticsChanged, this, &ReplayBar::showState);
+    const auto showWhilePlaying = [this] {
+        const DeviceClient &now = m_workspace.client();
+        setVisible(now.address().isReplay() && now.state() != DeviceClient::State::Disconnected);
+    };
     // Queued: seeking backwards reopens the recording, and the bar must not disappear and reappear meanwhile.
-    connect(
-        &client, &DeviceClient::stateChanged, this,
-        [this] {
-            const DeviceClient &now = m_workspace.client();
-            setVisible(now.address().isReplay() && now.state() != DeviceClient::State::Disconnected);
-        },
-        Qt::QueuedConnection);
-    hide();
+    connect(&client, &DeviceClient::stateChanged, this, showWhilePlaying, Qt::QueuedConnection);
+    showWhilePlaying();
 }
 
 QString ReplayBar::text() const

@@ -21,11 +21,11 @@ void MainWindow::addShortcuts()
     };
     for (int i = 0; i < kNumberedPages; ++i)
         on(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)),
-           [this, i] { showPage(m_navigation->pageOfNumber(i + 1)); });
+           [this, i] { enterPage(m_navigation->pageOfNumber(i + 1)); });
     on(QKeySequence::Undo, [this] { m_workspace->edits().undo(); });
     on(QKeySequence::Redo, [this] { m_workspace->edits().redo(); });
-    new EditGuide(
-        *m_workspace, [this](const QString &key) { return showPage(key), page(key); }, this);
+    m_guide = new EditGuide(
+        *m_workspace, [this](const QString &key) { return showPage(key), page(key); }, m_content);
     on(QKeySequence(Qt::CTRL | Qt::Key_S), [this] {
         if (m_workspace->client().isConnected())
             review();

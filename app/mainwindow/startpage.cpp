@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/startpage.h"
 
+#include "widgets/forms/keyboard.h"
 #include "widgets/theme/theme.h"
 #include "widgets/views/card.h"
 
@@ -51,6 +52,7 @@ StartPage::StartPage(QWidget *parent)
     text->setWordWrap(true);
     auto *connectButton = new QPushButton(tr("&Choose a port"));
     connectButton->setObjectName(u"primary"_s);
+    setHarmless(*connectButton);
     auto *demo = new QPushButton(tr("&Try the simulated gimbal"));
     auto *open = new QPushButton(tr("&Open a file"));
     open->setToolTip(
@@ -114,7 +116,7 @@ void StartPage::setLeftovers(const QStringList &bases)
     removeRows(*m_leftovers);
     if (bases.isEmpty())
         return;
-    auto *title = new QLabel(tr("Unsaved changes of an earlier run:"));
+    auto *title = new QLabel(tr("Unwritten changes of an earlier run:"));
     title->setObjectName(u"changed"_s);
     m_leftovers->addWidget(title);
     for (const QString &base : bases.mid(0, kMaxLeftovers)) {

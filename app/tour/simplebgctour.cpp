@@ -6,6 +6,7 @@
 #include "app/families/simplebgc/calibrationpage.h"
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/mainwindow.h"
+#include "app/mainwindow/messagebar.h"
 #include "app/pages/board/actionspage.h"
 #include "app/pages/board/controlpage.h"
 #include "app/pages/program/helppage.h"

@@ -6,6 +6,7 @@
 #include "app/workspace/settings.h"
 #include "app/workspace/telemetrysubscriptions.h"
 #include "protocol/device/family.h"
+#include "protocol/supervisor/boardlimits.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "widgets/models/alarmtext.h"
 #include "widgets/models/configurationmodel.h"
@@ -14,6 +15,7 @@
 #include <QApplication>
 
 #include <algorithm>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -34,7 +36,7 @@ Alarms::Alarms(DeviceClient &client, const ConfigurationModel &configuration, Li
     // On every page, and fast enough to see an oscillation.
     telemetry.subscribe(this, [&client] {
         const ChannelRoles &roles = client.roles();
-        return ChannelRoles::present({roles.angle, roles.target, roles.gyro});
+        return ChannelRoles::present({roles.angle, roles.target, roles.gyro, roles.motorTemperature});
     });
     applyRules();
 }
@@ -42,32 +44,25 @@ Alarms::Alarms(DeviceClient &client, const ConfigurationModel &configuration, Li
 void Alarms::applyRules()
 {
     SupervisorRules rules = m_settings.supervisorRules();
-    if (!m_configuration.isEmpty()) {
-        const Configuration &board = m_configuration.board();
-        for (const Axis axis : kAxes) {
-            const auto limit = [&](const char *end) -> std::optional<double> {
-                const ParameterSpec *spec = board.parameters().find(
-                    u"rc.%1.%2_angle"_s.arg(QLatin1String(axisKey(axis)), QLatin1String(end)));
-                const auto raw = spec ? board.raw(*spec, board.activeProfile()) : std::nullopt;
-                return raw ? std::optional(spec->toDisplay(*raw)) : std::nullopt;
-            };
-            const auto low = limit("min");
-            const auto high = limit("max");
-            // Equal ones mean that nothing is limited.
-            if (low && high && *low < *high)
-                rules.angles[std::size_t(axis)] = {*low, *high};
-        }
-    }
+    if (const auto device = m_client.device(); device && !m_configuration.isEmpty())
+        setBoardLimits(rules, *device, m_configuration.board());
     m_client.setSupervisorRules(rules);
 }
 
 void Alarms::onState()
 {
-    // What was told of one board says nothing about the next.
-    if (m_client.state() != DeviceClient::State::Connecting)
+    const DeviceClient::State state = m_client.state();
+    const bool isConnected = state == DeviceClient::State::Connected;
+    const bool isOther
+        = isConnected && std::exchange(m_serial, m_client.identity().serial) != m_client.identity().serial;
+    if (isConnected && !isOther)
         return;
-    m_reports.clear();
-    m_times.clear();
+    // What was told of one board says nothing about the next. Without a link nobody sees whether it goes on:
+    // what does is told again.
+    const bool isNext = isOther || state == DeviceClient::State::Connecting;
+    m_reports.removeIf([isNext](const AlarmReport &report) { return isNext || !report.hasActed(); });
+    if (isNext)
+        m_times.clear();
     emit changed();
 }
 

@@ -49,6 +49,7 @@ private:
     LiveModel &m_live;
     LinkMarks &m_marks;
     const Settings &m_settings;
+    QString m_serial;  // of the board that they are about
     QList<AlarmReport> m_reports;
     QHash<int, int> m_times;
     int m_acknowledged = 0;  // reports up to this number that are not on the list are not wanted any more

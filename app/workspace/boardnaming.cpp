@@ -23,12 +23,14 @@ void BoardNaming::onState(DeviceClient::State state)
         m_history.forgetChoice();
     if (state != DeviceClient::State::Connected || m_client.address().isReplay())
         return;
+    if (const auto names = m_history.checkNames(); !names)
+        m_notifications.report(names.error());
     const auto known = m_history.meet(m_client.identity());
     // A simulated gimbal is always the same one.
     if (m_client.address().kind() == LinkAddress::Kind::Simulator)
         return;
     if (known == BoardHistory::Acquaintance::Unnamed && names().isEmpty()) {
-        ask(tr("This board has no serial number. Give it a name once, so that its snapshots and unsaved "
+        ask(tr("This board has no serial number. Give it a name once, so that its snapshots and unwritten "
                "changes are not mixed with those of another board that looks the same."));
     } else if (known == BoardHistory::Acquaintance::Unnamed) {
         ask(tr("This board has no serial number and looks like none that has a name here. It may be a new "
@@ -49,6 +51,9 @@ void BoardNaming::onState(DeviceClient::State state)
 
 void BoardNaming::ask(const QString &text)
 {
+    const QString look = m_client.identity().serial;
+    if (m_later.contains(look))
+        return;
     Offer question;
     question.text = text;
     question.choices.append({tr("Name the board…"), [this] {
@@ -56,7 +61,8 @@ void BoardNaming::ask(const QString &text)
                                  if (m_asked)
                                      emit asked();
                              }});
-    question.choices.append({tr("Later"), [] {}});
+    question.choices.append({tr("Later"), [this, look] { m_later.insert(look); }});
+    question.topic = Topic::Naming;
     m_notifications.ask(question);
 }
 

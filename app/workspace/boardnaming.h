@@ -46,4 +46,5 @@ private:
     EditJournal &m_journal;
     Notifications &m_notifications;
     bool m_asked = false;
+    QSet<QString> m_later;  // boards about which it is not asked again
 };

@@ -25,6 +25,16 @@ public:
     /// The board is another one, or may have been changed meanwhile: the next write takes a snapshot of its
     /// own.
     void beginLink() { m_backupDone = false; }
+    /// A write was interrupted, and what became of it is still to be decided.
+    [[nodiscard]] bool isInterrupted() const { return m_pending.has_value(); }
+    /// What the board holds of it has not been read since.
+    [[nodiscard]] bool isUnknown() const;
+    /// The interrupted write was to change this.
+    [[nodiscard]] bool awaits(const ParameterChange &change) const;
+    [[nodiscard]] bool awaits(BlockKey data) const;
+    void forgetInterrupted();
+    /// How the board is read, so that an interrupted write can be told from a complete one.
+    [[nodiscard]] std::function<Result<Configuration>(Channel &, Device &)> reader();
     /// Called after the board was read: if a write was interrupted before, asks what to do about it.
     void offerRepair();
 
@@ -39,8 +49,10 @@ signals:
 
 private:
     void onReport(const Result<WriteReport> &result);
-    void restoreLive(const LiveValues &before);
+    QSet<QString> restoreLive(const LiveValues &before);
+    void tellReplaced(const WriteReport &report, const QSet<QString> &restored);
     void tellOthers(const WriteReport &report);
+    void answer(const Configuration &wanted, const std::optional<Configuration> &again);
 
     DeviceClient &m_client;
     ConfigurationModel &m_configuration;
@@ -52,5 +64,9 @@ private:
     std::optional<Configuration> m_wantedAgain;  // becomes edits once an interrupted write is undone
     bool m_backupDone = false;
     bool m_writing = false;
-    bool m_interrupted = false;  // the link broke during a write; told again once the board can be read
+    /// Why nobody can tell what is stored, as found by the last reading; written by the worker before it
+    /// ends.
+    std::shared_ptr<std::optional<Error>> m_untold = std::make_shared<std::optional<Error>>();
+    /// The link broke during this write; told again once the board can be read, and only of that board.
+    std::optional<WriteReport> m_pending;
 };

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workspace/editjournal.h"
 
+#include "protocol/base/filefault.h"
+
+#include <QCryptographicHash>
+#include <QFileInfo>
 #include <QJsonArray>
 
 #include <algorithm>
@@ -13,9 +17,27 @@ namespace {
 
 // Long enough to make one write of one drag of a slider, short enough to lose next to nothing in a crash.
 constexpr int kDelayMs = 150;
+const QString kFileSerial = u"file-"_s;
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
+
+Configuration withOwnSerial(Configuration file, const QString &path)
+{
+    const QByteArray place = QFileInfo(path).absoluteFilePath().toUtf8();
+    if (file.identity().serial.isEmpty())
+        file.setSerial(kFileSerial
+                       + QString::fromLatin1(
+                           QCryptographicHash::hash(place, QCryptographicHash::Sha1).toHex().left(16)));
+    return file;
+}
+
+Configuration withoutOwnSerial(Configuration file)
+{
+    if (file.identity().serial.startsWith(kFileSerial))
+        file.setSerial({});
+    return file;
+}
 
 EditJournal::EditJournal(ConfigurationModel &configuration, EditStack &edits, const BoardHistory &history,
                          QObject *parent)
@@ -30,6 +52,7 @@ EditJournal::EditJournal(ConfigurationModel &configuration, EditStack &edits, co
     connect(&configuration, &ConfigurationModel::boardReset, this, &EditJournal::onBoard);
     connect(&configuration, &ConfigurationModel::changeCountChanged, &m_timer, qOverload<>(&QTimer::start));
     connect(&m_drafts, &Drafts::changed, &m_timer, qOverload<>(&QTimer::start));
+    connect(&edits.refused(), &RefusedTexts::changed, &m_timer, qOverload<>(&QTimer::start));
     connect(&edits.undoStack(), &QUndoStack::indexChanged, &m_timer, qOverload<>(&QTimer::start));
 }
 
@@ -41,30 +64,77 @@ EditJournal::~EditJournal()
 void EditJournal::onBoard()
 {
     const QString serial = m_configuration.board().identity().serial;
-    if (serial == m_serial)
+    if (serial == m_serial) {
+        if (m_isAwaited && m_leftover && !leftoverWaits())
+            tellLeftover();
         return;
+    }
     if (!m_serial.isEmpty()) {  // texts of the board before stay in its journal
         m_drafts.clear();
+        m_edits.refused().clear();
         m_timer.stop();
     }
     m_serial = serial;
     m_hasFile = false;
-    m_leftover = m_history.unsaved(serial);
+    m_isTold = false;
+    if (std::exchange(m_leftover, std::nullopt))
+        emit leftoverGone();
+    const auto left = m_history.unsaved(serial);
+    if (left && !left->isEmpty())
+        m_leftover = *left;
+    if (m_leftover && !leftoverWaits()) {  // what was written, or is so already, is no leftover
+        const QJsonObject open = m_edits.opened(*m_leftover);
+        m_leftover->insert(u"steps"_s, open.value(u"steps"_s));
+        m_leftover->insert(u"done"_s, open.value(u"done"_s));
+        if (leftSteps() + leftTexts() == 0) {
+            m_leftover.reset();
+            m_history.dropUnsaved(serial);
+        }
+    }
+    if (!left && left.error().file->problem != FileProblem::Missing)
+        emit unreadable(left.error(), m_history.setAsideUnsaved(serial));
     if (m_leftover)
-        emit leftoverFound(int(m_leftover->value(u"steps"_s).toArray().size()),
-                           int(m_leftover->value(u"drafts"_s).toObject().size()));
+        tellLeftover();
 }
 
-bool EditJournal::restoreLeftover()
+void EditJournal::tellLeftover()
 {
-    if (!m_leftover)
-        return false;
+    m_isAwaited = false;
+    m_isTold = true;
+    emit leftoverFound(leftSteps(), leftTexts());
+}
+
+int EditJournal::leftSteps() const
+{
+    return m_leftover->value(u"done"_s).toInt();
+}
+
+int EditJournal::leftTexts() const
+{
+    return int(m_leftover->value(u"drafts"_s).toObject().size()
+               + m_leftover->value(u"refused"_s).toArray().size());
+}
+
+void EditJournal::remind()
+{
+    if (!std::exchange(m_isTold, false) && m_leftover)
+        tellLeftover();
+    m_isTold = false;
+}
+
+EditStack::Restored EditJournal::restoreLeftover()
+{
+    m_isAwaited = leftoverWaits();
+    if (!m_leftover || m_isAwaited)
+        return {};
     const QJsonObject steps = *std::exchange(m_leftover, std::nullopt);
     m_hasFile = true;
-    const bool isRestored = m_edits.restore(steps);
+    EditStack::Restored restored = m_edits.restore(steps);
     const QJsonObject texts = steps.value(u"drafts"_s).toObject();
     m_drafts.restore(texts);
-    return isRestored || !texts.isEmpty();
+    m_edits.refused().restore(steps.value(u"refused"_s).toArray());
+    restored.any = restored.any || !texts.isEmpty() || m_edits.refused().count() > 0;
+    return restored;
 }
 
 void EditJournal::dropLeftover()
@@ -84,7 +154,8 @@ void EditJournal::moveWith(const std::function<void()> &change)
     flush();
     if (std::exchange(m_hasFile, false) && !m_leftover)
         m_history.dropUnsaved(m_serial);
-    m_leftover.reset();
+    if (std::exchange(m_leftover, std::nullopt))
+        emit leftoverGone();
     m_serial.clear();
     change();
     if (m_configuration.isEmpty())
@@ -97,10 +168,18 @@ void EditJournal::moveWith(const std::function<void()> &change)
 // snapshot.
 void EditJournal::keepUndecided()
 {
+    if (leftoverWaits()) {
+        m_leftover.reset();
+        emit leftoverGone();
+        emit setAside(m_history.setAsideUnsaved(m_serial));
+        return;
+    }
     const auto leftover = std::exchange(m_leftover, std::nullopt);
     if (!leftover)
         return;
+    emit leftoverGone();
     m_drafts.restore(leftover->value(u"drafts"_s).toObject());  // what is typed now goes before
+    m_edits.refused().restore(leftover->value(u"refused"_s).toArray());
     if (leftover->value(u"steps"_s).toArray().isEmpty())
         return;
     Configuration kept = m_configuration.board();
@@ -119,7 +198,10 @@ void EditJournal::keepUndecided()
                 std::ignore = kept.setRaw(*spec, profile, edit.value(u"to"_s).toDouble(kNoNumber));
         }
     }
-    std::ignore = m_history.save(kept, u"unsaved edits of an earlier run"_s);
+    if (const auto saved = m_history.save(kept, u"unwritten edits of an earlier run"_s); saved)
+        emit keptAside(*saved);
+    else
+        emit setAside(m_history.setAsideUnsaved(m_serial));
 }
 
 void EditJournal::write()
@@ -127,7 +209,7 @@ void EditJournal::write()
     m_timer.stop();
     if (m_configuration.isEmpty())
         return;
-    if (m_configuration.changeCount() == 0 && m_drafts.count() == 0) {
+    if (m_configuration.changeCount() == 0 && m_drafts.count() == 0 && m_edits.refused().count() == 0) {
         // Edits left by an earlier run are kept until the operator has decided about them.
         if (m_hasFile && !m_leftover)
             m_history.dropUnsaved(m_serial);
@@ -138,6 +220,9 @@ void EditJournal::write()
     m_hasFile = true;
     QJsonObject unsaved = m_edits.toJson();
     unsaved.insert(u"drafts"_s, m_drafts.toJson());
+    unsaved.insert(u"refused"_s, m_edits.refused().toJson());
     if (const auto saved = m_history.saveUnsaved(m_configuration.board(), unsaved); !saved)
         emit failed(saved.error());
+    else
+        emit written();
 }

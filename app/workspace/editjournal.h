@@ -10,6 +10,11 @@
 
 #include <functional>
 
+/// A file that names no board has edits and texts of its own, and shares them with no other such file.
+[[nodiscard]] Configuration withOwnSerial(Configuration file, const QString &path);
+/// As it was read; a copy that is saved belongs to no file.
+[[nodiscard]] Configuration withoutOwnSerial(Configuration file);
+
 /// Keeps the undo stack, and texts that are no edits yet, in a file beside the board's snapshots while
 /// anything is unsaved, so that a crash loses nothing.
 class EditJournal final : public QObject
@@ -20,9 +25,14 @@ public:
                 QObject *parent = nullptr);
     ~EditJournal() override;
 
-    /// Puts the edits that an earlier run has left back on the stack. False if none of them fits this board.
-    bool restoreLeftover();
+    /// What an earlier run has left concerns parts of the board that could not be read: it is kept, and found
+    /// again once they are there.
+    [[nodiscard]] bool leftoverWaits() const { return m_leftover && m_edits.concernsMissing(*m_leftover); }
+    /// Puts the edits that an earlier run has left back on the stack. Nothing is restored while they wait.
+    EditStack::Restored restoreLeftover();
     void dropLeftover();
+    /// Tells again of what an earlier run has left, if nobody has decided about it: a new link has begun.
+    void remind();
     /// Texts that were typed for this board and are no edits yet.
     [[nodiscard]] Drafts &drafts() { return m_drafts; }
     [[nodiscard]] const Drafts &drafts() const { return m_drafts; }
@@ -35,11 +45,25 @@ signals:
     /// The board now shown has edits from an earlier run, or texts.
     void leftoverFound(int steps, int texts);
     void failed(const Error &error);
+    /// Pending edits are safe.
+    void written();
+    /// The edits of an earlier run cannot be read; they were put into this folder.
+    void unreadable(const Error &error, const QString &folder);
+    /// New edits took the place of edits of an earlier run that concern parts which could not be read; those
+    /// were put into this folder.
+    void setAside(const QString &folder);
+    /// New edits took the place of those of an earlier run; those were put into this snapshot.
+    void keptAside(const QString &path);
+    /// There is nothing to decide about any more, or another board is shown.
+    void leftoverGone();
 
 private:
     void onBoard();
     void write();
     void keepUndecided();
+    void tellLeftover();
+    [[nodiscard]] int leftSteps() const;
+    [[nodiscard]] int leftTexts() const;
 
     ConfigurationModel &m_configuration;
     EditStack &m_edits;
@@ -49,4 +73,6 @@ private:
     QString m_serial;
     QTimer m_timer;
     bool m_hasFile = false;
+    bool m_isAwaited = false;  // the leftover, by the operator
+    bool m_isTold = false;  // on this link
 };

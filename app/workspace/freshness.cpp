@@ -7,7 +7,10 @@
 #include "protocol/transport/linkaddress.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+using namespace Qt::StringLiterals;
 using namespace std::chrono_literals;
 
 namespace {
@@ -15,6 +18,10 @@ namespace {
 constexpr auto kLookEvery = 100ms;
 constexpr double kStaleSeconds = 0.5;
 constexpr double kStalePeriods = 3.0;
+constexpr double kRepeatedSeconds = 2.0;
+const QString kTimeFormat = u"HH:mm:ss"_s;
+constexpr auto kSilent = 3s;
+constexpr auto kBetweenJobs = 1s;
 constexpr double kFirstSeconds = 3.0;  // from the connection until the first sample
 
 // How often one of these channels comes: a slow line thins out some streams more than others.
@@ -67,6 +74,78 @@ std::optional<QDateTime> Freshness::staleSince(const QList<int> &channels) const
     return QDateTime::currentDateTime().addMSecs(-qint64(age * 1000.0));
 }
 
+bool Freshness::isWithoutSensor(const QList<int> &channels) const
+{
+    const auto store = m_client.telemetry();
+    return store && m_client.isConnected() && !channels.isEmpty()
+        && std::all_of(channels.begin(), channels.end(), [&store](int channel) {
+               return store->latestAt(channel) != TimePoint{} && std::isnan(store->latest(channel));
+           });
+}
+
+std::optional<QDateTime> Freshness::unchangedSince() const
+{
+    const auto store = m_client.telemetry();
+    if (!store || !m_client.isConnected() || m_client.address().isReplay())
+        return {};
+    const TimePoint now = Clock::now();
+    const auto since = m_change.unchangedSince(*store, now);
+    return since
+        ? std::optional(QDateTime::currentDateTime().addMSecs(-qint64(seconds(now - *since) * 1000.0)))
+        : std::nullopt;
+}
+
+// Frames come, and their samples do not: those whose time stamp stands still are none.
+bool Freshness::isRepeating() const
+{
+    const auto store = m_client.telemetry();
+    if (!store || !m_client.isConnected() || store->repeatedAt() == TimePoint{})
+        return false;
+    const double rate = m_client.telemetryPlan().rate;
+    return seconds(Clock::now() - store->repeatedAt())
+        < std::max(kRepeatedSeconds, rate > 0 ? kStalePeriods / rate : 0.0);
+}
+
+std::optional<QDateTime> Freshness::frozenSince() const
+{
+    const QList<int> angles = ChannelRoles::present({m_client.roles().angle});
+    const auto since = staleSince(angles);
+    if (since && isRepeating()
+        && since->msecsTo(QDateTime::currentDateTime()) >= qint64(kRepeatedSeconds * 1000.0))
+        return since;
+    return unchangedSince();
+}
+
+std::optional<QDateTime> Freshness::silentSince() const
+{
+    const bool isSilent = m_client.isConnected() && !isRepeating() && Clock::now() - m_heardAt >= kSilent;
+    return isSilent ? staleSince() : std::nullopt;
+}
+
+// A write, a reading or a calibration may keep the board from sending; one that was begun in silence is no
+// reason for it.
+void Freshness::listen()
+{
+    const TimePoint now = Clock::now();
+    const bool hears = !m_client.isConnected() || !staleSince();
+    m_isExcused = m_client.isBusy() && (m_isExcused || hears || now - m_heardAt < kBetweenJobs);
+    if (hears || m_isExcused)
+        m_heardAt = now;
+    if (const bool isSilent = silentSince().has_value(); std::exchange(m_isSilent, isSilent) != isSilent)
+        emit silentChanged(isSilent);
+}
+
+QString Freshness::troubleText(const QList<int> &channels) const
+{
+    if (const auto since = staleSince(channels))
+        return (isRepeating() ? tr("Unchanged since %1") : tr("No data since %1"))
+            .arg(since->toString(kTimeFormat));
+    if (isWithoutSensor(channels))
+        return tr("The board sees no sensor");
+    const auto since = unchangedSince();
+    return since ? tr("Unchanged since %1").arg(since->toString(kTimeFormat)) : QString();
+}
+
 void Freshness::watch(StaleCover &cover, const Channels &channels)
 {
     m_covers[&cover] = channels;
@@ -75,8 +154,12 @@ void Freshness::watch(StaleCover &cover, const Channels &channels)
 
 void Freshness::look()
 {
+    m_change.look(m_client.telemetry().get(), Clock::now());
+    if (const bool isFrozen = frozenSince().has_value(); std::exchange(m_isFrozen, isFrozen) != isFrozen)
+        emit frozenChanged(isFrozen);
+    listen();
     for (const auto &[cover, channels] : m_covers) {
         if (cover->parentWidget()->isVisible())
-            cover->setSince(staleSince(channels ? channels() : QList<int>()));
+            cover->setText(troubleText(channels ? channels() : QList<int>()));
     }
 }

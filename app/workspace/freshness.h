@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/client/deviceclient.h"
+#include "protocol/telemetry/changewatch.h"
 #include "widgets/views/stalecover.h"
 
 #include <QTimer>
@@ -11,7 +12,8 @@
 #include <map>
 
 /// Whether what is shown of the board is live. Data are stale after half a second or three periods without a
-/// sample, whichever is longer; without a link as well, until another board is connected.
+/// sample, whichever is longer; without a link as well, until another board is connected. Beside that there
+/// may be no sensor behind them, and a board without time stamps may send the same values again and again.
 class Freshness final : public QObject
 {
     Q_OBJECT
@@ -22,15 +24,41 @@ public:
     /// since; empty while they are live, and for recordings. @param channels none = all
     [[nodiscard]] std::optional<QDateTime> staleSince(const QList<int> &channels = {}) const;
 
+    /// What is wrong with these channels, in words; empty while they are live.
+    [[nodiscard]] QString troubleText(const QList<int> &channels = {}) const;
+    /// Since when samples come and none of them differs from the one before; empty: they do.
+    [[nodiscard]] std::optional<QDateTime> unchangedSince() const;
+    /// When the newest value of any channel was seen to differ from the one before.
+    [[nodiscard]] TimePoint changedAt() const { return m_change.changedAt(); }
+    /// Since when the board repeats itself, by what is the same or by its time stamps: what it says of itself
+    /// is old then; empty: it does not.
+    [[nodiscard]] std::optional<QDateTime> frozenSince() const;
+
+    /// Since when nothing has come for some seconds although nothing here keeps the line busy: what the board
+    /// does is not known; empty: it is.
+    [[nodiscard]] std::optional<QDateTime> silentSince() const;
+
     using Channels = std::function<QList<int>()>;
     /// Shows the cover while these channels are stale. Asked each time, because boards number them
     /// differently.
     void watch(StaleCover &cover, const Channels &channels = {});
 
+signals:
+    void frozenChanged(bool frozen);
+    void silentChanged(bool silent);
+
 private:
     void look();
+    void listen();
+    [[nodiscard]] bool isWithoutSensor(const QList<int> &channels) const;
+    [[nodiscard]] bool isRepeating() const;
 
     DeviceClient &m_client;
     std::map<StaleCover *, Channels> m_covers;
+    ChangeWatch m_change;
+    bool m_isFrozen = false;
+    bool m_isSilent = false;
+    bool m_isExcused = false;  // a job that may silence the board began while data came
+    TimePoint m_heardAt{};  // or excused
     QTimer m_timer;
 };

@@ -24,8 +24,12 @@ LinkMarks::LinkMarks(DeviceClient &client, const ConfigurationModel &configurati
     , m_live(live)
     , m_marks(marks)
 {
-    connect(&client, &DeviceClient::connectionLost, this,
-            [this] { add(PlotMark::Kind::Fault, tr("Connection lost")); });
+    connect(&client, &DeviceClient::connectionLost, this, [this, &client] {
+        if (client.loss() == DeviceClient::Loss::Link)
+            add(PlotMark::Kind::Fault, tr("Connection lost"));
+        else
+            add(PlotMark::Kind::Fault, tr("Board restarted"));
+    });
     connect(&client, &DeviceClient::stateChanged, this, &LinkMarks::onState);
     connect(&client, &DeviceClient::telemetryPlanChanged, this,
             [this] { add(PlotMark::Kind::Note, tr("Streams arranged")); });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/client/deviceclient.h"
+#include "protocol/client/samplewatch.h"
 #include "protocol/record/recorder.h"
 
 #include <QThreadPool>
@@ -32,18 +33,32 @@ public:
 
 signals:
     void recordingChanged(bool recording);
-    /// A recording is complete.
-    void finished(const QString &path, qint64 bytes);
+    /// A recording is complete. @param hasSamples live data came while it was made
+    void finished(const QString &path, qint64 bytes, bool hasSamples);
+    /// A recording was ended because another board answers on the link.
+    void replaced();
+    /// While recording over a link that stands: live data have stopped, or come again.
+    void silenceChanged(bool silent);
     /// Writing failed; what was written before remains valid.
     void failed(const Error &error);
 
 private:
-    void end(std::shared_ptr<RecordingTask> task, const QString &path);
+    void onState(DeviceClient::State state);
+    void finish(quint64 forgetUntil);
+    void end(std::shared_ptr<RecordingTask> task, const QString &path, bool hasSamples,
+             quint64 forgetUntil = 0);
+    void watchSamples();
+    void lookForSamples();
 
     DeviceClient &m_client;
     Recorder m_recorder;
     std::unique_ptr<RecordingTask> m_task;
     QString m_path;
     QTimer m_watch;
+    std::unique_ptr<SampleWatch> m_samples;  // of the running recording
+    std::shared_ptr<const TelemetryStore> m_lost;  // whose link is being set up again
+    quint64 m_lostAt = 0;
+    bool m_hasSamples = false;
+    bool m_isSilent = false;
     QThreadPool m_writers;  // writes the last bytes without blocking
 };

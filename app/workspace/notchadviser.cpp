@@ -186,6 +186,8 @@ QString NotchAdviser::question(const Plan &plan, const NotchAdvice &advice) cons
 
 QString NotchAdviser::obstacle() const
 {
+    if (m_live.isHeld())
+        return tr("A search, measurement or calibration is running.");
     if (m_live.changeCount() > 0)
         return tr("Values in use are not stored; a trial would replace them. Store or revert them on Tuning "
                   "first.");
@@ -209,6 +211,7 @@ void NotchAdviser::start(const Plan &plan)
     trial.base = board;
     trial.wanted = plan.appliedTo(board);
     m_stop = std::make_shared<std::atomic<bool>>(false);
+    m_live.hold();
     noteTrial(plan, board);
     // The samples must come whether a page shows them or not.
     m_telemetry.subscribe(this, [this] {
@@ -236,6 +239,7 @@ void NotchAdviser::stop()
 void NotchAdviser::onResult(const Plan &plan, const Result<NotchTrialResult> &result)
 {
     m_stop = nullptr;
+    m_live.release();
     m_telemetry.subscribe(this, [] { return QList<int>(); });
     m_marks.add(PlotMark::Kind::Note, tr("Trial of a notch is over"));
     if (!result) {

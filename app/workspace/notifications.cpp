@@ -4,17 +4,43 @@
 
 #include "app/workspace/editjournal.h"
 #include "app/workspace/linkrecorder.h"
+#include "protocol/base/linkloss.h"
 #include "protocol/client/replaycontrol.h"
+#include "protocol/record/boardhistory.h"
 #include "protocol/transport/replay.h"
 #include "widgets/models/numbertext.h"
 
+#include <QSysInfo>
+
+#include <array>
 #include <utility>
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+constexpr int kMostRemembered = 200;
+
+}  // namespace
+
 bool isEndOfLink(const Error &error)
 {
-    return error.code == ErrorCode::LinkClosed || error.code == ErrorCode::Cancelled;
+    return isLinkLoss(error) || error.code == ErrorCode::Cancelled;
+}
+
+bool mayLookLikeAnother(const BoardIdentity &identity)
+{
+    return identity.extra.value(BoardHistory::kUnnumbered).toBool();
+}
+
+QString boardText(const BoardIdentity &identity)
+{
+    const QString name = identity.extra.value(u"name"_s).toString();
+    if (!name.isEmpty())
+        return Notifications::tr("%1, “%2”").arg(identity.model, name);
+    return identity.serial.isEmpty() || mayLookLikeAnother(identity)
+        ? identity.model
+        : Notifications::tr("%1, number %2").arg(identity.model, identity.serial);
 }
 
 Notifications::Notifications(DeviceClient &client, const ConfigurationModel &configuration)
@@ -29,13 +55,18 @@ Notifications::Notifications(DeviceClient &client, const ConfigurationModel &con
     connect(&m_client, &DeviceClient::motorsOffFinished, this, &Notifications::onMotorsOff);
     connect(&m_client, &DeviceClient::motorsOffSettled, this, [this](bool restored) {
         m_leftDisabled = !restored;
-        if (!restored)
-            report(ErrorText{
-                tr("The motors stay disabled until the board restarts."),
-                tr("They were stopped while the board was starting, and it has not reached standby since."),
-                tr("Restart the board before you use them, and store nothing before."),
-                {}});
+        if (restored)
+            settle(Concern::Standby);
+        else
+            report(ErrorText{tr("The motors stay disabled until the board restarts."),
+                             tr("They were stopped while the board was starting, and it has not reached "
+                                "standby since."),
+                             tr("Restart the board before you use them, and store nothing before."),
+                             {}},
+                   Concern::Standby);
     });
+    connect(&m_client, &DeviceClient::motorsOffForgone, this, [this] { settle(Concern::Motors); });
+    connect(&m_client, &DeviceClient::steeringEnded, this, &Notifications::onSteeringEnded);
     connect(&m_client, &DeviceClient::statisticsChanged, this, &Notifications::onReplay);
     connect(&m_client, &DeviceClient::boardSpoke, this,
             [this](const QString &text) { notify(tr("The board says: %1").arg(text), Notice::Hint); });
@@ -68,8 +99,40 @@ void Notifications::onReplay()
 void Notifications::report(const ErrorText &text, Concern concern)
 {
     if (concern != Concern::None)
-        m_told[concern] = text.oneLine();
-    emit problem(text);
+        m_told.insert(concern);
+    if (!text.motors.isEmpty())
+        m_told.insert(Concern::Motors);
+    remember(text.oneLine(), std::nullopt);
+    emit problem(text, concern, circumstances());
+}
+
+// A link that ended, or never came to be, is what the report is about.
+QString Notifications::circumstances() const
+{
+    QStringList lines{u"GimbalDesk " GIMBAL_VERSION ", Qt %1, %2 (%3), %4"_s.arg(
+        QLatin1String(qVersion()), QSysInfo::prettyProductName(), QSysInfo::currentCpuArchitecture(),
+        QDateTime::currentDateTime().toString(Qt::ISODate))};
+    static constexpr std::array kStates{QT_TR_NOOP("not connected"), QT_TR_NOOP("connecting"),
+                                        QT_TR_NOOP("connected"), QT_TR_NOOP("link lost")};
+    const QString address = m_client.addressText();
+    const DeviceClient::State state = m_client.state();
+    lines.append(
+        tr("Link: %1, %2")
+            .arg(address.isEmpty() ? tr("none used yet") : address, tr(kStates[std::size_t(state)])));
+    const bool isLinked = m_client.isConnected() || state == DeviceClient::State::Reconnecting;
+    if (!isLinked && m_configuration.isEmpty()) {
+        lines.append(tr("Board: none"));
+        return lines.join(u'\n');
+    }
+    const BoardIdentity &board
+        = isLinked ? m_client.identity() : std::as_const(m_configuration).board().identity();
+    QString text = tr("Board: %1, firmware %2").arg(board.model, board.firmware);
+    if (!board.serial.isEmpty())
+        text += tr(", number %1").arg(board.serial);
+    if (!isLinked)
+        text += tr(" (read before, or from a file)");
+    lines.append(text);
+    return lines.join(u'\n');
 }
 
 void Notifications::report(const Error &error, Concern concern)
@@ -85,23 +148,76 @@ void Notifications::reportMotorsMayRun(const QString &what)
         Concern::Motors);
 }
 
+void Notifications::reportMotorsRunOn()
+{
+    settle(Concern::Motors);
+    report({tr("The motors run on although they were told to stop."),
+            tr("The board answers and reports that they run; stopping them is repeated."),
+            tr("Hold the camera and disconnect the power."),
+            {}},
+           Concern::Motors);
+}
+
+void Notifications::reportNothingToStop()
+{
+    settle(Concern::Link);
+    report({tr("There is no connection: nothing was sent to stop motors."),
+            tr("Motors that run go on running."),
+            tr("Connect first, then stop them (F12); or disconnect their power."),
+            {}},
+           Concern::Link);
+}
+
+void Notifications::reportSilence(const QDateTime &since)
+{
+    report({tr("No live data have come since %1; the motors ran then.").arg(since.toString(u"HH:mm:ss"_s)),
+            tr("They may go on, and nothing is watched: no alarm can tell or stop anything."),
+            tr("Keep clear of the gimbal. Stop the motors (F12), or disconnect the power."),
+            {}},
+           Concern::Silence);
+}
+
 void Notifications::settle(Concern concern)
 {
-    if (m_told.contains(concern))
-        emit withdrawn(m_told.take(concern));
+    if (m_told.remove(concern))
+        emit withdrawn(concern);
 }
 
-void Notifications::notify(const QString &text, Notice kind)
+void Notifications::notify(const QString &text, Notice kind, Concern concern)
 {
-    emit notice(text, kind);
+    tell(text, kind, concern, {});
 }
 
-void Notifications::reportSaved(const Result<void> &saved, const QString &path)
+void Notifications::tell(const QString &text, Notice kind, Concern concern, const QString &motors)
 {
-    if (saved)
+    if (concern != Concern::None)
+        m_told.insert(concern);
+    if (!motors.isEmpty())
+        m_told.insert(Concern::Motors);
+    remember(motors.isEmpty() ? text : text + u' ' + motors, kind);
+    emit notice(text, kind, concern, motors);
+}
+
+void Notifications::remember(const QString &text, std::optional<Notice> kind)
+{
+    m_history.append({QDateTime::currentDateTime(), text, kind});
+    if (m_history.size() > kMostRemembered)
+        m_history.removeFirst();
+}
+
+void Notifications::reportSaved(const Result<void> &saved, const QString &path, const QString &lacking)
+{
+    settle(Concern::Saving);
+    if (saved && !lacking.isEmpty())
+        report(ErrorText{tr("Saved to %1, but not everything.").arg(path),
+                         tr("The file lacks what could not be read: %1.").arg(lacking),
+                         tr("Read the board again, then save once more."),
+                         {}},
+               Concern::Saving);
+    else if (saved)
         notify(tr("Saved to %1").arg(path));
     else
-        report(saved.error());
+        report(saved.error(), Concern::Saving);
 }
 
 void Notifications::ask(const Offer &question)
@@ -109,25 +225,76 @@ void Notifications::ask(const Offer &question)
     emit offer(question);
 }
 
+void Notifications::withdrawOffer(Topic topic)
+{
+    emit offerWithdrawn(topic);
+}
+
 void Notifications::follow(const EditJournal &journal)
 {
     connect(&journal, &EditJournal::failed, this, [this](const Error &error) {
         ErrorText text = describe(error);
-        text.meaning = tr("Unsaved edits would not survive a crash of the program.");
-        report(text);
+        text.meaning = tr("Unwritten edits would not survive a crash of the program.");
+        settle(Concern::Journal);
+        report(text, Concern::Journal);
     });
+    connect(&journal, &EditJournal::written, this, [this] { settle(Concern::Journal); });
+    connect(&journal, &EditJournal::unreadable, this, [this](const Error &error, const QString &folder) {
+        ErrorText text = describe(error);
+        text.cure = tr("The file is kept in the folder %1.").arg(folder);
+        report(text, Concern::Loading);
+    });
+    connect(&journal, &EditJournal::setAside, this, [this](const QString &folder) {
+        notify(
+            tr("New edits take the place of edits of an earlier run, which concern parts of the board that "
+               "could not be read. Those are kept in %1.")
+                .arg(folder),
+            Notice::Attention);
+    });
+    connect(&journal, &EditJournal::keptAside, this, [this](const QString &path) {
+        notify(tr("New edits take the place of edits of an earlier run. Those are kept as the snapshot %1.")
+                   .arg(path),
+               Notice::Attention);
+    });
+    connect(&journal, &EditJournal::leftoverGone, this, [this] { withdrawOffer(Topic::Leftover); });
 }
 
 void Notifications::follow(const LinkRecorder &recorder)
 {
-    connect(&recorder, &LinkRecorder::finished, this, [this](const QString &path, qint64 bytes) {
-        notify(tr("Recording saved to %1 (%2)").arg(path, sizeText(bytes)));
+    connect(&recorder, &LinkRecorder::finished, this,
+            [this](const QString &path, qint64 bytes, bool hasSamples) {
+                if (hasSamples)
+                    notify(tr("Recording saved to %1 (%2)").arg(path, sizeText(bytes)));
+                else
+                    notify(tr("The recording %1 holds no live data: none came while it was made.").arg(path),
+                           Notice::Attention);
+            });
+    connect(&recorder, &LinkRecorder::replaced, this, [this, &recorder] {
+        notify(
+            tr("The recording has ended: another board answers on this link. What came from the one before "
+               "is in %1.")
+                .arg(recorder.path()),
+            Notice::Attention);
+    });
+    connect(&recorder, &LinkRecorder::silenceChanged, this, [this](bool silent) {
+        if (silent)
+            report(ErrorText{tr("Live data have stopped while the link is being recorded."),
+                             tr("The recording goes on, and has a gap from here on."),
+                             tr("Choose streams on the Monitor, or connect again."),
+                             {}},
+                   Concern::LiveData);
+        else
+            settle(Concern::LiveData);
     });
     connect(&recorder, &LinkRecorder::failed, this, [this](const Error &error) {
         ErrorText text = describe(error);
-        text.what = tr("The recording has ended.");
+        text.what = tr("The recording has ended.") + u' ' + text.what;
         text.cure = tr("What was recorded before is in the file. Make room, or choose another place.");
-        report(text);
+        report(text, Concern::Recorder);
+    });
+    connect(&recorder, &LinkRecorder::recordingChanged, this, [this](bool recording) {
+        if (recording)
+            settle(Concern::Recorder);
     });
 }
 
@@ -144,8 +311,18 @@ void Notifications::onState(DeviceClient::State state)
     if (state != DeviceClient::State::Connected)
         return;
     m_leftDisabled = false;
-    if (std::exchange(m_wasLost, false))
-        notify(tr("Connected again."));
+    settle(Concern::Standby);
+    const BoardIdentity before = std::exchange(m_board, m_client.identity());
+    if (std::exchange(m_wasLost, false)) {
+        if (before.serial == m_board.serial) {
+            tellBack();
+        } else {
+            emit boardReplaced();
+            notify(tr("Another board answers now: %1. It is read anew; the one before was %2.")
+                       .arg(boardText(m_board), boardText(before)),
+                   Notice::Attention);
+        }
+    }
     if (m_client.address().isReplay())
         notify(tr("This is a recording: everything can be looked at, nothing can be changed."), Notice::Hint);
     else if (!m_client.identity().writable)
@@ -157,6 +334,18 @@ void Notifications::onState(DeviceClient::State state)
                Concern::Link);
 }
 
+// A restart that nobody ordered stays on the screen.
+void Notifications::tellBack()
+{
+    switch (m_client.loss()) {
+    case DeviceClient::Loss::Link: notify(tr("Connected again.")); break;
+    case DeviceClient::Loss::OrderedRestart: notify(tr("The board has restarted and is back.")); break;
+    case DeviceClient::Loss::Restart:
+        tell(tr("The board restarted by itself and is back. It uses the stored values."), Notice::Attention,
+             Concern::None, tr("Its motors may run."));
+    }
+}
+
 void Notifications::onConnectionFailed(const Error &error)
 {
     report(error, Concern::Link);
@@ -165,14 +354,23 @@ void Notifications::onConnectionFailed(const Error &error)
 void Notifications::onLost(const Error &error)
 {
     m_wasLost = true;
+    settle(Concern::Standby);
+    if (m_client.loss() == DeviceClient::Loss::OrderedRestart) {
+        notify(tr("The board restarts, as it was told to. The program connects again as soon as it is back."),
+               Notice::Hint);
+        return;
+    }
     ErrorText text = describe(error);
+    if (m_client.loss() == DeviceClient::Loss::Restart)
+        text.cure = tr("The program connects again as soon as it is back. Check its supply voltage and its "
+                       "cables.");
     // It replaces what was told of the motors.
     if (m_leftDisabled)
         text.meaning
             += tr(" Its motors were disabled while it was starting and may stay so until it restarts; "
                   "store nothing before.");
     if (m_configuration.changeCount() > 0)
-        text.cure += tr(" Unsaved changes are kept.");
+        text.cure += tr(" Unwritten edits are kept.");
     report(text, Concern::Link);
 }
 
@@ -185,10 +383,23 @@ void Notifications::onTelemetryFailed(const Error &error)
     report(text, isRefused ? Concern::None : Concern::LiveData);
 }
 
+void Notifications::onSteeringEnded(bool confirmed)
+{
+    settle(Concern::Steering);
+    if (!confirmed)
+        report(ErrorText{tr("The board did not confirm that it has stopped turning the camera."),
+                         tr("The camera may go on moving as it was steered last."),
+                         tr("Stop the motors (F12), once there is a link; or hold the camera and "
+                            "disconnect the power."),
+                         {}},
+               Concern::Steering);
+}
+
 void Notifications::onMotorsOff(bool confirmed)
 {
     if (confirmed) {
         settle(Concern::Motors);
+        settle(Concern::Steering);
         notify(tr("The motors were switched off."));
         return;
     }

@@ -7,6 +7,9 @@
 
 #include <functional>
 
+/// What a question is about: a newer one of the same topic takes its place.
+enum class Topic { None, Write, Leftover, Naming, WayOut, Board };
+
 /// A question to the operator with answers to choose from; it blocks nothing.
 struct Offer
 {
@@ -17,4 +20,5 @@ struct Offer
     };
     QString text;
     QList<Choice> choices;  ///< the first one is what is usually wanted
+    Topic topic = Topic::None;
 };

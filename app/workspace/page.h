@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <any>
 #include <chrono>
 #include <functional>
 
@@ -29,6 +30,13 @@ public:
     [[nodiscard]] const QString &title() const { return m_title; }
     /// Unsaved changes live on this page.
     [[nodiscard]] virtual bool hasChanges() const { return false; }
+    /// Something runs or is half done that ends with the page.
+    [[nodiscard]] virtual bool isUnderWay() const { return false; }
+    /// What only this page holds and the operator would miss, for the page that takes its place when all are
+    /// made anew: measurements, comparisons, what is chosen. Empty: nothing.
+    [[nodiscard]] virtual std::any keep() { return {}; }
+    /// @param kept what the page before it kept; never empty
+    virtual void resume(const std::any &kept) { Q_UNUSED(kept) }
 
 signals:
     void changesChanged();

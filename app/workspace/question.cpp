@@ -47,7 +47,13 @@ void askToStartMotors(Workspace &workspace, QWidget *parent)
                       Questions::tr("The gimbal moves at once. Keep hands and cables clear of it."),
                       {{Questions::tr("Start motors"), [&workspace] { workspace.setMotors(true); }}},
                       Questions::tr("Leave them off")};
-    withdrawWithTheLink(workspace, askInPanel(question, parent));
+    QDialog *panel = askInPanel(question, parent);
+    withdrawWithTheLink(workspace, panel);
+    // They may be started by something else meanwhile.
+    QObject::connect(&workspace.client(), &DeviceClient::statisticsChanged, panel, [&workspace, panel] {
+        if (workspace.motorsRunning().value_or(false) || workspace.isStarting())
+            panel->reject();
+    });
 }
 
 void askForMotorsOff(Workspace &workspace, QWidget *parent, const std::function<void()> &goOn)
@@ -69,12 +75,29 @@ void askForMotorsOff(Workspace &workspace, QWidget *parent, const std::function<
         workspace.setMotors(false);
     };
     Question question{
-        Questions::tr("Switch the motors off?"),
+        Questions::tr("Stop the motors?"),
         Questions::tr("The sensor is turned over by hand, which motors would work against. Hold "
                       "the camera: it falls when they let go. They stay off until they are "
                       "started again."),
-        {{Questions::tr("Switch motors off"), switchOff}},
+        {{Questions::tr("Stop motors"), switchOff}},
         Questions::tr("Leave them on")};
+    withdrawWithTheLink(workspace, askInPanel(question, parent));
+}
+
+void askToLetGo(Workspace &workspace, const QString &what, QWidget *parent, const std::function<void()> &goOn)
+{
+    const std::optional<bool> run = workspace.motorsRunning();
+    if (run == false) {
+        goOn();
+        return;
+    }
+    Question question{Questions::tr("%1: let the motors go?").arg(what),
+                      run ? Questions::tr("The motors are running. They lose their current: hold the camera, "
+                                          "it falls when they let go.")
+                          : Questions::tr("The motors may be running. They lose their current: hold the "
+                                          "camera, it falls when they let go."),
+                      {{what, goOn}},
+                      Questions::tr("Do nothing")};
     withdrawWithTheLink(workspace, askInPanel(question, parent));
 }
 

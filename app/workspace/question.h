@@ -37,6 +37,11 @@ void askToStartMotors(Workspace &workspace, QWidget *parent);
 /// sensor over in his hands needs it limp. They stay off until the operator starts them.
 void askForMotorsOff(Workspace &workspace, QWidget *parent, const std::function<void()> &goOn);
 
+/// Goes on with what makes motors let go (ActionSpec::letsGo, a restart) at once where they are known to be
+/// off, else after asking. @param what its name
+void askToLetGo(Workspace &workspace, const QString &what, QWidget *parent,
+                const std::function<void()> &goOn);
+
 /// Makes a profile the active one, after asking where motors run or may run.
 /// @param otherwise done when the operator stays where he is
 void askToUseProfile(Workspace &workspace, int profile, QWidget *parent,

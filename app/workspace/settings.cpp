@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workspace/settings.h"
 
+#include "protocol/supervisor/alarmkeys.h"
+
+#include <QFileInfo>
 #include <QStandardPaths>
 
 #include <algorithm>
@@ -18,6 +21,7 @@ const QString Settings::kEscapeHold = u"safety/escapeHoldMs"_s;
 const QString Settings::kSpeedLimit = u"safety/controlSpeedLimit"_s;
 const QString Settings::kDisarm = u"safety/disarmSeconds"_s;
 const QString Settings::kMotorsOffOnQuit = u"safety/motorsOffOnQuit"_s;
+const QString Settings::kAskAboutMotors = u"safety/askAboutMotors"_s;
 const QString Settings::kAlarmSound = u"supervisor/sound"_s;
 const QString Settings::kSupervisor = u"supervisor/"_s;
 const QString Settings::kLastAddress = u"link/lastAddress"_s;
@@ -29,9 +33,7 @@ const QString Settings::kPlotLayouts = u"data/plotLayouts"_s;
 
 namespace {
 
-// Names in the file, in the order of the enumerations.
-constexpr std::array<const char *, kAlarmKinds> kKindNames{"runaway", "oscillation", "limit",   "saturation",
-                                                           "sensor",  "heat",        "battery", "stale"};
+// Names in the file, in the order of the enumeration.
 constexpr std::array<const char *, 4> kActionNames{"warn", "back", "back-else-off", "off"};
 
 }  // namespace
@@ -40,6 +42,14 @@ Settings::Settings(const QString &path, QObject *parent)
     : QObject(parent)
     , m_file(path, QSettings::IniFormat)
 {
+    m_check.setSingleShot(true);
+    m_check.setInterval(0);
+    connect(&m_check, &QTimer::timeout, this, [this] {
+        const auto error = fileError();
+        if (error && !m_failed)  // once is enough
+            emit failed(*error);
+        m_failed = error.has_value();
+    });
 }
 
 QString Settings::defaultPath()
@@ -53,6 +63,7 @@ void Settings::set(const QString &key, const QVariant &value)
     if (m_file.value(key) == value)
         return;
     m_file.setValue(key, value);
+    checkSoon();
     emit changed();
 }
 
@@ -65,26 +76,104 @@ void Settings::addRecent(const QString &key, const QString &text)
     set(key, recent.mid(0, kKept));
 }
 
-// The file may have been edited by hand, so numbers are clamped to their range.
-int Settings::number(const QString &key, int standard, int low, int high) const
+const QList<Settings::Range> &Settings::ranges()
 {
-    bool ok = false;
-    const int value = m_file.value(key, standard).toInt(&ok);
-    return ok ? std::clamp(value, low, high) : standard;
+    static const SupervisorRules rules;
+    static const QList<Range> all{
+        {kRetention, 10, 1, 60},
+        {kEscapeHold, 700, 0, 3000},
+        {kSpeedLimit, 60, 1, 360},
+        {kDisarm, 20, 2, 120},
+        {kSupervisor + u"runawayDegrees"_s, rules.runawayDeg, 5, 90},
+        {kSupervisor + u"oscillationRate"_s, rules.oscillation, 1, 100},
+        {kSupervisor + u"cellVolts"_s, rules.cellVolts, 2.5, 4.2},
+        {kSupervisor + u"hotCelsius"_s, rules.hotCelsius, 30, 120},
+    };
+    return all;
 }
 
-double Settings::real(const QString &key, double standard, double low, double high) const
+// The file may have been edited by hand, so numbers are clamped to their range; problems() says so.
+double Settings::number(const QString &key) const
 {
+    const auto range = std::find_if(ranges().begin(), ranges().end(),
+                                    [&key](const Range &each) { return each.key == key; });
     bool ok = false;
-    const double value = m_file.value(key, standard).toDouble(&ok);
-    return ok && std::isfinite(value) ? std::clamp(value, low, high) : standard;
+    const double value = m_file.value(key, range->standard).toDouble(&ok);
+    return ok && std::isfinite(value) ? std::clamp(value, range->low, range->high) : range->standard;
+}
+
+std::optional<Error> Settings::fileError()
+{
+    m_file.sync();
+    if (m_file.status() == QSettings::NoError)
+        return {};
+    const bool isDamaged = m_file.status() == QSettings::FormatError;
+    const bool isReadable = QFileInfo(m_file.fileName()).isReadable() || !QFile::exists(m_file.fileName());
+    return FileFault{.problem = isDamaged ? FileProblem::Damaged
+                         : isReadable     ? FileProblem::NotWritable
+                                          : FileProblem::NotReadable,
+                     .kind = FileKind::ProgramSettings,
+                     .path = m_file.fileName(),
+                     .writing = !isDamaged && isReadable}
+        .error();
+}
+
+// With its line: "[section]", then "name=value".
+Error Settings::badEntry(FileProblem problem, const QString &key, const QString &expected) const
+{
+    FileFault fault{.problem = problem, .kind = FileKind::ProgramSettings, .path = m_file.fileName()};
+    fault.key = key;
+    fault.value = m_file.value(key).toString();
+    fault.expected = expected;
+    QFile file(m_file.fileName());
+    QByteArray section;
+    if (file.open(QIODevice::ReadOnly)) {
+        for (int number = 1; !file.atEnd() && fault.line == 0; ++number) {
+            const QByteArray line = file.readLine().trimmed();
+            if (line.startsWith('[') && line.endsWith(']'))
+                section = line.mid(1, line.size() - 2);
+            if (QString::fromLatin1(section + '/' + line.split('=').first().trimmed()) == key)
+                fault.line = number;
+        }
+    }
+    return fault.error();
+}
+
+QList<Error> Settings::problems()
+{
+    QList<Error> list;
+    if (const auto error = fileError())
+        list.append(*error);
+    for (const Range &range : ranges()) {
+        if (!m_file.contains(range.key))
+            continue;
+        bool ok = false;
+        const double value = m_file.value(range.key).toDouble(&ok);
+        if (!ok || !(value >= range.low && value <= range.high))
+            list.append(badEntry(ok ? FileProblem::OutOfRange : FileProblem::BadValue, range.key,
+                                 u"%1 to %2"_s.arg(range.low).arg(range.high)));
+    }
+    const auto checkWord = [this, &list](const QString &key, const QStringList &words) {
+        if (m_file.contains(key) && !words.contains(m_file.value(key).toString()))
+            list.append(badEntry(FileProblem::BadValue, key, words.join(u", "_s)));
+    };
+    checkWord(kTheme, {u"light"_s, u"dark"_s, u"system"_s});
+    for (std::size_t kind = 0; kind < kAlarmKinds; ++kind) {
+        QStringList words;
+        for (std::size_t action = 0; action < kActionNames.size(); ++action) {
+            if (SupervisorRules::offers(AlarmKind(kind), AlarmAction(action)))
+                words.append(QLatin1String(kActionNames[action]));
+        }
+        checkWord(kSupervisor + QLatin1String(kAlarmKeys[kind]), words);
+    }
+    return list;
 }
 
 SupervisorRules Settings::supervisorRules() const
 {
     SupervisorRules rules;
     for (std::size_t kind = 0; kind < kAlarmKinds; ++kind) {
-        const QString name = m_file.value(kSupervisor + QLatin1String(kKindNames[kind])).toString();
+        const QString name = m_file.value(kSupervisor + QLatin1String(kAlarmKeys[kind])).toString();
         const auto found = std::find_if(kActionNames.begin(), kActionNames.end(),
                                         [&name](const char *known) { return name == QLatin1String(known); });
         if (found == kActionNames.end())
@@ -93,10 +182,10 @@ SupervisorRules Settings::supervisorRules() const
         if (SupervisorRules::offers(AlarmKind(kind), action))
             rules.actions[kind] = action;
     }
-    rules.runawayDeg = real(kSupervisor + u"runawayDegrees"_s, rules.runawayDeg, 5, 90);
-    rules.oscillation = real(kSupervisor + u"oscillationRate"_s, rules.oscillation, 1, 100);
-    rules.cellVolts = real(kSupervisor + u"cellVolts"_s, rules.cellVolts, 2.5, 4.2);
-    rules.hotCelsius = real(kSupervisor + u"hotCelsius"_s, rules.hotCelsius, 30, 120);
+    rules.runawayDeg = number(kSupervisor + u"runawayDegrees"_s);
+    rules.oscillation = number(kSupervisor + u"oscillationRate"_s);
+    rules.cellVolts = number(kSupervisor + u"cellVolts"_s);
+    rules.hotCelsius = number(kSupervisor + u"hotCelsius"_s);
     return rules;
 }
 
@@ -106,7 +195,7 @@ void Settings::setSupervisorRules(const SupervisorRules &rules)
     // Only what was changed: what stays at its default follows the default of later versions.
     for (std::size_t kind = 0; kind < kAlarmKinds; ++kind) {
         if (rules.actions[kind] != before.actions[kind])
-            set(kSupervisor + QLatin1String(kKindNames[kind]),
+            set(kSupervisor + QLatin1String(kAlarmKeys[kind]),
                 QString::fromLatin1(kActionNames[std::size_t(rules.actions[kind])]));
     }
     const auto put = [this](const QString &key, double value, double was) {
@@ -137,23 +226,23 @@ void Settings::setTheme(ThemeChoice theme)
 
 int Settings::retentionMinutes() const
 {
-    return number(kRetention, 10, 1, 60);
+    return int(number(kRetention));
 }
 
 int Settings::escapeHoldMs() const
 {
-    const int ms = number(kEscapeHold, 700, 0, 3000);
+    const int ms = int(number(kEscapeHold));
     return ms == 0 ? 0 : std::max(ms, 300);
 }
 
 int Settings::controlSpeedLimit() const
 {
-    return number(kSpeedLimit, 60, 1, 360);
+    return int(number(kSpeedLimit));
 }
 
 int Settings::disarmSeconds() const
 {
-    return number(kDisarm, 20, 2, 120);
+    return int(number(kDisarm));
 }
 
 // One map for all: names may hold characters that mean something in a settings file's keys.
@@ -175,6 +264,7 @@ void Settings::setPlotLayout(const QString &name, const QByteArray &json)
     else
         layouts.insert(name, json);
     m_file.setValue(kPlotLayouts, layouts);
+    checkSoon();
 }
 
 void Settings::setCutTrial(const QString &board, const QByteArray &note)

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/base/filefault.h"
 #include "protocol/supervisor/alarm.h"
 
 #include <QObject>
 #include <QSettings>
+#include <QTimer>
+
+#include <optional>
 
 /// What the operator has chosen, kept in an INI file after the XDG rules.
 class Settings final : public QObject
@@ -20,7 +24,7 @@ public:
 
     [[nodiscard]] ThemeChoice theme() const;
     void setTheme(ThemeChoice theme);
-    /// Language code ("de"), empty = the system's. Takes effect at the next start.
+    /// Language code ("de"), empty = the system's.
     [[nodiscard]] QString language() const { return m_file.value(kLanguage).toString(); }
     void setLanguage(const QString &code) { set(kLanguage, code); }
     [[nodiscard]] bool fahrenheit() const { return m_file.value(kFahrenheit, false).toBool(); }
@@ -41,6 +45,9 @@ public:
     /// Whether closing the program while connected switches the motors off.
     [[nodiscard]] bool motorsOffOnQuit() const { return m_file.value(kMotorsOffOnQuit, false).toBool(); }
     void setMotorsOffOnQuit(bool on) { set(kMotorsOffOnQuit, on); }
+    /// Whether an end of the link that leaves motors running is asked about.
+    [[nodiscard]] bool askAboutMotors() const { return m_file.value(kAskAboutMotors, true).toBool(); }
+    void setAskAboutMotors(bool on) { set(kAskAboutMotors, on); }
 
     /// What the supervisor looks for and does; the limits of angles are the board's own and not in here.
     [[nodiscard]] SupervisorRules supervisorRules() const;
@@ -80,17 +87,35 @@ public:
     }
     void setCutTrial(const QString &board, const QByteArray &note);
 
+    /// What is wrong with the file: it cannot be read, or values that somebody edited make no sense. These
+    /// have their defaults, or the nearest value that is possible.
+    [[nodiscard]] QList<Error> problems();
+
 signals:
     void changed();
+    /// What was set cannot be written to the file.
+    void failed(const Error &error);
 
 private:
     static const QString kTheme, kLanguage, kFahrenheit, kRetention, kEscapeHold, kSpeedLimit, kDisarm,
-        kMotorsOffOnQuit, kAlarmSound, kSupervisor, kLastAddress, kRecentAddresses, kRecentFiles, kLayout,
-        kPlotLayouts, kCutTrials;
+        kMotorsOffOnQuit, kAskAboutMotors, kAlarmSound, kSupervisor, kLastAddress, kRecentAddresses,
+        kRecentFiles, kLayout, kPlotLayouts, kCutTrials;
     void set(const QString &key, const QVariant &value);
     void addRecent(const QString &key, const QString &text);
-    [[nodiscard]] int number(const QString &key, int standard, int low, int high) const;
-    [[nodiscard]] double real(const QString &key, double standard, double low, double high) const;
+    struct Range
+    {
+        QString key;
+        double standard = 0;
+        double low = 0;
+        double high = 0;
+    };
+    [[nodiscard]] static const QList<Range> &ranges();
+    [[nodiscard]] double number(const QString &key) const;
+    [[nodiscard]] std::optional<Error> fileError();
+    [[nodiscard]] Error badEntry(FileProblem problem, const QString &key, const QString &expected) const;
+    void checkSoon() { m_check.start(); }
 
     QSettings m_file;
+    QTimer m_check;  // whether the file could be written
+    bool m_failed = false;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workspace/wizardparts.h"
 
+#include "widgets/forms/keyboard.h"
 #include "widgets/views/sensorcube.h"
 
 #include <QBoxLayout>
@@ -59,6 +60,7 @@ QPushButton *addMethod(QBoxLayout &row, const Theme &theme, const QString &title
     label->setAlignment(Qt::AlignTop);
     auto *go = new QPushButton(button);
     go->setObjectName(u"primary"_s);
+    setHarmless(*go);  // it leads to the first step
     card->content()->addWidget(picture);
     card->content()->addWidget(label, 1);
     card->content()->addWidget(go);

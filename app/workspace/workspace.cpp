@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workspace/workspace.h"
 
+#include "protocol/base/filefault.h"
 #include "protocol/record/configurationformats.h"
 #include "widgets/models/missingtext.h"
 #include "widgets/models/numbertext.h"
@@ -13,13 +14,6 @@
 #include <cmath>
 
 using namespace Qt::StringLiterals;
-
-namespace {
-
-// Telemetry older than this says nothing about the present.
-constexpr auto kStale = 1500ms;
-
-}  // namespace
 
 QString temperatureText(double celsius, bool fahrenheit)
 {
@@ -51,9 +45,16 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     connect(&m_journal, &EditJournal::leftoverFound, this, &Workspace::offerLeftover);
     m_notifications.follow(m_journal);
     m_notifications.follow(m_recorder);
-    connect(&m_writer, &BoardWriter::completed, this,
-            [this] { setUnstored(false); });  // a write ends with storing
+    // A write ends with storing; what else is in use it may leave so.
+    connect(&m_writer, &BoardWriter::completed, this, [this] {
+        const WriteReport &report = *lastReport();
+        m_storedKnown |= canCompareStored();
+        setUnstored(report.othersWere == OtherValues::Keep && !report.otherData.isEmpty());
+    });
     connect(&m_live, &LiveModel::changeCountChanged, this, &Workspace::unstoredChanged);
+    // After those who began it have heard of its end.
+    connect(&m_live, &LiveModel::heldChanged, this,
+            [this] { QTimer::singleShot(0, this, &Workspace::readWhenFree); });
     connect(&m_writer, &BoardWriter::conflicted, this, &Workspace::readBoard);
     connect(&m_writer, &BoardWriter::finished, this, &Workspace::writeFinished);
     connect(this, &Workspace::boardRead, &m_notches, &NotchAdviser::makeGood);
@@ -67,8 +68,47 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
             [this] { m_linkMarks.look(latest(roles().activeProfile), faults()); });
     connect(&m_writer, &BoardWriter::snapshotTaken, this, &Workspace::snapshotTaken);
     connect(&m_settings, &Settings::changed, this, &Workspace::applySettings);
+    connect(&m_settings, &Settings::failed, &m_notifications,
+            [this](const Error &error) { m_notifications.report(error, Concern::Settings); });
+    // As soon as somebody listens.
+    QTimer::singleShot(0, this, [this] {
+        for (const Error &error : m_settings.problems())
+            m_notifications.report(error, Concern::Settings);
+    });
     connect(&m_client, &DeviceClient::stateChanged, this, &Workspace::onState);
+    connect(&m_client, &DeviceClient::connectionLost, this, &Workspace::onLost);
     connect(&m_client, &DeviceClient::statisticsChanged, this, &Workspace::followActiveProfile);
+    connect(&m_client, &DeviceClient::statisticsChanged, this, &Workspace::settleMotors);
+    connect(&m_client, &DeviceClient::statisticsChanged, this, &Workspace::readUnknown);
+    connect(&m_client, &DeviceClient::motorsOffFinished, this, [this](bool isProven) {
+        m_stopProvenAt = isProven ? std::optional(Clock::now()) : std::nullopt;
+        m_stopUnprovenAt = isProven ? std::nullopt : std::optional(Clock::now());
+        if (!isProven)
+            return;
+        m_ranLast = false;
+        m_notifications.settle(Concern::Silence);
+    });
+    connect(&m_freshness, &Freshness::silentChanged, this, [this](bool isSilent) {
+        if (const auto since = m_freshness.silentSince(); isSilent && since && m_ranLast == true)
+            m_notifications.reportSilence(*since);
+        else
+            m_notifications.settle(Concern::Silence);
+    });
+    connect(&m_client, &DeviceClient::alarmChanged, this, [this](const AlarmReport &report) {
+        if (!report.isOver && report.alarm.kind <= AlarmKind::Oscillation)
+            m_alarmedWith = m_live.unsaved();
+    });
+    connect(&m_notifications, &Notifications::boardReplaced, this, [this] { m_alarmedWith.clear(); });
+    connect(&m_freshness, &Freshness::frozenChanged, this, [this](bool isFrozen) {
+        if (isFrozen)
+            m_notifications.report({tr("The board sends the same live data again and again."),
+                                    tr("What they say of the gimbal and its motors is old."),
+                                    tr("Keep clear of the gimbal. Restart the board if it stays so."),
+                                    {}},
+                                   Concern::Frozen);
+        else
+            m_notifications.settle(Concern::Frozen);
+    });
 }
 
 Workspace::~Workspace()
@@ -92,18 +132,29 @@ void Workspace::connectTo(const LinkAddress &address, const QString &family)
 
 void Workspace::onState(DeviceClient::State state)
 {
+    followMotors(state);
     if (state != DeviceClient::State::Connected) {
         m_confirmations.forget();
-        if (state == DeviceClient::State::Disconnected && std::exchange(m_stopWhenConnected, false))
+        if (state == DeviceClient::State::Disconnected && std::exchange(m_stopWhenConnected, false)) {
+            m_notifications.settle(Concern::Motors);  // they are switched off no more
             m_notifications.reportMotorsMayRun(tr("No board was reached: the motors were not switched off."));
-        if (state == DeviceClient::State::Disconnected)
+        }
+        if (state == DeviceClient::State::Disconnected) {
             setGuided(false);
+            m_usedBefore.clear();
+            m_alarmedWith.clear();
+        }
         return;
     }
     if (std::exchange(m_stopWhenConnected, false))
         m_client.motorsOff();
     m_writer.beginLink();
     m_reading = false;
+    m_unread = true;
+    m_framesHeard.reset();
+    m_rereads = 0;
+    m_storedKnown = false;
+    m_isDoubted = false;
     m_heldSpan.reset();
     if (m_client.identity().serial != m_unstoredSerial)
         setUnstored(false);  // another board; what the same one did meanwhile is not known
@@ -112,122 +163,46 @@ void Workspace::onState(DeviceClient::State state)
     readBoard();
 }
 
+// A board that restarts loses what was in use without being stored.
+void Workspace::onLost()
+{
+    const DeviceClient::Loss loss = m_client.loss();
+    m_wereOff = !m_ranLast.value_or(!m_wereOff) && loss != DeviceClient::Loss::OrderedRestart;
+    m_usedBefore = loss == DeviceClient::Loss::Link ? m_live.unsaved() : LiveValues();
+    if (loss == DeviceClient::Loss::Link)
+        return;
+    tellLost(m_live.changeCount());
+    m_live.forget();
+    setUnstored(false);
+}
+
+void Workspace::tellLost(int count)
+{
+    if (count > 0)
+        m_notifications.notify(tr("%n value(s) that were in use without being stored are lost: the board "
+                                  "restarted.",
+                                  nullptr, count),
+                               Notice::Attention);
+}
+
 void Workspace::applySettings()
 {
     if (const auto store = m_client.telemetry())
         store->setRetention(m_settings.retentionMinutes() * 60.0);
 }
 
-void Workspace::readBoard()
-{
-    readKnowing(std::nullopt);
-}
-
-// Values that are in use without being stored: those given, or those known when the answer comes.
-void Workspace::readKnowing(const std::optional<LiveValues> &live)
-{
-    if (m_reading)
-        return;
-    m_reading = true;
-    m_client
-        .submit<Configuration>(
-            [](Channel &channel, Device &device) { return device.readConfiguration(channel); })
-        .then(this, [this, live](const Result<Configuration> &answer) {
-            m_reading = false;
-            if (!answer) {
-                if (!isEndOfLink(answer.error()))
-                    m_notifications.report(answer.error(), Concern::Reading);
-                return;
-            }
-            m_notifications.settle(Concern::Reading);
-            const bool sameBoard = !m_configuration.isEmpty()
-                && answer->identity().serial == std::as_const(m_configuration).board().identity().serial;
-            Configuration read = sameBoard ? withoutLive(*answer, live.value_or(m_live.unsaved())) : *answer;
-            if (sameBoard)
-                keepMissing(read);
-            m_offlineFile.clear();
-            if (!m_configuration.rebase(read)) {
-                m_journal.flush();  // edits of another board stay in its journal
-                m_edits.undoStack().clear();
-                m_configuration.reset(read);
-            }
-            m_writer.offerRepair();
-            tellMissing(read);
-            emit boardRead();
-        });
-}
-
-// Edits are kept in the parts that did not come this time: these stay as they were read before, but count as
-// missing. What cannot be read over this link is told by its page.
-void Workspace::keepMissing(Configuration &read) const
-{
-    const Configuration &before = std::as_const(m_configuration).board();
-    if (before.identity().firmwareNumber != read.identity().firmwareNumber)
-        return;
-    const std::vector<MissingPart> missing = read.missing();
-    for (const MissingPart &part : missing) {
-        if (part.why.code == ErrorCode::Unsupported)
-            continue;
-        if (part.key.block == MissingPart::kProfileNames)
-            read.setProfileNames(before.profileNames());
-        else if (before.blocks().contains(part.key))
-            read.setBlock(part.key, before.block(part.key));
-        read.addMissing(part.key, part.why);
-    }
-}
-
-void Workspace::tellMissing(const Configuration &configuration)
-{
-    std::vector<MissingPart> unknown;
-    std::vector<MissingPart> kept;
-    for (const MissingPart &part : configuration.missing()) {
-        if (part.why.code == ErrorCode::Unsupported)
-            continue;
-        const bool isKept = part.key.block == MissingPart::kProfileNames
-            ? !configuration.profileNames().isEmpty()
-            : configuration.blocks().contains(part.key);
-        (isKept ? kept : unknown).push_back(part);
-    }
-    if (!unknown.empty())
-        m_notifications.report({ErrorCode::Incomplete, missingText(configuration, unknown), 0},
-                               Concern::Reading);
-    if (!kept.empty())
-        m_notifications.report(
-            ErrorText{tr("Parts of the board could not be read again."),
-                      tr("What is shown there was read before."),
-                      tr("Read the board again; if parts keep missing, check cable and power."),
-                      missingText(configuration, kept)},
-            Concern::Reading);
-}
-
 void Workspace::write(const Configuration &wanted, OtherValues others)
 {
-    m_writer.write(wanted, others);
+    if (m_guided)
+        tellGuided();  // it would be stored
+    else if (!refusesMeanwhile())
+        m_writer.write(wanted, others);
 }
 
 void Workspace::discardUnsaved()
 {
     m_edits.discardAll();
     m_journal.drafts().clear();
-}
-
-void Workspace::offerLeftover(int steps, int texts)
-{
-    if (m_client.isConnected() && !m_client.identity().writable)
-        return;  // they are kept until the board itself is connected
-    Offer question;
-    if (steps > 0)
-        question.text = tr("%n unsaved step(s) of an earlier run belong to this board.", nullptr, steps);
-    if (texts > 0)
-        question.text += (steps > 0 ? u" "_s : QString())
-            + tr("%n unfinished text(s) of an earlier run belong to this board.", nullptr, texts);
-    question.choices.append({tr("Restore them"), [this] {
-                                 if (!m_journal.restoreLeftover())
-                                     m_notifications.notify(tr("None of it fits this board any more."),
-                                                            Notice::Attention);
-                             }});
-    question.choices.append({tr("Throw them away"), [this] { m_journal.dropLeftover(); }});
-    m_notifications.ask(question);
 }
 
 Result<ConfigurationFile> Workspace::loadFile(const QString &path) const
@@ -239,21 +214,33 @@ Result<void> Workspace::openFile(const QString &path)
 {
     if (m_client.isConnected())
         return failure(ErrorCode::Busy, u"disconnect first"_s);
-    if (const auto recording = Recording::describe(path)) {
+    const auto recording = Recording::describe(path);
+    if (recording) {
         connectTo(LinkAddress::replay(path), recording->value(u"family"_s).toString());
         return {};
     }
     const auto file = loadFile(path);
-    if (!file)
-        return tl::unexpected(file.error());
+    if (!file) {  // what began as a recording is a broken recording
+        const bool isRecording = file.error().file && file.error().file->problem == FileProblem::OtherKind
+            && recording.error().file && recording.error().file->problem != FileProblem::OtherKind;
+        return tl::unexpected(isRecording ? recording.error() : file.error());
+    }
     m_journal.flush();
     m_edits.undoStack().clear();
     m_offlineFile = path;
-    m_configuration.reset(file->configuration);
+    m_configuration.reset(withOwnSerial(file->configuration, path));
+    m_journal.remind();
     tellMissing(file->configuration);
+    if (!file->missingKeys.isEmpty()) {
+        m_notifications.notify(tr("%n value(s) are not in the file; what is shown for them are defaults: %1",
+                                  nullptr, int(file->missingKeys.size()))
+                                   .arg(file->missingKeys.join(u", "_s)),
+                               Notice::Attention);
+    }
     if (!file->unknownKeys.isEmpty()) {
-        m_notifications.notify(tr("%n entry(s) of the file are unknown and were left out.", nullptr,
-                                  int(file->unknownKeys.size())),
+        m_notifications.notify(tr("%n entry(s) of the file are unknown and were left out: %1", nullptr,
+                                  int(file->unknownKeys.size()))
+                                   .arg(file->unknownKeys.mid(0, 8).join(u", "_s)),
                                Notice::Attention);
     }
     return {};
@@ -266,11 +253,13 @@ Result<void> Workspace::applyFile(const QString &path, std::optional<int> from, 
     const auto file = loadFile(path);
     if (!file)
         return tl::unexpected(file.error());
-    if (file->configuration.identity().family != std::as_const(m_configuration).board().identity().family)
-        return failure(ErrorCode::BadFile, tr("The file is of another family of boards."));
+    if (const auto same
+        = checkSameFamily(file->configuration, path, std::as_const(m_configuration).board().identity().family,
+                          m_client.families());
+        !same)
+        return same;
     QStringList skipped;
-    const Configuration wanted
-        = applied(std::as_const(m_configuration).edited(), file->configuration, skipped);
+    const Configuration wanted = applied(std::as_const(m_configuration).edited(), *file, skipped);
     const QString name = QFileInfo(path).fileName();
     if (from)
         skipped
@@ -280,9 +269,15 @@ Result<void> Workspace::applyFile(const QString &path, std::optional<int> from, 
     skipped += file->unknownKeys;
     tellMissing(file->configuration);
     if (!file->missingKeys.isEmpty()) {
-        m_notifications.notify(tr("%n value(s) are not in the file and got their defaults: %1", nullptr,
+        m_notifications.notify(tr("%n value(s) are not in the file and stay as they are: %1", nullptr,
                                   int(file->missingKeys.size()))
-                                   .arg(file->missingKeys.mid(0, 8).join(u", "_s)),
+                                   .arg(file->missingKeys.join(u", "_s)),
+                               Notice::Attention);
+    }
+    if (!file->rounded.isEmpty()) {
+        m_notifications.notify(tr("%n value(s) of the file were rounded to what the board can hold: %1",
+                                  nullptr, int(file->rounded.size()))
+                                   .arg(file->rounded.join(u"; "_s)),
                                Notice::Attention);
     }
     if (!skipped.isEmpty()) {
@@ -294,22 +289,39 @@ Result<void> Workspace::applyFile(const QString &path, std::optional<int> from, 
     return {};
 }
 
-Result<void> Workspace::saveFile(const QString &path) const
+Result<void> Workspace::saveFile(const QString &path)
 {
-    return saveConfiguration(path, m_configuration.edited(), u"saved by the operator"_s, m_client.families());
+    // What is in a file only is what the file is about; beside a board it must be told from what that holds.
+    const int edits = m_client.isConnected() ? m_configuration.changeCount() : 0;
+    const auto saved
+        = saveConfiguration(path, withoutOwnSerial(m_configuration.edited()),
+                            edits == 0 ? u"saved by the operator"_s
+                                       : u"saved by the operator, with %1 unwritten changes"_s.arg(edits),
+                            m_client.families());
+    if (saved && edits > 0)
+        m_notifications.notify(
+            tr("The file holds %n unwritten change(s): it is not what the board holds.", nullptr, edits),
+            Notice::Attention);
+    return saved;
 }
 
 void Workspace::takeSnapshot()
 {
-    const auto saved = m_history.save(std::as_const(m_configuration).board(), u"by the operator"_s);
+    const bool isInUse = canCompareStored() && !m_storedKnown;
+    const auto saved = m_history.save(std::as_const(m_configuration).board(),
+                                      isInUse ? u"by the operator, in use"_s : u"by the operator"_s);
     if (!saved) {
-        m_notifications.report(saved.error());
+        m_notifications.report(saved.error(), Concern::Saving);
         return;
     }
     const Configuration &board = std::as_const(m_configuration).board();
-    if (board.missing().empty())
+    if (isInUse)
+        m_notifications.notify(tr("Snapshot taken of what is in use: it has not been compared with what is "
+                                  "stored, which may differ."),
+                               Notice::Attention);
+    else if (board.missing().empty())
         m_notifications.notify(tr("Snapshot taken."));
-    else
+    if (!board.missing().empty())
         m_notifications.report(
             ErrorText{tr("The snapshot is incomplete."),
                       tr("It lacks what could not be read: %1.").arg(missingText(board, board.missing())),
@@ -331,28 +343,14 @@ void Workspace::changeWorld(const QString &assignment)
         emit worldChanged(assignment);
 }
 
-QFuture<bool> Workspace::saveLive()
-{
-    if (m_guided) {
-        tellGuided();
-        return QtFuture::makeReadyFuture(false);
-    }
-    return perform(m_client.device() && m_client.device()->live() ? m_client.device()->live()->storeAction()
-                                                                  : QString(),
-                   {})
-        .then(this, [this](const Result<ActionOutcome> &saved) {
-            if (!saved)
-                return false;
-            m_notifications.notify(
-                tr("Stored on the board. The board as it was is kept in %1").arg(saved->snapshotPath));
-            return true;
-        });
-}
-
 void Workspace::useProfile(int profile)
 {
     if (!m_client.isConnected() || m_client.address().isReplay()) {
         m_configuration.setShownProfile(profile);
+        return;
+    }
+    if (refusesMeanwhile()) {
+        emit m_configuration.activeProfileChanged(m_configuration.board().activeProfile());
         return;
     }
     m_switchingProfile = true;
@@ -375,10 +373,33 @@ void Workspace::useProfile(int profile)
         });
 }
 
-void Workspace::setGuided(bool guided)
+void Workspace::setGuided(bool guided, const QString &steps)
 {
+    m_guidedSteps = steps;
     if (std::exchange(m_guided, guided) != guided)
         emit guidedChanged();
+}
+
+bool Workspace::refusesToBegin()
+{
+    if (refusesMeanwhile())
+        return true;
+    if (isWriting())
+        m_notifications.report({ErrorCode::Busy, {}, 0});
+    return isWriting();
+}
+
+bool Workspace::refusesMeanwhile()
+{
+    if (m_live.isHeld())
+        m_notifications.report(
+            {tr("A search, measurement or calibration is running."),
+             tr("A change made now would only take effect afterwards, and replace what was "
+                "found."),
+             tr("Wait until it is over, or end it first. F12 and the red button switch the "
+                "motors off at once."),
+             {}});
+    return m_live.isHeld();
 }
 
 void Workspace::tellGuided()
@@ -387,44 +408,6 @@ void Workspace::tellGuided()
                             tr("Storing and starting the motors are steps of the setup."),
                             tr("Go on with it, or cancel it first."),
                             {}});
-}
-
-void Workspace::setMotors(bool on)
-{
-    if (m_client.address().isReplay() && m_client.isConnected()) {
-        m_notifications.notify(tr("This is a recording: there are no motors to switch."), Notice::Hint);
-        return;
-    }
-    const DeviceClient::State state = m_client.state();
-    if (!on && (state == DeviceClient::State::Connecting || state == DeviceClient::State::Reconnecting)) {
-        m_stopWhenConnected = true;
-        m_notifications.notify(
-            tr("There is no link yet. The motors are switched off as soon as there is one."),
-            Notice::Attention);
-        return;
-    }
-    if (!on) {
-        m_client.motorsOff();
-        return;
-    }
-    if (m_guided) {
-        tellGuided();
-        return;
-    }
-    // As a moving job: a stop that comes meanwhile cancels a start that still waits for its turn.
-    m_client
-        .submit<void>(
-            [](Channel &channel, Device &device) -> Result<void> {
-                if (!device.motorSwitch())
-                    return failure(ErrorCode::Unsupported,
-                                   u"this board has no command that switches its motors on"_s);
-                return device.motorSwitch()->switchMotorsOn(channel);
-            },
-            DeviceClient::JobKind::Moving)
-        .then(this, [this](const Result<void> &done) {
-            if (!done && done.error().code != ErrorCode::Cancelled)
-                m_notifications.report(done.error());
-        });
 }
 
 double Workspace::latest(int channel) const
@@ -496,8 +479,7 @@ QString Workspace::openFilter() const
 void Workspace::setUnstored(bool unstored)
 {
     m_unstoredSerial = m_client.identity().serial;
-    if (unstored == std::exchange(m_unstored, unstored))
-        return;
+    m_unstored = unstored;
     emit unstoredChanged();
 }
 
@@ -517,28 +499,13 @@ void Workspace::offerWayOut()
                                  });
                              }});
     question.choices.append({tr("Leave it as it is"), [] {}});
+    question.topic = Topic::WayOut;
     m_notifications.ask(question);
 }
 
 const ChannelRoles &Workspace::roles() const
 {
     return m_client.roles();
-}
-
-std::optional<bool> Workspace::motorsRunning() const
-{
-    const auto store = m_client.telemetry();
-    if (!m_client.isConnected() || !store)
-        return {};
-    const TimePoint now = Clock::now();
-    if (store->rows() != m_lastRows) {
-        m_lastRows = store->rows();
-        m_lastRowsAt = now;
-    }
-    const double value = latest(roles().outputs);
-    if (std::isnan(value) || now - m_lastRowsAt > kStale)
-        return {};
-    return value != 0.0;
 }
 
 std::vector<BoardFault> Workspace::faults() const

@@ -70,9 +70,18 @@ public:
     /// Values in use that a write would store as well, were they not kept apart: on boards that can only
     /// store everything.
     [[nodiscard]] LiveValues storedWithAWrite() const;
+    /// Values in use that somebody else set, and that a write replaces by what is stored.
+    [[nodiscard]] LiveValues replacedByAWrite() const;
     /// Stores the values in use in the active profile, with a snapshot of what was stored before. True when
-    /// it was done.
-    QFuture<bool> saveLive();
+    /// it was done. On a board that can only store everything in use, whatever else that would be is listed
+    /// first in a panel of that widget's window, and can be kept out.
+    /// @param listed keys of what the operator has been shown; by default the values known to be live
+    QFuture<bool> saveLive(QWidget &over, std::optional<QSet<QString>> listed = {});
+    /// What is in use is compared with what is stored, where the board tells the two apart.
+    [[nodiscard]] bool canCompareStored() const;
+    QFuture<Result<WholeMemory::Contents>> compareStored();
+    /// It has been, on this link: values that were in use before count as well.
+    [[nodiscard]] bool isStoredKnown() const { return m_storedKnown; }
     void useProfile(int profile);
     /// Opens a configuration without a board, to look at and to edit, or a recording as a link. Errors:
     /// BadFile.
@@ -82,13 +91,15 @@ public:
     /// Takes a file's values over as edits, all of them or one profile's. Errors: BadFile, NotConnected.
     Result<void> applyFile(const QString &path, std::optional<int> from = {}, int to = 0);
     /// Saves what the pages show, edits included. Errors: BadFile.
-    Result<void> saveFile(const QString &path) const;
+    Result<void> saveFile(const QString &path);
+    /// What a file saved now lacks, because it could not be read; empty if nothing.
+    [[nodiscard]] QString lacking() const;
     /// The file that is being edited without a board; empty with one.
     [[nodiscard]] QString offlineFile() const { return m_client.isConnected() ? QString() : m_offlineFile; }
-    /// Edits that are not on the board, and typed texts that are no edits yet.
+    /// Edits that are not on the board, and typed texts that are no edits yet or no values.
     [[nodiscard]] int unsavedCount() const
     {
-        return m_configuration.changeCount() + m_journal.drafts().count();
+        return m_configuration.changeCount() + m_journal.drafts().count() + m_edits.refused().count();
     }
     void discardUnsaved();
     /// Takes a snapshot of the board as it is now, or of the offline configuration.
@@ -103,10 +114,19 @@ public:
     [[nodiscard]] bool isSimulated() const;
     void changeWorld(const QString &assignment);
     void setMotors(bool on);
+    /// Switches them off over the link there is. False: not proven so far (it goes on), or the link went.
+    QFuture<bool> stopMotors();
+    /// Ends steering, whoever steers.
+    void releaseControl();
     /// While a wizard leads through several steps, storing and starting the motors are steps of its own:
     /// nothing else on the screen does that then.
-    void setGuided(bool guided);
+    void setGuided(bool guided, const QString &steps = {});
     [[nodiscard]] bool isGuided() const { return m_guided; }
+    /// True, and told, while a search, measurement or calibration runs (LiveModel::isHeld()): what is
+    /// written, stored, switched or begun meanwhile would wait for its end, and fall on what it has found.
+    bool refusesMeanwhile();
+    /// The same for what would begin one, and while a write runs, which puts values back into use at its end.
+    bool refusesToBegin();
     /// A procedure, or an action on the board's memory, runs: an end of the link would leave it half done.
     [[nodiscard]] bool isAtWork() const { return m_works > 0; }
     /// Brackets such work, for pages that do it by themselves.
@@ -142,6 +162,8 @@ public:
     [[nodiscard]] bool isUnstored() const { return m_unstored || m_live.changeCount() > m_live.tunedCount(); }
     /// True, false, or nothing while telemetry is missing or old.
     [[nodiscard]] std::optional<bool> motorsRunning() const;
+    /// The board reports that it starts: its motors run soon, without being told to.
+    [[nodiscard]] bool isStarting() const;
     [[nodiscard]] std::vector<BoardFault> faults() const;
     [[nodiscard]] const std::optional<WriteReport> &lastReport() const { return m_writer.lastReport(); }
     [[nodiscard]] bool isWriting() const { return m_writer.isWriting(); }
@@ -157,21 +179,51 @@ signals:
     void writeFinished();
     /// The last of what ran has ended.
     void workEnded();
+    /// Steering shall end.
+    void controlReleased();
 
 private:
     void onState(DeviceClient::State state);
+    void onLost();
     void offerLeftover(int steps, int texts);
+    void restoreLeftover();
     QFuture<Result<ActionOutcome>> performNow(const QString &key, const QVariantMap &arguments, bool quiet);
     void applySettings();
     void keepMissing(Configuration &read) const;
     void tellMissing(const Configuration &configuration);
     void setUnstored(bool unstored);
-    void compareData();
+    void learnStored(const WholeMemory::Contents &both);
+    void learnLastStored();
+    QFuture<bool> storeLive(QWidget &over, std::optional<QSet<QString>> listed);
+    QFuture<bool> askToStoreAlarmed(QWidget &over, const std::optional<QSet<QString>> &listed);
+    [[nodiscard]] bool isAlarmedInUse() const;
+    QFuture<bool> storeAll();
+    QFuture<bool> reviewStoring(const WholeMemory::Contents &both, QWidget &over);
+    QFuture<bool> askToStoreAll(const Error &untold, QWidget &over);
+    QFuture<bool> storeChosen(const Configuration &chosen);
+    bool isProven(const ActionOutcome &stored);
     void tellGuided();
+    void tellFailure(const ActionSpec &action, const Error &error);
+    void readWhenFree();
+    void readUnknown();
+    [[nodiscard]] bool isUnknown() const;
+    void readAfterFailure(const Error &error, const LiveValues &before, bool quiet);
+    [[nodiscard]] LiveValues changedInUse(const Aftermath &after, const Configuration &now) const;
+    void settle(const Configuration &board);
     void readAfter(const ActionSpec &action, const ActionOutcome &outcome, const LiveValues &before);
-    void readKnowing(const std::optional<LiveValues> &live);
+    void readKnowing(const std::optional<LiveValues> &live, bool quiet = false);
+    [[nodiscard]] int changedMeanwhile(const Configuration &read) const;
+    void leaveEdits();
+    void judge(int others);
+    void setEditsAside();
     void offerWayOut();
     void followActiveProfile();
+    void settleMotors();
+    void tellRunningOn(bool isRunning);
+    void followMotors(DeviceClient::State state);
+    void forgetStop();
+    [[nodiscard]] int lostSince(const Configuration &read) const;
+    void tellLost(int count);
 
     Theme &m_theme;
     Settings &m_settings;
@@ -199,12 +251,28 @@ private:
     NotchAdviser m_notches{m_client,  m_configuration, m_live,     m_edits,     m_writer,
                            m_history, m_notifications, m_settings, m_telemetry, m_linkMarks};
     bool m_unstored = false;
+    bool m_storedKnown = false;
     bool m_guided = false;
+    QString m_guidedSteps;  // how the keys of its actions begin
     int m_works = 0;
+    std::optional<Error> m_unsettled;  // something that failed; what the board holds since is not known yet
+    bool m_unsettledQuietly = false;  // who began it tells of it
     QString m_unstoredSerial;
     bool m_reading = false;
+    bool m_unread = false;  // since this link began
+    std::optional<quint64> m_framesHeard;  // while something is unknown; more of them: the board answers
+    int m_rereads = 0;  // for the same unknown
+    bool m_readLater = false;  // when nothing is held any more
+    bool m_isDoubted = false;  // whether it is the board before, until the operator has answered
     bool m_switchingProfile = false;
     bool m_stopWhenConnected = false;
+    std::optional<bool> m_ranLast;  // whether the motors ran, for all that was heard on this link
+    bool m_wereOff = false;  // before the link was lost, and nobody has started them since
+    TimePoint m_startsUntil{};
+    std::optional<TimePoint> m_stopProvenAt;
+    LiveValues m_alarmedWith;  // in use without being stored when an alarm came
+    std::optional<TimePoint> m_stopUnprovenAt;  // and not told yet what the board reports since
+    LiveValues m_usedBefore;  // in use without being stored when the link was lost
     mutable quint64 m_lastRows = 0;
     mutable TimePoint m_lastRowsAt{};
 };

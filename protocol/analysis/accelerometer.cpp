@@ -10,6 +10,8 @@ namespace {
 
 // Fraction of 1 g above which an axis counts as pointing up or down.
 constexpr std::array<double, 3> kUp{0.85, 0.85, 0.75};
+constexpr double kMinGravity = 0.8;  // of 1 g, before calibration
+constexpr double kMaxGravity = 1.2;
 constexpr std::array<std::size_t, 3> kAxisOfPair{2, 0, 1};  // faces come Z, X, Y
 
 int sideOf(const AccReading &reading, std::size_t axis, double oneG)
@@ -18,6 +20,12 @@ int sideOf(const AccReading &reading, std::size_t axis, double oneG)
 }
 
 }  // namespace
+
+bool isGravity(const AccReading &reading, double oneG)
+{
+    const double length = std::hypot(reading[0], reading[1], reading[2]);
+    return length >= kMinGravity * oneG && length <= kMaxGravity * oneG;
+}
 
 int faceUp(const AccReading &reading, double oneG)
 {

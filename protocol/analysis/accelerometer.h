@@ -21,6 +21,9 @@ struct AccCalibration
     friend bool operator==(const AccCalibration &, const AccCalibration &) = default;
 };
 
+/// Whether a sensor at rest can read this: it measures gravity and nothing else, give or take what its
+/// calibration removes.
+[[nodiscard]] bool isGravity(const AccReading &reading, double oneG);
 /// Which face lies up: 0-5 as above, -1 for none. @param oneG counts of 1 g
 [[nodiscard]] int faceUp(const AccReading &reading, double oneG);
 /// Calibration from one reading on any face: the zeros, with the nominal scale.

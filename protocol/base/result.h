@@ -4,7 +4,11 @@
 
 #include <QString>
 
+#include <memory>
 #include <tl/expected.hpp>
+
+struct Aftermath;
+struct FileFault;
 
 /// Why something failed. The operator's wording is made from it in widgets/models/errortext.h.
 enum class ErrorCode {
@@ -29,7 +33,7 @@ enum class ErrorCode {
     Unsupported,  ///< this board or firmware cannot do that
     Conflict,  ///< the board's values changed since they were read
     VerifyFailed,  ///< written values were not the ones read back
-    BadFile,  ///< a file that cannot be read, written or understood
+    BadFile,  ///< a file that cannot be read, written or understood; Error::file says what is wrong with it
     NotConnected,  ///< there is no board
     Incomplete,  ///< parts of the board could not be read; the detail names them
     NoBackup,  ///< the safety copy could not be made, so nothing was changed
@@ -41,9 +45,13 @@ enum class ErrorCode {
     Diverged,  ///< an axis did not follow and was stopped
     NoSamples,  ///< live data do not come, or not any more
     TooFewSamples,  ///< what was received or recorded is too short to be measured
+    NoMotion,  ///< what was received or recorded is the same all the time
     NotProven,  ///< commands were sent, but nothing the board reports proves that they took effect
     NotInUse,  ///< the board confirmed a live value, but uses another
+    NotStored,  ///< the board confirmed storing what is in use, but holds something else; the detail says
+                ///< what
     NoEffect,  ///< the board acknowledged a command, but does not report that it took effect
+    Restarted,  ///< the board has started anew; the link is set up again
     Busy,  ///< another job of the same kind is running
 };
 inline constexpr std::size_t kErrorCodes = std::size_t(ErrorCode::Busy) + 1;
@@ -54,8 +62,12 @@ struct Error
     ErrorCode code = ErrorCode::BadReply;
     QString detail;
     int boardCode = 0;
+    std::shared_ptr<const FileFault> file = {};  ///< for BadFile and NoBackup: see protocol/base/filefault.h
+    /// What the board holds, where something was sent before it failed; see
+    /// protocol/configuration/aftermath.h
+    std::shared_ptr<const Aftermath> after = {};
 
-    friend bool operator==(const Error &, const Error &) = default;
+    friend bool operator==(const Error &a, const Error &b);
 };
 
 template <typename T> using Result = tl::expected<T, Error>;

@@ -7,27 +7,12 @@
 namespace {
 
 constexpr auto kRetryPause = 500ms;
-constexpr auto kQuiet = 1s;
-constexpr auto kMostNoise = 4s;
 
 // The board may belong to another family or use another baud rate.
 bool isNotHere(ErrorCode code)
 {
     return code == ErrorCode::Silent || code == ErrorCode::SilentPeer || code == ErrorCode::Garbage
         || code == ErrorCode::WrongProtocol;
-}
-
-// What still comes in answer to one family's questions is not taken for an answer to the next one's.
-Result<void> awaitQuiet(Channel &channel)
-{
-    for (const TimePoint until = channel.now() + kMostNoise; channel.now() < until;) {
-        const quint64 bytes = channel.observation().bytesIn;
-        if (auto slept = channel.sleep(kQuiet); !slept)
-            return slept;
-        if (channel.observation().bytesIn == bytes)
-            break;
-    }
-    return {};
 }
 
 bool hasHeard(ErrorCode code)
@@ -58,6 +43,7 @@ Result<BoardSearch::Found> BoardSearch::ask(const Candidate &candidate, SessionC
     return Found{candidate, std::move(*found)};
 }
 
+// In a network it is each family's first question, before any of them is waited for.
 // On a serial line each family is probed at its usual rate before any other rate is tried: a board that
 // cannot answer the first family's probe is found in two seconds instead of after all of that family's rates.
 Result<BoardSearch::Found> BoardSearch::askAtDefaultRates(SessionChannel &channel)
@@ -81,8 +67,10 @@ Result<BoardSearch::Found> BoardSearch::askAtDefaultRates(SessionChannel &channe
 Result<BoardSearch::Found> BoardSearch::once(SessionChannel &channel, bool useKnownLine)
 {
     const LinkAddress &address = m_order.address;
-    const bool searches = m_candidates.size() > 1 && address.kind() == LinkAddress::Kind::Serial
-        && !address.baud() && !(useKnownLine && m_order.knownLine);
+    const bool isNetwork
+        = address.kind() == LinkAddress::Kind::Tcp || address.kind() == LinkAddress::Kind::Udp;
+    const bool hasRates = address.kind() == LinkAddress::Kind::Serial && !(useKnownLine && m_order.knownLine);
+    const bool searches = m_candidates.size() > 1 && (hasRates || isNetwork);
     if (searches) {
         auto found = askAtDefaultRates(channel);
         if (found || !isNotHere(found.error().code))

@@ -15,7 +15,19 @@ void DeviceClient::Private::startSupervision()
             std::erase_if(movingJobs, [](const auto &moving) { return moving.expired(); });
             return !movingJobs.empty();
         },
-        [this](const AlarmReport &report) { back([this, report] { emit q.alarmChanged(report); }); }});
+        [this](const AlarmReport &report) { back([this, report] { emit q.alarmChanged(report); }); },
+        [this](const std::vector<Unwatched> &missing) {
+            back([this, missing] {
+                unwatched = missing;
+                emit q.unwatchedChanged();
+            });
+        }});
+    steering = supervision->steering();
+}
+
+const std::vector<Unwatched> &DeviceClient::unwatched() const
+{
+    return d->unwatched;
 }
 
 void DeviceClient::setSupervisorRules(const SupervisorRules &rules)

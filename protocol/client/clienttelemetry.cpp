@@ -1,26 +1,33 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the client requests live data and receives it.
+#include "protocol/base/linkloss.h"
 #include "protocol/client/deviceclient_p.h"
 #include "protocol/device/abilities.h"
 
 using namespace Qt::StringLiterals;
 
-void DeviceClient::Private::installFeed()
+void DeviceClient::Private::installFeed(bool isSameBoard)
 {
     auto fresh = std::make_unique<TelemetryFeed>(
         store,
-        [board = device](const FrameView &frame) {
-            const RestartNotice *notice = board->restartNotice();
-            return notice && notice->announcesReset(frame);
-        },
-        [this] { back([this] { onResetAnnounced(); }); },
-        [this, board = device](const FrameView &frame) {
-            const StatusWords *words = board->statusWords();
-            if (const QString text = words ? words->messageText(frame) : QString(); !text.isEmpty())
-                back([this, text] { emit q.boardSpoke(text); });
-        });
-    now([this, next = fresh.get(), old = feed.get()] {
+        TelemetryFeed::Hooks{[this, board = device, kept = store,
+                              state = roles.state](const FrameView &frame, TimePoint at, bool claimed) {
+                                 const StatusWords *words = board->statusWords();
+                                 if (const QString text = words ? words->messageText(frame) : QString();
+                                     !text.isEmpty())
+                                     back([this, text] { emit q.boardSpoke(text); });
+                                 const bool isStreamed = !claimed && board->inspector()
+                                     && board->inspector()->isTelemetryFrame(frame.id);
+                                 watchForRestart(*board, frame, at, isStreamed, kept->latest(state));
+                             },
+                             [this, board = device](QByteArrayView bytes, TimePoint at) {
+                                 const RestartNotice *notice = board->restartNotice();
+                                 if (const auto after = notice ? notice->ordersReset(bytes) : std::nullopt)
+                                     restarts.order(at + *after);
+                             }});
+    now([this, next = fresh.get(), old = feed.get(), isSameBoard] {
+        restarts.meet(isSameBoard);
         session->removeListener(old);
         session->addListener(next);
         session->setLatestValues(store);
@@ -46,18 +53,23 @@ void DeviceClient::Private::requestTelemetry()
     // Several subscriptions in one round of the event loop make one request.
     telemetryRequested = true;
     // Samples missed while streams are rearranged do not count as lost.
-    now([feeding = feed.get()] { feeding->setDecoder(nullptr); });
+    now([this, feeding = feed.get()] {
+        feeding->setDecoder(nullptr);
+        restarts.end();
+    });
     q.submit<TelemetryPlan>([wanted, wire = line](Channel &channel, Device &board) {
          return board.subscribe(channel, wanted, wire);
      }).then(&q, [this, asked = subscription](const Result<TelemetryPlan> &arranged) {
         telemetryRequested = false;
+        if (state != State::Connected)
+            return;
         if (arranged) {
             takePlan(*arranged, asked);
             return;
         }
-        if (arranged.error().code == ErrorCode::Cancelled)
+        if (arranged.error().code == ErrorCode::Cancelled || isLinkLoss(arranged.error()))
             requestTelemetry();  // all jobs were cancelled, but telemetry is still wanted
-        else if (arranged.error().code != ErrorCode::LinkClosed)
+        else
             emit q.telemetryFailed(arranged.error());
     });
 }
@@ -65,7 +77,8 @@ void DeviceClient::Private::requestTelemetry()
 void DeviceClient::Private::takePlan(const TelemetryPlan &arranged, const Subscription &asked)
 {
     plan = arranged;
-    now([link = session, feeding = feed.get(), arranged] {
+    now([this, link = session, feeding = feed.get(), arranged] {
+        restarts.begin(Clock::now(), arranged.streaming && arranged.rate > 0 ? 1.0 / arranged.rate : 0.0);
         feeding->setDecoder(arranged.decoder);
         link->setPoll(arranged.poll, arranged.pollInterval);
         link->setShutdownFrames(arranged.shutdownFrames);

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/client/connector.h"
 
+#include "protocol/base/linkloss.h"
+#include "protocol/client/patientchannel.h"
+
 #include <algorithm>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -12,6 +16,8 @@ namespace {
 constexpr auto kSettle = 20ms;
 constexpr auto kPatience = 5s;  // for a board that starts
 constexpr auto kStray = 1s;  // between answers that come late: questions are not further apart
+constexpr auto kQuiet = 700ms;  // a question is repeated sooner, a heartbeat comes later
+constexpr auto kQuietStep = 50ms;
 constexpr auto kLatest = 4s;  // a board that answers later than that is of no use
 
 QString lineText(const LineSettings &line)
@@ -81,7 +87,42 @@ Result<bool> answersLateAt(Channel &channel, Device &device, const LineSettings 
     return false;
 }
 
+// Something speaks as this family does, but not in time: it is asked once more, alone, with all the time that
+// it needs. Errors: Timeout, what identifying it ends with, those of the link.
+Result<FoundBoard> askPatiently(Channel &channel, Device &device, const std::optional<LineSettings> &line)
+{
+    if (const auto set = line ? channel.setLine(*line) : Result<void>(); !set)
+        return tl::unexpected(set.error());
+    channel.progress(tryingProgress(0, 1, line));
+    if (const auto quiet = awaitQuiet(channel); !quiet)
+        return tl::unexpected(quiet.error());
+    PatientChannel patient(channel, kLatest);
+    const auto answered = device.probe(patient);
+    if (!answered)
+        return tl::unexpected(answered.error());
+    if (!*answered)
+        return failure(ErrorCode::Timeout);
+    auto identity = device.identify(patient);
+    if (!identity)
+        return tl::unexpected(identity.error());
+    return FoundBoard{std::move(*identity), line};
+}
+
 }  // namespace
+
+Result<void> awaitQuiet(Channel &channel)
+{
+    const TimePoint until = channel.now() + kLatest;
+    TimePoint quietSince = channel.now();
+    quint64 bytes = channel.observation().bytesIn;
+    while (channel.now() < std::min<TimePoint>(until, quietSince + kQuiet)) {
+        if (const auto slept = channel.sleep(kQuietStep); !slept)
+            return slept;
+        if (std::exchange(bytes, channel.observation().bytesIn) != bytes)
+            quietSince = channel.now();
+    }
+    return {};
+}
 
 QString recogniseProtocol(std::span<const Family> known, const QByteArray &heard)
 {
@@ -98,8 +139,11 @@ Result<FoundBoard> findBoard(Channel &channel, const Family &family, Device &dev
                              std::span<const Family> known, const LinkAddress &address, Search search)
 {
     auto lines = linesToTry(family, address, search);
-    // With rate and parity given, a board may take its time to start.
-    const bool isGiven = lines.first() && address.baud() && address.parity();
+    // With rate and parity given, or none to choose, a board may take its time to start.
+    const bool isNetwork
+        = address.kind() == LinkAddress::Kind::Tcp || address.kind() == LinkAddress::Kind::Udp;
+    const bool isGiven
+        = search == Search::AllRates && (isNetwork || (lines.first() && address.baud() && address.parity()));
     const TimePoint until = channel.now() + (isGiven ? kPatience : 0s);
     QStringList tried;
     for (qsizetype i = 0; i < lines.size(); ++i) {
@@ -119,33 +163,50 @@ Result<FoundBoard> findBoard(Channel &channel, const Family &family, Device &dev
         if (!*answered) {
             // Checked now, before bytes received at the next rates bury it. A peer that speaks at this rate
             // will not speak at another.
-            if (const QString other = recogniseProtocol(known, channel.observation().lastBytes);
-                !other.isEmpty())
+            const QByteArray heard = channel.observation().lastBytes;
+            const QString other = recogniseProtocol(known, heard);
+            const bool isOwn = !other.isEmpty() && other == recogniseProtocol({&family, 1}, heard);
+            const bool goesOn = isGiven && i + 1 == lines.size() && channel.now() < until;
+            if (!other.isEmpty() && !isOwn)
                 return failure(ErrorCode::WrongProtocol, other);
-            if (isGiven && i + 1 == lines.size() && channel.now() < until)
+            if (isOwn && !goesOn)
+                break;
+            if (goesOn)
                 lines.append(line);
             continue;
         }
-        std::optional<LineSettings> is = line;
         if (line && *line != *lines.first()) {
             const auto late = answersLateAt(channel, device, *lines.first(), *line);
             if (!late)
                 return tl::unexpected(late.error());
             if (*late)
-                is = lines.first();
+                return askPatiently(channel, device, lines.first());
         }
         auto identity = device.identify(channel);
-        if (!identity)
+        if (!identity && identity.error().code == ErrorCode::Timeout)
+            return askPatiently(channel, device, line);
+        if (!identity) {
+            // The answer to the question before may have been a byte of another family's late one.
+            const QString other = recogniseProtocol(known, channel.observation().lastBytes);
+            if (!other.isEmpty()
+                && recogniseProtocol({&family, 1}, channel.observation().lastBytes).isEmpty())
+                return failure(ErrorCode::WrongProtocol, other);
             return tl::unexpected(identity.error());
-        return FoundBoard{std::move(*identity), is};
+        }
+        return FoundBoard{std::move(*identity), line};
     }
 
     const LinkObservation seen = channel.observation();
+    if (seen.framing.frames > 0) {
+        auto late = askPatiently(channel, device, lines.first());
+        if (late || isLinkLoss(late.error()) || late.error().code == ErrorCode::Cancelled)
+            return late;
+    }
     if (seen.bytesIn > 0)
         return failure(
             ErrorCode::Garbage,
             u"%1 bytes: %2"_s.arg(seen.bytesIn).arg(QString::fromLatin1(seen.lastBytes.left(16).toHex(' '))));
-    if (address.kind() == LinkAddress::Kind::Tcp || address.kind() == LinkAddress::Kind::Udp)
+    if (isNetwork)
         return failure(ErrorCode::SilentPeer, address.toString());
     return failure(ErrorCode::Silent,
                    tried.isEmpty() ? address.toString()

@@ -13,7 +13,7 @@ struct FoundBoard
 };
 
 /// How far to search on a serial line whose settings are not known.
-enum class Search { DefaultRate, AllRates };
+enum class Search { DefaultRate, AllRates };  // on links without a rate: asked once, or patiently
 
 /// Finds rate and parity on an open link and identifies the board. Reports what it tries through
 /// Channel::progress. If the address names settings, only those are tried.
@@ -23,6 +23,10 @@ enum class Search { DefaultRate, AllRates };
 Result<FoundBoard> findBoard(Channel &channel, const Family &family, Device &device,
                              std::span<const Family> known, const LinkAddress &address,
                              Search search = Search::AllRates);
+
+/// Waits until nothing more comes: what answers one family's questions late is not taken for an answer to the
+/// next one's. What a board says by itself now and then is not waited for. Errors: those of Channel::sleep().
+Result<void> awaitQuiet(Channel &channel);
 
 /// Name of the protocol that these bytes look like, as its family calls it; empty if no family recognises
 /// them.

@@ -14,12 +14,9 @@ Q_LOGGING_CATEGORY(logClient, "gimbal.client", QtWarningMsg)
 
 namespace {
 
-constexpr auto kReconnectPause = 500ms;
 constexpr auto kStatisticsPeriod = 250ms;
-// A board that announces its restart may go on sending for up to a second (document CMD_RESET); we let go of
-// the link before it restarts.
-constexpr auto kLetGoBeforeReset = 300ms;
-constexpr auto kRestartTime = 1500ms;
+// For a board that is being steered to be seen standing still, before the program ends.
+constexpr milliseconds kLongestFarewell = ControlStream::kStopLimit + 1s;
 
 // The part of a stop plan that shows how the board is reached.
 QByteArray wayOf(const StopPlan &plan)
@@ -30,6 +27,12 @@ QByteArray wayOf(const StopPlan &plan)
             bytes += request.bytes;
     }
     return bytes;
+}
+
+// Whether data of the one go on as data of the other.
+bool isSameBoard(const BoardIdentity &a, const BoardIdentity &b)
+{
+    return a.family == b.family && a.serial == b.serial && a.firmwareNumber == b.firmwareNumber;
 }
 
 }  // namespace
@@ -62,6 +65,16 @@ DeviceClient::Private::Private(DeviceClient &client, TransportFactory makeTransp
         session, &Session::closed, &q, [this](const Error &why) { onSessionClosed(why); },
         Qt::QueuedConnection);
     connect(session, &Session::failsafeActed, &q, &DeviceClient::failsafeActed, Qt::QueuedConnection);
+    connect(session, &Session::steeringEnded, &q, &DeviceClient::steeringEnded, Qt::QueuedConnection);
+    connect(
+        session, &Session::motorsStoppedLate, &q, [this] { tellStopped(true); }, Qt::QueuedConnection);
+    connect(
+        session, &Session::stopForgone, &q,
+        [this] {
+            stopIsUnproven = false;
+            emit q.motorsOffForgone();
+        },
+        Qt::QueuedConnection);
     ioThread.start(QThread::TimeCriticalPriority);
     workerThread.start();
     statisticsTimer.setInterval(kStatisticsPeriod);
@@ -159,7 +172,8 @@ ReplayControl &DeviceClient::replay()
 
 void DeviceClient::Private::pollStatistics()
 {
-    later([this] {
+    later([this, board = device] {
+        lookForRestart(board);
         Replay *recording = session->replay();
         back([this, counted = session->statistics(),
               place = recording ? std::optional(recording->state()) : std::nullopt] {
@@ -183,10 +197,13 @@ void DeviceClient::Private::shutDown()
     statisticsTimer.stop();
     session->disconnect(&q);
     cancelJobs();
-    if (attemptControl)
-        attemptControl->cancel();
+    // What it has found already must not begin anything either.
+    if (const auto attempt = std::exchange(attemptControl, nullptr))
+        attempt->cancel();
     state = State::Disconnected;  // no new work starts
+    closing = std::make_shared<QSemaphore>();
     closeSession();
+    closing->tryAcquire(1, int(kLongestFarewell.count()));
     // The worker may still wait for the I/O thread, so it goes first.
     workerThread.quit();
     workerThread.wait();
@@ -248,8 +265,9 @@ void DeviceClient::Private::closeSession()
         const std::lock_guard lock(urgentMutex);
         stopPlan.reset();
     }
+    stopIsUnproven = false;
     if (ioThread.isRunning())
-        later([link = session] { link->close({ErrorCode::Cancelled, {}}); });
+        later([link = session, isClosed = closing] { link->finish([isClosed] { isClosed->release(); }); });
 }
 
 void DeviceClient::Private::startAttempt(State next, milliseconds delay)
@@ -291,16 +309,17 @@ void DeviceClient::Private::finishAttempt(const std::shared_ptr<Attempt> &attemp
     familyKey = found->candidate.family.key;  // reconnecting looks for the same family
     if (address.isReplay())
         device->setReadOnly();  // a recording cannot be written to
-    identity = device->identity();
+    const BoardIdentity before = std::exchange(identity, device->identity());
+    const bool isSame = state == State::Reconnecting && isSameBoard(before, identity);
     roles = rolesOf(*device);
     line = found->board.line;
     qCInfo(logClient) << "connected to" << identity.model << identity.firmware;
 
     // A new board gets a new store; the same board continues in its old one.
-    if (!store || state != State::Reconnecting)
+    if (!store || !isSame)
         store = std::make_shared<TelemetryStore>(int(device->channels().size()));
     store->setReplayed(address.isReplay());
-    installFeed();
+    installFeed(isSame);
     {
         const std::lock_guard lock(urgentMutex);
         stopPlan = device->stopPlan();
@@ -315,49 +334,24 @@ void DeviceClient::Private::finishAttempt(const std::shared_ptr<Attempt> &attemp
     requestTelemetry();
 }
 
-void DeviceClient::Private::onSessionClosed(const Error &why)
-{
-    if (state != State::Connected)
-        return;
-    emit q.connectionLost(why);
-    // Jobs that waited for this link are cancelled; they must not start unexpectedly on the next one.
-    cancelJobs();
-    startAttempt(State::Reconnecting, why.code == ErrorCode::Cancelled ? 0ms : kReconnectPause);
-}
-
-void DeviceClient::Private::onResetAnnounced()
-{
-    if (state != State::Connected)
-        return;
-    QTimer::singleShot(kLetGoBeforeReset, &q, [this] {
-        if (state != State::Connected)
-            return;
-        const Error why{ErrorCode::LinkClosed, u"the board restarts"_s};
-        emit q.connectionLost(why);
-        later([link = session, why] { link->close(why); });
-        cancelJobs();
-        startAttempt(State::Reconnecting, kRestartTime);
-    });
-}
-
 void DeviceClient::cancelJobs()
 {
     d->cancelJobs();
 }
 
-void DeviceClient::Private::cancelJobs()
+void DeviceClient::Private::cancelJobs(const Error &why)
 {
-    control->cancel();
+    control->cancel(why);
     control = std::make_shared<JobControl>();
-    cancelMovingJobs();
+    cancelMovingJobs(why);
 }
 
-void DeviceClient::Private::cancelMovingJobs()
+void DeviceClient::Private::cancelMovingJobs(const Error &why)
 {
     const std::lock_guard lock(urgentMutex);
     for (const auto &moving : std::exchange(movingJobs, {})) {
         if (const auto job = moving.lock())
-            job->cancel();
+            job->cancel(why);
     }
 }
 
@@ -381,7 +375,7 @@ void DeviceClient::Private::stopMotors(const std::function<void(bool proven)> &p
     const auto tell = [this, proven](bool isProven) {
         if (proven)
             proven(isProven);
-        back([this, isProven] { emit q.motorsOffFinished(isProven); });
+        back([this, isProven] { tellStopped(isProven); });
     };
     if (!wanted) {
         tell(false);
@@ -397,21 +391,41 @@ void DeviceClient::Private::stopMotors(const std::function<void(bool proven)> &p
     cancelMovingJobs();
 }
 
+void DeviceClient::Private::tellStopped(bool isProven)
+{
+    stopIsUnproven = !isProven && state == State::Connected;
+    if (isProven && supervision)
+        supervision->stopProven();
+    emit q.motorsOffFinished(isProven);
+}
+
+bool DeviceClient::isStopUnproven() const
+{
+    return d->stopIsUnproven;
+}
+
+bool DeviceClient::isSteering() const
+{
+    bool steers = false;
+    if (d->state == State::Connected && d->ioThread.isRunning())
+        d->now([this, &steers] { steers = d->session->isSteering(); });
+    return steers;
+}
+
 void DeviceClient::setControl(const SteeringSetpoint &setpoint)
 {
     if (d->state != State::Connected || !d->device->steering())
         return;
-    d->supervision->noteSteering();
-    d->later([link = d->session, wanted = d->device->steering()->controlFrames(setpoint)] {
-        link->refreshControl(wanted);
-    });
+    const ControlFrames wanted = d->device->steering()->controlFrames(setpoint);
+    d->steering->take(&wanted);
+    d->later([link = d->session, wanted] { link->refreshControl(wanted); });
 }
 
 void DeviceClient::releaseControl()
 {
     if (d->state != State::Connected)
         return;
-    d->supervision->noteRelease();
+    d->steering->take(nullptr);
     d->later([link = d->session] { link->endControl(); });
 }
 
@@ -429,11 +443,11 @@ std::unique_ptr<SessionChannel> DeviceClient::Private::makeChannel(std::shared_p
 {
     return std::make_unique<SessionChannel>(
         *session, std::move(job),
-        SessionChannel::Hooks{
-            [this](const Progress &progress) {
-                back([this, progress] { emit q.progressChanged(progress); });
-            },
-            [this](bool proven) { back([this, proven] { emit q.motorsOffFinished(proven); }); }},
+        SessionChannel::Hooks{[this](const Progress &progress) {
+                                  back([this, progress] { emit q.progressChanged(progress); });
+                              },
+                              [this](bool proven) { back([this, proven] { tellStopped(proven); }); },
+                              [note = steering](const ControlFrames *wanted) { note->take(wanted); }},
         link);
 }
 
@@ -456,8 +470,8 @@ void DeviceClient::enqueue(Job job, JobKind kind)
         [this, control, device = d->device, job = std::move(job)] {
             const auto channel = d->makeChannel(control, SessionChannel::Link::Open);
             const bool cancelled = channel->cancelled();
-            const Delivery deliver
-                = job(cancelled ? nullptr : channel.get(), device.get(), {ErrorCode::Cancelled, {}});
+            const Delivery deliver = job(cancelled ? nullptr : channel.get(), device.get(),
+                                         cancelled ? control->why() : Error());
             d->back([this] { d->jobFinished(); });
             deliver();
         },

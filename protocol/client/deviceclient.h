@@ -19,6 +19,7 @@ struct Family;
 struct LinkStatistics;
 struct SteeringSetpoint;
 struct SupervisorRules;
+struct Unwatched;
 
 /// The only way from the GUI thread to the board. Owns the I/O thread (session) and the worker thread (device
 /// and procedure code, one job at a time). Never blocks; every function that talks to a board returns a
@@ -29,6 +30,8 @@ class DeviceClient final : public QObject
 public:
     enum class State { Disconnected, Connecting, Connected, Reconnecting };
     Q_ENUM(State)
+    /// OrderedRestart: the board was told to.
+    enum class Loss { Link, Restart, OrderedRestart };
     /// Moving jobs (auto-tune, steering) are cancelled by motorsOff().
     enum class JobKind { Quiet, Moving };
 
@@ -91,10 +94,19 @@ public:
     /// control.
     void setControl(const SteeringSetpoint &setpoint);
     void releaseControl();
+    /// The board is steered, by whomever, or has not been seen to stand still since.
+    [[nodiscard]] bool isSteering() const;
+    /// A stop was not proven in time, and is being repeated.
+    [[nodiscard]] bool isStopUnproven() const;
+
+    /// Why the link was lost last.
+    [[nodiscard]] Loss loss() const;
 
     /// What the supervisor looks for and does; by default it works with the rules' own defaults. It acts by
     /// itself, whatever the worker and the GUI are doing.
     void setSupervisorRules(const SupervisorRules &rules);
+    /// What the supervisor cannot look for on this board, with what it sends.
+    [[nodiscard]] const std::vector<Unwatched> &unwatched() const;
 
     /// Selects the telemetry to request from the board; kept across reconnections.
     void subscribe(const Subscription &subscription);
@@ -102,15 +114,21 @@ public:
 signals:
     void stateChanged(DeviceClient::State state);
     void connectionFailed(const Error &error);
-    /// The link broke unexpectedly; reconnecting goes on until it succeeds or is cancelled.
+    /// The link broke unexpectedly, or was given up because the board restarts (error Restarted);
+    /// reconnecting goes on until it succeeds or is cancelled.
     void connectionLost(const Error &error);
     void progressChanged(const Progress &progress);
     void busyChanged(bool busy);
     void telemetryPlanChanged();
     void telemetryFailed(const Error &error);
     void statisticsChanged();
-    /// The stop has been proven (or has not).
+    /// The stop has been proven (or has not: it goes on being repeated, and this comes again with its proof).
     void motorsOffFinished(bool confirmed);
+    /// A stop that was not proven is no longer repeated, because motors are being started.
+    void motorsOffForgone();
+    /// Steering has ended: the board was seen to stand still, or boards like it cannot be seen to; or it was
+    /// not, and the camera may go on moving.
+    void steeringEnded(bool confirmed);
     /// After a stop that was proven: what it changed beside has been put back (or has not, and the motors
     /// stay disabled until the board restarts).
     void motorsOffSettled(bool restored);
@@ -119,6 +137,7 @@ signals:
     /// The supervisor noticed something, or what it does about it has got on, or it is over. Reports with
     /// the same number are about the same alarm.
     void alarmChanged(const AlarmReport &report);
+    void unwatchedChanged();
     /// The board sent a text message by itself.
     void boardSpoke(const QString &text);
 

@@ -6,11 +6,13 @@
 #include "protocol/client/deviceclient.h"
 #include "protocol/client/framelog.h"
 #include "protocol/client/replaycontrol.h"
+#include "protocol/client/restartwatch.h"
 #include "protocol/client/supervision.h"
 #include "protocol/session/session.h"
 #include "protocol/telemetry/telemetryfeed.h"
 #include "protocol/telemetry/telemetryplan.h"
 
+#include <QSemaphore>
 #include <QThread>
 
 /// Implementation of the client.
@@ -27,10 +29,17 @@ struct DeviceClient::Private
     void setState(State next);
     void startAttempt(State next, milliseconds delay);
     void finishAttempt(const std::shared_ptr<Attempt> &attempt, Result<BoardSearch::Found> found);
-    void installFeed();
+    void installFeed(bool isSameBoard);
     void disconnectFromBoard();
     void onSessionClosed(const Error &why);
+    /// On the I/O thread, of each frame. @param boardState its state, NaN if it is not known
+    void watchForRestart(const Device &board, const FrameView &frame, TimePoint at, bool isStreamed,
+                         float boardState);
+    /// On the I/O thread, a few times a second.
+    void lookForRestart(const std::shared_ptr<Device> &board);
     void onResetAnnounced();
+    void onRestarted(const QString &evidence, bool isOrdered);
+    void renewLink(const Error &why, milliseconds pause);
     void requestTelemetry();
     void takePlan(const TelemetryPlan &arranged, const Subscription &asked);
     void startReplay();
@@ -38,24 +47,27 @@ struct DeviceClient::Private
     void pollStatistics();
     void jobFinished();
     void followWay();
-    void cancelJobs();
-    void cancelMovingJobs();
+    void cancelJobs(const Error &why = {ErrorCode::Cancelled, {}, 0});
+    void cancelMovingJobs(const Error &why = {ErrorCode::Cancelled, {}, 0});
     void startSupervision();
     /// @param proven called on the I/O thread once it is known, beside the signals
     void stopMotors(const std::function<void(bool proven)> &proven = {});
+    void tellStopped(bool isProven);
     void closeSession();
     void shutDown();
     std::unique_ptr<SessionChannel> makeChannel(std::shared_ptr<JobControl> control,
                                                 SessionChannel::Link link);
-    /// Queues a job on the I/O thread.
+    /// Queues a job on the I/O thread, as long as there is one.
     template <typename F> void later(F &&job)
     {
-        QMetaObject::invokeMethod(session, std::forward<F>(job), Qt::QueuedConnection);
+        if (ioThread.isRunning())
+            QMetaObject::invokeMethod(session, std::forward<F>(job), Qt::QueuedConnection);
     }
-    /// Runs a job on the I/O thread and waits for it.
+    /// Runs a job on the I/O thread and waits for it; without that thread it is not run.
     template <typename F> void now(F &&job)
     {
-        QMetaObject::invokeMethod(session, std::forward<F>(job), Qt::BlockingQueuedConnection);
+        if (ioThread.isRunning())
+            QMetaObject::invokeMethod(session, std::forward<F>(job), Qt::BlockingQueuedConnection);
     }
     /// Queues a job on the GUI thread.
     template <typename F> void back(F &&job)
@@ -95,4 +107,10 @@ struct DeviceClient::Private
     std::optional<StopPlan> stopPlan;
     std::vector<std::weak_ptr<JobControl>> movingJobs;
     std::unique_ptr<Supervision> supervision;
+    std::vector<Unwatched> unwatched;
+    std::shared_ptr<SteeringNote> steering;
+    std::shared_ptr<QSemaphore> closing = std::make_shared<QSemaphore>();  // released for each closed link
+    RestartWatch restarts;  // on the I/O thread
+    Loss loss = Loss::Link;
+    bool stopIsUnproven = false;  // it is being repeated
 };

@@ -7,6 +7,7 @@
 #include <QLoggingCategory>
 
 #include <algorithm>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -16,7 +17,16 @@ namespace {
 
 constexpr auto kTick = 20ms;
 constexpr auto kSteeringLasts = 400ms;  // since the last set-point; they are repeated every 250 ms or sooner
+constexpr double kMissingAtFirst = 3.0;  // seconds
+constexpr double kMissingEvery = 1.0;
 constexpr double kHelpTime = 1.5;  // seconds after which a change that was taken back has to have helped
+
+// What becomes of a stop is told even when what it was for is over.
+bool isStopOpen(const AlarmReport &report)
+{
+    return report.action == AlarmAction::MotorsOff
+        && (report.outcome == AlarmOutcome::Acting || report.outcome == AlarmOutcome::NotProven);
+}
 
 }  // namespace
 
@@ -62,7 +72,7 @@ void Supervision::setRules(const SupervisorRules &rules)
 
 void Supervision::begin(const Board &board)
 {
-    m_steeredAt = Duration::rep{};
+    m_steering->take(nullptr);
     QMetaObject::invokeMethod(
         m_watcher, [this, board] { start(board); }, Qt::QueuedConnection);
 }
@@ -77,6 +87,9 @@ void Supervision::end()
             m_supervisor.reset();
             m_source.reset();
             m_helps.clear();
+            m_missing.clear();
+            if (!std::exchange(m_toldMissing, {}).empty() && m_hooks.unwatched)
+                m_hooks.unwatched({});
             // What is told of a board that is gone is over.
             for (AlarmReport &report : m_reports) {
                 report.isOver = true;
@@ -87,9 +100,28 @@ void Supervision::end()
         Qt::QueuedConnection);
 }
 
-void Supervision::noteSteering()
+void Supervision::stopProven()
 {
-    m_steeredAt = Clock::now().time_since_epoch().count();
+    QMetaObject::invokeMethod(
+        m_watcher,
+        [this] {
+            for (AlarmReport &report : m_reports) {
+                if (report.outcome != AlarmOutcome::NotProven)
+                    continue;
+                report.outcome = AlarmOutcome::Done;
+                tell(report);
+            }
+            forgetSettled();
+        },
+        Qt::QueuedConnection);
+}
+
+void SteeringNote::take(const ControlFrames *frames)
+{
+    const bool isSteered = frames && !frames->setpoint.isEmpty();
+    for (std::size_t axis = 0; isSteered && axis < kAxisCount; ++axis)
+        to[axis] = frames->angles[axis];
+    at = isSteered ? Clock::now().time_since_epoch().count() : Duration::rep{};
 }
 
 void Supervision::start(const Board &board)
@@ -99,13 +131,18 @@ void Supervision::start(const Board &board)
     m_supervisor->setRules(m_rules);
     m_source = std::make_unique<SupervisedStore>(board.store, board.device, board.roles);
     m_source->skip();  // what came over an earlier link
+    m_possible = Supervisor::possible(board.roles);
+    m_nextMissing = m_source->now() + kMissingAtFirst;
+    m_missing.clear();
     m_timer->start();
 }
 
 SupervisedSituation Supervision::situation()
 {
     SupervisedSituation now = m_source->situation();
-    now.isSteered = Clock::now() - TimePoint(Duration(m_steeredAt.load())) < kSteeringLasts;
+    now.isSteered = Clock::now() - TimePoint(Duration(m_steering->at.load())) < kSteeringLasts;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis)
+        now.steeredTo[axis] = m_steering->to[axis];
     now.isProcedure = m_hooks.isMoving();
     now.period = m_period;
     return now;
@@ -121,16 +158,17 @@ void Supervision::tick()
     for (const Alarm &alarm : m_supervisor->takeRaised())
         act(alarm);
     followUp();
+    lookWhatIsMissing();
     for (const Alarm &alarm : m_supervisor->takeEnded()) {
         for (auto it = m_reports.begin(); it != m_reports.end();) {
-            if (!it->alarm.isSame(alarm)) {
+            if (it->isOver || !it->alarm.isSame(alarm)) {
                 ++it;
                 continue;
             }
-            it->isOver = true;
+            it->isOver = it->wasSeenToEnd = true;
             tell(*it);
             std::erase_if(m_helps, [it](const auto &help) { return help.first == it->number; });
-            it = m_reports.erase(it);
+            it = isStopOpen(*it) ? std::next(it) : m_reports.erase(it);
         }
     }
 }
@@ -141,7 +179,8 @@ void Supervision::act(const Alarm &alarm)
     report.number = ++m_count;
     report.alarm = alarm;
     report.at = QDateTime::currentDateTime();
-    const AlarmAction wanted = m_board->flies ? AlarmAction::Warn : m_rules.action(alarm.kind);
+    const AlarmAction wanted
+        = m_board->flies || alarm.mayBeMeant ? AlarmAction::Warn : m_rules.action(alarm.kind);
     qCInfo(logSupervisor) << "alarm" << int(alarm.kind) << "axis" << int(alarm.axis) << "value" << alarm.value
                           << "action" << int(wanted);
     report.action = wanted;
@@ -150,6 +189,7 @@ void Supervision::act(const Alarm &alarm)
         = alarm.isAfterChange && m_board->device->live() && m_board->device->identity().writable;
     if (takesBack && !hasChange) {
         report.outcome = AlarmOutcome::NoChange;
+        report.alarm = Supervisor::withoutChange(report.alarm);
         if (wanted == AlarmAction::TakeBack)
             report.action = AlarmAction::Warn;
     }
@@ -175,6 +215,7 @@ void Supervision::stopFor(AlarmReport report)
                 if (AlarmReport *known = find(number)) {
                     known->outcome = proven ? AlarmOutcome::Done : AlarmOutcome::NotProven;
                     tell(*known);
+                    forgetSettled();
                 }
             },
             Qt::QueuedConnection);
@@ -214,23 +255,28 @@ void Supervision::tookBack(int number, const Result<LiveChange> &change)
     report->outcome = change.error().code == ErrorCode::Conflict ? AlarmOutcome::Conflict
         : change.error().code == ErrorCode::NoEffect             ? AlarmOutcome::NoChange
                                                                  : AlarmOutcome::Failed;
+    if (report->outcome == AlarmOutcome::NoChange)
+        report->alarm = Supervisor::withoutChange(report->alarm);
     if (report->action == AlarmAction::TakeBackElseOff)
         stopFor(*report);
     else
         tell(*report);
 }
 
-// A change that was taken back has to have helped after a while.
+// A change that was taken back has to have helped after a while. What is quiet by then is followed until it
+// is over, or is heard again.
 void Supervision::followUp()
 {
     const double now = m_source->now();
     for (auto it = m_helps.begin(); it != m_helps.end();) {
-        if (now < it->second) {
+        AlarmReport *report = find(it->first);
+        if (report && (now < it->second || m_supervisor->isAbsent(report->alarm))) {
             ++it;
             continue;
         }
-        if (AlarmReport *report = find(it->first)) {
+        if (report) {
             report->outcome = AlarmOutcome::GoesOn;
+            report->alarm = Supervisor::withoutChange(report->alarm);
             if (report->action == AlarmAction::TakeBackElseOff)
                 stopFor(*report);
             else
@@ -238,6 +284,25 @@ void Supervision::followUp()
         }
         it = m_helps.erase(it);
     }
+}
+
+// Told when it has been the same twice, because data pause while streams are arranged anew.
+void Supervision::lookWhatIsMissing()
+{
+    const double now = m_source->now();
+    if (now < m_nextMissing)
+        return;
+    m_nextMissing = now + kMissingEvery;
+    const std::vector<Unwatched> missing = m_supervisor->unwatched(m_possible, now);
+    if (missing == std::exchange(m_missing, missing) && missing != m_toldMissing && m_hooks.unwatched) {
+        m_toldMissing = missing;
+        m_hooks.unwatched(missing);
+    }
+}
+
+void Supervision::forgetSettled()
+{
+    std::erase_if(m_reports, [](const AlarmReport &report) { return report.isOver && !isStopOpen(report); });
 }
 
 AlarmReport *Supervision::find(int number)

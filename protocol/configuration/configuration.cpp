@@ -100,7 +100,7 @@ Result<void> Configuration::setRaw(const ParameterSpec &spec, int profile, doubl
         return failure(ErrorCode::ReadOnly, spec.key);
     if (spec.row->wire != WireType::F32 && std::isfinite(raw) && raw != spec.nearest(raw))
         return failure(ErrorCode::InvalidArgument, u"%1 counts in whole steps"_s.arg(spec.key));
-    if (!spec.accepts(raw)) {
+    if (!spec.accepts(raw, this->raw(spec, profile))) {
         return failure(ErrorCode::OutOfRange,
                        u"%1 = %2, allowed %3"_s.arg(spec.key, spec.format(raw), spec.allowedText()));
     }

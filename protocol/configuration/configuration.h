@@ -54,6 +54,8 @@ public:
 
     [[nodiscard]] bool isEmpty() const { return m_blocks.empty(); }
     [[nodiscard]] const BoardIdentity &identity() const { return m_identity; }
+    /// Of a file that tells none, so that it is not taken for another such file.
+    void setSerial(const QString &serial) { m_identity.serial = serial; }
     [[nodiscard]] const ParameterSet &parameters() const { return *m_parameters; }
     [[nodiscard]] const std::shared_ptr<const ParameterSet> &parameterSet() const { return m_parameters; }
 

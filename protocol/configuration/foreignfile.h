@@ -11,7 +11,9 @@ struct ForeignSettings
 {
     Configuration configuration;
     QStringList unknown;  ///< entries that match no parameter
-    QStringList missing;  ///< parameters it does not contain: they have their defaults
+    /// Keys of parameters, and names of blocks without any, that it does not contain: nothing is known of
+    /// them, and the configuration has their defaults.
+    QStringList missing;
 };
 
 /// Settings files of the manufacturer's own program, read and written as data.

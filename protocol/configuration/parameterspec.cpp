@@ -76,11 +76,32 @@ bool ParameterSpec::accepts(double raw) const
         return false;
     if (row->step > 1 && std::fmod(nearest(raw) - row->min, row->step) != 0)
         return false;
+    if (row->kind == ValueKind::Flags)
+        return unnamedBits(raw) == 0;
     if (row->kind != ValueKind::Choice || row->choices.empty())
         return true;
     const auto list = choices(firmware);
     return std::any_of(list.begin(), list.end(),
                        [value = nearest(raw)](const Choice &choice) { return choice.value == value; });
+}
+
+bool ParameterSpec::accepts(double raw, std::optional<double> held) const
+{
+    if (accepts(raw))
+        return true;
+    return row->kind == ValueKind::Flags && held && isInRange(raw)
+        && (unnamedBits(raw) & ~unnamedBits(*held)) == 0;
+}
+
+// Bits without a meaning in this firmware; without a list nobody can tell.
+quint32 ParameterSpec::unnamedBits(double raw) const
+{
+    if (row->choices.empty())
+        return 0;
+    quint32 named = 0;
+    for (const Choice &choice : choices(firmware))
+        named |= 1U << choice.value;
+    return flagBits(raw) & ~named;
 }
 
 double ParameterSpec::clamped(double raw) const
@@ -91,6 +112,12 @@ double ParameterSpec::clamped(double raw) const
 
 QString ParameterSpec::allowedText() const
 {
+    if (row->kind == ValueKind::Flags && !row->choices.empty()) {
+        QStringList bits;
+        for (const Choice &choice : choices(firmware))
+            bits.append(QString::number(choice.value));
+        return u"bits "_s + bits.join(u", "_s);
+    }
     if (row->kind != ValueKind::Choice || row->choices.empty()) {
         const QString range = u"%1 to %2"_s.arg(minText(), maxText());
         return row->step > 1 ? u"%1 in steps of %2"_s.arg(range, plainNumber(row->step * row->scale)) : range;

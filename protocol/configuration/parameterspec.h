@@ -184,9 +184,11 @@ struct ParameterSpec
     [[nodiscard]] double nearest(double raw) const;
     /// False also for NaN.
     [[nodiscard]] bool isInRange(double raw) const;
-    /// Whether an operator may set it: in range, on a step and, for a choice, one that this firmware has. A
-    /// board may hold others all the same.
+    /// Whether an operator may set it: in range, on a step and, for a choice or a flag, one that this
+    /// firmware has. A board may hold others all the same.
     [[nodiscard]] bool accepts(double raw) const;
+    /// The same where the board holds `held`: bits of a flag word that have no name may stay, or go.
+    [[nodiscard]] bool accepts(double raw, std::optional<double> held) const;
     /// The nearest one in range and on a step; of a choice, in range.
     [[nodiscard]] double clamped(double raw) const;
     /// Raw number from a block, NaN for a float that is NaN or infinite; empty when the block is too short.
@@ -215,6 +217,7 @@ struct ParameterSpec
     [[nodiscard]] QString allowedText() const;
 
 private:
+    [[nodiscard]] quint32 unnamedBits(double raw) const;
     [[nodiscard]] std::optional<quint32> word(const QByteArray &block) const;
     void putWord(QByteArray &block, quint32 word) const;
 };

@@ -4,6 +4,8 @@
 
 #include "protocol/configuration/configuration.h"
 
+#include <algorithm>
+
 /// Outcome for one changed parameter.
 enum class WriteState {
     Verified,  ///< written, read back, equal
@@ -21,7 +23,15 @@ struct WriteLine
     double to = 0;
     WriteState state = WriteState::NotWritten;
     double found = 0;  ///< what the board holds, as last read; of no meaning while Unknown
+    QString setBy = {};  ///< what on the board sets it as well, whatever is written: "script 2"
+    /// What was read back after it was sent, before anything was put back; empty: it could not be.
+    std::optional<double> taken = {};
 
+    /// The board holds another value than the one it had made of what was sent.
+    [[nodiscard]] bool wasTakenOtherwise() const
+    {
+        return taken && !sameValue(*taken, to) && !sameValue(*taken, found);
+    }
     /// The state that follows from what was read; asBefore where that is the old value.
     [[nodiscard]] WriteState read(WriteState asBefore) const
     {
@@ -37,6 +47,8 @@ struct WriteData
     const BlockSpec *spec = nullptr;
     BlockKey key;
     WriteState state = WriteState::NotWritten;
+    /// Whether it was otherwise than before once it was sent; empty: it could not be read.
+    std::optional<bool> wasTaken = {};
 };
 
 /// On boards that can only store everything in use at once: what becomes of values that are in use without
@@ -54,6 +66,49 @@ struct OtherValue
     double inUse = 0;
     double stored = 0;
     QString setBy;  ///< what on the board sets it: "script 2"; empty: somebody did
+    /// What is in use after the write, where leaving it in use, or putting the stored one back, was refused.
+    std::optional<double> now = {};
+};
+
+/// A value that was stored although nobody wanted it: what runs on the board had set it between putting the
+/// wanted values into use and storing them.
+struct StoredMeanwhile
+{
+    const ParameterSpec *spec = nullptr;
+    double before = 0;
+    double now = 0;
+    QString setBy;  ///< "script 2"
+};
+
+/// What is in use after a write that failed, or could not leave in use what was to stay so, on a board that
+/// keeps that apart from what is stored.
+struct UseReport
+{
+    Configuration before;  ///< what was in use, and of what is written and in use now, that
+    QStringList selfSet;  ///< keys of what the board itself sets
+    std::optional<Configuration> now = {};  ///< as read since; empty: it could not be
+
+    [[nodiscard]] std::vector<ParameterChange> changes() const
+    {
+        auto changes = now ? before.changesTo(*now) : std::vector<ParameterChange>();
+        std::erase_if(changes,
+                      [this](const ParameterChange &change) { return selfSet.contains(change.spec->key); });
+        return changes;
+    }
+    [[nodiscard]] std::vector<DataChange> dataChanges() const
+    {
+        return now ? before.dataChangesTo(*now) : std::vector<DataChange>();
+    }
+};
+
+/// What speaks for a restart of the board in the middle of a write.
+struct RestartSigns
+{
+    double silentSeconds = 0;  ///< it stayed silent for so long, and then answered again; 0: it did not
+    bool motorsStarted = false;  ///< they run now, and did not before
+
+    [[nodiscard]] bool areAny() const { return motorsStarted || silentSeconds > 0; }
+    [[nodiscard]] bool areProof() const { return motorsStarted && silentSeconds > 0; }
 };
 
 /// Result of a write, parameter by parameter. States only what is known: nothing is "probably written".
@@ -61,13 +116,28 @@ struct WriteReport
 {
     std::vector<WriteLine> lines;
     std::vector<WriteData> data;
-    bool namesWritten = false;
+    bool namesWanted = false;  ///< profiles were to have other names
+    WriteState namesState = WriteState::NotWritten;  ///< of all of them; the names found are in `onBoard`
+    /// What is otherwise than before although it was not to be written, after a write that failed.
+    std::vector<ParameterChange> strays;
+    QStringList strayPlaces;  ///< the same of bytes without a parameter
+    RestartSigns restart;
     std::vector<OtherValue> others;
+    std::vector<StoredMeanwhile> storedMeanwhile;
     std::shared_ptr<const ParameterSet> otherParameters;  ///< which their specs are of
     QStringList otherData;  ///< blocks without parameters, likewise
     OtherValues othersWere = OtherValues::Keep;  ///< what was done with them
-    std::optional<Error> othersUnknown;  ///< why nobody can tell; then all that was in use is stored
+    QStringList othersLost = {};  ///< "pid.pitch.p=5.00": not in use any more, as read after the link broke
+    bool areOthersUnknown = false;  ///< the link broke before that could be seen
+    /// Why nobody can tell; then all that was in use is stored, as the operator chose.
+    std::optional<Error> othersUnknown;
+    std::optional<UseReport> use = {};  ///< where it may be otherwise than expected
+    /// What was written is in use, and why nobody can tell whether it is stored.
+    std::optional<Error> storedUntold = {};
     std::optional<Error> error;  ///< why it is incomplete
+    /// The board uses another profile than before the write: this one; kUnread: it could not be asked.
+    std::optional<int> strayProfile = {};
+    static constexpr int kUnread = -1;
     QString snapshotPath;  ///< the backup made before
     bool isSnapshotComplete = false;  ///< it holds everything that the board has
     Configuration before;  ///< what the board was expected to hold before; wanted: what it should hold after
@@ -75,6 +145,23 @@ struct WriteReport
     Configuration onBoard;  ///< what the board holds now, as far as it is known
 
     [[nodiscard]] bool isComplete() const { return !error; }
+    [[nodiscard]] bool areNamesWritten() const { return namesWanted && namesState == WriteState::Verified; }
+    [[nodiscard]] bool areNamesUnknown() const { return namesWanted && namesState == WriteState::Unknown; }
+    /// Something was sent, and the board could not be asked since what it holds.
+    [[nodiscard]] bool hasUnknown() const { return count(WriteState::Unknown) > 0 || areNamesUnknown(); }
+    /// The names that the board holds now; asBefore where those are the old ones.
+    void learnNames(const QStringList &names, WriteState asBefore)
+    {
+        onBoard.setProfileNames(names);
+        namesState = !onBoard.hasOtherNames(wanted) ? WriteState::Verified
+            : !onBoard.hasOtherNames(before)        ? asBefore
+                                                    : WriteState::Mismatch;
+    }
+    /// Which profile the board uses.
+    void learnProfile(int active)
+    {
+        strayProfile = active == before.activeProfile() ? std::nullopt : std::optional(active);
+    }
     /// The board was read again later: what was unknown is known as far as it was delivered.
     void learn(const Configuration &board)
     {
@@ -86,6 +173,7 @@ struct WriteReport
             line.found = *raw;
             line.state = line.read(WriteState::NotWritten);
         }
+        learnStrays(before.changesTo(board));
         for (WriteData &block : data) {
             const QByteArray now = board.block(block.key);
             if (block.state != WriteState::Unknown || now.isEmpty())
@@ -95,11 +183,41 @@ struct WriteReport
                                                          : WriteState::Mismatch;
         }
         onBoard = board;
+        if (strayProfile)
+            learnProfile(board.activeProfile());
+        if (areNamesUnknown() && !board.findMissing({0, MissingPart::kProfileNames}))
+            learnNames(board.profileNames(), WriteState::NotWritten);
+    }
+    /// What of these changes was not to be written.
+    void learnStrays(std::vector<ParameterChange> changes)
+    {
+        std::erase_if(changes, [this](const ParameterChange &change) {
+            return std::any_of(lines.begin(), lines.end(), [&change](const WriteLine &line) {
+                return line.spec->key == change.spec->key
+                    && (line.profile == change.profile || line.spec->row->scope == Scope::Board);
+            });
+        });
+        strays = std::move(changes);
+    }
+    /// What is in use was read again later: values that are still in use, each as it was, were kept.
+    void learnOthers(const Configuration &inUse)
+    {
+        std::erase_if(others, [this, &inUse](const OtherValue &other) {
+            const ParameterSpec *spec = inUse.parameters().find(other.spec->key);
+            const bool isKept = spec && sameValue(inUse.raw(*spec, inUse.activeProfile()), other.inUse);
+            if (!isKept)
+                othersLost.append(other.spec->key + QLatin1Char('=') + other.spec->format(other.inUse));
+            return !isKept;
+        });
+        areOthersUnknown = false;
+        othersWere = OtherValues::Keep;
+        if (use)
+            use->now = inUse;
     }
     /// How many values the board is known to hold that it did not hold before.
     [[nodiscard]] int countOther() const
     {
-        int n = 0;
+        int n = int(strays.size()) + int(strayPlaces.size());
         for (const WriteLine &line : lines)
             n += line.state != WriteState::Unknown && !sameValue(line.found, line.from);
         for (const WriteData &block : data)

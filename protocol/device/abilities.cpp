@@ -36,6 +36,13 @@ Result<void> LiveAccess::writeAdjustables(Channel &channel, const std::vector<Ad
 {
     // A board that does not tell refuses the write, too, or it cannot be taken back.
     const auto before = readAdjustables(channel, idsOf(values));
+    for (const AdjustableValue &value : values) {
+        const AdjustableValue *used = before ? findValue(*before, value.id) : nullptr;
+        if (used && used->value == value.value)
+            continue;
+        if (const auto checked = checkAdjustable(value); !checked)
+            return checked;
+    }
     const auto done = putAdjustables(channel, values);
     // Also after a failure: some of them may be in use.
     if (before)
@@ -43,9 +50,42 @@ Result<void> LiveAccess::writeAdjustables(Channel &channel, const std::vector<Ad
     return done;
 }
 
+Result<void> LiveAccess::restoreAdjustables(Channel &channel, const std::vector<AdjustableValue> &values)
+{
+    return putAdjustables(channel, values);
+}
+
+bool LiveAccess::noteChangesBy(Channel &channel, const std::function<bool()> &job)
+{
+    QList<int> ids;
+    for (const AdjustableSpec &spec : adjustables())
+        ids.append(spec.id);
+    const auto before = readAdjustables(channel, ids);
+    const bool done = job();
+    const auto after = before ? readAdjustables(channel, ids) : before;
+    if (!before || !after)
+        return done;  // a board that does not tell
+    std::vector<AdjustableValue> changed;
+    for (const AdjustableValue &value : *after) {
+        const AdjustableValue *was = findValue(*before, value.id);
+        if (was && was->value != value.value)
+            changed.push_back(value);
+    }
+    if (!changed.empty())
+        note(channel.now(), *before, changed);
+    return done;
+}
+
 void LiveAccess::note(TimePoint now, const std::vector<AdjustableValue> &before,
                       const std::vector<AdjustableValue> &after)
 {
+    // What is set to what it is already changes nothing.
+    const bool isChange = std::any_of(after.begin(), after.end(), [&before](const AdjustableValue &value) {
+        const AdjustableValue *was = findValue(before, value.id);
+        return was && was->value != value.value;
+    });
+    if (!isChange)
+        return;
     const std::lock_guard lock(m_mutex);
     if (!m_change || now - m_change->until > kOneChange)
         m_change = LiveChange{now, now, {}, {}};
@@ -55,7 +95,10 @@ void LiveAccess::note(TimePoint now, const std::vector<AdjustableValue> &before,
         if (!was)
             continue;
         // What matters is what was in use before the first of the writes.
-        if (!findValue(m_change->before, value.id)) {
+        const bool isKnown = findValue(m_change->before, value.id) != nullptr;
+        if (!isKnown && was->value == value.value)
+            continue;
+        if (!isKnown) {
             m_change->before.push_back(*was);
             m_change->after.push_back(value);
         } else {

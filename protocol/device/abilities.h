@@ -83,9 +83,14 @@ public:
     virtual ~LiveAccess() = default;
     [[nodiscard]] virtual std::span<const AdjustableSpec> adjustables() const = 0;
     virtual Result<std::vector<AdjustableValue>> readAdjustables(Channel &channel, const QList<int> &ids) = 0;
-    /// Proven by reading back. Errors: NotInUse with what the board uses instead. What was in use before is
-    /// noted first.
+    /// Proven by reading back. Errors: those of checkAdjustable(), before anything is written; NotInUse with
+    /// what the board uses instead. What was in use before is noted first.
     Result<void> writeAdjustables(Channel &channel, const std::vector<AdjustableValue> &values);
+    /// Puts back what was in use before the program replaced it, proven by reading back. That is no change
+    /// which somebody made and which could be taken back.
+    Result<void> restoreAdjustables(Channel &channel, const std::vector<AdjustableValue> &values);
+    /// Whether an operator may set it. What the board uses already may be set again. Errors: OutOfRange.
+    [[nodiscard]] virtual Result<void> checkAdjustable(const AdjustableValue &) const { return {}; }
     /// The action that stores the values in use.
     [[nodiscard]] virtual QString storeAction() const = 0;
     /// The variable behind a parameter, -1 = none: what the board can change in volatile memory, whether or
@@ -98,6 +103,9 @@ public:
     /// if the board uses others than were written, so that somebody else changed them since (nothing is
     /// written then); NoEffect if there is no change to take back; those of writing.
     Result<LiveChange> takeBack(Channel &channel);
+    /// Runs what may change variables without writing them here: a board that tunes itself. What it changed
+    /// counts as a live change afterwards. Returns what the job does.
+    bool noteChangesBy(Channel &channel, const std::function<bool()> &job);
 
 protected:
     /// What writeAdjustables() does on the wire.
@@ -137,9 +145,13 @@ public:
         Configuration stored;
     };
     /// Both; what was in use is in use again afterwards. Errors: Unsupported (not over this link), Unready
-    /// (the board is starting), ConditionUnmet (motors would start, or let the camera fall), NotRestored
-    /// (what was in use is not; the detail lists it), those of the link.
+    /// (the board is starting with motors disabled, perhaps by a stop), ConditionUnmet (motors would start,
+    /// or let the camera fall), NotRestored (what was in use is not; the detail lists it), those of the link.
     virtual Result<Contents> readBoth(Channel &channel) = 0;
+    /// What the last readBoth() found stored, also where it could not put back what was in use.
+    [[nodiscard]] virtual std::optional<Configuration> lastStored() const = 0;
+    /// Whether readBoth() could tell the two apart with this in use. Errors: Unready.
+    virtual Result<void> checkUse(Channel &channel, const Configuration &whole) = 0;
     /// Puts all blocks of a configuration into use.
     virtual Result<void> use(Channel &channel, const Configuration &whole) = 0;
     /// What on the board itself sets parameters, by their keys: "script 2".
@@ -175,6 +187,8 @@ public:
     /// Switches them on and waits until the board reports it. Errors: NoEffect with the cause as far as it is
     /// known, those of the channel.
     virtual Result<void> switchMotorsOn(Channel &channel) const = 0;
+    /// Whether they run, asked now. Errors: Unsupported (nothing answers that), those of the channel.
+    virtual Result<bool> areMotorsOn(Channel &) const { return failure(ErrorCode::Unsupported); }
 };
 
 /// A frame in readable form, for the console.
@@ -260,6 +274,8 @@ public:
     [[nodiscard]] virtual QString statusText(int state) const = 0;
     /// In that state the board holds what it stabilises; in the others it starts up, levels or stands by.
     [[nodiscard]] virtual bool isStabilising(int state) const = 0;
+    /// In that state motors that are off are about to run, without being told to.
+    [[nodiscard]] virtual bool isStarting(int) const { return false; }
     /// Text of a message that the board sends to the operator; empty for other frames.
     [[nodiscard]] virtual QString messageText(const FrameView &frame) const = 0;
     [[nodiscard]] virtual std::optional<ConnectOffer> connectOffer() const = 0;
@@ -296,10 +312,17 @@ public:
     [[nodiscard]] virtual std::pair<double, double> slidersFor(const PidGains &gains) const = 0;
 };
 
-/// Boards that announce a restart.
+/// Boards whose restart can be told from what they send.
 class RestartNotice
 {
 public:
     virtual ~RestartNotice() = default;
+    /// The board is about to restart.
     [[nodiscard]] virtual bool announcesReset(const FrameView &frame) const = 0;
+    /// Whether bytes that were sent tell the board to restart, and after which time.
+    [[nodiscard]] virtual std::optional<milliseconds> ordersReset(QByteArrayView sent) const = 0;
+    /// A board is in that state (role "state") only for a while after its start.
+    [[nodiscard]] virtual bool isFreshlyStarted(int) const { return false; }
+    /// Answered by every board that runs and changes nothing.
+    [[nodiscard]] virtual Request harmlessQuestion() const = 0;
 };

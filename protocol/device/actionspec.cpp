@@ -74,6 +74,22 @@ QString replyUnit(const ActionSpec &action, const QString &key)
     return {};
 }
 
+ActionSpec chosenAction(const ActionSpec &action, const QVariantMap &arguments)
+{
+    ActionSpec chosen = action;
+    for (const EntryEffect &entry : action.entries) {
+        const char *argument = *entry.argument ? entry.argument : action.arguments.front().key;
+        if (arguments.value(QLatin1String(argument)).toInt() != entry.value
+            || !arguments.contains(QLatin1String(argument)))
+            continue;
+        chosen.risk = entry.risk;
+        chosen.memory = entry.memory;
+        chosen.answered = entry.answered;
+        chosen.letsGo |= entry.letsGo;
+    }
+    return chosen;
+}
+
 Result<QVariantMap> parseArguments(const ActionSpec &action, const QMap<QString, QString> &texts)
 {
     QVariantMap values;

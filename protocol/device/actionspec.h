@@ -17,6 +17,7 @@ enum class MemoryEffect {
     ChangesInUse,  ///< the values in use differ from the stored ones afterwards
     Stores,  ///< all values in use are stored
     Reloads,  ///< the stored values are in use again
+    Erases,  ///< what was stored is gone; the values in use stay until the next start
 };
 
 enum class ArgumentKind { Integer, Real, Choice, Text, Toggle };
@@ -45,6 +46,17 @@ struct ReplyUnit
     const char *unit = "";
 };
 
+/// What one entry of a choice does, where it is not what the action does in general.
+struct EntryEffect
+{
+    int value = 0;  ///< of the action's first argument, unless another one is named
+    ActionRisk risk = ActionRisk::Safe;
+    MemoryEffect memory = MemoryEffect::None;
+    bool answered = true;
+    bool letsGo = false;
+    const char *argument = "";  ///< a choice, or a toggle that counts as 1
+};
+
 /// A named command: everything a protocol can do that is neither a parameter nor telemetry.
 struct ActionSpec
 {
@@ -63,7 +75,15 @@ struct ActionSpec
     const char *confirm = "";  ///< what the operator has to confirm each time: "The propellers are off."
     milliseconds silence{0};  ///< how long the board says nothing afterwards
     std::span<const ReplyUnit> units{};  ///< of the reply's figures; the first that fits counts
+    std::span<const EntryEffect> entries{};
     bool answered = true;  ///< false: the board does not even confirm it, so it is sent at best, never done
+    /// false: the board confirms it, and says nothing that would show whether it was carried out: sent as
+    /// well
+    bool isShown = true;
+    /// Motors that run lose their current by it, although that is not what it is for: what they hold falls.
+    bool letsGo = false;
+    /// It is a stop: it waits for no turn and goes on until the board's state proves it (StopPlan).
+    bool stopsMotors = false;
 };
 
 /// The reply: figures and texts by key, e.g. {"angle.roll": 1.25}.
@@ -71,6 +91,9 @@ using ActionReply = QVariantMap;
 
 /// The unit of a figure in the action's reply ("°"); empty where it has none.
 QString replyUnit(const ActionSpec &action, const QString &key);
+
+/// The action as it is with these arguments: risk, memory and answer follow the entry that was chosen.
+[[nodiscard]] ActionSpec chosenAction(const ActionSpec &action, const QVariantMap &arguments);
 
 /// Checks texts against the specs and fills in defaults. Errors: InvalidArgument naming the argument, its
 /// type and range.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/base/axis.h"
+#include "protocol/base/battery.h"
 
 #include <functional>
 #include <optional>
@@ -15,14 +16,8 @@ struct AxisBearing
 {
     std::optional<std::pair<double, double>> limits;  ///< degrees that steering reaches, low and high
     std::optional<bool> follows;  ///< the frame, instead of keeping its direction
-};
-
-/// Voltages below which a board does something, those that are set.
-struct BatteryThresholds
-{
-    std::optional<double> alarm;  ///< volts: it warns
-    std::optional<double> motorsOff;  ///< volts: it switches the motors off
-    bool perCell = false;  ///< both are meant for one cell of the battery
+    std::optional<bool> isRemote;  ///< an input of the board may steer it
+    std::optional<bool> isDriven;  ///< its motor works
 };
 
 /// Boards whose settings and status say how the gimbal hangs and what it lives on.
@@ -33,7 +28,7 @@ public:
     /// Newest value of a channel, NaN if none.
     using Latest = std::function<double(int channel)>;
 
-    /// @param active the configuration; its active profile counts
+    /// @param active the configuration, its active profile counts; one without parameters tells nothing
     [[nodiscard]] virtual AxisBearing bearing(Axis axis, const Configuration &active,
                                               const Latest &latest) const = 0;
     /// Whether the angles with the roles "frame" are those of the frame; empty: not known.

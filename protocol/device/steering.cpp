@@ -3,6 +3,7 @@
 #include "protocol/device/steering.h"
 
 #include <algorithm>
+#include <limits>
 
 int SteeringMode::inputOf(Axis axis) const
 {
@@ -24,6 +25,12 @@ bool SteeringMode::isPositional() const
     return std::any_of(inputs.begin(), inputs.end(), [](const SteeringInput &input) {
         return input.axis != Axis::None && !input.springsBack;
     });
+}
+
+std::array<double, kAxisCount> Steering::levelAngles(const LatestValues &) const
+{
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    return {kUnknown, kUnknown, kUnknown};
 }
 
 const SteeringMode *Steering::mode(int id) const

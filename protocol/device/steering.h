@@ -80,6 +80,9 @@ public:
                                                            SteeredBefore steeredBefore) const = 0;
     /// The frames to send; an empty set-point if nothing is to be sent.
     [[nodiscard]] virtual ControlFrames controlFrames(const SteeringSetpoint &setpoint) const = 0;
+    /// Angles at which the board holds roll, pitch and yaw as long as nobody has steered it, in degrees; NaN
+    /// for an axis that follows the frame or is steered from outside, and where it is not known.
+    [[nodiscard]] virtual std::array<double, kAxisCount> levelAngles(const LatestValues &latest) const;
 
     [[nodiscard]] const SteeringMode *mode(int id) const;
 };

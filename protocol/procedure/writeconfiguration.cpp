@@ -2,96 +2,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/procedure/writeconfiguration.h"
 
-#include "protocol/procedure/wholewrite.h"
+#include "protocol/procedure/motorsnow.h"
+#include "protocol/procedure/writer.h"
 
 #include <algorithm>
-#include <set>
 #include <tuple>
 
 using namespace Qt::StringLiterals;
 
 namespace {
 
-/// One run of writeConfiguration(): sequential, step by step.
-class Writer
-{
-public:
-    Writer(Channel &channel, Device &device, const Configuration &base, const Configuration &edited,
-           const WriteOptions &options)
-        : m_channel(channel)
-        , m_device(device)
-        , m_base(base)
-        , m_edited(edited)
-        , m_options(options)
-        , m_whole(device, channel, options.others)
-    {
-    }
-
-    Result<WriteReport> run();
-
-private:
-    Result<void> backUp();
-    void collectBlocks();
-    Result<void> readBoard();
-    Result<void> checkConflicts() const;
-    [[nodiscard]] QByteArray boardNow(BlockKey key) const;
-    [[nodiscard]] bool isKnownLive(const ParameterChange &change, double now) const;
-    Result<void> writeBlocks();
-    Result<void> writeBracketed();
-    Result<void> writeWhole();
-    Result<void> readWhole();
-    void addNamed();
-    Result<void> writeRestarting();
-    Result<void> put(BlockKey key, const QByteArray &bytes);
-    Result<QByteArray> fetch(BlockKey key);
-    Result<void> writeNames();
-    Result<void> verify();
-    bool rollBack();
-    void readTruth(bool isBack);
-    void finishReport(const Error &error);
-    // For boards with a WriteBracket.
-    Result<void> begin();
-    Result<void> end();
-    Result<void> selectActive();
-    void markBlock(BlockKey key, WriteState state);
-    void report(const QString &step, BlockKey key);
-    [[nodiscard]] QByteArray patched(BlockKey key) const;
-    [[nodiscard]] QString placeOf(BlockKey key, qsizetype byte) const;
-    [[nodiscard]] std::vector<bool> uncheckedBytes(int block) const;
-    [[nodiscard]] const BlockSpec &specOf(BlockKey key) const
-    {
-        return *m_base.parameters().block(key.block);
-    }
-    [[nodiscard]] bool restarts(BlockKey key) const { return specOf(key).effect == WriteEffect::Restarts; }
-
-    Channel &m_channel;
-    Device &m_device;
-    const Configuration &m_base;
-    const Configuration &m_edited;
-    const WriteOptions &m_options;
-
-    WriteReport m_report;
-    std::vector<ParameterChange> m_changes;
-    std::vector<DataChange> m_data;
-    std::vector<BlockKey> m_keys;  // in writing order: the active profile last, then what restarts
-    WholeWrite m_whole;  // for boards that can only store everything in use
-    std::map<BlockKey, QByteArray> m_board;  // as read from the board before anything was written
-    std::set<BlockKey> m_written;
-    bool m_namesChanged = false;
-    bool m_bracketOpen = false;
-    TimePoint m_backBy{};  // until then a restarting board may be silent
-    int m_done = 0;
-};
-
 // A board that has confirmed the write goes down within this time; also the interval of asking whether it is
 // back.
 constexpr milliseconds kRestartPause = 1s;
+constexpr int kStoringAttempts = 4;
 
-bool isLinkGone(const Error &error)
-{
-    return error.code == ErrorCode::LinkClosed || error.code == ErrorCode::Cancelled
-        || error.code == ErrorCode::NotConnected;
-}
+}  // namespace
 
 Result<WriteReport> Writer::run()
 {
@@ -99,9 +25,12 @@ Result<WriteReport> Writer::run()
         return failure(ErrorCode::ReadOnly, m_device.identity().firmware);
     m_changes = m_base.changesTo(m_edited);
     m_data = m_base.dataChangesTo(m_edited);
-    m_namesChanged = m_base.hasOtherNames(m_edited);
+    m_report.namesWanted = m_names.isWanted();
     if (m_options.contents)
         m_whole.start(*m_options.contents, m_report);
+    // What is in use as wanted may not be stored so.
+    if (const auto read = m_options.named.isEmpty() ? Result<void>() : m_whole.read(m_report); !read)
+        return tl::unexpected(read.error());
     addNamed();
     m_report.before = m_base;
     m_report.wanted = m_edited;
@@ -111,7 +40,7 @@ Result<WriteReport> Writer::run()
             {change.spec, change.profile, change.from, change.to, WriteState::NotWritten, change.from});
     for (const DataChange &change : m_data)
         m_report.data.push_back({change.spec, change.key, WriteState::NotWritten});
-    if (m_changes.empty() && m_data.empty() && !m_namesChanged)
+    if (m_changes.empty() && m_data.empty() && !m_names.isWanted())
         return m_report;
     if (const auto checked = m_edited.checkRules(m_base); !checked)
         return tl::unexpected(checked.error());
@@ -124,22 +53,58 @@ Result<WriteReport> Writer::run()
         return tl::unexpected(read.error());
     if (const auto checked = checkConflicts(); !checked)
         return tl::unexpected(checked.error());
+    if (const auto checked = m_whole.isKnown() ? m_whole.check(patchedBlocks()) : Result<void>(); !checked)
+        return tl::unexpected(checked.error());
 
+    m_ranBefore = askMotors(m_channel, m_device);
+    readOthers();
     auto result = writeBlocks();
+    if (result && m_whole.isUntellable() && !m_keys.empty())
+        result = m_whole.readAfterAll(m_report);
     if (result)
         result = verify();
     if (result)
-        result = writeNames();
+        result = m_names.write(m_report);
     if (!result)
         finishReport(result.error());
-    if (const auto back = m_whole.finish(m_report); !back && !m_report.error)
+    else
+        settleProfile();
+    if (result || !isLinkGone(result.error())) {
+        tellReplaced();
+        lookForRestart();
+    }
+    if (result && m_report.storedUntold)
+        leaveUntold();
+    if (result && m_report.strayProfile)
+        m_report.error = Error{ErrorCode::NoEffect, u"the active profile is another than before"_s, 0};
+    const auto back = m_whole.finish(m_report);
+    m_report.areOthersUnknown = !back && !m_report.others.empty();
+    if (!back && !m_report.error)
         m_report.error = back.error();
+    else if (!back && !isLinkGone(*m_report.error))
+        m_report.error->detail += u"; what was in use before is not in use again: "_s + back.error().detail;
     return m_report;
+}
+
+// What was read back is in use, which says nothing about what is stored.
+void Writer::leaveUntold()
+{
+    m_report.error = m_report.storedUntold;
+    for (const BlockKey key : m_written)
+        markBlock(key, WriteState::Unknown);
 }
 
 // What is wanted in use, and stored already, is a change for the board all the same.
 void Writer::addNamed()
 {
+    if (m_report.othersUnknown) {
+        for (const ParameterSpec &spec : m_base.parameters().all()) {
+            const auto raw = m_base.raw(spec, m_base.activeProfile());
+            if (m_options.named.contains(spec.key) && raw
+                && sameValue(m_edited.raw(spec, m_base.activeProfile()), raw))
+                m_changes.push_back({&spec, m_base.activeProfile(), *raw, *raw});
+        }
+    }
     if (!m_whole.isKnown())
         return;
     for (const ParameterChange &change : m_whole.inUse().changesTo(m_edited)) {
@@ -179,7 +144,7 @@ Result<void> Writer::backUp()
     // What the copy lacks could not be brought back.
     for (const MissingPart &part : fresh->missing()) {
         const bool isTouched = part.key.block == MissingPart::kProfileNames
-            ? m_namesChanged
+            ? m_names.isWanted()
             : std::find(m_keys.begin(), m_keys.end(), part.key) != m_keys.end();
         if (isTouched)
             return failure(ErrorCode::NoBackup, u"%1 could not be read"_s.arg(fresh->partName(part.key)));
@@ -219,11 +184,17 @@ Result<void> Writer::readBoard()
         auto bytes = m_device.readBlock(m_channel, key);
         if (!bytes)
             return tl::unexpected(bytes.error());
-        if (key.profile == m_base.activeProfile() && !m_device.wholeMemory())
-            *bytes = withoutLive(std::move(*bytes), key.block, m_base.parameters(), m_options.live);
-        m_board[key] = std::move(*bytes);
+        m_board[key] = asStored(key, std::move(*bytes), m_options.live);
     }
     return {};
+}
+
+// What such a board answers for the active profile may be what is in use.
+QByteArray Writer::asStored(BlockKey key, QByteArray bytes, const LiveValues &live) const
+{
+    if (key.profile != m_base.activeProfile() || m_device.wholeMemory())
+        return bytes;
+    return withoutLive(std::move(bytes), key.block, m_base.parameters(), live);
 }
 
 Result<void> Writer::checkConflicts() const
@@ -243,6 +214,8 @@ Result<void> Writer::checkConflicts() const
             && !(m_whole.isKnown() && m_whole.inUse().block(change.key) == change.from))
             conflicts.append(u"%1 was changed meanwhile"_s.arg(QLatin1String(change.spec->data)));
     }
+    if (const auto names = m_names.check(conflicts); !names)
+        return names;
     if (conflicts.isEmpty())
         return {};
     return failure(ErrorCode::Conflict, conflicts.join(u"; "_s));
@@ -277,6 +250,14 @@ QByteArray Writer::patched(BlockKey key) const
             change.spec->copy(bytes, m_edited.block({source, key.block}));
     }
     return bytes;
+}
+
+std::map<BlockKey, QByteArray> Writer::patchedBlocks() const
+{
+    std::map<BlockKey, QByteArray> blocks;
+    for (const BlockKey key : m_keys)
+        blocks[key] = patched(key);
+    return blocks;
 }
 
 Result<void> Writer::writeBlocks()
@@ -322,19 +303,32 @@ Result<void> Writer::writeWhole()
     if (const auto begun = begin(); !begun)
         return begun;
     m_bracketOpen = true;
-    std::map<BlockKey, QByteArray> blocks;
+    const std::map<BlockKey, QByteArray> blocks = patchedBlocks();
     for (const BlockKey key : m_keys) {
         report(u"write-block"_s, key);
         markBlock(key, WriteState::Unknown);
         m_written.insert(key);
-        blocks[key] = patched(key);
     }
-    if (const auto used = m_whole.use(blocks); !used)
-        return used;
-    if (const auto ended = end(); !ended)
-        return ended;
-    m_bracketOpen = false;
-    return m_whole.readAgain();
+    const auto stored = storeWhole([this, &blocks] { return m_whole.use(blocks); });
+    for (WriteLine &line : m_report.lines)
+        line.setBy = m_whole.setter(line.spec->key);
+    return stored;
+}
+
+// A script may set a value between putting it into use and storing it; the next time it may not.
+Result<void> Writer::storeWhole(const std::function<Result<void>()> &put)
+{
+    for (int attempt = 1;; ++attempt) {
+        if (const auto used = put(); !used)
+            return used;
+        if (const auto ended = end(); !ended)
+            return ended;
+        m_bracketOpen = false;
+        if (const auto read = m_whole.readAgain(); !read)
+            return read;
+        if (!m_whole.isDisturbed() || attempt == kStoringAttempts)
+            return {};
+    }
 }
 
 // Outside the bracket, which the restart would end.
@@ -355,8 +349,13 @@ Result<void> Writer::writeRestarting()
 // Writes a block; if that restarts the board, returns once the board is back.
 Result<void> Writer::put(BlockKey key, const QByteArray &bytes)
 {
-    if (!restarts(key))
-        return m_device.writeBlock(m_channel, key, bytes);
+    if (!restarts(key)) {
+        const TimePoint sent = m_channel.now();
+        const auto written = m_device.writeBlock(m_channel, key, bytes);
+        if (written)
+            noteSilence(sent);
+        return written;
+    }
     const milliseconds absence = specOf(key).restartTime > 0ms ? specOf(key).restartTime : kRestartLimit;
     m_channel.expectSilence(absence);
     const auto written = m_device.writeBlock(m_channel, key, bytes);
@@ -407,161 +406,6 @@ Result<void> Writer::selectActive()
     return profiles ? profiles->selectProfile(m_channel, m_base.activeProfile()) : Result<void>();
 }
 
-Result<void> Writer::writeNames()
-{
-    if (!m_namesChanged)
-        return {};
-    ProfileAccess *profiles = m_device.profiles();
-    if (!profiles)
-        return failure(ErrorCode::Unsupported, u"this board has one profile, without a name"_s);
-    if (const auto written = profiles->writeProfileNames(m_channel, m_edited.profileNames()); !written)
-        return written;
-    const auto again = profiles->readProfileNames(m_channel);
-    if (!again)
-        return tl::unexpected(again.error());
-    m_report.onBoard.setProfileNames(*again);
-    if (m_report.onBoard.hasOtherNames(m_edited))
-        return failure(ErrorCode::VerifyFailed, again->join(u", "_s));
-    m_report.namesWritten = true;
-    return {};
-}
-
-// What the board changes by itself.
-std::vector<bool> Writer::uncheckedBytes(int block) const
-{
-    std::vector<bool> mask;
-    for (const ParameterSpec &spec : m_base.parameters().all()) {
-        if (spec.row->block != block || spec.row->bitCount || !(spec.row->state || m_whole.isMoved(spec)))
-            continue;
-        const auto end = std::size_t(spec.offset) + std::size_t(wireSize(spec.row->wire));
-        if (mask.size() < end)
-            mask.resize(end);
-        std::fill(mask.begin() + spec.offset, mask.begin() + std::ptrdiff_t(end), true);
-    }
-    return mask;
-}
-
-// The parameter, or the byte where none is.
-QString Writer::placeOf(BlockKey key, qsizetype byte) const
-{
-    for (const ParameterSpec &spec : m_base.parameters().all()) {
-        if (spec.row->block == key.block && spec.offset <= byte
-            && byte < spec.offset + wireSize(spec.row->wire))
-            return (m_base.identity().profileCount > 1 ? m_base.profileName(key.profile) + u": "_s
-                                                       : QString())
-                + m_whole.named(spec.key);
-    }
-    return u"%1 profile %2, byte %3"_s.arg(QLatin1String(specOf(key).name)).arg(key.profile + 1).arg(byte);
-}
-
-Result<void> Writer::verify()
-{
-    QStringList different;
-    for (const BlockKey key : m_keys) {
-        report(u"verify-block"_s, key);
-        const auto bytes
-            = m_whole.isReadAgain() ? Result<QByteArray>(m_whole.storedNow().block(key)) : fetch(key);
-        if (!bytes)
-            return tl::unexpected(bytes.error());
-        const QByteArray expected = patched(key);
-        m_report.onBoard.setBlock(key, *bytes);
-        if (specOf(key).isData() && bytes->size() > expected.size()) {
-            different.append(u"%1 has %2 bytes, %3 were written"_s.arg(QLatin1String(specOf(key).name))
-                                 .arg(bytes->size())
-                                 .arg(expected.size()));
-        }
-        const std::vector<bool> mask = uncheckedBytes(key.block);
-        for (qsizetype i = 0; i < expected.size(); ++i) {
-            const bool isState = std::size_t(i) < mask.size() && mask[std::size_t(i)];
-            if (!isState && (i >= bytes->size() || (*bytes)[i] != expected[i]))
-                different.append(placeOf(key, i));
-        }
-        different.removeDuplicates();
-        for (WriteLine &line : m_report.lines) {
-            if (line.spec->row->block != key.block || line.profile != key.profile)
-                continue;
-            line.found = line.spec->read(*bytes).value_or(line.from);
-            line.state = sameValue(line.found, line.to) ? WriteState::Verified : WriteState::Mismatch;
-        }
-        for (WriteData &data : m_report.data) {
-            if (data.key == key)
-                data.state = *bytes == expected ? WriteState::Verified : WriteState::Mismatch;
-        }
-    }
-    m_whole.compare(m_keys, different, m_report);
-    // The blocks that were not written also carry the new board-wide values.
-    for (const ParameterChange &change : m_changes) {
-        if (change.spec->row->scope == Scope::Board)
-            std::ignore = m_report.onBoard.copyRaw(*change.spec, change.profile, m_edited);
-    }
-    if (!different.isEmpty())
-        return failure(ErrorCode::VerifyFailed, different.mid(0, 8).join(u"; "_s));
-    return {};
-}
-
-void Writer::finishReport(const Error &error)
-{
-    m_report.error = error;
-    if (m_written.empty() || isLinkGone(error))
-        return;
-    // Perhaps only an answer was lost.
-    if (error.code == ErrorCode::Timeout && !fetch(*m_written.begin()))
-        return;
-    const bool isBack = rollBack();
-    readTruth(isBack);
-}
-
-// The board still answers: the previous values are restored. Returns whether all of that was accepted.
-bool Writer::rollBack()
-{
-    if (m_whole.isKnown())
-        return begin() && m_whole.putBack() && end();
-    if (!m_bracketOpen && !restarts(m_keys.front())) {
-        if (!begin())
-            return false;
-        m_bracketOpen = true;
-    }
-    for (const BlockKey key : m_keys) {
-        if (!m_written.contains(key))
-            continue;
-        if (restarts(key) && std::exchange(m_bracketOpen, false) && !end())
-            return false;
-        report(u"roll-back"_s, key);
-        if (!put(key, m_board.at(key)))
-            return false;
-    }
-    if (m_bracketOpen && !end())
-        return false;
-    return selectActive().has_value();
-}
-
-// Whatever was confirmed or refused: what counts is what the board says that it holds.
-void Writer::readTruth(bool isBack)
-{
-    const WriteState asBefore = isBack ? WriteState::RolledBack : WriteState::NotWritten;
-    for (const BlockKey key : m_written) {
-        const auto bytes = fetch(key);
-        if (!bytes) {
-            markBlock(key, WriteState::Unknown);
-            continue;
-        }
-        m_report.onBoard.setBlock(key, *bytes);
-        for (WriteLine &line : m_report.lines) {
-            if (line.spec->row->block != key.block || line.profile != key.profile)
-                continue;
-            line.found = line.spec->read(*bytes).value_or(line.to);
-            if (line.state != WriteState::Mismatch)  // which one the board had not taken
-                line.state = line.read(asBefore);
-        }
-        for (WriteData &data : m_report.data) {
-            if (data.key == key && data.state != WriteState::Mismatch)
-                data.state = *bytes == m_board.at(key) ? asBefore
-                    : *bytes == patched(key)           ? WriteState::Verified
-                                                       : WriteState::Mismatch;
-        }
-    }
-}
-
 void Writer::markBlock(BlockKey key, WriteState state)
 {
     for (WriteLine &line : m_report.lines) {
@@ -586,8 +430,6 @@ void Writer::report(const QString &step, BlockKey key)
     progress.profile = m_base.identity().profileCount > 1 ? key.profile : -1;
     m_channel.progress(progress);
 }
-
-}  // namespace
 
 Result<WriteReport> writeConfiguration(Channel &channel, Device &device, const Configuration &base,
                                        const Configuration &edited, const WriteOptions &options)

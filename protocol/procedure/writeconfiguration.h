@@ -2,25 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/configuration/livevalues.h"
-#include "protocol/configuration/writereport.h"
-#include "protocol/device/abilities.h"
 #include "protocol/device/device.h"
-#include "protocol/record/boardhistory.h"
+#include "protocol/procedure/writeoptions.h"
 #include "protocol/session/channel.h"
-
-/// Options of a write.
-struct WriteOptions
-{
-    const BoardHistory *history = nullptr;  ///< where the safety copy goes; null: nothing is written
-    bool backupDone = false;  ///< a complete safety copy was already made on this connection
-    LiveValues live;  ///< values in use that are not stored
-    OtherValues others = OtherValues::Keep;
-    /// Keys of parameters, and names of blocks without any, that are to be in use as wanted even where they
-    /// are stored so already; for boards with a WholeMemory.
-    QSet<QString> named = {};
-    std::optional<WholeMemory::Contents> contents = {};  ///< of such a board, if they were just read
-};
 
 /// Writes the differences between base (what was read) and edited (what is wanted), and verifies them: safety
 /// copy, fresh read (three-way: base, board, edited), write in the firmware's own bracket, read-back of every

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/record/boardhistory.h"
 
+#include "protocol/base/filefault.h"
+#include "protocol/base/jsonplace.h"
+
 #include <QDir>
 #include <QFile>
 #include <QJsonDocument>
 #include <QRegularExpression>
-#include <QSaveFile>
 #include <QStandardPaths>
 
 #include <algorithm>
@@ -20,7 +22,15 @@ const QString kStamp = u"yyyyMMdd-HHmmss-zzz"_s;
 const QString kUnsavedFolder = u"unsaved"_s;
 const QString kEditsFile = u"edits.json"_s;
 const QString kBaseFile = u"board.json"_s;
+const QString kSetAside = u"unsaved-damaged"_s;
 constexpr qint64 kLargestJournal = 4'194'304;
+
+// The same fault, with what it means: no safety copy.
+Error noBackup(Error error)
+{
+    error.code = ErrorCode::NoBackup;
+    return error;
+}
 
 }  // namespace
 
@@ -38,16 +48,20 @@ Result<QString> BoardHistory::save(const Configuration &configuration, const QSt
 {
     const QString folderPath = folder(configuration.identity().serial);
     if (!QDir().mkpath(folderPath))
-        return failure(ErrorCode::NoBackup, folderPath);
+        return tl::unexpected(noBackup(FileFault{.problem = FileProblem::NotWritable,
+                                                 .kind = FileKind::Configuration,
+                                                 .path = folderPath,
+                                                 .writing = true}
+                                           .error()));
     const QString stamp = QDateTime::currentDateTimeUtc().toString(kStamp);
     const QString path = u"%1/%2.json"_s.arg(folderPath, stamp);
     if (const auto saved = ConfigurationFile::save(path, configuration, reason); !saved)
-        return failure(ErrorCode::NoBackup, saved.error().detail);
+        return tl::unexpected(noBackup(saved.error()));
     // A backup counts only once it was read back with the same bytes.
     const auto again = ConfigurationFile::load(
         path, [&configuration](const BoardIdentity &) { return configuration.parameterSet(); });
     if (!again)
-        return failure(ErrorCode::NoBackup, again.error().detail);
+        return tl::unexpected(noBackup(again.error()));
     if (again->configuration.blocks() != configuration.blocks())
         return failure(ErrorCode::NoBackup, u"%1 does not hold what was saved"_s.arg(path));
     return path;
@@ -73,21 +87,20 @@ Result<void> BoardHistory::saveUnsaved(const Configuration &base, const QJsonObj
 {
     const QDir dir(folder(base.identity().serial) + u'/' + kUnsavedFolder);
     if (!QDir().mkpath(dir.path()))
-        return failure(ErrorCode::BadFile, dir.path());
+        return fileFailure({.problem = FileProblem::NotWritable,
+                            .kind = FileKind::Journal,
+                            .path = dir.path(),
+                            .writing = true});
     // The base first: edits are useless without the configuration they started from.
-    const QByteArray board = ConfigurationFile::toJson(base, u"unsaved edits"_s, {});
+    const QByteArray board = ConfigurationFile::toJson(base, u"unwritten edits"_s, {});
     QFile known(dir.filePath(kBaseFile));
     if (!known.open(QIODevice::ReadOnly) || known.readAll() != board) {
         known.close();
-        QSaveFile file(dir.filePath(kBaseFile));
-        if (!file.open(QIODevice::WriteOnly) || file.write(board) != board.size() || !file.commit())
-            return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(file.fileName(), file.errorString()));
+        if (const auto saved = writeWhole(dir.filePath(kBaseFile), board, FileKind::Journal); !saved)
+            return saved;
     }
-    QSaveFile file(dir.filePath(kEditsFile));
-    const QByteArray json = QJsonDocument(edits).toJson(QJsonDocument::Compact);
-    if (!file.open(QIODevice::WriteOnly) || file.write(json) != json.size() || !file.commit())
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(file.fileName(), file.errorString()));
-    return {};
+    return writeWhole(dir.filePath(kEditsFile), QJsonDocument(edits).toJson(QJsonDocument::Compact),
+                      FileKind::Journal);
 }
 
 void BoardHistory::dropUnsaved(const QString &serial) const
@@ -95,13 +108,21 @@ void BoardHistory::dropUnsaved(const QString &serial) const
     QDir(folder(serial) + u'/' + kUnsavedFolder).removeRecursively();
 }
 
-std::optional<QJsonObject> BoardHistory::unsaved(const QString &serial) const
+Result<QJsonObject> BoardHistory::unsaved(const QString &serial) const
 {
-    QFile file(folder(serial) + u'/' + kUnsavedFolder + u'/' + kEditsFile);
-    if (!file.open(QIODevice::ReadOnly) || file.size() > kLargestJournal)
-        return {};
-    const QJsonObject edits = QJsonDocument::fromJson(file.readAll()).object();
-    return edits.isEmpty() ? std::nullopt : std::optional(edits);
+    const auto edits = readJson(folder(serial) + u'/' + kUnsavedFolder + u'/' + kEditsFile, FileKind::Journal,
+                                kLargestJournal);
+    if (!edits)
+        return tl::unexpected(edits.error());
+    return edits->object();
+}
+
+QString BoardHistory::setAsideUnsaved(const QString &serial) const
+{
+    const QDir board(folder(serial));
+    QDir(board.filePath(kSetAside)).removeRecursively();
+    QDir().rename(board.filePath(kUnsavedFolder), board.filePath(kSetAside));
+    return board.filePath(kSetAside);
 }
 
 QStringList BoardHistory::unsavedBases() const

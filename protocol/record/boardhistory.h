@@ -43,10 +43,16 @@ public:
     /// makes of them, and the configuration they started from. Errors: BadFile.
     Result<void> saveUnsaved(const Configuration &base, const QJsonObject &edits) const;
     void dropUnsaved(const QString &serial) const;
-    [[nodiscard]] std::optional<QJsonObject> unsaved(const QString &serial) const;
+    /// Errors: BadFile, with FileProblem::Missing if there are none.
+    [[nodiscard]] Result<QJsonObject> unsaved(const QString &serial) const;
+    /// Keeps what cannot be read out of the way of new edits, in place of what was put there before. Returns
+    /// the folder.
+    QString setAsideUnsaved(const QString &serial) const;
     /// Files with the configuration that unsaved edits of any board started from, newest first.
     [[nodiscard]] QStringList unsavedBases() const;
 
+    /// Whether the names that boards were given can be read. Errors: BadFile.
+    [[nodiscard]] Result<void> checkNames() const;
     /// A board has connected: from here on its look is that of no board that was renamed away from it.
     Acquaintance meet(const BoardIdentity &identity) const;
     [[nodiscard]] Acquaintance acquaintance(const BoardIdentity &identity) const;
@@ -79,6 +85,7 @@ private:
     [[nodiscard]] static QString freeFolder(const QList<Named> &all, const QString &serial);
     [[nodiscard]] QString folderName(const QList<Named> &all, const QString &serial) const;
     Result<void> save(const QList<Named> &all) const;
+    [[nodiscard]] QString namesPath() const;
 
     QString m_root;
     QString m_chosen;  ///< the board that is connected, where several look the same

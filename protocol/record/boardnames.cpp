@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whose history it is: boards without a serial number, and the names that the operator gave them.
+#include "protocol/base/filefault.h"
+#include "protocol/base/jsonplace.h"
 #include "protocol/record/boardhistory.h"
 
 #include <QDir>
@@ -8,7 +10,6 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QRegularExpression>
-#include <QSaveFile>
 
 #include <algorithm>
 
@@ -17,6 +18,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 const QString kNamesFile = u"boards.json"_s;
+const QString kDamaged = u".damaged"_s;
 constexpr qint64 kLargestNames = 1'048'576;
 
 // The serial number comes from the board: it must not lead out of the folder.
@@ -36,11 +38,11 @@ bool isUnnumbered(const BoardIdentity &identity)
 
 QList<BoardHistory::Named> BoardHistory::named() const
 {
-    QFile file(QDir(m_root).filePath(kNamesFile));
-    if (!file.open(QIODevice::ReadOnly) || file.size() > kLargestNames)
+    const auto file = readJson(namesPath(), FileKind::BoardNames, kLargestNames, '[');
+    if (!file)
         return {};
     QList<Named> all;
-    for (const QJsonValue value : QJsonDocument::fromJson(file.readAll()).array()) {
+    for (const QJsonValue value : file->array()) {
         const QJsonObject board = value.toObject();
         const auto text = [&board](const QString &key) { return board.value(key).toString(); };
         // The file may have been edited: a folder stays inside.
@@ -63,10 +65,23 @@ Result<void> BoardHistory::save(const QList<Named> &all) const
         boards.append(object);
     }
     QDir().mkpath(m_root);
-    QSaveFile file(QDir(m_root).filePath(kNamesFile));
-    const QByteArray json = QJsonDocument(boards).toJson();
-    if (!file.open(QIODevice::WriteOnly) || file.write(json) != json.size() || !file.commit())
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(file.fileName(), file.errorString()));
+    if (!checkNames()) {  // what cannot be read is kept, not written over
+        QFile::remove(namesPath() + kDamaged);
+        QFile::rename(namesPath(), namesPath() + kDamaged);
+    }
+    return writeWhole(namesPath(), QJsonDocument(boards).toJson(), FileKind::BoardNames);
+}
+
+QString BoardHistory::namesPath() const
+{
+    return QDir(m_root).filePath(kNamesFile);
+}
+
+Result<void> BoardHistory::checkNames() const
+{
+    const auto file = readJson(namesPath(), FileKind::BoardNames, kLargestNames, '[');
+    if (!file && file.error().file->problem != FileProblem::Missing)
+        return tl::unexpected(file.error());
     return {};
 }
 

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/record/configurationfile.h"
 
-#include <QFile>
+#include "protocol/base/hexbytes.h"
+#include "protocol/base/jsonplace.h"
+#include "protocol/configuration/rounding.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QRegularExpression>
-#include <QSaveFile>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,8 @@ const QString kNames = u"names"_s;  // among the missing parts
 const Error kNotInFile{ErrorCode::Incomplete, u"not in the file"_s, 0};
 constexpr int kVersion = 1;
 constexpr qint64 kLargestFile = 4 * 1024 * 1024;
+constexpr int kMaxProfiles = 32;
+constexpr qsizetype kMaxShown = 40;  // characters of a value that is not understood
 
 QJsonValue valueOf(const ParameterSpec &spec, double raw)
 {
@@ -65,35 +68,67 @@ bool isKnown(const ParameterSpec &spec, double known, const QJsonValue &value, d
 {
     const bool rounded = spec.row->wire != WireType::F32 && spec.row->kind == ValueKind::Number
         && value.isDouble() && value.toDouble() == spec.rounded(known).toDouble();
-    return known == raw || rounded;
+    // "On" is written for whatever is not 0.
+    const bool isSame = spec.row->kind == ValueKind::Toggle && (known != 0) == (raw != 0);
+    return known == raw || rounded || isSame;
+}
+
+// An entry of a file as an operator reads it: a text without its quotation marks.
+QString shownValue(const QJsonValue &value)
+{
+    if (value.isString())
+        return value.toString().left(kMaxShown);
+    const QByteArray json = QJsonDocument(QJsonArray{value}).toJson(QJsonDocument::Compact);
+    return QString::fromUtf8(json.mid(1, json.size() - 2)).left(kMaxShown);
+}
+
+// A fault of the entry at this place.
+FileFault entryFault(FileProblem problem, const QByteArray &json, const QStringList &place,
+                     const QJsonValue &value, const QString &expected)
+{
+    FileFault fault{.problem = problem, .kind = FileKind::Configuration};
+    fault.line = lineOfJson(json, place);
+    fault.key = place.last();
+    fault.value = shownValue(value);
+    fault.expected = expected;
+    return fault;
 }
 
 // Puts a file's values into a configuration. A value that the blocks already hold exactly is left alone, so
 // rounding in the text never changes a byte.
-Result<void> readValues(Configuration &configuration, const QJsonObject &values, int profile,
-                        QStringList &unknown)
+// @param place where the values stand in the file
+Result<void> readValues(ConfigurationFile &file, const QByteArray &json, const QStringList &place,
+                        const QJsonObject &values, int profile)
 {
+    Configuration &configuration = file.configuration;
     for (auto it = values.begin(); it != values.end(); ++it) {
         const ParameterSpec *spec = configuration.parameters().find(it.key());
         if (!spec) {
-            if (!unknown.contains(it.key()))
-                unknown.append(it.key());
+            if (!file.unknownKeys.contains(it.key()))
+                file.unknownKeys.append(it.key());
             continue;
         }
         const auto known = configuration.raw(*spec, profile);
         if (it.value().isNull() && known && std::isnan(*known))
             continue;
         const auto raw = rawOf(*spec, it.value());
-        if (!raw) {
-            return failure(
-                ErrorCode::BadFile,
-                u"the value of %1 is not understood: %2"_s.arg(
-                    it.key(), it.value().isNull() ? u"null"_s : it.value().toVariant().toString()));
-        }
-        if (known && isKnown(*spec, *known, it.value(), *raw))
+        if (raw && known && isKnown(*spec, *known, it.value(), *raw))
             continue;
-        if (const auto set = configuration.setRaw(*spec, profile, *raw); !set)
-            return failure(ErrorCode::BadFile, set.error().detail);
+        const auto set = raw ? configuration.setRaw(*spec, profile, *raw)
+                             : failure(ErrorCode::InvalidArgument, spec->allowedText());
+        if (set) {
+            const QString rounded
+                = it.value().isDouble() ? roundingText(*spec, it.value().toDouble(), *raw) : QString();
+            if (!rounded.isEmpty())
+                file.rounded.append(rounded);
+            continue;
+        }
+        const bool isNumber = raw && set.error().code == ErrorCode::OutOfRange;
+        FileFault fault = entryFault(isNumber ? FileProblem::OutOfRange : FileProblem::BadValue, json,
+                                     place + QStringList{it.key()}, it.value(), spec->allowedText());
+        if (spec->row->scope == Scope::Profile)
+            fault.profile = profile;
+        return fileFailure(fault);
     }
     return {};
 }
@@ -138,14 +173,6 @@ Result<void> take(Configuration &result, const ParameterSpec &own, int profile, 
                        : spec.key);
 }
 
-// ", value of KEY" if the text before that byte ends in a key: a number as large as 1e999 is not valid JSON.
-QString entryAt(const QByteArray &json, int offset)
-{
-    static const QRegularExpression key(u"\"([^\"]*)\"\\s*:[^\":,]*$"_s);
-    const auto match = key.match(QString::fromUtf8(json.left(offset)));
-    return match.hasMatch() ? u", value of %1"_s.arg(match.captured(1)) : QString();
-}
-
 BoardIdentity identityFrom(const QJsonObject &board)
 {
     BoardIdentity identity;
@@ -161,7 +188,7 @@ BoardIdentity identityFrom(const QJsonObject &board)
 }
 
 // Blocks, and which of them the board did not deliver.
-Result<void> readBlocks(Configuration &configuration, const QJsonObject &root)
+Result<void> readBlocks(Configuration &configuration, const QByteArray &json, const QJsonObject &root)
 {
     const QJsonArray missing = root.value(u"missing"_s).toArray();
     const QJsonObject blocks = root.value(u"blocks"_s).toObject();
@@ -172,13 +199,16 @@ Result<void> readBlocks(Configuration &configuration, const QJsonObject &root)
                 configuration.addMissing({profile, block.id}, kNotInFile);
             if (!blocks.contains(name))
                 continue;
-            const QByteArray bytes = QByteArray::fromHex(blocks.value(name).toString().toLatin1());
+            const auto bytes = bytesFromHex(blocks.value(name).toString());
             // Parameter blocks may have grown since; data blocks are taken as a whole or not at all.
-            if (bytes.size() < block.size || (block.isData() && !block.holds(bytes.size()))) {
-                return failure(ErrorCode::BadFile,
-                               u"block %1 has %2 of %3 bytes"_s.arg(name).arg(bytes.size()).arg(block.size));
+            if (!bytes || bytes->size() < block.size || (block.isData() && !block.holds(bytes->size()))) {
+                FileFault fault = entryFault(FileProblem::BadValue, json, {u"blocks"_s, name},
+                                             blocks.value(name), u"%1 B (hex)"_s.arg(block.size));
+                if (bytes)
+                    fault.value = u"%1 B"_s.arg(bytes->size());
+                return fileFailure(fault);
             }
-            configuration.setBlock({profile, block.id}, bytes);
+            configuration.setBlock({profile, block.id}, *bytes);
         }
     }
     return {};
@@ -235,57 +265,66 @@ Result<ConfigurationFile> ConfigurationFile::fromJson(const QByteArray &json,
 {
     QJsonParseError parse;
     const QJsonDocument document = QJsonDocument::fromJson(json, &parse);
-    if (!document.isObject()) {
-        return failure(ErrorCode::BadFile,
-                       u"not JSON (%1 at byte %2%3)"_s.arg(parse.errorString())
-                           .arg(parse.offset)
-                           .arg(entryAt(json, parse.offset)));
-    }
+    if (!document.isObject())
+        return fileFailure(jsonFault(json, parse, FileKind::Configuration));
     const QJsonObject root = document.object();
     if (root.value(u"format"_s).toString() != kFormat)
-        return failure(ErrorCode::BadFile, u"not a GimbalDesk configuration"_s);
-    if (root.value(u"version"_s).toInt() != kVersion) {
-        return failure(ErrorCode::BadFile,
-                       u"version %1 of the file format, this program knows version %2"_s
-                           .arg(root.value(u"version"_s).toInt())
-                           .arg(kVersion));
-    }
+        return fileFailure({.problem = FileProblem::OtherKind,
+                            .kind = FileKind::Configuration,
+                            .said = u"not a GimbalDesk configuration"_s});
+    if (const auto once = checkOnce(json, FileKind::Configuration); !once)
+        return tl::unexpected(once.error());
+    const auto wrong
+        = [&json, &root](FileProblem problem, const QStringList &place, const QString &expected) {
+              QJsonValue value = root;
+              for (const QString &name : place)
+                  value = value[name];
+              return fileFailure(entryFault(problem, json, place, value, expected));
+          };
+    if (const int version = root.value(u"version"_s).toInt(); version != kVersion)
+        return wrong(version > kVersion ? FileProblem::NewerVersion : FileProblem::BadValue, {u"version"_s},
+                     QString::number(kVersion));
 
     const BoardIdentity identity = identityFrom(root.value(u"board"_s).toObject());
+    const QJsonArray profiles = root.value(u"profiles"_s).toArray();
+    if (identity.profileCount < 1 || identity.profileCount > kMaxProfiles)
+        return wrong(FileProblem::OutOfRange, {u"board"_s, u"profileCount"_s},
+                     u"1 to %1"_s.arg(kMaxProfiles));
+    if (profiles.size() > identity.profileCount)
+        return wrong(FileProblem::BadValue, {u"board"_s, u"profileCount"_s},
+                     QString::number(profiles.size()));
     const auto parameters = makeParameters(identity);
     if (!parameters)
-        return failure(ErrorCode::BadFile,
-                       u"a configuration of the unknown family '%1'"_s.arg(identity.family));
+        return wrong(FileProblem::OtherFamily, {u"board"_s, u"family"_s}, {});
 
     ConfigurationFile file;
-    const QJsonArray profiles = root.value(u"profiles"_s).toArray();
-    if (identity.profileCount < 1 || identity.profileCount > 32 || profiles.size() > identity.profileCount)
-        return failure(ErrorCode::BadFile, u"%1 profiles"_s.arg(profiles.size()));
     file.configuration = Configuration(identity, parameters);
     file.savedAt = QDateTime::fromString(root.value(u"savedAt"_s).toString(), Qt::ISODateWithMs);
     file.reason = root.value(u"reason"_s).toString();
     const int active = root.value(u"activeProfile"_s).toInt(1) - 1;
     if (active < 0 || active >= identity.profileCount)
-        return failure(ErrorCode::BadFile, u"active profile %1"_s.arg(active + 1));
+        return wrong(FileProblem::OutOfRange, {u"activeProfile"_s}, u"1 to %1"_s.arg(identity.profileCount));
     file.configuration.setActiveProfile(active);
 
-    if (const auto read = readBlocks(file.configuration, root); !read)
+    if (const auto read = readBlocks(file.configuration, json, root); !read)
         return tl::unexpected(read.error());
     QStringList names;
+    bool areNamed = true;
     for (int profile = 0; profile < profiles.size(); ++profile) {
         const QJsonObject object = profiles[profile].toObject();
+        areNamed = areNamed && object.contains(u"name"_s);
         names.append(object.value(u"name"_s).toString());
-        if (const auto read
-            = readValues(file.configuration, object.value(u"values"_s).toObject(), profile, file.unknownKeys);
-            !read)
+        const auto read = readValues(file, json, {u"profiles"_s, QString::number(profile), u"values"_s},
+                                     object.value(u"values"_s).toObject(), profile);
+        if (!read)
             return tl::unexpected(read.error());
     }
-    if (root.value(u"missing"_s).toArray().contains(kNames))
+    if (!areNamed || root.value(u"missing"_s).toArray().contains(kNames))
         file.configuration.addMissing({0, MissingPart::kProfileNames}, kNotInFile);
     else
         file.configuration.setProfileNames(names);
     if (const auto read
-        = readValues(file.configuration, root.value(u"boardValues"_s).toObject(), active, file.unknownKeys);
+        = readValues(file, json, {u"boardValues"_s}, root.value(u"boardValues"_s).toObject(), active);
         !read)
         return tl::unexpected(read.error());
     return file;
@@ -294,33 +333,27 @@ Result<ConfigurationFile> ConfigurationFile::fromJson(const QByteArray &json,
 Result<void> ConfigurationFile::save(const QString &path, const Configuration &configuration,
                                      const QString &reason)
 {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly)
-        || file.write(toJson(configuration, reason, QDateTime::currentDateTimeUtc())) < 0 || !file.commit())
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
-    return {};
+    return writeWhole(path, toJson(configuration, reason, QDateTime::currentDateTimeUtc()),
+                      FileKind::Configuration);
 }
 
 Result<ConfigurationFile> ConfigurationFile::load(const QString &path, const MakeParameters &makeParameters)
 {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
-    if (file.size() > kLargestFile)
-        return failure(ErrorCode::BadFile,
-                       u"%1: %2 bytes are too many for a configuration"_s.arg(path).arg(file.size()));
-    auto loaded = fromJson(file.readAll(), makeParameters);
+    const auto json = readWhole(path, FileKind::Configuration, kLargestFile);
+    if (!json)
+        return tl::unexpected(json.error());
+    auto loaded = fromJson(*json, makeParameters);
     if (!loaded)
-        return failure(loaded.error().code, path + u": "_s + loaded.error().detail);
+        return tl::unexpected(inFile(loaded.error(), path));
     return loaded;
 }
 
 Configuration applied(const Configuration &board, const Configuration &file, QStringList &skipped,
-                      AppliedFor purpose)
+                      AppliedFor purpose, const QStringList &missingKeys)
 {
     Configuration result = board;
     for (const ParameterSpec &spec : file.parameters().all()) {
-        if (spec.row->state)
+        if (spec.row->state || missingKeys.contains(spec.key))
             continue;
         const ParameterSpec *own = board.parameters().find(spec.key);
         const bool boardWide = spec.row->scope == Scope::Board;
@@ -365,7 +398,13 @@ Configuration applied(const Configuration &board, const Configuration &file, QSt
         if (board.findMissing({0, MissingPart::kProfileNames}))
             skipped.append(u"profile names"_s);
         else
-            result.setProfileNames(file.profileNames());
+            result.setProfileNames(file.profileNames()
+                                   + board.profileNames().mid(file.profileNames().size()));
     }
     return result;
+}
+
+Configuration applied(const Configuration &board, const ConfigurationFile &file, QStringList &skipped)
+{
+    return applied(board, file.configuration, skipped, AppliedFor::Writing, file.missingKeys);
 }

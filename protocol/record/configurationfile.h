@@ -19,7 +19,10 @@ struct ConfigurationFile
     QDateTime savedAt;
     QString reason;  ///< why it was saved ("before the first write")
     QStringList unknownKeys;  ///< entries of the file that match no parameter of this program
-    QStringList missingKeys;  ///< parameters missing from the file, which got their defaults
+    /// Keys of parameters, and names of blocks without any, that the file does not have: the configuration
+    /// has their defaults, which nobody wanted.
+    QStringList missingKeys;
+    QStringList rounded;  ///< what roundingText() tells of values that were rounded
 
     /// Writes the complete file or nothing. Errors: BadFile.
     static Result<void> save(const QString &path, const Configuration &configuration, const QString &reason);
@@ -40,5 +43,10 @@ enum class AppliedFor {
 /// The board's configuration with the file's values: reserved bytes stay the board's. What was left out is
 /// listed in skipped: the key of a parameter that the board does not have, "KEY = VALUE, allowed ..." of a
 /// value that it does not take.
+/// @param missingKeys what the file does not have, although its configuration has a value: left alone
 [[nodiscard]] Configuration applied(const Configuration &board, const Configuration &file,
-                                    QStringList &skipped, AppliedFor purpose = AppliedFor::Writing);
+                                    QStringList &skipped, AppliedFor purpose = AppliedFor::Writing,
+                                    const QStringList &missingKeys = {});
+/// The same of a whole file: what it does not have stays the board's.
+[[nodiscard]] Configuration applied(const Configuration &board, const ConfigurationFile &file,
+                                    QStringList &skipped);

@@ -2,13 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/record/configurationformats.h"
 
-#include <QFile>
+#include "protocol/base/filefault.h"
+
 #include <QFileInfo>
-#include <QSaveFile>
 
 #include <algorithm>
 
 using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr qint64 kLargestSettings = 1024 * 1024;
+
+}  // namespace
 
 const Family *findFamily(const QList<Family> &families, const QString &key)
 {
@@ -23,12 +29,12 @@ Result<ConfigurationFile> loadConfiguration(const QString &path, const QList<Fam
     for (const Family &family : families) {
         if (!family.settingsFile || family.settingsFile->suffix != suffix)
             continue;
-        QFile file(path);
-        if (!file.open(QIODevice::ReadOnly))
-            return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
-        auto settings = family.settingsFile->read(file.read(1024 * 1024));
+        const auto text = readWhole(path, FileKind::Settings, kLargestSettings);
+        if (!text)
+            return tl::unexpected(text.error());
+        auto settings = family.settingsFile->read(*text);
         if (!settings)
-            return failure(settings.error().code, path + u": "_s + settings.error().detail);
+            return tl::unexpected(inFile(settings.error(), path));
         ConfigurationFile result;
         result.configuration = std::move(settings->configuration);
         result.savedAt = QFileInfo(path).lastModified();
@@ -53,8 +59,22 @@ Result<void> saveConfiguration(const QString &path, const Configuration &configu
     const auto text = family->settingsFile->write(configuration);
     if (!text)
         return tl::unexpected(text.error());
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(*text) < 0 || !file.commit())
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
-    return {};
+    return writeWhole(path, *text, FileKind::Settings);
+}
+
+Result<void> checkSameFamily(const Configuration &file, const QString &path, const QString &wanted,
+                             const QList<Family> &families)
+{
+    const QString family = file.identity().family;
+    if (family == wanted)
+        return {};
+    const auto nameOf = [&families](const QString &key) {
+        const Family *known = findFamily(families, key);
+        return known ? known->name : key;
+    };
+    return fileFailure({.problem = FileProblem::OtherFamily,
+                        .kind = FileKind::Configuration,
+                        .path = path,
+                        .value = nameOf(family),
+                        .expected = nameOf(wanted)});
 }

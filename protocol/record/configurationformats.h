@@ -13,3 +13,6 @@
 [[nodiscard]] Result<void> saveConfiguration(const QString &path, const Configuration &configuration,
                                              const QString &reason, const QList<Family> &families);
 [[nodiscard]] const Family *findFamily(const QList<Family> &families, const QString &key);
+/// Whether a file's values are those of boards of the wanted family. Errors: BadFile, which names both.
+[[nodiscard]] Result<void> checkSameFamily(const Configuration &file, const QString &path,
+                                           const QString &wanted, const QList<Family> &families);

@@ -79,6 +79,18 @@ void Recorder::clear()
     m_origin.reset();
 }
 
+void Recorder::clearUntil(quint64 number)
+{
+    const std::lock_guard lock(m_mutex);
+    m_setup.clear();
+    m_said.clear();
+    const quint64 fresh = m_newest - std::min(number, m_newest);
+    while (m_pieces.size() > fresh) {
+        m_bytes -= m_pieces.front().bytes.size() + kPieceCost;
+        m_pieces.pop_front();
+    }
+}
+
 std::pair<std::vector<RecordedPiece>, quint64> Recorder::after(quint64 number) const
 {
     const std::lock_guard lock(m_mutex);
@@ -188,16 +200,18 @@ void RecordingTask::run()
 
 void RecordingTask::drain()
 {
-    const quint64 newest = m_recorder.newest();
+    const quint64 newest = std::min(m_recorder.newest(), m_last.load());
     while (m_number < newest && m_result) {
         const auto [pieces, number] = m_recorder.after(m_number);
         const quint64 before = number - std::min<quint64>(number, pieces.size());
-        for (std::size_t i = 0; i < pieces.size() && m_result; ++i) {
+        const auto beyond = std::size_t(number - std::min(number, newest));
+        const std::size_t wanted = pieces.size() - std::min(pieces.size(), beyond);
+        for (std::size_t i = 0; i < wanted && m_result; ++i) {
             // Of the past, only what was sent or answered is written.
             if (before + i >= m_start || pieces[i].kind != RecordedPiece::Kind::Received)
                 m_result = m_writer.append(pieces[i]);
         }
-        m_number = number;
+        m_number = std::min(number, newest);
     }
     if (m_result)
         m_result = m_writer.flush();

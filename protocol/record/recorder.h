@@ -30,15 +30,17 @@ public:
 
     /// Forgets everything, before another board is connected.
     void clear();
+    /// Forgets everything up to the piece with this number: another board has been connected since.
+    void clearUntil(quint64 number);
     /// Pieces after this number, oldest first, and the number of the last of them; a few thousand at a time,
     /// so that nobody has to wait long. 0 = from the oldest that is held, beginning with how the link was set
     /// up.
     [[nodiscard]] std::pair<std::vector<RecordedPiece>, quint64> after(quint64 number) const;
     /// Number of the newest piece, 0 before the first.
     [[nodiscard]] quint64 newest() const;
-    /// Seconds of received bytes that are held.
     /// What was asked and answered first: who the board is.
     [[nodiscard]] std::vector<RecordedPiece> opening() const;
+    /// Seconds of received bytes that are held.
     [[nodiscard]] double heldSeconds() const;
     [[nodiscard]] qsizetype heldBytes() const;
 
@@ -69,6 +71,9 @@ public:
                                                         const QJsonObject &description, bool withPast);
     ~RecordingTask();
 
+    /// Writes nothing that comes from now on, until it goes on with all of it, or is finished without.
+    void hold() { m_last = m_recorder.newest(); }
+    void goOn() { m_last = kNoEnd; }
     /// Writes what is left and ends. Returns the error if writing failed at any time.
     Result<void> finish();
     [[nodiscard]] qint64 bytesWritten() const { return m_bytes.load(); }
@@ -76,6 +81,8 @@ public:
     [[nodiscard]] bool hasFailed() const { return m_failed.load(); }
 
 private:
+    static constexpr quint64 kNoEnd = ~quint64(0);
+
     RecordingTask(const Recorder &recorder, RecordingWriter writer, bool withPast);
     void run();
     void drain();
@@ -84,6 +91,7 @@ private:
     RecordingWriter m_writer;
     quint64 m_start;  // received bytes up to this piece are left out
     quint64 m_number = 0;
+    std::atomic<quint64> m_last = kNoEnd;
     std::atomic<qint64> m_bytes = 0;
     std::atomic<bool> m_failed = false;
     Result<void> m_result;

@@ -3,6 +3,7 @@
 #include "protocol/record/recording.h"
 
 #include "protocol/base/bytes.h"
+#include "protocol/base/filefault.h"
 
 #include <QCryptographicHash>
 #include <QJsonDocument>
@@ -17,6 +18,7 @@ namespace {
 
 constexpr QByteArrayView kMagic = "GIMBALREC 1\n";
 constexpr QByteArrayView kName = "GIMBALREC ";
+constexpr int kRecordingVersion = 1;
 constexpr QByteArrayView kChunkMark = "GDCK";
 constexpr qsizetype kChunkHeader = 20;
 constexpr qsizetype kChecksum = 8;
@@ -106,8 +108,10 @@ public:
             // Another version is another format; what is no recording at all has no whole chunk there.
             const bool otherVersion = m_bytes.startsWith(kName) && m_bytes.size() > kName.size()
                 && m_bytes[kName.size()] != kMagic[kName.size()];
-            if (otherVersion || m_bytes.size() <= at || !chunkAt(at))
-                return failure(ErrorCode::BadFile, u"this is not a recording"_s);
+            if (otherVersion)
+                return fileFailure(versionFault());
+            if (m_bytes.size() <= at || !chunkAt(at))
+                return fileFailure(strangerFault());
             leaveOut(0, at, u"its first line is damaged"_s);
         }
         while (at < m_bytes.size()) {
@@ -119,11 +123,41 @@ public:
             at = next;
         }
         if (!m_described && !describeFromRemains())
-            return failure(ErrorCode::BadFile, u"the recording is damaged at its very beginning"_s);
+            return fileFailure(m_recording.pieces.empty()
+                                       && m_bytes.size() < kMagic.size() + kLongestDescription
+                                   ? FileFault{.problem = FileProblem::Truncated, .kind = FileKind::Recording}
+                                   : FileFault{.problem = FileProblem::Damaged,
+                                               .kind = FileKind::Recording,
+                                               .said = u"the recording is damaged at its very beginning"_s});
         return std::move(m_recording);
     }
 
 private:
+    /// Another version: a later one, unless it is no number at all.
+    [[nodiscard]] FileFault versionFault() const
+    {
+        const QByteArrayView rest = m_bytes.sliced(kName.size());
+        const QByteArray version
+            = rest.first(std::min<qsizetype>(rest.size(), 12)).toByteArray().split('\n').first();
+        bool isNumber = false;
+        const bool isNewer = version.toInt(&isNumber) > kRecordingVersion && isNumber;
+        return {.problem = isNewer ? FileProblem::NewerVersion : FileProblem::Damaged,
+                .kind = FileKind::Recording,
+                .line = 1,
+                .value = QString::fromLatin1(version),
+                .expected = QString::number(kRecordingVersion)};
+    }
+
+    /// What is no recording: nothing at all, the beginning of one, or something else.
+    [[nodiscard]] FileFault strangerFault() const
+    {
+        const bool isBegun = m_bytes.startsWith(kMagic.first(std::min(m_bytes.size(), kMagic.size())));
+        return {.problem = m_bytes.isEmpty() ? FileProblem::Empty
+                    : isBegun                ? FileProblem::Truncated
+                                             : FileProblem::OtherKind,
+                .kind = FileKind::Recording};
+    }
+
     /// The chunk that begins here, or what is wrong with it.
     [[nodiscard]] tl::expected<Chunk, QString> chunkAt(qsizetype at) const
     {
@@ -233,10 +267,10 @@ Result<Recording> Recording::load(const QString &path)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
+        return tl::unexpected(systemError(file, FileKind::Recording, false));
     auto recording = fromBytes(file.readAll());
     if (!recording)
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, recording.error().detail));
+        return tl::unexpected(inFile(recording.error(), path));
     return recording;
 }
 
@@ -244,12 +278,14 @@ Result<QJsonObject> Recording::describe(const QString &path)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
+        return tl::unexpected(systemError(file, FileKind::Recording, false));
     const QByteArray bytes = file.read(kMagic.size() + kLongestDescription);
     auto beginning = fromBytes(bytes);
     if (!beginning && bytes.startsWith(kName))  // what describes it is damaged, and the next chunk is longer
         beginning = load(path);
-    return beginning ? Result<QJsonObject>(beginning->description) : tl::unexpected(beginning.error());
+    if (!beginning)
+        return tl::unexpected(inFile(beginning.error(), path));
+    return beginning->description;
 }
 
 Result<Recording> Recording::fromBytes(const QByteArray &bytes)
@@ -300,10 +336,10 @@ Result<RecordingWriter> RecordingWriter::create(const QString &path, const QJson
 {
     auto file = std::make_unique<QFile>(path);
     if (!file->open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered))
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file->errorString()));
+        return tl::unexpected(systemError(*file, FileKind::Recording, true));
     RecordingWriter writer(std::move(file));
     if (writer.m_file->write(kMagic.data(), kMagic.size()) != kMagic.size())
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, writer.m_file->errorString()));
+        return tl::unexpected(systemError(*writer.m_file, FileKind::Recording, true));
     writer.m_end = kMagic.size();
     if (const auto written = writer.writeChunk(DescriptionChunk, QJsonDocument(description).toJson());
         !written)
@@ -338,7 +374,7 @@ Result<void> RecordingWriter::writeChunk(quint8 kind, const QByteArray &content)
         m_end += chunk.size();
         return {};
     }
-    const Error error{ErrorCode::BadFile, u"%1: %2"_s.arg(m_file->fileName(), m_file->errorString()), 0};
+    const Error error = systemError(*m_file, FileKind::Recording, true);
     m_file->resize(m_end);  // remove an incomplete chunk
     m_file.reset();
     return tl::unexpected(error);

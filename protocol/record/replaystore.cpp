@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/record/replaystore.h"
 
+#include "protocol/base/filefault.h"
 #include "protocol/record/recordedboard.h"
 #include "protocol/telemetry/streams.h"
 
@@ -13,9 +14,11 @@ Result<std::shared_ptr<TelemetryStore>> readTelemetry(const Recording &recording
                                                       Device &device)
 {
     if (const auto identity = identifyRecorded(recording, family, device); !identity)
-        return failure(
-            ErrorCode::BadFile,
-            u"it does not tell which firmware these values come from (%1)"_s.arg(identity.error().detail));
+        return fileFailure({.problem = FileProblem::MissingEntry,
+                            .kind = FileKind::Recording,
+                            .key = u"firmware"_s,
+                            .said = u"it does not tell which firmware these values come from (%1)"_s.arg(
+                                identity.error().detail)});
     return decodeTelemetry(recording, family, device);
 }
 
@@ -38,7 +41,7 @@ std::shared_ptr<TelemetryStore> decodeTelemetry(const Recording &recording, cons
         at = store->origin() + std::chrono::nanoseconds(piece.at - begin);
         if (piece.kind == RecordedPiece::Kind::Sent) {
             framer->sent(asBytes(piece.bytes));
-            decoder->sent(piece.bytes);
+            decoder->sent(piece.bytes, *store);
         } else if (piece.kind == RecordedPiece::Kind::Received) {
             framer->feed(asBytes(piece.bytes), sink);
         }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/record/responsecsv.h"
 
+#include "protocol/base/filefault.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,7 +30,7 @@ Result<void> writeResponseCsv(QIODevice &file, std::span<const float> in, std::s
         text += QByteArray::number(double(in[i]), 'g', 8) + ';' + QByteArray::number(double(out[i]), 'g', 8)
             + '\n';
     if (file.write(text) != text.size())
-        return failure(ErrorCode::BadFile, file.errorString());
+        return tl::unexpected(systemError(file, FileKind::Measurement, true));
     return {};
 }
 
@@ -65,20 +67,30 @@ Result<ResponseSamples> readResponseCsv(const QByteArray &text, double assumedRa
         if (!in || !out) {
             if (samples.in.empty() && line <= 3)
                 continue;  // a heading
-            return failure(ErrorCode::BadFile,
-                           u"line %1 is not two numbers: %2"_s.arg(line).arg(
-                               QString::fromUtf8(row.first(std::min<qsizetype>(40, row.size())))));
+            // A last line without its end was still being written.
+            const bool isCutOff = found < 0 && !samples.in.empty();
+            return fileFailure({.problem = isCutOff ? FileProblem::Truncated : FileProblem::BadValue,
+                                .kind = FileKind::Measurement,
+                                .line = line,
+                                .value = QString::fromUtf8(row.first(std::min<qsizetype>(40, row.size()))),
+                                .expected = u"NUMBER;NUMBER"_s});
         }
         if (samples.in.size() == kMax)
-            return failure(ErrorCode::BadFile, u"more than %1 lines"_s.arg(kMax));
+            return fileFailure({.problem = FileProblem::TooLarge,
+                                .kind = FileKind::Measurement,
+                                .said = u"more than %1 lines"_s.arg(kMax)});
         samples.in.push_back(*in);
         samples.out.push_back(*out);
     }
     if (samples.in.empty())
-        return failure(ErrorCode::BadFile, u"no line with two numbers, in;out"_s);
+        return fileFailure({.problem = text.trimmed().isEmpty() ? FileProblem::Empty : FileProblem::OtherKind,
+                            .kind = FileKind::Measurement,
+                            .said = u"no line with two numbers, in;out"_s});
     if (!(samples.rate > 0))
-        return failure(
-            ErrorCode::BadFile,
-            u"the file does not state its rate; begin it with a line such as '# 1000 samples/s'"_s);
+        return fileFailure(
+            {.problem = FileProblem::MissingEntry,
+             .kind = FileKind::Measurement,
+             .key = u"# samples/s"_s,
+             .said = u"the file does not state its rate; begin it with a line such as '# 1000 samples/s'"_s});
     return samples;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/record/telemetrycsv.h"
 
+#include "protocol/base/filefault.h"
+
 #include <QIODevice>
 
 #include <cmath>
@@ -59,7 +61,7 @@ Result<qint64> writeTelemetryCsv(QIODevice &file, const TelemetryStore &store, C
     qint64 lines = 0;
     for (;;) {
         if (file.write(line) != line.size())
-            return failure(ErrorCode::BadFile, file.errorString());
+            return tl::unexpected(systemError(file, FileKind::Other, true));
         Stream *next = nullptr;
         for (Stream &stream : streams) {
             if (stream.row < stream.end && stream.time() <= to && (!next || stream.time() < next->time()))

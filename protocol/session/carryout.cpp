@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/session/carryout.h"
 
+#include "protocol/base/linkloss.h"
+
 #include <optional>
 
 Result<void> carryOut(Channel &channel, const StopPlan &plan)
@@ -11,8 +13,7 @@ Result<void> carryOut(Channel &channel, const StopPlan &plan)
     std::optional<Error> broken;
     StopSequence sequence([&](const Request &request, const StopSequence::Answered &answered) {
         const auto reply = channel.transact(request);
-        if (!reply
-            && (reply.error().code == ErrorCode::LinkClosed || reply.error().code == ErrorCode::Cancelled))
+        if (!reply && (isLinkLoss(reply.error()) || reply.error().code == ErrorCode::Cancelled))
             broken = reply.error();
         else
             answered(reply);

@@ -49,13 +49,35 @@ public:
     virtual void steer(const ControlFrames &frames) = 0;
     /// Ends steering: stops, then returns control to whichever source had it before.
     virtual void releaseControl() = 0;
+    /// Motors are about to be started: a stop that is still repeated without proof ends.
+    virtual void allowMotors() { }
     /// Stops the motors, ahead of everything, even from a cancelled job. Does not wait for the result.
     virtual void stopMotors(const StopPlan &plan) = 0;
     /// The board will be silent for this long without the link counting as lost.
     virtual void expectSilence(milliseconds duration) = 0;
     [[nodiscard]] virtual bool cancelled() const = 0;
+    /// While it is held, a job that is cancelled goes on: what it has begun would be left half done
+    /// (Unbroken).
+    virtual void holdCancel(bool) { }
     virtual void progress(const Progress &progress) = 0;
     /// Time as the job sees it (virtual in tests).
     [[nodiscard]] virtual TimePoint now() const = 0;
     [[nodiscard]] virtual LinkObservation observation() const = 0;
+};
+
+/// As long as it exists, what is begun on the channel is ended before the job is cancelled. Not to be nested.
+class Unbroken
+{
+public:
+    explicit Unbroken(Channel &channel)
+        : m_channel(channel)
+    {
+        m_channel.holdCancel(true);
+    }
+    ~Unbroken() { m_channel.holdCancel(false); }
+    Unbroken(const Unbroken &) = delete;
+    Unbroken &operator=(const Unbroken &) = delete;
+
+private:
+    Channel &m_channel;
 };

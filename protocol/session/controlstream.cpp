@@ -6,9 +6,14 @@
 
 void ControlStream::refresh(ControlFrames frames, TimePoint now)
 {
+    if (frames.setpoint.isEmpty()) {  // nothing is known to steer to
+        end(now);
+        return;
+    }
     if (m_state != State::Streaming)
         m_nextSend = now;
     m_state = State::Streaming;
+    m_outcome.reset();
     m_frames = std::move(frames);
     m_refreshedAt = now;
 }
@@ -19,18 +24,27 @@ void ControlStream::end(TimePoint now)
         return;
     m_state = State::Stopping;
     m_stopSent = false;
+    m_isStill = false;
     m_stoppedAt = now;
     m_nextSend = now;
 }
 
+void ControlStream::answered(const Frame &frame)
+{
+    if (m_state == State::Stopping && m_stopSent && m_frames.fromAnswer
+        && m_frames.fromAnswer(frame) == Proof::Proven)
+        m_isStill = true;
+}
+
 // A single stop is enough if there is no way to prove it.
-bool ControlStream::isStopDone(TimePoint now, const LatestValues *latest) const
+std::optional<bool> ControlStream::stopOutcome(TimePoint now, const LatestValues *latest) const
 {
     if (!m_stopSent)
-        return false;
-    if (!m_frames.stopped || !latest || now - m_stoppedAt >= kStopLimit)
-        return true;
-    return m_frames.stopped(*latest, m_stoppedAt) == Proof::Proven;
+        return {};
+    const bool tellsTelemetry = m_frames.stopped && latest;
+    const bool isStill = m_isStill || (!tellsTelemetry && !m_frames.question)
+        || (tellsTelemetry && m_frames.stopped(*latest, m_stoppedAt) == Proof::Proven);
+    return isStill || now - m_stoppedAt >= kStopLimit ? std::optional(isStill) : std::nullopt;
 }
 
 std::optional<QByteArray> ControlStream::advance(TimePoint now, const LatestValues *latest)
@@ -45,11 +59,13 @@ std::optional<QByteArray> ControlStream::advance(TimePoint now, const LatestValu
         m_nextSend = std::max(m_nextSend + m_period, now + m_period / 2);
         return m_frames.setpoint;
     }
-    if (!isStopDone(now, latest)) {
+    const std::optional<bool> outcome = stopOutcome(now, latest);
+    if (!outcome) {
         m_stopSent = true;
         m_nextSend = now + kReleaseDelay;
         return m_frames.stop;
     }
+    m_outcome = outcome;
     m_state = State::Inactive;
     return m_frames.release;
 }

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/base/axis.h"
 #include "protocol/session/stopplan.h"
 
 #include <QByteArray>
 
+#include <array>
+#include <limits>
 #include <optional>
+#include <utility>
 
 /// The frames that steer a board, ready to be sent.
 struct ControlFrames
@@ -20,6 +24,14 @@ struct ControlFrames
     /// What telemetry since the stop proves about the board standing still; the stop is repeated until it is
     /// proven. Empty: one stop is enough.
     std::function<Proof(const LatestValues &, TimePoint since)> stopped = {};
+    /// Asked after each stop, on boards that can tell whether they stand still; empty: telemetry alone tells.
+    std::optional<Request> question = {};
+    /// What its answer proves about that.
+    std::function<Proof(const Frame &)> fromAnswer = {};
+    static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    /// Where the set-point steers roll, pitch and yaw to, in degrees as the board reports its angles; NaN
+    /// where that is not known: by rate, relative to something else. Boards may go less far, and slowly.
+    std::array<double, kAxisCount> angles{kUnknown, kUnknown, kUnknown};
 };
 
 /// Repeats a set-point at its rate, but only while it is refreshed: after 250 ms without a refresh it sends
@@ -42,12 +54,23 @@ public:
     void end(TimePoint now);
     /// Ends without sending anything, when the link is gone or the motors were stopped.
     void drop() { m_state = State::Inactive; }
+    /// The board has answered ControlFrames::question.
+    void answered(const Frame &frame);
 
     /// The frame to send now, if any; call at or after nextDeadline().
     std::optional<QByteArray> advance(TimePoint now, const LatestValues *latest = nullptr);
     [[nodiscard]] std::optional<TimePoint> nextDeadline() const;
     [[nodiscard]] bool isActive() const { return m_state != State::Inactive; }
     [[nodiscard]] bool isStreaming() const { return m_state == State::Streaming; }
+    /// What is to be asked now, to see whether the board stands still; null if nothing.
+    [[nodiscard]] const Request *question() const
+    {
+        return m_state == State::Stopping && m_frames.question ? &*m_frames.question : nullptr;
+    }
+    /// A stop of this stream can be proven.
+    [[nodiscard]] bool canProve() const { return m_frames.question.has_value(); }
+    /// Once after an end: whether the board was seen to stand still, or there is no way to see it.
+    [[nodiscard]] std::optional<bool> takeOutcome() { return std::exchange(m_outcome, std::nullopt); }
     [[nodiscard]] const AnswerMatcher &answer() const { return m_frames.answer; }
     [[nodiscard]] int kind() const { return m_frames.kind; }
     /// How often the dead-man rule had to act.
@@ -56,7 +79,8 @@ public:
 private:
     enum class State { Inactive, Streaming, Stopping };
 
-    [[nodiscard]] bool isStopDone(TimePoint now, const LatestValues *latest) const;
+    /// Whether it was proven; nothing while it is not done.
+    [[nodiscard]] std::optional<bool> stopOutcome(TimePoint now, const LatestValues *latest) const;
 
     milliseconds m_period;
     State m_state = State::Inactive;
@@ -65,5 +89,7 @@ private:
     TimePoint m_nextSend{};
     TimePoint m_stoppedAt{};
     bool m_stopSent = false;
+    bool m_isStill = false;  // by an answer
+    std::optional<bool> m_outcome;
     int m_failsafeCount = 0;
 };

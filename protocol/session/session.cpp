@@ -14,6 +14,12 @@ namespace {
 // Bytes kept while no frame was understood, to identify the protocol that is spoken instead.
 constexpr qsizetype kKeptBytes = 512;
 
+// While requests follow one another without a pause, a poll takes its turn after this time; on a slow line
+// after three times what the last one took, so that most of the line is left to the requests.
+constexpr auto kPollPatience = 90ms;
+constexpr auto kMaxPollPatience = 500ms;
+constexpr int kPollShare = 3;
+
 qint64 slotOf(TimePoint now)
 {
     return std::chrono::duration_cast<milliseconds>(now.time_since_epoch()).count() / 100;
@@ -34,6 +40,7 @@ Session::Session(TransportFactory makeTransport, QObject *parent)
     m_timer.setSingleShot(true);
     m_timer.setTimerType(Qt::PreciseTimer);
     connect(&m_timer, &QTimer::timeout, this, &Session::onTick);
+    m_stop.persist([this] { emit motorsStoppedLate(); });
 }
 
 Session::~Session()
@@ -107,11 +114,53 @@ void Session::close(const Error &why)
     m_timer.stop();
     m_poll.reset();
     m_pollRunning = false;
+    const bool wasSteering = m_control.isActive();
     m_control.drop();
     m_controlAsked = false;
     m_stop.abandon({ErrorCode::LinkClosed, why.detail});
     m_queue.cancelAll({ErrorCode::LinkClosed, why.detail});
+    m_stillAsked = false;
+    if (wasSteering)
+        emit steeringEnded(false);
     emit closed(why);
+    tellFinished();
+}
+
+void Session::finish(std::function<void()> then)
+{
+    m_finishing.push_back(std::move(then));
+    m_control.end(Clock::now());
+    if (!m_open || isReadyToFinish())
+        finishNow();
+    else
+        schedule();
+}
+
+void Session::leaveRestarted(const Error &why)
+{
+    if (m_control.isActive() && m_control.canProve())
+        finish({});
+    else
+        close(why);
+}
+
+bool Session::isReadyToFinish() const
+{
+    return !m_finishing.empty() && !m_control.isActive() && !m_controlAsked;
+}
+
+void Session::finishNow()
+{
+    close({ErrorCode::Cancelled, {}});
+    tellFinished();
+}
+
+void Session::tellFinished()
+{
+    for (const auto &then : std::exchange(m_finishing, {})) {
+        if (then)
+            then();
+    }
 }
 
 bool Session::setLine(const LineSettings &line)
@@ -138,13 +187,14 @@ void Session::setPoll(std::optional<Request> request, milliseconds interval)
 {
     m_poll = std::move(request);
     m_pollInterval = interval;
-    m_nextPoll = Clock::now();
+    m_nextPoll = m_pollEndedAt = Clock::now();
+    m_pollTook = {};
     schedule();
 }
 
 void Session::refreshControl(ControlFrames frames)
 {
-    if (!m_open || m_stop.isActive())
+    if (!m_open || m_stop.isActive() || !m_finishing.empty())
         return;  // no steering while the motors are being stopped
     m_control.refresh(std::move(frames), Clock::now());
     schedule();
@@ -163,9 +213,19 @@ void Session::stopMotors(StopPlan plan, StopSequence::Completion completion,
         completion(failure(ErrorCode::LinkClosed));
         return;
     }
-    m_control.drop();
     m_stop.start(std::move(plan), std::move(completion), Clock::now(), std::move(restored));
+    // Motors that run again later would go on turning as they were steered last.
+    if (m_control.canProve())
+        m_control.end(Clock::now());
+    else
+        m_control.drop();
     schedule();
+}
+
+void Session::allowMotors()
+{
+    if (m_stop.forgo())
+        emit stopForgone();
 }
 
 void Session::expectSilence(milliseconds duration)
@@ -254,27 +314,54 @@ void Session::sendControl(const QByteArray &frame, TimePoint now)
         std::move(request), [this](const Result<Frame> &) { m_controlAsked = false; }, now);
 }
 
+void Session::askWhetherStill(TimePoint now)
+{
+    const Request *question = m_control.question();
+    if (!question || std::exchange(m_stillAsked, true))
+        return;
+    m_queue.submit(
+        *question,
+        [this](const Result<Frame> &answer) {
+            m_stillAsked = false;
+            if (answer)
+                m_control.answered(*answer);
+        },
+        now, TransactionQueue::Lane::Urgent);
+}
+
 void Session::onTick()
 {
     const TimePoint now = Clock::now();
     if (m_framer && m_framer->isWaiting() && now - m_arrival > m_framer->gap())
         m_framer->flush(m_sink);
     const int failsafes = m_control.failsafeCount();
-    while (auto frame = m_control.advance(now, m_latest.get()))
+    while (auto frame = m_control.advance(now, m_latest.get())) {
         sendControl(*frame, now);
+        askWhetherStill(now);
+    }
+    if (const auto isStill = m_control.takeOutcome())
+        emit steeringEnded(*isStill);
+    if (isReadyToFinish()) {
+        finishNow();
+        return;
+    }
     if (m_control.failsafeCount() != failsafes)
         emit failsafeActed();
     m_stop.advance(now);
     beat(now);
     m_queue.advance(now);
-    // Polling gives way to requests, but takes turns with set-points: however slowly a board answers, it is
-    // watched while it is steered.
-    const bool mayPoll = m_queue.isReady(now) || (m_controlAsked && m_queue.count() == 1);
-    if (m_poll && !m_pollRunning && now >= m_nextPoll && mayPoll) {
+    if (const auto at = pollAt(); at && now >= *at) {
         m_pollRunning = true;
         m_nextPoll = std::max(m_nextPoll + m_pollInterval, now);
+        m_pollAskedAt = now;
         m_queue.submit(
-            *m_poll, [this](const Result<Frame> &) { m_pollRunning = false; }, now);
+            *m_poll,
+            [this](const Result<Frame> &) {
+                m_pollRunning = false;
+                m_pollEndedAt = Clock::now();
+                m_pollTook = m_pollEndedAt - m_pollAskedAt;
+            },
+            now);
     }
     if (m_open && m_timing.silenceLimit > 0ms && now >= lostAt()) {
         close({ErrorCode::LinkClosed,
@@ -282,6 +369,19 @@ void Session::onTick()
         return;
     }
     schedule();
+}
+
+// Polling gives way to requests, but not for long, and takes turns with set-points: however busy or slow a
+// board is, it is watched.
+std::optional<TimePoint> Session::pollAt() const
+{
+    if (!m_poll || m_pollRunning)
+        return {};
+    if (m_controlAsked && m_queue.count() == 1)
+        return m_nextPoll;
+    const TimePoint overdue
+        = m_pollEndedAt + std::clamp<Duration>(kPollShare * m_pollTook, kPollPatience, kMaxPollPatience);
+    return std::max<TimePoint>(m_nextPoll, std::min(overdue, m_queue.readyAt().value_or(overdue)));
 }
 
 TimePoint Session::lostAt() const
@@ -309,12 +409,13 @@ void Session::schedule()
     };
     consider(m_control.nextDeadline());
     consider(m_stop.nextDeadline());
+    if (isReadyToFinish())
+        consider(now);
     if (m_timing.heartbeatPeriod > 0ms)
         consider(m_nextBeat);
     if (m_timing.silenceLimit > 0ms)
         consider(lostAt());
-    if (m_poll && !m_pollRunning)
-        consider(std::max(m_nextPoll, now + 1ms));
+    consider(pollAt());
     if (m_framer && m_framer->isWaiting())
         consider(m_arrival + m_framer->gap() + 1ms);
     if (!next) {

@@ -28,6 +28,12 @@ public:
     /// @param timing what the family requires on a link
     void open(const LinkAddress &address, std::unique_ptr<Framer> framer, LinkTiming timing = {});
     void close(const Error &why);
+    /// Closes on purpose: steering is ended first, and the board seen to stand still, as far as it answers.
+    /// @param then called afterwards
+    void finish(std::function<void()> then);
+    /// Closes because the board has restarted: set-points that it took since are followed by a stop first,
+    /// where it can be seen to stand still.
+    void leaveRestarted(const Error &why);
     bool setLine(const LineSettings &line);
     TransactionQueue::Id submit(Request request, TransactionQueue::Completion completion);
     void cancel(TransactionQueue::Id id) { m_queue.cancel(id); }
@@ -45,15 +51,22 @@ public:
 
     void refreshControl(ControlFrames frames);
     void endControl();
+    /// Steers, or has not been seen to stand still yet.
+    [[nodiscard]] bool isSteering() const { return m_control.isActive(); }
 
-    /// Ahead of everything: drops the control stream and carries out the plan until the stop is proven.
-    /// Completes with nothing, NotProven or LinkClosed.
+    /// Ahead of everything: ends the control stream and carries out the plan until the stop is proven.
+    /// Completes with nothing, NotProven or LinkClosed. A stop that is not proven in time is repeated until
+    /// it is, the link is closed or allowMotors() is called.
     /// @param restored as for StopSequence::start()
     void stopMotors(StopPlan plan, StopSequence::Completion completion,
                     StopSequence::Completion restored = {});
 
+    /// The operator wants motors to run again.
+    void allowMotors();
+
     /// The board will be silent for this long; the silence limit counts from the end of it.
     void expectSilence(milliseconds duration);
+    [[nodiscard]] TimePoint silentUntil() const { return m_silentUntil; }
 
     /// The recording behind the open link; null for a live one.
     [[nodiscard]] Replay *replay() const { return m_transport ? m_transport->replay() : nullptr; }
@@ -67,6 +80,13 @@ signals:
     void closed(const Error &why);
     /// Set-points were not refreshed in time: the board was stopped and control released.
     void failsafeActed();
+    /// Steering has ended: the board was seen to stand still, or there is no way to see it; or it was not,
+    /// and the camera may go on moving.
+    void steeringEnded(bool confirmed);
+    /// What stopMotors() could not prove in time is proven now.
+    void motorsStoppedLate();
+    /// It is given up by allowMotors().
+    void stopForgone();
 
 private:
     void send(QByteArrayView bytes);
@@ -75,8 +95,13 @@ private:
     void onTick();
     void schedule();
     void sendControl(const QByteArray &frame, TimePoint now);
+    void askWhetherStill(TimePoint now);
+    [[nodiscard]] bool isReadyToFinish() const;
+    void finishNow();
+    void tellFinished();
     void beat(TimePoint now);
     [[nodiscard]] TimePoint lostAt() const;
+    [[nodiscard]] std::optional<TimePoint> pollAt() const;
 
     TransportFactory m_makeTransport;
     std::unique_ptr<Transport> m_transport;
@@ -91,8 +116,13 @@ private:
     std::optional<Request> m_poll;
     milliseconds m_pollInterval = 50ms;
     TimePoint m_nextPoll{};
+    TimePoint m_pollAskedAt{};
+    TimePoint m_pollEndedAt{};
+    Duration m_pollTook{};  // the last one, with its wait for the line
     bool m_pollRunning = false;
     bool m_controlAsked = false;  // a set-point is waiting for its answer
+    bool m_stillAsked = false;  // whether the board stands still
+    std::vector<std::function<void()>> m_finishing;
     QByteArray m_shutdownFrames;
     std::shared_ptr<const LatestValues> m_latest;
     TimePoint m_nextBeat{};

@@ -38,11 +38,18 @@ template <typename T> std::shared_ptr<Waiter<T>> completionHandle(const std::sha
 
 }  // namespace
 
-void JobControl::cancel()
+void JobControl::cancel(const Error &why)
 {
     const std::lock_guard lock(m_mutex);
-    m_cancelled = true;
+    if (!m_cancelled.exchange(true))
+        m_why = why;
     m_wake.notify_all();
+}
+
+Error JobControl::why()
+{
+    const std::lock_guard lock(m_mutex);
+    return m_why;
 }
 
 /// What the worker knows about the link. Guarded by the control's mutex.
@@ -83,7 +90,7 @@ SessionChannel::~SessionChannel()
 Result<Frame> SessionChannel::transact(const Request &request)
 {
     if (cancelled())
-        return failure(ErrorCode::Cancelled);
+        return tl::unexpected(m_control->why());
     auto waiter = std::make_shared<Waiter<Frame>>(m_control, m_control->m_mutex, m_control->m_wake);
     auto id = std::make_shared<std::atomic<TransactionQueue::Id>>(0);
     QMetaObject::invokeMethod(
@@ -95,13 +102,13 @@ Result<Frame> SessionChannel::transact(const Request &request)
         Qt::QueuedConnection);
 
     std::unique_lock lock(m_control->m_mutex);
-    m_control->m_wake.wait(lock, [&] { return waiter->result || m_control->isCancelled(); });
+    m_control->m_wake.wait(lock, [&] { return waiter->result || cancelled(); });
     if (waiter->result)
         return *waiter->result;
     lock.unlock();
     QMetaObject::invokeMethod(
         &m_session, [session = &m_session, id] { session->cancel(*id); }, Qt::QueuedConnection);
-    return failure(ErrorCode::Cancelled);
+    return tl::unexpected(m_control->why());
 }
 
 void SessionChannel::post(const Request &request)
@@ -113,9 +120,9 @@ void SessionChannel::post(const Request &request)
 Result<void> SessionChannel::sleep(milliseconds duration)
 {
     std::unique_lock lock(m_control->m_mutex);
-    m_control->m_wake.wait_for(lock, duration, [&] { return m_control->isCancelled() || m_link->lost; });
-    if (m_control->isCancelled())
-        return failure(ErrorCode::Cancelled);
+    m_control->m_wake.wait_for(lock, duration, [&] { return cancelled() || m_link->lost; });
+    if (cancelled())
+        return tl::unexpected(m_control->m_why);
     if (m_link->lost)
         return tl::unexpected(*m_link->lost);
     return {};
@@ -171,7 +178,7 @@ public:
         m_control->m_wake.wait_for(lock, timeout,
                                    [&] { return !m_frames.empty() || m_closed || m_control->isCancelled(); });
         if (m_control->isCancelled())
-            return failure(ErrorCode::Cancelled);
+            return tl::unexpected(m_control->m_why);
         if (!m_frames.empty()) {
             Frame frame = std::move(m_frames.front());
             m_frames.pop_front();
@@ -216,6 +223,8 @@ LinkObservation SessionChannel::observation() const
 
 void SessionChannel::steer(const ControlFrames &frames)
 {
+    if (m_hooks.steered)
+        m_hooks.steered(&frames);
     QMetaObject::invokeMethod(
         &m_session, [session = &m_session, frames] { session->refreshControl(frames); },
         Qt::QueuedConnection);
@@ -223,8 +232,16 @@ void SessionChannel::steer(const ControlFrames &frames)
 
 void SessionChannel::releaseControl()
 {
+    if (m_hooks.steered)
+        m_hooks.steered(nullptr);
     QMetaObject::invokeMethod(
         &m_session, [session = &m_session] { session->endControl(); }, Qt::QueuedConnection);
+}
+
+void SessionChannel::allowMotors()
+{
+    QMetaObject::invokeMethod(
+        &m_session, [session = &m_session] { session->allowMotors(); }, Qt::QueuedConnection);
 }
 
 void SessionChannel::stopMotors(const StopPlan &plan)
@@ -255,24 +272,25 @@ Result<void> SessionChannel::open(const LinkAddress &address, std::unique_ptr<Fr
     QMetaObject::invokeMethod(
         &m_session,
         [session = &m_session, address, owned, timing, handle = completionHandle(waiter)] {
-            session->close({ErrorCode::Cancelled, {}});
-            // Whichever comes first ends the wait and both watchers.
-            auto *watch = new QObject(session);
-            QObject::connect(session, &Session::opened, watch, [watch, handle] {
-                handle->complete(true);
-                watch->deleteLater();
+            session->finish([session, address, owned, timing, handle] {
+                // Whichever comes first ends the wait and both watchers.
+                auto *watch = new QObject(session);
+                QObject::connect(session, &Session::opened, watch, [watch, handle] {
+                    handle->complete(true);
+                    watch->deleteLater();
+                });
+                QObject::connect(session, &Session::closed, watch, [watch, handle](const Error &why) {
+                    handle->complete(tl::unexpected(why));
+                    watch->deleteLater();
+                });
+                session->open(address, std::move(*owned), timing);
             });
-            QObject::connect(session, &Session::closed, watch, [watch, handle](const Error &why) {
-                handle->complete(tl::unexpected(why));
-                watch->deleteLater();
-            });
-            session->open(address, std::move(*owned), timing);
         },
         Qt::QueuedConnection);
     std::unique_lock lock(m_control->m_mutex);
     m_control->m_wake.wait(lock, [&] { return waiter->result || m_control->isCancelled(); });
     if (m_control->isCancelled())
-        return failure(ErrorCode::Cancelled);
+        return tl::unexpected(m_control->m_why);
     if (!*waiter->result)
         return tl::unexpected(waiter->result->error());
     return {};

@@ -13,14 +13,18 @@
 class JobControl
 {
 public:
-    void cancel();
+    /// @param why what the job fails with from now on; the first one counts
+    void cancel(const Error &why = {ErrorCode::Cancelled, {}, 0});
     [[nodiscard]] bool isCancelled() const { return m_cancelled.load(std::memory_order_relaxed); }
+    /// Once it is cancelled.
+    [[nodiscard]] Error why();
 
 private:
     friend class SessionChannel;
     friend class SessionMailbox;
     std::mutex m_mutex;
     std::condition_variable m_wake;
+    Error m_why;
     std::atomic<bool> m_cancelled = false;
 };
 
@@ -33,6 +37,8 @@ public:
     {
         std::function<void(const Progress &)> progress;
         std::function<void(bool proven)> motorsStopped;
+        /// What it steers with from now on; null when it ends.
+        std::function<void(const ControlFrames *)> steered = {};
     };
 
     enum class Link { Open, NotYet };
@@ -49,9 +55,11 @@ public:
     Result<void> setLine(const LineSettings &line) override;
     void steer(const ControlFrames &frames) override;
     void releaseControl() override;
+    void allowMotors() override;
     void stopMotors(const StopPlan &plan) override;
     void expectSilence(milliseconds duration) override;
-    [[nodiscard]] bool cancelled() const override { return m_control->isCancelled(); }
+    [[nodiscard]] bool cancelled() const override { return !m_held && m_control->isCancelled(); }
+    void holdCancel(bool held) override { m_held = held; }
     void progress(const Progress &progress) override { m_hooks.progress(progress); }
     [[nodiscard]] TimePoint now() const override { return Clock::now(); }
     [[nodiscard]] LinkObservation observation() const override;
@@ -66,4 +74,5 @@ private:
     struct LinkWatch;
     std::shared_ptr<LinkWatch> m_link;
     std::array<QMetaObject::Connection, 2> m_watches;
+    bool m_held = false;
 };

@@ -5,8 +5,21 @@
 #include <algorithm>
 #include <utility>
 
+namespace {
+
+// Of a stop that was not proven in time: seldom enough to leave room for the rest, and patient enough for a
+// line that was too slow for the proof.
+constexpr auto kRepeatEvery = 1s;
+constexpr auto kRepeatPatience = 1200ms;
+constexpr auto kRepeatPatienceWithMore = 300ms;
+constexpr int kMostPatience = 4;  // times that: of a board that answers later than anybody waits
+
+}  // namespace
+
 void StopSequence::start(StopPlan plan, Completion completion, TimePoint now, Completion restored)
 {
+    if (m_stage == Stage::Repeating)
+        m_restored.clear();  // told once
     m_plan = std::move(plan);
     m_completions.push_back(std::move(completion));
     m_restored.push_back(std::move(restored));
@@ -27,19 +40,22 @@ void StopSequence::answered(const Frame &frame)
 
 void StopSequence::telemetryArrived(const LatestValues &values)
 {
-    if (m_stage == Stage::Stopping && m_plan.fromTelemetry)
+    if (isActive() && m_plan.fromTelemetry)
         take(m_plan.fromTelemetry(values, m_startedAt));
 }
 
 // A refutation shows that the current means has not worked yet; its next round follows at its own time.
 void StopSequence::take(Proof proof)
 {
-    if (proof != Proof::Proven || m_stage != Stage::Stopping)
+    if (proof != Proof::Proven || !isActive())
         return;
+    const bool isLate = m_stage == Stage::Repeating;
     m_stage = Stage::Restoring;
     m_rounds = 0;
     m_round.clear();
     m_nextSend = m_startedAt;  // without delay
+    if (isLate)
+        m_provenLate();
     finish({});
     if (m_stage == Stage::Restoring && !m_plan.restore)
         finishRestoring({});
@@ -50,6 +66,8 @@ void StopSequence::advance(TimePoint now)
     while (m_stage != Stage::Inactive && now >= m_nextSend) {
         if (m_stage == Stage::Stopping)
             stopOnce(now);
+        else if (m_stage == Stage::Repeating)
+            repeatOnce(now);
         else
             restoreOnce(now);
     }
@@ -62,19 +80,54 @@ void StopSequence::stopOnce(TimePoint now)
         m_rounds = 0;
     }
     if (m_means >= m_plan.means.size()) {
-        m_stage = Stage::Inactive;
-        m_restored.clear();
+        const bool goesOn = m_provenLate && !m_plan.means.empty();
+        m_stage = goesOn ? Stage::Repeating : Stage::Inactive;
+        if (!goesOn)
+            m_restored.clear();
         finish(failure(ErrorCode::NotProven, QStringLiteral("sent %1 times").arg(m_allRounds)));
         return;
     }
     const StopPlan::Means &means = m_plan.means[m_means];
+    ++m_allRounds;
+    sendRound(requestsOf(means), means.every, now);
+}
+
+std::vector<Request> StopSequence::requestsOf(const StopPlan::Means &means) const
+{
     std::vector<Request> requests = means.requests;
     if (means.more) {
         for (Request &request : means.more())
             requests.push_back(std::move(request));
     }
-    ++m_allRounds;
-    sendRound(requests, means.every, now);
+    return requests;
+}
+
+// The next round begins when this one has been answered or given up.
+void StopSequence::repeatOnce(TimePoint now)
+{
+    const StopPlan::Means &means = m_plan.means.back();
+    std::vector<Request> requests = requestsOf(means);
+    int before = 0;
+    for (const StopPlan::Means &each : m_plan.means)
+        before += each.maxRounds;
+    const int repeats = ++m_allRounds - before;
+    const milliseconds patience = kRepeatPatience * std::clamp(repeats, 1, kMostPatience);
+    milliseconds all{};
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+        requests[i].timeout = i < means.requests.size() ? patience : kRepeatPatienceWithMore;
+        all += requests[i].timeout;
+    }
+    beginRound(std::move(requests), now, now + std::max<milliseconds>(all, kRepeatEvery));
+}
+
+bool StopSequence::forgo()
+{
+    if (m_stage != Stage::Repeating)
+        return false;
+    m_stage = Stage::Inactive;
+    m_round.clear();
+    m_restored.clear();
+    return true;
 }
 
 void StopSequence::restoreOnce(TimePoint now)
@@ -92,11 +145,18 @@ void StopSequence::restoreOnce(TimePoint now)
 void StopSequence::sendRound(std::vector<Request> requests, milliseconds every, TimePoint now)
 {
     ++m_rounds;
+    for (Request &once : requests)
+        once.timeout = std::max(every / int(requests.size()), milliseconds(1));
+    beginRound(std::move(requests), now, now + every);
+}
+
+void StopSequence::beginRound(std::vector<Request> requests, TimePoint now, TimePoint next)
+{
     ++m_roundNumber;
-    m_nextSend = now + every;
+    m_roundAt = now;
+    m_nextSend = next;
     m_round.clear();
     for (Request &once : requests) {
-        once.timeout = std::max(every / int(requests.size()), milliseconds(1));
         once.idempotent = false;
         m_round.push_back(std::move(once));
     }
@@ -106,6 +166,8 @@ void StopSequence::sendRound(std::vector<Request> requests, milliseconds every, 
 // One at a time: some boards' answers cannot be told apart otherwise.
 void StopSequence::sendNext()
 {
+    if (m_round.empty() && m_stage == Stage::Repeating)
+        m_nextSend = m_roundAt + kRepeatEvery;
     if (m_round.empty() || m_stage == Stage::Inactive)
         return;
     const Request request = std::move(m_round.front());
@@ -120,7 +182,7 @@ void StopSequence::sendNext()
 
 void StopSequence::abandon(const Error &why)
 {
-    if (m_stage == Stage::Stopping) {
+    if (isActive()) {
         m_stage = Stage::Inactive;
         m_restored.clear();
         finish(tl::unexpected(why));

@@ -56,6 +56,10 @@ public:
     /// Starts; a sequence that is still running starts over with this plan, and all callers get the outcome.
     /// @param restored called after a stop that succeeded, once nothing remains to be undone
     void start(StopPlan plan, Completion completion, TimePoint now, Completion restored = {});
+    /// A stop that was not proven in time goes on being repeated, and this is called when it is proven.
+    void persist(std::function<void()> provenLate) { m_provenLate = std::move(provenLate); }
+    /// Ends repeating a stop that was not proven in time. False if there was none.
+    bool forgo();
     /// Telemetry arrived.
     void telemetryArrived(const LatestValues &values);
     /// Sends what is due.
@@ -65,15 +69,18 @@ public:
 
     [[nodiscard]] std::optional<TimePoint> nextDeadline() const;
     /// The motors are being stopped; what is undone afterwards does not count.
-    [[nodiscard]] bool isActive() const { return m_stage == Stage::Stopping; }
+    [[nodiscard]] bool isActive() const { return m_stage == Stage::Stopping || m_stage == Stage::Repeating; }
 
 private:
-    enum class Stage { Inactive, Stopping, Restoring };
+    enum class Stage { Inactive, Stopping, Repeating, Restoring };
     void take(Proof proof);
     void sendRound(std::vector<Request> requests, milliseconds every, TimePoint now);
+    void beginRound(std::vector<Request> requests, TimePoint now, TimePoint next);
     void sendNext();
     void answered(const Frame &frame);
     void stopOnce(TimePoint now);
+    void repeatOnce(TimePoint now);
+    [[nodiscard]] std::vector<Request> requestsOf(const StopPlan::Means &means) const;
     void restoreOnce(TimePoint now);
     void finish(const Result<void> &result);
     void finishRestoring(const Result<void> &result);
@@ -82,6 +89,7 @@ private:
     StopPlan m_plan;
     std::vector<Completion> m_completions;
     std::vector<Completion> m_restored;
+    std::function<void()> m_provenLate;
     Stage m_stage = Stage::Inactive;
     std::size_t m_means = 0;
     int m_rounds = 0;  // of the current means, or of restoring
@@ -90,4 +98,5 @@ private:
     quint64 m_roundNumber = 0;  // answers to an earlier one do not carry it on
     TimePoint m_startedAt{};
     TimePoint m_nextSend{};
+    TimePoint m_roundAt{};
 };

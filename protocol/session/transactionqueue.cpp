@@ -9,6 +9,16 @@ namespace {
 
 // Longest time to wait for a late answer before its kind may be asked again.
 constexpr auto kLateAnswerWindow = 500ms;
+// The same where a board has answered, or kept silent, for longer.
+constexpr auto kLongestWindow = 3s;
+
+// An answer came, or was waited for in vain, `now`: one to what was sent last may be as slow, and somewhat
+// slower.
+TimePoint lastAnswerBy(TimePoint firstSent, TimePoint lastSent, TimePoint now)
+{
+    const Duration slowest = std::max(Duration::zero(), now - firstSent);
+    return std::min<TimePoint>(lastSent + slowest + slowest / 2, now + kLongestWindow);
+}
 
 }  // namespace
 
@@ -99,7 +109,9 @@ bool TransactionQueue::frameArrived(const FrameView &frame, TimePoint now)
     for (auto it = m_staleReplies.begin(); it != m_staleReplies.end(); ++it) {
         if (!it->answer(frame))
             continue;
+        const StaleReply come = std::move(*it);
         m_staleReplies.erase(it);
+        learnLateness(come, now);
         startNext(now);
         return true;
     }
@@ -140,6 +152,7 @@ void TransactionQueue::advance(TimePoint now)
             continue;
         }
         ++m_timeouts;
+        m_roundTrip.reset();
         Pending late = std::move(pending);
         m_inFlight.erase(m_inFlight.begin() + static_cast<std::ptrdiff_t>(i));
         expectStaleReply(late, now, late.sends - late.refused);
@@ -158,14 +171,14 @@ std::optional<TimePoint> TransactionQueue::nextDeadline(TimePoint now) const
         consider(pending.deadline);
     for (const StaleReply &stale : m_staleReplies)
         consider(stale.until);
-    if (!m_waiting.empty() && !normalInFlight())
+    if (!m_waiting.empty() && !normalInFlight() && !isFirstHeld())
         consider(std::max(now, m_pauseUntil));
     return next;
 }
 
-bool TransactionQueue::isReady(TimePoint now) const
+std::optional<TimePoint> TransactionQueue::readyAt() const
 {
-    return m_waiting.empty() && !normalInFlight() && m_pauseUntil <= now;
+    return m_waiting.empty() && !normalInFlight() ? std::optional(m_pauseUntil) : std::nullopt;
 }
 
 void TransactionQueue::send(Pending &pending, TimePoint now)
@@ -173,6 +186,8 @@ void TransactionQueue::send(Pending &pending, TimePoint now)
     ++pending.sends;
     pending.hasLeft = false;
     pending.sentAt = pending.leftAt = account(pending.request.bytes.size(), now);
+    if (pending.sends == 1)
+        pending.firstSentAt = pending.sentAt;
     pending.deadline = pending.leftAt + timeoutOf(pending.request);
     m_write(pending.request.bytes);
 }
@@ -197,15 +212,32 @@ void TransactionQueue::expectStaleReply(const Pending &pending, TimePoint now, i
 {
     if (!pending.request.answer)
         return;
-    const TimePoint until = now + std::max<Duration>(kLateAnswerWindow, timeoutOf(pending.request));
+    const TimePoint until = std::max(now + std::max<Duration>(kLateAnswerWindow, timeoutOf(pending.request)),
+                                     lastAnswerBy(pending.firstSentAt, pending.sentAt, now));
     for (int i = 0; i < answers; ++i)
-        m_staleReplies.push_back({pending.request.answer, pending.request.kind, until});
+        m_staleReplies.push_back({pending.request.answer, pending.request.kind, until, pending.id,
+                                  pending.firstSentAt, pending.sentAt});
+}
+
+void TransactionQueue::learnLateness(const StaleReply &come, TimePoint now)
+{
+    const TimePoint until = lastAnswerBy(come.firstSentAt, come.lastSentAt, now);
+    for (StaleReply &stale : m_staleReplies) {
+        if (stale.id == come.id)
+            stale.until = std::max(stale.until, until);
+    }
 }
 
 bool TransactionQueue::isHeld(int kind) const
 {
     return std::any_of(m_staleReplies.begin(), m_staleReplies.end(),
                        [kind](const StaleReply &stale) { return stale.kind == kind; });
+}
+
+bool TransactionQueue::isFirstHeld() const
+{
+    const Request &first = m_waiting.front().request;
+    return !first.repeated && isHeld(first.kind);
 }
 
 bool TransactionQueue::mayRepeat(const Pending &pending)
@@ -229,7 +261,7 @@ Duration TransactionQueue::timeoutOf(const Request &request) const
 void TransactionQueue::startNext(TimePoint now)
 {
     while (!m_waiting.empty() && !normalInFlight() && m_pauseUntil <= now) {
-        if (!m_waiting.front().request.repeated && isHeld(m_waiting.front().request.kind))
+        if (isFirstHeld())
             return;
         Pending pending = std::move(m_waiting.front());
         m_waiting.pop_front();

@@ -15,7 +15,8 @@
 /// requests are sent one at a time with a pause between them; urgent ones are sent at once, whatever is in
 /// flight. The answer timer starts when the last byte has been sent. After a timeout, requests of the same
 /// kind are held back until the late answer has come or can no longer come, so that it is never taken for the
-/// answer to another request.
+/// answer to another request. The same goes for the further answers to one that was sent several times: they
+/// come as late as the first did.
 class TransactionQueue
 {
 public:
@@ -49,11 +50,12 @@ public:
     [[nodiscard]] bool isIdle() const { return count() == 0; }
     /// Requests that are not completed yet.
     [[nodiscard]] std::size_t count() const { return m_waiting.size() + m_inFlight.size(); }
-    /// True when a normal request submitted now would go out at once.
-    [[nodiscard]] bool isReady(TimePoint now) const;
+    /// From when on a normal request would go out at once; empty while others are before it.
+    [[nodiscard]] std::optional<TimePoint> readyAt() const;
     /// True when a normal request of this kind would wait because an answer to an earlier one may still come.
     [[nodiscard]] bool isHeld(int kind) const;
-    /// Time between the last byte sent and the answer, for the most recently answered request.
+    /// Time between the last byte sent and the answer of the newest request; empty while it stays without
+    /// one.
     [[nodiscard]] std::optional<Duration> roundTrip() const { return m_roundTrip; }
     [[nodiscard]] quint64 timeouts() const { return m_timeouts; }
 
@@ -67,6 +69,7 @@ private:
         int sends = 0;
         bool hasLeft = false;  // the system has taken the most recent transmission
         int refused = 0;  // refusals after which it was sent again
+        TimePoint firstSentAt{};
         TimePoint sentAt{};  // when the line will have carried the last byte, for the round trip
         TimePoint leftAt{};  // when the last byte has certainly been sent, for the timeout
         TimePoint deadline{};
@@ -76,14 +79,21 @@ private:
         AnswerMatcher answer;
         int kind = 0;
         TimePoint until{};
+        Id id = 0;
+        TimePoint firstSentAt{};
+        TimePoint lastSentAt{};
     };
 
     void send(Pending &pending, TimePoint now);
     TimePoint account(qint64 bytes, TimePoint now);
     void complete(Pending pending, Result<Frame> result);
     void expectStaleReply(const Pending &pending, TimePoint now, int answers);
+    /// A late answer has told how slow the board is: its further ones come as late.
+    void learnLateness(const StaleReply &come, TimePoint now);
     [[nodiscard]] static bool mayRepeat(const Pending &pending);
     [[nodiscard]] bool normalInFlight() const;
+    /// An answer to an earlier request may still come, and would be taken for that of the first that waits.
+    [[nodiscard]] bool isFirstHeld() const;
     [[nodiscard]] Duration timeoutOf(const Request &request) const;
     void startNext(TimePoint now);
 

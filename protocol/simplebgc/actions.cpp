@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/simplebgc/actions.h"
 
+#include "protocol/base/angles.h"
 #include "protocol/session/carryout.h"
 #include "protocol/simplebgc/adjustables.h"
 #include "protocol/simplebgc/choices.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 using namespace Qt::StringLiterals;
 
@@ -19,27 +21,17 @@ namespace simplebgc {
 namespace {
 
 constexpr auto kSteerPeriod = 50ms;
-
-// The board checks nothing. Of variables that no table has, only the board knows what they may be.
-Result<void> checkVariable(const BoardIdentity &identity, const AdjustableValue &wanted)
-{
-    for (const AdjustableSpec &spec : adjustablesOf(identity.firmwareNumber)) {
-        if (spec.id == wanted.id && !(wanted.value >= spec.min && wanted.value <= spec.max))
-            return failure(ErrorCode::OutOfRange,
-                           u"%1 = %2, allowed %3 to %4"_s.arg(QLatin1String(spec.key))
-                               .arg(wanted.value)
-                               .arg(spec.min)
-                               .arg(spec.max));
-    }
-    const ParameterSet parameters(parameterRows(), kBlocks, identity.firmwareNumber, identity.capabilities);
-    for (const ParameterSpec &spec : parameters.all()) {
-        const double raw = wanted.value / spec.row->adjustableScale;
-        if (spec.adjustable == wanted.id && spec.row->kind == ValueKind::Choice && !spec.accepts(raw))
-            return failure(ErrorCode::OutOfRange,
-                           u"%1 = %2, allowed %3"_s.arg(spec.key, spec.format(raw), spec.allowedText()));
-    }
-    return {};
-}
+constexpr auto kMotorsSwitch = 2s;
+constexpr auto kFollowing = 2s;  // of a camera behind its target
+constexpr double kArrived = 3.0;  // degrees between them
+constexpr qsizetype kErrorBits = 14;  // of REALTIME_DATA_3
+constexpr unsigned kMissingSensor = 1;
+// Entries of the board's menu (errata 4.1).
+constexpr int kMenuMotorsSwitch = 10;
+constexpr int kMenuMotorsOn = 11;
+constexpr int kMenuMotorsOff = 12;
+constexpr int kMenuAutoPid = 16;
+constexpr int kMenuAutoPidGain = 64;
 
 Result<QList<int>> parseNumbers(const QString &text, int min, int max)
 {
@@ -77,6 +69,7 @@ const Actions::Entry Actions::kHandlers[] = {
     {"calibrate.battery", &Actions::calibrateBattery},
     {"calibrate.offset", &Actions::calibrateOffset},
     {"autotune", &Actions::autoTune},
+    {"autotune.stop", &Actions::stopAutoTune},
     {"reset", &Actions::reset},
     {"defaults", &Actions::useDefaults},
 };
@@ -99,6 +92,21 @@ Result<ActionReply> Actions::confirm(CommandId id, const QByteArray &payload)
     return ActionReply{};
 }
 
+bool Actions::isBlind(const Frame &status)
+{
+    return ByteReader(QByteArrayView(status.payload).sliced(kErrorBits)).u16() & kMissingSensor;
+}
+
+Result<void> Actions::needSensor()
+{
+    const auto status = m_channel.transact(Device::statusRequest());
+    if (!status)
+        return tl::unexpected(status.error());
+    if (isBlind(*status))
+        return failure(ErrorCode::ConditionUnmet, u"the board does not see its motion sensor"_s);
+    return {};
+}
+
 Result<ActionReply> Actions::readAngles(const QVariantMap &)
 {
     const auto plain = m_channel.transact(
@@ -108,9 +116,16 @@ Result<ActionReply> Actions::readAngles(const QVariantMap &)
     const auto angles = decodeAngles(asBytes(plain->payload));
     if (!angles)
         return tl::unexpected(angles.error());
+    const auto status = m_channel.transact(Device::statusRequest());
+    if (!status)
+        return tl::unexpected(status.error());
+    const bool blind = isBlind(*status);
     ActionReply reply;
+    if (blind)
+        reply.insert(u"sensor"_s, u"missing"_s);
     for (std::size_t axis = 0; axis < angles->size(); ++axis) {
-        reply.insert(u"imu."_s + axisName(axis), (*angles)[axis].imu);
+        if (!blind)  // zeros of a sensor that is not there are no angles
+            reply.insert(u"imu."_s + axisName(axis), (*angles)[axis].imu);
         reply.insert(u"target."_s + axisName(axis), (*angles)[axis].target);
         reply.insert(u"speed."_s + axisName(axis), (*angles)[axis].targetSpeed);
     }
@@ -162,14 +177,62 @@ Result<ActionReply> Actions::motorsOn(const QVariantMap &)
     return m_device.switchMotorsOn(m_channel).map([] { return ActionReply{}; });
 }
 
-Result<ActionReply> Actions::motorsOff(const QVariantMap &)
+Result<void> Actions::stopMotors()
 {
-    return carryOut(m_channel, m_device.stopPlan()).map([] { return ActionReply{}; });
+    return carryOut(m_channel, m_device.stopPlan());
 }
 
+Result<ActionReply> Actions::motorsOff(const QVariantMap &)
+{
+    return stopMotors().map([] { return ActionReply{}; });
+}
+
+Result<ActionReply> Actions::motorsAre(bool on)
+{
+    const auto are
+        = holdsWithin(m_channel, Device::statusRequest(), kMotorsSwitch, [on](const Frame &status) {
+              return Device::areMotorsRunning(status).value_or(!on) == on;
+          });
+    if (!are)
+        return tl::unexpected(are.error());
+    if (*are)
+        return ActionReply{};
+    return failure(ErrorCode::NoEffect,
+                   on ? u"the board reports that its motors are off"_s
+                      : u"the board reports that its motors are running"_s);
+}
+
+// Where the status tells what an entry does, it is what counts.
 Result<ActionReply> Actions::menu(const QVariantMap &arguments)
 {
-    return confirm(CommandId::ExecuteMenu, ByteWriter().u8(arguments.value(u"command"_s).toInt()).take());
+    const int command = arguments.value(u"command"_s).toInt();
+    if (const int profile = Device::profileOf(command); profile >= 0)
+        return m_device.selectProfile(m_channel, profile).map([] { return ActionReply{}; });
+    std::optional<bool> motors;
+    if (command == kMenuMotorsOn || command == kMenuMotorsOff)
+        motors = command == kMenuMotorsOn;
+    if (command == kMenuMotorsSwitch) {
+        const auto status = m_channel.transact(Device::statusRequest());
+        if (!status)
+            return tl::unexpected(status.error());
+        if (const auto running = Device::areMotorsRunning(*status))
+            motors = !*running;
+    }
+    if (std::any_of(std::begin(kMenuEffects), std::end(kMenuEffects), [command](const MenuEffect &effect) {
+            return effect.action == command && effect.goesOn;
+        })) {
+        if (const auto sees = needSensor(); !sees)
+            return tl::unexpected(sees.error());
+        m_channel.expectSilence(kBusyCalibrating);
+    }
+    const auto done = confirm(CommandId::ExecuteMenu, ByteWriter().u8(command).take());
+    const bool isSearch = command == kMenuAutoPid || command == kMenuAutoPidGain;
+    if (!done && isSearch && done.error().code == ErrorCode::Timeout)
+        return tl::unexpected(afterSearch(done.error()));
+    if (!done || !motors)
+        return done;
+    const auto are = motorsAre(*motors);
+    return are || *motors ? are : motorsOff({});  // a stop goes on until it is proven
 }
 
 Result<ActionReply> Actions::selectProfile(const QVariantMap &arguments)
@@ -198,14 +261,15 @@ Result<ActionReply> Actions::steer(const QVariantMap &arguments)
     }
     if (!any)
         return failure(ErrorCode::InvalidArgument, u"steer needs roll=, pitch= or yaw="_s);
+    const auto status = m_channel.transact(Device::statusRequest());
+    if (!status)
+        return tl::unexpected(status.error());
+    if (!Device::areMotorsRunning(*status).value_or(true))
+        return failure(ErrorCode::ConditionUnmet, u"the motors are off, so nothing would move"_s);
 
-    const ControlFrames frames = m_device.controlFrames(setpoint);
-    const auto unanswered = [](const QByteArray &bytes) {
-        Request request;
-        request.name = u"CONTROL"_s;
-        request.bytes = bytes;
-        return request;
-    };
+    ControlFrames frames = m_device.controlFrames(setpoint);
+    if (!arguments.value(u"release"_s).toBool())
+        frames.release.clear();
     const auto seconds = arguments.value(u"seconds"_s).toDouble();
     const TimePoint end = m_channel.now() + durationFromSeconds(seconds);
     Progress progress;
@@ -213,19 +277,67 @@ Result<ActionReply> Actions::steer(const QVariantMap &arguments)
     progress.total = 100;
     Result<void> slept;
     while (m_channel.now() < end && slept) {
-        m_channel.post(unanswered(frames.setpoint));
+        m_channel.steer(frames);
         progress.done
             = int(100.0 * (1.0 - std::chrono::duration<double>(end - m_channel.now()).count() / seconds));
         m_channel.progress(progress);
         slept = m_channel.sleep(kSteerPeriod);
     }
-    if (mode == Speed || !slept)
-        m_channel.post(unanswered(frames.stop));
-    if (arguments.value(u"release"_s).toBool())
-        m_channel.post(unanswered(frames.release));
+    const bool isPlace = mode == Angle || mode == SpeedAngle;
+    const auto there = isPlace && slept ? arrived(setpoint, frames) : Result<ActionReply>();
+    if (mode != Speed && slept) {  // it goes on to the angle, and stays there
+        frames.stop = frames.setpoint;
+        frames.question.reset();
+        m_channel.steer(frames);
+    }
+    m_channel.releaseControl();
     if (!slept)
         return tl::unexpected(slept.error());
-    return readAngles({});
+    return isPlace ? there : readAngles({});
+}
+
+// The board turns its target towards the angle, and the camera follows the target.
+Result<ActionReply> Actions::arrived(const Device::Control &setpoint, const ControlFrames &frames)
+{
+    const TimePoint until = m_channel.now() + kFollowing;
+    for (;;) {
+        m_channel.steer(frames);
+        auto reply = readAngles({});
+        if (!reply)
+            return reply;
+        QStringList away;
+        QStringList early;
+        for (std::size_t axis = 0; axis < setpoint.size(); ++axis) {
+            const QVariant camera = reply->value(u"imu."_s + axisName(axis));
+            if (setpoint[axis].mode == NoControl || !camera.isValid())
+                continue;
+            const double wanted = setpoint[axis].angle;
+            const double target = reply->value(u"target."_s + axisName(axis)).toDouble();
+            const auto told = [&](double goal) {
+                return u"%1: target %2°, camera at %3°"_s.arg(axisName(axis))
+                    .arg(goal, 0, 'f', 1)
+                    .arg(camera.toDouble(), 0, 'f', 1);
+            };
+            if (turnBetween(target, camera.toDouble()) > kArrived)
+                away.append(told(target));
+            else if (turnBetween(target, wanted) > kArrived)
+                early.append(told(wanted));
+        }
+        if (away.isEmpty() && !early.isEmpty() && !frames.release.isEmpty())
+            return failure(
+                ErrorCode::NotSeen,
+                u"control was given back before the camera was there, %1"_s.arg(early.join(u"; "_s)));
+        if (away.isEmpty()) {
+            if (!early.isEmpty() || reply->contains(u"sensor"_s))
+                reply->insert(u"confirmed"_s, false);  // it goes on, or nobody sees it
+            return reply;
+        }
+        if (m_channel.now() >= until)
+            return failure(ErrorCode::NotSeen,
+                           u"the camera did not get where it was steered to, %1"_s.arg(away.join(u"; "_s)));
+        if (const auto slept = m_channel.sleep(kSteerPeriod); !slept)
+            return tl::unexpected(slept.error());
+    }
 }
 
 Result<ActionReply> Actions::beep(const QVariantMap &arguments)
@@ -268,8 +380,6 @@ Result<ActionReply> Actions::readVariables(const QVariantMap &arguments)
 Result<ActionReply> Actions::writeVariable(const QVariantMap &arguments)
 {
     const AdjustableValue wanted{arguments.value(u"id"_s).toInt(), arguments.value(u"value"_s).toDouble()};
-    if (const auto checked = checkVariable(m_device.identity(), wanted); !checked)
-        return tl::unexpected(checked.error());
     const auto done = m_device.writeAdjustables(m_channel, {wanted});
     if (!done)
         return tl::unexpected(done.error());
@@ -280,22 +390,30 @@ Result<ActionReply> Actions::saveVariables(const QVariantMap &)
 {
     Request request = confirmRequest(CommandId::SaveParams3, {}, Device::kVersion);
     request.timeout = 1500ms;
+    // Stored twice is stored.
+    request.idempotent = true;
+    request.retries = 2;
     const auto reply = m_channel.transact(request);
-    if (!reply)
-        return tl::unexpected(reply.error());
-    return ActionReply{};
+    if (reply)
+        return ActionReply{};
+    Error error = reply.error();
+    // The board answers out of volatile memory, so asking what is stored would prove nothing.
+    if (error.code == ErrorCode::Timeout)
+        error.detail
+            += u": whether the values in use are stored now shows only when the board has restarted"_s;
+    return tl::unexpected(error);
 }
 
 Result<ActionReply> Actions::reset(const QVariantMap &arguments)
 {
-    Request request
-        = replyRequest(CommandId::Reset, ByteWriter().u8(1).u16(arguments.value(u"delay"_s).toInt()).take(),
-                       CommandId::Reset, 0, Device::kVersion);
+    const int delay = arguments.value(u"delay"_s).toInt();
+    Request request = replyRequest(CommandId::Reset, ByteWriter().u8(1).u16(delay).take(), CommandId::Reset,
+                                   0, Device::kVersion);
     request.idempotent = false;
     const auto notice = m_channel.transact(request);
     if (!notice)
         return tl::unexpected(notice.error());
-    return ActionReply{};
+    return ActionReply{{u"restarts_in"_s, delay}};  // it is yet to come, so nobody takes it for done
 }
 
 Result<ActionReply> Actions::useDefaults(const QVariantMap &arguments)

@@ -19,6 +19,9 @@ public:
 
     Result<ActionReply> perform(const QString &key, const QVariantMap &arguments);
 
+    /// A board that calibrates may answer nothing meanwhile, and stream again a while later.
+    static constexpr milliseconds kBusyCalibrating{8000};
+
 private:
     using Handler = Result<ActionReply> (Actions::*)(const QVariantMap &);
     struct Entry
@@ -47,17 +50,43 @@ private:
     Result<ActionReply> calibrateBattery(const QVariantMap &arguments);
     Result<ActionReply> calibrateOffset(const QVariantMap &arguments);
     Result<ActionReply> autoTune(const QVariantMap &arguments);
+    Result<ActionReply> stopAutoTune(const QVariantMap &arguments);
     Result<ActionReply> reset(const QVariantMap &arguments);
     Result<ActionReply> useDefaults(const QVariantMap &arguments);
 
+    /// The angles, once the camera is where its target is; it is steered until then.
+    /// Errors: NotSeen, those of the link.
+    Result<ActionReply> arrived(const Device::Control &setpoint, const ControlFrames &frames);
     Result<ActionReply> calibrate(CommandId id, const QVariantMap &arguments);
     struct Stillness
     {
         double gyroBias = 0;
         double gyroNoise = 0;
         double accError = 0;
+        std::array<double, 3> acc{};  ///< g, mean
+        bool isUpright = false;  ///< Z points up
+        bool motorsRun = false;
     };
+    /// Errors: ConditionUnmet (no sensor), NoSamples, those of the link.
     Result<Stillness> measureStillness();
+    /// Whether a sensor that lies like that can be measured. Errors: ConditionUnmet.
+    static Result<void> checkStill(CommandId id, const Stillness &stillness);
+    /// Whether the board says that it has no sensor.
+    [[nodiscard]] static bool isBlind(const Frame &status);
+    /// Errors: ConditionUnmet.
+    Result<void> needSensor();
+    static Request stopSearchRequest();
+    Result<QMap<QString, double>> gainsInUse(int profile);
+    /// The same answer, once the board's status agrees. Errors: NoEffect.
+    Result<ActionReply> motorsAre(bool on);
+    /// What a search may change and the board uses now.
+    Result<std::vector<AdjustableValue>> searchedValues();
+    /// Stops a search that may be going on, and says in the error what became of that.
+    Error afterSearch(Error error);
+    /// The same, and the values from before are in use again.
+    Error afterSearch(const Error &error, const std::vector<AdjustableValue> &before);
+    /// Proves that the motors are off. Errors: NotProven, those of the link.
+    Result<void> stopMotors();
 
     Device &m_device;
     Channel &m_channel;

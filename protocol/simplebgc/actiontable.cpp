@@ -25,6 +25,19 @@ constexpr Choice kDefaultsScope[] = {{0, "profile1"}, {1, "profile2"}, {2, "prof
 
 constexpr ArgumentSpec kMenuArguments[] = {
     {.key = "command", .label = "Command", .kind = ArgumentKind::Choice, .choices = kMenuActions}};
+constexpr int kProfileEntries[] = {1, 2, 3, 14, 15};
+constexpr int kMenuReset = 7;
+constexpr auto kMenuEntries = [] {
+    std::array<EntryEffect, std::size(kMenuEffects) + std::size(kProfileEntries) + 1> entries{};
+    std::size_t count = 0;
+    for (const MenuEffect &effect : kMenuEffects)
+        entries[count++] = {effect.action, effect.destroys ? ActionRisk::Destroys : ActionRisk::Writes,
+                            MemoryEffect::None, !effect.goesOn};
+    for (const int profile : kProfileEntries)
+        entries[count++] = {profile, ActionRisk::Moves, MemoryEffect::Reloads, true};
+    entries[count] = {kMenuReset, ActionRisk::Moves, MemoryEffect::ChangesInUse, true, true};
+    return entries;
+}();
 constexpr ArgumentSpec kProfileArguments[] = {
     {.key = "profile", .label = "Profile", .kind = ArgumentKind::Integer, .min = 1, .max = 5}};
 constexpr ArgumentSpec kSteerArguments[] = {
@@ -53,12 +66,24 @@ constexpr ArgumentSpec kReadVariables[] = {
 constexpr ArgumentSpec kWriteVariable[] = {
     {.key = "id", .label = "Number", .kind = ArgumentKind::Integer, .min = 0, .max = 255},
     {.key = "value", .label = "Value", .kind = ArgumentKind::Integer, .min = -2147483648.0, .max = 2147483647.0}};
-constexpr ArgumentSpec kCalibrationArguments[] = {
-    {.key = "imu", .label = "Sensor", .kind = ArgumentKind::Choice, .choices = kImuChoices, .defaultText = "selected"},
-    {.key = "action", .label = "Kind", .kind = ArgumentKind::Choice, .choices = kCalibrationActions,
-     .defaultText = "normal"},
-    {.key = "form", .label = "Form of the command", .kind = ArgumentKind::Choice, .choices = kForms,
-     .defaultText = "extended"}};
+constexpr ArgumentSpec kSensor{
+    .key = "imu", .label = "Sensor", .kind = ArgumentKind::Choice, .choices = kImuChoices, .defaultText = "selected"};
+constexpr ArgumentSpec kKind{
+    .key = "action", .label = "Kind", .kind = ArgumentKind::Choice, .choices = kCalibrationActions,
+    .defaultText = "normal"};
+constexpr ArgumentSpec kForm{
+    .key = "form", .label = "Form of the command", .kind = ArgumentKind::Choice, .choices = kForms,
+    .defaultText = "extended"};
+constexpr ArgumentSpec kGyroArguments[] = {kSensor, kKind, kForm};
+constexpr ArgumentSpec kAccArguments[] = {
+    kSensor, kKind, kForm,
+    {.key = "six", .label = "One of six positions, motors off", .kind = ArgumentKind::Toggle, .defaultText = "off"}};
+// Some kinds restart the board (errata 3.19), and for six positions the motors are switched off.
+constexpr EntryEffect kCalibrationEntries[] = {
+    {.value = 2, .risk = ActionRisk::Writes, .letsGo = true, .argument = "action"},
+    {.value = 4, .risk = ActionRisk::Writes, .letsGo = true, .argument = "action"},
+    {.value = 5, .risk = ActionRisk::Writes, .letsGo = true, .argument = "action"},
+    {.value = 1, .risk = ActionRisk::Writes, .letsGo = true, .argument = "six"}};
 constexpr ArgumentSpec kBatteryArguments[] = {
     {.key = "voltage", .label = "Measured voltage", .kind = ArgumentKind::Real, .min = 3, .max = 60, .unit = "V"}};
 constexpr ArgumentSpec kAutoTuneArguments[] = {
@@ -80,6 +105,8 @@ constexpr ArgumentSpec kDefaultsArguments[] = {
 
 constexpr ReplyUnit kAngleUnits[] = {{"speed", "°/s"}, {"imu", "°"}, {"target", "°"}, {"motor", "°"}};
 constexpr ReplyUnit kStillnessUnits[] = {{"gyro", "°/s"}, {"acc", "g"}};
+constexpr ReplyUnit kBatteryUnits[] = {{"voltage", "V"}};
+constexpr ReplyUnit kResetUnits[] = {{"restarts_in", "ms"}};
 constexpr ReplyUnit kTuningUnits[] = {{"error", "°"}, {"lpf", "Hz"}};
 
 constexpr ActionSpec kActions[] = {
@@ -93,11 +120,12 @@ constexpr ActionSpec kActions[] = {
      .group = "Read", .arguments = kReadVariables},
     {.key = "beep", .label = "Make a sound", .help = "Standard sound or melody; helps to find the right board.",
      .group = "Board", .arguments = kBeepArguments, .since = 2590, .answered = false},
-    {.key = "motors.on", .label = "Motors on", .help = "Starts stabilization.", .group = "Motion",
+    {.key = "motors.on", .label = "Start motors", .help = "Starts stabilization.", .group = "Motion",
      .risk = ActionRisk::Moves},
-    {.key = "motors.off", .label = "Motors off", .help = "Switches all motors off at once.", .group = "Motion"},
+    {.key = "motors.off", .label = "Stop motors", .help = "Switches all motors off at once.", .group = "Motion", .stopsMotors = true},
     {.key = "menu", .label = "Menu command", .help = "Runs a command of the board's menu.", .group = "Motion",
-     .risk = ActionRisk::Moves, .arguments = kMenuArguments, .memory = MemoryEffect::ChangesInUse},
+     .risk = ActionRisk::Moves, .arguments = kMenuArguments, .memory = MemoryEffect::ChangesInUse,
+     .entries = kMenuEntries},
     {.key = "steer", .label = "Steer", .help = "Moves the camera for a time, then gives control back.",
      .group = "Motion", .risk = ActionRisk::Moves, .arguments = kSteerArguments, .isProcedure = true,
      .units = kAngleUnits},
@@ -110,25 +138,29 @@ constexpr ActionSpec kActions[] = {
      .group = "Variables", .risk = ActionRisk::Writes, .memory = MemoryEffect::Stores},
     {.key = "calibrate.gyro", .label = "Calibrate gyroscope",
      .help = "Measures the zero of the gyroscope. The camera must stand absolutely still.", .group = "Calibration",
-     .risk = ActionRisk::Writes, .arguments = kCalibrationArguments, .isProcedure = true,
-     .units = kStillnessUnits},
+     .risk = ActionRisk::Writes, .arguments = kGyroArguments, .isProcedure = true,
+     .units = kStillnessUnits, .entries = kCalibrationEntries},
     {.key = "calibrate.acc", .label = "Calibrate accelerometer",
-     .help = "Measures the zero of the accelerometer in this position. The sensor must be level and still.",
-     .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kCalibrationArguments, .isProcedure = true,
-     .units = kStillnessUnits},
+     .help = "Measures the accelerometer in this position. The sensor must be still, and level unless it is one "
+             "of six positions: for those the motors are switched off and left off, so hold the camera.",
+     .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kAccArguments, .isProcedure = true,
+     .units = kStillnessUnits, .entries = kCalibrationEntries},
     {.key = "calibrate.battery", .label = "Calibrate voltage sensor",
      .help = "Tells the board the true battery voltage.", .group = "Calibration", .risk = ActionRisk::Writes,
-     .arguments = kBatteryArguments, .capability = "battery"},
+     .arguments = kBatteryArguments, .capability = "battery", .units = kBatteryUnits},
     {.key = "calibrate.offset", .label = "Calibrate follow offset",
      .help = "Takes the present position as the neutral point of following.", .group = "Calibration",
      .risk = ActionRisk::Writes, .isProcedure = true},
     {.key = "autotune", .label = "Auto-tune PID", .help = "The board searches gains by moving the camera.",
      .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kAutoTuneArguments, .isProcedure = true,
-     .units = kTuningUnits},
-    {.key = "reset", .label = "Restart board", .help = "Restarts the controller; motors go off meanwhile.",
-     .group = "Board", .risk = ActionRisk::Moves, .arguments = kResetArguments},
+     .memory = MemoryEffect::ChangesInUse, .units = kTuningUnits},
+    {.key = "autotune.stop", .label = "Stop auto-tune",
+     .help = "Ends a search of gains that may still be going on, and proves it.", .group = "Calibration"},
+    {.key = "reset", .label = "Restart board", .help = "Restarts the controller; motors go off, and may start by themselves afterwards.",
+     .group = "Board", .risk = ActionRisk::Moves, .arguments = kResetArguments, .units = kResetUnits,
+     .letsGo = true},
     {.key = "defaults", .label = "Factory defaults", .help = "Overwrites a profile, or everything, with defaults.",
-     .group = "Board", .risk = ActionRisk::Destroys, .arguments = kDefaultsArguments},
+     .group = "Board", .risk = ActionRisk::Destroys, .arguments = kDefaultsArguments, .letsGo = true},
 };
 // clang-format on
 

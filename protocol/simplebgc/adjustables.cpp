@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/simplebgc/adjustables.h"
 
+#include "protocol/simplebgc/device.h"
+
 #include <algorithm>
+
+using namespace Qt::StringLiterals;
 
 namespace simplebgc {
 
@@ -71,9 +75,9 @@ constexpr AdjustableSpec kAdjustables[] = {
     {58, "follow_range.pitch", "Follow range, pitch", "Follow mode", Axis::Pitch, 0, 255, 2689},
     {59, "follow_range.yaw", "Follow range, yaw", "Follow mode", Axis::Yaw, 0, 255, 2689},
     {60, "auto_pid_target", "Auto PID target", "PID", Axis::None, 0, 255, 2689},
-    {61, "rc_mode.roll", "RC mode, roll", "Remote control", Axis::Roll, 0, 255, 2693},
-    {62, "rc_mode.pitch", "RC mode, pitch", "Remote control", Axis::Pitch, 0, 255, 2693},
-    {63, "rc_mode.yaw", "RC mode, yaw", "Remote control", Axis::Yaw, 0, 255, 2693},
+    {61, "rc_mode.roll", "RC mode, roll", "Remote control", Axis::Roll, 0, 9, 2693},
+    {62, "rc_mode.pitch", "RC mode, pitch", "Remote control", Axis::Pitch, 0, 9, 2693},
+    {63, "rc_mode.yaw", "RC mode, yaw", "Remote control", Axis::Yaw, 0, 9, 2693},
     {64, "euler_order", "Euler order", "Inertial sensors", Axis::None, 0, 255, 2693},
     {65, "follow_inner_deadband", "Follow inner dead band", "Follow mode", Axis::None, 0, 255, 2704},
     {66, "rc_limit.roll.lower", "RC limit, roll, lower", "Remote control", Axis::Roll, -3600, 3600, 2720},
@@ -134,6 +138,60 @@ std::span<const AdjustableSpec> adjustablesOf(int firmware)
     const auto end = std::find_if(std::begin(kAdjustables), std::end(kAdjustables),
                                   [firmware](const AdjustableSpec &spec) { return spec.since > firmware; });
     return {std::begin(kAdjustables), end};
+}
+
+namespace {
+
+/// Variables that are a whole word of parameters, with several of them in it.
+constexpr std::pair<int, const char *> kWords[]
+    = {{61, "rc.roll.mode"}, {62, "rc.pitch.mode"}, {63, "rc.yaw.mode"}, {64, "imu.euler_order"}};
+
+Result<void> refused(const QString &key, const QString &value, const QString &allowed)
+{
+    return failure(ErrorCode::OutOfRange, u"%1 = %2, allowed %3"_s.arg(key, value, allowed));
+}
+
+// Each of its parts has to be one that an operator may set.
+Result<void> checkWord(const ParameterSet &parameters, const ParameterSpec &word, double value)
+{
+    const auto bits = static_cast<quint32>(static_cast<qint64>(value));
+    quint32 known = 0;
+    for (const ParameterSpec &part : parameters.all()) {
+        if (part.row->block != word.row->block || part.offset != word.offset || !part.row->bitCount)
+            continue;
+        const quint32 mask = (1U << part.row->bitCount) - 1;
+        const quint32 raw = (bits >> part.row->bitShift) & mask;
+        if (!part.row->state)
+            known |= mask << part.row->bitShift;
+        if (!part.row->state && !part.accepts(raw))
+            return refused(part.key, part.format(raw), part.allowedText());
+    }
+    if (bits & ~known)
+        return refused(word.key, plainNumber(value), u"no bits without a meaning"_s);
+    return {};
+}
+
+}  // namespace
+
+// The board checks nothing. Of variables that no table has, only the board knows what they may be.
+Result<void> Device::checkAdjustable(const AdjustableValue &wanted) const
+{
+    for (const AdjustableSpec &spec : adjustables()) {
+        if (spec.id == wanted.id && !(wanted.value >= spec.min && wanted.value <= spec.max))
+            return refused(QLatin1String(spec.key), plainNumber(wanted.value),
+                           u"%1 to %2"_s.arg(spec.min).arg(spec.max));
+    }
+    for (const auto &[id, key] : kWords) {
+        const ParameterSpec *word = m_parameters->find(QLatin1String(key));
+        if (id == wanted.id && word)
+            return checkWord(*m_parameters, *word, wanted.value);
+    }
+    for (const ParameterSpec &spec : m_parameters->all()) {
+        const double raw = wanted.value / spec.row->adjustableScale;
+        if (spec.adjustable == wanted.id && spec.row->kind != ValueKind::Number && !spec.accepts(raw))
+            return refused(spec.key, spec.format(raw), spec.allowedText());
+    }
+    return {};
 }
 
 }  // namespace simplebgc

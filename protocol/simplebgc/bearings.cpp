@@ -3,6 +3,9 @@
 #include "protocol/base/axis.h"
 #include "protocol/configuration/configuration.h"
 #include "protocol/simplebgc/device.h"
+#include "protocol/simplebgc/telemetrytables.h"
+
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -15,7 +18,7 @@ constexpr int kFollowsFlightController = 1;
 
 std::optional<double> settingOf(const Configuration &active, const QString &key)
 {
-    const ParameterSpec *spec = active.parameters().find(key);
+    const ParameterSpec *spec = active.parameterSet() ? active.parameters().find(key) : nullptr;
     const auto raw = spec ? active.raw(*spec, active.activeProfile()) : std::nullopt;
     return raw ? std::optional(spec->toDisplay(*raw)) : std::nullopt;
 }
@@ -29,7 +32,7 @@ std::optional<double> thresholdOf(const Configuration &active, const QString &ke
 
 }  // namespace
 
-AxisBearing Device::bearing(Axis axis, const Configuration &active, const Latest &) const
+AxisBearing Device::bearing(Axis axis, const Configuration &active, const Latest &latest) const
 {
     const QString name = QLatin1String(axisKey(axis));
     AxisBearing bearing;
@@ -43,6 +46,9 @@ AxisBearing Device::bearing(Axis axis, const Configuration &active, const Latest
         bearing.follows = *rate != 0.0;
     else if (rate && mode)
         bearing.follows = int(*mode) == kFollowsFlightController ? *rate != 0.0 : *mode != 0.0;
+    if (const double running = latest(MotorsRunning); !std::isnan(running))
+        bearing.isDriven
+            = running != 0.0 && settingOf(active, u"motor.%1.output"_s.arg(name)).value_or(1.0) != 0.0;
     return bearing;
 }
 

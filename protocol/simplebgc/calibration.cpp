@@ -1,12 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calibrations and the board's automatic tuning: actions that take long and report their progress.
+#include "protocol/analysis/accelerometer.h"
+#include "protocol/base/linkloss.h"
+#include "protocol/session/carryout.h"
 #include "protocol/simplebgc/actions.h"
+#include "protocol/simplebgc/parametertables.h"
 #include "protocol/simplebgc/telemetrytables.h"
 #include "protocol/simplebgc/units.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace Qt::StringLiterals;
 
@@ -17,9 +22,21 @@ namespace {
 constexpr auto kCalibrationLimit = 20s;  // errata 7: gyro about 4 s, accelerometer a few seconds
 constexpr auto kSimpleFormWait = 8s;  // the simple form may never confirm its end
 constexpr auto kSettleAfterCalibration = 1500ms;
+// A measurement takes seconds; what is confirmed before is its start, heard again.
+constexpr auto kShortestMeasurement = 1500ms;
+constexpr auto kReportOnItsWay = 300ms;
+constexpr auto kNoMoreReports = 2s;
+constexpr int kBlindStops = 3;  // nobody hears whether one of them arrives
+constexpr auto kVoltageTaken = 2s;
+constexpr double kSameVoltage = 0.3;  // it falls and rises with what the motors take
+constexpr std::size_t kVoltageOffset = 55;  // of REALTIME_DATA_3 (errata 3.8)
 constexpr auto kAutoPidSilence = 15s;  // progress comes every 0.5-1 s
 constexpr auto kAutoPidLimit = 10min;
 constexpr int kStillnessSamples = 25;
+constexpr double kStillNoise = 2.0;  // deg/s, standard deviation of the shakiest axis
+constexpr int kAutoPidSize = 19;
+constexpr int kMeasuring = 1;  // kind of calibration: measures this position
+constexpr int kTemperature = 3;
 
 // Whether the board speaks of this command: it confirms it, or gives it up.
 bool isAbout(const FrameView &frame, CommandId id)
@@ -61,21 +78,37 @@ Result<ActionReply> Actions::calibrate(CommandId id, const QVariantMap &argument
     const auto before = measureStillness();
     if (!before)
         return tl::unexpected(before.error());
+    const bool byHand = arguments.value(u"six"_s).toBool();
+    const bool measures = arguments.value(u"action"_s, 1).toInt() == kMeasuring;
+    if (const auto still = measures ? checkStill(id, *before) : Result<void>(); !still)
+        return tl::unexpected(still.error());
+    if (const auto off = byHand ? stopMotors() : Result<void>(); !off)
+        return tl::unexpected(off.error());
+    if (measures && id == CommandId::CalibAcc && !byHand && before->motorsRun && !before->isUpright) {
+        return failure(
+            ErrorCode::ConditionUnmet,
+            u"the sensor does not lie level and the motors are running; six=on switches them off"_s);
+    }
 
     // Both confirmations are collected from before the command is sent (errata 7: at reception and at the
     // end).
     const auto confirmations = m_channel.listen([id](const FrameView &frame) { return isAbout(frame, id); });
+    const TimePoint started = m_channel.now();
+    m_channel.expectSilence(kBusyCalibrating);
     const auto accepted = m_channel.transact(confirmRequest(id, payload, Device::kVersion));
-    if (!accepted && !(simple && accepted.error().code == ErrorCode::Timeout))
+    // Perhaps only the answer was lost: nothing stops a calibration, so its end is awaited.
+    if (!accepted && accepted.error().code != ErrorCode::Timeout)
         return tl::unexpected(accepted.error());
 
-    const TimePoint started = m_channel.now();
-    const auto limit = simple ? kSimpleFormWait : kCalibrationLimit;
+    const auto limit = simple || !accepted ? kSimpleFormWait : kCalibrationLimit;
+    const int kind = arguments.value(u"action"_s, 1).toInt();
+    const auto shortest
+        = simple || kind == kMeasuring || kind == kTemperature ? kShortestMeasurement : milliseconds(0);
     bool finished = false;
     while (!finished && m_channel.now() - started < limit) {
         const auto end = checked(confirmations->next(200ms), id);
         if (end) {
-            finished = true;
+            finished = m_channel.now() - started >= shortest;
         } else if (end.error().code != ErrorCode::Timeout) {
             return tl::unexpected(end.error());
         }
@@ -83,10 +116,26 @@ Result<ActionReply> Actions::calibrate(CommandId id, const QVariantMap &argument
         progress.done = std::min(95, int(seconds(m_channel.now() - started) / 4.5 * 90.0));
         m_channel.progress(progress);
     }
-    if (!finished && !simple)
-        return failure(ErrorCode::Timeout, u"%1: the end was not confirmed"_s.arg(commandName(number(id))));
+    if (!finished && !simple) {
+        // Motors that were off start by themselves only after a restart.
+        const bool wereOff = byHand || !before->motorsRun;
+        const bool isMeasurement = kind == kMeasuring || kind == kTemperature;  // others end with one
+        if (wereOff && isMeasurement && m_device.areMotorsOn(m_channel) == true)
+            return failure(
+                ErrorCode::Restarted,
+                u"%1: it was not confirmed, and motors that were off run now"_s.arg(commandName(number(id))));
+        return failure(
+            ErrorCode::Timeout,
+            (accepted
+                 ? u"%1: the end was not confirmed"_s
+                 : u"%1: neither start nor end was confirmed; nobody can tell whether the board calibrated"_s)
+                .arg(commandName(number(id))));
+    }
 
-    // The board takes control of the camera again; what counts is its attitude afterwards.
+    // The sensor is turned over next, so what the board does by itself at the end does not count.
+    if (const auto off = byHand ? stopMotors() : Result<void>(); !off)
+        return tl::unexpected(off.error());
+    // Otherwise the board takes control of the camera again; what counts is its attitude afterwards.
     if (const auto slept = m_channel.sleep(kSettleAfterCalibration); !slept)
         return tl::unexpected(slept.error());
     const auto after = measureStillness();
@@ -99,7 +148,24 @@ Result<ActionReply> Actions::calibrate(CommandId id, const QVariantMap &argument
     reply.insert(u"gyro.noise"_s, after->gyroNoise);
     reply.insert(u"acc.error.before"_s, before->accError);
     reply.insert(u"acc.error.after"_s, after->accError);
+    if (byHand && before->motorsRun)
+        reply.insert(u"motors_switched_off"_s, true);  // whoever holds the camera starts them again
     return reply;
+}
+
+Result<void> Actions::checkStill(CommandId id, const Stillness &stillness)
+{
+    if (stillness.gyroNoise > kStillNoise) {
+        return failure(ErrorCode::ConditionUnmet,
+                       u"the sensor moves (%1 °/s): let it lie still"_s.arg(stillness.gyroNoise, 0, 'f', 1));
+    }
+    if (id != CommandId::CalibAcc || isGravity(stillness.acc, 1.0))
+        return {};
+    return failure(
+        ErrorCode::ConditionUnmet,
+        u"the sensor measures %1 g instead of 1 g, which none at rest does: something moves it, it is "
+        "defective, or an earlier calibration is wrong, which action=reset-all removes"_s.arg(
+            std::hypot(stillness.acc[0], stillness.acc[1], stillness.acc[2]), 0, 'f', 2));
 }
 
 Result<Actions::Stillness> Actions::measureStillness()
@@ -108,30 +174,48 @@ Result<Actions::Stillness> Actions::measureStillness()
     std::array<double, 3> sum{};
     std::array<double, 3> squares{};
     double gravity = 0;
+    double upright = 0;
+    Stillness stillness;
+    std::array<double, 6> first{};
+    bool isFrozen = true;
     for (int sample = 0; sample < kStillnessSamples; ++sample) {
         const auto frame = m_channel.transact(replyRequest(
             CommandId::RealtimeData3, {}, CommandId::RealtimeData3, kRealtime3Size, Device::kVersion));
         if (!frame)
             return tl::unexpected(frame.error());
+        if (isBlind(*frame))
+            return failure(ErrorCode::ConditionUnmet, u"the board does not see its motion sensor"_s);
+        std::array<double, 6> sensed{};
+        stillness.motorsRun = Device::areMotorsRunning(*frame).value_or(true);
         std::array<double, 3> acc{};
         for (const WireField &field : realtimeFields()) {
             const double value = double(readField(field, asBytes(frame->payload)));
             if (field.channel >= GyroRoll && field.channel <= GyroYaw) {
                 const auto axis = std::size_t(field.channel - GyroRoll);
+                sensed[axis] = value;
                 sum[axis] += value;
                 squares[axis] += value * value;
             } else if (field.channel >= AccX && field.channel <= AccZ) {
-                acc[std::size_t(field.channel - AccX)] = value;
+                const auto axis = std::size_t(field.channel - AccX);
+                sensed[3 + axis] = acc[axis] = value;
+                stillness.acc[axis] += value / kStillnessSamples;
             }
         }
+        if (sample == 0)
+            first = sensed;
+        isFrozen = isFrozen && sensed == first;
         // Relative to the face that points up, so that all six positions count alike.
         const auto up = std::max_element(acc.begin(), acc.end(),
                                          [](double a, double b) { return std::abs(a) < std::abs(b); });
+        upright += up == &acc[2] && *up > 0 ? 1 : -1;
         *up -= std::copysign(1.0, *up);
         gravity += std::hypot(acc[0], acc[1], acc[2]);
     }
-    Stillness stillness;
+    // Sensors have noise: the same numbers again and again are none that were measured.
+    if (isFrozen)
+        return failure(ErrorCode::NoSamples, u"the board repeats the same figures: they are not measured"_s);
     double variance = 0;
+    stillness.isUpright = upright > 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double mean = sum[axis] / kStillnessSamples;
         stillness.gyroBias = std::max(stillness.gyroBias, std::abs(mean));
@@ -145,7 +229,22 @@ Result<Actions::Stillness> Actions::measureStillness()
 Result<ActionReply> Actions::calibrateBattery(const QVariantMap &arguments)
 {
     const int centivolts = int(std::lround(arguments.value(u"voltage"_s).toDouble() * 100.0));
-    return confirm(CommandId::CalibBat, ByteWriter().u16(centivolts).take());
+    const auto confirmed = confirm(CommandId::CalibBat, ByteWriter().u16(centivolts).take());
+    if (!confirmed)
+        return confirmed;
+    double measured = std::numeric_limits<double>::quiet_NaN();
+    const auto isTaken
+        = holdsWithin(m_channel, Device::statusRequest(), kVoltageTaken, [&](const Frame &status) {
+              ByteReader reader(status.payload);
+              reader.skip(kVoltageOffset);
+              measured = reader.u16() * 0.01;
+              return reader.ok() && std::abs(measured - centivolts / 100.0) < kSameVoltage;
+          });
+    if (!isTaken)
+        return tl::unexpected(isTaken.error());
+    if (!*isTaken)
+        return failure(ErrorCode::NoEffect, u"it measures %1 V"_s.arg(measured, 0, 'f', 2));
+    return ActionReply{{u"voltage"_s, measured}};
 }
 
 Result<ActionReply> Actions::calibrateOffset(const QVariantMap &)
@@ -156,6 +255,100 @@ Result<ActionReply> Actions::calibrateOffset(const QVariantMap &)
     if (!reply)
         return tl::unexpected(reply.error());
     return ActionReply{};
+}
+
+Request Actions::stopSearchRequest()
+{
+    Request request
+        = confirmRequest(CommandId::AutoPid, ByteWriter().zeros(kAutoPidSize).take(), Device::kVersion);
+    request.idempotent = true;
+    request.retries = 2;
+    return request;
+}
+
+// What proves it is that no report comes any more from a board that answers. Errors: NoEffect, those of the
+// channel.
+Result<ActionReply> Actions::stopAutoTune(const QVariantMap &)
+{
+    const auto confirmed = m_channel.transact(stopSearchRequest());
+    if (!confirmed && confirmed.error().code != ErrorCode::Timeout)
+        return tl::unexpected(confirmed.error());
+    if (const auto slept = m_channel.sleep(kReportOnItsWay); !slept)
+        return tl::unexpected(slept.error());
+    const auto reports
+        = m_channel.listen([](const FrameView &frame) { return frame.id == number(CommandId::AutoPid); });
+    const auto more = reports->next(kNoMoreReports);
+    if (more)
+        return failure(ErrorCode::NoEffect, u"AUTO_PID: told to stop, the board goes on"_s);
+    if (more.error().code != ErrorCode::Timeout)
+        return tl::unexpected(more.error());
+    if (const auto status = m_channel.transact(Device::statusRequest()); !status)
+        return tl::unexpected(status.error());
+    return ActionReply{};
+}
+
+// A search may be going on although its start was not confirmed, or nothing more was heard of it: it is
+// stopped, and what that showed is told.
+Error Actions::afterSearch(Error error)
+{
+    if (error.code != ErrorCode::Timeout) {
+        for (int i = 0; i < kBlindStops; ++i)
+            m_channel.post(stopSearchRequest());
+        return error;
+    }
+    const auto stopped = stopAutoTune({});
+    error.detail += stopped
+        ? u": the board was told to stop searching, and reports no search any more"_s
+        : u": the board may be searching; it was told to stop, without proof (%1): switch the motors off"_s
+              .arg(stopped.error().detail);
+    return error;
+}
+
+// Gains that nobody chose are no result.
+Error Actions::afterSearch(const Error &error, const std::vector<AdjustableValue> &before)
+{
+    Error ended = afterSearch(error);
+    if (isLinkLoss(error))
+        return ended;
+    if (error.code == ErrorCode::Cancelled) {
+        for (const Request &request : Device::adjustableRequests(before))
+            m_channel.post(request);
+        return ended;
+    }
+    if (const auto back = m_device.putAdjustables(m_channel, before); !back)
+        ended.detail += u"; the gains from before could not be put back (%1)"_s.arg(back.error().detail);
+    return ended;
+}
+
+Result<std::vector<AdjustableValue>> Actions::searchedValues()
+{
+    QList<int> ids;
+    for (int axis = 0; axis < int(kAxisCount); ++axis) {
+        for (const QString &key : {u"pid.%1.p"_s, u"pid.%1.i"_s, u"pid.%1.d"_s, u"filter.%1.lpf"_s}) {
+            const ParameterSpec *spec = m_device.m_parameters->find(key.arg(axisName(axis)));
+            if (spec && spec->adjustable >= 0)
+                ids.append(spec->adjustable);
+        }
+    }
+    return m_device.readAdjustables(m_channel, ids);
+}
+
+// "p.roll" and its like, as the progress of a search names them.
+Result<QMap<QString, double>> Actions::gainsInUse(int profile)
+{
+    const auto bytes = m_device.readBlock(m_channel, {profile, Params3});
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    QMap<QString, double> gains;
+    for (int axis = 0; axis < int(kAxisCount); ++axis) {
+        for (const QString &gain : {u"p"_s, u"i"_s, u"d"_s}) {
+            const ParameterSpec *spec = m_device.m_parameters->find(u"pid.%1.%2"_s.arg(axisName(axis), gain));
+            const auto raw = spec ? spec->read(*bytes) : std::nullopt;
+            if (raw)
+                gains.insert(gain + u'.' + axisName(axis), gain == u"i"_s ? *raw * 0.01 : *raw);
+        }
+    }
+    return gains;
 }
 
 Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
@@ -171,28 +364,28 @@ Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
         flags |= AutoPidKeepCurrent;
     if (arguments.value(u"lpf"_s).toBool())
         flags |= AutoPidTuneLpf;
-    int profile = arguments.value(u"profile"_s).toInt() - 1;
-    if (profile < 0) {
-        const auto active = m_device.activeProfile(m_channel);
-        if (!active)
-            return tl::unexpected(active.error());
-        profile = *active;
-    }
-    const auto payload = [profile, &arguments](int configFlags) {
-        return ByteWriter()
-            .u8(profile)
-            .u8(configFlags)
-            .u8(arguments.value(u"gain"_s).toInt())
-            .zeros(16)
-            .take();
-    };
+    const auto active = m_device.activeProfile(m_channel);
+    if (!active)
+        return tl::unexpected(active.error());
+    const int wanted = arguments.value(u"profile"_s).toInt() - 1;
+    const int profile = wanted < 0 ? *active : wanted;
+    const QByteArray payload
+        = ByteWriter().u8(profile).u8(flags).u8(arguments.value(u"gain"_s).toInt()).zeros(16).take();
+    if (const auto sees = needSensor(); !sees)
+        return tl::unexpected(sees.error());
+    const auto before = gainsInUse(profile);
+    if (!before)
+        return tl::unexpected(before.error());
+    // Of another profile they are not in use, and those of this one are no way back to it.
+    const auto old = profile == *active ? searchedValues() : std::vector<AdjustableValue>();
+    if (!old)
+        return tl::unexpected(old.error());
     const auto reports = m_channel.listen([](const FrameView &frame) {
         return frame.id == number(CommandId::AutoPid) || isAbout(frame, CommandId::AutoPid);
     });
-    const auto accepted
-        = m_channel.transact(confirmRequest(CommandId::AutoPid, payload(flags), Device::kVersion));
+    const auto accepted = m_channel.transact(confirmRequest(CommandId::AutoPid, payload, Device::kVersion));
     if (!accepted)
-        return tl::unexpected(accepted.error());
+        return tl::unexpected(afterSearch(accepted.error(), *old));
 
     AutoPidProgress last;
     Progress progress;
@@ -200,10 +393,10 @@ Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
     const TimePoint started = m_channel.now();
     for (;;) {
         const auto report = checked(reports->next(kAutoPidSilence), CommandId::AutoPid);
+        // However the wait ends, the board must not go on shaking the camera.
         if (!report || m_channel.now() - started > kAutoPidLimit) {
-            // However the wait ends, the board must not go on shaking the camera.
-            m_channel.post(confirmRequest(CommandId::AutoPid, payload(0), Device::kVersion));
-            return tl::unexpected(report ? Error{ErrorCode::Timeout, u"AUTO_PID"_s, 0} : report.error());
+            return tl::unexpected(
+                afterSearch(report ? Error{ErrorCode::Timeout, u"AUTO_PID"_s, 0} : report.error(), *old));
         }
         if (report->id != number(CommandId::AutoPid))
             break;
@@ -220,6 +413,25 @@ Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
             progress.values[u"error."_s + axisName(axis)] = double(last.trackingError[axis]);
         }
         m_channel.progress(progress);
+    }
+    // What it reported is what it tried; what it uses now is the result.
+    const auto after = gainsInUse(profile);
+    if (!after) {
+        Error error = after.error();
+        error.detail += u": the search has ended; which gains are in use could not be read"_s;
+        return tl::unexpected(error);
+    }
+    for (auto it = after->begin(); it != after->end(); ++it) {
+        const bool isFound = !progress.values.contains(it.key()) || progress.values[it.key()] == it.value();
+        if (!isFound && *before == *after) {
+            return failure(
+                ErrorCode::NoEffect,
+                u"AUTO_PID: the board says that the search has ended, with %1=%2, and still uses %3"_s
+                    .arg(it.key())
+                    .arg(progress.values[it.key()])
+                    .arg(it.value()));
+        }
+        progress.values[it.key()] = it.value();
     }
     if (arguments.value(u"save"_s).toBool()) {
         const auto saved = saveVariables({});

@@ -40,6 +40,23 @@ inline constexpr Choice kMenuActions[] = {
 };
 // clang-format on
 
+/// What becomes of the board's permanent memory; the others of kMenuActions only move something, or change
+/// what is in use. A calibration goes on after the board has confirmed the entry, and nothing tells its end.
+struct MenuEffect
+{
+    int action;
+    bool destroys = false;
+    bool goesOn = false;
+};
+// clang-format off
+inline constexpr MenuEffect kMenuEffects[] = {
+    {4}, {5}, {6, false, true}, {8}, {9, false, true}, {13}, {16, false, true}, {19, false, true},
+    {20, false, true}, {21, false, true}, {33, false, true}, {34}, {45, false, true}, {48, true}, {49, true},
+    {50, true}, {51, true}, {52, true}, {53, true}, {54}, {55}, {56}, {61, false, true}, {62},
+    {64, false, true}, {68, false, true}, {70}, {74},
+};
+// clang-format on
+
 namespace detail {
 
 // 0 none, 1-5 PWM inputs, 33-35 analog, 65-95 RC serial channels, 129-159 API channels, 161-166 step signals

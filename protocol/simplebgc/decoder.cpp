@@ -5,6 +5,8 @@
 #include "protocol/simplebgc/framer.h"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace simplebgc {
 
@@ -24,6 +26,24 @@ bool isDocumented(quint32 flags)
     for (const CustomField &field : customFields())
         flags &= ~(1U << field.bit);
     return flags == 0;
+}
+
+// A stream as fast as the control loop sends several frames with the same millisecond.
+constexpr double kSameStamp = 0.005;  // seconds
+constexpr unsigned kNoSensor = 1;  // of SYSTEM_ERROR
+
+bool isWithin(int channel, int first, int last)
+{
+    return channel >= first && channel <= last;
+}
+
+// What comes from the motion sensor.
+bool isSensed(int channel)
+{
+    return isWithin(channel, ImuRoll, ImuYaw) || isWithin(channel, GyroRoll, AccZ)
+        || isWithin(channel, GravityError, HeadingError) || isWithin(channel, Z1X, H1Z)
+        || isWithin(channel, ImuRadRoll, Imu20Yaw) || isWithin(channel, ImuQuatW, ImuQuatZ)
+        || channel == ImuTemperature;
 }
 
 bool isStatus(int id)
@@ -104,10 +124,47 @@ void Decoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store
         && frame.payload.size() != std::size_t(customSize(flow->customFlags));
     if (flow != m_flows.end() && !isOther && !flow->fields.empty()
         && frame.payload.size() >= std::size_t(flow->payloadSize)) {
+        if (flow->period == 0)
+            m_polls.answered(store);
+        if (isFrozen(*flow, frame.payload)) {
+            store.noteRepeat(at);
+            return;
+        }
         // The first frame after a silence may have been one of another stream.
         const bool quiet = flow->heard && *flow->heard < m_silenceEnd;
         take(*flow, frame, at, store, quiet ? m_silence : 0.0);
         flow->heard = at;
+    }
+}
+
+// A board that sends the same sample again has none.
+bool Decoder::isFrozen(Flow &flow, Bytes payload) const
+{
+    if (!flow.customFlags)
+        return false;
+    const QByteArray now = toByteArray(payload);
+    if (now != std::exchange(flow.payload, now)) {
+        flow.repeats = 0;
+        return false;
+    }
+    return ++flow.repeats * flow.period >= kSameStamp;
+}
+
+// Zeros of a sensor that is not there are no values.
+void Decoder::dropUnmeasured(const Flow &flow)
+{
+    for (std::size_t i = 0; i < flow.fields.size(); ++i) {
+        const int channel = flow.fields[i].channel;
+        if (channel == SystemError)
+            m_isBlind = unsigned(m_values[i]) & kNoSensor;
+        m_hasFrameSensor |= isWithin(channel, FrameRoll, FrameYaw) && m_values[i] != 0.0F;
+        m_hasMagnetometer |= isWithin(channel, MagRoll, MagYaw) && m_values[i] != 0.0F;
+    }
+    for (std::size_t i = 0; i < flow.fields.size(); ++i) {
+        const int channel = flow.fields[i].channel;
+        if ((m_isBlind && isSensed(channel)) || (!m_hasFrameSensor && isWithin(channel, FrameRoll, FrameYaw))
+            || (!m_hasMagnetometer && isWithin(channel, MagRoll, MagYaw)))
+            m_values[i] = std::numeric_limits<float>::quiet_NaN();
     }
 }
 
@@ -140,16 +197,24 @@ void Decoder::take(Flow &flow, const FrameView &frame, TimePoint at, TelemetrySt
                                 + durationFromSeconds(std::max(flow.lastTime, time - flow.period)));
     }
     flow.lastTime = time;
+    if (flow.customFlags)
+        store.noteStamp(at);
     m_values.resize(flow.fields.size());
     for (std::size_t i = 0; i < flow.fields.size(); ++i)
         m_values[i] = readField(flow.fields[i], frame.payload);
+    dropUnmeasured(flow);
     store.append(*flow.group, store.origin() + durationFromSeconds(time), m_values);
 }
 
-void Decoder::sent(QByteArrayView bytes)
+void Decoder::sent(QByteArrayView bytes, TelemetryStore &store)
 {
     Framer framer;
-    framer.feed(asBytes(bytes), [this](const FrameView &frame) {
+    framer.feed(asBytes(bytes), [this, &store](const FrameView &frame) {
+        // Beside streams it is a question of its own, whose answer no view waits for.
+        const bool isPolled = !m_flows.empty()
+            && std::all_of(m_flows.begin(), m_flows.end(), [](const Flow &flow) { return flow.period == 0; });
+        if (isPolled && isStatus(frame.id))
+            m_polls.asked(store);
         if (frame.id != number(CommandId::DataStreamInterval))
             return;
         if (const auto stream = DataStream::decode(frame.payload))

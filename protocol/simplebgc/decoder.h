@@ -5,6 +5,7 @@
 #include "protocol/simplebgc/payloads.h"
 #include "protocol/simplebgc/streamwatch.h"
 #include "protocol/simplebgc/telemetrytables.h"
+#include "protocol/telemetry/pollcount.h"
 #include "protocol/telemetry/streams.h"
 
 namespace simplebgc {
@@ -22,7 +23,7 @@ class Decoder final : public TelemetryDecoder
 public:
     void expect(const DataStream &stream);
     void decode(const FrameView &frame, TimePoint at, TelemetryStore &store) override;
-    void sent(QByteArrayView bytes) override;
+    void sent(QByteArrayView bytes, TelemetryStore &store) override;
 
 private:
     struct Flow
@@ -37,13 +38,21 @@ private:
         StreamWatch watch{0};
         double lastTime = 0;
         std::optional<TimePoint> heard;
+        QByteArray payload;  // the newest one, of a stream with time stamps
+        int repeats = 0;  // of it
     };
     void addFlow(int id, double period, quint32 customFlags);
     void shareFields();
+    [[nodiscard]] bool isFrozen(Flow &flow, Bytes payload) const;
+    void dropUnmeasured(const Flow &flow);
     void take(Flow &flow, const FrameView &frame, TimePoint at, TelemetryStore &store, double silence);
 
     std::vector<Flow> m_flows;  // fastest first
     std::vector<float> m_values;
+    PollCount m_polls;
+    bool m_isBlind = false;  // the board does not see its motion sensor
+    bool m_hasFrameSensor = false;  // it has sent something else than zeros
+    bool m_hasMagnetometer = false;
     std::optional<TimePoint> m_heard;  // any frame at all
     double m_silence = 0;  // length in seconds of the last time that nothing at all arrived
     TimePoint m_silenceEnd{};

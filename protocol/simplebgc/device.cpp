@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/simplebgc/device.h"
 
-#include "protocol/session/carryout.h"
+#include "protocol/base/linkloss.h"
 #include "protocol/session/channel.h"
 #include "protocol/session/stopplan.h"
 #include "protocol/simplebgc/actiontable.h"
@@ -28,7 +28,6 @@ constexpr auto kProfileSwitch = 2000ms;
 constexpr int kPauseBetweenLooks = 50;
 constexpr int kActiveProfileOffset = 59;  // of REALTIME_DATA_3
 constexpr int kMotorFlagOffset = 57;  // of REALTIME_DATA_3: bit 0, the motors run
-constexpr auto kMotorsStart = 2s;
 constexpr int kLiveRetries = 1;
 
 struct BlockCommands
@@ -90,6 +89,19 @@ QList<LineSettings> lineCandidates()
 // After so many questions in a row without an answer, the board is silent, not a part of it missing.
 constexpr int kSilentParts = 2;
 constexpr int kRetries = 2;
+constexpr auto kBeforeAskingAgain = 100ms;
+
+// "Operation failed" and "temporarily impossible" (errata 3.18): the next answer may be another one.
+bool isPassing(const Error &error)
+{
+    return error.code == ErrorCode::BoardError && (error.boardCode == 10 || error.boardCode == 11);
+}
+
+// Nothing was learnt about what was asked for.
+bool isUnanswered(const Error &error)
+{
+    return error.code == ErrorCode::Timeout || isPassing(error);
+}
 
 // Errors after which the other parts are still worth asking for.
 bool isPartial(const Error &error)
@@ -108,18 +120,36 @@ Device::Device()
 
 Device::~Device() = default;
 
-Result<bool> Device::probe(Channel &channel)
+Request Device::probeRequest()
 {
     Request request = replyRequest(CommandId::BoardInfo, {}, CommandId::BoardInfo, 18, kVersion);
     request.timeout = kProbeTimeout;
-    request.retries = 1;
+    request.repeated = true;
+    return request;
+}
+
+Result<bool> Device::probe(Channel &channel)
+{
+    Request request = probeRequest();
+    request.retries = 0;
+    const LinkObservation before = channel.observation();
     // A board that detects parity by itself may use up the first frame for it.
-    const auto reply = channel.transact(request);
-    if (reply)
-        return true;
-    if (reply.error().code == ErrorCode::Timeout || reply.error().code == ErrorCode::BoardError)
-        return false;
-    return tl::unexpected(reply.error());
+    for (int tries = 0; tries < 2; ++tries) {
+        const auto reply = channel.transact(request);
+        if (reply) {
+            const auto info = BoardInfo::decode(asBytes(reply->payload));
+            m_probed = info ? std::optional(*info) : std::nullopt;
+            return true;
+        }
+        if (reply.error().code != ErrorCode::Timeout && reply.error().code != ErrorCode::BoardError)
+            return tl::unexpected(reply.error());
+        // Whoever answers otherwise is another family's board, and is not asked again.
+        const LinkObservation now = channel.observation();
+        if (reply.error().code == ErrorCode::BoardError
+            || (now.bytesIn != before.bytesIn && now.framing.frames == before.framing.frames))
+            break;
+    }
+    return false;
 }
 
 Result<BoardIdentity> Device::identify(Channel &channel)
@@ -132,9 +162,13 @@ Result<BoardIdentity> Device::identify(Channel &channel)
     if (!info)
         return tl::unexpected(info.error());
 
+    const auto probed = std::exchange(m_probed, std::nullopt);
+    if (probed && (probed->modelText() != info->modelText() || probed->firmware != info->firmware))
+        return tl::unexpected(otherIdentity(*info, probed->modelText(), probed->firmwareText()));
+
     BoardIdentity identity;
     identity.family = u"simplebgc"_s;
-    identity.model = u"SimpleBGC %1.%2"_s.arg(info->boardVersion / 10).arg(info->boardVersion % 10);
+    identity.model = info->modelText();
     identity.firmware = info->firmwareText();
     identity.firmwareNumber = info->firmware;
     identity.capabilities = capabilitiesOf(*info);
@@ -150,7 +184,7 @@ Result<BoardIdentity> Device::identify(Channel &channel)
     identity.extra.insert(u"unnumbered"_s, true);
     const auto more
         = channel.transact(replyRequest(CommandId::BoardInfo3, {}, CommandId::BoardInfo3, 69, kVersion));
-    if (!more && (more.error().code == ErrorCode::Cancelled || more.error().code == ErrorCode::LinkClosed))
+    if (!more && (isLinkLoss(more.error()) || more.error().code == ErrorCode::Cancelled))
         return tl::unexpected(more.error());
     if (more) {
         if (const auto info3 = BoardInfo3::decode(asBytes(more->payload))) {
@@ -204,7 +238,7 @@ Result<Configuration> Device::readConfiguration(Channel &channel)
         channel.progress(progress);
         // A block that was silent in the profile before is not repeated at once.
         auto bytes = askBlock(channel, key, wasSilent[std::size_t(key.block)] ? 0 : kRetries);
-        wasSilent[std::size_t(key.block)] = !bytes && bytes.error().code == ErrorCode::Timeout;
+        wasSilent[std::size_t(key.block)] = !bytes && isUnanswered(bytes.error());
         if (bytes) {
             silent = 0;
             configuration.setBlock(key, std::move(*bytes));
@@ -230,7 +264,7 @@ Result<Configuration> Device::readConfiguration(Channel &channel)
         }
     }
     auto names = readProfileNames(channel);
-    if (!names && names.error().code == ErrorCode::Timeout)
+    if (!names && isUnanswered(names.error()))
         names = readProfileNames(channel);
     if (names)
         configuration.setProfileNames(*names);
@@ -244,7 +278,7 @@ Result<Configuration> Device::readConfiguration(Channel &channel)
     wasSilent = {};
     const std::vector<MissingPart> lost = configuration.missing();
     for (const MissingPart &part : lost) {
-        if (part.key.block < 0 || part.why.code == ErrorCode::BoardError)
+        if (part.key.block < 0 || (part.why.code == ErrorCode::BoardError && !isPassing(part.why)))
             continue;
         if (silent == kSilentParts)
             break;
@@ -278,6 +312,11 @@ Result<QByteArray> Device::askBlock(Channel &channel, BlockKey key, int retries)
                        });
     request.retries = retries;
     auto reply = channel.transact(request);
+    for (int tries = 0; tries < retries && !reply && isPassing(reply.error()); ++tries) {
+        if (const auto slept = channel.sleep(kBeforeAskingAgain); !slept)
+            return tl::unexpected(slept.error());
+        reply = channel.transact(request);
+    }
     if (!reply)
         return tl::unexpected(reply.error());
     if (reply->payload.size() < block.size)
@@ -299,22 +338,10 @@ Result<void> Device::writeBlock(Channel &channel, BlockKey key, const QByteArray
     return {};
 }
 
-Result<void> Device::beginWrite(Channel &channel)
+int Device::profileOf(int menuCommand)
 {
-    if (m_identity.firmwareNumber < 2704)  // WRITE_PARAMS_SET came with 2.70b4 (errata 3.3)
-        return {};
-    const auto reply
-        = channel.transact(confirmRequest(CommandId::WriteParamsSet, ByteWriter().u8(1).take(), kVersion));
-    return reply ? Result<void>() : tl::unexpected(reply.error());
-}
-
-Result<void> Device::endWrite(Channel &channel)
-{
-    if (m_identity.firmwareNumber < 2704)
-        return {};
-    const auto reply
-        = channel.transact(confirmRequest(CommandId::WriteParamsSet, ByteWriter().u8(0).take(), kVersion));
-    return reply ? Result<void>() : tl::unexpected(reply.error());
+    const auto it = std::find(kProfileActions.begin(), kProfileActions.end(), menuCommand);
+    return it == kProfileActions.end() ? -1 : int(it - kProfileActions.begin());
 }
 
 Result<void> Device::selectProfile(Channel &channel, int profile)
@@ -326,16 +353,19 @@ Result<void> Device::selectProfile(Channel &channel, int profile)
     if (!reply)
         return tl::unexpected(reply.error());
     // The confirmation shows that the command was understood; telemetry shows that it was carried out.
+    int used = -1;
     for (auto waited = 0ms; waited < kProfileSwitch; waited += milliseconds(kPauseBetweenLooks)) {
         const auto active = activeProfile(channel);
         if (!active)
             return tl::unexpected(active.error());
         if (*active == profile)
             return {};
+        used = *active;
         if (const auto slept = channel.sleep(milliseconds(kPauseBetweenLooks)); !slept)
             return slept;
     }
-    return failure(ErrorCode::Timeout, u"profile %1"_s.arg(profile + 1));
+    return failure(ErrorCode::NoEffect,
+                   u"profile %1 was to be used, profile %2 still is"_s.arg(profile + 1).arg(used + 1));
 }
 
 Request Device::statusRequest()
@@ -412,12 +442,15 @@ Result<void> Device::putAdjustables(Channel &channel, const std::vector<Adjustab
     for (const AdjustableValue &value : values)
         ids.append(value.id);
     QStringList wrong;
+    Result<void> sent;
     for (int attempt = 0; attempt <= kLiveRetries; ++attempt) {
-        if (const auto sent = sendAdjustables(channel, values); !sent)
+        // Where only the answer was lost, what is in use tells.
+        sent = sendAdjustables(channel, values);
+        if (!sent && sent.error().code != ErrorCode::Timeout)
             return sent;
         const auto back = readAdjustables(channel, ids);
         if (!back)
-            return tl::unexpected(back.error());
+            return sent ? tl::unexpected(back.error()) : sent;
         wrong.clear();
         for (std::size_t i = 0; i < values.size(); ++i) {
             const double wanted = std::round(values[i].value);
@@ -435,8 +468,9 @@ Result<void> Device::putAdjustables(Channel &channel, const std::vector<Adjustab
     return failure(ErrorCode::NotInUse, wrong.join(u"; "));
 }
 
-Result<void> Device::sendAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) const
+std::vector<Request> Device::adjustableRequests(const std::vector<AdjustableValue> &values)
 {
+    std::vector<Request> requests;
     for (std::size_t first = 0; first < values.size(); first += kAdjVarsPerCommand) {
         std::vector<AdjVar> part;
         for (std::size_t i = first; i < std::min(values.size(), first + kAdjVarsPerCommand); ++i)
@@ -444,8 +478,15 @@ Result<void> Device::sendAdjustables(Channel &channel, const std::vector<Adjusta
         Request request = confirmRequest(CommandId::SetAdjVarsVal, encodeAdjVars(part), kVersion);
         request.idempotent = true;
         request.retries = 1;
-        const auto reply = channel.transact(request);
-        if (!reply)
+        requests.push_back(std::move(request));
+    }
+    return requests;
+}
+
+Result<void> Device::sendAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) const
+{
+    for (const Request &request : adjustableRequests(values)) {
+        if (const auto reply = channel.transact(request); !reply)
             return tl::unexpected(reply.error());
     }
     return {};
@@ -466,6 +507,36 @@ bool Device::announcesReset(const FrameView &frame) const
     return frame.id == number(CommandId::Reset) && frame.payload.empty();
 }
 
+// A board that announces the restart itself does so a second ahead (document CMD_RESET).
+std::optional<milliseconds> Device::ordersReset(QByteArrayView sent) const
+{
+    constexpr char kMenuReset = 7;
+    constexpr milliseconds kAnnounced = 1000ms;
+    static constexpr std::array kRestarting{2, 4, 5};  // kinds of calibration (errata 3.19)
+    std::optional<milliseconds> after;
+    Framer framer;
+    framer.feed(asBytes(sent), [&after, kAnnounced](const FrameView &frame) {
+        ByteReader reader(frame.payload);
+        if (frame.id == number(CommandId::Reset)) {
+            reader.skip(1);
+            after = frame.payload.size() >= 3 ? milliseconds(reader.u16()) : 0ms;
+        } else if (frame.id == number(CommandId::UseDefaults)
+                   || (frame.id == number(CommandId::ExecuteMenu) && reader.u8() == kMenuReset)) {
+            after = kAnnounced;
+        } else if (frame.id == number(CommandId::CalibAcc) || frame.id == number(CommandId::CalibGyro)) {
+            reader.skip(1);
+            if (std::find(kRestarting.begin(), kRestarting.end(), reader.u8()) != kRestarting.end())
+                after = kAnnounced;
+        }
+    });
+    return after;
+}
+
+Request Device::harmlessQuestion() const
+{
+    return probeRequest();
+}
+
 StopPlan Device::stopPlan() const
 {
     StopPlan plan;
@@ -475,21 +546,6 @@ StopPlan Device::stopPlan() const
         return !running ? Proof::Nothing : *running ? Proof::Refuted : Proof::Proven;
     };
     return plan;
-}
-
-Result<void> Device::switchMotorsOn(Channel &channel) const
-{
-    const auto done = channel.transact(confirmRequest(CommandId::MotorsOn, {}, kVersion));
-    if (!done)
-        return tl::unexpected(done.error());
-    const auto running = holdsWithin(channel, statusRequest(), kMotorsStart, [](const Frame &status) {
-        return areMotorsRunning(status).value_or(false);
-    });
-    if (!running)
-        return tl::unexpected(running.error());
-    if (*running)
-        return {};
-    return failure(ErrorCode::NoEffect, u"the board reports that its motors are off"_s);
 }
 
 Family family()

@@ -68,6 +68,7 @@ public:
     LiveAccess *live() override { return this; }
     [[nodiscard]] const LiveAccess *live() const override { return this; }
     [[nodiscard]] std::span<const AdjustableSpec> adjustables() const override;
+    [[nodiscard]] Result<void> checkAdjustable(const AdjustableValue &wanted) const override;
     Result<std::vector<AdjustableValue>> readAdjustables(Channel &channel, const QList<int> &ids) override;
     [[nodiscard]] QString storeAction() const override;
 
@@ -92,7 +93,10 @@ public:
 
     [[nodiscard]] const MotorSwitch *motorSwitch() const override { return this; }
     Result<void> switchMotorsOn(Channel &channel) const override;
+    Result<bool> areMotorsOn(Channel &channel) const override;
 
+    /// Which profile, from 0, an entry of the board's menu makes the active one; -1 = none.
+    [[nodiscard]] static int profileOf(int menuCommand);
     /// Asks for REALTIME_DATA_3.
     [[nodiscard]] static Request statusRequest();
     /// What the answer to it says; nothing for another frame.
@@ -120,6 +124,8 @@ public:
 
     [[nodiscard]] const RestartNotice *restartNotice() const override { return this; }
     [[nodiscard]] bool announcesReset(const FrameView &frame) const override;
+    [[nodiscard]] std::optional<milliseconds> ordersReset(QByteArrayView sent) const override;
+    [[nodiscard]] Request harmlessQuestion() const override;
 
     /// One axis of CONTROL, as the board understands it.
     struct AxisControl
@@ -139,10 +145,15 @@ private:
 
     Result<void> putAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) override;
 
+    [[nodiscard]] static std::vector<Request> adjustableRequests(const std::vector<AdjustableValue> &values);
     Result<void> sendAdjustables(Channel &channel, const std::vector<AdjustableValue> &values) const;
     Result<QByteArray> askBlock(Channel &channel, BlockKey key, int retries);
+    Result<void> checkIdentity(Channel &channel) const;
+    [[nodiscard]] static Error otherIdentity(const BoardInfo &now, const QString &model,
+                                             const QString &firmware);
     [[nodiscard]] bool canStream() const { return m_identity.firmwareNumber >= 2590; }
     [[nodiscard]] ControlCommand encodeControl(const Control &control) const;
+    [[nodiscard]] static Request probeRequest();
     Result<TelemetryPlan> startPolling(Channel &channel, std::optional<LineSettings> line);
     void stopStreams(Channel &channel);
     Result<void> endLeftovers(Channel &channel);
@@ -150,6 +161,7 @@ private:
     Result<void> setStream(Channel &channel, const DataStream &stream);
 
     static constexpr int kVersion = 1;  // frame version: never mixed on one connection (errata 1.3)
+    std::optional<BoardInfo> m_probed;  // what it said before it was identified
     BoardIdentity m_identity;
     std::shared_ptr<const ParameterSet> m_parameters;
     std::vector<SteeringMode> m_steeringModes = simplebgc::steeringModes(0);  // those that every board has

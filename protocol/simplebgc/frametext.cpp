@@ -47,8 +47,18 @@ constexpr std::pair<CommandId, ActionRisk> kRisks[] = {
 };
 // clang-format on
 
-ActionRisk riskOf(int id)
+ActionRisk riskOf(int id, const QByteArray &payload)
 {
+    if (id == number(CommandId::ExecuteMenu) && !payload.isEmpty()) {
+        const int action = std::uint8_t(payload.front());
+        for (const MenuEffect &effect : kMenuEffects) {
+            if (effect.action == action)
+                return effect.destroys ? ActionRisk::Destroys : ActionRisk::Writes;
+        }
+        const bool isKnown = std::any_of(std::begin(kMenuActions), std::end(kMenuActions),
+                                         [action](const Choice &choice) { return choice.value == action; });
+        return !isKnown ? ActionRisk::Destroys : action == 0 ? ActionRisk::Safe : ActionRisk::Moves;
+    }
     for (const auto &[command, risk] : kRisks) {
         if (number(command) == id)
             return risk;
@@ -300,7 +310,7 @@ Result<RawCommand> parseCommand(const QString &text, int version)
                            u"these bytes are not one complete frame with valid checksums"_s);
         return RawCommand{
             describeFrame({found->id, asBytes(found->payload), found->version}, false, nullptr).name, *whole,
-            riskOf(found->id)};
+            riskOf(found->id, found->payload)};
     }
     const QString name = trimmed.section(QRegularExpression(u"\\s"_s), 0, 0).toUpper();
     for (int id = 0; id < 255; ++id) {
@@ -313,7 +323,7 @@ Result<RawCommand> parseCommand(const QString &text, int version)
         if (payload->size() > 255)
             return failure(ErrorCode::InvalidArgument,
                            u"%1 payload bytes, a frame holds 255"_s.arg(payload->size()));
-        return RawCommand{name, encodeFrame(id, *payload, version), riskOf(id)};
+        return RawCommand{name, encodeFrame(id, *payload, version), riskOf(id, *payload)};
     }
     return failure(ErrorCode::InvalidArgument, u"there is no command '%1'"_s.arg(name));
 }

@@ -11,6 +11,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <set>
 
 using namespace Qt::StringLiterals;
 
@@ -20,7 +21,9 @@ namespace {
 
 constexpr auto kListen = 120ms;  // the status of this program comes every 100 ms
 constexpr auto kLook = 30ms;
+constexpr auto kStill = 480ms;  // several frames of the slowest that a slow line carries
 constexpr auto kPatience = 6s;
+constexpr Duration kDrain = 4s;  // a busy computer has a backlog of its own
 constexpr std::size_t kMaxTries = 600;  // configurations of one size
 constexpr std::size_t kTriesPerLook = 8;
 constexpr int kFrames = 4;  // that a look would have seen
@@ -94,15 +97,24 @@ Result<bool> stop(Channel &channel, Listener &listener, const SentKind &kind, do
         const bool last = i + 1 == all.size() || silent > 1 || channel.now() > until;
         if (!last && (i + 1) % kTriesPerLook != 0)
             continue;
-        const auto heard = listener.hear(look);
-        if (!heard)
-            return tl::unexpected(heard.error());
-        if (!heard->contains(kind))
-            return true;
+        // A slow line goes on for a while with what the board had queued before it obeyed.
+        const TimePoint drained = channel.now() + (last ? kDrain : Duration(0));
+        do {
+            const auto heard = listener.hear(look);
+            if (!heard)
+                return tl::unexpected(heard.error());
+            if (!heard->contains(kind))
+                return true;
+        } while (channel.now() < drained);
         if (last)
             break;
     }
     return false;
+}
+
+double rateHeard(int frames)
+{
+    return frames * 1000.0 / double(kStill.count());
 }
 
 }  // namespace
@@ -151,19 +163,33 @@ Result<std::vector<LeftoverStream>> stopLeftoverStreams(Channel &channel, const 
         return tl::unexpected(heard.error());
     if (heard->empty())
         return std::vector<LeftoverStream>{};
-    const auto rateOf = [](int frames) { return frames * 1000.0 / double(kListen.count()); };
     const TimePoint until = channel.now() + kPatience;
-    for (const auto &[kind, frames] : *heard) {
-        const auto stopped = stop(channel, listener, kind, rateOf(frames), speech, until);
-        if (!stopped)
-            return tl::unexpected(stopped.error());
-    }
-    heard = listener.hear(kListen);
-    if (!heard)
-        return tl::unexpected(heard.error());
+    TimePoint drained;
+    std::set<SentKind> tried;
+    do {
+        // What had gathered while nobody read came at once: kinds and rates are seen behind it.
+        const auto next = listener.hear(kStill);
+        if (!next)
+            return tl::unexpected(next.error());
+        for (const auto &[kind, frames] : *next)
+            heard->insert({kind, frames});
+        for (const auto &[kind, frames] : *heard) {
+            if (!tried.insert(kind).second)
+                continue;
+            const auto again = next->find(kind);
+            const auto stopped = stop(channel, listener, kind,
+                                      rateHeard(again == next->end() ? 1 : again->second), speech, until);
+            if (!stopped)
+                return tl::unexpected(stopped.error());
+            drained = channel.now() + kDrain;
+        }
+        heard = listener.hear(kStill);
+        if (!heard)
+            return tl::unexpected(heard.error());
+    } while (!heard->empty() && channel.now() < drained);
     std::vector<LeftoverStream> left;
     for (const auto &[kind, frames] : *heard)
-        left.push_back({kind.first, kind.second, rateOf(frames)});
+        left.push_back({kind.first, kind.second, rateHeard(frames)});
     return left;
 }
 

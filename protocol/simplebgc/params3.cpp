@@ -100,7 +100,7 @@ constexpr ParameterRow kParams3Rows[] = {
      .level = ViewLevel::Basic, .scope = Scope::Board, .risk = Risk::Red},
     {.key = "motor.%a.poles", .label = "Poles", .group = "Motors",
      .help = "Number of magnet poles of the motor. If it is wrong, gains are off by the same factor and steps are lost.",
-     .block = Params3, .offset = 6, .axes = 3, .axisStride = 6, .defaults = {14, 14, 14},
+     .block = Params3, .offset = 6, .axes = 3, .axisStride = 6, .min = 0, .max = 254, .step = 2, .defaults = {14, 14, 14},
      .level = ViewLevel::Basic, .scope = Scope::Board, .risk = Risk::Red},
     {.key = "motion.acc_limit_all", .label = "Acceleration limit, all axes", .group = "Motion",
      .help = "Limits how fast commanded motion speeds up; 0 = no limit. Replaced by the limit per axis.",

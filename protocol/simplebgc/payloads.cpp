@@ -61,6 +61,11 @@ QByteArray BoardInfo::encode() const
     return writer.take();
 }
 
+QString BoardInfo::modelText() const
+{
+    return u"SimpleBGC %1.%2"_s.arg(boardVersion / 10).arg(boardVersion % 10);
+}
+
 QString BoardInfo::firmwareText() const
 {
     const QString text = u"%1.%2"_s.arg(firmware / 1000).arg(firmware % 1000 / 10, 2, 10, QChar(u'0'));

@@ -27,6 +27,8 @@ struct BoardInfo
 
     static Result<BoardInfo> decode(Bytes payload);
     [[nodiscard]] QByteArray encode() const;
+    /// "SimpleBGC 3.0".
+    [[nodiscard]] QString modelText() const;
     /// "2.59b0"; from 2.73 on the last digit is a release: "2.73.8".
     [[nodiscard]] QString firmwareText() const;
     friend bool operator==(const BoardInfo &, const BoardInfo &) = default;

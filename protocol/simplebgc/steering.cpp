@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/base/bytes.h"
 #include "protocol/base/latestvalues.h"
+#include "protocol/session/carryout.h"
 #include "protocol/session/controlstream.h"
 #include "protocol/simplebgc/commands.h"
 #include "protocol/simplebgc/device.h"
@@ -10,11 +12,15 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
+
+using namespace Qt::StringLiterals;
 
 namespace simplebgc {
 
 namespace {
 
+constexpr auto kMotorsStart = 2s;
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFullRc = 500.0;  // of mode RC, in either direction from the middle
 constexpr double kFullFineRc = 16384.0;
@@ -77,6 +83,36 @@ double holdingValue(int mode, std::size_t axis, const LatestValues &latest)
     }
 }
 
+// In the mode SPEED an axis goes on turning until the next CONTROL, and its target with it: two answers with
+// the same targets prove that the stop has arrived. So do motors that are off.
+constexpr double kStandstill = 1.5 * kDegreesPerCount;
+constexpr auto kStillTimeout = 1s;
+constexpr int kTargetOffset = 44;  // of REALTIME_DATA_3
+
+std::function<Proof(const Frame &)> standstill(const Device::Control &steered)
+{
+    return [steered, before = std::optional<std::array<double, kAxisCount>>()](const Frame &frame) mutable {
+        const auto running = Device::areMotorsRunning(frame);
+        if (!running)
+            return Proof::Nothing;
+        if (!*running)
+            return Proof::Proven;
+        ByteReader reader(QByteArrayView(frame.payload).sliced(kTargetOffset));
+        std::array<double, kAxisCount> targets{};
+        for (double &target : targets)
+            target = reader.i16() * kDegreesPerCount;
+        const auto last = std::exchange(before, targets);
+        if (!last)
+            return Proof::Nothing;
+        for (std::size_t axis = 0; axis < targets.size(); ++axis) {
+            const bool isOurs = steered[axis].mode != NoControl && steered[axis].mode != Ignore;
+            if (isOurs && std::abs(targets[axis] - (*last)[axis]) > kStandstill)
+                return Proof::Refuted;
+        }
+        return Proof::Proven;
+    };
+}
+
 }  // namespace
 
 std::vector<SteeringMode> steeringModes(int firmware)
@@ -130,9 +166,15 @@ ControlFrames Device::controlFrames(const Control &control) const
         if (axis.mode != NoControl && axis.mode != Ignore)
             axis = {Speed, 0.0, 0.0};
     }
+    ControlFrames frames;
+    frames.setpoint = frame(control);
+    frames.stop = frame(still);
     // Document, notes on CONTROL: mode NO_CONTROL with all data zero returns control to RC.
-    return {frame(control), frame(still),
-            encodeFrame(number(CommandId::Control), QByteArray(13, '\0'), kVersion)};
+    frames.release = encodeFrame(number(CommandId::Control), QByteArray(13, '\0'), kVersion);
+    frames.question = statusRequest();
+    frames.question->timeout = kStillTimeout;
+    frames.fromAnswer = standstill(control);
+    return frames;
 }
 
 ControlFrames Device::controlFrames(const SteeringSetpoint &setpoint) const
@@ -147,6 +189,31 @@ ControlFrames Device::controlFrames(const SteeringSetpoint &setpoint) const
                                                : AxisControl{setpoint.mode, speed, value};
     }
     return controlFrames(control);
+}
+
+Result<void> Device::switchMotorsOn(Channel &channel) const
+{
+    channel.allowMotors();
+    const auto done = channel.transact(confirmRequest(CommandId::MotorsOn, {}, kVersion));
+    if (!done)
+        return tl::unexpected(done.error());
+    const auto running = holdsWithin(channel, statusRequest(), kMotorsStart, [](const Frame &status) {
+        return areMotorsRunning(status).value_or(false);
+    });
+    if (!running)
+        return tl::unexpected(running.error());
+    if (*running)
+        return {};
+    return failure(ErrorCode::NoEffect, u"the board reports that its motors are off"_s);
+}
+
+Result<bool> Device::areMotorsOn(Channel &channel) const
+{
+    const auto status = channel.transact(statusRequest());
+    if (!status)
+        return tl::unexpected(status.error());
+    const auto running = areMotorsRunning(*status);
+    return running ? Result<bool>(*running) : failure(ErrorCode::BadReply, u"REALTIME_DATA_3"_s);
 }
 
 }  // namespace simplebgc

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storm32/actions.h"
 
-#include "protocol/session/carryout.h"
+#include "protocol/base/angles.h"
 #include "protocol/storm32/look.h"
 #include "protocol/storm32/parametertables.h"
 #include "protocol/storm32/procedures.h"
 #include "protocol/storm32/telemetrytables.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -17,8 +19,18 @@ namespace storm32 {
 namespace {
 
 constexpr auto kSettling = 1500ms;
+constexpr auto kUntilStart = 3s;
+constexpr int kAutoDirection = 2;  // of a motor's direction
+constexpr auto kLongestTurn = 30s;
+constexpr auto kRestingFor = 2s;  // no nearer to where it was steered
+constexpr auto kLookEvery = 100ms;
+constexpr double kArrived = 3.0;  // degrees
+constexpr double kNearer = 1.0;
 constexpr int kMinPulse = 700;  // µs (document, CMD_SETPITCH)
 constexpr int kMaxPulse = 2300;
+// Bits of the status (errata 3.8).
+constexpr unsigned kCameraImuThere = 0x8000;
+constexpr unsigned kFrameImuThere = 0x1000;
 
 // clang-format off
 constexpr Choice kPanModeChoices[] = {{0, "as set"}, {1, "hold hold pan"}, {2, "hold hold hold"}, {3, "pan pan pan"}, {4, "pan hold hold"},
@@ -53,44 +65,45 @@ constexpr ArgumentSpec kRate[] = {{.key = "rate", .label = "Rate", .kind = Argum
 constexpr ArgumentSpec kWord[] = {{.key = "word", .label = "Number of the word", .min = 0, .max = 124}};
 
 constexpr ReplyUnit kStatusUnits[] = {{"voltage", "V"}};
+constexpr ReplyUnit kPlaceUnits[] = {{"pitch", "°"}, {"roll", "°"}, {"yaw", "°"}};
 constexpr ReplyUnit kSensorUnits[] = {{"temperature", "°C"}};
 
 constexpr ActionSpec kActions[] = {
     {.key = "status", .label = "Read status", .help = "State, status bits, bus errors and voltage.", .group = "Read", .units = kStatusUnits},
     {.key = "calibration.read", .label = "Read calibration", .help = "Zeros and scales of both sensors.", .group = "Read"},
     {.key = "sensors.raw", .label = "Read raw sensors", .help = "Counts of both sensors before calibration.", .group = "Read", .units = kSensorUnits},
-    {.key = "motors.on", .label = "Motors on", .help = "Leaves standby.", .group = "Motion", .risk = ActionRisk::Moves},
-    {.key = "motors.off", .label = "Motors off", .help = "Standby: all motors are without current.", .group = "Motion"},
+    {.key = "motors.on", .label = "Start motors", .help = "Leaves standby.", .group = "Motion", .risk = ActionRisk::Moves},
+    {.key = "motors.off", .label = "Stop motors", .help = "Standby: all motors are without current.", .group = "Motion", .stopsMotors = true},
     {.key = "angle", .label = "Set angles", .help = "Turns the camera to these angles; down, right and left are positive.",
-     .group = "Motion", .risk = ActionRisk::Moves, .arguments = kAngles},
+     .group = "Motion", .risk = ActionRisk::Moves, .arguments = kAngles, .units = kPlaceUnits},
     {.key = "sticks", .label = "Set stick positions", .help = "Steers like a receiver would: 700 to 2300 µs, 0 for the middle. An axis without a value stays as it is.", .group = "Motion",
-     .risk = ActionRisk::Moves, .arguments = kPulses},
-    {.key = "recenter", .label = "Re-center", .help = "Brings the camera back to its middle.", .group = "Motion", .risk = ActionRisk::Moves, .whileSteering = true},
+     .risk = ActionRisk::Moves, .arguments = kPulses, .isShown = false},
+    {.key = "recenter", .label = "Re-center", .help = "Brings the camera back to its middle.", .group = "Motion", .risk = ActionRisk::Moves, .whileSteering = true, .isShown = false},
     {.key = "pan.mode", .label = "Pan mode", .help = "Which axes follow the handle, until it is changed back.", .group = "Motion",
-     .risk = ActionRisk::Moves, .arguments = kPanMode, .whileSteering = true},
+     .risk = ActionRisk::Moves, .arguments = kPanMode, .whileSteering = true, .isShown = false},
     {.key = "pan.setting", .label = "Pan mode setting", .help = "One of the four that are set up.", .group = "Motion",
-     .risk = ActionRisk::Moves, .arguments = kPanSetting, .whileSteering = true},
+     .risk = ActionRisk::Moves, .arguments = kPanSetting, .whileSteering = true, .isShown = false},
     {.key = "standby", .label = "Standby", .help = "Switches standby on or off.", .group = "Motion", .risk = ActionRisk::Moves,
      .arguments = kStandby, .whileSteering = true},
-    {.key = "level", .label = "Level", .help = "Levels the gimbal anew.", .group = "Motion", .risk = ActionRisk::Moves},
+    {.key = "level", .label = "Level", .help = "Levels the gimbal anew.", .group = "Motion", .risk = ActionRisk::Moves, .isShown = false},
     {.key = "camera", .label = "Release the camera", .help = "By infrared, as the camera model is set.", .group = "Functions",
-     .arguments = kShot, .whileSteering = true},
+     .arguments = kShot, .whileSteering = true, .isShown = false},
     {.key = "script", .label = "Run a script", .help = "Chooses the case that a script runs.", .group = "Functions",
-     .risk = ActionRisk::Moves, .arguments = kScript, .whileSteering = true},
+     .risk = ActionRisk::Moves, .arguments = kScript, .whileSteering = true, .isShown = false},
     {.key = "pwm", .label = "PWM output", .help = "Sets the servo output.", .group = "Functions", .risk = ActionRisk::Moves,
-     .arguments = kPwm, .whileSteering = true},
+     .arguments = kPwm, .whileSteering = true, .isShown = false},
     {.key = "trim", .label = "Take RC trims", .help = "Takes the sticks' present positions as their middle; in RAM.", .group = "Setup",
-     .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
+     .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse, .isShown = false},
     {.key = "directions.take", .label = "Take motor directions", .help = "Copies the directions that were found into the parameters; in RAM.",
      .group = "Setup", .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
     {.key = "start.take", .label = "Take start positions, pitch and roll", .help = "Copies where the motors stand now; in RAM.",
-     .group = "Setup", .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
+     .group = "Setup", .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse, .isShown = false},
     {.key = "start.take_yaw", .label = "Take start position, yaw", .help = "Copies where the motor stands now; in RAM.", .group = "Setup",
-     .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
+     .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse, .isShown = false},
     {.key = "name", .label = "Name the board", .help = "Up to 16 letters; stored at once.", .group = "Setup", .risk = ActionRisk::Writes,
      .arguments = kName},
     {.key = "rate", .label = "Set the serial rate", .help = "Stored at once; takes effect when the board is switched on again.",
-     .group = "Setup", .risk = ActionRisk::Writes, .arguments = kRate},
+     .group = "Setup", .risk = ActionRisk::Writes, .arguments = kRate, .isShown = false},
     {.key = "heartbeat.off", .label = "Switch the heartbeat off",
      .help = "Plain commands work again on this port at once. In RAM; store it to keep it.", .group = "Setup", .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
     {.key = "store", .label = "Store", .help = "Stores all values in use, scripts included.", .group = "Memory", .risk = ActionRisk::Writes, .memory = MemoryEffect::Stores},
@@ -101,12 +114,12 @@ constexpr ActionSpec kActions[] = {
     {.key = "defaults", .label = "Factory defaults", .help = "Puts the defaults into use; stored values stay until you store.",
      .group = "Memory", .risk = ActionRisk::Destroys, .memory = MemoryEffect::ChangesInUse},
     {.key = "erase", .label = "Erase the memory", .help = "The next start begins with defaults. Values in use stay until then.",
-     .group = "Memory", .risk = ActionRisk::Destroys},
-    {.key = "restart", .label = "Restart", .help = "Restarts the controller with the stored values; motors go off meanwhile.",
-     .group = "Board", .risk = ActionRisk::Moves, .memory = MemoryEffect::Reloads},
-    {.key = "reset", .label = "Hardware reset", .help = "Like switching off and on.", .group = "Board", .risk = ActionRisk::Moves, .memory = MemoryEffect::Reloads},
+     .group = "Memory", .risk = ActionRisk::Destroys, .memory = MemoryEffect::Erases, .isShown = false},
+    {.key = "restart", .label = "Restart", .help = "Restarts the controller with the stored values; motors go off, then start by themselves.",
+     .group = "Board", .risk = ActionRisk::Moves, .memory = MemoryEffect::Reloads, .letsGo = true},
+    {.key = "reset", .label = "Hardware reset", .help = "Like switching off and on: motors go off, then start by themselves.", .group = "Board", .risk = ActionRisk::Moves, .memory = MemoryEffect::Reloads, .letsGo = true},
     {.key = "motors.normal", .label = "Use all motors, restart", .help = "Sets all motors to normal use and restarts: the motors start.", .group = "Board",
-     .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse},
+     .risk = ActionRisk::Writes, .memory = MemoryEffect::ChangesInUse, .letsGo = true},
 };
 // clang-format on
 
@@ -141,6 +154,98 @@ Result<ActionReply> Actions::rc(Rc id, const QVariantMap &values)
     if (!reply)
         return tl::unexpected(reply.error());
     return ActionReply{};
+}
+
+Result<Actions::Place> Actions::place()
+{
+    constexpr std::size_t kFirstAngle = 16;  // words of the live data (errata 3.5)
+    constexpr std::size_t kFirstInput = 22;
+    constexpr std::array<unsigned, 3> kPans{kPanBits[1], kPanBits[0], kPanBits[2]};
+    const auto reply = m_channel.transact(m_device.rc(Rc::GetData, QByteArray(1, '\0')));
+    if (!reply)
+        return tl::unexpected(reply.error());
+    ByteReader reader(QByteArrayView(reply->payload).sliced(2));
+    std::array<int, kFirstInput + 3> words{};
+    for (int &word : words)
+        word = reader.i16();
+    if (!reader.ok())
+        return failure(ErrorCode::BadReply, u"GETDATA: %1 bytes"_s.arg(reply->payload.size()));
+    const unsigned pans = unsigned(words[2]) | m_device.m_history->shifted;
+    const bool sees = unsigned(words[1]) & kCameraImuThere;
+    Place place;
+    place.state = words[0];
+    place.motorsRun = (words[2] & kMotorBits) != 0;
+    for (std::size_t i = 0; i < kPans.size(); ++i) {
+        place.angles[i] = words[kFirstAngle + i] * 0.01;
+        place.isPlain[i] = sees && !(pans & kPans[i]) && std::abs(words[kFirstInput + i]) <= kStickRest;
+    }
+    return place;
+}
+
+// The board acknowledges every angle, and tells where the camera is but not its target.
+Result<ActionReply> Actions::angle(const QVariantMap &arguments)
+{
+    static constexpr std::array kOrder{"pitch", "roll", "yaw"};
+    const auto before = place();
+    if (!before)
+        return tl::unexpected(before.error());
+    const bool works = m_device.isStabilising(before->state);
+    if (isStandby(before->state, m_device.m_firmware) || (works && !before->motorsRun))
+        return failure(ErrorCode::ConditionUnmet, u"the motors are off, so nothing would move"_s);
+    const bool isLimited = arguments.value(u"limited"_s, true).toBool();
+    QVariantMap values{{u"flags"_s, isLimited ? 7 : 0}};
+    std::array<double, 3> wanted{};
+    std::array<double, 3> near{};  // of a small turn, half is not there
+    for (std::size_t i = 0; i < kOrder.size(); ++i) {
+        wanted[i] = arguments.value(QLatin1String(kOrder[i])).toDouble();
+        near[i] = std::clamp(turnBetween(wanted[i], before->angles[i]) / 2, kNearer, kArrived);
+        values.insert(QLatin1String(kOrder[i]), float(wanted[i]));
+    }
+    if (const auto sent = rc(Rc::SetAngle, values); !sent)
+        return sent;
+    if (!works)  // it goes there when it has started
+        return ActionReply{{u"confirmed"_s, false},
+                           {u"state"_s, stateName(before->state, m_device.m_firmware)}};
+    const TimePoint until = m_channel.now() + kLongestTurn;
+    // What comes no nearer does not get there; a camera that something holds moves with the hand.
+    std::array<double, 3> nearest{360.0, 360.0, 360.0};
+    TimePoint nearerAt = m_channel.now();
+    for (;;) {
+        const auto now = place();
+        if (!now)
+            return tl::unexpected(now.error());
+        ActionReply reply;
+        QStringList away;
+        for (std::size_t i = 0; i < kOrder.size(); ++i) {
+            const QString axis = QLatin1String(kOrder[i]);
+            if (!now->isPlain[i] && wanted[i] != 0.0)
+                reply.insert(u"confirmed"_s, false);  // it counts from where nobody knows
+            if (!now->isPlain[i])
+                continue;
+            reply.insert(axis, now->angles[i]);
+            const double distance = turnBetween(wanted[i], now->angles[i]);
+            if (distance < nearest[i] - kNearer) {
+                nearest[i] = distance;
+                nearerAt = m_channel.now();
+            }
+            if (distance > near[i])
+                away.append(u"%1: target %2°, camera at %3°"_s.arg(axis)
+                                .arg(wanted[i], 0, 'f', 1)
+                                .arg(now->angles[i], 0, 'f', 1));
+        }
+        if (away.isEmpty())
+            return reply;
+        if (m_channel.now() >= until || m_channel.now() - nearerAt > kRestingFor) {
+            return failure(ErrorCode::NotSeen,
+                           u"the camera did not get where it was steered to, %1%2"_s.arg(
+                               away.join(u"; "_s),
+                               isLimited
+                                   ? u"; the limits of the sticks may hold it back, which limited=off lifts"_s
+                                   : QString()));
+        }
+        if (const auto slept = m_channel.sleep(kLookEvery); !slept)
+            return tl::unexpected(slept.error());
+    }
 }
 
 // The board acknowledges pulses that it ignores (document, CMD_SETPITCH), so they are checked here. An axis
@@ -234,16 +339,26 @@ Result<ActionReply> Actions::rawSensors()
     const auto reply = m_channel.transact(m_device.simple(Simple::RawSensors));
     if (!reply)
         return tl::unexpected(reply.error());
+    const auto status = m_channel.transact(m_device.simple(Simple::Status));
+    if (!status)
+        return tl::unexpected(status.error());
+    const unsigned present = ByteReader(QByteArrayView(status->payload).sliced(2)).u16();
     ByteReader reader(reply->payload);
     ActionReply words;
-    for (const char *imu : {"imu", "imu2"}) {
+    for (const auto &[imu, bit] :
+         {std::pair(u"imu"_s, kCameraImuThere), std::pair(u"imu2"_s, kFrameImuThere)}) {
+        ActionReply own;
         for (const char *kind : {"acc", "gyro"}) {
             for (const char *axis : {"x", "y", "z"})
-                words.insert(u"%1.%2.%3"_s.arg(QLatin1String(imu), QLatin1String(kind), QLatin1String(axis)),
-                             int(reader.i16()));
+                own.insert(u"%1.%2.%3"_s.arg(imu, QLatin1String(kind), QLatin1String(axis)),
+                           int(reader.i16()));
         }
-        words.insert(u"%1.temperature"_s.arg(QLatin1String(imu)),
-                     reader.i16() / 340.0 + 36.53);  // errata 3.9
+        own.insert(imu + u".temperature"_s, reader.i16() / 340.0 + 36.53);  // errata 3.9
+        // What stands there for a sensor that is not there was not measured.
+        if (present & bit)
+            words.insert(own);
+        else
+            words.insert(imu, u"missing"_s);
     }
     return words;
 }
@@ -261,9 +376,6 @@ Result<ActionReply> Actions::perform(const QString &key, const QVariantMap &argu
 {
     const auto number
         = [&arguments](const char *name) { return arguments.value(QString::fromLatin1(name)).toInt(); };
-    const auto real = [&arguments](const char *name) {
-        return float(arguments.value(QString::fromLatin1(name)).toDouble());
-    };
     const auto on
         = [&arguments](const char *name) { return arguments.value(QString::fromLatin1(name)).toBool(); };
     if (key == u"status"_s)
@@ -273,16 +385,11 @@ Result<ActionReply> Actions::perform(const QString &key, const QVariantMap &argu
     if (key == u"sensors.raw"_s)
         return rawSensors();
     if (key == u"motors.off"_s || (key == u"standby"_s && on("on")))
-        return carryOut(m_channel, m_device.stopPlan()).map([] { return ActionReply{}; });
+        return m_device.stopMotors(m_channel).map([] { return ActionReply{}; });
     if (key == u"motors.on"_s || key == u"standby"_s)
         return m_device.switchMotorsOn(m_channel).map([] { return ActionReply{}; });
-    if (key == u"angle"_s) {
-        return rc(Rc::SetAngle,
-                  {{u"pitch"_s, real("pitch")},
-                   {u"roll"_s, real("roll")},
-                   {u"yaw"_s, real("yaw")},
-                   {u"flags"_s, on("limited") ? 7 : 0}});
-    }
+    if (key == u"angle"_s)
+        return angle(arguments);
     if (key == u"sticks"_s)
         return sticks(arguments);
     if (key == u"recenter"_s)
@@ -298,7 +405,7 @@ Result<ActionReply> Actions::perform(const QString &key, const QVariantMap &argu
     if (key == u"pwm"_s)
         return rc(Rc::SetPwmOut, {{u"pulse"_s, number("pulse")}});
     if (key == u"restore"_s)
-        return rc(Rc::RestoreParameter, {{u"index"_s, number("word")}});
+        return restoreWord(number("word"));
     if (key == u"heartbeat.off"_s)
         return setHeartbeat(0);
     if (key == u"name"_s) {
@@ -352,17 +459,99 @@ std::optional<Result<ActionReply>> Actions::performSimple(const QString &key)
     for (const Plain &plain : kPlain) {
         if (key != QLatin1String(plain.key))
             continue;
+        if (plain.id == Simple::Defaults)
+            return useDefaults();
         auto done = simple(plain.id);
         // Answered at once but carried out later (errata 3.9, 7): answers can only be trusted after that.
-        const bool late = plain.id == Simple::RcTrim || plain.id == Simple::Restart
-            || plain.id == Simple::HardReset || plain.id == Simple::NormalMotors;
-        if (done && late) {
+        const bool restarts = plain.id == Simple::Restart || plain.id == Simple::HardReset
+            || plain.id == Simple::NormalMotors;
+        if (done && (restarts || plain.id == Simple::RcTrim)) {
             if (const auto slept = m_channel.sleep(kSettling); !slept)
                 return Result<ActionReply>(tl::unexpected(slept.error()));
         }
+        if (done && restarts)
+            return hasRestarted();
+        if (done && plain.id == Simple::TakeDirections)
+            return haveDirections();
         return done;
     }
     return {};
+}
+
+// It begins in state 0, and needs some seconds to its normal state (errata 3.7).
+Result<ActionReply> Actions::hasRestarted()
+{
+    std::optional<int> state;
+    for (const TimePoint until = m_channel.now() + kUntilStart; m_channel.now() < until;) {
+        const auto now = m_device.readState(m_channel);
+        if (now && *now < kMotorsTurn)
+            return ActionReply{};
+        if (!now && now.error().code != ErrorCode::Timeout)
+            return tl::unexpected(now.error());
+        state = now ? std::optional(*now) : std::nullopt;
+        if (const auto slept = m_channel.sleep(kLookEvery); !slept)
+            return tl::unexpected(slept.error());
+    }
+    if (!state)
+        return failure(ErrorCode::Timeout, u"the board has not answered since it was told to restart"_s);
+    return failure(
+        ErrorCode::NoEffect,
+        u"the board has not restarted; its state is “%1”"_s.arg(stateName(*state, m_device.m_firmware)));
+}
+
+// Its answer says nothing: what is in use afterwards does.
+Result<ActionReply> Actions::useDefaults()
+{
+    const auto before = m_device.readStream(m_channel);
+    if (auto done = simple(Simple::Defaults); !done)
+        return done;
+    const auto after = before ? m_device.readStream(m_channel) : before;
+    if (!after)  // a board whose heartbeat it has switched off, for instance
+        return ActionReply{{u"confirmed"_s, false}};
+    const Configuration now = m_device.configurationOf(*after);
+    QStringList others;
+    for (const ParameterSpec &spec : now.parameters().all()) {
+        if (const auto raw = now.raw(spec, 0); raw && !sameValue(*raw, spec.defaultRaw))
+            others.append(spec.key);
+    }
+    if (*after == *before && !others.isEmpty())
+        return failure(
+            ErrorCode::NoEffect,
+            u"nothing has changed, and these are no defaults: %1"_s.arg(others.mid(0, 8).join(u' ')));
+    return ActionReply{};
+}
+
+Result<ActionReply> Actions::haveDirections()
+{
+    QStringList open;
+    for (const char *key : {"motor.pitch.direction", "motor.roll.direction", "motor.yaw.direction"}) {
+        const auto parameters = m_device.parameters();
+        const ParameterSpec *spec = parameters ? parameters->find(QLatin1String(key)) : nullptr;
+        if (!spec)
+            continue;
+        const auto raw = m_device.readWord(m_channel, spec->offset / 2);
+        if (!raw)
+            return tl::unexpected(raw.error());
+        if (*raw == kAutoDirection)
+            open.append(spec->key);
+    }
+    if (!open.isEmpty())
+        return failure(ErrorCode::NoEffect, u"still on auto: %1"_s.arg(open.join(u' ')));
+    return ActionReply{};
+}
+
+// Beyond the last word everything is acknowledged (errata 4).
+Result<ActionReply> Actions::restoreWord(int word)
+{
+    if (m_device.m_words > 0 && word >= m_device.m_words)
+        return failure(ErrorCode::OutOfRange,
+                       u"word=%1, allowed 0 to %2"_s.arg(word).arg(m_device.m_words - 1));
+    if (auto done = rc(Rc::RestoreParameter, {{u"index"_s, word}}); !done)
+        return done;
+    const auto raw = m_device.readWord(m_channel, word);
+    if (!raw)
+        return tl::unexpected(raw.error());
+    return ActionReply{{u"word"_s, word}, {u"value"_s, *raw}};
 }
 
 std::span<const ActionSpec> Device::actions() const

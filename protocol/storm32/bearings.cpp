@@ -20,9 +20,14 @@ constexpr unsigned followingBit(Axis axis)
     return axis == Axis::Pitch ? 0x2000U : axis == Axis::Roll ? 0x4000U : 0x8000U;
 }
 
+constexpr unsigned motorBit(Axis axis)
+{
+    return axis == Axis::Pitch ? 0x0008U : axis == Axis::Roll ? 0x0010U : 0x0020U;
+}
+
 std::optional<double> valueOf(const Configuration &active, const QString &key)
 {
-    const ParameterSpec *spec = active.parameters().find(key);
+    const ParameterSpec *spec = active.parameterSet() ? active.parameters().find(key) : nullptr;
     const auto raw = spec ? active.raw(*spec, active.activeProfile()) : std::nullopt;
     return raw ? std::optional(spec->toDisplay(*raw)) : std::nullopt;
 }
@@ -38,8 +43,12 @@ AxisBearing Device::bearing(Axis axis, const Configuration &active, const Latest
     if (low && high)
         bearing.limits = {*low, *high};
     const double status = latest(Status2);
-    if (!std::isnan(status))
+    if (!std::isnan(status)) {
         bearing.follows = (unsigned(status) & followingBit(axis)) != 0;
+        bearing.isDriven = (unsigned(status) & motorBit(axis)) != 0;
+    }
+    if (const auto input = valueOf(active, u"rc.%1.input"_s.arg(name)))
+        bearing.isRemote = *input != 0.0;
     return bearing;
 }
 

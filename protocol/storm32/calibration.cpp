@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calibration of the accelerometers (errata 9.2).
 #include "protocol/storm32/procedures.h"
+#include "protocol/storm32/telemetrytables.h"
 
 #include <cmath>
 
@@ -16,8 +17,17 @@ constexpr int kBatch = 16;  // number of readings evaluated together while waiti
 constexpr double kStillShare = 0.012;  // of 1 g: deviation of a sensor at rest, noise included
 constexpr auto kPlaceLimit = 120s;  // for one face
 constexpr double kMinVector = 100;  // counts; with less there is no sensor (errata 9.3)
+constexpr int kStillLooks = 3;  // batches before what a sensor at rest says counts
 
 }  // namespace
+
+Error Procedures::notGravity(const AccReading &acc) const
+{
+    return {ErrorCode::NotSeen,
+            u"the sensor measures %1 g instead of 1 g, which none at rest does: something moves it, or it is "
+            "defective"_s.arg(std::hypot(acc[0], acc[1], acc[2]) / oneG(), 0, 'f', 2),
+            0};
+}
 
 bool Procedures::Sensor::isPresent() const
 {
@@ -83,37 +93,60 @@ Result<Procedures::Average> Procedures::average(int imu, int readings, Progress 
     return result;
 }
 
-Result<Procedures::Average> Procedures::face(int imu, unsigned wanted, Progress &progress)
+// Between two looks somebody else can have switched them on: a receiver, a button at the board.
+Result<void> Procedures::keepMotorsOff()
+{
+    const auto now = status();
+    if (now && now->motors == 0 && isStandby(now->state, m_device.m_firmware))
+        return {};
+    m_switchedOff = m_switchedOff || (now && now->motors != 0);
+    return m_device.stopMotors(m_channel);
+}
+
+Result<Procedures::Average> Procedures::face(int imu, unsigned wanted, bool byHand, Progress &progress)
 {
     const TimePoint until = m_channel.now() + kPlaceLimit;
     int still = 0;
+    int impossible = 0;
     int last = -1;
+    std::optional<Error> why;
     while (m_channel.now() < until) {
+        if (const auto off = byHand ? keepMotorsOff() : Result<void>(); !off)
+            return tl::unexpected(off.error());
         progress.step = u"place-sensor"_s;
         auto seen = average(imu, kBatch, progress);
         if (!seen)
             return seen;
         const bool moves = seen->deviation > kStillShare * oneG();
+        const bool isPossible = isGravity(seen->acc, oneG());
         for (std::size_t axis = 0; axis < 3; ++axis)
             progress.values.insert(QLatin1String(kSensorAxes[axis]), seen->acc[axis] / oneG());
         progress.values.insert(u"deviation"_s, seen->deviation / oneG());
         progress.values.insert(u"temperature"_s, seen->temperature);
         progress.values.insert(u"face"_s, seen->face);
         progress.values.insert(u"moves"_s, moves);
+        progress.values.insert(u"impossible"_s, !moves && !isPossible);
         m_channel.progress(progress);
-        const bool good = seen->face >= 0 && !moves && wanted >> seen->face & 1U;
+        impossible = moves || isPossible ? 0 : impossible + 1;
+        why = impossible > 0 ? std::optional(notGravity(seen->acc)) : std::nullopt;
+        if (impossible > kStillLooks && !byHand)
+            break;
+        const bool good = isPossible && seen->face >= 0 && !moves && wanted >> seen->face & 1U;
         still = good && seen->face == last ? still + 1 : 0;
         last = good ? seen->face : -1;
-        if (still < 3)
+        if (still < kStillLooks)
             continue;
         progress.step = u"calibrate"_s;
         auto measured = average(imu, kReadings, progress);
         if (!measured)
             return measured;
-        if (measured->face == last && measured->deviation <= kStillShare * oneG())
+        if (measured->face == last && measured->deviation <= kStillShare * oneG()
+            && isGravity(measured->acc, oneG()))
             return measured;
         still = 0;  // it was moved: start over
     }
+    if (why)
+        return tl::unexpected(*why);
     return failure(ErrorCode::NotSeen, u"no further face lay still for %1 s"_s.arg(seconds(kPlaceLimit)));
 }
 
@@ -156,8 +189,11 @@ Result<ActionReply> Procedures::calibrate(int imu, bool six, bool store)
     unsigned missing = (1U << kAccFaces) - 1;
     AccCalibration calibration;
     double temperature = 0;
+    // Before motors are stopped for it.
+    if (const auto there = sensor(imu); !there)
+        return tl::unexpected(there.error());
     while (progress.done < progress.total) {
-        const auto measured = face(imu, missing, progress);
+        const auto measured = face(imu, missing, six, progress);
         if (!measured)
             return tl::unexpected(measured.error());
         readings[std::size_t(measured->face)] = measured->acc;
@@ -171,21 +207,29 @@ Result<ActionReply> Procedures::calibrate(int imu, bool six, bool store)
     if (six)
         calibration = sixPointCalibration(readings);
     ActionReply reply = replyOf(calibration, oneG(), temperature);
+    if (m_switchedOff)
+        reply.insert(u"motors_switched_off"_s, true);  // whoever holds the camera starts them again
     if (!store)
         return reply;
-    if (!isPlausible(calibration, oneG())) {
-        return failure(ErrorCode::OutOfRange,
-                       u"no sensor is like that: zeros %1 %2 %3, scales %4 %5 %6"_s.arg(calibration.zero[0])
-                           .arg(calibration.zero[1])
-                           .arg(calibration.zero[2])
-                           .arg(calibration.scale[0])
-                           .arg(calibration.scale[1])
-                           .arg(calibration.scale[2]));
-    }
+    if (const auto checked = checkPlausible(calibration); !checked)
+        return tl::unexpected(checked.error());
     if (const auto written = writeCalibration(imu, calibration); !written)
         return tl::unexpected(written.error());
     reply.insert(u"stored"_s, true);
     return reply;
+}
+
+Result<void> Procedures::checkPlausible(const AccCalibration &calibration) const
+{
+    if (isPlausible(calibration, oneG()))
+        return {};
+    return failure(ErrorCode::OutOfRange,
+                   u"no sensor is like that: zeros %1 %2 %3, scales %4 %5 %6"_s.arg(calibration.zero[0])
+                       .arg(calibration.zero[1])
+                       .arg(calibration.zero[2])
+                       .arg(calibration.scale[0])
+                       .arg(calibration.scale[1])
+                       .arg(calibration.scale[2]));
 }
 
 // Writes only the words of this sensor, by its selector; reads back and compares.

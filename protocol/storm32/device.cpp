@@ -149,9 +149,9 @@ Result<bool> Device::probe(Channel &channel)
         *heard = std::to_integer<int>(frame.raw[3]) << 8 | std::to_integer<int>(frame.raw[4]);
         return true;
     });
-    const auto answers = [&]() -> Result<bool> {
+    const auto answers = [&](int retries) -> Result<bool> {
         Request request = simple(Simple::Test);
-        request.retries = isEmbedded() ? 0 : 1;
+        request.retries = retries;
         const auto reply = channel.transact(request);
         if (reply)
             return true;
@@ -162,11 +162,11 @@ Result<bool> Device::probe(Channel &channel)
         return tl::unexpected(reply.error());
     };
     m_way = kPlain;
-    auto found = answers();
+    auto found = answers(1);
     if (!found || *found)
         return found;
     m_way = kDefaultAddress;
-    found = answers();
+    found = answers(0);
     if (!found || *found)
         return found;
     // Something is sending: a board does so unasked once a second.
@@ -174,9 +174,10 @@ Result<bool> Device::probe(Channel &channel)
         if (const auto beat = beats->next(kBeat); !beat && beat.error().code != ErrorCode::Timeout)
             return tl::unexpected(beat.error());
     }
-    if (const int address = *heard; address >= 0 && address != m_way) {
+    // What speaks is there: one lost frame is no reason to think otherwise.
+    if (const int address = *heard; address >= 0) {
         m_way = address;
-        found = answers();
+        found = answers(kRetries);
         if (!found || *found)
             return found;
     }
@@ -264,17 +265,19 @@ Result<int> Device::readWord(Channel &channel, int word)
 Result<void> Device::writeWord(Channel &channel, int word, int raw)
 {
     const int wanted = raw & 0xFFFF;
+    const bool isAddress = word == kSystemWord || word == kSystemWord + 1;
     int found = -1;
     for (int attempt = 0; attempt <= kRetries; ++attempt) {
         const auto reply = channel.transact(rc(Rc::SetParameter, ByteWriter().u16(word).u16(wanted).take()));
-        if (!reply)
+        // Where only the answer was lost, what is in use tells.
+        if (!reply && (isAddress || reply.error().code != ErrorCode::Timeout))
             return tl::unexpected(reply.error());
         learnAddressWord(word, wanted);
         if (const auto way = word == kHeartbeatWord ? findWay(channel, raw) : Result<void>(); !way)
             return way;
         const auto back = readWord(channel, word);
         if (!back)
-            return tl::unexpected(back.error());
+            return tl::unexpected(reply ? back.error() : reply.error());
         if (*back == wanted)
             return {};
         found = *back;
@@ -465,15 +468,17 @@ std::optional<ConnectOffer> Device::connectOffer() const
 
 namespace {
 
-// MAVLink frames are recognised by their structure: two of them in succession.
+// MAVLink frames are recognised by their structure: two in succession of one sender. Noise has all the rest.
 bool looksLikeMavlink(const QByteArray &bytes)
 {
     for (qsizetype i = 0; i + 8 < bytes.size(); ++i) {
         const auto at = [&](qsizetype k) { return static_cast<unsigned char>(bytes[k]); };
         if (at(i) != 0xFE && at(i) != 0xFD)
             continue;
+        const qsizetype sender = at(i) == 0xFE ? 3 : 5;
         const qsizetype next = i + (at(i) == 0xFE ? 8 : 12) + at(i + 1);
-        if (next < bytes.size() && at(next) == at(i))
+        if (next + sender + 1 < bytes.size() && at(next) == at(i) && at(next + sender) == at(i + sender)
+            && at(next + sender + 1) == at(i + sender + 1))
             return true;
     }
     return false;

@@ -30,7 +30,8 @@ class Device final : public ::Device,
                      public FrameInspector,
                      public FaultWords,
                      public Bearings,
-                     public StatusWords
+                     public StatusWords,
+                     public RestartNotice
 {
 public:
     Device();
@@ -65,10 +66,13 @@ public:
     [[nodiscard]] QString storeAction() const override;
     /// Its word: all of them can be set in RAM (errata 4, number 4).
     [[nodiscard]] int variableOf(const ParameterSpec &spec) const override;
+    [[nodiscard]] Result<void> checkAdjustable(const AdjustableValue &wanted) const override;
 
     WholeMemory *wholeMemory() override { return this; }
     [[nodiscard]] const WholeMemory *wholeMemory() const override { return this; }
     Result<Contents> readBoth(Channel &channel) override;
+    [[nodiscard]] std::optional<Configuration> lastStored() const override { return m_lastStored; }
+    Result<void> checkUse(Channel &channel, const Configuration &whole) override;
     Result<void> use(Channel &channel, const Configuration &whole) override;
     [[nodiscard]] QMap<QString, QString> movedBy(const Configuration &inUse) const override;
 
@@ -78,6 +82,7 @@ public:
     [[nodiscard]] SteeringSetpoint holdingSetpoint(int mode, const LatestValues &latest,
                                                    SteeredBefore steeredBefore) const override;
     [[nodiscard]] ControlFrames controlFrames(const SteeringSetpoint &setpoint) const override;
+    [[nodiscard]] std::array<double, kAxisCount> levelAngles(const LatestValues &latest) const override;
 
     [[nodiscard]] const MotorSwitch *motorSwitch() const override { return this; }
     Result<void> switchMotorsOn(Channel &channel) const override;
@@ -103,8 +108,15 @@ public:
     [[nodiscard]] std::vector<BoardFact> facts(const std::function<double(int)> &latest) const override;
     [[nodiscard]] QString statusText(int state) const override;
     [[nodiscard]] bool isStabilising(int state) const override;
+    [[nodiscard]] bool isStarting(int state) const override;
     [[nodiscard]] QString messageText(const FrameView &frame) const override;
     [[nodiscard]] std::optional<ConnectOffer> connectOffer() const override;
+
+    [[nodiscard]] const RestartNotice *restartNotice() const override { return this; }
+    [[nodiscard]] bool announcesReset(const FrameView &) const override { return false; }
+    [[nodiscard]] std::optional<milliseconds> ordersReset(QByteArrayView sent) const override;
+    [[nodiscard]] bool isFreshlyStarted(int state) const override;
+    [[nodiscard]] Request harmlessQuestion() const override { return simple(Simple::Status); }
 
     [[nodiscard]] std::shared_ptr<const GainShape> gainShape() const override;
 
@@ -122,8 +134,12 @@ private:
     [[nodiscard]] Request simple(Simple id, QByteArrayView arguments = {}) const;
     [[nodiscard]] Request rc(Rc id, const QByteArray &payload = {}) const;
     [[nodiscard]] Request standbyRequest(bool standby) const;
+    /// Carries out the stop plan. An error lists what it has left in use, and how to put that back.
+    Result<void> stopMotors(Channel &channel);
     /// Errors: Busy while the motors are disabled because they were stopped during the start.
     [[nodiscard]] Result<void> checkNotStopping() const;
+    /// The motors that are disabled in use, by parameter and value.
+    Result<QStringList> disabledMotors(Channel &channel) const;
     /// The same for a board that is reached in a given way (see m_way).
     [[nodiscard]] static Request rcAt(int way, Rc id, const QByteArray &payload);
     [[nodiscard]] static Request embed(int way, const Request &plain, QByteArrayView content,
@@ -141,15 +157,22 @@ private:
     void learnAddressWord(int word, int raw);
     /// The board's state (errata 3.7).
     Result<int> readState(Channel &channel);
-    /// Motors that are disabled in use stay so while stored values are: in standby, which the board may have
-    /// been in before. True if it has to be ended. Errors: Unready (the board is starting).
+    /// The same, once the board is through its last state before the normal one.
+    Result<int> settledState(Channel &channel);
+    /// If all motors are disabled in use, they stay so while stored values are: in standby, which the board
+    /// may have been in before. True if it has to be ended. Errors: Unready (the board is starting).
     Result<bool> enterStandby(Channel &channel, const QByteArray &inUse);
+    /// Whether the board goes into standby, or out of it, in time.
+    Result<bool> comesToStandby(Channel &channel, bool wanted);
     /// What is stored, read while it is in use for a moment; then `inUse` is in use again.
     Result<QByteArray> readStored(Channel &channel, const QByteArray &inUse);
     Result<QByteArray> retrieve(Channel &channel);
+    /// @param heartbeat what is in use, where it is switched off only for this
+    Result<Contents> readBothPlain(Channel &channel, std::optional<int> heartbeat);
     Result<void> putStream(Channel &channel, const QByteArray &stream);
     [[nodiscard]] Configuration configurationOf(const QByteArray &stream) const;
     [[nodiscard]] QString inUseText(const QByteArray &inUse, const Result<QByteArray> &stored) const;
+    [[nodiscard]] QString lostText(const QByteArray &inUse, const QByteArray &now) const;
     /// What a word says about m_history; most words say nothing.
     void learnShift(int word, int raw);
 
@@ -163,6 +186,7 @@ private:
     int m_address = 71 << 8 | 67;  // where it would be reached through MAVLink
     int m_firmware = 0;  // 79, 90, 96
     int m_words = 0;
+    std::optional<Configuration> m_lastStored;
     std::shared_ptr<MotorStop> m_stop = std::make_shared<MotorStop>();
     std::shared_ptr<PanHistory> m_history = std::make_shared<PanHistory>();
     std::array<int, 4> m_shiftWords{-1, -1, -1, -1};  // offsets of roll, pitch and yaw, default pan mode

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/storm32/files.h"
 
+#include "protocol/base/filefault.h"
 #include "protocol/base/hexbytes.h"
 #include "protocol/storm32/parametertables.h"
 
@@ -18,6 +19,7 @@ namespace {
 
 constexpr std::array<int, 3> kLayouts{95, 89, 78};  // the newest of two that fit equally well
 constexpr qsizetype kLargestText = 256 * 1024;
+constexpr qsizetype kMaxShown = 40;  // characters of what is not understood
 
 struct Entry
 {
@@ -68,39 +70,56 @@ Result<Entries> parse(const QByteArray &text)
         u"^\\s*'([^']*)'\\s*=>\\s*\\[\\s*(-?\\d+)\\s*,\\s*'([^']*)'\\s*,?\\s*\\]\\s*,?\\s*$"_s);
     static const QRegularExpression kText(
         u"^\\s*'([^']*)'\\s*=>\\s*\\[\\s*'([^']*)'\\s*,?\\s*\\]\\s*,?\\s*$"_s);
+    static const QRegularExpression kEntryName(u"^'([^']*)'\\s*=>"_s);
     static const QRegularExpression kEnd(u"^\\s*\\)\\s*;\\s*$"_s);
     if (text.size() > kLargestText)
-        return failure(ErrorCode::BadFile, u"%1 bytes are too many for settings"_s.arg(text.size()));
+        return fileFailure({.problem = FileProblem::TooLarge, .kind = FileKind::Settings});
     Entries entries;
+    QMap<QString, int> lineOf;
     bool open = false;
     int number = 0;
-    for (const QString &line : QString::fromLatin1(text).split(u'\n')) {
+    const QStringList lines = QString::fromLatin1(text).split(u'\n');
+    const auto wrong
+        = [&](FileProblem problem, const QString &key, const QString &value, const QString &expected) {
+              // A last line without its end was still being written.
+              const bool isCutOff = open && number == lines.size();
+              return fileFailure({.problem = isCutOff ? FileProblem::Truncated : problem,
+                                  .kind = FileKind::Settings,
+                                  .line = number,
+                                  .key = isCutOff ? QString() : key,
+                                  .value = isCutOff ? QString() : value.left(kMaxShown),
+                                  .expected = isCutOff ? QString() : expected});
+          };
+    for (const QString &line : lines) {
         ++number;
         const QString content = line.trimmed();
         if (content.isEmpty() || content.startsWith(u'#'))
             continue;
         if (!open) {
             if (!kHead.match(content).hasMatch())
-                return failure(
-                    ErrorCode::BadFile,
-                    u"line %1: not the head of a settings file: %2"_s.arg(number).arg(content.left(60)));
+                return wrong(FileProblem::OtherKind, {}, content, {});
             open = true;
             continue;
         }
         if (kEnd.match(content).hasMatch())
             return entries;
+        if (const auto named = kEntryName.match(content); named.hasMatch()) {
+            const QString name = named.captured(1).trimmed();
+            if (const int first = lineOf.value(name); first > 0)
+                return wrong(FileProblem::Doubled, name, {}, QString::number(first));
+            lineOf.insert(name, number);
+        }
         if (const auto value = kValue.match(content); value.hasMatch()) {
+            const QString name = value.captured(1).trimmed();
             const int raw = value.captured(2).toInt();
             if (raw < -32768 || raw > 65535)
-                return failure(ErrorCode::BadFile,
-                               u"line %1: %2 does not fit into a word"_s.arg(number).arg(value.captured(2)));
-            entries.values.insert(value.captured(1).trimmed(), {raw, value.captured(3).trimmed(), number});
+                return wrong(FileProblem::OutOfRange, name, value.captured(2), u"-32768 to 65535"_s);
+            entries.values.insert(name, {raw, value.captured(3).trimmed(), number});
             continue;
         }
         const auto named = kText.match(content);
         if (!named.hasMatch())
-            return failure(ErrorCode::BadFile,
-                           u"line %1 is not understood: %2"_s.arg(number).arg(content.left(60)));
+            return wrong(FileProblem::BadValue, {}, content, u"'NAME' => [ NUMBER , 'TEXT' ],"_s);
         if (named.captured(1) != u"Scripts"_s) {
             entries.values.insert(named.captured(1).trimmed(),
                                   {-1, named.captured(2), number});  // a text that belongs to no parameter
@@ -108,12 +127,16 @@ Result<Entries> parse(const QByteArray &text)
         }
         const auto bytes = bytesFromHex(named.captured(2));
         if (!bytes || bytes->size() > kScriptArea)
-            return failure(ErrorCode::BadFile,
-                           u"line %1: the scripts are not %2 bytes in hex"_s.arg(number).arg(kScriptArea));
+            return wrong(FileProblem::BadValue, u"Scripts"_s, named.captured(2),
+                         u"%1 B (hex)"_s.arg(kScriptArea));
         entries.scripts = bytes->leftJustified(kScriptArea, char(0xFF));
     }
-    return failure(ErrorCode::BadFile,
-                   open ? u"the end ');' is missing: the file is cut off"_s : u"the file is empty"_s);
+    if (!open)
+        return fileFailure({.problem = FileProblem::Empty, .kind = FileKind::Settings});
+    return fileFailure({.problem = FileProblem::Truncated,
+                        .kind = FileKind::Settings,
+                        .line = lineOfByte(text.trimmed(), text.size()),
+                        .said = u"the end ');' is missing"_s});
 }
 
 // The number that a choice's text stands for in this layout; the file's own number if the text is not known.
@@ -174,7 +197,9 @@ Result<ForeignSettings> readSettings(const QByteArray &text)
         }
     }
     if (!best)
-        return failure(ErrorCode::BadFile, u"no entry is a parameter of this family"_s);
+        return fileFailure({.problem = FileProblem::OtherKind,
+                            .kind = FileKind::Settings,
+                            .said = u"no entry is a parameter of this family"_s});
     const int layout = best->firmware();
     ForeignSettings settings;
     settings.configuration = Configuration(identityOf(layout), best);
@@ -184,12 +209,15 @@ Result<ForeignSettings> readSettings(const QByteArray &text)
         const QString name = originalName(spec);
         const auto it = find(entries->values, name);
         if (it == entries->values.cend())
-            settings.missing.append(name);
+            settings.missing.append(spec.key);
         const double raw = it == entries->values.cend() ? spec.defaultRaw : believed(spec, *it, layout);
         if (!spec.isInRange(raw))
-            return failure(ErrorCode::BadFile,
-                           u"line %1: %2 = %3, allowed %4 to %5"_s.arg(it->line).arg(
-                               name, spec.format(raw), spec.minText(), spec.maxText()));
+            return fileFailure({.problem = FileProblem::OutOfRange,
+                                .kind = FileKind::Settings,
+                                .line = it->line,
+                                .key = name,
+                                .value = spec.format(raw),
+                                .expected = spec.allowedText()});
         spec.write(words, raw);
         if (it != entries->values.cend())
             left.remove(it.key());
@@ -198,6 +226,8 @@ Result<ForeignSettings> readSettings(const QByteArray &text)
     settings.configuration.setBlock({0, Parameters}, words);
     if (!entries->scripts.isEmpty())
         settings.configuration.setBlock({0, Scripts}, entries->scripts);
+    else if (const BlockSpec *scripts = best->block(Scripts))
+        settings.missing.append(QLatin1String(scripts->data));
     return settings;
 }
 
@@ -229,40 +259,78 @@ Result<QByteArray> writeSettings(const Configuration &configuration)
 
 Result<SensorCalibration> readCalibration(const QByteArray &text)
 {
+    FileFault fault{.kind = FileKind::Calibration};
+    const auto failed = [&fault](FileProblem problem) {
+        fault.problem = problem;
+        return fileFailure(fault);
+    };
     if (text.size() > kLargestText)
-        return failure(ErrorCode::BadFile, u"%1 bytes are too many for a calibration"_s.arg(text.size()));
-    QMap<QString, QString> lines;
+        return failed(FileProblem::TooLarge);
+    if (text.trimmed().isEmpty())
+        return failed(FileProblem::Empty);
+    struct Line
+    {
+        QString text;
+        int number = 0;
+    };
+    QMap<QString, Line> lines;
+    int count = 0;
+    int records = 0;
     for (const QString &line : QString::fromLatin1(text).split(u'\n')) {
+        ++count;
         const qsizetype colon = line.indexOf(u':');
-        if (colon > 0 && !lines.contains(line.left(colon).trimmed()))  // of several records, use the first
-            lines.insert(line.left(colon).trimmed(), line.mid(colon + 1).trimmed());
+        const QString key = line.left(colon).trimmed();
+        if (key.startsWith(u"RECORD#"_s))
+            ++records;
+        if (colon <= 0 || records > 1)  // of several records, use the first
+            continue;
+        if (const auto first = lines.constFind(key); first != lines.cend()) {
+            fault.key = key;
+            fault.line = count;
+            fault.expected = QString::number(first->number);
+            return failed(FileProblem::Doubled);
+        }
+        lines.insert(key, {line.mid(colon + 1).trimmed(), count});
     }
+    if (std::none_of(lines.keyBegin(), lines.keyEnd(),
+                     [](const QString &key) { return key.startsWith(u"IMU"_s) || key.startsWith(u"AX"_s); }))
+        return failed(FileProblem::OtherKind);
     SensorCalibration calibration;
-    const auto number = [&lines](const QString &key) -> Result<int> {
+    const auto number = [&](const QString &key, const QString &allowed) -> Result<int> {
+        const Line line = lines.value(key);
+        fault.key = key;
+        fault.line = line.number;
+        fault.value = line.text.left(kMaxShown);
+        fault.expected = allowed;
         bool ok = false;
-        const int value = lines.value(key).toInt(&ok);
-        if (!lines.contains(key))
-            return failure(ErrorCode::BadFile, u"the line %1 is missing"_s.arg(key));
-        if (!ok || value < -32768 || value > 32767)
-            return failure(ErrorCode::BadFile,
-                           u"%1 is not a number of the sensor: %2"_s.arg(key, lines.value(key)));
+        const int value = line.text.toInt(&ok);
+        if (!lines.contains(key)) {
+            const bool isCutOff = !text.endsWith('\n');
+            fault.expected.clear();
+            fault.line = isCutOff ? count : 0;
+            return failed(isCutOff ? FileProblem::Truncated : FileProblem::MissingEntry);
+        }
+        if (!ok)
+            return failed(FileProblem::BadValue);
+        if (value < -32768 || value > 32767)
+            return failed(FileProblem::OutOfRange);
         return value;
     };
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const QChar letter = u"XYZ"[axis];
-        const auto zero = number(u"A%1ZERO"_s.arg(letter));
-        const auto scale = number(u"A%1SCALE"_s.arg(letter));
+        const auto zero = number(u"A%1ZERO"_s.arg(letter), u"-32768 to 32767"_s);
+        const auto scale = number(u"A%1SCALE"_s.arg(letter), u"-32768 to 32767, not 0"_s);
         for (const auto *value : {&zero, &scale}) {
             if (!*value)
                 return tl::unexpected(value->error());
         }
         if (*scale == 0)
-            return failure(ErrorCode::BadFile, u"A%1SCALE is 0"_s.arg(letter));
+            return failed(FileProblem::OutOfRange);
         calibration.zero[axis] = *zero;
         calibration.scale[axis] = *scale;
     }
-    calibration.method = lines.value(u"CALIBRATIONMETHOD"_s);
-    calibration.temperature = lines.value(u"TEMPERATURE"_s).section(u' ', 0, 0).toDouble();
+    calibration.method = lines.value(u"CALIBRATIONMETHOD"_s).text;
+    calibration.temperature = lines.value(u"TEMPERATURE"_s).text.section(u' ', 0, 0).toDouble();
     return calibration;
 }
 

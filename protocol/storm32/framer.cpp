@@ -16,8 +16,12 @@ using mavlink::Look;
 constexpr std::byte kRcQuestion{0xFA};
 constexpr std::byte kRcAnswer{0xFB};
 constexpr std::size_t kRcOverhead = 5;
+constexpr int kEmbeddedAnswer = FrameId::kMavlink + mavlink::number(mavlink::MessageId::TargetSpecificAck);
 // Longer than any answer: anything beyond is noise.
 constexpr qsizetype kMaxKept = 1024;
+// Answers come in the order of their questions. More than these are never open: a board that answers 1.5 s
+// late while its motors are being stopped has fifteen.
+constexpr int kOpenQuestions = 64;
 
 bool isLetter(std::byte byte)
 {
@@ -40,7 +44,46 @@ void Framer::sent(Bytes bytes)
     while (kept < all.size() && mavlink::sight(all.subspan(kept)).look != mavlink::Look::Incomplete)
         ++kept;
     skip(kept);
+    if (m_asked != command)
+        remember(m_asked);
     m_asked = command->replyWords[0] ? command : nullptr;
+    if (m_asked)
+        forget(FrameId::kSimple + int(m_asked->id));
+}
+
+// The latest first.
+void Framer::remember(const SimpleCommand *command)
+{
+    if (!command)
+        return;
+    forget(FrameId::kSimple + int(command->id));
+    std::rotate(m_earlier.begin(), m_earlier.end() - 1, m_earlier.end());
+    m_earlier.front() = {command, 0};
+}
+
+bool Framer::awaitsData() const
+{
+    return m_asked || std::any_of(m_earlier.begin(), m_earlier.end(), [](const Earlier &each) {
+               return each.command != nullptr;
+           });
+}
+
+// A board that ignored a question answers those after it.
+void Framer::answered()
+{
+    for (Earlier &each : m_earlier) {
+        if (++each.answersSince == kOpenQuestions)
+            each.command = nullptr;
+    }
+}
+
+// Its data are here, or asked for anew.
+void Framer::forget(int frame)
+{
+    for (Earlier &each : m_earlier) {
+        if (each.command && FrameId::kSimple + int(each.command->id) == frame)
+            each.command = nullptr;
+    }
 }
 
 void Framer::feed(Bytes bytes, const FrameSink &sink)
@@ -73,11 +116,15 @@ void Framer::scan(bool last, const FrameSink &sink)
         Sighting seen;
         for (; at < all.size(); ++at) {
             seen = sight(all.subspan(at));
-            // A letter may be one byte of something longer; only the silence after it shows that it is not.
+            // A letter may be one byte of something longer; silence after it, or something whole that is
+            // checked, shows that it is not.
             const bool letter = seen.look == Look::Complete && seen.size == 1;
-            const bool doubtful = letter && (m_asked || open) && !(last && all.size() == 1);
-            if (seen.look == Look::Complete && !doubtful)
+            const bool doubtful = letter && (awaitsData() || open) && !(last && all.size() == 1);
+            if (seen.look == Look::Complete && !doubtful) {
+                if (at == 1 && !letter && isLetter(all[0]))
+                    seen = sightLetter(all.subspan(--at));
                 break;
+            }
             open |= doubtful || seen.look == Look::Incomplete;
         }
         if (at == all.size()) {
@@ -87,8 +134,16 @@ void Framer::scan(bool last, const FrameSink &sink)
         }
         skip(at);
         ++m_statistics.frames;
-        if (seen.frame.id < FrameId::kMavlink)
+        if (seen.frame.id < FrameId::kMavlink || seen.frame.id == kEmbeddedAnswer)
+            answered();
+        if (seen.frame.id < FrameId::kMavlink) {
+            forget(seen.frame.id);
+            const bool isAnswer = seen.frame.id < FrameId::kSimple
+                || (m_asked && seen.frame.id == FrameId::kSimple + int(m_asked->id));
+            if (!isAnswer)
+                remember(m_asked);
             m_asked = nullptr;
+        }
         // Out of the buffer first: the receiver of the frame may send, and then the rest is discarded.
         const QByteArray kept
             = std::exchange(m_buffer, m_buffer.mid(qsizetype(seen.size))).left(qsizetype(seen.size));
@@ -103,14 +158,11 @@ void Framer::scan(bool last, const FrameSink &sink)
 
 Framer::Sighting Framer::sight(Bytes bytes) const
 {
-    if (m_asked) {
-        const Sighting data = sightData(bytes);
-        if (data.look == Look::Complete)
-            return data;
-    }
+    const Sighting data = sightData(bytes);
+    if (data.look == Look::Complete)
+        return data;
     if (isLetter(bytes[0]))
-        return {
-            Look::Complete, 1, {FrameId::kLetter + std::to_integer<int>(bytes[0]), {}, 1, bytes.first(1)}};
+        return sightLetter(bytes);
     if (bytes[0] == kRcAnswer && (m_rcAsked || !m_asked)) {  // otherwise it may be data that looks alike
         if (bytes.size() < 2)
             return {Look::Incomplete};
@@ -132,14 +184,35 @@ Framer::Sighting Framer::sight(Bytes bytes) const
             {FrameId::kMavlink + message.packet.id, message.packet.payload, 1, bytes.first(message.size)}};
     }
     // Data may start with any byte.
-    return m_asked ? sightData(bytes) : Sighting{};
+    return data;
 }
 
-// The data of the requested command, in each length that any firmware sends.
+Framer::Sighting Framer::sightLetter(Bytes bytes)
+{
+    return {Look::Complete, 1, {FrameId::kLetter + std::to_integer<int>(bytes[0]), {}, 1, bytes.first(1)}};
+}
+
+// The data of the requested command, or of one that was given up.
 Framer::Sighting Framer::sightData(Bytes bytes) const
 {
+    Sighting result = m_asked ? sightDataOf(*m_asked, bytes) : Sighting{};
+    for (const Earlier &each : m_earlier) {
+        if (result.look == Look::Complete || !each.command)
+            continue;
+        const Sighting late = sightDataOf(*each.command, bytes);
+        if (late.look != Look::No)
+            result = late;
+    }
+    return result;
+}
+
+// In each length that any firmware sends.
+Framer::Sighting Framer::sightDataOf(const SimpleCommand &command, Bytes bytes)
+{
     Sighting result;
-    for (const int words : m_asked->replyWords) {
+    for (const int words : command.replyWords) {
+        if (words == 0)
+            continue;
         const std::size_t data = 2 * std::size_t(words);
         if (bytes.size() < data + 3) {
             result.look = Look::Incomplete;
@@ -148,7 +221,7 @@ Framer::Sighting Framer::sightData(Bytes bytes) const
         if (bytes[data + 2] == std::byte{'o'} && crc16Mcrf4xx(bytes.first(data + 2)) == 0)
             return {Look::Complete,
                     data + 3,
-                    {FrameId::kSimple + int(m_asked->id), bytes.first(data), 1, bytes.first(data + 3)}};
+                    {FrameId::kSimple + int(command.id), bytes.first(data), 1, bytes.first(data + 3)}};
     }
     return result;
 }

@@ -248,6 +248,8 @@ bool Device::isTelemetryFrame(int id) const
 
 namespace {
 
+constexpr int kUnlistedLayout = 89;
+
 // The firmware writes its first parameter where it does not know the one that is meant (errata 13, row 6).
 // Errors: InvalidArgument.
 Result<void> checkParameter(const mavlink::Packet &packet, int layout, int words)
@@ -258,6 +260,11 @@ Result<void> checkParameter(const mavlink::Packet &packet, int layout, int words
         return tl::unexpected(fields.error());
     if (message->id == mavlink::MessageId::ParamSet) {
         const QString name = fields->value(u"param_id"_s).toString();
+        // Of this layout no list of names was ever seen; those of its neighbour are only likely.
+        if (layout == kUnlistedLayout)
+            return failure(ErrorCode::InvalidArgument,
+                           u"a name that this board does not know would set its first parameter, and its "
+                           "names are not known for certain: use PARAM_SET2 with the number"_s);
         for (int word = 0; word < words; ++word) {
             if (mavlinkName(layout, word) == name)
                 return {};

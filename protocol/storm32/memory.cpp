@@ -8,6 +8,7 @@
 #include "protocol/storm32/scripts.h"
 
 #include <algorithm>
+#include <tuple>
 
 using namespace Qt::StringLiterals;
 
@@ -15,9 +16,10 @@ namespace storm32 {
 
 namespace {
 
-constexpr int kSystemWord = 110;  // followed by the component
 constexpr int kAwakeState = 6;
 constexpr auto kFallingAsleep = 1s;
+constexpr auto kWakingUp = 3s;
+constexpr int kLoads = 3;
 constexpr qsizetype kFew = 8;  // words that are asked one by one
 
 int wordAt(const QByteArray &stream, int word)
@@ -28,6 +30,33 @@ int wordAt(const QByteArray &stream, int word)
 void setWord(QByteArray &stream, int word, int raw)
 {
     stream.replace(2 * word, 2, ByteWriter().u16(raw & 0xFFFF).take());
+}
+
+// As a stop leaves them, and a board fresh from defaults.
+bool areMotorsDisabled(const QByteArray &stream)
+{
+    for (int word = MotorStop::kFirstWord; word < MotorStop::kFirstWord + MotorStop::kWords; ++word) {
+        if (stream.size() < 2 * word + 2 || wordAt(stream, word) != MotorStop::kDisabled)
+            return false;
+    }
+    return true;
+}
+
+// What is not as wanted, but for what scripts move. @param value of a key, what was wanted and what is
+// @param data of scripts and the like
+QStringList otherThan(const Device &device, const Configuration &wanted, const Configuration &is,
+                      const QString &value, const QString &data)
+{
+    const auto moved = device.movedBy(wanted);
+    QStringList different;
+    for (const ParameterChange &change : wanted.changesTo(is)) {
+        if (!moved.contains(change.spec->key))
+            different.append(value.arg(change.spec->key, change.spec->format(change.from),
+                                       change.spec->format(change.to)));
+    }
+    for (const DataChange &change : wanted.dataChangesTo(is))
+        different.append(data.arg(QLatin1String(change.spec->data)));
+    return different;
 }
 
 }  // namespace
@@ -63,6 +92,18 @@ Result<std::vector<AdjustableValue>> Device::readAdjustables(Channel &channel, c
     return values;
 }
 
+// The firmware does not check them.
+Result<void> Device::checkAdjustable(const AdjustableValue &wanted) const
+{
+    for (const ParameterSpec &spec : m_parameters->all()) {
+        if (spec.row->block == Parameters && spec.offset == 2 * wanted.id && !spec.accepts(wanted.value))
+            return failure(
+                ErrorCode::OutOfRange,
+                u"%1 = %2, allowed %3"_s.arg(spec.key, spec.format(wanted.value), spec.allowedText()));
+    }
+    return {};
+}
+
 Result<void> Device::putAdjustables(Channel &channel, const std::vector<AdjustableValue> &values)
 {
     for (const AdjustableValue &value : values) {
@@ -72,11 +113,6 @@ Result<void> Device::putAdjustables(Channel &channel, const std::vector<Adjustab
             });
         if (known == m_parameters->all().end())
             return failure(ErrorCode::InvalidArgument, u"no live value %1"_s.arg(value.id));
-        // The firmware does not check the range, so it is checked here.
-        const ParameterRow &row = *known->row;
-        if (!(value.value >= row.min && value.value <= row.max))
-            return failure(ErrorCode::OutOfRange,
-                           u"%1 is outside %2 to %3"_s.arg(value.value).arg(row.min).arg(row.max));
         auto done = writeWord(channel, value.id, int(value.value));
         if (!done && done.error().code == ErrorCode::VerifyFailed)
             done.error().code = ErrorCode::NotInUse;
@@ -127,6 +163,15 @@ QString Device::inUseText(const QByteArray &inUse, const Result<QByteArray> &sto
     return values.join(u' ');
 }
 
+// What is not in use any more, and what is instead; scripts and the like are named.
+QString Device::lostText(const QByteArray &inUse, const QByteArray &now) const
+{
+    const Configuration before = configurationOf(inUse);
+    const Configuration after = configurationOf(now);
+    const QStringList lost = otherThan(*this, before, after, u"%1=%2 (%3 is in use now)"_s, u"%1"_s);
+    return lost.join(u' ');
+}
+
 Result<int> Device::readState(Channel &channel)
 {
     const auto reply = channel.transact(simple(Simple::Status));
@@ -135,32 +180,53 @@ Result<int> Device::readState(Channel &channel)
     return ByteReader(reply->payload).u16();
 }
 
+// A board that has just left standby, or ends its start, is on its way (errata 3.7).
+Result<int> Device::settledState(Channel &channel)
+{
+    auto state = readState(channel);
+    for (const TimePoint until = channel.now() + kWakingUp;
+         state && *state == kAwakeState - 1 && channel.now() < until;)
+        state = readState(channel);
+    return state;
+}
+
+// Loading would start motors that are stored otherwise. Motors that run would let the camera fall here, but
+// there are none.
 Result<bool> Device::enterStandby(Channel &channel, const QByteArray &inUse)
 {
-    bool isDisabled = false;
-    for (int i = 0; i < MotorStop::kWords; ++i)
-        isDisabled |= wordAt(inUse, MotorStop::kFirstWord + i) == MotorStop::kDisabled;
-    if (!isDisabled)
+    if (!areMotorsDisabled(inUse))
         return false;
-    const auto before = readState(channel);
-    if (!before)
-        return tl::unexpected(before.error());
-    if (isStandby(*before, m_firmware))
+    const auto state = settledState(channel);
+    if (!state)
+        return tl::unexpected(state.error());
+    if (isStandby(*state, m_firmware))
         return false;
     // Standby is ignored while the board starts (errata 13, row 1).
-    if (*before != kAwakeState)
-        return failure(ErrorCode::Unready, u"the board is starting, with motors disabled"_s);
+    if (*state != kAwakeState)
+        return failure(ErrorCode::Unready,
+                       u"the board is starting, with motors disabled; what is stored can be read once it "
+                       "works normally"_s);
     if (const auto sent = channel.transact(standbyRequest(true)); !sent)
         return tl::unexpected(sent.error());
-    const TimePoint until = channel.now() + kFallingAsleep;
-    for (;;) {
+    const auto asleep = comesToStandby(channel, true);
+    if (!asleep)
+        return tl::unexpected(asleep.error());
+    if (*asleep)
+        return true;
+    std::ignore = channel.transact(standbyRequest(false));  // nor shall it later
+    return failure(ErrorCode::Unready, u"the board does not go into standby"_s);
+}
+
+Result<bool> Device::comesToStandby(Channel &channel, bool wanted)
+{
+    for (const TimePoint until = channel.now() + kFallingAsleep;;) {
         const auto state = readState(channel);
         if (!state)
             return tl::unexpected(state.error());
-        if (isStandby(*state, m_firmware))
+        if (isStandby(*state, m_firmware) == wanted)
             return true;
         if (channel.now() > until)
-            return failure(ErrorCode::Unready, u"the board does not go into standby"_s);
+            return false;
     }
 }
 
@@ -209,47 +275,108 @@ Result<QByteArray> Device::readStored(Channel &channel, const QByteArray &inUse)
     const auto asleep = enterStandby(channel, inUse);
     if (!asleep)
         return tl::unexpected(asleep.error());
+    const Unbroken unbroken(channel);
     auto stored = retrieve(channel);
-    // Put back even if loading seems to have failed: perhaps only its answer was lost.
-    if (const auto put = putStream(channel, inUse); !put)
-        return failure(ErrorCode::NotRestored, inUseText(inUse, stored) + u"; "_s + put.error().detail);
+    // A running script may set a value between loading and reading; hardly twice in a row.
+    for (int i = 0; i < kLoads && stored && !movedBy(configurationOf(*stored)).isEmpty(); ++i) {
+        auto again = retrieve(channel);
+        const bool isSame = again && *again == *stored;
+        stored = std::move(again);
+        if (isSame)
+            break;
+    }
+    if (stored)
+        m_lastStored = configurationOf(*stored);
+    // Put back even if loading seems to have failed: perhaps only its answer was lost. A heartbeat, which
+    // would lock plain commands out, follows once the rest is read back.
+    const int heartbeat = wordAt(inUse, kHeartbeatWord);
+    QByteArray silent = inUse;
+    setWord(silent, kHeartbeatWord, 0);
+    const auto put = putStream(channel, silent);
+    const auto back = readStream(channel);  // whatever became of the answer
+    if (heartbeat != 0) {
+        if (const auto on = writeWord(channel, kHeartbeatWord, heartbeat); !on)
+            return failure(ErrorCode::NotRestored,
+                           u"mavlink.heartbeat=%1; "_s.arg(heartbeat) + on.error().detail);
+    }
+    if (!back)
+        return failure(ErrorCode::NotRestored,
+                       inUseText(inUse, stored) + (*asleep ? u"; the board is in standby; "_s : u"; "_s)
+                           + (put ? back.error().detail : put.error().detail));
+    if (const QString lost = lostText(silent, *back); !lost.isEmpty())
+        return failure(ErrorCode::NotRestored, lost + (*asleep ? u"; the board is in standby"_s : QString()));
     if (*asleep) {
-        if (const auto woken = channel.transact(standbyRequest(false)); !woken)
-            return tl::unexpected(woken.error());
+        const auto sent = channel.transact(standbyRequest(false));
+        const auto woken = sent ? comesToStandby(channel, false) : Result<bool>(tl::unexpected(sent.error()));
+        if (!woken || !*woken)
+            return failure(ErrorCode::NotRestored,
+                           u"the board stays in standby"_s
+                               + (woken ? QString() : u"; "_s + woken.error().detail));
     }
     return stored;
 }
 
+// A whole stream does not fit into MAVLink (errata 6), so the heartbeat is off in RAM meanwhile.
 Result<WholeMemory::Contents> Device::readBoth(Channel &channel)
 {
-    if (isEmbedded())
-        return failure(ErrorCode::Unsupported, u"what is stored cannot be read while the heartbeat is on"_s);
+    m_lastStored.reset();
     if (!isKnownLayout(m_identity.firmwareNumber))
         return failure(ErrorCode::Unsupported, u"the board's memory is not known"_s);
     if (const auto free = checkNotStopping(); !free)
         return tl::unexpected(free.error());
-    const auto inUse = readStream(channel);
+    if (!isEmbedded())
+        return readBothPlain(channel, {});
+    const auto heartbeat = readWord(channel, kHeartbeatWord);
+    if (!heartbeat)
+        return tl::unexpected(heartbeat.error());
+    const int way = m_way;
+    const auto off = writeWord(channel, kHeartbeatWord, 0);
+    if (!off)
+        m_way = way;
+    auto both = off ? readBothPlain(channel, *heartbeat)
+                    : Result<Contents>(failure(ErrorCode::Unsupported,
+                                               u"what is stored cannot be read while the heartbeat is on"_s));
+    if (isEmbedded() && off)
+        return both;  // it was put back with everything else
+    if (const auto on = writeWord(channel, kHeartbeatWord, *heartbeat); !on)
+        return failure(ErrorCode::NotRestored, u"mavlink.heartbeat=%1"_s.arg(*heartbeat));
+    return both;
+}
+
+Result<WholeMemory::Contents> Device::readBothPlain(Channel &channel, std::optional<int> heartbeat)
+{
+    auto inUse = readStream(channel);
     if (!inUse)
         return tl::unexpected(inUse.error());
-    const auto differs = [this](int word, int use, int kept) {
-        const auto spec = std::find_if(m_parameters->all().begin(), m_parameters->all().end(),
-                                       [word](const ParameterSpec &each) { return each.offset == 2 * word; });
+    if (heartbeat)
+        setWord(*inUse, kHeartbeatWord, *heartbeat);
+    const auto specOf = [this](int word) {
+        return std::find_if(m_parameters->all().begin(), m_parameters->all().end(),
+                            [word](const ParameterSpec &each) {
+                                return each.row->block == Parameters && each.offset == 2 * word;
+                            });
+    };
+    const auto differs = [&specOf](int word, int use, int kept) {
+        const auto spec = specOf(word);
         return failure(ErrorCode::ConditionUnmet,
                        u"%1 is %2 in use and %3 where it is stored"_s.arg(spec->key, spec->format(use),
                                                                           spec->format(kept)));
     };
-    // A motor that runs, but is stored as disabled, must not let its axis fall: such a word is asked alone.
-    for (int word = MotorStop::kFirstWord; word < MotorStop::kFirstWord + MotorStop::kWords; ++word) {
+    // A motor that runs, but is stored as disabled, must not let its axis fall, nor one that is disabled
+    // start: such a word is asked alone. Where no motor runs, standby keeps them so.
+    const bool isStill = areMotorsDisabled(*inUse);
+    for (int word = MotorStop::kFirstWord; word < MotorStop::kFirstWord + MotorStop::kWords && !isStill;
+         ++word) {
         const int use = wordAt(*inUse, word);
-        if (use == MotorStop::kDisabled)
-            continue;
-        if (const auto asked = channel.transact(rc(Rc::RestoreParameter, ByteWriter().u16(word).take()));
-            !asked)
-            return tl::unexpected(asked.error());
-        const auto kept = readWord(channel, word);
+        const Unbroken unbroken(channel);
+        const auto asked = channel.transact(rc(Rc::RestoreParameter, ByteWriter().u16(word).take()));
+        // Put back even if that seems to have failed: perhaps only its answer was lost.
+        const auto kept = asked ? readWord(channel, word) : Result<int>(tl::unexpected(asked.error()));
         const bool isSame = kept && *kept == use;
         if (const auto back = isSame ? Result<void>() : writeWord(channel, word, use); !back)
-            return failure(ErrorCode::NotRestored, u"word %1 was %2"_s.arg(word).arg(use));
+            return failure(ErrorCode::NotRestored,
+                           u"%1=%2; "_s.arg(specOf(word)->key, specOf(word)->format(use))
+                               + back.error().detail);
         if (!kept)
             return tl::unexpected(kept.error());
         if (!isSame)
@@ -265,24 +392,41 @@ Result<WholeMemory::Contents> Device::readBoth(Channel &channel)
     return Contents{configurationOf(*inUse), configurationOf(*stored)};
 }
 
+// See enterStandby(): a board that starts, and holds its motors disabled, does not tell what it has stored.
+Result<void> Device::checkUse(Channel &channel, const Configuration &whole)
+{
+    if (!areMotorsDisabled(whole.block({0, Parameters})))
+        return {};
+    const auto state = settledState(channel);
+    if (!state)
+        return tl::unexpected(state.error());
+    if (isStandby(*state, m_firmware) || *state == kAwakeState)
+        return {};
+    return failure(ErrorCode::Unready,
+                   u"the board is starting; all motors can be stored as disabled once it works normally"_s);
+}
+
+// A heartbeat, which would lock plain commands out, follows once the rest is read back.
 Result<void> Device::use(Channel &channel, const Configuration &whole)
 {
     QByteArray stream;
     for (const int block : {Parameters, Scripts})
         stream += whole.block({0, block});
-    if (const auto put = putStream(channel, stream); !put || isEmbedded())
+    const int heartbeat = wordAt(stream, kHeartbeatWord);
+    setWord(stream, kHeartbeatWord, 0);
+    if (const auto put = putStream(channel, stream); !put)
         return put;
     const auto now = readStream(channel);
     if (!now)
         return tl::unexpected(now.error());
-    const auto moved = movedBy(whole);
-    for (const ParameterChange &change : configurationOf(stream).changesTo(configurationOf(*now))) {
-        if (!moved.contains(change.spec->key))
-            return failure(ErrorCode::VerifyFailed,
-                           u"%1 is %2 instead of %3"_s.arg(change.spec->key, change.spec->format(change.to),
-                                                           change.spec->format(change.from)));
+    QStringList different = otherThan(*this, configurationOf(stream), configurationOf(*now),
+                                      u"%1 is %3 instead of %2"_s, u"%1 are others"_s);
+    if (heartbeat != 0) {
+        if (const auto on = writeWord(channel, kHeartbeatWord, heartbeat); !on)
+            different.append(u"mavlink.heartbeat=%1; "_s.arg(heartbeat) + on.error().detail);
     }
-    return {};
+    return different.isEmpty() ? Result<void>()
+                               : failure(ErrorCode::VerifyFailed, different.mid(0, 8).join(u"; "_s));
 }
 
 // A script with an input runs at once (errata 13, row 18).

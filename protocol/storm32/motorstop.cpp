@@ -102,6 +102,12 @@ bool MotorStop::isActive() const
     return m_active;
 }
 
+std::vector<int> MotorStop::replaced() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_active ? std::vector<int>(m_before.begin(), m_before.end()) : std::vector<int>();
+}
+
 void MotorStop::correct(QByteArray &stream) const
 {
     const std::lock_guard lock(m_mutex);

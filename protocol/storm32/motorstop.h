@@ -35,6 +35,8 @@ public:
 
     /// The motors are disabled in RAM: what the board holds there is not the operator's.
     [[nodiscard]] bool isActive() const;
+    /// Those values, word by word, while the board holds others; else empty.
+    [[nodiscard]] std::vector<int> replaced() const;
     /// Puts the operator's values of those words into what was read: words, two bytes each, from 0 on.
     void correct(QByteArray &stream) const;
 

@@ -544,9 +544,18 @@ ScriptContext scriptContext(const ParameterSet &parameters, int firmware)
 {
     ScriptContext context;
     context.firmware = firmware;
-    for (const ParameterSpec &spec : parameters.all())
-        context.parameters.push_back(
-            {spec.offset / 2, originalName(spec).section(u" ("_s, 0, 0), spec.row->wire == WireType::I16});
+    if (isKnownLayout(parameters.firmware()))
+        context.words = wordsOf(parameters.firmware());
+    for (const ParameterSpec &spec : parameters.all()) {
+        ScriptParameter parameter{spec.offset / 2, originalName(spec).section(u" ("_s, 0, 0),
+                                  spec.row->wire == WireType::I16, int(spec.row->min), int(spec.row->max)};
+        parameter.step = spec.row->step;
+        for (const Choice &choice : spec.choices(parameters.firmware())) {
+            if (spec.row->kind == ValueKind::Choice)
+                parameter.choices.append(choice.value);
+        }
+        context.parameters.push_back(std::move(parameter));
+    }
     return context;
 }
 

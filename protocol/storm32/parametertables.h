@@ -10,6 +10,7 @@ namespace storm32 {
 /// The parts of the `g` data: the parameter words, and the scripts after them (errata 3.4).
 enum Block : std::uint8_t { Parameters, Scripts, BlockCount };
 
+inline constexpr int kSystemWord = 110;  ///< MAVLink system, followed by the component
 inline constexpr int kHeartbeatWord = 112;  ///< MAVLink configuration (errata 6)
 
 /// Layouts that have a table (errata 5). A ParameterSet holds the layout where other families have the

@@ -38,6 +38,7 @@ constexpr ArgumentSpec kAllDirections[] = {{.key = "direction", .label = "Direct
                                          .choices = kDirectionChoices, .defaultText = "auto"}};
 // clang-format on
 
+constexpr ReplyUnit kYawUnits[] = {{"angle", "°"}};
 constexpr ReplyUnit kReadingUnits[] = {{"temperature", "°C"}, {"quality", "g"}};
 
 constexpr ActionSpec kProcedures[] = {
@@ -63,12 +64,14 @@ constexpr ActionSpec kProcedures[] = {
      .units = kReadingUnits},
     {.key = "calibrate.six",
      .label = "Calibrate an accelerometer, six positions",
-     .help = "Finds zeros and scales; each face has to lie up once. Do it with the motors off, on USB power.",
+     .help = "Finds zeros and scales; each face has to lie up once. Switches the motors off and leaves them "
+             "off: hold the camera.",
      .group = "Calibration",
      .risk = ActionRisk::Writes,
      .arguments = kCalibrate,
      .isProcedure = true,
-     .units = kReadingUnits},
+     .units = kReadingUnits,
+     .letsGo = true},
     {.key = "calibration.write",
      .label = "Write a calibration",
      .help = "Zeros and scales of one accelerometer; stored at once.",
@@ -128,7 +131,8 @@ constexpr ActionSpec kProcedures[] = {
      .group = "Gimbal configuration",
      .risk = ActionRisk::Moves,
      .arguments = kOffset,
-     .memory = MemoryEffect::ChangesInUse},
+     .memory = MemoryEffect::ChangesInUse,
+     .units = kYawUnits},
     {.key = "setup.yaw_end",
      .label = "Set up: end aligning yaw",
      .help = "Takes where yaw stands as its start position; in RAM.",
@@ -149,17 +153,11 @@ std::span<const ActionSpec> Procedures::all()
 // values in use are restored.
 Result<ActionReply> Procedures::compareStored()
 {
-    if (m_device.isEmbedded())
-        return failure(ErrorCode::Unsupported, u"switch the heartbeat off first"_s);
-    const auto inUse = m_device.readStream(m_channel);
-    if (!inUse)
-        return tl::unexpected(inUse.error());
-    const auto stored = m_device.readStored(m_channel, *inUse);
-    if (!stored)
-        return tl::unexpected(stored.error());
-    const Configuration use = m_device.configurationOf(*inUse);
-    const Configuration kept = m_device.configurationOf(*stored);
-    ActionReply reply{{u"unstored"_s, *stored != *inUse}};
+    const auto both = m_device.readBoth(m_channel);
+    if (!both)
+        return tl::unexpected(both.error());
+    const auto &[use, kept] = *both;
+    ActionReply reply{{u"unstored"_s, kept.blocks() != use.blocks()}};
     for (const ParameterChange &change : kept.changesTo(use))
         reply.insert(
             change.spec->key,
@@ -189,6 +187,8 @@ Result<ActionReply> Procedures::perform(const QString &key, const QVariantMap &a
             calibration.scale[axis]
                 = arguments.value(u"scale.%1"_s.arg(QLatin1String(kSensorAxes[axis]))).toInt();
         }
+        if (const auto checked = checkPlausible(calibration); !checked)
+            return tl::unexpected(checked.error());
         return nothing(writeCalibration(imu, calibration));
     }
     if (key == u"setup.motors_off"_s)

@@ -40,6 +40,7 @@ private:
     {
         int state = 0;
         int status = 0;
+        int motors = 0;  ///< bits of those that are active
         int busErrors = 0;
     };
 
@@ -52,10 +53,18 @@ private:
     /// Errors: NotSeen when there is none.
     Result<Sensor> sensor(int imu);
     Result<Average> average(int imu, int readings, Progress &progress);
+    /// Proves that the motors are off, and switches them off where they are not. Errors: NotProven,
+    /// NotRestored, those of the link.
+    Result<void> keepMotorsOff();
     /// Waits until the sensor lies still on one of the wanted faces, then measures.
-    Result<Average> face(int imu, unsigned wanted, Progress &progress);
+    /// @param byHand it is turned over by hand: the motors are kept off
+    Result<Average> face(int imu, unsigned wanted, bool byHand, Progress &progress);
+    /// Errors: OutOfRange where no sensor is like that.
+    [[nodiscard]] Result<void> checkPlausible(const AccCalibration &calibration) const;
     Result<void> writeCalibration(int imu, const AccCalibration &calibration);
     [[nodiscard]] double oneG() const;
+    /// NotSeen, with what it measured: !isGravity().
+    [[nodiscard]] Error notGravity(const AccReading &acc) const;
     [[nodiscard]] static ActionReply replyOf(const AccCalibration &calibration, double oneG,
                                              double temperature);
 
@@ -83,6 +92,7 @@ private:
 
     Device &m_device;
     Channel &m_channel;
+    bool m_switchedOff = false;  ///< keepMotorsOff() had to stop motors that were running
 };
 
 }  // namespace storm32

@@ -56,7 +56,10 @@ public:
     {
         std::array<QString, kScriptCount> all;
         std::copy_n(texts.begin(), std::min<qsizetype>(texts.size(), kScriptCount), all.begin());
-        return compileScripts(all, contextOf(configuration));
+        std::array<bool, kScriptCount> held{};
+        for (int script = 0; script < kScriptCount; ++script)
+            held[std::size_t(script)] = all[std::size_t(script)] == text(configuration, script);
+        return compileScripts(all, contextOf(configuration), held);
     }
 
     [[nodiscard]] QStringList words(const Configuration &configuration) const override

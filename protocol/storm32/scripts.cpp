@@ -22,6 +22,7 @@ constexpr int kFirstCase = 0x03;
 constexpr int kLastCase = 0x06;
 constexpr int kOffsets = kScriptCount;
 constexpr double kAnglesPerDegree = 100.0;
+constexpr double kSameAngle = 1e-6;  // steps: what a decimal fraction is not exact by
 
 /// An argument of a statement, in the text and on the wire.
 struct Argument
@@ -160,9 +161,10 @@ std::optional<QStringList> tokensOf(const QString &line)
 class Compiler
 {
 public:
-    Compiler(const ScriptContext &context, int script)
+    Compiler(const ScriptContext &context, int script, bool isHeld)
         : m_context(context)
         , m_script(script)
+        , m_isHeld(isHeld)
     {
     }
 
@@ -271,7 +273,13 @@ private:
             const int index = parameter ? parameter->index
                 : text.startsWith(u'#') ? text.mid(1).toInt(&numbered)
                                         : -1;
-            if (!parameter && (!numbered || index < 0 || index > 255))
+            // A number is as good as a name, but only of a parameter that there is.
+            for (const ScriptParameter &each : m_context.parameters) {
+                if (numbered && each.index == index)
+                    parameter = &each;
+            }
+            const bool isThere = parameter || (numbered && index >= 0 && index < 256);
+            if (!isThere || (!m_isHeld && index >= m_context.words))
                 return wrong(QT_TRANSLATE_NOOP("Tables", "there is no parameter “%1”"), {text});
             m_code.append(char(index));
             return {};
@@ -285,13 +293,22 @@ private:
         int min = wanted.min;
         int max = wanted.max;
         if (wanted.kind == Argument::Value && parameter) {
-            min = parameter->isSigned ? -32768 : 0;
-            max = parameter->isSigned ? 32767 : 65535;
+            min = std::max(parameter->isSigned ? -32768 : 0, m_isHeld ? wanted.min : parameter->min);
+            max = std::min(parameter->isSigned ? 32767 : 65535, m_isHeld ? wanted.max : parameter->max);
         }
         if (number < min || number > max)
             return wrong(QT_TRANSLATE_NOOP("Tables", "%1 is outside %2 to %3"),
                          {text, QString::number(min), QString::number(max)});
-        const int raw = int(std::lround(wanted.kind == Argument::Angle ? number * kAnglesPerDegree : number));
+        const bool isStepped = wanted.kind == Argument::Value && parameter && !m_isHeld;
+        if (isStepped && !parameter->choices.isEmpty() && !parameter->choices.contains(int(number)))
+            return wrong(QT_TRANSLATE_NOOP("Tables", "“%1” cannot be %2"), {parameter->name, text});
+        if (isStepped && (int(number) - min) % parameter->step != 0)
+            return wrong(QT_TRANSLATE_NOOP("Tables", "“%1” cannot be %2"), {parameter->name, text});
+        const double steps = wanted.kind == Argument::Angle ? number * kAnglesPerDegree : number;
+        const int raw = int(std::lround(steps));
+        if (std::abs(steps - raw) > kSameAngle)
+            return wrong(QT_TRANSLATE_NOOP("Tables", "a board cannot hold %1: the nearest is %2"),
+                         {text, QString::number(raw / kAnglesPerDegree)});
         if (wireBytes(wanted.kind) == 1)
             m_code.append(char(raw));
         else
@@ -301,6 +318,7 @@ private:
 
     const ScriptContext &m_context;
     int m_script;
+    bool m_isHeld;
     qsizetype m_line = 0;
     QByteArray m_code;
     int m_cases = 0;
@@ -395,11 +413,13 @@ QString scriptText(QByteArrayView area, int script, const ScriptContext &context
     return text;
 }
 
-CompiledScripts compileScripts(const std::array<QString, kScriptCount> &texts, const ScriptContext &context)
+CompiledScripts compileScripts(const std::array<QString, kScriptCount> &texts, const ScriptContext &context,
+                               const std::array<bool, kScriptCount> &held)
 {
     QByteArray area(kOffsets, char(kEnd));
     for (int script = 0; script < kScriptCount; ++script) {
-        const auto code = Compiler(context, script).compile(texts[std::size_t(script)]);
+        const auto code
+            = Compiler(context, script, held[std::size_t(script)]).compile(texts[std::size_t(script)]);
         if (!code)
             return code;
         if (code->isEmpty())

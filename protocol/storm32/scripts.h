@@ -5,6 +5,7 @@
 #include "protocol/base/bytes.h"
 #include "protocol/configuration/scriptlanguage.h"
 
+#include <QList>
 #include <QString>
 
 #include <array>
@@ -26,6 +27,10 @@ struct ScriptParameter
     int index = 0;
     QString name;  ///< without a remark in brackets
     bool isSigned = false;
+    int min = -32768;  ///< what it may be set to
+    int max = 65535;
+    QList<int> choices = {};  ///< the only ones; empty: all from min to max
+    int step = 1;
 };
 
 /// The parameters of one layout, and the firmware that decides which words exist.
@@ -33,6 +38,7 @@ struct ScriptContext
 {
     std::vector<ScriptParameter> parameters;
     int firmware = 96;  ///< 79, 90, 96
+    int words = 256;  ///< so many parameters can be named by number
 };
 
 /// One statement as stored in memory.
@@ -57,9 +63,11 @@ struct ScriptEffect
 [[nodiscard]] QString scriptText(QByteArrayView area, int script, const ScriptContext &context);
 
 /// Compiles all four texts into the area of 128 bytes. Empty lines, and lines that start with // or ;, are
-/// ignored.
+/// ignored. What a script may set a parameter to is what an operator may, but for scripts that the board has
+/// already.
 [[nodiscard]] CompiledScripts compileScripts(const std::array<QString, kScriptCount> &texts,
-                                             const ScriptContext &context);
+                                             const ScriptContext &context,
+                                             const std::array<bool, kScriptCount> &held = {});
 
 /// The words that this firmware understands, for auto-completion.
 [[nodiscard]] QStringList scriptWords(int firmware);

@@ -85,7 +85,7 @@ Result<Procedures::Status> Procedures::status()
     Status status;
     status.state = reader.u16();
     status.status = reader.u16();
-    reader.u16();
+    status.motors = reader.u16() & kMotorBits;
     status.busErrors = reader.u16();
     return status;
 }
@@ -109,6 +109,7 @@ Result<Procedures::Directions> Procedures::holdAxes(std::size_t count, const Dir
 {
     const TimePoint until = m_channel.now() + limit;
     std::array<AccReading, 2> smooth{};
+    std::optional<Error> impossible;
     bool begun = false;
     int held = 0;
     Directions last{};
@@ -118,6 +119,7 @@ Result<Procedures::Directions> Procedures::holdAxes(std::size_t count, const Dir
             return tl::unexpected(now.error());
         Directions found{};
         bool good = true;
+        impossible.reset();
         for (std::size_t imu = 0; imu < count; ++imu) {
             if (!(*now)[imu].isPresent())
                 return failure(ErrorCode::NotSeen,
@@ -127,7 +129,9 @@ Result<Procedures::Directions> Procedures::holdAxes(std::size_t count, const Dir
                 kept = begun ? kept + kLookFactor * ((*now)[imu].acc[axis] - kept) : (*now)[imu].acc[axis];
             }
             found[imu] = directionOf(smooth[imu], up ? &(*up)[imu] : nullptr);
-            good = good && found[imu] != Direction{};
+            if (!isGravity(smooth[imu], oneG()))
+                impossible = notGravity(smooth[imu]);
+            good = good && !impossible && found[imu] != Direction{};
         }
         begun = true;
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -141,6 +145,8 @@ Result<Procedures::Directions> Procedures::holdAxes(std::size_t count, const Dir
         if (const auto slept = m_channel.sleep(kLookPeriod); !slept)
             return tl::unexpected(slept.error());
     }
+    if (impossible)
+        return tl::unexpected(*impossible);
     return failure(ErrorCode::NotSeen,
                    up ? u"the camera was not tilted 45° down, without roll, for one second"_s
                       : u"no axis of the sensor pointed up for one second"_s);
@@ -156,6 +162,10 @@ Result<ActionReply> Procedures::findOrientation()
     if (before->busErrors > 0)
         return failure(ErrorCode::NotSeen,
                        u"%1 errors on the sensor's bus: check its cable"_s.arg(before->busErrors));
+    if (before->motors != 0) {
+        return failure(ErrorCode::ConditionUnmet,
+                       u"the motors are running; setup.motors_off disables them first"_s);
+    }
     struct Place
     {
         const char *name;
@@ -336,10 +346,11 @@ Result<ActionReply> Procedures::moveYaw(double degrees)
 {
     if (!m_device.m_yawBefore)
         return failure(ErrorCode::InvalidArgument, u"begin to align yaw first"_s);
-    const auto done = m_device.writeWord(m_channel, kYawWords[2], int(std::lround(degrees * 10.0)));
+    const int steps = int(std::lround(degrees * 10.0));
+    const auto done = m_device.writeWord(m_channel, kYawWords[2], steps);
     if (!done)
         return tl::unexpected(done.error());
-    return ActionReply{};
+    return ActionReply{{u"angle"_s, steps / 10.0}};
 }
 
 Result<ActionReply> Procedures::endYaw(bool take)

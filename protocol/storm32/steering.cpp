@@ -22,7 +22,6 @@ constexpr int kLimitedMode = 1;
 constexpr int kPulseMode = 3;  // microseconds from the middle
 constexpr double kStickThrow = 800.0;
 constexpr double kMiddlePulse = 1500.0;
-constexpr double kStickRest = 12.0;  // microseconds; an untouched stick is not exactly in its middle
 constexpr auto kLeaving = 3s;  // from standby until motors are active
 constexpr std::array kLabels{"Roll", "Pitch", "Yaw"};
 
@@ -110,7 +109,26 @@ ControlFrames Device::controlFrames(const SteeringSetpoint &setpoint) const
     frames.release = request.bytes;  // moving it back would be an unexpected movement
     frames.answer = request.answer;  // errata 7: one command at a time
     frames.kind = request.kind;
+    for (std::size_t axis = 0; !pulses && axis < kAxes.size(); ++axis) {
+        if (!(m_history->shifted & kPanBits[axis]))  // otherwise it counts from where the frame points
+            frames.angles[axis] = setpoint.inputs[axis];
+    }
     return frames;
+}
+
+// Roll and pitch are level by gravity; yaw has no such angle.
+std::array<double, kAxisCount> Device::levelAngles(const LatestValues &latest) const
+{
+    std::array<double, kAxisCount> angles = Steering::levelAngles(latest);
+    const double status2 = double(latest.latest(Status2));
+    for (const Axis axis : {Axis::Roll, Axis::Pitch}) {
+        const auto i = std::size_t(axis);
+        const double stick = double(latest.latest(InputRoll + int(i)));
+        if (!std::isnan(status2) && std::abs(stick) <= kStickRest
+            && !((m_history->shifted | unsigned(status2)) & kPanBits[i]))
+            angles[i] = 0.0;
+    }
+    return angles;
 }
 
 Request Device::standbyRequest(bool standby) const
@@ -140,6 +158,26 @@ StopPlan Device::stopPlan() const
     return plan;
 }
 
+Result<void> Device::stopMotors(Channel &channel)
+{
+    auto done = carryOut(channel, stopPlan());
+    const std::vector<int> before = m_stop->replaced();
+    if (done || before.empty())
+        return done;
+    QStringList values;
+    for (const ParameterSpec &spec : m_parameters->all()) {
+        const auto word = std::size_t(spec.offset / 2 - MotorStop::kFirstWord);
+        if (spec.row->block == Parameters && word < before.size())
+            values.append(u"%1=%2"_s.arg(spec.key, spec.format(before[word])));
+    }
+    if (!done.error().detail.isEmpty())
+        done.error().detail += u"; "_s;
+    done.error().detail
+        += u"the motors are disabled in volatile memory; in use before: %1. Restart the board, or set these "
+           "again, to use the motors, and store nothing before"_s.arg(values.join(u' '));
+    return done;
+}
+
 Result<void> Device::checkNotStopping() const
 {
     if (!m_stop->isActive())
@@ -152,9 +190,15 @@ Result<void> Device::switchMotorsOn(Channel &channel) const
 {
     if (const auto free = checkNotStopping(); !free)
         return free;
+    channel.allowMotors();
     const auto done = channel.transact(standbyRequest(false));
     if (!done)
         return tl::unexpected(done.error());
+    const auto disabled = disabledMotors(channel);
+    if (!disabled)
+        return tl::unexpected(disabled.error());
+    if (disabled->size() == MotorStop::kWords)
+        return failure(ErrorCode::NoEffect, u"every motor is disabled: %1"_s.arg(disabled->join(u", "_s)));
     const auto active = holdsWithin(channel, simple(Simple::Status), kLeaving, [](const Frame &status) {
         ByteReader reader(QByteArrayView(status.payload).sliced(4));
         return (reader.u16() & kMotorBits) != 0;
@@ -164,7 +208,32 @@ Result<void> Device::switchMotorsOn(Channel &channel) const
     if (*active)
         return {};
     return failure(ErrorCode::NoEffect,
-                   u"no motor became active; each needs a motor usage that is not disabled"_s);
+                   disabled->isEmpty()
+                       ? u"no motor became active, though none is disabled"_s
+                       : u"no motor became active; disabled are %1"_s.arg(disabled->join(u", "_s)));
+}
+
+// "motor.pitch.usage=3"; nothing of a board whose words are not known.
+Result<QStringList> Device::disabledMotors(Channel &channel) const
+{
+    QStringList disabled;
+    if (!isKnownLayout(m_identity.firmwareNumber))
+        return disabled;
+    for (int word = MotorStop::kFirstWord; word < MotorStop::kFirstWord + MotorStop::kWords; ++word) {
+        const auto reply = channel.transact(rc(Rc::GetParameter, ByteWriter().u16(word).take()));
+        if (!reply)
+            return tl::unexpected(reply.error());
+        ByteReader reader(reply->payload);
+        if (reader.u16() != word)
+            return failure(ErrorCode::BadReply, u"another parameter than %1"_s.arg(word));
+        const auto spec = std::find_if(m_parameters->all().begin(), m_parameters->all().end(),
+                                       [word](const ParameterSpec &each) {
+                                           return each.row->block == Parameters && each.offset == 2 * word;
+                                       });
+        if (reader.u16() == MotorStop::kDisabled && spec != m_parameters->all().end())
+            disabled.append(u"%1=%2"_s.arg(spec->key, spec->format(MotorStop::kDisabled)));
+    }
+    return disabled;
 }
 
 }  // namespace storm32

@@ -77,6 +77,39 @@ bool Device::isStabilising(int state) const
     return state == 6;
 }
 
+bool Device::isStarting(int state) const
+{
+    return state >= 0 && state < 6;
+}
+
+// Levelling again begins at 5 (errata 3.7).
+bool Device::isFreshlyStarted(int state) const
+{
+    return state == 0 || state == 1;
+}
+
+// Plain, or embedded in a message.
+std::optional<milliseconds> Device::ordersReset(QByteArrayView sent) const
+{
+    Bytes content = asBytes(sent);
+    QByteArray inner;
+    if (const mavlink::Sighting seen = mavlink::sight(content); seen.look == mavlink::Look::Complete) {
+        const mavlink::Message *message = mavlink::findMessage(seen.packet.id);
+        if (!message || message->id != mavlink::MessageId::TargetSpecific)
+            return {};
+        const auto fields = mavlink::decodeFields(*message, seen.packet.payload);
+        if (!fields)
+            return {};
+        inner = fields->value(u"specific_payload"_s).toByteArray();
+        content = asBytes(inner);
+    }
+    const SimpleCommand *command = findSimple(content);
+    const bool restarts = command
+        && (command->id == Simple::Restart || command->id == Simple::HardReset
+            || command->id == Simple::NormalMotors);
+    return restarts ? std::optional(0ms) : std::nullopt;
+}
+
 QString Device::messageText(const FrameView &frame) const
 {
     if (frame.id != FrameId::kMavlink + mavlink::number(mavlink::MessageId::StatusText))

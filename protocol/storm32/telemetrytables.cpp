@@ -7,8 +7,10 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -33,9 +35,9 @@ constexpr ChannelSpec kChannels[] = {
     {"up.x", "Up direction, X", "Inertial sensors", "", 4, Axis::Roll, -1, 1},
     {"up.y", "Up direction, Y", "Inertial sensors", "", 4, Axis::Pitch, -1, 1},
     {"up.z", "Up direction, Z", "Inertial sensors", "", 4, Axis::Yaw, -1, 1},
-    {"output.roll", "Controller output, roll", "Motors", "°", 2, Axis::Roll, -180, 180},
-    {"output.pitch", "Controller output, pitch", "Motors", "°", 2, Axis::Pitch, -180, 180},
-    {"output.yaw", "Controller output, yaw", "Motors", "°", 2, Axis::Yaw, -180, 180},
+    {"output.roll", "Controller output, roll", "Motors", "°", 2, Axis::Roll, -180, 180, "joint.roll"},
+    {"output.pitch", "Controller output, pitch", "Motors", "°", 2, Axis::Pitch, -180, 180, "joint.pitch"},
+    {"output.yaw", "Controller output, yaw", "Motors", "°", 2, Axis::Yaw, -180, 180, "joint.yaw"},
     {"input.roll", "Input, roll", "Remote control", "µs", 0, Axis::Roll, -800, 800, "input.roll"},
     {"input.pitch", "Input, pitch", "Remote control", "µs", 0, Axis::Pitch, -800, 800, "input.pitch"},
     {"input.yaw", "Input, yaw", "Remote control", "µs", 0, Axis::Yaw, -800, 800, "input.yaw"},
@@ -54,12 +56,13 @@ constexpr ChannelSpec kChannels[] = {
 // clang-format on
 static_assert(std::size(kChannels) == ChannelCount);
 
+// Of the first status word (errata 3.8).
+constexpr int kSensorPresent = 0x8000;
+constexpr int kMagnetometerPresent = 0x2000;
+constexpr int kFrameSensorPresent = 0x1000;
 constexpr int kLinkPresent = 0x0100;
 // After a gap this long nothing is known about the time between.
 constexpr double kGap = 0.5;
-// The first state with turning motors. Only a start leads through those before it; leaving standby does not
-// (errata 3.7).
-constexpr float kMotorsTurn = 4;
 constexpr double kDrift = 2e-4;  // greatest drift of the board's clock against ours
 
 }  // namespace
@@ -112,9 +115,22 @@ std::array<float, ChannelCount> liveRow(Bytes data, const LiveScales &scales)
         put(Angle2Roll + channel, 25 + i, 0.01);
     }
     put(MagYaw, 28, 0.01);
+    const auto drop = [&row](int first, int last) {
+        std::fill(row.begin() + first, row.begin() + last + 1, std::numeric_limits<float>::quiet_NaN());
+    };
+    // Zeros of a sensor that is not there are no values.
+    if (!(words[1] & kSensorPresent)) {
+        drop(AngleRoll, AngleYaw);
+        drop(GyroX, UpZ);
+    }
+    if (!(words[1] & kFrameSensorPresent))
+        drop(Angle2Roll, Angle2Yaw);
+    if (!(words[1] & kMagnetometerPresent))
+        drop(MagYaw, MagYaw);
     if (words[1] & kLinkPresent)
         put(LinkYaw, 29, 0.01);  // meaningless without a link
-    put(AccConfidence, 30, 1e-4);
+    if (words[1] & kSensorPresent)
+        put(AccConfidence, 30, 1e-4);
     raw(Functions, 31);
     row[MotorsActive] = words[2] & kMotorBits ? 1.0F : 0.0F;
     return row;
@@ -147,10 +163,11 @@ QString stateName(int state, int firmware)
 std::vector<BoardFact> factsOf(unsigned status, unsigned status2, unsigned functions)
 {
     const char *none = QT_TRANSLATE_NOOP("Tables", "none");
+    const char *absent = QT_TRANSLATE_NOOP("Tables", "not present");
     const char *ok = QT_TRANSLATE_NOOP("Tables", "OK");
     const char *error = QT_TRANSLATE_NOOP("Tables", "error");
     const auto part = [&](unsigned present, unsigned sound) {
-        return std::vector<const char *>{!(status & present) ? none : status & sound ? ok : error};
+        return std::vector<const char *>{!(status & present) ? absent : status & sound ? ok : error};
     };
     const auto axes = [status2, none](unsigned pitch, unsigned roll, unsigned yaw) {
         std::vector<const char *> words;
@@ -257,6 +274,12 @@ void Decoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store
         return;
     if (data.size() != 64)
         return;
+    m_polls.answered(store);
+    // A board whose clock stands still sends the same sample again.
+    if (toByteArray(data) == std::exchange(m_newest, toByteArray(data)) && m_scales.clock) {
+        store.noteRepeat(at);
+        return;
+    }
     if (!m_group) {
         QList<int> channels;
         for (int i = 0; i < ChannelCount; ++i)
@@ -277,9 +300,25 @@ void Decoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store
         if (row[State] < kMotorsTurn)
             m_history->sawStart = true;
     }
+    if (m_scales.clock)
+        store.noteStamp(at);
     store.append(*m_group, store.origin() + durationFromSeconds(time), row);
     m_lastTime = time;
     m_lastArrival = arrival;
+}
+
+void Decoder::sent(QByteArrayView bytes, TelemetryStore &store)
+{
+    const auto isQuestion = [](QByteArrayView content) {
+        const SimpleCommand *command = findSimple(asBytes(content));
+        return content.size() == 1 && command && command->id == Simple::LiveData;
+    };
+    bool asks = isQuestion(bytes) || bytes == encodeRc(int(Rc::GetData), QByteArray(1, '\0'));
+    if (const mavlink::Sighting seen = mavlink::sight(asBytes(bytes)); seen.look == mavlink::Look::Complete
+        && seen.packet.id == mavlink::number(mavlink::MessageId::TargetSpecific))
+        asks = isQuestion(toByteArray(seen.packet.payload.subspan(2)));
+    if (asks)
+        m_polls.asked(store);
 }
 
 }  // namespace storm32

@@ -4,6 +4,7 @@
 
 #include "protocol/device/abilities.h"
 #include "protocol/telemetry/channelspec.h"
+#include "protocol/telemetry/pollcount.h"
 #include "protocol/telemetry/streams.h"
 
 #include <atomic>
@@ -62,9 +63,13 @@ struct LiveScales
 
 /// One row from the data of `d`: a value for each channel, NaN for missing ones. @param data 64 bytes
 [[nodiscard]] std::array<float, ChannelCount> liveRow(Bytes data, const LiveScales &scales);
+/// The first state with turning motors. Only a start leads through those before it; leaving standby does not
+/// (errata 3.7).
+inline constexpr int kMotorsTurn = 4;
 inline constexpr int kMotorBits = 0x0038;  ///< of status2: a motor is active (errata 3.8)
 /// Of status2: roll, pitch and yaw follow the handle (errata 3.8).
 inline constexpr std::array<unsigned, 3> kPanBits{0x4000, 0x2000, 0x8000};
+inline constexpr double kStickRest = 12.0;  ///< microseconds; an untouched stick is not exactly in its middle
 inline constexpr unsigned kAllPanBits = kPanBits[0] | kPanBits[1] | kPanBits[2];
 /// Whether a state means standby (errata 3.7).
 [[nodiscard]] bool isStandby(int state, int firmware);
@@ -98,6 +103,7 @@ public:
     {
     }
     void decode(const FrameView &frame, TimePoint at, TelemetryStore &store) override;
+    void sent(QByteArrayView bytes, TelemetryStore &store) override;
 
 private:
     [[nodiscard]] double timeOf(int stamp, double arrival);
@@ -105,6 +111,8 @@ private:
     LiveScales m_scales;
     std::shared_ptr<PanHistory> m_history;
     std::shared_ptr<TelemetryGroup> m_group;
+    PollCount m_polls;
+    QByteArray m_newest;
     int m_lastStamp = -1;
     double m_boardTime = 0;  // seconds, unwrapped
     double m_offset = 0;  // arrival minus board time, of the least late answer

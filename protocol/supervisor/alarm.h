@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/base/axis.h"
+#include "protocol/base/battery.h"
 
 #include <QString>
 
@@ -55,6 +56,10 @@ struct Alarm
     double hertz = 0;  ///< of an oscillation
     /// A runaway that is over by itself: the axis stands where it ended and is not coming back.
     bool isStanding = false;
+    /// A runaway on a board without targets: it has turned by that much in one direction without a stop.
+    bool isTurning = false;
+    /// Somebody else may want it: it follows its frame, or an input of the board steers it. It is only told.
+    bool mayBeMeant = false;
     /// Samples come too slowly to tell the frequency: it may be higher.
     bool isHertzVague = false;
     /// It began after a value was changed live.
@@ -62,7 +67,10 @@ struct Alarm
     QString fault;  ///< BoardFault::key
 
     /// The same thing going on.
-    [[nodiscard]] bool isSame(const Alarm &alarm) const { return kind == alarm.kind && axis == alarm.axis; }
+    [[nodiscard]] bool isSame(const Alarm &alarm) const
+    {
+        return kind == alarm.kind && axis == alarm.axis && mayBeMeant == alarm.mayBeMeant;
+    }
     friend bool operator==(const Alarm &, const Alarm &) = default;
 };
 
@@ -80,9 +88,12 @@ struct SupervisorRules
     double runawayDeg = 25.0;  ///< away from its target
     double oscillation = 4.0;  ///< deg/s RMS
     double cellVolts = 3.4;  ///< below this the battery is low
+    BatteryThresholds battery{};  ///< those of the board
     double hotCelsius = 70.0;
     /// Lowest and highest angle that each axis may be steered to, in degrees.
     std::array<std::optional<std::pair<double, double>>, kAxisCount> angles{};
+    /// An input of the board may steer the axis; empty: not known.
+    std::array<std::optional<bool>, kAxisCount> isRemote{};
 
     [[nodiscard]] AlarmAction action(AlarmKind kind) const { return actions[std::size_t(kind)]; }
     friend bool operator==(const SupervisorRules &, const SupervisorRules &) = default;

@@ -28,6 +28,7 @@ struct AlarmReport
     AlarmOutcome outcome = AlarmOutcome::Told;
     std::optional<LiveChange> change;  ///< that was taken back
     bool isOver = false;
+    bool wasSeenToEnd = false;  ///< else it is over because nobody watches any more
     QDateTime at;
 
     /// The program intervened: the operator has to be told even when it is over.

@@ -3,6 +3,7 @@
 #include "protocol/supervisor/supervisedstore.h"
 
 #include "protocol/device/abilities.h"
+#include "protocol/device/bearings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +33,7 @@ SupervisedStore::SupervisedStore(std::shared_ptr<const TelemetryStore> store,
     axes(roles.target, &SupervisedSample::target);
     axes(roles.gyro, &SupervisedSample::rate);
     axes(roles.input, &SupervisedSample::input);
+    axes(roles.motorTemperature, &SupervisedSample::motorTemperature);
     single(roles.outputs, &SupervisedSample::outputs);
     single(roles.battery, &SupervisedSample::battery);
     single(roles.temperature, &SupervisedSample::temperature);
@@ -104,6 +106,13 @@ SupervisedSituation SupervisedStore::situation()
         const double state = latest(m_roles.state);
         now.isStabilising = !std::isnan(state) && words->isStabilising(int(state));
     }
+    if (const Bearings *bearings = m_device->bearings()) {
+        for (const Axis axis : kAxes) {
+            const AxisBearing bearing = bearings->bearing(axis, m_nothing, latest);
+            now.follows[std::size_t(axis)] = bearing.follows;
+            now.isDriven[std::size_t(axis)] = bearing.isDriven;
+        }
+    }
     const LiveAccess *live = m_device->live();
     if (const auto change = live ? live->lastChange() : std::nullopt)
         now.changedAt = m_store->secondsAt(change->until);
@@ -119,5 +128,7 @@ SupervisedSituation SupervisedStore::situation()
             m_faults.append(fault.key);
     }
     now.faults = m_faults;
+    now.tellsMotorHeat = !ChannelRoles::present({m_roles.motorTemperature}).isEmpty();
+    now.tellsFaults = words && !std::isnan(bits);
     return now;
 }

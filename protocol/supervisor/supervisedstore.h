@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/configuration/configuration.h"
 #include "protocol/device/device.h"
 #include "protocol/supervisor/supervisor.h"
 #include "protocol/telemetry/telemetrystore.h"
@@ -47,4 +48,5 @@ private:
     double m_bits = -1;  // of the faults, and their detail, when their keys were looked up
     double m_detail = -1;
     QStringList m_faults;
+    Configuration m_nothing;  // only the status counts here
 };

@@ -13,7 +13,6 @@ namespace {
 constexpr double kPast = 1.0;  // seconds of angles that are kept
 constexpr double kPastStep = 0.008;  // between them
 constexpr double kSlope = 0.05;  // seconds over which an angle's rate is measured
-constexpr double kAfterStart = 0.3;  // motors that were switched on find their place first
 
 // Runaway: this fast away from the target and not slowing down, for so long and so many samples.
 constexpr double kAwayRate = 40.0;
@@ -29,6 +28,7 @@ constexpr double kCreepTime = 0.25;
 constexpr double kAnchorTimes = 2.0;
 constexpr double kAnchorRate = 120.0;
 constexpr double kAnchorRateYaw = 300.0;
+constexpr double kIdle = 0.2;  // seconds, by which motors were off or starting
 constexpr double kStartRate = 300.0;  // no board levels that fast
 constexpr double kStillRate = 15.0;  // deg/s
 constexpr double kStillTime = 0.3;
@@ -47,11 +47,15 @@ constexpr double kAfterChange = 0.5;  // of the limit for oscillations
 constexpr double kThanCalm = 3.0;  // times as rough as it was before
 constexpr double kCalmShare = 0.05;  // of a new value in the average
 constexpr int kOscillatingLooks = 2;
+constexpr double kSwingTimes = 2.0;  // of the limit, for swings slower than that
 constexpr double kTargetStep = 3.0;  // degrees
 constexpr double kMoving = 2.5;  // seconds that a move may take
 constexpr double kFastHz = 15.0;  // no move looks like that
 constexpr double kResonanceFrom = 25.0;  // Hz: faster than gains alone make a gimbal swing
 constexpr double kAfterProcedure = 1.0;
+
+constexpr double kTurnRound = 0.25;
+constexpr double kArrived = 3.0;  // degrees
 
 constexpr double kFar = 8.0;  // degrees off the target
 constexpr double kFarTime = 3.0;
@@ -60,13 +64,6 @@ constexpr double kStillFar = 0.7;  // of the error at the beginning
 constexpr double kBeyond = 5.0;  // degrees beyond a limit
 constexpr double kBeyondTime = 2.5;
 
-constexpr double kFullCell = 4.25;  // volts
-constexpr double kNoBattery = 5.0;  // volts: supplied by USB
-constexpr double kCellRise = 0.1;  // until a low battery is none any more
-constexpr double kCooler = 5.0;
-constexpr double kSensorsFound = 5.0;  // seconds that a board that starts may look for its sensors
-constexpr double kStaleTime = 0.5;
-constexpr double kStalePeriods = 3.0;
 constexpr double kOver = 1.0;  // seconds without the cause
 
 double wrapped(double degrees)
@@ -106,7 +103,7 @@ QSet<AlarmKind> Supervisor::possible(const ChannelRoles &roles)
         kinds += {AlarmKind::Saturation, AlarmKind::Limit};
     if (roles.faults >= 0)
         kinds.insert(AlarmKind::Sensor);
-    if (roles.temperature >= 0)
+    if (roles.temperature >= 0 || any(roles.motorTemperature))
         kinds.insert(AlarmKind::Heat);
     if (roles.battery >= 0)
         kinds.insert(AlarmKind::Battery);
@@ -118,6 +115,8 @@ void Supervisor::interrupt()
     for (AxisState &state : m_axes) {
         state.past.clear();
         state.oscillation.clear();
+        state.slow.clear();
+        state.turn.clear();
         state.awaySince = state.farSince = state.beyondSince = -1;
         state.anchor = SupervisedSample::kNone;
         state.stillSince = -1;
@@ -136,14 +135,24 @@ void Supervisor::add(const SupervisedSample &sample)
         if (m_outputs > 0 && (!was || m_drivenSince < 0))
             m_drivenSince = sample.time;
     }
-    if (isKnown(sample.battery))
+    if (isKnown(sample.battery)) {
         m_battery = sample.battery;
-    if (isKnown(sample.temperature))
+        m_batteryAt = sample.time;
+    }
+    if (isKnown(sample.temperature)) {
         m_temperature = sample.temperature;
+        m_temperatureAt = sample.time;
+    }
     if (m_situation.isSteered)
         m_steeredAt = sample.time;
     if (m_situation.isProcedure)
         m_busyAt = sample.time;
+    if (!m_situation.isStabilising || m_outputs <= 0) {
+        m_idleSince = m_idleSince < 0 ? sample.time : m_idleSince;
+    } else if (m_idleSince >= 0) {
+        m_heldSince = sample.time - m_idleSince > kIdle ? sample.time : m_heldSince;
+        m_idleSince = -1;
+    }
     for (std::size_t axis = 0; axis < m_axes.size(); ++axis)
         addAxis(axis, sample);
 }
@@ -151,8 +160,17 @@ void Supervisor::add(const SupervisedSample &sample)
 void Supervisor::addAxis(std::size_t axis, const SupervisedSample &sample)
 {
     AxisState &state = m_axes[axis];
-    if (isKnown(sample.rate[axis]))
+    if (isKnown(sample.rate[axis])) {
         state.oscillation.add(sample.time, sample.rate[axis]);
+        state.slow.add(sample.time, sample.rate[axis]);
+        const double period = sample.time - state.rateAt;
+        state.ratePeriod += period > 0 && period < 1 ? 0.05 * (period - state.ratePeriod) : 0.0;
+        state.rateAt = sample.time;
+    }
+    if (isKnown(sample.motorTemperature[axis])) {
+        state.motorTemperature = sample.motorTemperature[axis];
+        state.motorAt = sample.time;
+    }
     if (isKnown(sample.input[axis])) {
         if (!isKnown(state.input) || std::abs(sample.input[axis] - state.input) > kInputStep) {
             if (isKnown(state.input))
@@ -163,6 +181,8 @@ void Supervisor::addAxis(std::size_t axis, const SupervisedSample &sample)
     if (isKnown(sample.target[axis])) {
         state.target = sample.target[axis];
         m_hasTargets = true;
+        m_targetAt = sample.time;
+        state.isCommanded = false;
         if (!isKnown(state.movedFrom) || std::abs(wrapped(state.target - state.movedFrom)) > kTargetStep) {
             state.movedAt = sample.time;
             state.movedFrom = state.target;
@@ -171,6 +191,9 @@ void Supervisor::addAxis(std::size_t axis, const SupervisedSample &sample)
     const double angle = sample.angle[axis];
     if (!isKnown(angle))
         return;
+    state.angleAt = sample.time;
+    if (!m_hasTargets)
+        watchCommand(axis, sample.time);
     while (!state.past.empty() && sample.time - state.past.front().time > kPast)
         state.past.pop_front();
     // The rate comes from the angles: what the gyroscope calls positive differs between boards.
@@ -182,15 +205,52 @@ void Supervisor::addAxis(std::size_t axis, const SupervisedSample &sample)
     }
     const double span = from ? sample.time - from->time : 0.0;
     const double rate = span > 0.5 * kSlope ? wrapped(angle - from->angle) / span : 0.0;
-    if (!m_hasTargets)
-        watchAnchor(state, sample.time, angle, rate);
-    const double reference = m_hasTargets ? state.target : state.anchor;
-    state.error = isKnown(reference) ? wrapped(reference - angle) : SupervisedSample::kNone;
+    watchAnchor(state, sample.time, angle, rate);
+    measureError(state, sample.time, angle);
+    state.hasArrived |= state.isCommanded && std::abs(state.error) < kArrived;
     state.away = !isKnown(state.error) ? 0.0 : state.error > 0 ? -rate : rate;
     if (state.past.empty() || sample.time - state.past.back().time >= kPastStep)
         state.past.push_back({sample.time, angle, state.error});
     watchRunaway(axis, sample.time);
+    watchTurn(axis, sample.time, angle, rate);
     watchPlace(axis, sample.time);
+}
+
+void Supervisor::measureError(AxisState &state, double time, double angle)
+{
+    const bool anchored = isAnchored(state);
+    const double reference = anchored ? state.anchor : state.target;
+    const double error = isKnown(reference) ? wrapped(reference - angle) : SupervisedSample::kNone;
+    const bool isStill = state.stillSince >= 0 && time - state.stillSince >= kStillTime;
+    // Where it stands, its direction counts.
+    const bool goesOn = isKnown(error) && isKnown(state.error) && !state.past.empty()
+        && anchored == state.wasAnchored && isDriven(time) && !isStill;
+    state.error = goesOn ? state.error + wrapped(error - state.error) : error;
+    state.wasAnchored = anchored;
+}
+
+// A board that does not tell its targets is judged by what it is steered to from here.
+void Supervisor::watchCommand(std::size_t axis, double time)
+{
+    AxisState &state = m_axes[axis];
+    double wanted = m_situation.isSteered ? m_situation.steeredTo[axis] : SupervisedSample::kNone;
+    // Beyond its limits it may stop short.
+    if (const auto &angles = m_rules.angles[axis];
+        angles && (wanted < angles->first || wanted > angles->second))
+        wanted = SupervisedSample::kNone;
+    const bool was = std::exchange(state.isCommanded, isKnown(wanted));
+    if (!state.isCommanded) {
+        if (was)
+            state.farSince = state.beyondSince = state.awaySince = -1;
+        return;
+    }
+    state.target = wanted;
+    if (!was || !isKnown(state.movedFrom) || std::abs(wrapped(wanted - state.movedFrom)) > kTargetStep) {
+        state.movedAt = time;
+        state.movedFrom = wanted;
+        state.hasArrived = false;
+        state.farSince = -1;
+    }
 }
 
 // Where an axis stands still is taken for its target, until somebody moves it.
@@ -226,8 +286,10 @@ bool Supervisor::isChangedSince(double time) const
 void Supervisor::watchRunaway(std::size_t axis, double time)
 {
     AxisState &state = m_axes[axis];
-    const bool isAnchored = !m_hasTargets;
-    if (!isDriven(time) || !isKnown(state.error)
+    const bool isAnchored = this->isAnchored(state);
+    // A camera that moved the other way when it was told to turn round needs a moment.
+    const bool turnsRound = state.isCommanded && time - state.movedAt < kTurnRound;
+    if (!isDriven(time) || !isKnown(state.error) || turnsRound
         || (isAnchored && (time - m_steeredAt < kAfterSteering || time - m_busyAt < kAfterSteering))) {
         state.awaySince = -1;
         return;
@@ -265,12 +327,16 @@ Alarm Supervisor::explainRunaway(std::size_t axis, double time) const
     alarm.axis = kAxes[axis];
     alarm.time = time;
     alarm.value = std::abs(state.error);
-    alarm.limit = m_rules.runawayDeg * (m_hasTargets ? 1.0 : kAnchorTimes);
+    alarm.limit = m_rules.runawayDeg * (isAnchored(state) ? kAnchorTimes : 1.0);
     alarm.isAfterChange = isChangedSince(time - kChangeCounts);
     // An error that swung to and fro has outgrown its loop.
     int swings = 0;
     double side = 0;
+    double before = 0;
     for (const Past &past : state.past) {
+        // Past half a circle it was told from the other side: it has turned on.
+        if (std::abs(past.error - std::exchange(before, past.error)) > 180)
+            side = swings = 0;
         if (std::abs(past.error) < kSwing)
             continue;
         swings += side != 0 && side * past.error < 0;
@@ -280,8 +346,11 @@ Alarm Supervisor::explainRunaway(std::size_t axis, double time) const
         alarm.cause = AlarmCause::TooMuchGain;
         return alarm;
     }
-    if (state.away <= kAwayRate)
-        return alarm;
+    if (state.away <= kAwayRate) {
+        // At its stop it moves as the frame does.
+        const Alarm standing = explainStanding(axis, time);
+        return standing.other != Axis::None ? standing : alarm;
+    }
     alarm.cause = AlarmCause::WrongDirection;
     for (std::size_t i = 0; i < m_axes.size(); ++i) {
         const AxisState &second = m_axes[i];
@@ -341,14 +410,15 @@ Alarm Supervisor::explainStanding(std::size_t axis, double time) const
 void Supervisor::watchPlace(std::size_t axis, double time)
 {
     AxisState &state = m_axes[axis];
-    const bool isWatched = isHolding(time) && m_hasTargets && isKnown(state.error)
+    const bool isWatched = isHolding(time) && !isAnchored(state) && isKnown(state.error)
         && time - m_busyAt >= kAfterProcedure && !m_situation.isProcedure;
     if (!isWatched || std::abs(state.error) < kFar) {
         state.farSince = -1;
     } else if (state.farSince < 0 || std::abs(state.error) < kStillFar * state.farError) {
         state.farSince = time;
         state.farError = std::abs(state.error);
-    } else if (std::abs(state.error) > m_rules.runawayDeg && time - state.farSince >= kStandsTime) {
+    } else if (std::abs(state.error) > m_rules.runawayDeg && time - state.farSince >= kStandsTime
+               && (m_hasTargets || state.hasArrived)) {  // else it may never have got there
         raise(explainStanding(axis, time));
     } else if (time - state.farSince >= kFarTime) {
         Alarm alarm;
@@ -394,13 +464,36 @@ void Supervisor::watchOscillation(std::size_t axis, double now)
     if (isChanged)
         least = std::max(kAfterChange * m_rules.oscillation, std::min(kThanCalm * state.calm, least));
     // Going to another place is a slow swing, too.
-    const bool isMoved = now - state.movedAt < kMoving || now - m_drivenSince < kMoving
-        || (!m_hasTargets && now - m_steeredAt < kMoving);
+    const bool isMoved = isMovedWithin(state, now);
     const auto finding = isWatched && roughness > 0 ? state.oscillation.look(least, isMoved ? kFastHz : 0.0)
                                                     : std::optional<OscillationDetector::Finding>();
     state.oscillating = finding ? state.oscillating + 1 : 0;
     if (state.oscillating >= kOscillatingLooks)
         raise(explainOscillation(axis, now, *finding));
+    if (isWatched && !isMoved && !finding)
+        watchSlowly(axis, now);
+    else
+        state.slow.clear();
+}
+
+bool Supervisor::isMovedWithin(const AxisState &state, double now) const
+{
+    return now - state.movedAt < kMoving || now - m_drivenSince < kMoving
+        || (isAnchored(state) && now - m_steeredAt < kMoving);
+}
+
+// Yaw of a board without targets turns with whoever carries it.
+void Supervisor::watchSlowly(std::size_t axis, double now)
+{
+    AxisState &state = m_axes[axis];
+    if (isAnchored(state) && kAxes[axis] == Axis::Yaw) {
+        state.slow.clear();
+        return;
+    }
+    const bool isChanged = isChangedSince(now - kChangeCounts);
+    const auto swing = state.slow.look(kSwingTimes * m_rules.oscillation * (isChanged ? kAfterChange : 1.0));
+    if (swing)
+        raise(explainOscillation(axis, now, {swing->rms, swing->hertz, false}));
 }
 
 Alarm Supervisor::explainOscillation(std::size_t axis, double now,
@@ -415,67 +508,23 @@ Alarm Supervisor::explainOscillation(std::size_t axis, double now,
     alarm.hertz = finding.hertz;
     alarm.isHertzVague = finding.isHertzVague;
     alarm.isAfterChange = isChangedSince(now - kChangeCounts);
-    // Values that were changed just before are the cause; otherwise a frequency that no gimbal as a whole
-    // can follow belongs to a part of its structure.
-    if (alarm.isAfterChange || (finding.hertz < kResonanceFrom && !finding.isHertzVague))
-        alarm.cause = AlarmCause::TooMuchGain;
-    else if (!finding.isHertzVague)
-        alarm.cause = AlarmCause::Resonance;
+    // Values that were changed just before are the cause.
+    if (!alarm.isAfterChange)
+        return withoutChange(alarm);
+    alarm.cause = AlarmCause::TooMuchGain;
     return alarm;
 }
 
-QString Supervisor::faultOf(AlarmKind kind) const
+// A frequency that no gimbal as a whole can follow belongs to a part of its structure.
+Alarm Supervisor::withoutChange(Alarm alarm)
 {
-    static const std::array<std::pair<AlarmKind, QStringList>, 3> keys{{
-        {AlarmKind::Sensor, {u"no-sensor"_s, u"imu-error"_s, u"imu2-error"_s}},
-        {AlarmKind::Battery, {u"battery-empty"_s, u"low-battery"_s}},
-        {AlarmKind::Heat, {u"protection"_s}},
-    }};
-    for (const auto &[of, wanted] : keys) {
-        for (const QString &key : wanted) {
-            if (of == kind && m_situation.faults.contains(key))
-                return key;
-        }
-    }
-    return {};
-}
-
-void Supervisor::watchBoard(double now)
-{
-    const auto lasts = [&](AlarmKind kind, bool is, double duration) {
-        return m_lasting[std::size_t(kind)].holds(is, now, duration);
-    };
-    const auto tell = [&](AlarmKind kind, double value, double limit) {
-        Alarm alarm;
-        alarm.kind = kind;
-        alarm.time = now;
-        alarm.value = value;
-        alarm.limit = limit;
-        alarm.fault = faultOf(kind);
-        alarm.cause = alarm.fault.isEmpty() ? AlarmCause::Unknown : AlarmCause::Fault;
-        raise(alarm);
-    };
-    const bool isStarting = !m_situation.isStabilising || m_situation.isProcedure;
-    if (lasts(AlarmKind::Sensor, !faultOf(AlarmKind::Sensor).isEmpty(), isStarting ? kSensorsFound : 0.5))
-        tell(AlarmKind::Sensor, 0, 0);
-    if (lasts(AlarmKind::Heat, m_temperature > m_rules.hotCelsius || !faultOf(AlarmKind::Heat).isEmpty(),
-              2.0))
-        tell(AlarmKind::Heat, m_temperature, m_rules.hotCelsius);
-    // A battery does not gain cells; one that is nearly flat looks like one with fewer.
-    if (m_battery > kNoBattery)
-        m_cells = std::max(m_cells, int(std::ceil(m_battery / kFullCell)));
-    const double low = m_cells * m_rules.cellVolts;
-    const bool isLow = (m_battery > kNoBattery && m_battery < low) || !faultOf(AlarmKind::Battery).isEmpty();
-    if (lasts(AlarmKind::Battery, isLow, 3.0))
-        tell(AlarmKind::Battery, m_battery, low);
-    if (!m_situation.isSteered)
-        m_steeringSince = -1;
-    else if (m_steeringSince < 0)
-        m_steeringSince = now;
-    const double silent = now - std::max(m_lastSample, m_steeringSince);
-    const double patience = std::max(kStaleTime, kStalePeriods * m_situation.period);
-    if (m_situation.isSteered && silent > patience)
-        tell(AlarmKind::Stale, silent, patience);
+    alarm.isAfterChange = false;
+    if (alarm.kind != AlarmKind::Oscillation)
+        return alarm;
+    alarm.cause = alarm.isHertzVague   ? AlarmCause::Unknown
+        : alarm.hertz < kResonanceFrom ? AlarmCause::TooMuchGain
+                                       : AlarmCause::Resonance;
+    return alarm;
 }
 
 void Supervisor::look(double now)
@@ -496,31 +545,18 @@ void Supervisor::look(double now)
     }
 }
 
-bool Supervisor::isOver(const Alarm &alarm, double now) const
+bool Supervisor::isAbsent(const Alarm &alarm) const
 {
-    const AxisState *axis = alarm.axis == Axis::None ? nullptr : &m_axes[std::size_t(alarm.axis)];
-    const bool isOff = !isDriven(now) && now - m_drivenSince > kAfterStart;
-    switch (alarm.kind) {
-    case AlarmKind::Runaway: return isOff || std::abs(axis->error) < alarm.limit / 2;
-    case AlarmKind::Oscillation: return isOff || axis->oscillation.roughness() < alarm.value / 2;
-    case AlarmKind::Limit: return axis->beyondSince < 0;
-    case AlarmKind::Saturation: return axis->farSince < 0;
-    case AlarmKind::Sensor: return faultOf(AlarmKind::Sensor).isEmpty();
-    case AlarmKind::Heat:
-        return faultOf(AlarmKind::Heat).isEmpty() && !(m_temperature > m_rules.hotCelsius - kCooler);
-    case AlarmKind::Battery:
-        return faultOf(AlarmKind::Battery).isEmpty()
-            && !(m_battery < m_cells * (m_rules.cellVolts + kCellRise) && m_battery > kNoBattery);
-    case AlarmKind::Stale: return !m_situation.isSteered || now - m_lastSample < kStaleTime;
-    case AlarmKind::Count: break;
-    }
-    return true;
+    return std::none_of(m_active.begin(), m_active.end(), [&](const Active &active) {
+        return active.alarm.isSame(alarm) && active.over.since < 0;
+    });
 }
 
 bool Supervisor::isActive(AlarmKind kind, Axis axis) const
 {
     return std::any_of(m_active.begin(), m_active.end(), [&](const Active &active) {
-        return active.alarm.kind == kind && (active.alarm.axis == axis || active.alarm.other == axis);
+        return active.alarm.kind == kind && !active.alarm.mayBeMeant
+            && (active.alarm.axis == axis || active.alarm.other == axis);
     });
 }
 
@@ -528,6 +564,16 @@ void Supervisor::raise(const Alarm &alarm)
 {
     if (isActive(alarm.kind, alarm.axis))
         return;
+    // What was only told, because it might be meant, can turn out to be worse.
+    const auto told = std::find_if(m_active.begin(), m_active.end(), [&](const Active &active) {
+        return active.alarm.mayBeMeant && active.alarm.kind == alarm.kind && active.alarm.axis == alarm.axis;
+    });
+    if (told != m_active.end()) {
+        if (alarm.mayBeMeant)
+            return;
+        m_ended.push_back(told->alarm);
+        m_active.erase(told);
+    }
     // A runaway is told, not what follows from it.
     if ((alarm.kind == AlarmKind::Saturation || alarm.kind == AlarmKind::Limit)
         && isActive(AlarmKind::Runaway, alarm.axis))

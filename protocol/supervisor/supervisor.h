@@ -4,6 +4,9 @@
 
 #include "protocol/supervisor/alarm.h"
 #include "protocol/supervisor/oscillation.h"
+#include "protocol/supervisor/slowswing.h"
+#include "protocol/supervisor/steadyturn.h"
+#include "protocol/supervisor/unwatched.h"
 #include "protocol/telemetry/roles.h"
 
 #include <QSet>
@@ -27,6 +30,7 @@ struct SupervisedSample
     double outputs = kNone;
     double battery = kNone;
     double temperature = kNone;
+    Axes motorTemperature{kNone, kNone, kNone};
 };
 
 /// What the samples do not tell.
@@ -40,8 +44,18 @@ struct SupervisedSituation
     bool isStabilising = true;
     /// When values were changed live last, in the samples' seconds.
     std::optional<double> changedAt;
+    /// By the board's status; empty: not known.
+    std::array<std::optional<bool>, kAxisCount> follows{};  ///< its frame
+    std::array<std::optional<bool>, kAxisCount> isDriven{};
     double period = 0;  ///< expected time between samples in seconds; 0: not known
     QStringList faults;  ///< keys of what the board reports (BoardFault::key)
+    /// The board tells its faults, if it has any.
+    bool tellsFaults = false;
+    bool tellsMotorHeat = false;  ///< it has channels for that
+    /// Where this program's own frames steer to while it steers, in degrees; NaN: not known (by rate). They
+    /// stand for the targets of a board that does not tell them.
+    SupervisedSample::Axes steeredTo{SupervisedSample::kNone, SupervisedSample::kNone,
+                                     SupervisedSample::kNone};
 };
 
 /// Looks at live data for what must not go on. Fed with samples of one board; has no clock, no thread and
@@ -51,6 +65,9 @@ class Supervisor
 public:
     /// What can be watched on a board with these channels.
     [[nodiscard]] static QSet<AlarmKind> possible(const ChannelRoles &roles);
+
+    /// The same alarm, once it is known that no live change is the cause.
+    [[nodiscard]] static Alarm withoutChange(Alarm alarm);
 
     void setRules(const SupervisorRules &rules) { m_rules = rules; }
     [[nodiscard]] const SupervisorRules &rules() const { return m_rules; }
@@ -66,8 +83,17 @@ public:
     [[nodiscard]] std::vector<Alarm> takeRaised();
     /// What was told and is over.
     [[nodiscard]] std::vector<Alarm> takeEnded();
+    /// What was told is absent at present; it is over when it has been for a while.
+    [[nodiscard]] bool isAbsent(const Alarm &alarm) const;
+    /// What it cannot see at present, because it does not come, or not often enough.
+    /// @param possible what the board's channels would allow
+    [[nodiscard]] std::vector<Unwatched> unwatched(const QSet<AlarmKind> &possible, double now) const;
 
 private:
+    static constexpr double kAfterStart = 0.3;  // motors that were switched on find their place first
+    static constexpr double kStaleTime = 0.5;
+    static constexpr double kStalePeriods = 3.0;
+
     struct Past
     {
         double time = 0;
@@ -78,9 +104,19 @@ private:
     {
         std::deque<Past> past;  // about a second
         OscillationDetector oscillation;
+        SlowSwing slow;
+        SteadyTurn turn;
         double error = SupervisedSample::kNone;
+        bool wasAnchored = false;  // when that was measured
         double away = 0;  // deg/s away from the target
         double target = SupervisedSample::kNone;
+        bool isCommanded = false;  // the target is what this program steers to
+        bool hasArrived = false;  // at a target of that kind
+        double angleAt = -1e9;  // when it came last
+        double rateAt = -1e9;
+        double ratePeriod = 0;  // between the samples of its rate
+        double motorTemperature = SupervisedSample::kNone;
+        double motorAt = -1e9;
         double anchor = SupervisedSample::kNone;  // where it stood still last, on boards without targets
         double stillSince = -1;
         double input = SupervisedSample::kNone;
@@ -108,10 +144,20 @@ private:
     };
 
     void addAxis(std::size_t axis, const SupervisedSample &sample);
+    void watchCommand(std::size_t axis, double time);
+    [[nodiscard]] bool isAnchored(const AxisState &state) const
+    {
+        return !m_hasTargets && !state.isCommanded;
+    }
     void watchAnchor(AxisState &state, double time, double angle, double rate);
+    /// Measured the way it has turned, further than half a circle.
+    void measureError(AxisState &state, double time, double angle);
     void watchRunaway(std::size_t axis, double time);
+    void watchTurn(std::size_t axis, double time, double angle, double rate);
     void watchPlace(std::size_t axis, double time);
     void watchOscillation(std::size_t axis, double now);
+    void watchSlowly(std::size_t axis, double now);
+    [[nodiscard]] bool isMovedWithin(const AxisState &state, double now) const;
     void watchBoard(double now);
     [[nodiscard]] Alarm explainRunaway(std::size_t axis, double time) const;
     [[nodiscard]] Alarm explainStanding(std::size_t axis, double time) const;
@@ -133,6 +179,8 @@ private:
     bool m_hasTargets = false;
     double m_outputs = SupervisedSample::kNone;
     double m_drivenSince = -1;
+    double m_idleSince = -1;  // off, starting or standing by
+    double m_heldSince = -1e9;  // after that
     double m_steeredAt = -1e9;  // by this program or from outside
     double m_busyAt = -1e9;  // a procedure ran
     double m_lastSample = -1;
@@ -140,6 +188,9 @@ private:
     double m_battery = SupervisedSample::kNone;
     int m_cells = 0;
     double m_temperature = SupervisedSample::kNone;
+    double m_batteryAt = -1e9;
+    double m_temperatureAt = -1e9;
+    double m_targetAt = -1e9;
     double m_lastLook = -1e9;
     std::array<Lasting, kAlarmKinds> m_lasting;
     std::vector<Active> m_active;

@@ -32,6 +32,8 @@ ChannelRoles::ChannelRoles(ChannelTable table, const QSet<QString> &capabilities
         frameAngle[i] = find("frame." + axis);
         input[i] = find("input." + axis);
         motorPower[i] = find("motor." + axis + ".output");
+        motorTemperature[i] = find("motor." + axis + ".temperature");
+        joint[i] = find("joint." + axis);
     }
     for (int n = 1, motor = 0; (motor = find("motor." + QByteArray::number(n) + ".output")) >= 0; ++n)
         motors.append(motor);

@@ -14,6 +14,8 @@
 ///   acceleration.x/y/z, frame.AXIS          of its sensor; attitude of the frame it hangs on
 ///   input.AXIS                              what it is steered with from outside, in any unit
 ///   motor.N.output, motor.AXIS.output       N from 1
+///   motor.AXIS.temperature
+///   joint.AXIS                              by which the motor has turned the camera against the frame
 ///   battery, current, temperature, cycle_time, bus_errors
 ///   armed, calibrated, outputs              three different things: ready to fly, level known, motors driven
 ///   faults, fault_detail, profile, state    see the device's FaultWords and StatusWords
@@ -32,6 +34,8 @@ public:
     std::array<int, 3> frameAngle{-1, -1, -1};
     std::array<int, 3> input{-1, -1, -1};
     std::array<int, 3> motorPower{-1, -1, -1};  ///< of the motor that turns that axis
+    std::array<int, 3> motorTemperature{-1, -1, -1};
+    std::array<int, 3> joint{-1, -1, -1};
     QList<int> motors;  ///< outputs of numbered motors, in order
     int battery = -1;
     int temperature = -1;

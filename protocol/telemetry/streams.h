@@ -16,8 +16,9 @@ class TelemetryDecoder
 public:
     virtual ~TelemetryDecoder() = default;
     virtual void decode(const FrameView &frame, TimePoint at, TelemetryStore &store) = 0;
-    /// Complete frames that were sent to the board. Used by Device::replayDecoder() only.
-    virtual void sent(QByteArrayView) { }
+    /// Complete frames that were sent to the board: what was asked for and is not answered is lost.
+    /// Device::replayDecoder() learns from them what was ordered.
+    virtual void sent(QByteArrayView, TelemetryStore &) { }
 };
 
 /// A stream that a board can send on request.

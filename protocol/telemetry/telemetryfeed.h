@@ -10,39 +10,38 @@
 class TelemetryFeed final : public FrameListener
 {
 public:
-    using ResetDetector = std::function<bool(const FrameView &)>;
+    /// What else wants to know of the frames.
+    struct Hooks
+    {
+        /// Every frame, once it is in the store. @param claimed it answered a request
+        std::function<void(const FrameView &, TimePoint at, bool claimed)> received;
+        std::function<void(QByteArrayView, TimePoint at)> sent;
+    };
 
-    /// @param onFrame called for every frame, for those that are not telemetry
-    TelemetryFeed(std::shared_ptr<TelemetryStore> store, ResetDetector isReset, std::function<void()> onReset,
-                  std::function<void(const FrameView &)> onFrame)
+    TelemetryFeed(std::shared_ptr<TelemetryStore> store, Hooks hooks)
         : m_store(std::move(store))
-        , m_isReset(std::move(isReset))
-        , m_onReset(std::move(onReset))
-        , m_onFrame(std::move(onFrame))
+        , m_hooks(std::move(hooks))
     {
     }
 
     void setDecoder(std::shared_ptr<TelemetryDecoder> decoder) { m_decoder = std::move(decoder); }
 
-    void frameReceived(const FrameView &frame, TimePoint at, bool) override
+    void frameReceived(const FrameView &frame, TimePoint at, bool claimed) override
     {
         if (m_decoder)
             m_decoder->decode(frame, at, *m_store);
-        if (m_isReset && m_isReset(frame))
-            m_onReset();
-        m_onFrame(frame);
+        m_hooks.received(frame, at, claimed);
     }
 
-    void bytesSent(QByteArrayView bytes, TimePoint) override
+    void bytesSent(QByteArrayView bytes, TimePoint at) override
     {
         if (m_decoder)
-            m_decoder->sent(bytes);
+            m_decoder->sent(bytes, *m_store);
+        m_hooks.sent(bytes, at);
     }
 
 private:
     std::shared_ptr<TelemetryStore> m_store;
     std::shared_ptr<TelemetryDecoder> m_decoder;
-    ResetDetector m_isReset;
-    std::function<void()> m_onReset;
-    std::function<void(const FrameView &)> m_onFrame;
+    Hooks m_hooks;
 };

@@ -150,6 +150,29 @@ public:
     [[nodiscard]] quint64 rows() const { return m_rows.load(std::memory_order_relaxed); }
     [[nodiscard]] quint64 lost() const { return m_lost.load(std::memory_order_relaxed); }
     void countLost(quint64 rows) { m_lost.fetch_add(rows, std::memory_order_relaxed); }
+    /// A sample came at this time that is new by the board's own clock, whatever its values are.
+    void noteStamp(TimePoint at)
+    {
+        m_stampedAt.store(at.time_since_epoch().count(), std::memory_order_relaxed);
+    }
+    /// When that was last; TimePoint{} = never.
+    [[nodiscard]] TimePoint stampedAt() const
+    {
+        return TimePoint(Duration(m_stampedAt.load(std::memory_order_relaxed)));
+    }
+    /// A frame came at this time, but what it tells is no new sample: the board sends the same again and
+    /// again.
+    void noteRepeat(TimePoint at)
+    {
+        m_repeatedAt.store(at.time_since_epoch().count(), std::memory_order_relaxed);
+    }
+    /// When that was last; TimePoint{} = never.
+    [[nodiscard]] TimePoint repeatedAt() const
+    {
+        return TimePoint(Duration(m_repeatedAt.load(std::memory_order_relaxed)));
+    }
+    /// Rows that counted as lost have come after all.
+    void countFound(quint64 rows) { m_lost.fetch_sub(rows, std::memory_order_relaxed); }
     /// How often nothing at all came from the board, and for how long altogether: it was busy, or the cable
     /// was out.
     [[nodiscard]] quint64 silences() const { return m_silences.load(std::memory_order_relaxed); }
@@ -168,6 +191,8 @@ private:
     std::atomic<int> m_generation = 0;
     std::atomic<quint64> m_rows = 0;
     std::atomic<quint64> m_lost = 0;
+    std::atomic<Duration::rep> m_stampedAt = TimePoint{}.time_since_epoch().count();
+    std::atomic<Duration::rep> m_repeatedAt = TimePoint{}.time_since_epoch().count();
     std::atomic<quint64> m_silences = 0;
     std::atomic<double> m_silentSeconds = 0;
     mutable std::mutex m_mutex;

@@ -69,24 +69,14 @@ void continuePolled(UniformSamples &piece, const Sample &last, const Sample &sam
     piece.filled += sample.time - last.time > 1.5 * period && added > 0 ? added - 1 : 0;
 }
 
-}  // namespace
-
-Result<UniformSamples> uniformSamples(const TelemetryStore &store, int channel, int minus, double from,
-                                      double to)
+Result<UniformSamples> longestPiece(TraceSource &source, double from, double to)
 {
-    std::vector<TraceSource> sources = TraceSource::find(store, channel, minus);
-    const auto holds = [from, to](TraceSource &source) {
-        source.refresh();
-        const std::size_t row = source.track.rowAt(from);
-        return row < source.end() && source.track.time(row) <= to;
-    };
-    const auto source = std::find_if(sources.rbegin(), sources.rend(), holds);
-    const std::vector<Sample> samples
-        = source == sources.rend() ? std::vector<Sample>() : samplesWithin(*source, from, to);
+    source.refresh();
+    const std::vector<Sample> samples = samplesWithin(source, from, to);
     if (samples.empty())
         return failure(ErrorCode::TooFewSamples, u"no samples in this span of time"_s);
-    const bool polled = !(source->track.period() > 0.0);
-    const double period = polled ? medianPeriod(samples) : source->track.period();
+    const bool polled = !(source.track.period() > 0.0);
+    const double period = polled ? medianPeriod(samples) : source.track.period();
     if (!(period > 0.0))
         return failure(ErrorCode::TooFewSamples, u"too few samples to tell their rate"_s);
 
@@ -112,5 +102,24 @@ Result<UniformSamples> uniformSamples(const TelemetryStore &store, int channel, 
     finish();
     best.rate = 1.0 / period;
     best.polled = polled;
+    return best;
+}
+
+}  // namespace
+
+// A stream that has only just been arranged anew does not hide what the one before it has brought.
+Result<UniformSamples> uniformSamples(const TelemetryStore &store, int channel, int minus, double from,
+                                      double to)
+{
+    const auto length = [](const Result<UniformSamples> &piece) {
+        return piece ? double(piece->values.size()) / piece->rate : 0.0;
+    };
+    Result<UniformSamples> best = failure(ErrorCode::TooFewSamples, u"no samples in this span of time"_s);
+    std::vector<TraceSource> sources = TraceSource::find(store, channel, minus);
+    for (auto source = sources.rbegin(); source != sources.rend(); ++source) {
+        auto piece = longestPiece(*source, from, to);
+        if (source == sources.rbegin() || length(piece) > length(best))
+            best = std::move(piece);
+    }
     return best;
 }

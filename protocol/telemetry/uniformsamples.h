@@ -18,7 +18,7 @@ struct UniformSamples
 };
 
 /// The longest piece without a gap within a span of time. Gaps of up to ten samples are interpolated linearly
-/// and counted; the stream that carries the channel at the end of the span is used. Polled samples arrive at
+/// and counted; it comes from one stream, the later one of two that carry as much. Polled samples arrive at
 /// approximately even intervals: they are interpolated linearly onto an even grid of their median interval.
 /// @param minus channel to subtract, -1 = none; it must come in the same rows. @param from,to seconds since
 /// the store's origin. Errors: TooFewSamples (no samples there, or too few to tell their rate).

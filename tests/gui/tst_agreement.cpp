@@ -1,13 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bars.h"
+#include "app/pages/board/consolepage.h"
+#include "app/pages/setup/parameterspage.h"
+#include "app/pages/tune/tuningpage.h"
 #include "protocol/simulator/link/tcphost.h"
 #include "protocol/simulator/simplebgc/board.h"
 #include "protocol/simulator/storm32/board.h"
+#include "tests/support/named.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/parameterform.h"
 #include "widgets/forms/reviewdialog.h"
+#include "widgets/forms/valueeditor.h"
+#include "widgets/models/parametermodel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QSignalSpy>
 #include <QUndoStack>
 
@@ -22,15 +31,25 @@ private slots:
     void cleanup();
     void storm_data();
     void storm();
+    void stormOfEachLayout_data();
+    void stormOfEachLayout();
+    void stormByMavlink_data();
+    void stormByMavlink();
     void stormReviewOffersEveryWay_data();
     void stormReviewOffersEveryWay();
+    void stormSetBeforeTheLink_data();
+    void stormSetBeforeTheLink();
+    void storingListsWhatElseIsInUse();
     void simplebgc_data();
     void simplebgc();
 
 private:
     /// Screen and board agree at first and after each operation of the row.
     void agreeAfterEach();
-    bool openStorm();
+    /// @param usb a board on USB answers plain commands even with its heartbeat on
+    bool openStorm(int firmware = 96, bool usb = true);
+    /// Another program has set words in RAM before this one connects.
+    bool openStormSetBefore(const QMap<int, int> &words);
     bool openSimplebgc();
     bool open(std::unique_ptr<SimulatedBoard> board, const SimulatorOptions &options);
     storm32::SimulatedBoard &storm32Board()
@@ -97,19 +116,34 @@ void TestAgreement::cleanup()
 bool TestAgreement::open(std::unique_ptr<SimulatedBoard> board, const SimulatorOptions &options)
 {
     m_host = std::make_unique<TcpHost>(
-        std::make_unique<SimulatedPort>(std::move(board), options, std::nullopt), 0);
+        std::make_unique<SimulatedPort>(std::move(board), options,
+                                        options.usb ? std::nullopt
+                                                    : std::optional(LineSettings{115200, Parity::None})),
+        0);
     if (!m_host->start())
         return false;
     m_rig = std::make_unique<WindowRig>();
     return m_rig->open(m_host->address());
 }
 
-bool TestAgreement::openStorm()
+bool TestAgreement::openStorm(int firmware, bool usb)
+{
+    m_isStorm = true;
+    SimulatorOptions options;
+    options.firmware = firmware;
+    options.usb = usb;
+    return open(std::make_unique<storm32::SimulatedBoard>(options), options);
+}
+
+bool TestAgreement::openStormSetBefore(const QMap<int, int> &words)
 {
     m_isStorm = true;
     SimulatorOptions options;
     options.firmware = 96;
-    return open(std::make_unique<storm32::SimulatedBoard>(options), options);
+    auto board = std::make_unique<storm32::SimulatedBoard>(options);
+    for (auto it = words.begin(); it != words.end(); ++it)
+        board->set(it.key(), it.value());
+    return open(std::move(board), options);
 }
 
 bool TestAgreement::openSimplebgc()
@@ -191,14 +225,17 @@ void TestAgreement::perform(const QString &operation)
         m_rig->workspace().edits().undoStack().undo();
     else if (operation == u"redo"_s)
         m_rig->workspace().edits().undoStack().redo();
-    else if (operation == u"write"_s)
+    else if (operation == u"lock out"_s) {
+        m_rig->edit(u"mavlink.heartbeat"_s, 0, 1);
+        QVERIFY(write());
+    } else if (operation == u"write"_s)
         QVERIFY(write());
     else if (operation == u"reconnect"_s)
         QVERIFY(reconnect());
     else if (operation == u"read"_s)
         m_rig->workspace().readBoard();
     else if (operation == u"save live"_s)
-        m_rig->workspace().saveLive();
+        m_rig->workspace().saveLive(m_rig->window());
     else if (operation == u"slot"_s)
         live().useSlot(live().slot() == LiveModel::Slot::A ? LiveModel::Slot::B : LiveModel::Slot::A);
     else if (operation.startsWith(u"profile "_s))
@@ -207,7 +244,12 @@ void TestAgreement::perform(const QString &operation)
         QVERIFY(act(u"setup.poles"_s, {{u"pitch"_s, 16}, {u"roll"_s, 16}, {u"yaw"_s, 16}}));
     else if (operation == u"restore one"_s)
         QVERIFY(act(u"restore"_s, {{u"word"_s, 6}}));
-    else if (operation == u"set a variable"_s)
+    else if (operation == u"console"_s) {
+        auto *page = m_rig->page<ConsolePage>();
+        named<QCheckBox>(page, u"Allow commands that change something"_s)->setChecked(true);
+        page->input()->setText(u"setparameter index=18 value=3"_s);
+        page->send();
+    } else if (operation == u"set a variable"_s)
         QVERIFY(act(u"variables.write"_s, {{u"id"_s, 0}, {u"value"_s, 33}}));
     else if (operation == u"defaults of the profile"_s)
         QVERIFY(act(u"defaults"_s, {{u"what"_s, 0}}));
@@ -260,6 +302,49 @@ void TestAgreement::storm()
     agreeAfterEach();
 }
 
+void TestAgreement::stormOfEachLayout_data()
+{
+    QTest::addColumn<int>("firmware");
+    QTest::addColumn<QStringList>("operations");
+    for (const int firmware : {79, 90, 96}) {
+        QTest::addRow("0.%d, connected", firmware)
+            << firmware << QStringList{u"live"_s, u"edit"_s, u"write"_s, u"reconnect"_s};
+        QTest::addRow("0.%d, by the console", firmware)
+            << firmware << QStringList{u"console"_s, u"edit"_s, u"write"_s};
+    }
+}
+
+void TestAgreement::stormOfEachLayout()
+{
+    QFETCH(int, firmware);
+    QVERIFY(openStorm(firmware));
+    agreeAfterEach();
+}
+
+void TestAgreement::stormByMavlink_data()
+{
+    QTest::addColumn<int>("firmware");
+    QTest::addColumn<QStringList>("operations");
+    for (const int firmware : {79, 90, 96}) {
+        QTest::addRow("0.%d, live and back", firmware)
+            << firmware << QStringList{u"lock out"_s, u"live"_s, u"revert"_s};
+        QTest::addRow("0.%d, written", firmware)
+            << firmware << QStringList{u"lock out"_s, u"edit"_s, u"write"_s, u"read"_s};
+    }
+    QTest::newRow("0.96, live, stored") << 96 << QStringList{u"lock out"_s, u"live"_s, u"store"_s};
+    QTest::newRow("0.96, live, written") << 96 << QStringList{u"lock out"_s, u"edit the same"_s, u"write"_s};
+    QTest::newRow("0.96, let in again")
+        << 96 << QStringList{u"lock out"_s, u"heartbeat.off"_s, u"live"_s, u"edit"_s, u"write"_s};
+}
+
+// Its heartbeat is on: it answers no plain command.
+void TestAgreement::stormByMavlink()
+{
+    QFETCH(int, firmware);
+    QVERIFY(openStorm(firmware, false));
+    agreeAfterEach();
+}
+
 void TestAgreement::stormReviewOffersEveryWay_data()
 {
     QTest::addColumn<int>("others");
@@ -292,6 +377,89 @@ void TestAgreement::stormReviewOffersEveryWay()
     QCOMPARE(storm32Board().inUse(6), inUse);
     QCOMPARE(storm32Board().stored(6), stored);
     QCOMPARE(storm32Board().stored(0), 47);
+}
+
+void TestAgreement::stormSetBeforeTheLink_data()
+{
+    QTest::addColumn<QString>("way");
+    for (const QString &way : {u"the button"_s, u"the action"_s, u"a write"_s})
+        QTest::newRow(qPrintable(way)) << way;
+}
+
+// Nobody knows what is stored until it is compared, and nothing else is said.
+void TestAgreement::stormSetBeforeTheLink()
+{
+    QFETCH(QString, way);
+    QVERIFY(openStormSetBefore({{6, 450}}));
+    QVERIFY(m_rig->jobsAreDone());
+    auto *parameters = m_rig->page<ParametersPage>();
+    auto *page = m_rig->page<TuningPage>();
+    QTRY_VERIFY(page->compareButton()->isVisible() && page->compareButton()->isEnabled());
+    QVERIFY2(page->stateText().contains(u"not known"_s), qPrintable(page->stateText()));
+    if (way == u"the button"_s) {
+        page->compareButton()->click();
+    } else if (way == u"the action"_s) {
+        QVERIFY(act(u"stored.compare"_s));
+    } else {
+        perform(u"edit"_s);
+        QVERIFY(write());
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(disagreement(), QString(), 10000);
+    QVERIFY(!page->stateText().contains(u"not known"_s));
+    QVERIFY2(page->stateText().contains(u"1 value"_s), qPrintable(page->stateText()));
+    QCOMPARE(storm32Board().inUse(6), 450);
+    QCOMPARE(storm32Board().stored(6), 400);
+    const ValueEditor *editor = parameters->form()->editor(m_rig->spec(u"pid.roll.p"_s).id);
+    QVERIFY(editor);
+    const auto *box = qobject_cast<const QDoubleSpinBox *>(editor->control());
+    QVERIFY(box);
+    QCOMPARE(box->value(), 4.0);
+    // On the next link it is not known again.
+    QVERIFY(reconnect());
+    QTRY_VERIFY(page->compareButton()->isVisible());
+}
+
+// What the operator has not been shown is listed before it is stored, and can be kept out.
+void TestAgreement::storingListsWhatElseIsInUse()
+{
+    QVERIFY(openStormSetBefore({{6, 450}, {12, 500}}));
+    QVERIFY(m_rig->jobsAreDone());
+    const auto review = [this] { return m_rig->window().findChild<ReviewDialog *>(); };
+    const auto store = [this] {
+        const auto done = std::make_shared<std::optional<bool>>();
+        m_rig->workspace().saveLive(m_rig->window()).then(&m_rig->window(), [done](bool stored) {
+            *done = stored;
+        });
+        return done;
+    };
+    auto done = store();
+    QTRY_VERIFY_WITH_TIMEOUT(review(), 10000);
+    QCOMPARE(review()->table()->model()->rowCount(), 2);
+    review()->reject();
+    QTRY_VERIFY(*done == false && !review());
+    QCOMPARE(storm32Board().stored(6), 400);
+    // Shown as in use and not stored since: but another program sets one more.
+    QTRY_COMPARE_WITH_TIMEOUT(disagreement(), QString(), 10000);
+    storm32Board().set(0, 555);
+    done = store();
+    QTRY_VERIFY_WITH_TIMEOUT(review(), 10000);
+    QAbstractItemModel *model = review()->table()->model();
+    QCOMPARE(model->rowCount(), 3);
+    for (int row = 0; row < model->rowCount(); ++row) {
+        if (model->index(row, 0).data().toString().endsWith(parameterLabel(m_rig->spec(u"pid.yaw.p"_s))))
+            QVERIFY(model->setData(model->index(row, 0), Qt::Unchecked, Qt::CheckStateRole));
+    }
+    review()->accept();
+    QTRY_VERIFY_WITH_TIMEOUT(*done == true, 20000);
+    QTRY_COMPARE_WITH_TIMEOUT(disagreement(), QString(), 10000);
+    QCOMPARE(storm32Board().stored(0), 555);
+    QCOMPARE(storm32Board().stored(6), 450);
+    QCOMPARE(storm32Board().stored(12), 400);
+    QCOMPARE(storm32Board().inUse(12), 500);
+    // What is shown is stored without a question.
+    done = store();
+    QTRY_VERIFY_WITH_TIMEOUT(*done == true, 20000);
+    QCOMPARE(storm32Board().stored(12), 500);
 }
 
 void TestAgreement::simplebgc_data()

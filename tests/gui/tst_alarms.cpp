@@ -1,15 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/alarmbar.h"
+#include "app/mainwindow/bars.h"
+#include "app/mainwindow/clickshield.h"
+#include "app/mainwindow/messagebar.h"
 #include "app/pages/program/settingspage.h"
 #include "app/pages/tune/tuningpage.h"
 #include "app/pages/watch/alarmcard.h"
 #include "app/pages/watch/dashboardpage.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/panel.h"
 #include "widgets/models/alarmtext.h"
 
 #include <QApplication>
 #include <QComboBox>
+#include <QCursor>
 #include <QPushButton>
 #include <QTest>
 
@@ -23,10 +28,15 @@ private slots:
     void init() { m_rig = std::make_unique<WindowRig>(); }
     void cleanup() { m_rig.reset(); }
     void alarmFloats();
+    void alarmHidesNoMessage();
     void runawayIsSeenAndAcknowledged();
     void changeThatOscillatesGoesBackOnScreen();
     void warningGoesWithItsCause();
+    void warningGoesWithTheLink();
     void clickMeantForAnotherDoesNothing();
+    void nothingMovesBeneathTheBar();
+    void whatItPushesAwayTakesNoClicks();
+    void storingAlarmedValuesAsks();
     void sameCauseIsOneCard();
     void settingsAreKeptAndUsed();
     void settingsByHandAreChecked();
@@ -47,12 +57,13 @@ private:
     std::unique_ptr<WindowRig> m_rig;
 };
 
-// Nothing moves, and the keyboard stays where it was.
+// Nothing moves beneath the pointer, and the keyboard stays where it was.
 void TestAlarms::alarmFloats()
 {
     QVERIFY(m_rig->open(u"sim:simplebgc?seed=50"_s));
     auto *settings = m_rig->page<SettingsPage>();
     QVERIFY(m_rig->isSettled());
+    QCursor::setPos(settings->mapToGlobal(settings->rect().center()));
     const QList<QRect> before = placesOf(*settings);
     auto *focused = settings->findChild<QComboBox *>();
     focused->setFocus();
@@ -70,6 +81,45 @@ void TestAlarms::alarmFloats()
     QVERIFY(bar()->remedyButton()->focusPolicy() & Qt::TabFocus);
     QVERIFY(bar()->acknowledgeButton()->focusPolicy() & Qt::TabFocus);
     QVERIFY(!bar()->accessibleName().isEmpty() && !bar()->accessibleDescription().isEmpty());
+    // When it has left, the page comes out from beneath.
+    const auto isFree = [&] {
+        const auto end = [](const QWidget &widget) { return widget.mapToGlobal(QPoint(0, widget.height())); };
+        return settings->mapToGlobal(QPoint()).y() >= end(*bar()).y();
+    };
+    QVERIFY(!isFree());
+    QCursor::setPos(m_rig->window().mapToGlobal(QPoint(5, 5)));
+    QTRY_VERIFY(isFree());
+    QTest::qWait(700);  // clicks at once are not meant
+    bar()->acknowledgeButton()->click();
+    QTRY_VERIFY(bar()->isHidden());
+    QTRY_COMPARE(placesOf(*settings), before);
+}
+
+// Whichever of them comes first.
+void TestAlarms::alarmHidesNoMessage()
+{
+    QVERIFY(m_rig->open(u"sim:simplebgc?seed=50"_s));
+    QCursor::setPos(m_rig->window().mapToGlobal(QPoint(2, m_rig->window().height() - 2)));
+    MessageBar &messages = *m_rig->window().messageBar();
+    const auto isInSight = [&] {
+        const auto place
+            = [](const QWidget &widget) { return QRect(widget.mapToGlobal(QPoint()), widget.size()); };
+        return bar()->isVisible() && messages.isVisible() && !place(*bar()).intersects(place(messages));
+    };
+    AlarmReport report;
+    report.number = 1;
+    report.alarm.axis = Axis::Roll;
+    emit m_rig->client().alarmChanged(report);
+    m_rig->workspace().notifications().reportMotorsMayRun(u"Nobody knows."_s);
+    QTRY_VERIFY(isInSight());
+    m_rig->workspace().alarms().acknowledge(1);
+    QTRY_VERIFY(bar()->isHidden());
+    m_rig->workspace().notifications().settle(Concern::Motors);
+    QTRY_VERIFY(!messages.isVisible());
+    m_rig->workspace().notifications().reportMotorsMayRun(u"Nobody knows."_s);
+    report.number = 2;
+    emit m_rig->client().alarmChanged(report);
+    QTRY_VERIFY(isInSight());
 }
 
 void TestAlarms::runawayIsSeenAndAcknowledged()
@@ -128,6 +178,21 @@ void TestAlarms::warningGoesWithItsCause()
     QCOMPARE(m_rig->workspace().alarms().all().size(), 1);
 }
 
+// Without a link nobody sees whether it goes on; what does is told again.
+void TestAlarms::warningGoesWithTheLink()
+{
+    QVERIFY(m_rig->open(u"sim:simplebgc?fault=battery=9.9"_s));
+    QTRY_VERIFY_WITH_TIMEOUT(!bar()->isHidden(), 15000);
+    m_rig->workspace().changeWorld(u"battery=12.6"_s);
+    m_rig->workspace().changeWorld(u"replug=1"_s);
+    m_rig->workspace().changeWorld(u"unplug=0"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().state() == DeviceClient::State::Reconnecting, 10000);
+    QVERIFY(bar()->isHidden());
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 20000);
+    QVERIFY(m_rig->boardGoesOn(4.0));
+    QVERIFY(bar()->isHidden());
+}
+
 void TestAlarms::clickMeantForAnotherDoesNothing()
 {
     QVERIFY(m_rig->open(u"sim:simplebgc?seed=54"_s));
@@ -141,6 +206,97 @@ void TestAlarms::clickMeantForAnotherDoesNothing()
     QVERIFY(bar()->isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(
         (QTest::mouseClick(bar()->acknowledgeButton(), Qt::LeftButton), bar()->isHidden()), 5000);
+}
+
+// Neither when the pointer comes to it, nor when it goes; and a second click in a hurry reaches nothing.
+void TestAlarms::nothingMovesBeneathTheBar()
+{
+    QVERIFY(m_rig->open(u"sim:simplebgc?seed=50"_s));
+    auto *settings = m_rig->page<SettingsPage>();
+    QVERIFY(m_rig->isSettled());
+    QCursor::setPos(settings->mapToGlobal(settings->rect().center()));
+    const auto place = [&] { return settings->mapToGlobal(QPoint()); };
+    const QPoint before = place();
+    AlarmReport report;
+    report.number = 1;
+    report.alarm.axis = Axis::Roll;
+    emit m_rig->client().alarmChanged(report);
+    QVERIFY(m_rig->isSettled());
+    const QPushButton *button = bar()->acknowledgeButton();
+    const QPoint at = button->mapTo(&m_rig->window(), button->rect().center());
+    QCursor::setPos(m_rig->window().mapToGlobal(at));
+    QVERIFY(m_rig->isSettled());
+    report.alarm.value = 1;
+    emit m_rig->client().alarmChanged(report);
+    QVERIFY(m_rig->isSettled());
+    QCOMPARE(place(), before);
+    m_rig->workspace().alarms().acknowledge(1);
+    QVERIFY(bar()->isHidden());
+    const auto isShielded
+        = [&] { return qobject_cast<ClickShield *>(m_rig->window().childAt(at)) != nullptr; };
+    QVERIFY(isShielded());
+    QVERIFY(m_rig->isSettled());
+    QCOMPARE(place(), before);
+    QTRY_VERIFY(!isShielded());
+    QCOMPARE(place(), before);
+}
+
+void TestAlarms::whatItPushesAwayTakesNoClicks()
+{
+    QVERIFY(m_rig->open(u"sim:simplebgc?seed=50"_s));
+    auto *settings = m_rig->page<SettingsPage>();
+    QCursor::setPos(settings->mapToGlobal(settings->rect().center()));
+    m_rig->workspace().notifications().ask({u"Which?"_s, {{u"This"_s, [] {}}}});
+    QVERIFY(m_rig->isSettled());
+    const OfferBar *offers = m_rig->window().offerBar();
+    const auto middle = [&] {
+        const QPushButton *button = offers->buttons().first();
+        return button->mapTo(&m_rig->window(), button->rect().center());
+    };
+    const auto isShielded
+        = [&](QPoint at) { return qobject_cast<ClickShield *>(m_rig->window().childAt(at)) != nullptr; };
+    const QPoint before = middle();
+    QTRY_VERIFY(!isShielded(before));
+    AlarmReport report;
+    report.number = 1;
+    report.alarm.axis = Axis::Roll;
+    emit m_rig->client().alarmChanged(report);
+    QVERIFY(m_rig->isSettled());
+    QVERIFY(middle() != before);
+    QVERIFY(isShielded(middle()));
+    QVERIFY(isShielded(before) || bar()->geometry().contains(before));
+    QTRY_VERIFY(!isShielded(middle()));
+}
+
+void TestAlarms::storingAlarmedValuesAsks()
+{
+    QVERIFY(m_rig->open(u"sim:simplebgc?seed=50"_s));
+    LiveModel &live = m_rig->workspace().live();
+    const int gain = m_rig->spec(u"pid.roll.p"_s).id;
+    QTRY_VERIFY(live.value(gain));
+    live.setValue(gain, m_rig->raw(u"pid.roll.p"_s) + 5);
+    QTRY_VERIFY(live.isSettled() && live.changeCount() == 1);
+    AlarmReport report;
+    report.number = 1;
+    report.alarm.kind = AlarmKind::Oscillation;
+    report.alarm.axis = Axis::Roll;
+    emit m_rig->client().alarmChanged(report);
+    std::optional<bool> stored;
+    const auto store = [&] {
+        stored.reset();
+        m_rig->workspace().saveLive(m_rig->window()).then(this, [&stored](bool done) { stored = done; });
+    };
+    store();
+    QVERIFY(m_rig->window().panels()->isOpen());
+    m_rig->window().panels()->newest()->reject();
+    QTRY_COMPARE(stored, std::optional(false));
+    QCOMPARE(live.changeCount(), 1);
+    // Other values have caused none.
+    live.setValue(gain, m_rig->raw(u"pid.roll.p"_s) + 3);
+    QTRY_VERIFY(live.isSettled());
+    store();
+    QVERIFY(!m_rig->window().panels()->isOpen());
+    QTRY_COMPARE_WITH_TIMEOUT(stored, std::optional(true), 30000);
 }
 
 void TestAlarms::sameCauseIsOneCard()
@@ -230,6 +386,18 @@ void TestAlarms::everyAlarmHasWords()
             QVERIFY2(!text.oneLine().contains(u'%'), qPrintable(text.oneLine()));
         }
     }
+    // What is over goes on no more, and what nobody watches any longer is not called quiet.
+    AlarmReport report;
+    report.alarm.kind = AlarmKind::Oscillation;
+    report.action = AlarmAction::TakeBack;
+    report.change = LiveChange();
+    report.outcome = AlarmOutcome::Done;
+    report.isOver = true;
+    QVERIFY(!describe(report, nullptr).what.contains(u"quiet"_s));
+    report.wasSeenToEnd = true;
+    QVERIFY(describe(report, nullptr).what.contains(u"it has been quiet since"_s));
+    report.outcome = AlarmOutcome::GoesOn;
+    QVERIFY(!describe(report, nullptr).what.contains(u"goes on"_s));
 }
 
 QTEST_MAIN(TestAlarms)

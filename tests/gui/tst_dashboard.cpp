@@ -1,12 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mainwindow/messagebar.h"
 #include "app/pages/watch/dashboardpage.h"
+#include "protocol/base/battery.h"
 #include "tests/support/windowrig.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/views/axisdial.h"
 #include "widgets/views/batteryview.h"
 #include "widgets/views/gimbalview.h"
 
 #include <QLabel>
+#include <QScrollArea>
 #include <QSignalSpy>
 
 #include <cmath>
@@ -51,11 +55,14 @@ private slots:
     void bodyMovesWithTheCamera();
     void batteryHasCellsAndThresholds_data();
     void batteryHasCellsAndThresholds();
+    void oneLimitOfTheBattery();
     void frameIsShownWhereItIsMeasured();
     void limitsAndFollowing_data();
     void limitsAndFollowing();
     void faultsAreLarge();
     void linkIsShownBothWays();
+    void noThirdIsEmpty_data();
+    void noThirdIsEmpty();
 
 private:
     template <typename W> static W *only(QWidget *page) { return page->findChild<W *>(); }
@@ -146,7 +153,7 @@ void TestDashboard::batteryHasCellsAndThresholds()
     QFETCH(int, cells);
     QFETCH(BatteryView::State, state);
     QFETCH(QString, said);
-    QCOMPARE(BatteryView::cellsFor(volts), cells);
+    QCOMPARE(batteryCells(volts), cells);
     Theme theme;
     BatteryView view(theme);
     view.setThresholds(10.5, 9.9, false);
@@ -158,6 +165,41 @@ void TestDashboard::batteryHasCellsAndThresholds()
     each.setThresholds(3.5, 3.3, true);
     each.setVolts(volts);
     QCOMPARE(each.state(), state);
+}
+
+// What the program warns below and what the board warns below is one limit: the one that is reached first.
+void TestDashboard::oneLimitOfTheBattery()
+{
+    Theme theme;
+    BatteryView view(theme);
+    view.setThresholds(8.7, {}, false);
+    view.setVolts(12.3);
+    QVERIFY2(view.thresholdText().contains(u"8.7"_s), qPrintable(view.thresholdText()));
+    view.setLowCell(3.4);
+    QVERIFY2(view.thresholdText().contains(u"10.2"_s), qPrintable(view.thresholdText()));
+    view.setVolts(9.9);
+    QCOMPARE(view.state(), BatteryView::State::Low);
+    view.setThresholds(10.8, {}, false);
+    QVERIFY2(view.thresholdText().contains(u"10.8"_s), qPrintable(view.thresholdText()));
+
+    // On the screen, beside the alarm that tells it.
+    WindowRig rig;
+    QVERIFY(rig.open(kDemo));
+    auto *page = rig.page<DashboardPage>();
+    rig.workspace().changeWorld(u"battery=10.0"_s);
+    const auto *shown = only<BatteryView>(page);
+    QTRY_COMPARE_WITH_TIMEOUT(shown->state(), BatteryView::State::Low, 10000);
+    const auto alarmed = [&rig] {
+        const auto alarms = rig.workspace().alarms().all();
+        return std::any_of(alarms.begin(), alarms.end(),
+                           [](const AlarmReport &report) { return report.alarm.kind == AlarmKind::Battery; });
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(alarmed(), 10000);
+    for (const AlarmReport &report : rig.workspace().alarms().all()) {
+        if (report.alarm.kind == AlarmKind::Battery && report.alarm.fault.isEmpty())
+            QVERIFY2(shown->thresholdText().contains(numberText(report.alarm.limit, 1)),
+                     qPrintable(shown->thresholdText()));
+    }
 }
 
 void TestDashboard::frameIsShownWhereItIsMeasured()
@@ -212,7 +254,11 @@ void TestDashboard::limitsAndFollowing()
     QTRY_COMPARE_WITH_TIMEOUT(dials[1]->limits(), std::optional(limits), 8000);
     QTRY_COMPARE_WITH_TIMEOUT(dials[2]->follows(), std::optional(yawFollows), 8000);
     QTRY_COMPARE_WITH_TIMEOUT(dials[0]->follows(), std::optional(false), 8000);
+    QTRY_COMPARE_WITH_TIMEOUT(dials[0]->guideText(), u"holds"_s, 8000);
     QVERIFY(dials[0]->accessibleDescription().contains(u"holds"_s));
+    // Without its motor it holds nothing.
+    rig.client().motorsOff();
+    QTRY_COMPARE_WITH_TIMEOUT(dials[0]->guideText(), u"motor off"_s, 8000);
 }
 
 void TestDashboard::faultsAreLarge()
@@ -251,6 +297,49 @@ void TestDashboard::linkIsShownBothWays()
     rig.client().disconnectFromBoard();
     QTRY_COMPARE(rates(), 0);
     QVERIFY(!link->text().contains(u"per second"_s));
+}
+
+void TestDashboard::noThirdIsEmpty_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::addColumn<QSize>("size");
+    for (const QString &address : {kDemo, kStorm}) {
+        for (const QSize size : {QSize(1024, 640), QSize(1280, 800), QSize(1920, 1080)})
+            QTest::addRow("%s, %d", qPrintable(address), size.width()) << address << size;
+    }
+}
+
+// Neither of the pictures nor of what is told beside them.
+void TestDashboard::noThirdIsEmpty()
+{
+    QFETCH(const QString, address);
+    QFETCH(const QSize, size);
+    WindowRig rig;
+    rig.window().resize(size);
+    QVERIFY(rig.open(address));
+    auto *page = rig.page<DashboardPage>();
+    QVERIFY(rig.boardGoesOn(1.0));
+    rig.window().messageBar()->hide();
+    QVERIFY(rig.isSettled());
+    const auto *facts = only<QScrollArea>(page);
+    const auto emptyRows = [page](const QRect &part) {
+        const QImage image = page->grab(part).toImage();
+        int longest = 0;
+        int run = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            bool isEmpty = true;
+            for (int x = 20; x < image.width() - 30 && isEmpty; ++x)  // without the frames of cards
+                isEmpty = image.pixel(x, y) == image.pixel(20, y);
+            run = isEmpty ? run + 1 : 0;
+            longest = std::max(longest, run);
+        }
+        return longest;
+    };
+    const QRect right(facts->mapTo(page, QPoint()), facts->size());
+    QTRY_VERIFY2(emptyRows(right) < page->height() / 3,
+                 qPrintable(u"%1 of %2 rows"_s.arg(emptyRows(right)).arg(page->height())));
+    const QRect left(0, right.top(), right.left(), right.height());
+    QVERIFY(emptyRows(left) < page->height() / 3);
 }
 
 QTEST_MAIN(TestDashboard)

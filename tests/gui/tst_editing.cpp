@@ -1,13 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bars.h"
+#include "app/mainwindow/messagebar.h"
+#include "app/mainwindow/translations.h"
 #include "app/pages/setup/parameterspage.h"
 #include "app/pages/setup/profilespage.h"
+#include "app/pages/setup/scriptspage.h"
 #include "app/pages/tune/tuningpage.h"
+#include "protocol/device/abilities.h"
+#include "tests/support/drawntexts.h"
+#include "tests/support/named.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/liveslider.h"
 #include "widgets/forms/parameterform.h"
+#include "widgets/forms/reviewdialog.h"
 #include "widgets/forms/valueeditor.h"
+#include "widgets/models/parametermodel.h"
+#include "widgets/models/profilemodel.h"
+#include "widgets/views/scripteditor.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -15,6 +25,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSignalSpy>
 #include <QTableView>
 
 using namespace Qt::StringLiterals;
@@ -24,14 +35,21 @@ class TestEditing : public QObject
 {
     Q_OBJECT
 private slots:
+    void leftoversOfMissingPartsAreKept();
     void nothingMovesWhenAValueChanges_data();
     void nothingMovesWhenAValueChanges();
     void nothingMovesUnderTheSlider();
+    void onlyOwnLiveValuesAreInUseAgain();
     void undoLeadsToTheField();
     void undoLeadsToAnotherProfile();
     void undoLeadsToTheName();
     void undoStaysInTheTable();
+    void undoLeadsToTheScript();
+    void undoLeadsToTheFirstOfSeveral();
+    void redoLeadsToAnotherProfile();
     void countsNameTheirProfile();
+    void countsKeepTheirProfileWhereRoomIsShort_data();
+    void countsKeepTheirProfileWhereRoomIsShort();
 
 private:
     static QMap<QString, QRect> places(const QWidget &page)
@@ -126,6 +144,56 @@ void TestEditing::nothingMovesUnderTheSlider()
     QCOMPARE(relative(), before);
 }
 
+// A write makes the board load what is stored. What was set live here is in use again afterwards; what
+// somebody else had set is named before and after, and is nobody's live change.
+void TestEditing::onlyOwnLiveValuesAreInUseAgain()
+{
+    WindowRig rig;
+    QVERIFY(rig.open(u"sim:simplebgc"_s));
+    LiveModel &live = rig.workspace().live();
+    const int own = rig.spec(u"pid.yaw.p"_s).id;
+    const int foreign = rig.spec(u"pid.pitch.p"_s).id;
+    const double stored = rig.raw(u"pid.pitch.p"_s);
+    QTRY_VERIFY(live.value(foreign));
+    auto set = rig.client().submit<bool>([variable = rig.spec(u"pid.pitch.p"_s).adjustable,
+                                          value = stored + 7](Channel &channel, Device &device) {
+        return device.live()->restoreAdjustables(channel, {{variable, value}}).map([] { return true; });
+    });
+    QTRY_VERIFY(set.isFinished() && set.result());
+    live.read();
+    QTRY_COMPARE(live.value(foreign), std::optional(stored + 7));
+    live.setValue(own, rig.raw(u"pid.yaw.p"_s) + 5);
+    QTRY_VERIFY(live.isSettled() && live.changeCount() == 2);
+    QCOMPARE(live.ownUnsaved().size(), 1U);
+    QCOMPARE(live.ownUnsaved().front().key, u"pid.yaw.p"_s);
+    const auto replaced = rig.workspace().replacedByAWrite();
+    QCOMPARE(replaced.size(), 1U);
+    QCOMPARE(replaced.front().key, u"pid.pitch.p"_s);
+    const auto change = rig.client().device()->live()->lastChange();
+    QVERIFY(change);
+
+    QStringList notices;
+    QObject::connect(&rig.workspace().notifications(), &Notifications::notice, &rig.window(),
+                     [&notices](const QString &text) { notices.append(text); });
+    rig.edit(u"pid.roll.p"_s, 0, rig.raw(u"pid.roll.p"_s) + 4);
+    rig.window().review();
+    auto *review = rig.window().findChild<ReviewDialog *>();
+    QVERIFY(review);
+    const auto labels = review->findChildren<QLabel *>();
+    QVERIFY(std::any_of(labels.begin(), labels.end(), [&rig](const QLabel *label) {
+        return label->isVisible() && label->text().contains(parameterLabel(rig.spec(u"pid.pitch.p"_s)));
+    }));
+    QVERIFY(!review->othersChoice()->isVisible());
+    review->accept();
+    QTRY_VERIFY(rig.workspace().lastReport() && rig.workspace().lastReport()->isComplete());
+    QTRY_VERIFY(rig.jobsAreDone() && live.isSettled() && live.value(foreign) == stored);
+    QCOMPARE(live.value(own), std::optional(rig.raw(u"pid.yaw.p"_s) + 5));
+    const QString told = notices.join(u'\n');
+    QVERIFY2(told.contains(u"pid.pitch.p="_s) && !told.contains(u"pid.yaw.p="_s), qPrintable(told));
+    // Putting back is no live change of the operator.
+    QCOMPARE(rig.client().device()->live()->lastChange()->until, change->until);
+}
+
 void TestEditing::undoLeadsToTheField()
 {
     WindowRig rig;
@@ -192,6 +260,8 @@ void TestEditing::undoLeadsToTheName()
     rig.workspace().edits().undo();
     QCOMPARE(rig.window().navigation()->currentPage(), u"profiles"_s);
     QCOMPARE(page->table()->currentIndex().row(), 1);
+    QCOMPARE(page->table()->currentIndex().column(), int(ProfileModel::NameColumn));
+    QTRY_VERIFY(page->table()->hasFocus());
 }
 
 void TestEditing::undoStaysInTheTable()
@@ -209,6 +279,111 @@ void TestEditing::undoStaysInTheTable()
     QVERIFY(page->table()->isVisible());
     QCOMPARE(page->table()->currentIndex().data(ParameterModel::IdRole).toInt(),
              rig.spec(u"pid.roll.p"_s).id);
+}
+
+void TestEditing::undoLeadsToTheScript()
+{
+    WindowRig rig;
+    QVERIFY(rig.open(u"sim:storm32"_s));
+    auto *page = rig.page<ScriptsPage>();
+    QTRY_VERIFY(page->editor()->isEnabled());
+    auto *list = named<QListWidget>(page, u"Scripts"_s);
+    page->showScript(2);
+    page->editor()->setText(u"WAIT 5\n"_s);
+    QTRY_VERIFY(page->takeButton()->isEnabled());
+    page->takeButton()->click();
+    QCOMPARE(rig.model().changeCount(), 1);
+    const auto leads = [&](const auto &step) {
+        page->showScript(0);
+        rig.window().showPage(u"dashboard"_s);
+        step();
+        return rig.window().navigation()->currentPage() == u"scripts"_s && list->currentRow() == 2
+            && QTest::qWaitFor([page] { return page->editor()->hasFocus(); });
+    };
+    QVERIFY(QTest::qWaitForWindowActive(&rig.window()));
+    QVERIFY(leads([&rig] { rig.workspace().edits().undo(); }));
+    QVERIFY(page->editor()->text().isEmpty());
+    QVERIFY(leads([&rig] { rig.workspace().edits().redo(); }));
+    QVERIFY(page->editor()->text().contains(u"WAIT 5"_s));
+}
+
+void TestEditing::undoLeadsToTheFirstOfSeveral()
+{
+    WindowRig rig;
+    QVERIFY(rig.open(u"sim:simplebgc"_s));
+    auto *page = rig.page<ParametersPage>();
+    rig.edit(u"pid.pitch.d"_s, 0, 44);
+    rig.edit(u"pid.yaw.d"_s, 0, 45);
+    rig.workspace().edits().copyProfile(0, 3);
+    const auto changes = rig.model().changes();
+    const auto first = std::find_if(changes.begin(), changes.end(),
+                                    [](const ParameterChange &change) { return change.profile == 3; });
+    QVERIFY(first != changes.end());
+    const int count = rig.model().changeCount();
+    page->showParameter(u"motor.yaw.poles"_s);
+    rig.window().showPage(u"dashboard"_s);
+    rig.workspace().edits().undo();
+    QVERIFY(rig.model().changeCount() <= count - 2);
+    QCOMPARE(rig.window().navigation()->currentPage(), u"parameters"_s);
+    QCOMPARE(rig.model().shownProfile(), 3);
+    QTRY_VERIFY(isSeen(page->form()->editor(first->spec->id)));
+    rig.model().setShownProfile(0);
+    rig.window().showPage(u"dashboard"_s);
+    rig.workspace().edits().redo();
+    QCOMPARE(rig.model().changeCount(), count);
+    QCOMPARE(rig.model().shownProfile(), 3);
+    QTRY_VERIFY(isSeen(page->form()->editor(first->spec->id)));
+}
+
+void TestEditing::redoLeadsToAnotherProfile()
+{
+    WindowRig rig;
+    QVERIFY(rig.open(u"sim:simplebgc"_s));
+    auto *page = rig.page<ParametersPage>();
+    rig.edit(u"pid.roll.p"_s, 2, 44);
+    rig.workspace().edits().undo();
+    rig.model().setShownProfile(0);
+    rig.window().showPage(u"dashboard"_s);
+    rig.workspace().edits().redo();
+    QCOMPARE(rig.window().navigation()->currentPage(), u"parameters"_s);
+    QCOMPARE(rig.model().shownProfile(), 2);
+    QTRY_VERIFY(isSeen(page->form()->editor(rig.spec(u"pid.roll.p"_s).id)));
+    QCOMPARE(rig.model().board().activeProfile(), 0);
+}
+
+void TestEditing::countsKeepTheirProfileWhereRoomIsShort_data()
+{
+    QTest::addColumn<int>("width");
+    QTest::addColumn<bool>("named");  // else its number must do
+    QTest::newRow("usual") << 1280 << true;
+    QTest::newRow("smallest") << 1024 << false;
+}
+
+// Both bars at the foot, in the language with the longer words: what is drawn counts.
+void TestEditing::countsKeepTheirProfileWhereRoomIsShort()
+{
+    QFETCH(const int, width);
+    QFETCH(const bool, named);
+    const Translations german(u"de"_s);
+    WindowRig rig;
+    rig.window().resize(width, 700);
+    QVERIFY(rig.open(u"sim:simplebgc"_s));
+    auto *tuning = rig.page<TuningPage>();
+    QTRY_VERIFY(tuning->control(u"pid.yaw.p"_s) && tuning->control(u"pid.yaw.p"_s)->isEnabled());
+    emit tuning->control(u"pid.yaw.p"_s)->edited(rig.raw(u"pid.yaw.p"_s) + 5);
+    QTRY_COMPARE(rig.workspace().live().changeCount(), 1);
+    rig.edit(u"pid.roll.p"_s, 1, 44);
+    QVERIFY(rig.isSettled());
+    QCOMPARE(rig.window().width(), width);
+    UnsavedBar *bar = rig.window().unsavedBar();
+    QVERIFY(isSeen(bar) && isSeen(rig.window().findChild<UnstoredBar *>()));
+    const QString drawn = drawnTexts(*bar).join(QString());
+    const QString profile = profileLabel(rig.model().edited(), 1) + u": 1"_s;
+    QVERIFY2(drawn.contains(profile) || (!named && drawn.contains(u"P2: 1"_s)), qPrintable(drawn));
+    for (const QPushButton *button : bar->findChildren<QPushButton *>()) {
+        if (button->isVisible())
+            QVERIFY2(button->width() >= button->minimumSizeHint().width(), qPrintable(button->text()));
+    }
 }
 
 void TestEditing::countsNameTheirProfile()
@@ -235,6 +410,33 @@ void TestEditing::countsNameTheirProfile()
     QCOMPARE(tree.filter(u"•"_s).size(), 2);
     QCOMPARE(tree.filter(u"• P1: 1, P2: 2"_s).size(), 1);
     QCOMPARE(tree.filter(u"• 1"_s).size(), 1);
+}
+
+// An edit of an earlier run whose part did not come this time is neither lost nor taken for restored.
+void TestEditing::leftoversOfMissingPartsAreKept()
+{
+    WindowRig rig;
+    QVERIFY(rig.open());
+    const QString key = u"motion.roll.acc_limit"_s;  // of PARAMS_EXT2
+    const double wanted = rig.raw(key) + 1;
+    rig.edit(key, 0, wanted);
+    rig.edit(u"pid.roll.p"_s, 0, 44);
+    rig.workspace().journal().flush();
+    rig.crash();
+    rig.restart();
+    QSignalSpy found(&rig.workspace().journal(), &EditJournal::leftoverFound);
+    QVERIFY(rig.open(u"sim:simplebgc?fault=deaf%3D62"_s));  // READ_PARAMS_EXT2
+    QTRY_COMPARE(found.count(), 1);
+    QVERIFY(rig.workspace().journal().leftoverWaits());
+    rig.window().offerBar()->buttons().first()->click();
+    QCOMPARE(rig.model().changeCount(), 0);
+    QVERIFY(rig.window().messageBar()->text().contains(u"could not be read"_s));
+    rig.workspace().changeWorld(u"deaf=-1"_s);
+    rig.workspace().readBoard();
+    QTRY_COMPARE_WITH_TIMEOUT(found.count(), 2, 15000);
+    rig.window().offerBar()->buttons().first()->click();
+    QCOMPARE(rig.model().changeCount(), 2);
+    QCOMPARE(rig.model().value(rig.spec(key), 0).value(), wanted);
 }
 
 QTEST_MAIN(TestEditing)

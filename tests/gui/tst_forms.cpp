@@ -1,27 +1,36 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/board/actionspage.h"
+#include "app/pages/board/backupspage.h"
 #include "app/pages/board/controlpage.h"
 #include "app/pages/board/functionscard.h"
 #include "app/pages/setup/parameterspage.h"
+#include "app/pages/tune/tuningpage.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/argumentform.h"
 #include "widgets/forms/flagsbutton.h"
+#include "widgets/forms/liveslider.h"
 #include "widgets/forms/parameterform.h"
+#include "widgets/forms/reviewdialog.h"
 #include "widgets/forms/valueeditor.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QComboBox>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QSet>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTableWidget>
 #include <QTextBrowser>
+#include <QTreeWidget>
+
+#include <algorithm>
 
 using namespace Qt::StringLiterals;
 
@@ -55,7 +64,11 @@ private slots:
     void flagsLookLikeFields();
     void labelsStandOnTheLineOfTheirField_data() { families(); }
     void labelsStandOnTheLineOfTheirField();
+    void slidersHaveTheirLabelOnTheLine_data() { families(); }
+    void slidersHaveTheirLabelOnTheLine();
     void functionsHaveLabels();
+    void selectedRowHasOneShade_data();
+    void selectedRowHasOneShade();
     void tableMarksChanges();
     void tableEditsChoicesByName();
     void tableTellsWhatItRefuses();
@@ -231,6 +244,42 @@ void TestForms::labelsStandOnTheLineOfTheirField()
     QVERIFY(seen > 10);
 }
 
+// Of the field, whatever lies beneath it; and axes stand above what has axes only.
+void TestForms::slidersHaveTheirLabelOnTheLine()
+{
+    QFETCH(QString, address);
+    QVERIFY(m_rig->open(address));
+    auto *page = m_rig->page<TuningPage>();
+    QVERIFY(m_rig->isSettled());
+    int seen = 0;
+    for (LiveSlider *control : page->findChildren<LiveSlider *>()) {
+        const auto grids = control->parentWidget()->findChildren<QGridLayout *>();
+        const auto found = std::find_if(grids.begin(), grids.end(),
+                                        [control](QGridLayout *each) { return each->indexOf(control) >= 0; });
+        QVERIFY(found != grids.end());
+        int row = 0;
+        int column = 0;
+        int rows = 0;
+        int columns = 0;
+        (*found)->getItemPosition((*found)->indexOf(control), &row, &column, &rows, &columns);
+        const auto labelAt = [&](int atRow, int atColumn) {
+            const QLayoutItem *item = (*found)->itemAtPosition(atRow, atColumn);
+            return item ? qobject_cast<const QLabel *>(item->widget()) : nullptr;
+        };
+        const QLabel *label = labelAt(row, 0);
+        if (!label)
+            continue;  // it stands above
+        const int line
+            = inWindow(*label).top() + label->contentsMargins().top() + label->fontMetrics().height() / 2;
+        const int middle = inWindow(*control->editor()->control()).center().y();
+        QVERIFY2(std::abs(line - middle) <= 1,
+                 qPrintable(u"%1: %2, %3"_s.arg(label->text()).arg(line).arg(middle)));
+        QVERIFY2(columns == 1 || !labelAt(row - 1, 2), qPrintable(label->text()));
+        ++seen;
+    }
+    QVERIFY(seen > 8);
+}
+
 void TestForms::functionsHaveLabels()
 {
     QVERIFY(m_rig->open(u"sim:storm32"_s));
@@ -243,6 +292,57 @@ void TestForms::functionsHaveLabels()
         for (QLabel *label : form->findChildren<QLabel *>())
             QVERIFY2(label->isVisible(), qPrintable(label->text()));
     }
+}
+
+void TestForms::selectedRowHasOneShade_data()
+{
+    QTest::addColumn<Theme::Mode>("mode");
+    QTest::addColumn<QString>("where");
+    for (const char *where : {"review", "table", "backups", "actions"}) {
+        QTest::addRow("%s, light", where) << Theme::Mode::Light << QString::fromLatin1(where);
+        QTest::addRow("%s, dark", where) << Theme::Mode::Dark << QString::fromLatin1(where);
+    }
+}
+
+// Whichever cell the keyboard is in.
+void TestForms::selectedRowHasOneShade()
+{
+    QFETCH(Theme::Mode, mode);
+    QFETCH(QString, where);
+    m_rig->theme().setMode(mode);
+    m_rig->theme().apply();
+    QVERIFY(m_rig->open());
+    QAbstractItemView *view = nullptr;
+    if (where == u"review"_s) {
+        m_rig->edit(u"pid.roll.p"_s, 0, 44);
+        m_rig->edit(u"pid.roll.d"_s, 0, 44);
+        m_rig->window().review();
+        view = m_rig->window().reviewDialog()->table();
+    } else if (where == u"table"_s) {
+        showTable();
+        view = parameters()->table();
+    } else if (where == u"backups"_s) {
+        m_rig->workspace().takeSnapshot();
+        view = m_rig->page<BackupsPage>()->table();
+    } else {
+        view = m_rig->page<ActionsPage>()->findChild<QTreeWidget *>();
+    }
+    QVERIFY(view && view->model()->rowCount() > 0);
+    QTRY_VERIFY(view->isVisible());
+    QModelIndex place = view->model()->index(0, 0);
+    if (view->model()->hasChildren(place))
+        place = view->model()->index(0, 0, place);
+    view->setCurrentIndex(place);
+    view->setFocus();
+    QVERIFY(m_rig->isSettled());
+    const QImage image = view->viewport()->grab().toImage();
+    const QRect row = view->visualRect(place);
+    QSet<QRgb> shades;
+    for (int x = row.left() + 6; x < image.width() - 6; ++x) {
+        for (const int y : {row.top() + 2, row.bottom() - 2})
+            shades.insert(image.pixel(int(x * image.devicePixelRatio()), int(y * image.devicePixelRatio())));
+    }
+    QCOMPARE(shades.size(), 1);
 }
 
 void TestForms::tableMarksChanges()

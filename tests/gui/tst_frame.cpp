@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/linkbar.h"
+#include "app/mainwindow/messagebar.h"
 #include "app/mainwindow/startpage.h"
 #include "app/mainwindow/translations.h"
 #include "tests/support/simprocess.h"
@@ -269,6 +270,12 @@ void TestFrame::bannersLeaveAloneWhatIsUsed()
     window().navigation()->setFocus();
     told.notify(u"Upper."_s);
     QVERIFY(placeOf(window().messageBar()).bottom() < window().height() / 2);
+    // Title and controls of the page stay in sight.
+    for (QWidget *widget : page->findChildren<QWidget *>(Qt::FindDirectChildrenOnly)) {
+        const bool isHead = widget->objectName() == u"title"_s || widget->objectName() == u"chip"_s;
+        QVERIFY2(!isHead || !placeOf(window().messageBar()).intersects(placeOf(widget)),
+                 qPrintable(widget->objectName()));
+    }
     // A field that gets the keyboard later is not hidden either.
     search->setFocus();
     QVERIFY(!placeOf(window().messageBar()).intersects(placeOf(search)));

@@ -1,6 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/families/simplebgc/autotunepage.h"
+#include "app/families/simplebgc/calibrationpage.h"
+#include "app/families/storm32/sensorpage.h"
+#include "app/families/storm32/setuppage.h"
 #include "app/mainwindow/linkbar.h"
+#include "app/mainwindow/messagebar.h"
+#include "app/pages/board/actionspage.h"
+#include "app/pages/setup/scriptspage.h"
+#include "app/pages/tune/tuningpage.h"
+#include "app/workspace/question.h"
+#include "protocol/device/steering.h"
 #include "protocol/record/recording.h"
 #include "tests/support/named.h"
 #include "tests/support/windowrig.h"
@@ -9,8 +19,10 @@
 #include <QDialog>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTimer>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -34,11 +46,19 @@ private slots:
     void disconnectingWaitsForAWrite();
     void procedureIsWaitedForOrCancelled_data();
     void procedureIsWaitedForOrCancelled();
+    void motorsAreProvenOffBeforeQuitting_data();
     void motorsAreProvenOffBeforeQuitting();
+    void unprovenStopIsNoQuit_data();
     void unprovenStopIsNoQuit();
+    void lateProofQuitsAfterAll_data();
+    void lateProofQuitsAfterAll();
     void recordingIsWhole();
     void nothingInTheWayAsksNothing();
+    void motorsThatRunAreAskedAbout();
+    void steeringEndsBeforeTheLink();
     void openingOpensWhatWasAskedFor();
+    void theWindowMayGoInTheMiddle_data();
+    void theWindowMayGoInTheMiddle();
 
 private:
     MainWindow &window() { return m_rig->window(); }
@@ -165,9 +185,17 @@ void TestLeaving::procedureIsWaitedForOrCancelled()
     QCOMPARE(calibration.result().has_value(), ends);
 }
 
+void TestLeaving::motorsAreProvenOffBeforeQuitting_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::newRow("SimpleBGC") << kDemo;
+    QTest::newRow("STorM32") << u"sim:storm32"_s;
+}
+
 void TestLeaving::motorsAreProvenOffBeforeQuitting()
 {
-    QVERIFY(m_rig->open(kDemo));
+    QFETCH(const QString, address);
+    QVERIFY(m_rig->open(address));
     m_rig->settings().setMotorsOffOnQuit(true);
     QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, 15000));
     QSignalSpy off(&m_rig->client(), &DeviceClient::motorsOffFinished);
@@ -181,17 +209,47 @@ void TestLeaving::motorsAreProvenOffBeforeQuitting()
     QVERIFY(wasVisible);
 }
 
+void TestLeaving::unprovenStopIsNoQuit_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::addColumn<QString>("fault");
+    QTest::newRow("SimpleBGC, silent") << kDemo << u"lose=1"_s;
+    QTest::newRow("SimpleBGC, confirms and goes on") << kDemo << u"runs-on=1"_s;
+    QTest::newRow("STorM32, confirms and goes on") << u"sim:storm32"_s << u"runs-on=1"_s;
+}
+
 void TestLeaving::unprovenStopIsNoQuit()
 {
-    QVERIFY(m_rig->open(kDemo));
+    QFETCH(const QString, address);
+    QFETCH(const QString, fault);
+    QVERIFY(m_rig->open(address));
     m_rig->settings().setMotorsOffOnQuit(true);
     QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, 15000));
-    workspace().changeWorld(u"lose=1"_s);
+    workspace().changeWorld(fault);
     window().close();
-    QTRY_VERIFY_WITH_TIMEOUT(question(), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(question(), 60000);
     QVERIFY(window().isVisible());
     answer(u"Quit all the same"_s);
     QTRY_VERIFY(!window().isVisible());
+}
+
+void TestLeaving::lateProofQuitsAfterAll_data()
+{
+    motorsAreProvenOffBeforeQuitting_data();
+}
+
+// The stop is repeated while the question stands, which must not outlive its proof.
+void TestLeaving::lateProofQuitsAfterAll()
+{
+    QFETCH(const QString, address);
+    QVERIFY(m_rig->open(address));
+    m_rig->settings().setMotorsOffOnQuit(true);
+    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, 15000));
+    workspace().changeWorld(u"runs-on=1"_s);
+    window().close();
+    QTRY_VERIFY_WITH_TIMEOUT(question(), 60000);
+    workspace().changeWorld(u"runs-on=0"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(!window().isVisible(), 60000);
 }
 
 void TestLeaving::recordingIsWhole()
@@ -220,6 +278,59 @@ void TestLeaving::nothingInTheWayAsksNothing()
     QVERIFY(!window().isVisible());
 }
 
+void TestLeaving::motorsThatRunAreAskedAbout()
+{
+    m_rig->settings().setAskAboutMotors(true);
+    QVERIFY(m_rig->open(kDemo));
+    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, 15000));
+    window().close();
+    QVERIFY(question() && window().isVisible());
+    answer(u"Stay"_s);
+    disconnectByButton();
+    QVERIFY(question() && m_rig->client().isConnected());
+    answer(u"Disconnect and leave them running"_s);
+    QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
+    QVERIFY(m_rig->open(kDemo));
+    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, 15000));
+    QSignalSpy off(&m_rig->client(), &DeviceClient::motorsOffFinished);
+    disconnectByButton();
+    QVERIFY(question());
+    answer(u"Stop motors and disconnect"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Disconnected, 15000);
+    QVERIFY(off.count() == 1 && off.first().first().toBool());
+}
+
+// The end of steering is proven while the link is there; unproven, it is asked about.
+void TestLeaving::steeringEndsBeforeTheLink()
+{
+    QVERIFY(m_rig->open(kDemo));
+    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, 15000));
+    QTimer steering;
+    connect(&steering, &QTimer::timeout, this, [this] {
+        m_rig->client().setControl({1, {std::nan(""), std::nan(""), 10.0}, {}});
+    });
+    connect(&workspace(), &Workspace::controlReleased, &steering, &QTimer::stop);
+    steering.start(50);
+    QTRY_VERIFY(m_rig->client().isSteering());
+    QSignalSpy ended(&m_rig->client(), &DeviceClient::steeringEnded);
+    disconnectByButton();
+    QVERIFY(m_rig->client().isConnected());
+    QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
+    QCOMPARE(ended.count(), 1);
+    QVERIFY(ended.first().first().toBool());
+
+    QVERIFY(m_rig->open(kDemo));
+    steering.start(50);
+    QTRY_VERIFY(m_rig->client().isSteering());
+    workspace().changeWorld(u"lose=1"_s);
+    disconnectByButton();
+    QTRY_VERIFY(question());
+    QVERIFY(m_rig->client().isConnected());
+    QVERIFY(window().messageBar()->text().contains(u"may go on moving"_s));
+    answer(u"Disconnect all the same"_s);
+    QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
+}
+
 // With a board, a file's values become edits of it; a recording is played once the link may end.
 void TestLeaving::openingOpensWhatWasAskedFor()
 {
@@ -246,6 +357,65 @@ void TestLeaving::openingOpensWhatWasAskedFor()
     QVERIFY(!m_rig->client().address().isReplay());
     answer(u"Disconnect without storing"_s);
     QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && m_rig->client().address().isReplay(), 15000);
+}
+
+void TestLeaving::theWindowMayGoInTheMiddle_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::addColumn<QString>("what");
+    for (const char *what :
+         {"read", "write", "action", "calibration", "search", "store", "question", "values"})
+        QTest::addRow("SimpleBGC, %s", what) << kDemo << QString::fromLatin1(what);
+    for (const char *what : {"read", "write", "action", "sensor", "setup", "store", "values", "scripts"})
+        QTest::addRow("STorM32, %s", what) << u"sim:storm32"_s << QString::fromLatin1(what);
+}
+
+// As at the end of a session on the computer: nobody is asked, and nothing that waits is left behind.
+void TestLeaving::theWindowMayGoInTheMiddle()
+{
+    QFETCH(const QString, address);
+    QFETCH(const QString, what);
+    QVERIFY(m_rig->open(address));
+    QVERIFY(m_rig->jobsAreDone());
+    if (what == u"read"_s) {
+        workspace().readBoard();
+    } else if (what == u"write"_s) {
+        m_rig->edit(u"pid.roll.p"_s, 0, m_rig->raw(u"pid.roll.p"_s) + 1);
+        workspace().write(m_rig->model().edited());
+    } else if (what == u"action"_s) {
+        auto *page = m_rig->page<ActionsPage>();
+        workspace().perform(u"info"_s, {}).then(page, [](const Result<ActionOutcome> &) {});
+    } else if (what == u"calibration"_s) {
+        auto *page = m_rig->page<CalibrationPage>();
+        workspace().changeWorld(u"pose=1"_s);
+        page->start(CalibrationPage::Kind::Gyroscope);
+        QTRY_VERIFY_WITH_TIMEOUT(page->isSatisfied() && page->continueButton()->isEnabled(), 10000);
+        page->continueButton()->click();
+    } else if (what == u"search"_s) {
+        auto *page = m_rig->page<AutoTunePage>();
+        QTRY_VERIFY(page->startButton()->isEnabled());
+        page->startButton()->click();
+        QCOMPARE(page->state(), AutoTunePage::State::Running);
+    } else if (what == u"sensor"_s) {
+        m_rig->page<SensorPage>()->start(false);
+    } else if (what == u"setup"_s) {
+        m_rig->page<SetupPage>()->continueButton()->click();
+    } else if (what == u"store"_s) {
+        QVERIFY(setLive(u"pid.yaw.p"_s));
+        auto *page = m_rig->page<TuningPage>();
+        workspace().saveLive(*page).then(page, [](bool) {});
+    } else if (what == u"question"_s) {
+        auto *page = m_rig->page<ActionsPage>();
+        workspace().perform(u"reset"_s, {}).then(page, [](const Result<ActionOutcome> &) {});
+        askForMotorsOff(workspace(), page, [] {});
+    } else if (what == u"values"_s) {
+        QVERIFY(m_rig->page<TuningPage>());
+        workspace().live().read();
+    } else if (what == u"scripts"_s) {
+        QVERIFY(m_rig->page<ScriptsPage>());
+        workspace().readBoard();
+    }
+    m_rig.reset();
 }
 
 QTEST_MAIN(TestLeaving)

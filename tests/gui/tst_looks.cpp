@@ -240,9 +240,9 @@ void TestLooks::germanIsGerman()
             list.append(label->text());
         return list;
     };
-    QTRY_VERIFY(unsaved().contains(u"1 ungesicherte Änderung"_s));
+    QTRY_VERIFY(unsaved().contains(u"1 ungeschriebene Änderung"_s));
     rig.edit(u"pid.roll.d"_s, 0, 44);
-    QTRY_VERIFY(unsaved().contains(u"2 ungesicherte Änderungen"_s));
+    QTRY_VERIFY(unsaved().contains(u"2 ungeschriebene Änderungen"_s));
     QVERIFY(describe({ErrorCode::Timeout, {}, 0}).what.contains(u"Board"_s));
     QVERIFY(!describe({ErrorCode::Timeout, {}, 0}).what.contains(u"The "_s));
 }

@@ -3,6 +3,7 @@
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/linkbar.h"
 #include "app/mainwindow/mainwindow.h"
+#include "app/mainwindow/messagebar.h"
 #include "app/mainwindow/startpage.h"
 #include "app/pages/setup/parameterspage.h"
 #include "app/pages/watch/dashboardpage.h"
@@ -528,7 +529,10 @@ void TestMainWindow::interruptedWriteIsFinishedAfterReconnecting()
     QVERIFY(!m_window->workspace().lastReport()->isComplete());
     QTRY_VERIFY_WITH_TIMEOUT(m_window->offerBar()->text().contains(u"was interrupted"_s), 20000);
     QVERIFY(m_window->offerBar()->isVisible());
-    // What the message says is so, and the rest is still there to be written.
+    // What was not known when it broke is known now.
+    const QString told = m_window->messageBar()->text();
+    QVERIFY2(!told.contains(u"The write is not complete"_s), qPrintable(told));
+    // What the question says is so, and the rest is still there to be written.
     int missing = 0;
     for (int profile = 0; profile < 4; ++profile)
         missing += raw(u"pid.roll.p"_s, profile) != 80 + profile;

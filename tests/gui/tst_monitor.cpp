@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mainwindow/bars.h"
+#include "app/mainwindow/messagebar.h"
 #include "app/pages/setup/parameterspage.h"
 #include "app/pages/tune/spectrumpage.h"
 #include "app/pages/watch/monitorpage.h"
@@ -47,6 +49,7 @@ private slots:
     void notchTakesTheResonanceAway();
     void filtersAreShownAsFilters();
     void recordingsFromTheScreen();
+    void recordingThatFallsSilentIsTold();
     void slowLineIsTold();
 
 private:
@@ -195,8 +198,10 @@ void TestMonitor::harmfulTrialEndsWithoutItsPage()
     QSignalSpy notices(&m_rig->workspace().notifications(), &Notifications::notice);
     adviser.start(*plan);
     QVERIFY(adviser.isRunning());
+    QVERIFY(m_rig->workspace().live().isHeld());
     m_rig->window().showPage(u"dashboard"_s);
     QTRY_VERIFY_WITH_TIMEOUT(!adviser.isRunning(), 30000);
+    QVERIFY(!m_rig->workspace().live().isHeld());
     QVERIFY2(adviser.outcome().contains(u"oscillate"_s), qPrintable(adviser.outcome()));
     QVERIFY(adviser.outcome().contains(u"back on the board"_s));
     QCOMPARE(notices.last().at(0).toString(), adviser.outcome());
@@ -412,6 +417,35 @@ void TestMonitor::slowLineIsTold()
         QVERIFY(m_rig->boardGoesOn(0.5));
         QVERIFY(!m_rig->workspace().freshness().staleSince({m_rig->workspace().roles().battery}));
     }
+}
+
+// The link lives on, live data do not come: what is recorded meanwhile is not what the operator expects.
+void TestMonitor::recordingThatFallsSilentIsTold()
+{
+    QVERIFY(m_rig->open(u"sim:storm32"_s));
+    LinkRecorder &recorder = m_rig->workspace().recorder();
+    MessageBar &messages = *m_rig->window().messageBar();
+    QVERIFY(m_rig->boardGoesOn(0.5));
+    QSignalSpy finished(&recorder, &LinkRecorder::finished);
+    QVERIFY(recorder.start(m_rig->filePath(u"silent.gimbalrec"_s)));
+    QVERIFY(m_rig->boardGoesOn(0.5));
+    m_rig->workspace().changeWorld(u"deaf=100"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(messages.text().contains(u"Live data have stopped"_s), 15000);
+    m_rig->workspace().changeWorld(u"deaf=-1"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(!messages.isVisible() || !messages.text().contains(u"Live data have stopped"_s),
+                             15000);
+    recorder.stop();
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 10000);
+    QVERIFY(finished.front().at(2).toBool());
+    QTRY_VERIFY(messages.text().contains(u"Recording saved"_s));
+    // Nothing at all came: no success.
+    m_rig->workspace().changeWorld(u"deaf=100"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->workspace().freshness().staleSince(), 15000);
+    QVERIFY(recorder.start(m_rig->filePath(u"empty.gimbalrec"_s)));
+    recorder.stop();
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 2, 10000);
+    QVERIFY(!finished.back().at(2).toBool());
+    QTRY_VERIFY(messages.text().contains(u"holds no live data"_s));
 }
 
 QTEST_MAIN(TestMonitor)

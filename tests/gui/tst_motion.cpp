@@ -3,11 +3,17 @@
 #include "app/families/simplebgc/autotunepage.h"
 #include "app/families/simplebgc/calibrationpage.h"
 #include "app/mainwindow/bars.h"
+#include "app/mainwindow/messagebar.h"
 #include "app/pages/board/controlpage.h"
+#include "app/pages/tune/responsepage.h"
+#include "app/pages/tune/tuningpage.h"
+#include "app/pages/tune/variablespage.h"
 #include "protocol/device/steering.h"
 #include "tests/support/named.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/argumentform.h"
+#include "widgets/forms/liveslider.h"
+#include "widgets/forms/panel.h"
 #include "widgets/plot/iterationchart.h"
 #include "widgets/views/controlpad.h"
 
@@ -19,8 +25,10 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
+#include <QTableWidget>
 #include <QThread>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -55,12 +63,22 @@ private slots:
     void calibrationCancelled();
     void calibrationShaken();
     void calibrationUnplugged();
+    void sixPositionsUnplugged();
+    void testUnplugged();
     void sixPositionsToTheEnd();
     void autoTuneAcceptedAndSaved();
     void autoTuneReverted();
-    void autoTuneCancelled();
-    void autoTuneStoppedByMotorsOff();
+    void autoTuneThatHarmsIsTakenBack();
+    void stoppedSearchLeavesNothing_data();
+    void stoppedSearchLeavesNothing();
     void autoTuneUnplugged();
+    void foundGainsUnplugged_data();
+    void foundGainsUnplugged();
+    void searchHoldsWhatIsInUse();
+    void stopIsNeverHeld();
+    void searchEndsWithItsProfile();
+    void storedElsewhereIsAnAnswer();
+    void measurementHoldsWhatIsInUse();
     void armingMovesNothing();
     void limpCameraIsNotArmed();
     void padSteersAndSpringsBack();
@@ -72,6 +90,8 @@ private slots:
     void leavingThePageDisarms();
     void blockedScreenStopsTheBoard();
     void unpluggedWhileSteering();
+    void whateverCoversThePadEndsTheDrag();
+    void endOfTheLinkIsAnEndOfSteering();
 
 private:
     Workspace &workspace() { return m_rig->workspace(); }
@@ -125,7 +145,25 @@ private:
         page->form()->setText(u"yaw"_s, u"off"_s);
         return page;
     }
+    /// On every way that leads there, nothing is put into use, stored, switched or begun.
+    void nothingIsPutIntoUse();
     int liveP() { return workspace().live().value(m_rig->spec(u"pid.roll.p"_s).id).value_or(-1); }
+    /// What the board answers.
+    int boardsP()
+    {
+        const int variable = m_rig->spec(u"pid.roll.p"_s).adjustable;
+        std::optional<double> value;
+        m_rig->client()
+            .submit<std::vector<AdjustableValue>>([variable](Channel &channel, Device &device) {
+                return device.live()->readAdjustables(channel, {variable});
+            })
+            .then(this, [&value](const Result<std::vector<AdjustableValue>> &read) {
+                value = read ? read->front().value : -1;
+            });
+        return QTest::qWaitFor([&value] { return value.has_value(); }, 15000) ? int(*value) : -1;
+    }
+    /// Board, models, foot bar, and the pages that show gains.
+    void gainsAreAsBefore(const AutoTunePage *page, int before);
     ControlPage *control()
     {
         if (!m_rig->open() || !alive())
@@ -147,8 +185,8 @@ void TestMotion::gyroscopeToTheEnd()
     const QString result = page->findChild<QLabel *>(u"result"_s)->text();
     QVERIFY2(result.contains(u"Drift now"_s), qPrintable(result));
     // The figures of a sensor with a drift of 1.7, -2.4 and 1.1 °/s, before and after.
-    static const QRegularExpression before(u"Drift before</td><td align='right'>([0-9.]+)"_s);
-    static const QRegularExpression now(u"Drift now</td><td align='right'>([0-9.]+)"_s);
+    static const QRegularExpression before(u"Drift before</td><td[^>]*>([0-9.]+)"_s);
+    static const QRegularExpression now(u"Drift now</td><td[^>]*>([0-9.]+)"_s);
     QVERIFY(std::abs(before.match(result).captured(1).toDouble() - 2.4) < 0.2);
     QVERIFY(now.match(result).captured(1).toDouble() < 0.1);
     // It has kept the way back.
@@ -192,6 +230,7 @@ void TestMotion::calibrationShaken()
     QVERIFY(alive());
     CalibrationPage *page = calibration(CalibrationPage::Kind::Gyroscope);
     QVERIFY(place(page, 1));
+    QTRY_VERIFY_WITH_TIMEOUT(measured(page) > 0, 10000);
     workspace().changeWorld(u"shake=8"_s);
     workspace().changeWorld(u"pose=0"_s);  // somebody takes it in his hands
     QTRY_COMPARE_WITH_TIMEOUT(page->step(), CalibrationPage::Step::Result, 40000);
@@ -213,6 +252,49 @@ void TestMotion::calibrationUnplugged()
     workspace().changeWorld(u"unplug=0"_s);
     QTRY_COMPARE_WITH_TIMEOUT(page->step(), CalibrationPage::Step::Choose, 5000);
     QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 15000);
+    QVERIFY(m_rig->jobsAreDone());
+    // What became of it stays to be read.
+    const QString told = m_rig->window().messageBar()->text();
+    QVERIFY2(told.contains(u"The calibration ended with the link."_s)
+                 && told.contains(u"Whether the board has finished"_s),
+             qPrintable(told));
+}
+
+void TestMotion::sixPositionsUnplugged()
+{
+    QVERIFY(m_rig->open());
+    QVERIFY(alive());
+    workspace().setMotors(false);
+    QTRY_COMPARE(workspace().motorsRunning(), std::optional(false));
+    CalibrationPage *page = calibration(CalibrationPage::Kind::SixPositions);
+    QVERIFY(place(page, 1));
+    QTRY_COMPARE_WITH_TIMEOUT(page->step(), CalibrationPage::Step::Place, 20000);
+    workspace().changeWorld(u"replug=1"_s);
+    workspace().changeWorld(u"unplug=0"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(page->step(), CalibrationPage::Step::Choose, 5000);
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 15000);
+    QVERIFY(m_rig->jobsAreDone());
+    const QString told = m_rig->window().messageBar()->text();
+    QVERIFY2(told.contains(u"1 of 6 positions were measured: Z up."_s), qPrintable(told));
+    QVERIFY2(!told.contains(u"Whether the board has finished"_s), qPrintable(told));
+}
+
+void TestMotion::testUnplugged()
+{
+    QVERIFY(m_rig->open());
+    QVERIFY(alive());
+    auto *page = m_rig->page<ResponsePage>();
+    page->armButton()->click();
+    page->startButton()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(page->isRunning() && m_rig->client().isSteering(), 10000);
+    workspace().changeWorld(u"replug=1"_s);
+    workspace().changeWorld(u"unplug=0"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(!page->isRunning(), 5000);
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 15000);
+    QVERIFY(m_rig->jobsAreDone());
+    const QString told = m_rig->window().messageBar()->text();
+    QVERIFY2(told.contains(u"The test ended with the link"_s), qPrintable(told));
+    QVERIFY2(!told.contains(u"control was given back"_s), qPrintable(told));
 }
 
 void TestMotion::sixPositionsToTheEnd()
@@ -231,7 +313,7 @@ void TestMotion::sixPositionsToTheEnd()
     buttonOf(page, u"Calibrate six positions"_s)->click();
     QCOMPARE(page->step(), CalibrationPage::Step::Choose);
     QPushButton *off = nullptr;
-    QTRY_VERIFY((off = buttonOf(&m_rig->window(), u"Switch motors off"_s)));
+    QTRY_VERIFY((off = buttonOf(m_rig->window().panels(), u"Stop motors"_s)));
     off->click();
     QTRY_COMPARE_WITH_TIMEOUT(page->step(), CalibrationPage::Step::Place, 5000);
     QTRY_COMPARE(workspace().motorsRunning(), std::optional(false));
@@ -248,7 +330,7 @@ void TestMotion::sixPositionsToTheEnd()
         }
     }
     QTRY_COMPARE_WITH_TIMEOUT(page->step(), CalibrationPage::Step::Result, 20000);
-    static const QRegularExpression error(u"gravity</td><td align='right'>([0-9.]+) g"_s);
+    static const QRegularExpression error(u"gravity</td><td[^>]*>([0-9.]+) g"_s);
     const QString figure = error.match(page->findChild<QLabel *>(u"result"_s)->text()).captured(1);
     QVERIFY2(!figure.isEmpty() && figure.toDouble() < 0.012,
              qPrintable(page->findChild<QLabel *>(u"result"_s)->text()));
@@ -263,7 +345,13 @@ void TestMotion::autoTuneAcceptedAndSaved()
     const int before = liveP();
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
     QCOMPARE(page->state(), AutoTunePage::State::Running);
+    // What the board tries is in use now, not what was before.
+    const auto *table = page->findChild<QTableWidget *>();
+    QCOMPARE(table->item(0, 2)->text(), u"–"_s);
     QTRY_VERIFY_WITH_TIMEOUT(errorPoints(page, u"Error, Roll"_s) >= 3, 30000);
+    QCOMPARE(page->state(), AutoTunePage::State::Running);
+    QVERIFY(table->item(0, 2)->text() != u"–"_s);
+    QVERIFY(table->item(0, 2)->text() != table->item(0, 1)->text());
     QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Finished, 120000);
     QTRY_VERIFY(liveP() != before);
     const int found = liveP();
@@ -280,6 +368,146 @@ void TestMotion::autoTuneAcceptedAndSaved()
              before);
 }
 
+void TestMotion::nothingIsPutIntoUse()
+{
+    LiveModel &live = workspace().live();
+    QVERIFY(live.isHeld());
+    const int id = m_rig->spec(u"pid.yaw.p"_s).id;
+    const auto before = live.value(id);
+    QVERIFY(before.has_value());
+    const int changes = live.changeCount();
+    live.setValue(id, *before + 7);
+    QCOMPARE(live.value(id), before);
+    live.useSlot(LiveModel::Slot::B);
+    QCOMPARE(live.slot(), LiveModel::Slot::A);
+    live.revert();
+    QVERIFY(live.isSettled() && live.changeCount() == changes);
+    QSignalSpy told(&workspace().notifications(), &Notifications::problem);
+    workspace().useProfile(1);
+    QCOMPARE(told.count(), 1);
+    workspace().write(m_rig->model().edited());
+    QCOMPARE(told.count(), 2);
+    QVERIFY(!workspace().isWriting());
+    const QFuture<bool> stored = workspace().saveLive(m_rig->window());
+    QVERIFY(stored.isFinished() && !stored.result());
+    QCOMPARE(told.count(), 3);
+    for (const QString &key : {u"calibrate.gyro"_s, u"profile.select"_s}) {
+        const auto begun = workspace().perform(key, {});
+        QVERIFY2(begun.isFinished() && !begun.result(), qPrintable(key));
+    }
+    const auto *profiles = named<QComboBox>(&m_rig->window(), u"Active profile"_s);
+    QVERIFY(profiles && !profiles->isEnabled());
+}
+
+// A stop waits for nothing, whatever it is called: the action ends the search as the red button does.
+void TestMotion::stopIsNeverHeld()
+{
+    QVERIFY(m_rig->open());
+    QVERIFY(alive());
+    AutoTunePage *page = autoTune();
+    QVERIFY(page);
+    QTest::mouseClick(page->startButton(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(errorPoints(page, u"Error, Roll"_s) >= 1, 30000);
+    QVERIFY(workspace().live().isHeld());
+    const QFuture<Result<ActionOutcome>> stopped = workspace().perform(u"motors.off"_s, {});
+    QTRY_VERIFY_WITH_TIMEOUT(stopped.isFinished(), 10000);
+    QVERIFY(stopped.result().has_value());
+    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning() == false, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(!workspace().live().isHeld(), 10000);
+}
+
+// Sliders, sets, variables, profiles: what was set during a search would be shown as in use, and replace what
+// the board has found.
+void TestMotion::searchHoldsWhatIsInUse()
+{
+    QVERIFY(m_rig->open());
+    QVERIFY(alive());
+    AutoTunePage *page = autoTune();
+    QVERIFY(page);
+    QVERIFY(!page->form()->field(u"profile"_s));  // what is told is told of the one in use
+    const int before = liveP();
+    QTest::mouseClick(page->startButton(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(errorPoints(page, u"Error, Roll"_s) >= 1, 30000);
+    nothingIsPutIntoUse();
+    auto *tuning = m_rig->page<TuningPage>();
+    const LiveSlider *slider = tuning->control(u"pid.yaw.p"_s);
+    QVERIFY(slider && !slider->isEnabled());
+    QVERIFY(!tuning->revertButton()->isEnabled() && !tuning->slotButton(LiveModel::Slot::B)->isEnabled());
+    QVERIFY2(tuning->stateText().contains(u"Locked"_s), qPrintable(tuning->stateText()));
+    const AdjustableModel &variables = m_rig->page<VariablesPage>()->model();
+    QVERIFY(variables.rowCount() > 0);
+    QVERIFY(!(variables.flags(variables.index(0, AdjustableModel::ValueColumn)) & Qt::ItemIsEditable));
+    // Reading waits: what the search has in use would pass for stored.
+    QTest::keyClick(&m_rig->window(), Qt::Key_F5);
+    m_rig->page<AutoTunePage>();
+    QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Finished, 120000);
+    QTRY_VERIFY(liveP() != before);
+    QVERIFY(m_rig->jobsAreDone());
+    QCOMPARE(m_rig->raw(u"pid.roll.p"_s), before);
+    QVERIFY(workspace().live().changeCount() > 0);
+    QCOMPARE(page->state(), AutoTunePage::State::Finished);
+    QVERIFY(slider->isEnabled());
+    QCOMPARE(std::as_const(m_rig->model()).board().activeProfile(), 0);
+}
+
+// The old gains are those of another profile then: they are not put back into this one.
+void TestMotion::searchEndsWithItsProfile()
+{
+    QVERIFY(m_rig->open());
+    QVERIFY(alive());
+    AutoTunePage *page = autoTune();
+    QVERIFY(page);
+    QTest::mouseClick(page->startButton(), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Finished, 120000);
+    QVERIFY(m_rig->jobsAreDone());
+    QSignalSpy notices(&workspace().notifications(), &Notifications::notice);
+    workspace().useProfile(1);
+    QTRY_COMPARE(page->state(), AutoTunePage::State::Ready);
+    QVERIFY(notices.last().first().toString().contains(u"Profile 2 is in use"_s));
+    QVERIFY(!page->revertButton()->isVisible());
+    QVERIFY(m_rig->jobsAreDone());
+    workspace().live().read();
+    QVERIFY(m_rig->jobsAreDone());
+    QTRY_COMPARE(workspace().live().changeCount(), 0);
+}
+
+void TestMotion::storedElsewhereIsAnAnswer()
+{
+    QVERIFY(m_rig->open());
+    QVERIFY(alive());
+    AutoTunePage *page = autoTune();
+    QVERIFY(page);
+    QTest::mouseClick(page->startButton(), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Finished, 120000);
+    QTRY_VERIFY(workspace().live().changeCount() > 0);
+    QFuture<bool> stored = workspace().saveLive(m_rig->window());
+    QTRY_VERIFY_WITH_TIMEOUT(stored.isFinished(), 15000);
+    QTRY_COMPARE(page->state(), AutoTunePage::State::Ready);
+}
+
+void TestMotion::measurementHoldsWhatIsInUse()
+{
+    QVERIFY(m_rig->open());
+    QVERIFY(alive());
+    QVERIFY(autoTune());  // what is in use is known
+    auto *page = m_rig->page<ResponsePage>();
+    QTest::mouseClick(page->armButton(), Qt::LeftButton);
+    QTest::mouseClick(page->startButton(), Qt::LeftButton);
+    QVERIFY(page->isRunning());
+    nothingIsPutIntoUse();
+    QTest::mouseClick(page->startButton(), Qt::LeftButton);
+    QTRY_VERIFY(!page->isRunning());
+    QVERIFY(!workspace().live().isHeld());
+    // A write puts values back into use at its end: nothing is measured before.
+    m_rig->edit(u"pid.roll.p"_s, 0, 44);
+    workspace().write(m_rig->model().edited());
+    QVERIFY(workspace().isWriting());
+    QTest::mouseClick(page->armButton(), Qt::LeftButton);
+    QTest::mouseClick(page->startButton(), Qt::LeftButton);
+    QVERIFY(!page->isRunning());
+    QTRY_VERIFY(!workspace().isWriting());
+}
+
 void TestMotion::autoTuneReverted()
 {
     QVERIFY(m_rig->open());
@@ -289,6 +517,13 @@ void TestMotion::autoTuneReverted()
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Finished, 120000);
     QTRY_VERIFY(liveP() != before);
+    // Before they are accepted they are measured, and that is said.
+    const auto says = [page](const QString &text) {
+        const auto labels = page->findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&text](const QLabel *label) { return label->text().contains(text); });
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(says(u"Angle error, RMS"_s), 15000);
     QTest::mouseClick(page->revertButton(), Qt::LeftButton);
     QCOMPARE(page->state(), AutoTunePage::State::Ready);
     QTRY_VERIFY(workspace().live().isSettled());
@@ -298,32 +533,87 @@ void TestMotion::autoTuneReverted()
     QCOMPARE(workspace().live().changeCount(), 0);
 }
 
-void TestMotion::autoTuneCancelled()
+// Worse than before: nothing is left of it.
+void TestMotion::autoTuneThatHarmsIsTakenBack()
 {
     QVERIFY(m_rig->open());
     QVERIFY(alive());
     AutoTunePage *page = autoTune();
     const int before = liveP();
+    QSignalSpy problems(&workspace().notifications(), &Notifications::problem);
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(errorPoints(page, u"Error, Roll"_s) >= 2, 30000);
-    QTest::mouseClick(named<QPushButton>(page, u"Stop and revert to the old gains"_s), Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Ready, 5000);
+    QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Finished, 120000);
+    QTRY_VERIFY(liveP() != before);
+    workspace().changeWorld(u"blocked=1"_s);
+    workspace().changeWorld(u"shake=8"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Ready, 15000);
+    QTRY_VERIFY(!problems.isEmpty());
     QTRY_VERIFY(workspace().live().isSettled());
     workspace().live().read();
     QVERIFY(m_rig->jobsAreDone());
     QCOMPARE(liveP(), before);
 }
 
-void TestMotion::autoTuneStoppedByMotorsOff()
+void TestMotion::gainsAreAsBefore(const AutoTunePage *page, int before)
 {
+    QCOMPARE(boardsP(), before);
+    QCOMPARE(liveP(), before);
+    QCOMPARE(int(m_rig->raw(u"pid.roll.p"_s)), before);
+    QCOMPARE(workspace().live().changeCount(), 0);
+    QVERIFY(!workspace().isUnstored());
+    QCOMPARE(m_rig->model().changeCount(), 0);
+    const auto *table = page->findChild<QTableWidget *>();
+    const int row = table->findItems(u"P · Roll"_s, Qt::MatchExactly).value(0)->row();
+    QCOMPARE(table->item(row, 1)->text(), QString::number(before));
+    QCOMPARE(table->item(row, 2)->text(), QString::number(before));
+    QCOMPARE(table->item(row, 3)->text(), QString());
+    const auto *bar = m_rig->window().findChild<UnstoredBar *>();
+    QVERIFY(bar && !bar->isVisible());
+    auto *tuning = m_rig->page<TuningPage>();
+    QVERIFY(!isMarked(m_rig->window(), u"Tuning"_s) && tuning);
+}
+
+void TestMotion::stoppedSearchLeavesNothing_data()
+{
+    QTest::addColumn<bool>("isByKey");
+    QTest::newRow("the page's button") << false;
+    QTest::newRow("F12") << true;
+}
+
+// What the board had tried by then is neither taken for what is stored nor left in use.
+void TestMotion::stoppedSearchLeavesNothing()
+{
+    QFETCH(bool, isByKey);
     QVERIFY(m_rig->open());
     QVERIFY(alive());
     AutoTunePage *page = autoTune();
+    const int before = liveP();
+    QSignalSpy problems(&workspace().notifications(), &Notifications::problem);
+    QSignalSpy notices(&workspace().notifications(), &Notifications::notice);
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(errorPoints(page, u"Error, Roll"_s) >= 1, 30000);
-    QTest::keyClick(page, Qt::Key_F12);
+    QTRY_VERIFY_WITH_TIMEOUT(errorPoints(page, u"Error, Roll"_s) >= 3, 30000);
+    if (isByKey)
+        QTest::keyClick(page, Qt::Key_F12);
+    else
+        QTest::mouseClick(named<QPushButton>(page, u"Stop and revert to the old gains"_s), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Ready, 5000);
-    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(false), 5000);
+    const auto isTold = [&notices](const QString &text) {
+        return std::any_of(notices.begin(), notices.end(),
+                           [&text](const auto &each) { return each.first().toString().contains(text); });
+    };
+    QTRY_VERIFY(isTold(u"The previous gains are in use again."_s));
+    QVERIFY(m_rig->jobsAreDone());
+    QVERIFY(m_rig->jobsAreDone());  // what these began
+    gainsAreAsBefore(page, before);
+    QVERIFY2(problems.isEmpty(), qPrintable(m_rig->window().messageBar()->text()));
+    if (isByKey)
+        QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(false), 5000);
+    QSignalSpy read(&workspace(), &Workspace::boardRead);
+    workspace().readBoard();
+    QTRY_VERIFY(!read.isEmpty());
+    QVERIFY(m_rig->jobsAreDone());
+    m_rig->page<AutoTunePage>();
+    gainsAreAsBefore(page, before);
 }
 
 void TestMotion::autoTuneUnplugged()
@@ -331,13 +621,69 @@ void TestMotion::autoTuneUnplugged()
     QVERIFY(m_rig->open());
     QVERIFY(alive());
     AutoTunePage *page = autoTune();
+    const int before = liveP();
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(errorPoints(page, u"Error, Roll"_s) >= 1, 30000);
     workspace().changeWorld(u"replug=1"_s);
     workspace().changeWorld(u"unplug=0"_s);
     QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Ready, 5000);
-    QVERIFY(m_rig->window().messageBar()->text().contains(u"Nothing was stored"_s));
+    QVERIFY(!m_rig->window().messageBar()->text().contains(u"Nothing was stored"_s));
     QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 15000);
+    // The board searched on: it is stopped, what differs is told, and the way back is offered.
+    QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Finished, 15000);
+    QVERIFY(m_rig->jobsAreDone());
+    QVERIFY(m_rig->jobsAreDone());
+    QVERIFY(liveP() != before);
+    QCOMPARE(liveP(), boardsP());
+    QCOMPARE(int(m_rig->raw(u"pid.roll.p"_s)), before);
+    QVERIFY(workspace().live().changeCount() > 0);
+    QVERIFY2(m_rig->window().messageBar()->text().contains(u"other gains"_s),
+             qPrintable(m_rig->window().messageBar()->text()));
+    QTest::mouseClick(page->revertButton(), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(liveP(), before, 5000);
+    QVERIFY(m_rig->jobsAreDone());
+    workspace().live().read();
+    QVERIFY(m_rig->jobsAreDone());
+    gainsAreAsBefore(page, before);
+}
+
+void TestMotion::foundGainsUnplugged_data()
+{
+    QTest::addColumn<bool>("restarts");
+    QTest::newRow("the cable") << false;
+    QTest::newRow("the board") << true;
+}
+
+// Nothing was decided: the way back is there again if the board still uses what was found.
+void TestMotion::foundGainsUnplugged()
+{
+    QFETCH(bool, restarts);
+    QVERIFY(m_rig->open());
+    QVERIFY(alive());
+    AutoTunePage *page = autoTune();
+    const int before = liveP();
+    QTest::mouseClick(page->startButton(), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Finished, 120000);
+    QTRY_VERIFY(liveP() != before);
+    if (!restarts)
+        workspace().changeWorld(u"replug=1"_s);
+    workspace().changeWorld(restarts ? u"reset=0"_s : u"unplug=0"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Ready, 15000);
+    const auto told = [this] { return m_rig->window().messageBar()->text(); };
+    QVERIFY2(told().contains(u"before the new gains were accepted or reverted"_s), qPrintable(told()));
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 15000);
+    if (restarts) {
+        QTRY_VERIFY2_WITH_TIMEOUT(told().contains(u"uses the gains from before the search again"_s),
+                                  qPrintable(told()), 15000);
+        QCOMPARE(page->state(), AutoTunePage::State::Ready);
+        return;
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Finished, 15000);
+    QTest::mouseClick(page->revertButton(), Qt::LeftButton);
+    QTRY_VERIFY(workspace().live().isSettled());
+    workspace().live().read();
+    QVERIFY(m_rig->jobsAreDone());
+    QCOMPARE(liveP(), before);
 }
 
 void TestMotion::armingMovesNothing()
@@ -507,6 +853,49 @@ void TestMotion::unpluggedWhileSteering()
     QTRY_VERIFY_WITH_TIMEOUT(!page->isArmed(), 5000);
     QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 15000);
     // Coming back does not steer by itself.
+    QVERIFY(!page->isArmed());
+}
+
+// The button comes up somewhere else, and nobody is told.
+void TestMotion::whateverCoversThePadEndsTheDrag()
+{
+    ControlPage *page = control();
+    QVERIFY(page);
+    const auto drag = [page] {
+        page->setArmed(true);
+        QTest::mousePress(page->pad(), Qt::LeftButton, {},
+                          page->pad()->rect().center() + QPoint(page->pad()->width() / 3, 0));
+        return page->pad()->value().x() > 0.5;
+    };
+    QVERIFY(drag());
+    m_rig->window().showPalette();
+    QVERIFY(!page->pad()->isHeld());
+    QCOMPARE(page->pad()->value(), QPointF());
+    m_rig->window().panels()->rejectAll();
+    QVERIFY(drag());
+    QEvent deactivated(QEvent::WindowDeactivate);
+    QApplication::sendEvent(page->pad(), &deactivated);
+    QCOMPARE(page->pad()->value(), QPointF());
+    QVERIFY(drag());
+    QEvent ungrabbed(QEvent::UngrabMouse);
+    QApplication::sendEvent(page->pad(), &ungrabbed);
+    QCOMPARE(page->pad()->value(), QPointF());
+}
+
+// What the board does is known before the link is closed.
+void TestMotion::endOfTheLinkIsAnEndOfSteering()
+{
+    ControlPage *page = control();
+    QVERIFY(page);
+    page->setArmed(true);
+    QTest::mousePress(page->pad(), Qt::LeftButton, {},
+                      page->pad()->rect().center() + QPoint(page->pad()->width() / 3, 0));
+    const double before = target(Axis::Yaw);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(target(Axis::Yaw) - before) > 2.0, 5000);
+    QSignalSpy ended(&m_rig->client(), &DeviceClient::steeringEnded);
+    m_rig->client().disconnectFromBoard();
+    QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 5000);
+    QVERIFY(ended.first().first().toBool());
     QVERIFY(!page->isArmed());
 }
 

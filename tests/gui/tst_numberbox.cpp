@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/pages/program/settingspage.h"
 #include "app/pages/setup/parameterspage.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/argumentform.h"
@@ -11,6 +12,7 @@
 
 #include <QClipboard>
 #include <QLineEdit>
+#include <QSignalSpy>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -57,6 +59,9 @@ private slots:
     void anEmptyFieldStaysEmpty();
     void parametersKeepWhatWasTyped();
     void actionsRefuseWhatTheyWereNotTold();
+    void settingsTakeWhatIsFinished();
+    void aRefusedTextStaysWhateverHappensAround();
+    void argumentsMayBeLeftOut();
     void countsAndSteps_data();
     void countsAndSteps();
 };
@@ -93,6 +98,16 @@ void TestNumberBox::typed_data()
     row("grouped, English", 0, 9999, 1, u"1,000.5"_s, kNothing);
     row("grouped, German", 0, 9999, 1, u"1.000,5"_s, kNothing);
     row("grouped by a space", 0, 9999, 0, u"1 000"_s, kNothing);
+    row("whole, could be grouped", 0, 9999, 0, u"1.000"_s, kNothing, u"1000"_s);
+    row("whole, could be grouped by a comma", 0, 9999, 0, u"1,000"_s, kNothing, u"1000"_s);
+    row("whole, and no such group", 0, 255, 0, u"1.000"_s, kNothing, u"1"_s);
+    row("whole, with a decimal", 0, 255, 0, u"35.0"_s, kNothing, u"35"_s);
+    row("whole, with a mark", 0, 255, 0, u"35."_s, 35);
+    row("could be grouped", 0, 99999, 1, u"12.500"_s, kNothing, u"12500"_s);
+    row("could be grouped, but is too large then", 0, 2.55, 2, u"1,000"_s, kNothing, u"1"_s);
+    row("no group begins with a nought", 0, 10, 2, u"0,500"_s, 0.5);
+    row("no group is that long", 0, 99999, 2, u"1000,000"_s, 1000);
+    row("three decimals are wanted", 0, 10, 3, u"1.000"_s, 1);
     row("word", 0, 255, 0, u"all"_s, kNothing);
     row("exponent", 0, 255, 0, u"1e2"_s, kNothing);
     row("not a number", 0, 255, 0, u"nan"_s, kNothing);
@@ -108,43 +123,43 @@ void TestNumberBox::typed()
     QFETCH(const QString, text);
     QFETCH(const double, value);
     QFETCH(const QString, nearest);
-    for (const bool tracking : {false, true}) {
-        QWidget window;
-        auto *box = new NumberBox(low, high, decimals, u" °"_s);
-        box->setKeyboardTracking(tracking);
-        auto *layout = new QVBoxLayout(&window);
-        layout->addWidget(box);
-        layout->addWidget(new QLineEdit);
-        window.resize(400, 200);
-        window.show();
-        QVERIFY(QTest::qWaitForWindowActive(&window));
-        const double before = low + 1;
-        box->setValue(before);
-        typeInto(box, text);
-        QCOMPARE(box->isRefused(), value == kNothing);
-        if (value != kNothing) {
-            QCOMPARE(box->value(), value);
-            QVERIFY(!hintIn(window));
-            continue;
-        }
-        // It stands there as it was typed, and the field tells what it takes.
-        QCOMPARE(box->text().remove(u" °"_s), text);
-        if (!tracking)
-            QCOMPARE(box->value(), before);
-        QToolButton *hint = hintIn(window);
-        QVERIFY(hint && hint->isVisible() && window.rect().contains(hint->geometry()));
-        QVERIFY(hint->text().contains(box->textFromValue(high)));
-        const double typed = typedNumber(text);
-        const bool isInside = typed >= low && typed <= high;
-        QCOMPARE(hint->text().startsWith(u"Whole numbers"_s), isInside && decimals == 0);
-        QCOMPARE(hint->text().startsWith(u"At most %1 decimal"_s.arg(decimals)), isInside && decimals > 0);
-        const double offered = nearest.isEmpty() ? box->value() : nearest.toDouble();
-        hint->click();
-        QCOMPARE(box->value(), offered);
-        QCOMPARE(typedNumber(box->cleanText()), offered);
-        QVERIFY(!box->isRefused());
-        QTRY_VERIFY(!hintIn(window));
+    QWidget window;
+    auto *box = new NumberBox(low, high, decimals, u" °"_s);
+    auto *layout = new QVBoxLayout(&window);
+    layout->addWidget(box);
+    layout->addWidget(new QLineEdit);
+    window.resize(600, 200);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    const double before = low + 1;
+    box->setValue(before);
+    const QSignalSpy changes(box, &NumberBox::valueChanged);
+    typeInto(box, text);
+    QVERIFY(changes.count() <= 1);  // nothing counts before it is finished
+    QCOMPARE(box->isRefused(), value == kNothing);
+    if (value != kNothing) {
+        QCOMPARE(box->value(), value);
+        QVERIFY(!hintIn(window));
+        return;
     }
+    // It stands there as it was typed, and the field tells what it takes.
+    QCOMPARE(box->text().remove(u" °"_s), text);
+    QCOMPARE(box->value(), before);
+    QToolButton *hint = hintIn(window);
+    QVERIFY(hint && hint->isVisible() && window.rect().contains(hint->geometry()));
+    QVERIFY(hint->text().contains(box->textFromValue(high)));
+    const double typed = typedNumber(text);
+    const bool isAmbiguous = groupedNumber(text) && decimals < 3;
+    const bool isInside = typed >= low && typed <= high && !isAmbiguous;
+    QCOMPARE(hint->text().startsWith(u"Can be read as "_s), isAmbiguous);
+    QCOMPARE(hint->text().startsWith(u"Whole numbers"_s), isInside && decimals == 0);
+    QCOMPARE(hint->text().startsWith(u"At most %1 decimal"_s.arg(decimals)), isInside && decimals > 0);
+    const double offered = nearest.isEmpty() ? box->value() : nearest.toDouble();
+    hint->click();
+    QCOMPARE(box->value(), offered);
+    QCOMPARE(typedNumber(box->cleanText()), offered);
+    QVERIFY(!box->isRefused());
+    QTRY_VERIFY(!hintIn(window));
 }
 
 void TestNumberBox::enterAndEscape()
@@ -153,7 +168,6 @@ void TestNumberBox::enterAndEscape()
     auto *box = new NumberBox(0, 255, 0);
     auto *layout = new QVBoxLayout(&window);
     layout->addWidget(box);
-    box->setKeyboardTracking(false);
     window.show();
     QVERIFY(QTest::qWaitForWindowActive(&window));
     box->setValue(7);
@@ -177,6 +191,26 @@ void TestNumberBox::enterAndEscape()
     QTest::keyClick(box, Qt::Key_Up);
     QCOMPARE(box->value(), 255.0);
     QVERIFY(!box->isRefused());
+    // What is half typed goes as well, a number or not.
+    for (const char *half : {"9", "-"}) {
+        box->selectAll();
+        QTest::keyClicks(box, QString::fromLatin1(half));
+        QTest::keyClick(box, Qt::Key_Escape);
+        QCOMPARE(box->text(), u"255"_s);
+        QVERIFY(box->settle());
+        QCOMPARE(box->value(), 255.0);
+    }
+    // The value that Enter has taken is what Esc comes back to, and one from elsewhere.
+    QTest::keyClicks(box, u"8"_s);
+    QTest::keyClick(box, Qt::Key_Return);
+    box->selectAll();
+    QTest::keyClicks(box, u"9"_s);
+    QTest::keyClick(box, Qt::Key_Escape);
+    QCOMPARE(box->text(), u"8"_s);
+    box->setValue(12);
+    box->goOnTyping(u"1"_s);
+    QTest::keyClick(box, Qt::Key_Escape);
+    QCOMPARE(box->text(), u"12"_s);
 }
 
 void TestNumberBox::anEmptyFieldStaysEmpty()
@@ -196,7 +230,16 @@ void TestNumberBox::anEmptyFieldStaysEmpty()
     QVERIFY(typedNumber(box->cleanText()) != 0.0);  // no zero that nobody typed
     typeInto(box, u"0"_s);
     QCOMPARE(box->text(), u"0.0°"_s);
-    // Emptied by the program: what was refused is gone.
+    // Emptied by the program, and typed into again.
+    for (const Qt::Key last : {Qt::Key_Tab, Qt::Key_Return}) {
+        box->setValue(5);
+        box->clear();
+        box->setFocus();
+        QTest::keyClicks(box, u"7"_s);
+        QTest::keyClick(box, last);
+        QCOMPARE(box->value(), 7.0);
+    }
+    // What was refused is gone as well.
     typeInto(box, u"500"_s);
     QVERIFY(box->isRefused() && hintIn(window));
     box->clear();
@@ -278,6 +321,118 @@ void TestNumberBox::actionsRefuseWhatTheyWereNotTold()
     QTest::keyClicks(box, u"5"_s);
     QVERIFY(!form.arguments());
     QVERIFY(box->isRefused());
+}
+
+// 30 on the way to 300 is no setting.
+void TestNumberBox::settingsTakeWhatIsFinished()
+{
+    WindowRig rig;
+    auto *page = rig.page<SettingsPage>();
+    QVERIFY(page && QTest::qWaitForWindowActive(&rig.window()));
+    const auto settings = [&rig] {
+        const SupervisorRules rules = rig.settings().supervisorRules();
+        return QList<double>{double(rig.settings().retentionMinutes()),
+                             double(rig.settings().escapeHoldMs()),
+                             double(rig.settings().controlSpeedLimit()),
+                             double(rig.settings().disarmSeconds()),
+                             rules.runawayDeg,
+                             rules.oscillation,
+                             rules.cellVolts,
+                             rules.hotCelsius};
+    };
+    const auto before = settings();
+    const auto boxes = page->findChildren<NumberBox *>();
+    QCOMPARE(boxes.size(), before.size());
+    for (NumberBox *box : boxes) {
+        typeInto(box, u"30000"_s);
+        QVERIFY2(box->isRefused(), qPrintable(box->accessibleName()));
+        QCOMPARE(settings(), before);
+        QTest::keyClick(box, Qt::Key_Escape);
+    }
+    const auto retention = std::find_if(boxes.begin(), boxes.end(),
+                                        [](const NumberBox *box) { return box->suffix() == u" min"_s; });
+    QVERIFY(retention != boxes.end());
+    typeInto(*retention, u"45"_s);
+    QCOMPARE(rig.settings().retentionMinutes(), 45);
+}
+
+// Another window, another look, another language: the base class would show the value again.
+void TestNumberBox::aRefusedTextStaysWhateverHappensAround()
+{
+    WindowRig rig;
+    QVERIFY(rig.open());
+    auto *page = rig.page<ParametersPage>();
+    page->showParameter(u"pid.roll.p"_s);
+    const auto field = [&rig, page](const QString &key) {
+        return qobject_cast<NumberBox *>(page->form()->editor(rig.spec(key).id)->control());
+    };
+    NumberBox *left = field(u"pid.roll.p"_s);
+    typeInto(left, u"300"_s);
+    NumberBox *unfinished = field(u"pid.pitch.p"_s);
+    unfinished->setFocus();
+    unfinished->selectAll();
+    QTest::keyClicks(unfinished, u"400"_s);
+    QWidget other;
+    other.show();
+    other.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&other));
+    QTRY_VERIFY(!rig.window().isActiveWindow());
+    rig.theme().setMode(Theme::Mode::Dark);
+    rig.theme().apply();
+    for (NumberBox *box : {left, unfinished}) {
+        QEvent language(QEvent::LocaleChange);
+        QCoreApplication::sendEvent(box, &language);
+    }
+    rig.window().activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&rig.window()));
+    QCOMPARE(left->text(), u"300"_s);
+    QCOMPARE(unfinished->text(), u"400"_s);
+    QVERIFY(left->isRefused() && unfinished->isRefused());
+    QCOMPARE(rig.workspace().edits().refused().count(), 2);
+    // Each says what it takes when it has the focus.
+    for (NumberBox *box : {left, unfinished}) {
+        box->setFocus();
+        QVERIFY(hintIn(*page) && hintIn(*page)->isVisible());
+        const QRect hint(hintIn(*page)->mapToGlobal(QPoint()), hintIn(*page)->size());
+        const QRect place(box->mapToGlobal(QPoint()), box->size());
+        QVERIFY(hint.intersects(place.adjusted(-4, -4, 4, 4)));
+    }
+}
+
+void TestNumberBox::argumentsMayBeLeftOut()
+{
+    // clang-format off
+    static constexpr std::array kArguments{
+        ArgumentSpec{"pitch", "Pitch", ArgumentKind::Integer, 0, 2300, "µs", {}, "nan"}};
+    // clang-format on
+    ActionSpec action;
+    action.key = "sticks";
+    action.arguments = kArguments;
+    QWidget window;
+    auto *layout = new QVBoxLayout(&window);
+    auto *fields = new ArgumentForm(action);
+    layout->addWidget(fields);
+    layout->addWidget(new QLineEdit);
+    const ArgumentForm &form = *fields;
+    window.show();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    auto *box = qobject_cast<NumberBox *>(form.field(u"pitch"_s));
+    QVERIFY(box && box->isEmpty());
+    QVERIFY(box->findChild<QLineEdit *>()->placeholderText().contains(u"2300"_s));
+    QVERIFY(form.arguments() && form.arguments()->isEmpty());
+    typeInto(box, u"1400"_s);
+    QCOMPARE(form.arguments()->value(u"pitch"_s).toInt(), 1400);
+    box->clear();
+    fields->setText(u"pitch"_s, u"1300"_s);
+    QCOMPARE(form.arguments()->value(u"pitch"_s).toInt(), 1300);
+    typeInto(box, u"9000"_s);
+    QVERIFY(box->isRefused());
+    QVERIFY(!form.arguments());
+    QVERIFY(box->advice().endsWith(u"Take 2300"_s));
+    typeInto(box, u"1500"_s);
+    QCOMPARE(form.arguments()->value(u"pitch"_s).toInt(), 1500);
+    typeInto(box, {});
+    QVERIFY(form.arguments() && form.arguments()->isEmpty());
 }
 
 void TestNumberBox::countsAndSteps_data()

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/linkbar.h"
+#include "app/mainwindow/messagebar.h"
 #include "app/mainwindow/navigation.h"
 #include "app/mainwindow/startpage.h"
 #include "app/pages/board/actionspage.h"
@@ -46,6 +47,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
@@ -82,10 +84,13 @@ private slots:
     void adjustableVariables();
     void debugVariablesOfOddTypes();
     void actionsAreSearchableAndReply();
+    void actionThatLetsGoIsAskedFor();
     void actionThatDestroysTakesASnapshot();
     void consoleShowsAndSends();
     void consoleTellsLinksApart();
     void consoleGuardsDangerousCommands();
+    void consoleAsksBeforeMotorsLetGo_data();
+    void consoleAsksBeforeMotorsLetGo();
     void backupComparedAndRestored();
     void monitorZoomsMovesAndExports();
     void crashLosesNoEdit();
@@ -250,7 +255,7 @@ void TestPages::damagedFileIsExplained()
     file.write("{\"format\": \"gimbaldesk-conf");
     file.close();
     m_rig->page<ProfilesPage>()->loadInto(path, 0);
-    QVERIFY2(window().messageBar()->text().contains(u"cannot be used"_s),
+    QVERIFY2(window().messageBar()->text().contains(u"“broken.json”, line 1, is cut off"_s),
              qPrintable(window().messageBar()->text()));
     QVERIFY(window().messageBar()->text().contains(u"byte"_s));
     QCOMPARE(m_rig->model().changeCount(), 0);
@@ -493,6 +498,45 @@ void TestPages::actionsAreSearchableAndReply()
     }
 }
 
+// The camera falls when running motors lose their current.
+void TestPages::actionThatLetsGoIsAskedFor()
+{
+    QVERIFY(m_rig->open());
+    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning() == std::optional(true), 5000);
+    auto *page = m_rig->page<ActionsPage>();
+    QVERIFY(page->showAction(u"reset"_s));
+    const auto question = [this] {
+        const auto boxes = window().panels()->findChildren<QMessageBox *>();
+        return boxes.isEmpty() ? nullptr : boxes.last();
+    };
+    page->runButton()->click();
+    QTRY_VERIFY(question() && question()->isVisible());
+    QVERIFY2(question()->text().contains(u"The motors are running"_s), qPrintable(question()->text()));
+    QCOMPARE(question()->buttonRole(question()->defaultButton()), QMessageBox::RejectRole);
+    question()->defaultButton()->click();
+    QTRY_VERIFY(!question());
+    QVERIFY(m_rig->boardGoesOn(2.0));
+    QCOMPARE(workspace().motorsRunning(), std::optional(true));
+    page->runButton()->click();
+    QTRY_VERIFY(question() && question()->isVisible());
+    for (QAbstractButton *button : question()->buttons()) {
+        if (button != question()->defaultButton())
+            button->click();
+    }
+    QTRY_VERIFY2(page->reply()->toPlainText().contains(u": done"_s),
+                 qPrintable(page->reply()->toPlainText()));
+    // With the motors off nothing falls: no question.
+    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 20000);
+    m_rig->client().motorsOff();
+    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning() == std::optional(false), 15000);
+    QVERIFY(page->showAction(u"reset"_s));
+    page->runButton()->click();
+    QVERIFY(!question());
+    QTRY_VERIFY2(page->reply()->toPlainText().contains(u": done"_s),
+                 qPrintable(page->reply()->toPlainText()));
+    QVERIFY(m_rig->jobsAreDone());
+}
+
 void TestPages::actionThatDestroysTakesASnapshot()
 {
     QVERIFY(m_rig->open());
@@ -506,6 +550,13 @@ void TestPages::actionThatDestroysTakesASnapshot()
     page->form()->setText(u"what"_s, u"1"_s);  // profile 2
     QSignalSpy read(&workspace(), &Workspace::boardRead);
     QTest::mouseClick(page->runButton(), Qt::LeftButton);
+    // Running motors let go meanwhile.
+    auto *question = window().panels()->findChild<QMessageBox *>();
+    QVERIFY(question);
+    for (QAbstractButton *button : question->buttons()) {
+        if (button != question->defaultButton())
+            button->click();
+    }
     QTRY_VERIFY_WITH_TIMEOUT(
         read.count() >= 1 && m_rig->client().isConnected() && m_rig->raw(u"pid.roll.p"_s, 1) != 99, 25000);
     QCOMPARE(workspace().history().snapshots(serial).size(), before + 1);
@@ -610,6 +661,50 @@ void TestPages::consoleGuardsDangerousCommands()
     QTRY_COMPARE_WITH_TIMEOUT(workspace().history().snapshots(serial).size(), 1, 10000);
 }
 
+void TestPages::consoleAsksBeforeMotorsLetGo_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::addColumn<QString>("typed");
+    QTest::newRow("SimpleBGC, reset") << u"sim:simplebgc"_s << u"RESET 01F401"_s;
+    QTest::newRow("SimpleBGC, menu") << u"sim:simplebgc"_s << u"EXECUTE_MENU 07"_s;
+    QTest::newRow("SimpleBGC, calibration that restarts")
+        << u"sim:simplebgc"_s << u"CALIB_GYRO 000200000000000000000000"_s;
+    QTest::newRow("STorM32, restart") << u"sim:storm32"_s << u"xx"_s;
+    QTest::newRow("STorM32, reset") << u"sim:storm32"_s << u"xX"_s;
+    QTest::newRow("STorM32, use all motors") << u"sim:storm32"_s << u"xW"_s;
+}
+
+void TestPages::consoleAsksBeforeMotorsLetGo()
+{
+    QFETCH(QString, address);
+    QFETCH(QString, typed);
+    QVERIFY(m_rig->open(address));
+    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning() == std::optional(true), 15000);
+    auto *page = m_rig->page<ConsolePage>();
+    named<QCheckBox>(page, u"Allow commands that change something"_s)->setChecked(true);
+    const auto question = [this] {
+        const auto boxes = window().panels()->findChildren<QMessageBox *>();
+        return boxes.isEmpty() ? nullptr : boxes.last();
+    };
+    QSignalSpy lost(&m_rig->client(), &DeviceClient::connectionLost);
+    page->input()->setText(typed);
+    page->send();
+    QVERIFY(question() && question()->isVisible());
+    QVERIFY2(question()->text().contains(u"The motors are running"_s), qPrintable(question()->text()));
+    question()->defaultButton()->click();
+    QTRY_VERIFY(!question());
+    QVERIFY(m_rig->jobsAreDone());
+    QVERIFY(m_rig->boardGoesOn(1.0));
+    QCOMPARE(workspace().motorsRunning(), std::optional(true));
+    QCOMPARE(lost.count(), 0);
+    // With the motors off nothing falls.
+    m_rig->client().motorsOff();
+    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning() == std::optional(false), 15000);
+    page->send();
+    QVERIFY(!question());
+    QVERIFY(m_rig->jobsAreDone() || !m_rig->client().isConnected());
+}
+
 void TestPages::backupComparedAndRestored()
 {
     QVERIFY(m_rig->open());
@@ -694,7 +789,7 @@ void TestPages::crashLosesNoEdit()
     m_rig->restart();
     QVERIFY(m_rig->open());
     QTRY_VERIFY(window().offerBar()->isVisible());
-    QVERIFY(window().offerBar()->text().contains(u"4"_s));
+    QVERIFY(window().offerBar()->text().contains(u"3"_s));
     QTest::mouseClick(window().offerBar()->buttons().first(), Qt::LeftButton);
     QCOMPARE(m_rig->model().changeCount(), 3);
     QCOMPARE(m_rig->model().value(m_rig->spec(u"pid.roll.p"_s), 0), 71);
@@ -835,6 +930,9 @@ void TestPages::paletteFindsEverything()
     QTRY_VERIFY(!window().commandPalette());
     QVERIFY(choose(u"restart board"_s).contains(u"reset"_s));
     QTRY_VERIFY(window().page(u"actions"_s)->isVisible());
+    QTRY_VERIFY(!window().commandPalette());
+    QCOMPARE(choose(u"qwertz"_s), u"Nothing was found."_s);
+    QVERIFY(window().commandPalette());  // and nothing was chosen
 }
 
 void TestPages::escHeldStopsTheMotors()

@@ -1,20 +1,30 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mainwindow/bars.h"
 #include "app/mainwindow/linkbar.h"
+#include "app/mainwindow/messagehistory.h"
 #include "app/mainwindow/navigation.h"
 #include "app/mainwindow/translations.h"
+#include "app/pages/board/actionspage.h"
 #include "app/pages/board/backupspage.h"
 #include "app/pages/setup/profilespage.h"
+#include "app/pages/setup/scriptspage.h"
 #include "app/pages/tune/spectrumpage.h"
 #include "app/pages/watch/monitorpage.h"
+#include "app/workspace/filedialogs.h"
 #include "app/workspace/question.h"
+#include "protocol/device/abilities.h"
 #include "tests/support/named.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/keyboard.h"
 #include "widgets/forms/panel.h"
+#include "widgets/views/scripteditor.h"
 
 #include <QDialog>
 #include <QDirIterator>
+#include <QFileDialog>
 #include <QMenu>
+#include <QPointer>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
@@ -23,6 +33,7 @@
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTableWidget>
+#include <QWindow>
 
 using namespace Qt::StringLiterals;
 
@@ -35,6 +46,7 @@ struct PanelSite
 {
     const char *name;
     const char *place;  // file and function
+    bool storm = false;  // only on such a board
 };
 constexpr PanelSite kSites[]{
     {"review", "app/mainwindow/mainwindow.cpp review"},
@@ -43,9 +55,18 @@ constexpr PanelSite kSites[]{
     {"unstored", "app/mainwindow/leaving.cpp askAboutValues"},
     {"work", "app/mainwindow/leaving.cpp askAboutWork"},
     {nullptr, "app/mainwindow/leaving.cpp askAboutMotors"},  // comes when they were told off just now
-    {nullptr, "app/mainwindow/bars.cpp goBack"},  // not on this board
+    {"running", "app/mainwindow/leaving.cpp askAboutRunning"},
+    {nullptr, "app/mainwindow/leaving.cpp askAboutSteering"},  // of a board that does not answer
+    {nullptr, "app/workspace/filedialogs.cpp openBeside"},  // see fileDialogsLeaveTheMotorsInReach
+    {nullptr, "app/workspace/filedialogs.cpp askToReplace"},  // comes after it; see tst_filedialogs
+    {"back", "app/mainwindow/bars.cpp goBack", true},
+    {"messages", "app/mainwindow/mainwindow.cpp showPalette"},
     {"play", "app/mainwindow/mainwindow.cpp openFile"},
-    {"start", "app/workspace/question.cpp askToStartMotors"},
+    {nullptr, "app/workspace/question.cpp askToStartMotors"},  // goes by itself where motors run
+    {"letgo", "app/workspace/question.cpp askToLetGo"},
+    {"storing", "app/workspace/storing.cpp reviewStoring", true},
+    {"alarmed", "app/workspace/storing.cpp askToStoreAlarmed"},
+    {nullptr, "app/workspace/storing.cpp askToStoreAll"},  // of motors that are stored otherwise
     {"switch", "app/workspace/question.cpp askToUseProfile"},
     {"limp", "app/workspace/question.cpp askForMotorsOff"},
     {"streams", "app/pages/watch/monitorpage.cpp askStreams"},
@@ -55,6 +76,7 @@ constexpr PanelSite kSites[]{
     {"name", "app/pages/board/backupspage.cpp askName"},
     {"notch", "app/pages/tune/spectrumpage.cpp askNotch"},
     {"profile", "app/pages/setup/profilespage.cpp loadInto"},
+    {"scripts", "app/pages/setup/scriptspage.cpp askToDiscard", true},
 };
 
 /// Every function that opens a panel, with its file.
@@ -96,21 +118,31 @@ private slots:
     void eachDialogIsTried();
     void motorsGoOffBeneathEachDialog_data() { addRows(true); }
     void motorsGoOffBeneathEachDialog();
+    void motorsGoOffBeneathStormsDialogs_data();
+    void motorsGoOffBeneathStormsDialogs();
     void keysStopThemInEachDialog_data() { addRows(false); }
     void keysStopThemInEachDialog();
     void stopIsKeptBeneathEachDialog_data() { addRows(false); }
     void stopIsKeptBeneathEachDialog();
     void stopOutrunsAStartThatWaits();
+    void stopOutrunsWhateverTheWorkerDoes_data();
+    void stopOutrunsWhateverTheWorkerDoes();
+    void lockedOutBoardIsStopped_data();
+    void lockedOutBoardIsStopped();
     void motorsGoOffBesideAnOpenMenu();
     void windowsWouldBlockThem();
     void contentIsOutOfReach();
     void focusComesBack();
+    void noDialogLeavesTheKeyboardOnAButtonThatActs_data() { addRows(false); }
+    void noDialogLeavesTheKeyboardOnAButtonThatActs();
     void smallWindowHoldsThem();
     void redButtonStaysInSight_data();
     void redButtonStaysInSight();
     void closingTheWindowAsksOnceMore();
     void stopIsKeptUntilThereIsALink_data();
     void stopIsKeptUntilThereIsALink();
+    void fileDialogsLeaveTheMotorsInReach_data();
+    void fileDialogsLeaveTheMotorsInReach();
 
 private:
     MainWindow &window() { return m_rig->window(); }
@@ -126,11 +158,13 @@ private:
         QTest::mouseClick(window().windowHandle(), Qt::LeftButton, {},
                           widget->mapTo(&window(), widget->rect().center()));
     }
+    void stopBeneath(const QString &address, const QString &name);
     /// Opens that dialog the operator's way; null if none came.
     QDialog *open(const QString &name);
     void chooseInMenu(const QString &text);
     void addRows(bool withSlow);
-    bool isLiveValueSet();
+    bool isLiveValueSet(const QString &key = u"pid.yaw.p"_s);
+    void discardTypedScripts();
     bool isRecorded();
     void tidy();
 
@@ -150,12 +184,12 @@ void TestPanels::chooseInMenu(const QString &text)
     }
 }
 
-bool TestPanels::isLiveValueSet()
+bool TestPanels::isLiveValueSet(const QString &key)
 {
     LiveModel &live = workspace().live();
     if (live.changeCount() > 0)
         return true;
-    const int id = m_rig->spec(u"pid.yaw.p"_s).id;
+    const int id = m_rig->spec(key).id;
     if (!QTest::qWaitFor([&live] { return !live.parameters().isEmpty(); }, 8000))
         return false;
     live.read();
@@ -163,6 +197,14 @@ bool TestPanels::isLiveValueSet()
         return false;
     live.setValue(id, *live.value(id) + 1);
     return QTest::qWaitFor([&live] { return live.changeCount() == 1; }, 8000);
+}
+
+void TestPanels::discardTypedScripts()
+{
+    auto *page = m_rig->page<ScriptsPage>();
+    page->editor()->setText(u"WAIT 5\n"_s);
+    page->showScript(1);
+    page->revertButton()->click();
 }
 
 bool TestPanels::isRecorded()
@@ -191,6 +233,8 @@ QDialog *TestPanels::open(const QString &name)
         window().review();
     else if (name == u"palette"_s)
         window().showPalette();
+    else if (name == u"messages"_s)
+        openPanel(*new MessageHistory(workspace().notifications(), &window()));
     else if (name == u"unsaved"_s)
         window().close();
     else if (name == u"streams"_s && window().showPage(u"monitor"_s))
@@ -199,8 +243,6 @@ QDialog *TestPanels::open(const QString &name)
         m_rig->page<BackupsPage>()->findChild<QPushButton *>(u"share"_s)->click();
     else if (name == u"play"_s && isRecorded())
         window().openFile(m_rig->filePath(u"link.gimbalrec"_s));
-    else if (name == u"start"_s)
-        askToStartMotors(workspace(), &window());
     else if (name == u"limp"_s)
         askForMotorsOff(workspace(), &window(), [] {});
     else if (name == u"switch"_s)
@@ -210,6 +252,26 @@ QDialog *TestPanels::open(const QString &name)
         window().close();
     } else if (name == u"unstored"_s && isLiveValueSet())
         window().close();
+    else if (name == u"running"_s) {
+        m_rig->settings().setAskAboutMotors(true);
+        window().close();
+    } else if (name == u"letgo"_s) {
+        auto *page = m_rig->page<ActionsPage>();
+        if (!page->showAction(u"reset"_s))
+            return nullptr;
+        page->runButton()->click();
+    } else if (name == u"back"_s && isLiveValueSet(u"pan.pitch.deadband"_s))
+        named<QPushButton>(window().findChild<UnstoredBar *>(), u"Revert all"_s)->click();
+    else if (name == u"storing"_s && isLiveValueSet())
+        std::ignore = workspace().saveLive(window(), QSet<QString>{});
+    else if (name == u"alarmed"_s && isLiveValueSet()) {
+        AlarmReport report;
+        report.number = 1;
+        report.alarm.kind = AlarmKind::Oscillation;
+        emit m_rig->client().alarmChanged(report);
+        std::ignore = workspace().saveLive(window());
+    } else if (name == u"scripts"_s)
+        discardTypedScripts();
     else if (name == u"name"_s)
         named<QPushButton>(m_rig->page<BackupsPage>(), u"Which board…"_s)->click();
     else if (name == u"layout"_s)
@@ -248,7 +310,7 @@ void TestPanels::addRows(bool withSlow)
     QTest::addColumn<QString>("name");
     for (const PanelSite &site : kSites) {
         // A notch is offered after half a minute; its box is of the same kind as others.
-        if (site.name && (withSlow || qstrcmp(site.name, "notch") != 0))
+        if (site.name && !site.storm && (withSlow || qstrcmp(site.name, "notch") != 0))
             QTest::newRow(site.name) << QString::fromLatin1(site.name);
     }
 }
@@ -266,7 +328,26 @@ void TestPanels::eachDialogIsTried()
 void TestPanels::motorsGoOffBeneathEachDialog()
 {
     QFETCH(QString, name);
-    QVERIFY(m_rig->open(kDemo));
+    stopBeneath(kDemo, name);
+}
+
+void TestPanels::motorsGoOffBeneathStormsDialogs_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const char *name : {"review", "palette", "unsaved", "unstored", "work", "running", "play", "layout",
+                             "publish", "share", "letgo", "back", "storing", "scripts"})
+        QTest::newRow(name) << QString::fromLatin1(name);
+}
+
+void TestPanels::motorsGoOffBeneathStormsDialogs()
+{
+    QFETCH(QString, name);
+    stopBeneath(u"sim:storm32"_s, name);
+}
+
+void TestPanels::stopBeneath(const QString &address, const QString &name)
+{
+    QVERIFY(m_rig->open(address));
     QVERIFY(motorsAre(true));
     const QDialog *dialog = open(name);
     QVERIFY(dialog && dialog->isVisible());
@@ -352,21 +433,98 @@ void TestPanels::stopIsKeptBeneathEachDialog()
 void TestPanels::stopOutrunsAStartThatWaits()
 {
     QVERIFY(m_rig->open(kDemo));
+    QSignalSpy off(&m_rig->client(), &DeviceClient::motorsOffFinished);
     workspace().setMotors(false);
+    QTRY_COMPARE_WITH_TIMEOUT(off.count(), 1, 20000);
     QVERIFY(motorsAre(false));
-    QSemaphore busy;
-    m_rig->client().submit<bool>([&busy](Channel &, Device &) -> Result<bool> {
-        busy.acquire();
+    const auto busy = std::make_shared<QSemaphore>();
+    const auto released = qScopeGuard([busy] { busy->release(); });
+    m_rig->client().submit<bool>([busy](Channel &, Device &) -> Result<bool> {
+        busy->acquire();
         return true;
     });
     workspace().setMotors(true);
-    QSignalSpy off(&m_rig->client(), &DeviceClient::motorsOffFinished);
     workspace().setMotors(false);
-    QTRY_COMPARE(off.count(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(off.count(), 2, 20000);
+    busy->release();
+    QVERIFY(m_rig->jobsAreDone());
+    QVERIFY(m_rig->boardGoesOn(1.0));
+    QCOMPARE(workspace().motorsRunning(), std::optional(false));
+}
+
+void TestPanels::stopOutrunsWhateverTheWorkerDoes_data()
+{
+    QTest::addColumn<QString>("work");
+    for (const char *work : {"job", "reading", "write", "autotune", "calibrate.gyro"})
+        QTest::newRow(work) << QString::fromLatin1(work);
+}
+
+// Beneath a panel, while the worker is busy.
+void TestPanels::stopOutrunsWhateverTheWorkerDoes()
+{
+    QFETCH(const QString, work);
+    QVERIFY(m_rig->open(kDemo));
+    QVERIFY(motorsAre(true));
+    QVERIFY(open(u"palette"_s));
+    QSemaphore busy;
+    const auto hold = [&busy](Channel &, Device &) -> Result<bool> {
+        busy.acquire();
+        return true;
+    };
+    if (work == u"reading"_s) {
+        workspace().readBoard();
+    } else if (work == u"write"_s) {
+        m_rig->edit(u"pid.roll.p"_s, 0, 44);
+        workspace().write(m_rig->model().edited());
+    } else if (work != u"job"_s) {
+        QSignalSpy progress(&m_rig->client(), &DeviceClient::progressChanged);
+        for (const ActionSpec &action : m_rig->client().device()->actions()) {
+            const QString key = QLatin1String(action.key);
+            if (key == work)
+                workspace().perform(key, *parseArguments(action, {}));
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(!progress.isEmpty(), 20000);
+    }
+    m_rig->client().submit<bool>(hold);
+    QSignalSpy off(&m_rig->client(), &DeviceClient::motorsOffFinished);
+    click(motors());
+    QTRY_VERIFY_WITH_TIMEOUT(!off.isEmpty() && off.first().first().toBool(), 5000);
+    QVERIFY(m_rig->client().isBusy());
+    QVERIFY(motorsAre(false));
     busy.release();
     QVERIFY(m_rig->jobsAreDone());
     QVERIFY(m_rig->boardGoesOn(1.0));
     QCOMPARE(workspace().motorsRunning(), std::optional(false));
+}
+
+void TestPanels::lockedOutBoardIsStopped_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const char *name : {"palette", "layout", "publish", "share"})
+        QTest::newRow(name) << QString::fromLatin1(name);
+}
+
+// A STorM32 whose heartbeat is on answers in MAVLink only, and some of it cannot be read.
+void TestPanels::lockedOutBoardIsStopped()
+{
+    QFETCH(const QString, name);
+    const QString address = u"sim:storm32?rate=115200&seed=71"_s;
+    QVERIFY(m_rig->open(address));
+    QVERIFY(motorsAre(true));
+    m_rig->edit(u"mavlink.heartbeat"_s, 0, 1);
+    QSignalSpy written(&workspace(), &Workspace::writeFinished);
+    workspace().write(m_rig->model().edited());
+    QTRY_VERIFY_WITH_TIMEOUT(!written.isEmpty(), 20000);
+    m_rig->client().disconnectFromBoard();
+    QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
+    QVERIFY(m_rig->open(address));
+    QVERIFY(m_rig->client().device()->statusWords()->connectOffer());  // it is reached that way
+    QVERIFY(motorsAre(true));
+    const QDialog *dialog = open(name);
+    QVERIFY(dialog && dialog->isVisible());
+    click(motors());
+    QVERIFY(motorsAre(false));
+    QVERIFY(dialog->isVisible());
 }
 
 // The click that closes a menu counts for what lies beneath it.
@@ -422,6 +580,35 @@ void TestPanels::contentIsOutOfReach()
     QVERIFY(window().findChild<LinkBar *>()->connectButton()->isEnabled());
     QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(workspace().configuration().changeCount(), 0);
+}
+
+// Whatever had it before, and whether that is still there: the next key stops, starts and ends nothing.
+void TestPanels::noDialogLeavesTheKeyboardOnAButtonThatActs()
+{
+    QFETCH(QString, name);
+    QVERIFY(m_rig->open(kDemo));
+    QVERIFY(motorsAre(true));
+    QVERIFY(QTest::qWaitForWindowActive(&window()));
+    const QPointer<QPushButton> disconnect = window().findChild<LinkBar *>()->connectButton();
+    for (const bool isGone : {false, true}) {
+        for (QPushButton *before : {disconnect.data(), motors()}) {
+            before->setFocus();
+            const QPointer<QDialog> dialog = open(name);
+            QVERIFY(dialog);
+            if (isGone)
+                window().showPage(u"help"_s);
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+            QTRY_VERIFY(!window().panels()->isOpen());
+            QVERIFY(m_rig->isSettled());
+            const QWidget *focus = QApplication::focusWidget();
+            QVERIFY(focus);
+            const auto *button = qobject_cast<const QAbstractButton *>(focus);
+            QVERIFY2(!button || mayTakeKeyboard(*button), qPrintable(button ? button->text() : QString()));
+            QVERIFY2(!window().findChild<LinkBar *>()->isAncestorOf(focus),
+                     qPrintable(focus->accessibleName()));
+            tidy();
+        }
+    }
 }
 
 void TestPanels::focusComesBack()
@@ -547,6 +734,38 @@ void TestPanels::stopIsKeptUntilThereIsALink()
     QCOMPARE(m_rig->client().state(), DeviceClient::State::Reconnecting);
     QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 20000);
     QVERIFY(motorsAre(false));
+}
+
+void TestPanels::fileDialogsLeaveTheMotorsInReach_data()
+{
+    QTest::addColumn<QString>("by");
+    for (const char *by : {"F12 there", "F12 here", "Esc here", "button"})
+        QTest::newRow(by) << QString::fromLatin1(by);
+}
+
+// Keys and clicks go the way that they take from the window system, which ends at a window that is blocked.
+void TestPanels::fileDialogsLeaveTheMotorsInReach()
+{
+    QFETCH(QString, by);
+    QVERIFY(m_rig->open(kDemo));
+    QVERIFY(motorsAre(true));
+    QString chosen;
+    askSavePath(&window(), u"Save"_s, u"gimbal.json"_s, u"*.json"_s,
+                [&chosen](const QString &path) { chosen = path; });
+    QPointer<QFileDialog> dialog = window().findChild<QFileDialog *>();
+    QVERIFY(dialog && QTest::qWaitForWindowExposed(dialog));
+    QVERIFY(!window().findChild<LinkBar *>()->connectButton()->isEnabled());
+    QWindow *where = by == u"F12 there"_s ? dialog->windowHandle() : window().windowHandle();
+    const QPoint button = motors()->mapTo(&window(), motors()->rect().center());
+    if (by == u"button"_s)
+        QTest::mouseClick(where, Qt::LeftButton, {}, button);
+    else
+        QTest::keyPress(where, by == u"Esc here"_s ? Qt::Key_Escape : Qt::Key_F12);
+    QVERIFY(motorsAre(false));
+    if (dialog)
+        dialog->reject();
+    QTRY_VERIFY(!dialog && !window().panels()->isOpen());
+    QVERIFY(chosen.isEmpty());
 }
 
 QTEST_MAIN(TestPanels)

@@ -99,7 +99,38 @@ private slots:
     void heldPlotShowsAll();
     void allPeaksAreLabelled();
     void scalesKeepTheirLabels();
+    void lowPlotsHaveFewerLabelsInFull_data();
+    void lowPlotsHaveFewerLabelsInFull();
 };
+
+void TestPlots::lowPlotsHaveFewerLabelsInFull_data()
+{
+    QTest::addColumn<double>("size");
+    QTest::addColumn<double>("middle");
+    for (const double size : {0.07, 1.3, 90.0}) {
+        for (const double middle : {0.0, 11.7, -300.0})
+            QTest::addRow("%g around %g", size, middle) << size << middle;
+    }
+}
+
+// Where an axis has no room for its labels, Qt writes dots in their place.
+void TestPlots::lowPlotsHaveFewerLabelsInFull()
+{
+    QFETCH(const double, size);
+    QFETCH(const double, middle);
+    Bench bench([size, middle](double age) { return middle + size * std::sin(3 * age); });
+    QVERIFY(QTest::qWaitForWindowExposed(&bench.view));
+    for (const int height : {260, 150, 120, 111, 260}) {
+        bench.view.resize(400, height);
+        bench.view.autoScale();
+        bench.view.advance();
+        QCoreApplication::processEvents();
+        const QStringList seen = seenIn(bench.view);
+        QVERIFY2(seen.filter(u"..."_s).isEmpty() && seen.filter(u"…"_s).isEmpty(),
+                 qPrintable(u"%1 px: %2"_s.arg(height).arg(seen.join(u"; "_s))));
+        QVERIFY2(seen.size() >= 5, qPrintable(seen.join(u"; "_s)));
+    }
+}
 
 void TestPlots::legendHoldsEveryName_data()
 {
@@ -286,12 +317,14 @@ void TestPlots::scalesKeepTheirLabels()
     curves.setCurves({{u"Roll"_s, {{1, -40}, {600, -40}}, Axis::Roll}});
     IterationChart steps(theme, u"gains"_s);
     steps.addPoint(u"P, Roll"_s, Axis::Roll, 4, 40.0, Qt::SolidLine);
-    for (QChartView *view : QList<QChartView *>{&curves, &steps}) {
+    IterationChart empty(theme, u"gains"_s);
+    for (QChartView *view : QList<QChartView *>{&curves, &steps, &empty}) {
         view->resize(500, 200);
         view->show();
         QVERIFY(QTest::qWaitForWindowExposed(view));
         const QStringList wanted = view == &curves ? QStringList{u"1 Hz"_s, u"100 Hz"_s, u"-60"_s, u"-20"_s}
-                                                   : QStringList{u"0"_s, u"4"_s, u"40"_s};
+            : view == &steps                       ? QStringList{u"0"_s, u"4"_s, u"40"_s}
+                                                   : QStringList{u"0"_s, u"2"_s, u"3"_s, u"5"_s};
         for (const QSize &size : {QSize(500, 200), QSize(900, 420), QSize(460, 170)}) {
             view->resize(size);
             QCoreApplication::processEvents();

@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bars.h"
+#include "app/mainwindow/messagebar.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
 #include "widgets/models/channelmodel.h"
 #include "widgets/plot/plotview.h"
+#include "widgets/plot/spectrumchart.h"
+#include "widgets/plot/waterfallview.h"
 #include "widgets/views/attitudeview.h"
 #include "widgets/views/axisdial.h"
 #include "widgets/views/batteryview.h"
@@ -12,13 +16,17 @@
 #include "widgets/views/stalecover.h"
 
 #include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
 #include <QTreeView>
+
+#include <csignal>
 
 using namespace Qt::StringLiterals;
 
 namespace {
 
-const QStringList kPages{u"dashboard"_s, u"control"_s, u"monitor"_s, u"tuning"_s};
+const QStringList kPages{u"dashboard"_s, u"control"_s, u"monitor"_s, u"tuning"_s, u"spectrum"_s};
 
 }  // namespace
 
@@ -32,6 +40,14 @@ private slots:
     void everyViewOfLiveDataHasACover();
     void recordingsAreNeverStale();
     void aBoardWithoutLiveDataIsNoticed();
+    void aMissingSensorIsShown_data();
+    void aMissingSensorIsShown();
+    void dataThatStandStillAreStale_data();
+    void dataThatStandStillAreStale();
+    void dataThatStandStillAreToldEverywhere();
+    void silenceWithMotorsIsAnAlarm_data();
+    void silenceWithMotorsIsAnAlarm();
+    void silenceIsNoAlarmWhileWorkExplainsIt();
 
 private:
     /// Of the views of live data on a page.
@@ -41,7 +57,8 @@ private:
         for (const QWidget *view : page.findChildren<QWidget *>()) {
             if (view->isVisible()
                 && (qobject_cast<const AttitudeView *>(view) || qobject_cast<const AxisDial *>(view)
-                    || qobject_cast<const GimbalView *>(view) || qobject_cast<const PlotView *>(view)))
+                    || qobject_cast<const GimbalView *>(view) || qobject_cast<const PlotView *>(view)
+                    || qobject_cast<const SpectrumChart *>(view)))
                 places.append({view->mapTo(&page, QPoint()), view->size()});
         }
         return places;
@@ -81,11 +98,11 @@ void TestStale::viewsAreCoveredWhileNothingComes()
         QVERIFY(rig.window().showPage(key));
         const QWidget *page = rig.window().page(key);
         QVERIFY(rig.boardGoesOn(0.5));
-        QTRY_VERIFY2(shown(*page).isEmpty(), qPrintable(key));
+        QTRY_VERIFY2_WITH_TIMEOUT(shown(*page).isEmpty(), qPrintable(key), 30000);
         rig.window().messageBar()->hide();
+        QTRY_VERIFY2_WITH_TIMEOUT(!placesOn(*page).isEmpty(), qPrintable(key), 30000);  // the board is read
         QVERIFY(rig.isSettled());
         const QList<QRect> places = placesOn(*page);
-        QVERIFY(!places.isEmpty());
         const QDateTime before = QDateTime::currentDateTime();
         for (const QString &fault : stop)
             rig.workspace().changeWorld(fault);
@@ -125,7 +142,8 @@ void TestStale::everyViewOfLiveDataHasACover()
         for (const QWidget *view : page->findChildren<QWidget *>()) {
             if (!qobject_cast<const AttitudeView *>(view) && !qobject_cast<const AxisDial *>(view)
                 && !qobject_cast<const GimbalView *>(view) && !qobject_cast<const BatteryView *>(view)
-                && !qobject_cast<const PlotView *>(view))
+                && !qobject_cast<const PlotView *>(view) && !qobject_cast<const SpectrumChart *>(view)
+                && !qobject_cast<const WaterfallView *>(view))
                 continue;
             ++views;
             bool covered = false;
@@ -134,7 +152,7 @@ void TestStale::everyViewOfLiveDataHasACover()
             QVERIFY2(covered, entry.key);
         }
     }
-    QVERIFY(views >= 9);
+    QVERIFY(views >= 11);
 }
 
 void TestStale::recordingsAreNeverStale()
@@ -169,6 +187,178 @@ void TestStale::aBoardWithoutLiveDataIsNoticed()
                             [](const QLabel *label) { return label->text().contains(u"no live data"_s); }));
     rig.workspace().changeWorld(u"deaf=-1"_s);
     QTRY_VERIFY_WITH_TIMEOUT(shown(*rig.window().page(kPages.last())).isEmpty(), 30000);
+}
+
+void TestStale::aMissingSensorIsShown_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::newRow("simplebgc") << u"sim:simplebgc?fault=no-imu=1"_s;
+    QTest::newRow("storm32") << u"sim:storm32?fault=no-imu=1"_s;
+}
+
+// Zeros without a sensor are no angles.
+void TestStale::aMissingSensorIsShown()
+{
+    QFETCH(const QString, address);
+    WindowRig rig;
+    QVERIFY(rig.open(address));
+    const ChannelRoles &roles = rig.client().roles();
+    for (const QString &key : {u"dashboard"_s, u"control"_s}) {
+        QVERIFY(rig.window().showPage(key));
+        const QWidget *page = rig.window().page(key);
+        const auto *attitude = page->findChild<AttitudeView *>();
+        const auto *cover = attitude->findChild<StaleCover *>({}, Qt::FindDirectChildrenOnly);
+        QTRY_COMPARE_WITH_TIMEOUT(cover->text(), u"The board sees no sensor"_s, 10000);
+        QVERIFY(cover->isVisible());
+    }
+    const auto store = rig.client().telemetry();
+    for (const int channel : ChannelRoles::present({roles.angle, roles.gyro, roles.acc})) {
+        if (store->latestAt(channel) != TimePoint{})
+            QVERIFY2(std::isnan(store->latest(channel)),
+                     rig.client().device()->channels()[std::size_t(channel)].key);
+    }
+    QVERIFY(!std::isnan(store->latest(roles.battery)));
+    rig.workspace().changeWorld(u"no-imu=0"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(!std::isnan(store->latest(roles.angle[0])), 20000);
+}
+
+void TestStale::dataThatStandStillAreStale_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("stamped stream") << u"sim:simplebgc"_s << u"Unchanged since"_s;
+    QTest::newRow("stamped answers") << u"sim:storm32"_s << u"Unchanged since"_s;
+    QTest::newRow("answers without a stamp") << u"sim:storm32?firmware=0.79"_s << u"Unchanged since"_s;
+}
+
+// The link is fine, and the board tells the same again and again.
+void TestStale::dataThatStandStillAreStale()
+{
+    QFETCH(const QString, address);
+    QFETCH(const QString, text);
+    WindowRig rig;
+    QVERIFY(rig.open(address));
+    QVERIFY(rig.window().showPage(u"dashboard"_s));
+    const QWidget *page = rig.window().page(u"dashboard"_s);
+    const auto *cover
+        = page->findChild<AttitudeView *>()->findChild<StaleCover *>({}, Qt::FindDirectChildrenOnly);
+    QVERIFY(rig.boardGoesOn(1.0));
+    QTRY_VERIFY(cover->text().isEmpty());
+    rig.workspace().changeWorld(u"frozen=1"_s);
+    QTRY_VERIFY2_WITH_TIMEOUT(cover->text().startsWith(text), qPrintable(cover->text()), 15000);
+    QVERIFY(rig.client().isConnected());
+    rig.workspace().changeWorld(u"frozen=0"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(cover->text().isEmpty(), 15000);
+}
+
+// Nothing that the board has said before counts as the present; a stop that was proven since does.
+void TestStale::dataThatStandStillAreToldEverywhere()
+{
+    WindowRig rig;
+    QVERIFY(rig.open());
+    QTRY_COMPARE_WITH_TIMEOUT(rig.workspace().motorsRunning(), std::optional(true), 10000);
+    QVERIFY(rig.window().showPage(u"calibration"_s));
+    QVERIFY(rig.boardGoesOn(1.0));
+    const auto says = [&rig](const QString &text) {
+        const auto labels = rig.window().findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(), [&text](const QLabel *label) {
+            return label->isVisible() && label->text().contains(text);
+        });
+    };
+    const auto *motors = rig.window().findChild<QPushButton *>(u"motors"_s);
+    const QString told = u"the same live data again and again"_s;
+    QVERIFY(!rig.window().messageBar()->text().contains(told));
+    rig.workspace().changeWorld(u"frozen=1"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(rig.window().messageBar()->text().contains(told), 15000);
+    QTRY_VERIFY(says(u"live data stand still"_s));
+    QCOMPARE(rig.workspace().motorsRunning(), std::nullopt);
+    QTRY_COMPARE(motors->text(), u"■ STOP MOTORS"_s);
+    rig.window().showPage(u"dashboard"_s);
+    QTRY_VERIFY(says(u"Whether the motors run is not known"_s));
+    QVERIFY(!says(u"Motors are running"_s) && !says(u"reports no errors"_s));
+    QTest::keyClick(&rig.window(), Qt::Key_F12);
+    QTRY_COMPARE_WITH_TIMEOUT(rig.workspace().motorsRunning(), std::optional(false), 10000);
+    QTRY_VERIFY(says(u"Motors are off."_s));
+    QTRY_COMPARE(motors->text(), u"▶ Start motors"_s);
+    rig.workspace().changeWorld(u"frozen=0"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(!rig.window().messageBar()->text().contains(told), 15000);
+    QTRY_VERIFY(!says(u"live data stand still"_s));
+    QTRY_VERIFY(says(u"reports no errors"_s));
+    QCOMPARE(rig.workspace().motorsRunning(), std::optional(false));
+}
+
+void TestStale::silenceWithMotorsIsAnAlarm_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<bool>("run");
+    for (const QString &family : {u"simplebgc"_s, u"storm32"_s}) {
+        QTest::addRow("%s, motors run", qPrintable(family)) << family << true;
+        QTest::addRow("%s, motors off", qPrintable(family)) << family << false;
+    }
+}
+
+// The link stays open, and the board says nothing at all.
+void TestStale::silenceWithMotorsIsAnAlarm()
+{
+    QFETCH(const QString, family);
+    QFETCH(const bool, run);
+    const bool isOwnProcess = family == u"simplebgc"_s;
+    std::optional<SimProcess> board;
+    if (isOwnProcess)
+        board.emplace(QStringList{u"--tcp"_s, u"0"_s}, family);
+    WindowRig rig;
+    QVERIFY(rig.open(isOwnProcess ? board->address() : u"sim:"_s + family));
+    const auto freeze = [&](bool frozen) {
+        if (board)
+            ::kill(pid_t(board->process().processId()), frozen ? SIGSTOP : SIGCONT);
+        else
+            rig.workspace().changeWorld(frozen ? u"deaf=100"_s : u"deaf=-1"_s);
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(rig.workspace().motorsRunning(), std::optional(true), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(!rig.workspace().isStarting(), 20000);
+    QVERIFY(rig.jobsAreDone());
+    if (!run) {
+        rig.workspace().setMotors(false);
+        QTRY_COMPARE_WITH_TIMEOUT(rig.workspace().motorsRunning(), std::optional(false), 10000);
+    }
+    const QString told = u"No live data have come since"_s;
+    QVERIFY(rig.boardGoesOn(0.5));
+    QVERIFY(!rig.window().messageBar()->text().contains(told));
+    QSignalSpy silent(&rig.workspace().freshness(), &Freshness::silentChanged);
+    freeze(true);
+    QTRY_COMPARE_WITH_TIMEOUT(silent.count(), 1, 15000);
+    QCOMPARE(rig.window().messageBar()->text().contains(told), run);
+    QVERIFY(rig.client().isConnected());
+    freeze(false);
+    QTRY_COMPARE_WITH_TIMEOUT(silent.count(), 2, 15000);
+    QVERIFY(!rig.window().messageBar()->text().contains(told));
+}
+
+void TestStale::silenceIsNoAlarmWhileWorkExplainsIt()
+{
+    WindowRig rig;
+    QVERIFY(rig.open(u"sim:storm32"_s));
+    QVERIFY(rig.jobsAreDone());
+    QVERIFY(rig.boardGoesOn(0.5));
+    const auto goesOn = std::make_shared<std::atomic<bool>>(true);
+    auto work = rig.client().submit<bool>([goesOn](Channel &channel, Device &) -> Result<bool> {
+        while (*goesOn)
+            static_cast<void>(channel.sleep(50ms));
+        return true;
+    });
+    QTRY_VERIFY(rig.client().isBusy());
+    rig.workspace().changeWorld(u"deaf=100"_s);
+    const auto silence = [&rig] {
+        const auto since = rig.workspace().freshness().staleSince();
+        return since ? since->msecsTo(QDateTime::currentDateTime()) : 0;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(silence() > 5000, 20000);
+    QVERIFY(!rig.workspace().freshness().silentSince());
+    *goesOn = false;
+    QTRY_VERIFY(work.isFinished());
+    QTRY_VERIFY_WITH_TIMEOUT(rig.workspace().freshness().silentSince(), 15000);
+    rig.workspace().changeWorld(u"deaf=-1"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(!rig.workspace().freshness().silentSince(), 15000);
 }
 
 QTEST_MAIN(TestStale)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bars.h"
+#include "app/mainwindow/messagebar.h"
 #include "app/mainwindow/navigation.h"
 #include "app/pages/board/actionspage.h"
 #include "app/pages/board/backupspage.h"
@@ -44,6 +45,7 @@ private slots:
 
     void onlyFittingPagesAreOffered();
     void pageOfTheCommandLineAwaitsItsBoard();
+    void pageThatTheBoardLacksIsTold();
     void slidersSetThreeGains();
     void unstoredValuesStayInSight();
     void closingAsksForWhatIsNotStored();
@@ -100,10 +102,35 @@ void TestStorm::pageOfTheCommandLineAwaitsItsBoard()
     QVERIFY(pages.awaitPage(u"scripts"_s));
     QVERIFY(openStorm());
     QTRY_COMPARE(pages.currentPage(), u"scripts"_s);
+    QVERIFY(!window.messageBar()->text().contains(u"no page"_s));
     // Whoever goes elsewhere is not taken back by the next board.
     QVERIFY(window.showPage(u"dashboard"_s));
     QVERIFY(openStorm());
     QCOMPARE(pages.currentPage(), u"dashboard"_s);
+}
+
+// What another family has under the same title is shown; else it is said which pages there are.
+void TestStorm::pageThatTheBoardLacksIsTold()
+{
+#if GIMBAL_WITH_SIMPLEBGC
+    MainWindow &window = m_rig->window();
+    const auto told = [&window] { return window.messageBar()->text(); };
+    QVERIFY(window.showPage(u"calibration"_s));
+    QVERIFY(openStorm());
+    QTRY_COMPARE(window.navigation()->currentPage(), u"sensor"_s);
+    QVERIFY2(!told().contains(u"no page"_s), qPrintable(told()));
+    for (const bool isAwaited : {false, true}) {
+        m_rig->restart();
+        MainWindow &fresh = m_rig->window();
+        QVERIFY(isAwaited ? fresh.navigation()->awaitPage(u"autotune"_s) : fresh.showPage(u"autotune"_s));
+        QVERIFY(openStorm());
+        QTRY_COMPARE(fresh.navigation()->currentPage(), u"dashboard"_s);
+        const QString text = fresh.messageBar()->text();
+        QVERIFY2(text.contains(u"This board has no page “Auto-tune”. It has: Dashboard, Monitor, "_s)
+                     && text.contains(u"Gimbal setup"_s) && !text.contains(u"Profiles"_s),
+                 qPrintable(text));
+    }
+#endif
 }
 
 void TestStorm::slidersSetThreeGains()
@@ -279,7 +306,7 @@ void TestStorm::typedScriptSurvivesACrash()
     QVERIFY(openStorm());
     OfferBar *bar = m_rig->window().offerBar();
     QTRY_VERIFY(bar->isVisible());
-    QVERIFY2(bar->text().contains(u"1 unsaved step"_s) && bar->text().contains(u"1 unfinished text"_s),
+    QVERIFY2(bar->text().contains(u"1 unwritten step"_s) && bar->text().contains(u"1 unfinished text"_s),
              qPrintable(bar->text()));
     page = m_rig->page<ScriptsPage>();
     QVERIFY(page->editor()->text().isEmpty());
@@ -417,7 +444,8 @@ void TestStorm::snapshotsShowWhatDiffers()
         return false;
     };
     QTRY_VERIFY(named());
-    QTRY_VERIFY(says(u"1 value"_s));
+    // What is only an edit yet is no difference between the snapshot and the board.
+    QTRY_VERIFY(says(u"All values are the same. Compared with what the board holds; 1 unwritten"_s));
 }
 
 void TestStorm::heartbeatIsEscapedByOneClick()

@@ -3,10 +3,13 @@
 #include "app/families/storm32/sensorpage.h"
 #include "app/families/storm32/setuppage.h"
 #include "app/mainwindow/bars.h"
+#include "app/mainwindow/linkbar.h"
+#include "app/mainwindow/messagebar.h"
 #include "app/pages/board/actionspage.h"
 #include "app/pages/board/controlpage.h"
 #include "app/pages/tune/responsepage.h"
 #include "app/pages/tune/tuningpage.h"
+#include "app/workspace/question.h"
 #include "protocol/device/abilities.h"
 #include "protocol/record/recording.h"
 #include "protocol/session/linkstatistics.h"
@@ -20,6 +23,7 @@
 #include "tests/support/stormwindow.h"
 #include "widgets/forms/numberbox.h"
 #include "widgets/forms/panel.h"
+#include "widgets/models/parametermodel.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -47,12 +51,15 @@ private slots:
     void calibrationComesFromAFile();
     void gimbalIsSetUp_data();
     void gimbalIsSetUp();
+    void setupListsWhatItHasNotSet();
     void setupCanBeCancelled();
+    void aPulledCableIsToldByTheWizards();
     void steeringByAngleAndByPulse();
     void stepsAreMeasuredWithoutToldTargets();
     void stepsAreRefusedWhereNothingHolds();
     void functionsAreAtHandWhileSteering();
     void motorsOffWorksThroughMavlink();
+    void startingBoardIsOfferedAStop();
     void wholeDayOverAPseudoTerminal_data();
     void wholeDayOverAPseudoTerminal();
 };
@@ -62,7 +69,9 @@ void TestStormMotion::sensorIsCalibratedAndStored()
     QVERIFY(openStorm());
     auto *page = m_rig->page<SensorPage>();
     workspace().changeWorld(u"pose=1"_s);
-    page->start(true);
+    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(true), 8000);
+    page->start(true);  // past the question: the procedure itself keeps them off
+    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(false), 8000);
     const std::array poses{1, 4, 2, 6, 3, 5};
     for (std::size_t i = 0; i < poses.size(); ++i) {
         workspace().changeWorld(u"pose=%1"_s.arg(poses[i]));
@@ -70,6 +79,7 @@ void TestStormMotion::sensorIsCalibratedAndStored()
                                   qPrintable(page->sees()), 20000);
     }
     QTRY_COMPARE(page->step(), SensorPage::Step::Result);
+    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(false), 8000);
     QVERIFY(std::abs(page->calibration().scale[2] - 8356)
             < 60);  // 1.02 of 8192, the simulated sensor's own error
     // Nothing was changed so far.
@@ -174,6 +184,41 @@ void TestStormMotion::gimbalIsSetUp()
     QTRY_COMPARE_WITH_TIMEOUT(inUse(39), 5, 8000);  // kept over a restart
 }
 
+// Values that somebody else has set are not stored with the set-up's own unless that is wanted.
+void TestStormMotion::setupListsWhatItHasNotSet()
+{
+    QVERIFY(openStorm());
+    LiveModel &live = workspace().live();
+    live.setValue(m_rig->spec(u"pid.roll.p"_s).id, 450);
+    QTRY_VERIFY(live.isSettled());
+    auto *page = m_rig->page<SetupPage>();
+    for (int task = 0; task < SetupPage::kTasks; ++task)
+        page->box(SetupPage::Task(task))->setChecked(SetupPage::Task(task) == SetupPage::Task::Poles);
+    page->continueButton()->click();
+    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SetupPage::Step::Poles, 8000);
+    page->poles(Axis::Yaw)->setValue(16);
+    page->continueButton()->click();
+    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SetupPage::Step::AskFinish, 8000);
+    page->continueButton()->click();
+    const auto review = [this] { return m_rig->window().findChild<ReviewDialog *>(); };
+    QTRY_VERIFY_WITH_TIMEOUT(review(), 60000);
+    QAbstractItemModel *model = review()->table()->model();
+    bool isListed = false;
+    for (int row = 0; row < model->rowCount(); ++row) {
+        if (!model->index(row, 0).data().toString().endsWith(parameterLabel(m_rig->spec(u"pid.roll.p"_s))))
+            continue;
+        isListed = true;
+        QVERIFY(model->setData(model->index(row, 0), Qt::Unchecked, Qt::CheckStateRole));
+    }
+    QVERIFY(isListed);
+    review()->accept();
+    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SetupPage::Step::Done, 20000);
+    QCOMPARE(m_rig->raw(u"motor.yaw.poles"_s), 16);
+    QCOMPARE(m_rig->raw(u"pid.roll.p"_s), 400);
+    QCOMPARE(inUse(6), 450);
+    QVERIFY(page->report().last().contains(u"✓"_s));
+}
+
 void TestStormMotion::setupCanBeCancelled()
 {
     QVERIFY(openStorm());
@@ -182,15 +227,16 @@ void TestStormMotion::setupCanBeCancelled()
          {SetupPage::Task::Orientation, SetupPage::Task::Poles, SetupPage::Task::AutoDirections})
         page->box(task)->setChecked(false);
     workspace().changeWorld(u"battery=7"_s);
-    const auto *motors = named<QPushButton>(&m_rig->window(), u"Switch motors off"_s);
+    const auto *motors = named<QPushButton>(&m_rig->window(), u"Stop motors"_s);
     page->continueButton()->click();
     QTRY_COMPARE_WITH_TIMEOUT(page->step(), SetupPage::Step::AskStart, 8000);
     // Until it ends or is cancelled, nothing else stores or starts the motors.
     auto *bar = m_rig->window().findChild<UnstoredBar *>();
     auto *store = named<QPushButton>(bar, u"Store on the board"_s);
     auto *actions = m_rig->page<ActionsPage>();
-    QVERIFY(bar->isVisible() && !store->isEnabled() && !bar->backButton()->isEnabled());
-    QTRY_COMPARE(motors->accessibleName(), u"Switch motors on"_s);
+    QTRY_VERIFY(bar->isVisible());
+    QVERIFY(!store->isEnabled() && !bar->backButton()->isEnabled());
+    QTRY_COMPARE(motors->accessibleName(), u"Start motors"_s);
     QTRY_VERIFY(!motors->isEnabled());
     for (const QString &key : {u"store"_s, u"motors.on"_s, u"restart"_s}) {
         QVERIFY2(actions->showAction(key), qPrintable(key));
@@ -199,8 +245,12 @@ void TestStormMotion::setupCanBeCancelled()
     QVERIFY(actions->showAction(u"status"_s) && actions->runButton()->isEnabled());
     QSignalSpy problems(&workspace().notifications(), &Notifications::problem);
     workspace().setMotors(true);
-    QVERIFY(!workspace().saveLive().result());
+    QVERIFY(!workspace().saveLive(m_rig->window()).result());
     QCOMPARE(problems.size(), 2);
+    for (const QString &key : {u"store"_s, u"motors.on"_s, u"reset"_s})
+        QVERIFY2(!workspace().perform(key, {}).result(), qPrintable(key));
+    workspace().write(m_rig->model().edited());
+    QCOMPARE(problems.size(), 6);
     QCOMPARE(inUse(79), 3);
     m_rig->page<SetupPage>();
     page->continueButton()->click();
@@ -220,6 +270,45 @@ void TestStormMotion::setupCanBeCancelled()
     for (int task = 0; task < SetupPage::kTasks; ++task)
         page->box(SetupPage::Task(task))->setChecked(false);
     QVERIFY(!page->continueButton()->isEnabled());
+}
+
+void TestStormMotion::aPulledCableIsToldByTheWizards()
+{
+    QVERIFY(openStorm());
+    auto *sensor = m_rig->page<SensorPage>();
+    const auto told = [this] { return m_rig->window().messageBar()->text(); };
+    const auto pull = [this] {
+        workspace().changeWorld(u"replug=1"_s);
+        workspace().changeWorld(u"unplug=0"_s);
+        return QTest::qWaitFor([this] { return !m_rig->client().isConnected(); }, 10000)
+            && QTest::qWaitFor([this] { return m_rig->client().isConnected(); }, 15000)
+            && m_rig->jobsAreDone();
+    };
+    workspace().changeWorld(u"pose=1"_s);
+    sensor->start(true);
+    QTRY_COMPARE_WITH_TIMEOUT(sensor->doneCount(), 1, 20000);
+    QVERIFY(pull());
+    QCOMPARE(sensor->step(), SensorPage::Step::Choose);
+    QVERIFY2(told().contains(u"1 of 6 faces were measured; nothing of it is on the board."_s),
+             qPrintable(told()));
+    workspace().changeWorld(u"pose=0"_s);
+    auto *setup = m_rig->page<SetupPage>();
+    setup->box(SetupPage::Task::Orientation)->setChecked(false);
+    setup->continueButton()->click();
+    QTRY_COMPARE_WITH_TIMEOUT(setup->step(), SetupPage::Step::Poles, 8000);
+    m_rig->window().showPage(u"dashboard"_s);
+    QVERIFY(pull());
+    QCOMPARE(setup->step(), SetupPage::Step::Choose);
+    QVERIFY2(told().contains(u"The gimbal setup ended with the link. What was set by then is in use"_s),
+             qPrintable(told()));
+    QVERIFY(!workspace().isGuided());
+    m_rig->window().messageBar()->hide();
+    setup->continueButton()->click();
+    QTRY_COMPARE_WITH_TIMEOUT(setup->step(), SetupPage::Step::Poles, 8000);
+    workspace().changeWorld(u"reset=0"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(told().contains(u"The gimbal setup ended with the link."_s), 20000);
+    QVERIFY2(told().contains(u"is lost: the board restarted."_s) && !told().contains(u"is in use and not"_s),
+             qPrintable(told()));
 }
 
 void TestStormMotion::steeringByAngleAndByPulse()
@@ -366,6 +455,27 @@ void TestStormMotion::wholeDayOverAPseudoTerminal_data()
     QTest::addColumn<QString>("firmware");
     for (const char *firmware : {"0.79", "0.90", "0.96"})
         QTest::newRow(firmware) << QString::fromLatin1(firmware);
+}
+
+// Its motors run soon, without being told to.
+void TestStormMotion::startingBoardIsOfferedAStop()
+{
+    QVERIFY(openStorm());
+    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(true), 15000);
+    workspace().setMotors(false);
+    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(false), 15000);
+    QVERIFY(!workspace().isStarting());
+    askToStartMotors(workspace(), &m_rig->window());
+    QVERIFY(m_rig->window().panels()->isOpen());
+    workspace().perform(u"restart"_s, {});
+    QTRY_VERIFY_WITH_TIMEOUT(workspace().isStarting() && workspace().motorsRunning() == std::optional(false),
+                             20000);
+    QTRY_VERIFY(!m_rig->window().panels()->isOpen());
+    const QPushButton *motors = m_rig->window().findChild<LinkBar *>()->motorsButton();
+    QTRY_VERIFY(motors->text().contains(u"STOP"_s) && motors->isEnabled());
+    workspace().setMotors(false);
+    QTRY_VERIFY_WITH_TIMEOUT(!workspace().isStarting(), 30000);
+    QCOMPARE(workspace().motorsRunning(), std::optional(false));
 }
 
 // Read, edit, review, write, restart, read again, compare, calibrate, tune, store, steer and record, over a

@@ -119,6 +119,7 @@ private slots:
 
     void armingMovesNothing_data();
     void armingMovesNothing();
+    void pulledBeforeAnythingWasSent();
 
 private:
     [[nodiscard]] PerAxis angles() { return latest(workspace().roles().angle); }
@@ -298,6 +299,22 @@ QString TestStormSteering::steerAndArm(int mode, const PerAxis &where, bool pans
             return u"after the cable was pulled, word %1, "_s.arg(given) + wrong;
     }
     return {};
+}
+
+// Nobody knows what holds the camera after the cable was pulled; so nothing is sent, and there is nothing to
+// confirm.
+void TestStormSteering::pulledBeforeAnythingWasSent()
+{
+    QVERIFY(reconnect());
+    choose(kUnlimitedAngle);
+    QSignalSpy ended(&m_rig->client(), &DeviceClient::steeringEnded);
+    m_tap->take();
+    m_page->setArmed(true);
+    QVERIFY(m_rig->boardGoesOn(1.0));
+    QVERIFY(m_page->isArmed() && m_tap->take().empty());
+    QVERIFY(reconnect());
+    QVERIFY(!m_page->isArmed());
+    QCOMPARE(ended.count(), 0);
 }
 
 QTEST_MAIN(TestStormSteering)

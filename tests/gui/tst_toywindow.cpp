@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/linkbar.h"
+#include "app/mainwindow/messagebar.h"
 #include "app/mainwindow/navigation.h"
 #include "app/mainwindow/startpage.h"
 #include "app/pages/board/actionspage.h"
@@ -187,6 +188,11 @@ void TestToyWindow::documentIsEditedReviewedAndWritten()
     QCOMPARE(std::as_const(model()).board().block({0, toy::Mission}), QByteArray("climb(10)"));
     QCOMPARE(model().changeCount(), 0);
     QCOMPARE(lost.count(), 0);  // the restart was no loss
+    // From another page, a step leads back.
+    m_rig->window().showPage(u"dashboard"_s);
+    m_rig->workspace().edits().undo();
+    QCOMPARE(m_rig->window().navigation()->currentPage(), u"documents"_s);
+    QTRY_VERIFY(text->hasFocus());
 }
 
 void TestToyWindow::documentIsLoadedSavedAndLimited()

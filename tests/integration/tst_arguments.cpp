@@ -77,6 +77,12 @@ void TestArguments::wrongArguments_data()
     const QList<Row> rows{
         {"unknown command", {u"fly"_s}, 2, u"there is no command 'fly'"_s},
         {"unknown option", {u"info"_s, u"--loud"_s}, 2, u"loud"_s},
+        {"unknown alarm", {u"info"_s, u"--alarm"_s, u"noise=off"_s}, 2, u"KIND is one of runaway"_s},
+        {"unknown reaction", {u"info"_s, u"--alarm"_s, u"runaway=explode"_s}, 2, u"WHAT of warn"_s},
+        {"reaction without a change",
+         {u"info"_s, u"--alarm"_s, u"battery=revert"_s},
+         2,
+         u"choose warn or off"_s},
         {"option of another command", {u"info"_s, u"--profile"_s, u"1"_s}, 2, u"it takes"_s},
         {"word too many", {u"profiles"_s, u"x"_s}, 2, u"takes options only"_s},
         {"word too many for info", {u"info"_s, u"x"_s}, 2, u"takes options only"_s},

@@ -149,7 +149,16 @@ void TestCtl::setWritesAndTells()
     QVERIFY(run.err.contains(u"snapshot: "_s));
     QCOMPARE(ctl({u"get"_s, u"pid.roll.p"_s}).out, u"48\n"_s);
     QCOMPARE(QDir(m_dir->filePath(u"history"_s)).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 1);
-    QVERIFY(ctl({u"set"_s, u"pid.roll.p=48"_s}).out.contains(u"nothing to write"_s));
+    // What was there already is named as well.
+    const Run both = ctl({u"--json"_s, u"set"_s, u"pid.roll.p=49"_s, u"motor.yaw.power=130"_s});
+    const QJsonObject json = both.json().object();
+    QCOMPARE(json.value(u"written"_s).toArray().size(), 1);
+    QCOMPARE(json.value(u"unchanged"_s).toArray().size(), 1);
+    QCOMPARE(json.value(u"unchanged"_s).toArray().first().toObject().value(u"key"_s).toString(),
+             u"motor.yaw.power"_s);
+    const Run same = ctl({u"set"_s, u"pid.roll.p=49"_s});
+    QVERIFY2(same.out.contains(u"nothing to write"_s) && same.out.contains(u"unchanged    pid.roll.p"_s),
+             qPrintable(same.out));
 }
 
 void TestCtl::setWithoutSaveIsVolatile()
@@ -447,7 +456,7 @@ void TestCtl::motors()
 
 void TestCtl::destructiveTakesASnapshot()
 {
-    const Run run = ctl({u"do"_s, u"defaults"_s, u"what=profile2"_s});
+    const Run run = ctl({u"do"_s, u"defaults"_s, u"what=profile2"_s, u"--confirmed"_s});
     QCOMPARE(run.exitCode, 0);
     const QString path = run.err.section(u"snapshot: "_s, 1).section(u'\n', 0, 0);
     QVERIFY2(QFile::exists(path), qPrintable(run.err));
@@ -595,7 +604,7 @@ void TestCtl::optionsOfOtherCommandsAreRefused_data()
     const auto row = [](const QStringList &arguments, const QString &takes) {
         QTest::newRow(qPrintable(arguments.join(u' '))) << arguments << takes;
     };
-    const QString general = u"--link, --family, --json, --history, --board, --version"_s;
+    const QString general = u"--link, --family, --json, --history, --board, --alarm, --version"_s;
     row({u"info"_s, u"--profile"_s, u"1"_s}, u"info has no option '--profile'; it takes "_s + general);
     row({u"get"_s, u"pid.roll.p"_s, u"--csv"_s, u"x"_s}, u"it takes --profile N, "_s + general);
     row({u"--dry-run"_s, u"set"_s, u"pid.roll.p=1"_s},
@@ -643,7 +652,7 @@ void TestCtl::stormOverAPseudoTerminal()
     QCOMPARE(ask({u"dump"_s, dump}).exitCode, 0);
     const Run set = ask({u"set"_s, u"pid.roll.p=5.00"_s, u"rc.yaw.min=-40"_s});
     QVERIFY2(set.exitCode == 0 && set.out.contains(u"verified"_s), qPrintable(set.out + set.err));
-    QCOMPARE(ask({u"do"_s, u"restart"_s}).exitCode, 0);
+    QCOMPARE(ask({u"do"_s, u"restart"_s, u"--confirmed"_s}).exitCode, 0);
     QCOMPARE(ask({u"get"_s, u"pid.roll.p"_s, u"rc.yaw.min"_s}).out,
              u"pid.roll.p=5.00\nrc.yaw.min=-40.0\n"_s);  // it was stored
     const Run diff = ask({u"diff"_s, dump, u"board"_s});
@@ -695,7 +704,7 @@ void TestCtl::stormIsSetUp()
     QVERIFY(ask({u"do"_s, u"stored.compare"_s}).out.contains(u"false"_s));
     QCOMPARE(ask({u"set"_s, u"pid.roll.p=4.44"_s, u"--no-save"_s}).exitCode, 0);
     QVERIFY(ask({u"do"_s, u"stored.compare"_s}).out.contains(u"4.44 in use, 4.00 stored"_s));
-    QCOMPARE(ask({u"do"_s, u"retrieve"_s}).exitCode, 0);
+    QCOMPARE(ask({u"do"_s, u"retrieve"_s, u"--confirmed"_s}).exitCode, 0);
     QCOMPARE(ask({u"get"_s, u"pid.roll.p"_s}).out, u"4.00\n"_s);
 
     const auto save = [this](const QString &name, const QByteArray &text) {
@@ -719,14 +728,34 @@ void TestCtl::stormIsSetUp()
     const Run applied = ask({u"apply"_s, settings});
     QVERIFY2(applied.exitCode == 0 && applied.out.contains(u"pid.yaw.p"_s), qPrintable(applied.err));
     QCOMPARE(ask({u"get"_s, u"pid.yaw.p"_s}).out, u"4.00\n"_s);
+    // What the board cannot hold exactly is rounded, and that is said.
+    const Run rounded = ask({u"--json"_s, u"set"_s, u"pid.yaw.p=4.123456"_s});
+    QCOMPARE(rounded.exitCode, 0);
+    QVERIFY2(rounded.err.contains(u"4.12 is the nearest to 4.123456"_s), qPrintable(rounded.err));
+    QCOMPARE(rounded.json().object().value(u"rounded"_s).toArray().size(), 1);
+    QVERIFY(!ask({u"set"_s, u"pid.yaw.p=4.1"_s}).err.contains(u"nearest"_s));
+    // What a file does not have stays, and is named.
+    QCOMPARE(ask({u"set"_s, u"pid.yaw.p=5"_s}).exitCode, 0);
+    const QString few = save(u"few.cfg"_s, "%SettingsHash = (\n'Roll P' => [ 512 , '5.12' ],\n);\n");
+    const Run partly = ask({u"apply"_s, few});
+    QVERIFY2(partly.exitCode == 1 && partly.err.contains(u"left as the board holds them: "_s)
+                 && partly.err.contains(u"pid.yaw.p"_s),
+             qPrintable(partly.err));
+    QCOMPARE(ask({u"get"_s, u"pid.yaw.p"_s}).out, u"5.00\n"_s);
+    QCOMPARE(ask({u"get"_s, u"pid.roll.p"_s}).out, u"5.12\n"_s);
+    const Run again = ask({u"--json"_s, u"apply"_s, few, u"--partial"_s});
+    QCOMPARE(again.exitCode, 0);
+    QVERIFY(again.json().object().value(u"missing"_s).toArray().size() > 50);
+    const Run same = ask({u"diff"_s, few, u"board"_s, u"--partial"_s});
+    QVERIFY2(same.out.contains(u"no difference in what both have"_s), qPrintable(same.out));
+    QVERIFY(ask({u"script"_s, u"2"_s}).out.trimmed().startsWith(u"WAIT 5"_s));
 }
 
 // Steering, then tuning by what a step shows, kept over a reset.
 void TestCtl::stormIsSteeredAndTuned()
 {
     const QString path = m_dir->filePath(u"storm"_s);
-    const SimProcess storm({u"--pty"_s, path, u"--rate"_s, u"115200"_s, u"--fault"_s, u"shake=0"_s},
-                           u"storm32"_s);
+    SimProcess storm({u"--pty"_s, path, u"--rate"_s, u"115200"_s, u"--fault"_s, u"shake=0"_s}, u"storm32"_s);
     const QStringList link{u"--link"_s, u"serial:"_s + path};
     const auto ask = [&](const QStringList &arguments) { return ctl(link + arguments, false); };
     const auto does
@@ -746,7 +775,9 @@ void TestCtl::stormIsSteeredAndTuned()
     };
     QVERIFY(does({u"angle"_s, u"pitch=15"_s}));
     QVERIFY(std::abs(shows(u"imu.angle.pitch"_s) - 15) < 1.0);
-    QVERIFY(does({u"angle"_s, u"pitch=90"_s}));  // the sticks reach 25 degrees
+    const Run limited = ask({u"do"_s, u"angle"_s, u"pitch=90"_s});  // the sticks reach 25 degrees
+    QVERIFY2(limited.exitCode == 1 && limited.err.contains(u"target 90.0°, camera at 2"_s),
+             qPrintable(limited.err));
     QVERIFY(std::abs(shows(u"imu.angle.pitch"_s) - 25) < 1.0);
     QVERIFY(does({u"recenter"_s}));
     QVERIFY(std::abs(shows(u"imu.angle.pitch"_s)) < 1.0);
@@ -787,7 +818,7 @@ void TestCtl::stormIsSteeredAndTuned()
     QVERIFY(overshoot() < lively - 5);
     QVERIFY(ask({u"do"_s, u"stored.compare"_s}).out.contains(u"0.0600 in use, 0.0500 stored"_s));
     QVERIFY(does({u"store"_s}));
-    QVERIFY(does({u"reset"_s}));
+    QVERIFY(does({u"reset"_s, u"--confirmed"_s}));
     QTRY_COMPARE_WITH_TIMEOUT(ask({u"get"_s, u"pid.yaw.d"_s}).out, u"0.0600\n"_s, 15000);
     const Run sweep = ask({u"measure"_s, u"sweep"_s, u"yaw"_s});
     QVERIFY2(sweep.exitCode == 1 && sweep.err.contains(u"steps can be measured"_s), qPrintable(sweep.err));
@@ -795,7 +826,16 @@ void TestCtl::stormIsSteeredAndTuned()
     const QString file = m_dir->filePath(u"held.gimbalrec"_s);
     QCOMPARE(ask({u"record"_s, file, u"--seconds"_s, u"3"_s}).exitCode, 0);
     QVERIFY(ctl({u"analyze"_s, u"steps"_s, file}, false).err.contains(u"does not tell its targets"_s));
-    QVERIFY(ctl({u"analyze"_s, u"holding"_s, file}, false).out.contains(u"RMS"_s));
+    // A board that tells the same again and again holds nothing that could be measured.
+    storm.process().write("frozen=1\n");
+    const QString frozen = m_dir->filePath(u"frozen.gimbalrec"_s);
+    ask({u"record"_s, frozen, u"--seconds"_s, u"3"_s});
+    const Run still = ctl({u"analyze"_s, u"holding"_s, frozen}, false);
+    QVERIFY2(still.exitCode == 1 && still.err.contains(u"too few samples"_s), qPrintable(still.err));
+    storm.process().write("frozen=0\nshake=3\n");
+    const QString shaken = m_dir->filePath(u"shaken.gimbalrec"_s);
+    QCOMPARE(ask({u"record"_s, shaken, u"--seconds"_s, u"3"_s}).exitCode, 0);
+    QVERIFY(ctl({u"analyze"_s, u"holding"_s, shaken}, false).out.contains(u"RMS"_s));
     QVERIFY(ctl({u"analyze"_s, u"spectrum"_s, file}, false).out.contains(u"gyro.z"_s));
 }
 

@@ -23,6 +23,14 @@ private slots:
     void init() { m_dir = std::make_unique<QTemporaryDir>(); }
     void silenceEndsIt_data();
     void silenceEndsIt();
+    void aRestartEndsIt_data();
+    void aRestartEndsIt();
+    void aMissingSensorIsTold();
+    void silenceIsNoTime();
+    void theSameAgainIsNothing_data();
+    void theSameAgainIsNothing();
+    void alarmsAreInTheJson_data();
+    void alarmsAreInTheJson();
     void nothingIsNoSuccess_data();
     void nothingIsNoSuccess();
     void recordingsEndWithoutSilence();
@@ -31,9 +39,32 @@ private slots:
     void tooFewSamplesAreNoWrongArgument();
     void lostLinkInAWriteIsReadAgain_data();
     void lostLinkInAWriteIsReadAgain();
+    void cancelledWriteIsReadAgain();
     void streamsOfAKilledProgramAreStopped();
+    void streamsOfAKilledProgramAreStoppedOnASlowLine();
+    void motorsAreOffWhileASensorIsTurned();
+    void lettingGoIsConfirmed_data();
+    void lettingGoIsConfirmed();
+    void unprovenStopGoesOn_data();
+    void unprovenStopGoesOn();
+    void confirmedStopGoesOnUntilProven_data();
+    void confirmedStopGoesOnUntilProven();
+    void slowBoardIsStopped();
+    void endedStopSaysWhatIsOpen_data();
+    void endedStopSaysWhatIsOpen();
+    void lostLinkIsNotPromisedBack_data();
+    void lostLinkIsNotPromisedBack();
+    void blockedAxisIsTold_data();
+    void blockedAxisIsTold();
+    void missingSensorIsNotCalibrated_data();
+    void missingSensorIsNotCalibrated();
     void slowLinesThinOut_data();
     void slowLinesThinOut();
+    void steeringEndsWithTheCommand_data();
+    void steeringEndsWithTheCommand();
+    void silenceWhileSteeringIsTold();
+    void alarmsAreToldAndActedOn_data();
+    void alarmsAreToldAndActedOn();
 
 private:
     [[nodiscard]] QString path(const QString &name) const { return m_dir->filePath(name); }
@@ -88,6 +119,108 @@ void TestCtlFaults::silenceEndsIt()
         QVERIFY(run.out.endsWith(u'\n') && run.out.count(u'\n') > 500);
     if (records)
         QVERIFY(ctl({u"export"_s, file}).out.count(u'\n') > 500);
+}
+
+void TestCtlFaults::aRestartEndsIt_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<QStringList>("command");
+    for (const QString &family : {u"simplebgc"_s, u"storm32"_s}) {
+        QTest::newRow(qPrintable(family + u", monitor"_s)) << family << QStringList{u"monitor"_s};
+        QTest::newRow(qPrintable(family + u", record"_s)) << family << QStringList{u"record"_s, u"FILE"_s};
+    }
+}
+
+// The board restarts by itself, and the link stays.
+void TestCtlFaults::aRestartEndsIt()
+{
+    QFETCH(QString, family);
+    QFETCH(QStringList, command);
+    SimProcess simulator({u"--tcp"_s, u"0"_s, u"--rate"_s, u"115200"_s}, family);
+    const QString file = path(u"restart.rec"_s);
+    command.replaceInStrings(u"FILE"_s, file);
+    Running running(m_dir->path(),
+                    QStringList{u"--family"_s, family, u"--link"_s, simulator.address()} + command);
+    QVERIFY(QTest::qWaitFor(
+        [&] { return running.printed().count(u'\n') > 100 || QFileInfo(file).size() > 20'000; }, 20000));
+    simulator.process().write("reset=0\n");
+    const Run run = running.finish(20000);
+    QCOMPARE(run.exitCode, 1);
+    QVERIFY2(run.err.contains(u"The board restarted by itself."_s), qPrintable(run.err));
+}
+
+void TestCtlFaults::aMissingSensorIsTold()
+{
+    for (const QString &family : {u"simplebgc"_s, u"storm32"_s}) {
+        SimProcess simulator({u"--tcp"_s, u"0"_s, u"--fault"_s, u"no-imu=1"_s}, family);
+        const Run run = ctl({u"--family"_s, family, u"--link"_s, simulator.address(), u"monitor"_s,
+                             u"--seconds"_s, u"1"_s, u"--channels"_s, u"imu.angle.roll,battery"_s});
+        QCOMPARE(run.exitCode, 0);
+        QVERIFY2(run.err.contains(u"no sensor sends any): imu.angle.roll"_s), qPrintable(run.err));
+        QVERIFY2(run.err.contains(u"the board reports a fault: "_s), qPrintable(run.err));
+        QVERIFY2(run.out.trimmed().section(u'\n', -1).section(u',', 1, 1).isEmpty(), qPrintable(run.out));
+        QVERIFY(!run.out.trimmed().section(u'\n', -1).section(u',', 2, 2).isEmpty());
+    }
+}
+
+void TestCtlFaults::theSameAgainIsNothing_data()
+{
+    QTest::addColumn<QString>("board");
+    QTest::newRow("samples without a stamp") << u"storm32?firmware=0.79"_s;
+    QTest::newRow("samples with a stamp") << u"storm32?firmware=0.96"_s;
+    QTest::newRow("a stream") << u"simplebgc?seed=1"_s;
+}
+
+// A board whose data stand still measures nothing, even where no time stamp tells it.
+void TestCtlFaults::theSameAgainIsNothing()
+{
+    QFETCH(QString, board);
+    const auto monitor = [&](const QString &fault, const QString &seconds) {
+        return ctl({u"--link"_s, u"sim:"_s + board + fault, u"monitor"_s, u"--seconds"_s, seconds,
+                    u"--channels"_s, u"imu.angle.roll"_s});
+    };
+    const Run still = monitor(u"&fault=frozen=1"_s, u"30"_s);
+    QCOMPARE(still.exitCode, 1);
+    QVERIFY2(still.err.contains(u"No live data come."_s), qPrintable(still.err));
+    const Run resting = monitor({}, u"7"_s);
+    QVERIFY2(resting.exitCode == 0, qPrintable(resting.err));
+}
+
+// The time that was given ends although nothing comes in it, and what comes later is not waited for.
+void TestCtlFaults::silenceIsNoTime()
+{
+    SimProcess simulator({u"--tcp"_s, u"0"_s});
+    Running monitor(m_dir->path(),
+                    {u"--family"_s, u"simplebgc"_s, u"--link"_s, simulator.address(), u"monitor"_s,
+                     u"--seconds"_s, u"2"_s, u"--channels"_s, u"imu.angle.roll"_s});
+    QVERIFY(QTest::qWaitFor([&] { return monitor.printed().count(u'\n') > 1; }, 20000));
+    simulator.process().write("late=2600\n");
+    const Run run = monitor.finish(20000);
+    QCOMPARE(run.exitCode, 1);
+    QVERIFY2(run.err.contains(u"nothing more for "_s) && run.err.contains(u"nothing came once"_s),
+             qPrintable(run.err));
+}
+
+void TestCtlFaults::alarmsAreInTheJson_data()
+{
+    QTest::addColumn<QStringList>("command");
+    QTest::newRow("record") << QStringList{u"record"_s, u"FILE"_s};
+    QTest::newRow("monitor") << QStringList{u"monitor"_s};
+}
+
+// What people are told while it runs is told to programs at its end.
+void TestCtlFaults::alarmsAreInTheJson()
+{
+    QFETCH(QStringList, command);
+    command.replaceInStrings(u"FILE"_s, path(u"alarm.rec"_s));
+    SimProcess simulator({u"--tcp"_s, u"0"_s, u"--fault"_s, u"no-imu=1"_s});
+    const Run run
+        = ctl(QStringList{u"--json"_s, u"--family"_s, u"simplebgc"_s, u"--link"_s, simulator.address()}
+              + command + QStringList{u"--seconds"_s, u"4"_s});
+    const QJsonArray alarms = run.json().value(u"alarms"_s).toArray();
+    QVERIFY2(!alarms.isEmpty(), qPrintable(run.err));
+    for (const QJsonValue alarm : alarms)
+        QVERIFY2(run.err.contains(u"alarm: "_s + alarm.toString()), qPrintable(run.err));
 }
 
 void TestCtlFaults::nothingIsNoSuccess_data()
@@ -162,7 +295,7 @@ void TestCtlFaults::damagedRecordingIsReadPastTheDamage()
         QFile csv(path(u"flight.csv"_s));
         QVERIFY(csv.open(QIODevice::ReadOnly));
         const QString rows = QString::fromUtf8(csv.readAll());
-        // Behind the damage, at its own time; times of arrival are smoothed, so the last digit may differ.
+        // Behind the damage, at its own time; times of arrival are smoothed anew behind a gap.
         const QString last = lastLine(rows);
         const QString undamaged = lastLine(before.out);
         QCOMPARE(last.section(u',', 1), undamaged.section(u',', 1));
@@ -259,6 +392,22 @@ void TestCtlFaults::lostLinkInAWriteIsReadAgain()
 }
 
 // It had no time to stop what it had ordered.
+// Ctrl-C between the values and the command to store: what was stored is asked for.
+void TestCtlFaults::cancelledWriteIsReadAgain()
+{
+    const QString port = path(u"storm"_s);
+    const SimProcess storm({u"--pty"_s, port, u"--rate"_s, u"115200"_s}, u"storm32"_s);
+    Running set(m_dir->path(),
+                {u"--link"_s, u"serial:%1?family=storm32"_s.arg(port), u"set"_s, u"pid.roll.p=5.00"_s});
+    QTRY_VERIFY_WITH_TIMEOUT(set.told().contains(u"Writing"_s), 20000);
+    ::kill(pid_t(set.id()), SIGINT);
+    const Run run = set.finish();
+    QCOMPARE(run.exitCode, 1);
+    QVERIFY2(run.err.contains(u"Cancelled"_s), qPrintable(run.err));
+    QVERIFY2(!run.out.contains(u"unknown"_s) && run.out.contains(u"pid.roll.p"_s),
+             qPrintable(run.err + run.out));
+}
+
 void TestCtlFaults::streamsOfAKilledProgramAreStopped()
 {
     SimProcess simulator({u"--pty"_s, path(u"board"_s)});
@@ -277,6 +426,269 @@ void TestCtlFaults::streamsOfAKilledProgramAreStopped()
     QCOMPARE(ctl(link + QStringList{u"get"_s, u"pid.roll.p"_s}).exitCode, 0);
     // Each run orders a status of its own, 25 times a second; what was left came 2500 times.
     QVERIFY(simulator.streams().all < after + 100);
+}
+
+// What the board had queued before it obeyed goes on coming for a while, and is no stream that cannot be
+// stopped.
+void TestCtlFaults::streamsOfAKilledProgramAreStoppedOnASlowLine()
+{
+    SimProcess simulator({u"--pty"_s, path(u"slow"_s), u"--rate"_s, u"9600"_s});
+    const QStringList link{u"--link"_s, u"serial:"_s + path(u"slow"_s) + u"?baud=9600&parity=none"_s};
+    for (int i = 0; i < 3; ++i) {
+        Running running(m_dir->path(), link + QStringList{u"monitor"_s});
+        QVERIFY2(QTest::qWaitFor([&] { return running.printed().count(u'\n') > 20; }, 30000),
+                 qPrintable(running.told()));
+        running.kill();
+        const Run run = ctl(link + QStringList{u"info"_s});
+        QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+        QVERIFY2(!run.err.contains(u"left on"_s), qPrintable(run.err));
+    }
+}
+
+// Positions are asked for only once the motors are proven off, and they stay off.
+void TestCtlFaults::motorsAreOffWhileASensorIsTurned()
+{
+    const QString port = path(u"storm"_s);
+    const SimProcess storm({u"--pty"_s, port, u"--fault"_s, u"pose=1"_s}, u"storm32"_s);
+    const QStringList link{u"--link"_s, u"serial:%1?family=storm32"_s.arg(port)};
+    const auto status = [&] { return ctl(link + QStringList{u"do"_s, u"status"_s}).out; };
+    QVERIFY2(status().contains(u"normal"_s), qPrintable(status()));
+    {
+        Running six(m_dir->path(), link + QStringList{u"calibrate"_s, u"six"_s, u"--confirmed"_s});
+        QTRY_VERIFY2_WITH_TIMEOUT(six.told().contains(u"Lay the sensor"_s), qPrintable(six.told()), 20000);
+        six.kill();
+    }
+    QVERIFY2(status().contains(u"standby"_s), qPrintable(status()));
+
+    const SimProcess simplebgc({u"--tcp"_s, u"0"_s});
+    const Run one
+        = ctl({u"--link"_s, simplebgc.address(), u"calibrate"_s, u"acc"_s, u"six=on"_s, u"--confirmed"_s});
+    QVERIFY2(one.exitCode == 0 && one.out.contains(u"motors_switched_off"_s), qPrintable(one.err + one.out));
+}
+
+void TestCtlFaults::lettingGoIsConfirmed_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<QStringList>("command");
+    const auto row = [](const QString &family, const QStringList &command) {
+        QTest::newRow(qPrintable(family + u' ' + command.join(u' '))) << family << command;
+    };
+    row(u"simplebgc"_s, {u"do"_s, u"reset"_s});
+    row(u"simplebgc"_s, {u"do"_s, u"menu"_s, u"command=Reset board"_s});
+    row(u"simplebgc"_s, {u"calibrate"_s, u"gyro"_s, u"action=reset-all"_s});
+    row(u"simplebgc"_s, {u"calibrate"_s, u"acc"_s, u"six=on"_s});
+    row(u"storm32"_s, {u"do"_s, u"restart"_s});
+    row(u"storm32"_s, {u"do"_s, u"reset"_s});
+    row(u"storm32"_s, {u"do"_s, u"motors.normal"_s});
+    row(u"storm32"_s, {u"calibrate"_s, u"six"_s});
+}
+
+// The camera falls when motors that run lose their current.
+void TestCtlFaults::lettingGoIsConfirmed()
+{
+    QFETCH(QString, family);
+    QFETCH(QStringList, command);
+    const SimProcess board({u"--tcp"_s, u"0"_s}, family);
+    const QStringList link{u"--link"_s, board.address(), u"--family"_s, family};
+    const Run refused = ctl(link + command);
+    QVERIFY2(refused.exitCode == 2 && refused.err.contains(u"--confirmed"_s), qPrintable(refused.err));
+    // Nothing was sent: they still run.
+    QVERIFY(ctl(link + command).err.contains(u"running"_s));
+    if (command.contains(u"do"_s)) {
+        QCOMPARE(ctl(link + QStringList{u"motors"_s, u"off"_s}).exitCode, 0);
+        const Run limp = ctl(link + command);
+        QVERIFY2(limp.exitCode == 0, qPrintable(limp.err));
+        const SimProcess other({u"--tcp"_s, u"0"_s}, family);
+        const Run confirmed = ctl(QStringList{u"--link"_s, other.address(), u"--family"_s, family} + command
+                                  + QStringList{u"--confirmed"_s});
+        QVERIFY2(confirmed.exitCode == 0, qPrintable(confirmed.err));
+    }
+}
+
+void TestCtlFaults::unprovenStopGoesOn_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<QStringList>("faults");
+    QTest::addColumn<bool>("interrupted");
+    QTest::newRow("simplebgc, Ctrl-C") << u"simplebgc"_s << QStringList{u"deaf=109"_s} << true;
+    QTest::newRow("simplebgc, link ends")
+        << u"simplebgc"_s << QStringList{u"deaf=109"_s, u"unplug=7"_s, u"replug=-1"_s} << false;
+    QTest::newRow("storm32, Ctrl-C") << u"storm32"_s << QStringList{u"deaf=%1"_s.arg(int('s'))} << true;
+}
+
+// Motors that nobody has seen stop are not left to run.
+void TestCtlFaults::unprovenStopGoesOn()
+{
+    QFETCH(QString, family);
+    QFETCH(QStringList, faults);
+    QFETCH(bool, interrupted);
+    QStringList options{u"--tcp"_s, u"0"_s};
+    for (const QString &fault : std::as_const(faults))
+        options += {u"--fault"_s, fault};
+    const SimProcess board(options, family);
+    Running stop(m_dir->path(), {u"--link"_s, board.address(), u"--family"_s, family, u"motors"_s, u"off"_s});
+    QTRY_VERIFY2_WITH_TIMEOUT(stop.told().contains(u"goes on until"_s), qPrintable(stop.told()), 20000);
+    if (interrupted) {
+        QTRY_VERIFY2_WITH_TIMEOUT(stop.told().contains(u"still stopping"_s), qPrintable(stop.told()), 10000);
+        ::kill(pid_t(stop.id()), SIGINT);
+    }
+    const Run run = stop.finish();
+    QCOMPARE(run.exitCode, 1);
+    QVERIFY2(run.err.contains(u"did not confirm that the motors are off"_s), qPrintable(run.err));
+    QCOMPARE(run.err.count(u"goes on until"_s), 1);
+}
+
+void TestCtlFaults::confirmedStopGoesOnUntilProven_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<QStringList>("command");
+    for (const QString &family : {u"simplebgc"_s, u"storm32"_s}) {
+        QTest::newRow(qPrintable(family + u" motors off"_s)) << family << QStringList{u"motors"_s, u"off"_s};
+        QTest::newRow(qPrintable(family + u" do motors.off"_s))
+            << family << QStringList{u"do"_s, u"motors.off"_s};
+    }
+    QTest::newRow("simplebgc do menu")
+        << u"simplebgc"_s << QStringList{u"do"_s, u"menu"_s, u"command=Motors off"_s};
+    QTest::newRow("storm32 do standby") << u"storm32"_s << QStringList{u"do"_s, u"standby"_s, u"on=on"_s};
+}
+
+// A board that confirms each stop and goes on.
+void TestCtlFaults::confirmedStopGoesOnUntilProven()
+{
+    QFETCH(QString, family);
+    QFETCH(QStringList, command);
+    SimProcess board({u"--tcp"_s, u"0"_s, u"--fault"_s, u"runs-on=1"_s}, family);
+    const QStringList link{u"--link"_s, board.address(), u"--family"_s, family};
+    Running stop(m_dir->path(), link + command);
+    QTRY_VERIFY2_WITH_TIMEOUT(stop.told().contains(u"still stopping"_s), qPrintable(stop.told()), 60000);
+    QVERIFY(!stop.printed().contains(u"done"_s));
+    board.process().write("runs-on=0\n");
+    const Run run = stop.finish(60000);
+    QVERIFY2(run.exitCode == 0 && run.out.contains(u"done"_s), qPrintable(run.err + run.out));
+    // They are off: nothing that lets go asks for more.
+    const QString restart = family == u"storm32"_s ? u"restart"_s : u"reset"_s;
+    const Run limp = ctl(link + QStringList{u"do"_s, restart});
+    QVERIFY2(limp.exitCode == 0, qPrintable(limp.err));
+}
+
+// Its answers come later than anybody waits for, and belong to the questions all the same.
+void TestCtlFaults::slowBoardIsStopped()
+{
+    const QString port = path(u"storm"_s);
+    const SimProcess storm({u"--pty"_s, port, u"--fault"_s, u"late=1500"_s}, u"storm32"_s);
+    const Run run
+        = Running(m_dir->path(), {u"--link"_s, u"serial:"_s + port, u"motors"_s, u"off"_s}).finish(90000);
+    QVERIFY2(run.exitCode == 0 && run.out.contains(u"done"_s), qPrintable(run.err + run.out));
+}
+
+void TestCtlFaults::endedStopSaysWhatIsOpen_data()
+{
+    QTest::addColumn<QString>("link");
+    QTest::addColumn<QStringList>("options");  // of a board
+    QTest::newRow("no port") << u"serial:/dev/gimbal-that-is-not-there"_s << QStringList();
+    QTest::newRow("nobody there") << u"tcp://127.0.0.1:9?family=storm32"_s << QStringList();
+    QTest::newRow("no answer") << u"?family=storm32"_s << QStringList{u"--fault"_s, u"lose=1"_s};
+    QTest::newRow("another kind") << u"?family=storm32"_s << QStringList{u"--firmware"_s, u"2.59"_s};
+}
+
+// However a stop ends without proof.
+void TestCtlFaults::endedStopSaysWhatIsOpen()
+{
+    QFETCH(QString, link);
+    QFETCH(QStringList, options);
+    const QString port = path(u"board"_s);
+    std::unique_ptr<SimProcess> board;
+    if (!options.isEmpty()) {
+        board = std::make_unique<SimProcess>(QStringList{u"--pty"_s, port} + options);
+        link.prepend(u"serial:"_s + port);
+    }
+    for (const QStringList &stop : {QStringList{u"motors"_s, u"off"_s}, {u"do"_s, u"motors.off"_s}}) {
+        const Run run
+            = Running(m_dir->path(), QStringList{u"--json"_s, u"--link"_s, link} + stop).finish(90000);
+        QVERIFY2(run.exitCode == 1, qPrintable(run.err));
+        QVERIFY2(run.err.contains(u"nobody has seen the motors stop"_s)
+                     && run.err.contains(u"disconnect the power"_s),
+                 qPrintable(run.err));
+        QVERIFY(run.json().value(u"open"_s).toString().contains(u"nobody has seen"_s));
+    }
+    QVERIFY(!ctl({u"--link"_s, u"serial:/dev/gimbal-that-is-not-there"_s, u"info"_s})
+                 .err.contains(u"nobody has seen"_s));
+}
+
+void TestCtlFaults::lostLinkIsNotPromisedBack_data()
+{
+    QTest::addColumn<QStringList>("command");
+    QTest::newRow("monitor") << QStringList{u"monitor"_s};
+    QTest::newRow("record") << QStringList{u"record"_s, u"FILE"_s};
+    QTest::newRow("calibrate") << QStringList{u"calibrate"_s, u"gyro"_s};
+}
+
+// A window connects again by itself; a command has ended.
+void TestCtlFaults::lostLinkIsNotPromisedBack()
+{
+    QFETCH(QStringList, command);
+    command.replaceInStrings(u"FILE"_s, path(u"lost.rec"_s));
+    const QString port = path(u"board"_s);
+    SimProcess board({u"--pty"_s, port});
+    Running running(m_dir->path(), QStringList{u"--json"_s, u"--link"_s, u"serial:"_s + port} + command);
+    QTRY_VERIFY2_WITH_TIMEOUT(board.streams().all > 50 || running.told().contains(u"alibrat"_s),
+                              qPrintable(running.told()), 20000);
+    board.process().write("replug=-1\nunplug=0\n");
+    const Run run = running.finish(60000);
+    QCOMPARE(run.exitCode, 1);
+    QVERIFY2(run.err.contains(u"run the command again"_s) && !run.err.contains(u"connects again by itself"_s),
+             qPrintable(run.err));
+    QVERIFY(!run.out.contains(u"connects again by itself"_s));
+}
+
+void TestCtlFaults::blockedAxisIsTold_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<QStringList>("command");
+    QTest::newRow("simplebgc") << u"simplebgc"_s << QStringList{u"steer"_s, u"pitch=30"_s};
+    QTest::newRow("storm32") << u"storm32"_s << QStringList{u"angle"_s, u"pitch=20"_s};
+}
+
+// The board took the command, and its own target; the camera did not follow.
+void TestCtlFaults::blockedAxisIsTold()
+{
+    QFETCH(QString, family);
+    QFETCH(QStringList, command);
+    SimProcess board({u"--tcp"_s, u"0"_s}, family);
+    const QStringList steer
+        = QStringList{u"--link"_s, board.address(), u"--family"_s, family, u"do"_s} + command;
+    const Run free = ctl(steer);
+    QVERIFY2(free.exitCode == 0, qPrintable(free.err));
+    QCOMPARE(ctl(steer.first(steer.size() - 1) + QStringList{u"pitch=0"_s}).exitCode, 0);
+    board.process().write("blocked=2\n");
+    const Run run = ctl(steer);
+    QVERIFY2(run.exitCode == 1, qPrintable(u"%1: %2%3"_s.arg(run.exitCode).arg(run.out, run.err)));
+    QVERIFY2(run.err.contains(u"pitch: target "_s) && run.err.contains(u"camera at"_s), qPrintable(run.err));
+}
+
+void TestCtlFaults::missingSensorIsNotCalibrated_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<QStringList>("command");
+    QTest::newRow("simplebgc, gyroscope") << u"simplebgc"_s << QStringList{u"calibrate"_s, u"gyro"_s};
+    QTest::newRow("simplebgc, accelerometer") << u"simplebgc"_s << QStringList{u"calibrate"_s, u"acc"_s};
+    QTest::newRow("simplebgc, auto-tune") << u"simplebgc"_s << QStringList{u"autotune"_s};
+    QTest::newRow("simplebgc, measure")
+        << u"simplebgc"_s << QStringList{u"measure"_s, u"steps"_s, u"pitch"_s};
+    QTest::newRow("storm32, level") << u"storm32"_s << QStringList{u"calibrate"_s, u"level"_s};
+    QTest::newRow("storm32, six") << u"storm32"_s << QStringList{u"calibrate"_s, u"six"_s, u"--confirmed"_s};
+    QTest::newRow("storm32, measure") << u"storm32"_s << QStringList{u"measure"_s, u"steps"_s, u"pitch"_s};
+}
+
+// No figures, and no success, from a sensor that is not there.
+void TestCtlFaults::missingSensorIsNotCalibrated()
+{
+    QFETCH(QString, family);
+    QFETCH(QStringList, command);
+    const SimProcess board({u"--tcp"_s, u"0"_s, u"--fault"_s, u"no-imu=1"_s}, family);
+    const Run run = ctl(QStringList{u"--link"_s, board.address(), u"--family"_s, family} + command);
+    QVERIFY2(run.exitCode == 1, qPrintable(run.err + run.out));
+    QVERIFY2(run.out.isEmpty(), qPrintable(run.out));
 }
 
 void TestCtlFaults::slowLinesThinOut_data()
@@ -302,6 +714,111 @@ void TestCtlFaults::slowLinesThinOut()
     QVERIFY2(run.err.contains(u"The line is slow"_s), qPrintable(run.err));
     QVERIFY(run.out.count(u'\n') > 8);
     QVERIFY2(run.err.contains(u" 0 lost"_s), qPrintable(run.err));
+}
+
+void TestCtlFaults::steeringEndsWithTheCommand_data()
+{
+    QTest::addColumn<int>("signal");
+    QTest::newRow("Ctrl-C") << SIGINT;
+    QTest::newRow("terminated") << SIGTERM;
+    QTest::newRow("terminal closed") << SIGHUP;
+}
+
+// In the mode of speeds the board turns until it is told otherwise.
+void TestCtlFaults::steeringEndsWithTheCommand()
+{
+    QFETCH(int, signal);
+    const SimProcess simulator({u"--tcp"_s, u"0"_s});
+    const QStringList link{u"--link"_s, simulator.address()};
+    const QStringList steer{u"do"_s, u"steer"_s, u"mode=speed"_s, u"yaw=10"_s, u"seconds=60"_s};
+    {
+        Running running(m_dir->path(), link + steer);
+        QTRY_VERIFY2_WITH_TIMEOUT(running.told().contains(u"steer"_s, Qt::CaseInsensitive),
+                                  qPrintable(running.told()), 20000);
+        ::kill(pid_t(running.id()), signal);
+        const Run run = running.finish();
+        QCOMPARE(run.exitCode, 1);
+        QVERIFY2(!run.err.contains(u"go on moving"_s), qPrintable(run.err));
+    }
+    const auto target = [&] {
+        return ctl(link + QStringList{u"--json"_s, u"do"_s, u"angles"_s})
+            .json()
+            .value(u"reply"_s)
+            .toObject()
+            .value(u"target.yaw"_s)
+            .toDouble(std::nan(""));
+    };
+    const double before = target();
+    const double after = target();  // it takes longer than to find the board
+    QVERIFY2(std::abs(after - before) < 1.5, qPrintable(u"%1 -> %2"_s.arg(before).arg(after)));
+}
+
+void TestCtlFaults::silenceWhileSteeringIsTold()
+{
+    SimProcess simulator({u"--tcp"_s, u"0"_s});
+    Running running(m_dir->path(),
+                    {u"--link"_s, simulator.address(), u"do"_s, u"steer"_s, u"mode=speed"_s, u"yaw=10"_s,
+                     u"seconds=3"_s});
+    QTRY_VERIFY2_WITH_TIMEOUT(running.told().contains(u"steer"_s, Qt::CaseInsensitive),
+                              qPrintable(running.told()), 20000);
+    ::kill(pid_t(simulator.process().processId()), SIGSTOP);
+    const Run run = running.finish(30000);
+    ::kill(pid_t(simulator.process().processId()), SIGCONT);
+    QCOMPARE(run.exitCode, 1);
+    QVERIFY2(run.err.contains(u"may go on moving"_s) && run.err.contains(u"motors off"_s),
+             qPrintable(run.err));
+}
+
+void TestCtlFaults::alarmsAreToldAndActedOn_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<QString>("fault");
+    QTest::addColumn<QString>("told");
+    QTest::addColumn<QStringList>("wanted");
+    QTest::addColumn<bool>("ends");  // motors off
+    const QString swapped = u"the axes are swapped"_s;
+    const QString sensor = u"does not see its motion sensor"_s;
+    for (const QString &family : {u"simplebgc"_s, u"storm32"_s}) {
+        const auto add = [&family](const char *name, const QString &fault, const QString &told,
+                                   const QStringList &wanted, bool ends) {
+            QTest::addRow("%s, %s", qPrintable(family), name) << family << fault << told << wanted << ends;
+        };
+        const QString alarm = u"--alarm"_s;
+        add("runaway", u"swapped-axes=1"_s, swapped, {}, true);
+        add("runaway, warn", u"swapped-axes=1"_s, swapped, {alarm, u"runaway=warn"_s}, false);
+        add("battery", u"battery=10.1"_s, u"battery"_s, {}, false);
+        add("battery, off", u"battery=10.1"_s, u"battery"_s,
+            {alarm, u"sensor=off"_s, alarm, u"battery=off"_s}, true);
+        add("sensor", u"no-imu=1"_s, sensor, {}, false);
+        add("sensor, off", u"no-imu=1"_s, sensor, {alarm, u"sensor=off"_s}, true);
+    }
+}
+
+// The supervisor works without a screen as well, while a command runs.
+void TestCtlFaults::alarmsAreToldAndActedOn()
+{
+    QFETCH(QString, family);
+    QFETCH(QString, fault);
+    QFETCH(QString, told);
+    QFETCH(QStringList, wanted);
+    QFETCH(bool, ends);
+    SimProcess simulator({u"--tcp"_s, u"0"_s}, family);
+    Running running(m_dir->path(),
+                    QStringList{u"--family"_s, family, u"--link"_s, simulator.address(), u"monitor"_s,
+                                u"--seconds"_s, u"60"_s}
+                        + wanted);
+    QVERIFY(QTest::qWaitFor([&] { return running.printed().count(u'\n') > 200; }, 30000));
+    simulator.process().write(fault.toUtf8() + '\n');
+    QVERIFY2(
+        QTest::qWaitFor(
+            [&] { return running.told().contains(told) && running.told().contains(u"alarm: "_s); }, 20000),
+        qPrintable(running.told()));
+    if (ends)
+        QVERIFY2(QTest::qWaitFor([&] { return running.told().contains(u"The motors were switched off."_s); },
+                                 15000),
+                 qPrintable(running.told()));
+    else
+        QVERIFY(!running.told().contains(u"switched off"_s));
 }
 
 QTEST_GUILESS_MAIN(TestCtlFaults)

@@ -35,6 +35,11 @@ private slots:
     void everyWayIsThere();
     void appliedFileIsInUse();
     void scriptIsNamed();
+    void lockedOutBoardStoresNothingElse();
+    void plainStoreIsTold();
+    void slowStopIsTold();
+    void stoppedBoardRefusesToStore_data();
+    void stoppedBoardRefusesToStore();
 
 private:
     Run ctl(const QStringList &arguments)
@@ -100,6 +105,10 @@ void TestCtlMemory::appliedFileIsInUse()
     const QString file = m_dir->filePath(u"board.json"_s);
     QCOMPARE(ctl({u"dump"_s, file}).exitCode, 0);
     QCOMPARE(ctl({u"set"_s, u"--no-save"_s, u"pid.pitch.p=5"_s, u"rc.pitch.min=-30"_s}).exitCode, 0);
+    // What would be written is compared with what is stored.
+    const Run dry = ctl({u"apply"_s, u"--dry-run"_s, file});
+    QVERIFY2(dry.exitCode == 0 && dry.out.contains(u"nothing would change"_s), qPrintable(dry.out));
+    QVERIFY2(dry.err.contains(u"pid.pitch.p (5.00 in use, 4.00 stored)"_s), qPrintable(dry.err));
     const Run applied = ctl({u"apply"_s, file});
     QVERIFY2(applied.exitCode == 0, qPrintable(applied.err));
     QCOMPARE(ctl({u"get"_s, u"pid.pitch.p"_s}).out, u"4.00\n"_s);
@@ -119,6 +128,76 @@ void TestCtlMemory::scriptIsNamed()
     QVERIFY2(set.exitCode == 0 && !set.err.contains(u"byte"_s), qPrintable(set.err));
     QVERIFY2(set.out.contains(u"pid.pitch.p"_s) && set.out.contains(u"script 1 sets it"_s),
              qPrintable(set.out));
+}
+
+// The heartbeat is on, in use only: it and another value in use stay so, and are not stored.
+void TestCtlMemory::lockedOutBoardStoresNothingElse()
+{
+    QCOMPARE(ctl({u"set"_s, u"--no-save"_s, u"pid.pitch.p=6"_s}).exitCode, 0);
+    QCOMPARE(ctl({u"set"_s, u"--no-save"_s, u"mavlink.heartbeat=1"_s}).exitCode, 0);
+    const Run set = ctl({u"set"_s, u"motor.yaw.poles=16"_s});
+    QVERIFY2(set.exitCode == 0, qPrintable(set.out + set.err));
+    QVERIFY2(set.out.contains(u"6.00 in use, 4.00 stored"_s) && set.out.contains(u"mavlink.heartbeat"_s),
+             qPrintable(set.out));
+    const QString differs = compared();
+    QVERIFY2(differs.contains(u"6.00 in use, 4.00 stored"_s) && differs.contains(u"mavlink.heartbeat"_s)
+                 && !differs.contains(u"poles"_s),
+             qPrintable(differs));
+}
+
+void TestCtlMemory::plainStoreIsTold()
+{
+    QCOMPARE(ctl({u"set"_s, u"--no-save"_s, u"pid.pitch.p=5"_s}).exitCode, 0);
+    const Run store = ctl({u"--json"_s, u"do"_s, u"store"_s});
+    QVERIFY2(store.exitCode == 0, qPrintable(store.err));
+    const QJsonObject json = QJsonDocument::fromJson(store.out.toUtf8()).object();
+    QCOMPARE(json.value(u"others"_s).toArray().size(), 1);
+    // The snapshot brings back what was stored before.
+    const Run back = ctl({u"apply"_s, json.value(u"snapshot"_s).toString()});
+    QVERIFY2(back.exitCode == 0, qPrintable(back.err));
+    QCOMPARE(ctl({u"get"_s, u"pid.pitch.p"_s}).out, u"4.00\n"_s);
+}
+
+// A board that starts ignores standby: its motors are disabled meanwhile, and that is said.
+void TestCtlMemory::slowStopIsTold()
+{
+    QCOMPARE(ctl({u"do"_s, u"reset"_s, u"--confirmed"_s}).exitCode, 0);
+    const Run off = ctl({u"motors"_s, u"off"_s});
+    QVERIFY2(off.exitCode == 0, qPrintable(off.err));
+    QVERIFY2(off.err.contains(u"the motors are off; they stay disabled until the board"_s),
+             qPrintable(off.err));
+    QCOMPARE(ctl({u"get"_s, u"motor.yaw.usage"_s}).out, u"0\n"_s);
+    // One that obeys at once needs no words.
+    const Run again = ctl({u"motors"_s, u"off"_s});
+    QVERIFY2(again.exitCode == 0 && !again.err.contains(u"disabled"_s), qPrintable(again.err));
+}
+
+void TestCtlMemory::stoppedBoardRefusesToStore_data()
+{
+    QTest::addColumn<QString>("firmware");
+    for (const QString &firmware : {u"0.79"_s, u"0.90"_s, u"0.96"_s})
+        QTest::newRow(qPrintable(firmware)) << firmware;
+}
+
+// "Store nothing before": a stop has disabled the motors in RAM while the board was starting.
+void TestCtlMemory::stoppedBoardRefusesToStore()
+{
+    QFETCH(const QString, firmware);
+    m_simulator = std::make_unique<SimProcess>(
+        QStringList{u"--tcp"_s, u"0"_s, u"--firmware"_s, firmware, u"--fault"_s, u"no-imu=1"_s},
+        u"storm32"_s);
+    QCOMPARE(ctl({u"do"_s, u"reset"_s, u"--confirmed"_s}).exitCode, 0);
+    QCOMPARE(ctl({u"set"_s, u"--no-save"_s, u"motor.pitch.usage=3"_s, u"motor.roll.usage=3"_s,
+                  u"motor.yaw.usage=3"_s})
+                 .exitCode,
+             0);
+    for (const QStringList &words :
+         {QStringList{u"set"_s, u"pid.pitch.p=4.4"_s}, QStringList{u"do"_s, u"store"_s},
+          QStringList{u"do"_s, u"stored.compare"_s}}) {
+        const Run refused = ctl(words);
+        QCOMPARE(refused.exitCode, 1);
+        QVERIFY2(refused.err.contains(u"the board is starting"_s), qPrintable(refused.err));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestCtlMemory)

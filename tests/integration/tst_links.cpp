@@ -185,6 +185,11 @@ private slots:
     void unplugAndReplugKeepsTheBoard();
     void resetDuringAWriteEndsWithATrueReport();
     void resetNoticeReconnects();
+    void restartWithoutNoticeIsNoticed_data();
+    void restartWithoutNoticeIsNoticed();
+    void restartWhileSteeringEndsIt();
+    void calibrationIsNoRestart();
+    void unansweredPollsAreLost();
     void motorsOffIsFastWhileEverythingIsBusy();
     void motorsOffIsRepeatedUntilConfirmed();
     void deadManStopsWhenTheScreenIsBlocked();
@@ -395,8 +400,116 @@ void TestLinks::resetNoticeReconnects()
         return device.perform(channel, u"reset"_s, {{u"delay"_s, 800}});
     })));
     QTRY_COMPARE_WITH_TIMEOUT(lost.count(), 1, 5000);
+    QCOMPARE(client->loss(), DeviceClient::Loss::OrderedRestart);
     QTRY_COMPARE_WITH_TIMEOUT(client->state(), DeviceClient::State::Connected, 15000);
     QVERIFY(read(*client));
+    QVERIFY(boardGoesOn(*client, 3.0));
+    QCOMPARE(lost.count(), 1);  // the order is used up, and nothing else was lost
+}
+
+void TestLinks::restartWithoutNoticeIsNoticed_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<bool>("isFast");
+    QTest::newRow("streams") << u"simplebgc"_s << false;
+    QTest::newRow("fast stream") << u"simplebgc"_s << true;
+    QTest::newRow("polled") << u"storm32"_s << false;
+}
+
+// The link stays: the streams are gone, what was in use is the stored again.
+void TestLinks::restartWithoutNoticeIsNoticed()
+{
+    QFETCH(QString, family);
+    QFETCH(bool, isFast);
+    SimProcess simulator({u"--tcp"_s, u"0"_s, u"--rate"_s, u"115200"_s}, family);
+    auto client = makeClient();
+    client->connectTo(*LinkAddress::parse(simulator.address()), family);
+    QTRY_VERIFY_WITH_TIMEOUT(client->isConnected(), 15000);
+    QSignalSpy lost(client.get(), &DeviceClient::connectionLost);
+    if (isFast)
+        client->subscribe({{client->roles().gyro[0]}, 0});
+    QVERIFY(boardGoesOn(*client, 1.0));
+    simulator.process().write("reset=0\n");
+    QTRY_COMPARE_WITH_TIMEOUT(lost.count(), 1, 10000);
+    QCOMPARE(lost.first().first().value<Error>().code, ErrorCode::Restarted);
+    QCOMPARE(client->loss(), DeviceClient::Loss::Restart);
+    QTRY_VERIFY_WITH_TIMEOUT(client->isConnected(), 15000);
+    QVERIFY(boardGoesOn(*client, 3.0));
+    QCOMPARE(lost.count(), 1);
+}
+
+// Set-points go on until it is noticed: what a board that is back has taken of them is stopped.
+void TestLinks::restartWhileSteeringEndsIt()
+{
+    SimProcess simulator({u"--tcp"_s, u"0"_s, u"--rate"_s, u"115200"_s});
+    auto client = makeClient();
+    QVERIFY(connectTo(*client, simulator.address()));
+    QVERIFY(boardGoesOn(*client, 1.0));
+    QSignalSpy lost(client.get(), &DeviceClient::connectionLost);
+    QSignalSpy ended(client.get(), &DeviceClient::steeringEnded);
+    QSignalSpy rescued(client.get(), &DeviceClient::failsafeActed);
+    QTimer steering;
+    connect(&steering, &QTimer::timeout, client.get(), [&client] {
+        client->setControl({1, {std::nan(""), std::nan(""), 10.0}, {}});
+    });
+    connect(client.get(), &DeviceClient::connectionLost, &steering, &QTimer::stop);
+    steering.start(50);
+    QTRY_VERIFY(client->isSteering());
+    simulator.process().write("reset=0\n");
+    QTRY_COMPARE_WITH_TIMEOUT(lost.count(), 1, 15000);
+    QCOMPARE(client->loss(), DeviceClient::Loss::Restart);
+    QTRY_VERIFY_WITH_TIMEOUT(client->isConnected(), 15000);
+    const auto target = [&] {
+        return wait(client->submit<ActionReply>([](Channel &channel, Device &device) {
+                   return device.perform(channel, u"angles"_s, {});
+               }))
+            .value_or(ActionReply())
+            .value(u"target.yaw"_s)
+            .toDouble();
+    };
+    const double before = target();
+    QVERIFY(boardGoesOn(*client, 1.0));
+    QVERIFY2(std::abs(target() - before) < 0.5, qPrintable(QString::number(target() - before)));
+    QCOMPARE(ended.count(), 1);
+    QVERIFY(ended.first().first().toBool());
+    QCOMPARE(rescued.count(), 0);
+    QCOMPARE(lost.count(), 1);
+}
+
+// It answers nothing for four seconds, and streams late.
+void TestLinks::calibrationIsNoRestart()
+{
+    SimProcess simulator({u"--tcp"_s, u"0"_s, u"--rate"_s, u"115200"_s, u"--fault"_s, u"late-streams=1.8"_s});
+    auto client = makeClient();
+    QVERIFY(connectTo(*client, simulator.address()));
+    QVERIFY(boardGoesOn(*client, 1.0));
+    QSignalSpy lost(client.get(), &DeviceClient::connectionLost);
+    const auto calibrated = wait(client->submit<ActionReply>([](Channel &channel, Device &device) {
+        return device.perform(channel, u"calibrate.gyro"_s,
+                              {{u"imu"_s, 0}, {u"action"_s, 1}, {u"form"_s, 0}});
+    }));
+    QVERIFY2(calibrated, calibrated ? "" : qPrintable(calibrated.error().detail));
+    QVERIFY(boardGoesOn(*client, 5.0));
+    QCOMPARE(lost.count(), 0);
+}
+
+// What was asked for and not sent is lost, and nothing tells how fast the board answers.
+void TestLinks::unansweredPollsAreLost()
+{
+    SimProcess simulator({u"--tcp"_s, u"0"_s}, u"storm32"_s);
+    auto client = makeClient();
+    client->connectTo(*LinkAddress::parse(simulator.address()), u"storm32"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(client->isConnected(), 15000);
+    QVERIFY(boardGoesOn(*client, 1.0));
+    QTRY_VERIFY(client->statistics().roundTrip.has_value());
+    const quint64 before = client->telemetry()->lost();
+    simulator.process().write("deaf=100\n");
+    QTRY_VERIFY_WITH_TIMEOUT(client->telemetry()->lost() >= before + 3, 10000);
+    QTRY_VERIFY(!client->statistics().roundTrip);
+    simulator.process().write("deaf=-1\n");
+    QVERIFY(boardGoesOn(*client, 1.0));
+    QTRY_VERIFY(client->statistics().roundTrip.has_value());
+    QVERIFY(client->telemetry()->lost() >= before + 3);
 }
 
 void TestLinks::motorsOffIsFastWhileEverythingIsBusy()

@@ -333,9 +333,16 @@ void TestOldFiles::recordingsAreExported()
     const auto now = columns(run.out);
     const auto old = columns(bytes(data(u"recordings/%1.csv"_s.arg(name))));
     QVERIFY(old.size() > 5);
+    static const QRegularExpression kSomething(u"."_s);
     for (auto column = old.begin(); column != old.end(); ++column) {
         QVERIFY2(now.contains(column.key()), qPrintable(column.key()));
         const QStringList values = now.value(column.key());
+        // It gave zeros of sensors that were not there as values.
+        if (values.filter(kSomething).isEmpty() && values.size() == column.value().size()) {
+            for (const QString &value : column.value())
+                QVERIFY2(value.isEmpty() || value.toDouble() == 0.0, qPrintable(column.key()));
+            continue;
+        }
         const auto wrong = scaleOfVersion01(name, column.key());
         if (!wrong) {
             QVERIFY2(values == column.value(), qPrintable(column.key()));
@@ -476,7 +483,7 @@ void TestOldFiles::unsavedEditsComeBack()
     const QSignalSpy found(&journal, &EditJournal::leftoverFound);
     model.reset(base->configuration);
     QCOMPARE(found.size(), 1);
-    QVERIFY(journal.restoreLeftover());
+    QVERIFY(journal.restoreLeftover().any);
 
     QUndoStack &stack = edits.undoStack();
     QStringList steps;

@@ -1,14 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/composition/composition.h"
+#include "protocol/analysis/spectrum.h"
 #include "protocol/client/deviceclient.h"
+#include "protocol/client/replaycontrol.h"
 #include "protocol/record/recordedboard.h"
 #include "protocol/record/recorder.h"
 #include "protocol/record/replaystore.h"
 #include "protocol/telemetry/streams.h"
+#include "protocol/telemetry/telemetryplan.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "protocol/telemetry/uniformsamples.h"
+#include "protocol/transport/replay.h"
+#include "widgets/models/channelmodel.h"
+#include "widgets/models/numbertext.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -20,6 +31,8 @@ using namespace Qt::StringLiterals;
 namespace {
 
 using Kind = RecordedPiece::Kind;
+
+constexpr double kAllTime = 1e12;
 
 Family familyOf(const QString &key)
 {
@@ -53,9 +66,23 @@ class TestRecordedBoard : public QObject
 private slots:
     void readersAgree_data();
     void readersAgree();
+    void readersMeasureTheSame_data() { readersAgree_data(); }
+    void readersMeasureTheSame();
     void openingStandsIn();
+    void holesAreTold_data();
+    void holesAreTold();
 
 private:
+    /// What gimbalctl prints.
+    QByteArray ctl(const QStringList &arguments)
+    {
+        QProcess process;
+        process.start(u"" GIMBAL_BIN_DIR "/gimbalctl"_s, arguments);
+        const bool isDone = QTest::qWaitFor([&] { return process.state() == QProcess::NotRunning; }, 60000);
+        if (!isDone || process.exitCode() != 0)
+            qWarning() << process.readAllStandardError();
+        return process.readAllStandardOutput();
+    }
     /// Connects, watches for a while, and keeps what passed over the link.
     bool record(const QString &link, const QString &family, quint64 rows);
 
@@ -88,7 +115,7 @@ void TestRecordedBoard::readersAgree_data()
 {
     QTest::addColumn<QString>("family");
     QTest::addColumn<QString>("firmware");
-    for (const char *firmware : {"2.40", "2.59", "2.68", "2.73.8"})
+    for (const char *firmware : {"2.40", "2.59", "2.66", "2.68", "2.73.8"})
         QTest::addRow("simplebgc %s", firmware) << u"simplebgc"_s << QString::fromLatin1(firmware);
     for (const char *firmware : {"0.79", "0.90", "0.96"})
         QTest::addRow("storm32 %s", firmware) << u"storm32"_s << QString::fromLatin1(firmware);
@@ -162,6 +189,82 @@ void TestRecordedBoard::readersAgree()
     QVERIFY2(compared >= 3, qPrintable(QString::number(compared)));
 }
 
+// What `monitor` prints while the recording is played, what `analyze` finds in it, and what the screen shows
+// at its end: made of the same values.
+void TestRecordedBoard::readersMeasureTheSame()
+{
+    QFETCH(QString, family);
+    QFETCH(QString, firmware);
+    QVERIFY(record(u"sim:%1?firmware=%2&seed=5&fault=shake=3"_s.arg(family, firmware), family, 400));
+    const auto recording = Recording::load(m_file);
+    QVERIFY(recording);
+    const Family made = familyOf(family);
+    const auto device = made.makeDevice();
+    const auto decoded = readTelemetry(*recording, made, *device);
+    QVERIFY(decoded);
+    const TelemetryStore &store = **decoded;
+    const ChannelTable channels = device->channels();
+    const ChannelRoles roles = rolesOf(*device);
+
+    QStringList keys;
+    for (const int gyro : roles.gyro)
+        keys.append(QString::fromLatin1(channels[std::size_t(gyro)].key));
+    const QByteArray printed = ctl(
+        {u"--link"_s, u"replay:%1?speed=20"_s.arg(m_file), u"monitor"_s, u"--channels"_s, keys.join(u',')});
+    const QJsonObject found = QJsonDocument::fromJson(ctl({u"--json"_s, u"analyze"_s, u"spectrum"_s, m_file,
+                                                           u"--channels"_s, keys.join(u',')}))
+                                  .object();
+    for (std::size_t axis = 0; axis < roles.gyro.size(); ++axis) {
+        const int gyro = roles.gyro[axis];
+        const QString key = keys[qsizetype(axis)];
+        const std::vector<double> live = numbersOf(*m_live, gyro);
+        QVERIFY(live.size() > 100);
+        QStringList cells;
+        for (const QByteArray &line : printed.trimmed().split('\n').mid(1))
+            cells.append(QString::fromLatin1(line.split(',').value(qsizetype(axis) + 1)));
+        qsizetype at = -1;
+        for (const double value : live) {
+            at = cells.indexOf(QString::number(value, 'g', 7), at + 1);
+            QVERIFY2(at >= 0, qPrintable(u"%1 %2"_s.arg(key).arg(value)));
+        }
+
+        const QJsonObject measured = found.value(key).toObject();
+        const double resolution = measured.value(u"resolutionHz"_s).toDouble();
+        QVERIFY2(resolution > 0, qPrintable(key));
+        const auto samples = uniformSamples(store, gyro, -1, -kAllTime, kAllTime);
+        QVERIFY(samples);
+        const int length = int(std::lround(samples->rate / resolution));
+        const auto wanted = spectrum(samples->values, samples->rate, {length, 0.5, WindowShape::Hann});
+        QVERIFY(wanted);
+        const QJsonArray density = measured.value(u"density"_s).toArray();
+        QCOMPARE(std::size_t(density.size()), wanted->density.size());
+        for (std::size_t bin = 0; bin < wanted->density.size(); ++bin)
+            QCOMPARE(density[qsizetype(bin)].toDouble(), wanted->density[bin]);
+    }
+
+    DeviceClient player(allLinks().transports, allFamilies());
+    player.connectTo(*LinkAddress::parse(u"replay:%1?speed=20"_s.arg(m_file)), family);
+    QTRY_VERIFY_WITH_TIMEOUT(player.replay().state() && player.replay().state()->hasEnded(), 30000);
+    ChannelModel shown;
+    shown.reset(player.device()->channels(), player.telemetry());
+    int compared = 0;
+    for (int group = 0; group < shown.rowCount(); ++group) {
+        const QModelIndex parent = shown.index(group, 0);
+        for (int row = 0; row < shown.rowCount(parent); ++row) {
+            const int channel
+                = shown.index(row, ChannelModel::NameColumn, parent).data(ChannelModel::ChannelRole).toInt();
+            const float value = m_live->latest(channel);
+            const ChannelSpec &spec = channels[std::size_t(channel)];
+            if (std::isnan(value) || spec.elements > 1)
+                continue;
+            const QModelIndex now = shown.index(row, ChannelModel::ValueColumn, parent);
+            QTRY_COMPARE(now.data().toString(), numberText(double(value), spec.decimals));
+            ++compared;
+        }
+    }
+    QVERIFY(compared >= 3);
+}
+
 // Damage at the place where the board said who it is takes that away from nobody.
 void TestRecordedBoard::openingStandsIn()
 {
@@ -181,6 +284,53 @@ void TestRecordedBoard::openingStandsIn()
     const auto without = readTelemetry(*recording, family, *family.makeDevice());
     QVERIFY(!without);
     QCOMPARE(without.error().code, ErrorCode::BadFile);
+}
+
+void TestRecordedBoard::holesAreTold_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<int>("holes");
+    for (const QString &family : {u"simplebgc"_s, u"storm32"_s}) {
+        for (const int holes : {0, 1, 2})
+            QTest::addRow("%s, %d", qPrintable(family), holes) << family << holes;
+    }
+}
+
+// Times at which nothing came are in what is said of a recording, whoever reads it.
+void TestRecordedBoard::holesAreTold()
+{
+    QFETCH(QString, family);
+    QFETCH(int, holes);
+    QVERIFY(record(u"sim:%1?seed=6"_s.arg(family), family, family == u"simplebgc"_s ? 4000 : 300));
+    auto recording = Recording::load(m_file);
+    QVERIFY(recording);
+    auto writer = RecordingWriter::create(m_file, recording->description);
+    QVERIFY(writer);
+    const qint64 end = recording->end();
+    for (const RecordedPiece &piece : recording->pieces) {
+        const double left = double(end - piece.at) * 1e-9;
+        const bool isInHole
+            = (holes > 0 && left > 0.5 && left < 1.2) || (holes > 1 && left > 1.9 && left < 2.6);
+        if (piece.kind == Kind::Sent || !isInHole)
+            QVERIFY(writer->append(piece));
+    }
+    QVERIFY(writer->flush());
+    const QRegularExpression told(holes == 0       ? u" rows, "_s
+                                      : holes == 1 ? u"nothing came once, for 0[.][78] s"_s
+                                                   : u"nothing came 2 times, for 1[.][45] s in all"_s);
+    for (const QStringList &command : {QStringList{u"export"_s}, QStringList{u"analyze"_s, u"spectrum"_s},
+                                       QStringList{u"analyze"_s, u"holding"_s}}) {
+        QProcess ctl;
+        ctl.start(u"" GIMBAL_BIN_DIR "/gimbalctl"_s,
+                  QStringList{u"--json"_s} + command + QStringList{m_file});
+        QVERIFY(ctl.waitForFinished(30000));
+        const QString err = QString::fromUtf8(ctl.readAllStandardError());
+        QVERIFY2(err.contains(told), qPrintable(err));
+        QCOMPARE(err.contains(u"nothing came"_s), holes > 0);
+        const QByteArray out = ctl.readAllStandardOutput();
+        if (ctl.exitCode() == 0 && command.first() == u"analyze"_s)
+            QCOMPARE(QJsonDocument::fromJson(out)[u"holes"_s][u"count"_s].toInt(), holes);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestRecordedBoard)

@@ -4,9 +4,11 @@
 #include "protocol/base/framelistener.h"
 #include "protocol/client/deviceclient.h"
 #include "protocol/device/abilities.h"
+#include "protocol/device/steering.h"
 #include "protocol/session/channel.h"
 #include "protocol/session/stopplan.h"
 #include "protocol/supervisor/alarmreport.h"
+#include "protocol/supervisor/unwatched.h"
 #include "protocol/telemetry/streams.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "protocol/transport/linkaddress.h"
@@ -15,7 +17,9 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QThread>
+#include <QTimer>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -64,8 +68,18 @@ private slots:
     void runawayIsStopped();
     void oscillationIsTakenBack();
     void operatorChoosesToBeWarnedOnly();
+    void chosenReactionIsTaken_data();
+    void chosenReactionIsTaken();
+    void reactionFollowsTheChange_data();
+    void reactionFollowsTheChange();
+    void whatDiesAwayIsToldToBeQuiet();
+    void steeredBoardsAreWatched_data();
+    void steeredBoardsAreWatched();
+    void whatIsNotWatchedIsNamed_data();
+    void whatIsNotWatchedIsNamed();
 
 private:
+    [[nodiscard]] bool isStabilising() const;
     void open(const QString &address);
     void subscribe();
     /// Runs code on the worker and waits for its end.
@@ -239,6 +253,241 @@ void TestSupervision::operatorChoosesToBeWarnedOnly()
     QCOMPARE(m_reports.first().action, AlarmAction::Warn);
     QVERIFY(boardGoesOn(*m_client, 1.0));
     QVERIFY(m_client->telemetry()->latest(m_client->roles().outputs) > 0);
+}
+
+bool TestSupervision::isStabilising() const
+{
+    const StatusWords *words = m_client->device()->statusWords();
+    return QTest::qWaitFor(
+        [this, words] {
+            return !words
+                || words->isStabilising(int(m_client->telemetry()->latest(m_client->roles().state)));
+        },
+        20000);
+}
+
+void TestSupervision::chosenReactionIsTaken_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::addColumn<QString>("fault");
+    QTest::addColumn<AlarmKind>("kind");
+    QTest::addColumn<AlarmAction>("wanted");
+    QTest::addColumn<bool>("ends");  // motors off
+    QTest::addColumn<AlarmOutcome>("outcome");
+    const std::pair<const char *, AlarmKind> faults[]{{"battery=10.1", AlarmKind::Battery},
+                                                      {"no-imu=1", AlarmKind::Sensor},
+                                                      {"heat=95", AlarmKind::Heat},
+                                                      {"swapped-axes=1", AlarmKind::Runaway}};
+    for (const QString &family : {u"simplebgc"_s, u"storm32"_s}) {
+        for (const auto &[fault, kind] : faults) {
+            const auto add = [&](const char *name, AlarmAction wanted, bool ends, AlarmOutcome outcome) {
+                QTest::addRow("%s, %s, %s", qPrintable(family), fault, name)
+                    << u"sim:"_s + family << QString::fromLatin1(fault) << kind << wanted << ends << outcome;
+            };
+            if (kind == AlarmKind::Heat && family == u"storm32"_s)
+                continue;  // it does not tell
+            add("warn", AlarmAction::Warn, false, AlarmOutcome::Told);
+            add("motors off", AlarmAction::MotorsOff, true, AlarmOutcome::Done);
+            if (!SupervisorRules::offers(kind, AlarmAction::TakeBack))
+                continue;
+            add("revert, nothing to", AlarmAction::TakeBack, false, AlarmOutcome::NoChange);
+            add("revert or off", AlarmAction::TakeBackElseOff, true, AlarmOutcome::Done);
+        }
+    }
+}
+
+// Each kind that a fault of the simulated board brings about, with each reaction that the settings offer.
+void TestSupervision::chosenReactionIsTaken()
+{
+    QFETCH(QString, address);
+    QFETCH(QString, fault);
+    QFETCH(AlarmKind, kind);
+    QFETCH(AlarmAction, wanted);
+    QFETCH(bool, ends);
+    QFETCH(AlarmOutcome, outcome);
+    SupervisorRules rules;
+    rules.actions[std::size_t(kind)] = wanted;
+    m_client->setSupervisorRules(rules);
+    open(address);
+    QVERIFY(isStabilising());
+    QVERIFY(boardGoesOn(*m_client, 1.5));
+    QVERIFY(m_reports.isEmpty());
+    QVERIFY(m_links.changeWorld(m_address, fault));
+    const auto report = [&]() -> const AlarmReport * {
+        const auto it = std::find_if(m_reports.rbegin(), m_reports.rend(),
+                                     [kind](const AlarmReport &each) { return each.alarm.kind == kind; });
+        return it == m_reports.rend() ? nullptr : &*it;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(report() && report()->outcome == outcome, 15000);
+    QCOMPARE(report()->action, ends ? AlarmAction::MotorsOff : AlarmAction::Warn);
+    const double outputs = m_client->roles().outputs;
+    if (ends) {
+        QTRY_COMPARE_WITH_TIMEOUT(m_client->telemetry()->latest(int(outputs)), 0.0F, 5000);
+        return;
+    }
+    QVERIFY(boardGoesOn(*m_client, 1.0));
+    if (kind != AlarmKind::Sensor)  // without it some boards stop by themselves
+        QVERIFY(m_client->telemetry()->latest(int(outputs)) > 0);
+}
+
+void TestSupervision::reactionFollowsTheChange_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::addColumn<AlarmAction>("wanted");
+    for (const QString &family : {u"simplebgc"_s, u"storm32"_s}) {
+        for (const auto &[name, wanted] : {std::pair("warn", AlarmAction::Warn),
+                                           {"revert", AlarmAction::TakeBack},
+                                           {"revert or off", AlarmAction::TakeBackElseOff},
+                                           {"motors off", AlarmAction::MotorsOff}})
+            QTest::addRow("%s, %s", qPrintable(family), name) << u"sim:"_s + family << wanted;
+    }
+}
+
+// Too much gain, set live: what is chosen for oscillations is done, and nothing else.
+void TestSupervision::reactionFollowsTheChange()
+{
+    QFETCH(QString, address);
+    QFETCH(AlarmAction, wanted);
+    SupervisorRules rules;
+    rules.actions[std::size_t(AlarmKind::Oscillation)] = wanted;
+    m_client->setSupervisorRules(rules);
+    open(address);
+    QVERIFY(isStabilising());
+    QVERIFY(boardGoesOn(*m_client, 1.5));
+    QVERIFY(m_reports.isEmpty());
+    const auto gain = [this](const char *key) {
+        const auto all = m_client->device()->parameters()->all();
+        return std::find_if(all.begin(), all.end(),
+                            [key](const ParameterSpec &spec) { return spec.key == QLatin1String(key); })
+            ->adjustable;
+    };
+    const int variable = gain("pid.pitch.d");
+    const double most = address.contains(u"storm32"_s) ? 8000.0 : 255.0;
+    const double before = inUse(variable);
+    const auto done = ask<bool>([variable, most](Channel &channel, Device &device) -> Result<bool> {
+        const auto written = device.live()->writeAdjustables(channel, {{variable, most}});
+        return written ? Result<bool>(true) : tl::unexpected(written.error());
+    });
+    QVERIFY(done);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_reports.isEmpty() && m_reports.last().outcome != AlarmOutcome::Acting, 8000);
+    const AlarmReport report = m_reports.last();
+    QCOMPARE(report.alarm.kind, AlarmKind::Oscillation);
+    QCOMPARE(report.alarm.cause, AlarmCause::TooMuchGain);
+    QCOMPARE(report.alarm.axis, Axis::Pitch);
+    const bool isBack = wanted == AlarmAction::TakeBack || wanted == AlarmAction::TakeBackElseOff;
+    QCOMPARE(report.action, wanted);
+    QCOMPARE(report.outcome, wanted == AlarmAction::Warn ? AlarmOutcome::Told : AlarmOutcome::Done);
+    QCOMPARE(inUse(variable) == before, isBack);
+    if (wanted == AlarmAction::MotorsOff)
+        QTRY_VERIFY_WITH_TIMEOUT(m_client->telemetry()->latest(m_client->roles().outputs) == 0, 5000);
+    else
+        QVERIFY(m_client->telemetry()->latest(m_client->roles().outputs) > 0);
+    if (isBack)
+        QTRY_VERIFY_WITH_TIMEOUT(m_reports.last().isOver, 8000);
+}
+
+// Much P and no damping: once the damping is back it takes a second to die away, which is no going on.
+void TestSupervision::whatDiesAwayIsToldToBeQuiet()
+{
+    SupervisorRules rules;
+    rules.actions[std::size_t(AlarmKind::Oscillation)] = AlarmAction::TakeBack;
+    m_client->setSupervisorRules(rules);
+    open(u"sim:simplebgc"_s);
+    QVERIFY(isStabilising());
+    QVERIFY(boardGoesOn(*m_client, 1.5));
+    constexpr int kRollP = 0;
+    constexpr int kRollD = 6;
+    for (const auto &[variable, value] : {std::pair(kRollP, 255.0), {kRollD, 3.0}}) {
+        const auto done = ask<bool>([variable, value](Channel &channel, Device &device) -> Result<bool> {
+            const auto written = device.live()->writeAdjustables(channel, {{variable, value}});
+            return written ? Result<bool>(true) : tl::unexpected(written.error());
+        });
+        QVERIFY(done);
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(!m_reports.isEmpty() && m_reports.last().change.has_value(), 8000);
+    QTRY_VERIFY_WITH_TIMEOUT(m_reports.last().isOver, 8000);
+    for (const AlarmReport &report : m_reports)
+        QVERIFY(report.outcome != AlarmOutcome::GoesOn);
+    QVERIFY(m_reports.last().wasSeenToEnd);
+    QCOMPARE(m_reports.last().outcome, AlarmOutcome::Done);
+}
+
+void TestSupervision::steeredBoardsAreWatched_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::addColumn<QString>("fault");
+    QTest::addColumn<AlarmKind>("kind");
+    for (const QString &family : {u"simplebgc"_s, u"storm32"_s}) {
+        QTest::addRow("%s, swapped", qPrintable(family))
+            << u"sim:"_s + family << u"swapped-axes=1"_s << AlarmKind::Runaway;
+        QTest::addRow("%s, blocked", qPrintable(family))
+            << u"sim:"_s + family << u"blocked=2"_s << AlarmKind::Saturation;
+    }
+}
+
+// While this program steers, a board without targets is judged by what it is steered to.
+void TestSupervision::steeredBoardsAreWatched()
+{
+    QFETCH(QString, address);
+    QFETCH(QString, fault);
+    QFETCH(AlarmKind, kind);
+    open(address);
+    QVERIFY(isStabilising());
+    const Steering *steering = m_client->device()->steering();
+    const SteeringMode *byAngle = nullptr;
+    for (const SteeringMode &mode : steering->modes()) {
+        if (mode.isPositional() && !byAngle)
+            byAngle = &mode;
+    }
+    QVERIFY(byAngle);
+    SteeringSetpoint wanted
+        = steering->holdingSetpoint(byAngle->id, *m_client->telemetry(), SteeredBefore::Never);
+    const int pitch = byAngle->inputOf(Axis::Pitch);
+    QVERIFY(pitch >= 0 && !wanted.inputs.empty());
+    for (double &input : wanted.inputs)
+        input = std::isnan(input) ? 0.0 : input;
+    QTimer repeat;
+    connect(&repeat, &QTimer::timeout, this, [&] { m_client->setControl(wanted); });
+    repeat.start(50);
+    QVERIFY(boardGoesOn(*m_client, 2));
+    QVERIFY(m_reports.isEmpty());
+    QVERIFY(m_links.changeWorld(m_address, fault));
+    if (kind == AlarmKind::Saturation)
+        wanted.inputs[std::size_t(pitch)] += 18;
+    QTRY_VERIFY_WITH_TIMEOUT(!m_reports.isEmpty(), 8000);
+    QCOMPARE(m_reports.first().alarm.kind, kind);
+    if (kind == AlarmKind::Saturation)
+        QCOMPARE(m_reports.first().alarm.axis, Axis::Pitch);
+    m_client->releaseControl();
+}
+
+void TestSupervision::whatIsNotWatchedIsNamed_data()
+{
+    QTest::addColumn<QString>("address");
+    QTest::addColumn<bool>("targets");
+    QTest::newRow("SimpleBGC") << u"sim:simplebgc"_s << true;
+    QTest::newRow("STorM32") << u"sim:storm32"_s << false;
+}
+
+void TestSupervision::whatIsNotWatchedIsNamed()
+{
+    QFETCH(QString, address);
+    QFETCH(bool, targets);
+    open(address);
+    QSignalSpy changed(m_client.get(), &DeviceClient::unwatchedChanged);
+    QVERIFY(changed.count() > 0 || changed.wait(10000));
+    const auto isNamed = [this](AlarmKind kind) {
+        const auto &list = m_client->unwatched();
+        return std::any_of(list.begin(), list.end(),
+                           [kind](const Unwatched &each) { return each.kind == kind; });
+    };
+    QVERIFY(!isNamed(AlarmKind::Runaway) && !isNamed(AlarmKind::Sensor) && !isNamed(AlarmKind::Battery));
+    QCOMPARE(isNamed(AlarmKind::Saturation), !targets);
+    QCOMPARE(isNamed(AlarmKind::Limit), !targets);
+    QVERIFY(isNamed(AlarmKind::Heat));  // of the motors at least
+    // Of a board that is gone, nothing is said.
+    m_client->disconnectFromBoard();
+    QTRY_VERIFY(m_client->unwatched().empty());
 }
 
 QTEST_GUILESS_MAIN(TestSupervision)

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/base/filefault.h"
 #include "tests/support/virtualboard.h"
 #include "widgets/forms/editstack.h"
 #include "widgets/models/changemodel.h"
@@ -8,6 +9,7 @@
 #include "widgets/models/parametermodel.h"
 
 #include <QAbstractItemModelTester>
+#include <QRegularExpression>
 #include <QSet>
 #include <QSignalSpy>
 #include <QTest>
@@ -27,6 +29,21 @@ Configuration readBoard(int firmware = 2590, unsigned seed = 1)
     return *bench.device.readConfiguration(bench.channel);
 }
 
+int warningCount = 0;
+QtMessageHandler handlerBefore = nullptr;
+
+// QString::arg() warns of arguments without a placeholder.
+int warnings()
+{
+    return warningCount;
+}
+
+bool isWhole(const ErrorText &text)
+{
+    static const QRegularExpression placeholder(u"%[1-9n]"_s);
+    return !text.what.isEmpty() && !text.oneLine().contains(placeholder);
+}
+
 int idOf(const ConfigurationModel &model, const QString &key)
 {
     return model.edited().parameters().find(key)->id;
@@ -38,6 +55,15 @@ class TestModels : public QObject
 {
     Q_OBJECT
 private slots:
+    void initTestCase()
+    {
+        handlerBefore = qInstallMessageHandler(
+            [](QtMsgType type, const QMessageLogContext &context, const QString &text) {
+                warningCount += text.contains(u"QString::arg"_s) ? 1 : 0;
+                handlerBefore(type, context, text);
+            });
+    }
+    void cleanupTestCase() { qInstallMessageHandler(handlerBefore); }
     void parameterModel();
     void parameterModelEmitsTheSmallestChange();
     void dirtyIsAComparison();
@@ -55,6 +81,7 @@ private slots:
     void changeModelWritesOnlyWhatIsTicked();
     void channelModel();
     void everyErrorHasWords();
+    void everyFileFaultHasWords();
     void everyProgressHasWords();
 };
 
@@ -174,7 +201,7 @@ void TestModels::undoRestoresWhatNobodyMaySet()
     QCOMPARE(configuration.changeCount(), 0);
 
     configuration.reset(board);
-    QVERIFY(edits.restore(journal));
+    QVERIFY(edits.restore(journal).any);
     QCOMPARE(*configuration.value(configuration.edited().parameters().at(source), 0), 2.0);
     edits.undoStack().undo();
     QCOMPARE(configuration.changeCount(), 0);
@@ -277,7 +304,13 @@ void TestModels::setBoardAfterAWrite()
     QVERIFY(edits.edit(idOf(configuration, u"pid.roll.d"_s), 0, 44));
     Configuration written = configuration.board();
     QVERIFY(written.setRaw(*written.parameters().find(u"pid.roll.p"_s), 0, 40));
+    // Found otherwise than it was known, without having been edited: that is shown as well.
+    QVERIFY(written.setRaw(*written.parameters().find(u"pid.yaw.p"_s), 0, 33));
+    QSignalSpy changed(&configuration, &ConfigurationModel::valueChanged);
     configuration.setBoard(written);
+    const int found = idOf(configuration, u"pid.yaw.p"_s);
+    QVERIFY(std::any_of(changed.begin(), changed.end(),
+                        [found](const QList<QVariant> &call) { return call.first().toInt() == found; }));
     QCOMPARE(configuration.changeCount(), 1);
     // Undo after a write is an edit back, to be written again.
     edits.undoStack().undo();
@@ -354,6 +387,33 @@ void TestModels::everyErrorHasWords()
         seen.insert(text.what);
         QVERIFY(text.oneLine().contains(u"the detail"_s));
         QVERIFY(!text.oneLine().contains(u'!'));
+        const ErrorText bare = describe(Error{ErrorCode(code), {}, 0});
+        QVERIFY2(isWhole(text) && isWhole(bare), qPrintable(text.oneLine()));
+    }
+    QCOMPARE(warnings(), 0);
+}
+
+// Whatever is known of a fault and whatever not: no placeholder is left, and none is missing.
+void TestModels::everyFileFaultHasWords()
+{
+    const QString some = u"something"_s;
+    for (int problem = 0; problem <= int(FileProblem::Same); ++problem) {
+        for (int kind = 0; kind <= int(FileKind::Other); ++kind) {
+            for (int known = 0; known < 1 << 7; ++known) {
+                const auto text = [&](int bit) { return known & 1 << bit ? some : QString(); };
+                const ErrorText words = describe(FileFault{.problem = FileProblem(problem),
+                                                           .kind = FileKind(kind),
+                                                           .path = text(0),
+                                                           .line = known & 1 << 1 ? 3 : 0,
+                                                           .key = text(2),
+                                                           .value = text(3),
+                                                           .expected = text(4),
+                                                           .profile = known & 1 << 5 ? 1 : -1,
+                                                           .writing = bool(known & 1 << 6),
+                                                           .said = text(3)});
+                QVERIFY2(isWhole(words) && warnings() == 0, qPrintable(words.oneLine()));
+            }
+        }
     }
 }
 

@@ -146,6 +146,18 @@ void TestTraces::scaleFollowsWithHysteresis()
     QVERIFY(!scale.fit(-1, 1));  // much smaller, but only just now
     QVERIFY(scale.fit(-80, 10));  // greater: at once
     QVERIFY(scale.low() <= -80);
+    for (const int most : {1, 2, 3, 4, 5, 6}) {
+        for (const auto &[low, high] :
+             {std::pair(-0.3, 0.4), {9.0, 11.0}, {-0.02, 5.0}, {-7.0, -6.9}, {0.0, 0.0}}) {
+            ValueScale small;
+            small.setMostSteps(most);
+            small.fit(low, high);
+            QVERIFY(small.low() <= low && small.high() >= high);
+            QVERIFY(small.steps() >= 1 && small.steps() <= most);
+            const double part = (small.high() - small.low()) / small.steps();
+            QVERIFY(small.steps() == 1 || std::abs(std::remainder(small.low(), part)) < 1e-9);
+        }
+    }
     QVERIFY(ValueScale().fit(5, 5) || ValueScale().low() <= 5);  // a single value is no crash
 }
 

@@ -125,7 +125,7 @@ void TestValueForms::editsSurviveTheJournal()
     rig.edits.edit(rig.id("f32"), 0, 1.0 / 3.0);
     const QByteArray journal = QJsonDocument(rig.edits.toJson()).toJson();
     Rig again;
-    QVERIFY(again.edits.restore(QJsonDocument::fromJson(journal).object()));
+    QVERIFY(again.edits.restore(QJsonDocument::fromJson(journal).object()).any);
     QCOMPARE(again.numbers(), rig.numbers());
     QCOMPARE(again.model.changeCount(), 4);
     while (again.edits.undoStack().canUndo())
@@ -138,7 +138,7 @@ void TestValueForms::journalsOfEarlierVersionsOpen()
     Rig rig;
     const QByteArray journal = R"({"done": 1, "steps": [{"text": "U8",
         "edits": [{"key": "u8", "profile": 0, "from": 0, "to": 44}]}]})";
-    QVERIFY(rig.edits.restore(QJsonDocument::fromJson(journal).object()));
+    QVERIFY(rig.edits.restore(QJsonDocument::fromJson(journal).object()).any);
     QCOMPARE(rig.value("u8"), 44.0);
 }
 
@@ -382,7 +382,7 @@ void TestValueForms::textsSurviveTheJournal()
     rig.edits.editData(key, {});
     const QByteArray journal = QJsonDocument(rig.edits.toJson()).toJson();
     Rig again;
-    QVERIFY(again.edits.restore(QJsonDocument::fromJson(journal).object()));
+    QVERIFY(again.edits.restore(QJsonDocument::fromJson(journal).object()).any);
     QVERIFY(std::as_const(again.model).edited().block(key).isEmpty());
     again.edits.undoStack().undo();
     QCOMPARE(std::as_const(again.model).edited().block(key), "much more than there was before\n");

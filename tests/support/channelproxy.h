@@ -22,9 +22,11 @@ public:
     Result<void> setLine(const LineSettings &line) override { return m_channel.setLine(line); }
     void steer(const ControlFrames &frames) override { m_channel.steer(frames); }
     void releaseControl() override { m_channel.releaseControl(); }
+    void allowMotors() override { m_channel.allowMotors(); }
     void stopMotors(const StopPlan &plan) override { m_channel.stopMotors(plan); }
     void expectSilence(milliseconds duration) override { m_channel.expectSilence(duration); }
     [[nodiscard]] bool cancelled() const override { return m_channel.cancelled(); }
+    void holdCancel(bool held) override { m_channel.holdCancel(held); }
     void progress(const Progress &progress) override { m_channel.progress(progress); }
     [[nodiscard]] TimePoint now() const override { return m_channel.now(); }
     [[nodiscard]] LinkObservation observation() const override { return m_channel.observation(); }

@@ -44,7 +44,7 @@ protected:
         if (!QTest::qWaitFor([this] { return m_rig->window().reviewDialog() != nullptr; }, 3000))
             return false;
         m_rig->window().reviewDialog()->accept();
-        return QTest::qWaitFor([&finished] { return finished.count() == 1; }, 20000)
+        return QTest::qWaitFor([&finished] { return finished.count() == 1; }, 60000)
             && workspace().lastReport()->isComplete();
     }
 

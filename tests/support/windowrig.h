@@ -41,6 +41,7 @@ public:
         const QSize size = m_window ? m_window->size() : QSize(1280, 800);
         m_window.reset();
         m_settings = std::make_unique<Settings>(filePath(QStringLiteral("settings.ini")));
+        m_settings->setAskAboutMotors(false);
         m_window = std::make_unique<MainWindow>(m_links, m_families, m_theme, *m_settings);
         // What the operator was told stands beside a failure.
         QObject::connect(&workspace().notifications(), &Notifications::problem, m_window.get(),
@@ -79,7 +80,7 @@ public:
         client()
             .submit<bool>([](Channel &, Device &) -> Result<bool> { return true; })
             .then(m_window.get(), [done](const Result<bool> &) { *done = true; });
-        return QTest::qWaitFor([done] { return *done; }, 15000);
+        return QTest::qWaitFor([done] { return *done; }, 60000);  // whole reads through MAVLink are before it
     }
     /// Waits until a turn of the event loop moves no widget any more.
     bool isSettled()

@@ -7,6 +7,7 @@
 #include "protocol/device/steering.h"
 #include "protocol/session/stopplan.h"
 #include "protocol/simulator/link/virtualchannel.h"
+#include "protocol/supervisor/boardlimits.h"
 #include "protocol/telemetry/streams.h"
 #include "protocol/telemetry/telemetryplan.h"
 #include "tests/support/toyfamily/toyboard.h"
@@ -214,6 +215,9 @@ void TestAbilities::whatIsHandedOutAnswers()
         }
         QVERIFY(bearings->isFrameMeasured(*active, something));
         QVERIFY(bearings->batteryThresholds(*active).alarm);
+        SupervisorRules rules;
+        setBoardLimits(rules, device, *active);
+        QCOMPARE(rules.battery, bearings->batteryThresholds(*active));
         // Nothing is made up.
         const Configuration empty(active->identity(), active->parameterSet());
         QVERIFY(!bearings->bearing(Axis::Roll, empty, nothing).limits);

@@ -694,6 +694,14 @@ void TestAnalysis::samplesComeOutOfTheStore()
     QVERIFY(near(part->end(), 2.0, 1e-6));
     QVERIFY(!uniformSamples(store, 0, -1, 10.0, 20.0));
     QVERIFY(!uniformSamples(store, 7, -1, 0.0, 1.0));
+    // Streams that were arranged anew a moment ago carry little.
+    const auto before = uniformSamples(store, 0, -1, 0.0, 5.0);
+    const auto renewed = store.defineGroup({0, 1}, 0.01);
+    for (int row = 0; row < 2; ++row)
+        store.append(*renewed, store.origin() + durationFromSeconds(4.98 + 0.01 * row),
+                     std::array{0.0F, 0.0F});
+    const auto after = uniformSamples(store, 0, -1, 0.0, 5.0);
+    QVERIFY(before && after && before->values.size() > 100 && after->values.size() == before->values.size());
     auto polled = store.defineGroup({1}, 0.0);
     store.append(*polled, store.origin() + durationFromSeconds(30.0), std::array<float, 1>{1.0F});
     QVERIFY(!uniformSamples(store, 1, -1, 29.0, 31.0));  // one sample has no rate

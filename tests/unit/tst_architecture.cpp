@@ -362,6 +362,7 @@ private slots:
     void nothingBlocksOutsideTheWorker();
     void dialogsBlockNoWindow();
     void numbersAreTypedIntoOneKindOfField();
+    void numbersInTablesHaveAFieldOfTheirOwn();
     void numbersAreWrittenInOnePlace();
     void theTestItselfFindsViolations_data();
     void theTestItselfFindsViolations();
@@ -469,6 +470,30 @@ void TestArchitecture::numbersAreTypedIntoOneKindOfField()
         else
             QVERIFY(others.match(source.text).hasMatch());
     }
+}
+
+// Qt's own delegate makes a field of its own for a number (widgets/forms/celldelegate.h): a model whose cells
+// can be edited says which of them hold numbers, or is one of texts; tables that come with their items are
+// not edited. Which fields come of it is checked by tst_refused, on all pages.
+void TestArchitecture::numbersInTablesHaveAFieldOfTheirOwn()
+{
+    static const QStringList texts{u"widgets/models/profilemodel.cpp"_s};
+    int editable = 0;
+    for (const Source &source : sources({u"widgets"_s, u"app"_s})) {
+        const bool isEdited = source.text.contains(u"ItemIsEditable"_s);
+        editable += isEdited;
+        QVERIFY2(!isEdited || source.text.contains(u"NumberRole"_s) || texts.contains(source.path),
+                 qPrintable(source.path));
+        QVERIFY2(!source.text.contains(u"new QTableWidget"_s) || source.text.contains(u"NoEditTriggers"_s),
+                 qPrintable(source.path));
+        // A view that says how cells are opened says in what.
+        const bool isOpened
+            = source.text.contains(u"setEditTriggers"_s) && !source.text.contains(u"NoEditTriggers"_s);
+        QVERIFY2(!isOpened || source.text.contains(u"setItemDelegate"_s)
+                     || source.text.contains(u"new FilterTable"_s),
+                 qPrintable(source.path));
+    }
+    QVERIFY(editable >= 3);
 }
 
 // On screen a number is written as the operator's language does (widgets/models/numbertext.h). Two write for

@@ -127,7 +127,7 @@ void TestInspect::commandsByNameAndHex_data()
     good("board_info", "3E56005600", "BOARD_INFO", ActionRisk::Safe);
     good("READ_PARAMS_3 FF", "3E150116FFFF", "READ_PARAMS_3",
          ActionRisk::Safe);  // errata, example "active profile"
-    good("  execute_menu 0b ", "3E4501460B0B", "EXECUTE_MENU", ActionRisk::Writes);
+    good("  execute_menu 0b ", "3E4501460B0B", "EXECUTE_MENU", ActionRisk::Moves);
     good("3E 56 00 56 00", "3E56005600", "BOARD_INFO", ActionRisk::Safe);
     good("MOTORS_OFF", "3E6D006D00", "MOTORS_OFF", ActionRisk::Safe);
     good("USE_DEFAULTS 00", "3E4601470000", "USE_DEFAULTS", ActionRisk::Destroys);
@@ -214,8 +214,8 @@ void TestInspect::sixPositionsFindZeroAndScale()
     double worst = 0;
     for (int pose = 1; pose <= 6; ++pose) {
         QVERIFY(bench.port.change(u"pose=%1"_s.arg(pose)));
-        const auto done
-            = bench.device.perform(bench.channel, u"calibrate.acc"_s, {{u"imu"_s, 0}, {u"action"_s, 1}});
+        const auto done = bench.device.perform(bench.channel, u"calibrate.acc"_s,
+                                               {{u"imu"_s, 0}, {u"action"_s, 1}, {u"six"_s, true}});
         QVERIFY2(done, qPrintable(done ? QString() : done.error().detail));
         if (pose == 6)
             worst = done->value(u"acc.error.after"_s).toDouble();

@@ -163,6 +163,8 @@ private slots:
     void endedInTheMiddle();
     void cutOffIsSaid();
     void nothingIsTriedWithMotorsOff();
+    void adviceAfterAutoTuneDoesNotHarm_data();
+    void adviceAfterAutoTuneDoesNotHarm();
 };
 
 // With gains of auto-tune and a shaken gimbal, a line at 51.8 Hz stands 20 dB above its surroundings. A notch
@@ -345,6 +347,64 @@ void TestNotch::nothingIsTriedWithMotorsOff()
     QVERIFY(!result);
     QCOMPARE(result.error().code, ErrorCode::Unready);
     QVERIFY(bench.holdsWhatItHeld(Axis::Pitch));
+}
+
+void TestNotch::adviceAfterAutoTuneDoesNotHarm_data()
+{
+    QTest::addColumn<double>("shake");
+    for (const double shake : {8.0, 2.0})
+        QTest::addRow("shake %g", shake) << shake;
+}
+
+// From the search to the end: whatever is offered for what the board found is tried, put back, and only kept
+// where the axis vibrates less with it; what is kept makes no axis worse.
+void TestNotch::adviceAfterAutoTuneDoesNotHarm()
+{
+    QFETCH(double, shake);
+    Bench bench(shaken(shake), {{{35, 15, 30}, {35, 15, 30}, {35, 15, 30}}});
+    const auto tuned = bench.board.device.perform(bench.board.channel, u"autotune"_s,
+                                                  argumentsFor(bench.board.device, "autotune"));
+    QVERIFY2(tuned, tuned ? "" : qPrintable(tuned.error().detail));
+    bench.base = *bench.board.device.readConfiguration(bench.board.channel);
+    std::ignore = bench.board.channel.sleep(10s);
+    const auto wholeOf = [&](Axis axis) { return bench.spectrumOf(axis, 8).bandRms(kVibrationFrom, 625); };
+    std::array<double, kAxisCount> calm{};
+    for (const Axis axis : kAxes)
+        calm[std::size_t(axis)] = wholeOf(axis);
+    for (const Axis axis : kAxes) {
+        const Spectrum seen = bench.spectrumOf(axis, 10);
+        for (const SpectrumPeak &peak : findPeaks(seen, 5, kVibrationFrom)) {
+            const NotchTrialPlan plan = bench.planFor(axis, std::round(peak.frequency / 2) * 2);
+            const NotchAdvice advice = adviseNotch({peak,
+                                                    seen.bandRms(kVibrationFrom, 625),
+                                                    0,
+                                                    {plan.hz, std::max(2 * peak.width, plan.hz / 4), 20},
+                                                    nullptr});
+            if (!advice.isOffered())
+                continue;
+            const QString place = u"%1 at %2 Hz"_s.arg(QLatin1String(axisKey(axis))).arg(peak.frequency);
+            const auto result = bench.tryIt(plan);
+            QVERIFY2(result, qPrintable(place));
+            QVERIFY2(result->isTakenBack && bench.holdsWhatItHeld(axis), qPrintable(place));
+            const double most = std::max(20.0, 4.0 * result->before.whole);
+            QVERIFY2(result->peak < most, qPrintable(place + u' ' + inFigures(*result)));
+            if (result->verdict != NotchTrialResult::Verdict::Better)
+                continue;
+            WriteOptions write;
+            write.history = &bench.history;
+            const auto kept
+                = writeConfiguration(bench.board.channel, bench.board.device, bench.base, plan.wanted, write);
+            QVERIFY2(kept && kept->isComplete(), qPrintable(place));
+            bench.base = kept->onBoard;
+            std::ignore = bench.board.channel.sleep(10s);
+            for (const Axis each : kAxes)
+                QVERIFY2(wholeOf(each) < 1.3 * calm[std::size_t(each)], qPrintable(place));
+            break;
+        }
+    }
+    std::ignore = bench.board.channel.sleep(10s);
+    for (const Axis axis : kAxes)
+        QVERIFY2(wholeOf(axis) < 1.3 * calm[std::size_t(axis)], axisKey(axis));
 }
 
 QTEST_GUILESS_MAIN(TestNotch)

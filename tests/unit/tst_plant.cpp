@@ -76,6 +76,8 @@ class TestPlant : public QObject
 {
     Q_OBJECT
 private slots:
+    void gravityIsOneG_data();
+    void gravityIsOneG();
     void goodGainsHold_data();
     void goodGainsHold();
     void badGainsOscillate_data();
@@ -92,6 +94,45 @@ private slots:
     void handShakesLikeAHand();
     void autoPidFindsGainsThatHold();
 };
+
+void TestPlant::gravityIsOneG_data()
+{
+    QTest::addColumn<double>("roll");
+    QTest::addColumn<double>("pitch");
+    QTest::newRow("level") << 0.0 << 0.0;
+    QTest::newRow("tilted") << 20.0 << -30.0;
+    QTest::newRow("far tilted") << 45.0 << 45.0;
+    QTest::newRow("fallen") << -92.0 << 89.0;
+    QTest::newRow("upside down") << 180.0 << 0.0;
+    QTest::newRow("over the top") << 10.0 << 120.0;
+}
+
+// At rest the accelerometer measures gravity and nothing else, however the camera hangs, and the estimate
+// stays with it.
+void TestPlant::gravityIsOneG()
+{
+    QFETCH(double, roll);
+    QFETCH(double, pitch);
+    Bench bench;
+    Stabilizer &s = bench.stabilizer;
+    s.imu().accError = s.imu().accCorrection = {};
+    s.imu().accScaleError = {1, 1, 1};
+    s.setMotorsOn(false);
+    s.setHeld(true);
+    s.plant(Axis::Roll).setAngle(roll);
+    s.plant(Axis::Pitch).setAngle(pitch);
+    s.resetEstimate();
+    for (int i = 0; i < int(5.0 / Stabilizer::kCycle); ++i)
+        s.step();
+    const auto &acc = s.acc();
+    const double length = std::hypot(acc[0], acc[1], acc[2]);
+    QVERIFY2(std::abs(length - 1.0) < 0.03, qPrintable(QString::number(length)));
+    QVERIFY2(std::abs(s.estimate(Axis::Pitch) - pitch) < 1.5,
+             qPrintable(QString::number(s.estimate(Axis::Pitch))));
+    if (std::abs(pitch) < 80)  // an axis that points up or down has no reference
+        QVERIFY2(std::abs(s.estimate(Axis::Roll) - roll) < 1.5,
+                 qPrintable(QString::number(s.estimate(Axis::Roll))));
+}
 
 void TestPlant::goodGainsHold_data()
 {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/channelproxy.h"
 #include "tests/support/virtualboard.h"
 
 #include <QTest>
@@ -9,6 +10,70 @@
 using namespace simplebgc;
 using namespace Qt::StringLiterals;
 
+namespace {
+
+/// A mailbox in which the confirmation of a start lies before anything else.
+class StartTwice final : public Mailbox
+{
+public:
+    StartTwice(std::unique_ptr<Mailbox> rest, int command)
+        : m_rest(std::move(rest))
+        , m_command(command)
+    {
+    }
+    Result<Frame> next(milliseconds timeout) override
+    {
+        if (!std::exchange(m_isDone, true)) {
+            Frame frame;
+            frame.id = number(CommandId::Confirm);
+            frame.payload = QByteArray(1, char(m_command));
+            return frame;
+        }
+        return m_rest->next(timeout);
+    }
+
+private:
+    std::unique_ptr<Mailbox> m_rest;
+    int m_command;
+    bool m_isDone = false;
+};
+
+/// A line that loses answers to one kind of request, or answers them as before.
+class Disturbed final : public ChannelProxy
+{
+public:
+    using ChannelProxy::ChannelProxy;
+    Result<Frame> transact(const Request &request) override
+    {
+        if (request.name == frozen) {
+            if (!m_first)
+                m_first = ChannelProxy::transact(request);
+            return *m_first;
+        }
+        const auto answer = ChannelProxy::transact(request);
+        if (request.name == lossy && lost-- > 0)
+            return failure(ErrorCode::Timeout, request.name);
+        return answer;
+    }
+    std::unique_ptr<Mailbox> listen(std::function<bool(const FrameView &)> filter) override
+    {
+        auto box = ChannelProxy::listen(std::move(filter));
+        if (startsTwice == 0)
+            return box;
+        return std::make_unique<StartTwice>(std::move(box), startsTwice);
+    }
+
+    QString lossy;
+    int lost = 1;
+    QString frozen;
+    int startsTwice = 0;
+
+private:
+    std::optional<Result<Frame>> m_first;
+};
+
+}  // namespace
+
 /// Calibrations and the automatic tuning of a SimpleBGC board, on the simulated one in virtual time.
 class TestSbgcCalibration : public QObject
 {
@@ -17,11 +82,23 @@ private slots:
     void gyroCalibrationRemovesTheBias_data();
     void gyroCalibrationRemovesTheBias();
     void accCalibrationLevelsTheHorizon();
-    void calibrationOfAShakenCameraChangesNothing();
+    void motorsAreOffBetweenPositions();
+    void motorsThatMayRunStopIt();
+    void turnedSensorIsRefusedWhileMotorsRun();
+    void shakenCameraIsNotCalibrated();
+    void impossibleReadingIsNotTaken();
+    void missingSensorIsNotCalibrated_data();
+    void missingSensorIsNotCalibrated();
     void secondCalibrationIsRefusedMeanwhile();
     void calibrationCanBeCancelled();
     void autoTuneFindsAndSavesGains();
     void autoTuneStopsWhenCancelled();
+    void searchThatFailsLeavesNothing();
+    void searchWithoutAnswerIsStopped_data();
+    void searchWithoutAnswerIsStopped();
+    void searchThatChangedNothingIsNoSuccess();
+    void calibrationWithoutAnswerIsAwaited();
+    void startHeardTwiceIsNoEnd();
     void errorEndsItAtOnce_data();
     void errorEndsItAtOnce();
 };
@@ -73,16 +150,130 @@ void TestSbgcCalibration::accCalibrationLevelsTheHorizon()
     QVERIFY2(after < tiltedBefore / 2, qPrintable(QString::number(after)));
 }
 
-void TestSbgcCalibration::calibrationOfAShakenCameraChangesNothing()
+// Whoever asks for it, and whatever the board does by itself at the end of a measurement.
+void TestSbgcCalibration::motorsAreOffBetweenPositions()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    const QVariantMap arguments = argumentsFor(bench.device, "calibrate.acc", {{u"six"_s, u"on"_s}});
+    for (int pose = 1; pose <= 6; ++pose) {
+        Faults faults;
+        faults.pose = pose;
+        bench.board().setFaults(faults);
+        bench.board().stabilizer().setMotorsOn(pose % 2 == 1);  // by a button on the handle, say
+        const auto reply = bench.device.perform(bench.channel, u"calibrate.acc"_s, arguments);
+        QVERIFY2(reply, reply ? "" : qPrintable(reply.error().detail));
+        QCOMPARE(reply->value(u"motors_switched_off"_s).toBool(), pose % 2 == 1);
+        QVERIFY(!bench.board().stabilizer().motorsOn());
+    }
+}
+
+void TestSbgcCalibration::motorsThatMayRunStopIt()
+{
+    SimulatorOptions o;
+    o.faults.deaf = number(CommandId::MotorsOff);
+    VirtualBoard bench(o);
+    QVERIFY(bench.identify());
+    const TimePoint started = bench.channel.now();
+    const auto reply
+        = bench.device.perform(bench.channel, u"calibrate.acc"_s,
+                               argumentsFor(bench.device, "calibrate.acc", {{u"six"_s, u"on"_s}}));
+    QVERIFY(!reply);
+    QCOMPARE(reply.error().code, ErrorCode::NotProven);
+    QVERIFY(bench.board().stabilizer().motorsOn());
+    QVERIFY(bench.channel.now() - started < 4s);  // nothing was measured
+}
+
+void TestSbgcCalibration::turnedSensorIsRefusedWhileMotorsRun()
+{
+    SimulatorOptions o;
+    o.faults.pose = 3;
+    VirtualBoard bench(o);
+    QVERIFY(bench.identify());
+    const auto refused = bench.device.perform(bench.channel, u"calibrate.acc"_s,
+                                              argumentsFor(bench.device, "calibrate.acc"));
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, ErrorCode::ConditionUnmet);
+    bench.board().stabilizer().setMotorsOn(false);
+    QVERIFY(
+        bench.device.perform(bench.channel, u"calibrate.acc"_s, argumentsFor(bench.device, "calibrate.acc")));
+}
+
+void TestSbgcCalibration::shakenCameraIsNotCalibrated()
 {
     SimulatorOptions o;
     o.faults.shake = 8;
     VirtualBoard bench(o);
     QVERIFY(bench.identify());
-    const auto reply = bench.device.perform(bench.channel, u"calibrate.gyro"_s,
-                                            argumentsFor(bench.device, "calibrate.gyro"));
-    QVERIFY(reply);
+    bench.board().stabilizer().setMotorsOn(false);
+    for (const char *action : {"calibrate.gyro", "calibrate.acc"}) {
+        const auto reply = bench.device.perform(bench.channel, QString::fromLatin1(action),
+                                                argumentsFor(bench.device, action));
+        QVERIFY(!reply);
+        QCOMPARE(reply.error().code, ErrorCode::ConditionUnmet);
+        QVERIFY2(reply.error().detail.contains(u"the sensor moves"_s), qPrintable(reply.error().detail));
+    }
     QCOMPARE(bench.board().stabilizer().imu().gyroCorrection[0], 0.0);
+    QCOMPARE(bench.board().stabilizer().imu().accCorrection[2], 0.0);
+}
+
+// What no sensor at rest measures is not calibrated away; what an earlier calibration did can be reset.
+void TestSbgcCalibration::impossibleReadingIsNotTaken()
+{
+    SimulatorOptions o;
+    o.faults.pose = 1;
+    VirtualBoard bench(o);
+    QVERIFY(bench.identify());
+    bench.board().stabilizer().setMotorsOn(false);
+    bench.board().stabilizer().imu().accError = {0, 0, 0.4};
+    for (const char *six : {"off", "on"}) {
+        const auto reply = bench.device.perform(
+            bench.channel, u"calibrate.acc"_s,
+            argumentsFor(bench.device, "calibrate.acc", {{u"six"_s, QLatin1String(six)}}));
+        QVERIFY(!reply);
+        QCOMPARE(reply.error().code, ErrorCode::ConditionUnmet);
+        QVERIFY2(reply.error().detail.contains(u"1.42 g instead of 1 g"_s), qPrintable(reply.error().detail));
+        QVERIFY(!bench.board().isCalibrating());
+    }
+    QVERIFY(bench.device.perform(
+        bench.channel, u"calibrate.acc"_s,
+        argumentsFor(bench.device, "calibrate.acc", {{u"action"_s, u"restore-factory"_s}})));
+}
+
+void TestSbgcCalibration::missingSensorIsNotCalibrated_data()
+{
+    QTest::addColumn<QString>("action");
+    QTest::addColumn<QString>("argument");
+    QTest::newRow("gyroscope") << u"calibrate.gyro"_s << QString();
+    QTest::newRow("gyroscope, simple form") << u"calibrate.gyro"_s << u"form=simple"_s;
+    QTest::newRow("gyroscope, temperature") << u"calibrate.gyro"_s << u"action=temperature"_s;
+    QTest::newRow("accelerometer") << u"calibrate.acc"_s << QString();
+    QTest::newRow("accelerometer, six positions") << u"calibrate.acc"_s << u"six=on"_s;
+    QTest::newRow("auto-tune") << u"autotune"_s << QString();
+    QTest::newRow("menu, accelerometer") << u"menu"_s << u"command=6"_s;
+    QTest::newRow("menu, gyroscope") << u"menu"_s << u"command=9"_s;
+    QTest::newRow("menu, auto-tune") << u"menu"_s << u"command=16"_s;
+}
+
+// There are no figures from a sensor that is not there.
+void TestSbgcCalibration::missingSensorIsNotCalibrated()
+{
+    QFETCH(QString, action);
+    QFETCH(QString, argument);
+    SimulatorOptions o;
+    o.faults.noImu = true;
+    VirtualBoard bench(o);
+    QVERIFY(bench.identify());
+    QMap<QString, QString> texts;
+    if (!argument.isEmpty())
+        texts.insert(argument.section(u'=', 0, 0), argument.section(u'=', 1));
+    const auto reply
+        = bench.device.perform(bench.channel, action, argumentsFor(bench.device, action.toLatin1(), texts));
+    QVERIFY(!reply);
+    QCOMPARE(reply.error().code, ErrorCode::ConditionUnmet);
+    QVERIFY2(reply.error().detail.contains(u"does not see its motion sensor"_s),
+             qPrintable(reply.error().detail));
+    QVERIFY(!bench.board().isCalibrating());
 }
 
 void TestSbgcCalibration::secondCalibrationIsRefusedMeanwhile()
@@ -137,16 +328,95 @@ void TestSbgcCalibration::autoTuneStopsWhenCancelled()
     const auto reply
         = bench.device.perform(bench.channel, u"autotune"_s, argumentsFor(bench.device, "autotune"));
     QCOMPARE(reply.error().code, ErrorCode::Cancelled);
-    // "Stop" is sent although the job is over.
-    int frames = 0;
-    bench.channel.setTap([&frames](const FrameView &frame, TimePoint) { frames += frame.id == 35; });
-    bench.port.advance(200ms);
-    bench.channel.queue().advance(bench.channel.now());
-    bench.port.advance(3s);
-    const QByteArray rest = bench.port.hostReads().join();
+    // "Stop" and the old gains are sent although the job is over.
+    bench.channel.cancelAfter(1h);
+    QVERIFY(bench.channel.sleep(1s));
     QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), 35);
-    // Progress reports of 62 bytes come each 0.6 s while tuning: after "stop" there are none.
-    QVERIFY2(rest.count(encodeFrame(35, {}, 1).first(2)) <= 1, "the board is still tuning");
+    QCOMPARE(bench.board().inUse(u"pid.roll.p"_s), 35);
+    QCOMPARE(bench.board().inUse(u"pid.yaw.i"_s), 12);
+    const auto reports = bench.channel.listen([](const FrameView &frame) { return frame.id == 35; });
+    QVERIFY2(!reports->next(3s), "the board is still tuning");
+}
+
+// What the board had tried until it gave up is no result.
+void TestSbgcCalibration::searchThatFailsLeavesNothing()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    Faults faults;
+    faults.failWith = 3;
+    bench.board().setFaults(faults);
+    QVERIFY(bench.device.writeAdjustables(bench.channel, {{0, 37}}));
+    const auto reply
+        = bench.device.perform(bench.channel, u"autotune"_s, argumentsFor(bench.device, "autotune"));
+    QVERIFY(!reply);
+    QCOMPARE(bench.board().inUse(u"pid.roll.p"_s), 37);
+    QCOMPARE(bench.board().inUse(u"pid.yaw.d"_s), bench.board().stored(u"pid.yaw.d"_s, 0));
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), 35);
+}
+
+void TestSbgcCalibration::searchWithoutAnswerIsStopped_data()
+{
+    QTest::addColumn<int>("lost");
+    QTest::newRow("answer to the start") << 1;
+    QTest::newRow("answers to start and stop") << 2;
+}
+
+// The board tunes although nobody heard that it had begun.
+void TestSbgcCalibration::searchWithoutAnswerIsStopped()
+{
+    QFETCH(int, lost);
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    Disturbed channel(bench.channel);
+    channel.lossy = u"AUTO_PID"_s;
+    channel.lost = lost;
+    const auto reply = bench.device.perform(channel, u"autotune"_s, argumentsFor(bench.device, "autotune"));
+    QVERIFY(!reply);
+    QCOMPARE(reply.error().code, ErrorCode::Timeout);
+    QVERIFY2(reply.error().detail.contains(u"reports no search any more"_s),
+             qPrintable(reply.error().detail));
+    const auto reports = bench.channel.listen([](const FrameView &frame) { return frame.id == 35; });
+    QVERIFY(!reports->next(3s));
+}
+
+void TestSbgcCalibration::searchThatChangedNothingIsNoSuccess()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    bench.board().stabilizer().imu().gyroCorrection = bench.board().stabilizer().imu().gyroBias;
+    Disturbed channel(bench.channel);
+    channel.frozen = u"READ_PARAMS_3"_s;
+    const auto reply = bench.device.perform(channel, u"autotune"_s, argumentsFor(bench.device, "autotune"));
+    QVERIFY(!reply);
+    QCOMPARE(reply.error().code, ErrorCode::NoEffect);
+    QVERIFY2(reply.error().detail.contains(u"still uses"_s), qPrintable(reply.error().detail));
+}
+
+void TestSbgcCalibration::calibrationWithoutAnswerIsAwaited()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    Disturbed channel(bench.channel);
+    channel.lossy = u"CALIB_GYRO"_s;
+    const TimePoint started = bench.channel.now();
+    const auto reply
+        = bench.device.perform(channel, u"calibrate.gyro"_s, argumentsFor(bench.device, "calibrate.gyro"));
+    QVERIFY(reply);
+    QVERIFY(reply->value(u"confirmed"_s).toBool());
+    QVERIFY(bench.channel.now() - started > 4s);
+}
+
+void TestSbgcCalibration::startHeardTwiceIsNoEnd()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    Disturbed channel(bench.channel);
+    channel.startsTwice = number(CommandId::CalibGyro);
+    const TimePoint started = bench.channel.now();
+    QVERIFY(bench.device.perform(channel, u"calibrate.gyro"_s, argumentsFor(bench.device, "calibrate.gyro")));
+    QVERIFY(bench.channel.now() - started > 4s);
+    QVERIFY(!bench.board().isCalibrating());
 }
 
 void TestSbgcCalibration::errorEndsItAtOnce_data()

@@ -73,6 +73,7 @@ private slots:
     void motorsOffStopsEvenATuningBoard();
     void debugVariablesAreListedAndRead();
     void faultsAreNamed();
+    void aMissingSensorHasNoAngles();
     void survivesADisturbedCable();
     void argumentsAreChecked();
 };
@@ -467,6 +468,24 @@ void TestSbgcDevice::faultsAreNamed()
     QVERIFY(!bench.board().stabilizer().motorsOn());
     QVERIFY(bench.device.faults(1 << 11, 9).front().name.contains(u"inversion"_s));
     QCOMPARE(bench.device.faults(0xFFF, 0).size(), std::size_t(12));
+}
+
+// Zeros of a sensor that is not there are no angles.
+void TestSbgcDevice::aMissingSensorHasNoAngles()
+{
+    SimulatorOptions o;
+    o.faults.noImu = true;
+    VirtualBoard bench(o);
+    QVERIFY(bench.identify());
+    std::ignore = bench.channel.sleep(1s);
+    const auto blind = bench.device.perform(bench.channel, u"angles"_s, {});
+    QVERIFY(blind);
+    QVERIFY(!blind->contains(u"imu.roll"_s) && blind->contains(u"target.roll"_s));
+    QCOMPARE(blind->value(u"sensor"_s).toString(), u"missing"_s);
+    bench.board().setFaults({});
+    std::ignore = bench.channel.sleep(1s);
+    const auto seeing = bench.device.perform(bench.channel, u"angles"_s, {});
+    QVERIFY(seeing && seeing->contains(u"imu.roll"_s) && !seeing->contains(u"sensor"_s));
 }
 
 void TestSbgcDevice::survivesADisturbedCable()

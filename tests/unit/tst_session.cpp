@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/session/session.h"
 
+#include <QCoreApplication>
 #include <QPointer>
+#include <QSignalSpy>
 #include <QTest>
 
 using namespace Qt::StringLiterals;
@@ -53,6 +55,18 @@ public:
     std::function<void(char)> answering;
 };
 
+/// How often timers have fired in this thread.
+class TimerCount final : public QObject
+{
+public:
+    bool eventFilter(QObject *, QEvent *event) override
+    {
+        count += event->type() == QEvent::Timer ? 1 : 0;
+        return false;
+    }
+    int count = 0;
+};
+
 AnswerMatcher answeredBy(char id)
 {
     return [id](const FrameView &frame) -> std::optional<Result<Frame>> {
@@ -84,6 +98,26 @@ ControlFrames setpoints()
     return frames;
 }
 
+// A board that goes on moving until it is told otherwise, and can be asked.
+ControlFrames movement()
+{
+    ControlFrames frames;
+    frames.setpoint = "m";
+    frames.stop = "h";
+    frames.release = "r";
+    frames.question = command('q', 'd');
+    frames.fromAnswer = [](const Frame &) { return Proof::Proven; };
+    return frames;
+}
+
+StopPlan stopPlan()
+{
+    StopPlan plan;
+    plan.means.push_back({{command('o', 'd')}, 10ms, 2});
+    plan.fromAnswer = [](const Frame &) { return Proof::Proven; };
+    return plan;
+}
+
 }  // namespace
 
 class TestSession : public QObject
@@ -94,8 +128,16 @@ private slots:
     void cleanup();
     void pollingTakesTurnsWithSetpoints();
     void pollingGivesWayToRequests();
+    void pollingTakesItsTurnAmongRequests();
     void lateAcknowledgementIsNobodyElses();
     void lostAcknowledgementDoesNotBlockTheQueue();
+    void waitingSleeps();
+    void closingOnPurposeEndsSteering();
+    void restartedBoardIsStoppedBeforeItIsLeft();
+    void brokenLinkTellsThatItWasSteered();
+    void withoutASetpointNothingIsSteered();
+    void unprovenStopIsRepeated();
+    void startingMotorsEndsARepeatedStop();
 
 private:
     std::unique_ptr<Session> m_session;
@@ -153,6 +195,28 @@ void TestSession::pollingGivesWayToRequests()
     QVERIFY2(m_transport->written.startsWith("rrrrrrrrrr"), m_transport->written.constData());
 }
 
+// A job that asks back to back leaves the queue at no time empty: the board is watched all the same.
+void TestSession::pollingTakesItsTurnAmongRequests()
+{
+    m_transport->answering = [this](char byte) { m_transport->answer(byte == 'r' ? 'd' : 'e', 1ms); };
+    int done = 0;
+    std::function<void()> ask = [&] {
+        m_session->submit(command('r', 'd'), [&](const Result<Frame> &result) {
+            done += result ? 1 : 0;
+            if (done < 3000 && m_transport->written.count('p') < 4)
+                ask();
+        });
+    };
+    m_session->setPoll(command('p', 'e'), 5ms);
+    // Two at a time, so that one is always waiting.
+    ask();
+    ask();
+    QTRY_VERIFY_WITH_TIMEOUT(m_transport->written.count('p') >= 4, 20000);
+    // Most of the time belongs to the requests.
+    QVERIFY2(done > 3 * m_transport->written.count('p'), m_transport->written.constData());
+    QTRY_VERIFY(m_transport->written.count('r') == done);
+}
+
 // It would prove a stop that nobody has carried out.
 void TestSession::lateAcknowledgementIsNobodyElses()
 {
@@ -195,6 +259,145 @@ void TestSession::lostAcknowledgementDoesNotBlockTheQueue()
     m_session->submit(other, [&answered](const Result<Frame> &result) { answered = result.has_value(); });
     QTRY_VERIFY_WITH_TIMEOUT(answered, 250);  // less than what a late answer is waited for
     QCOMPARE(m_transport->written, "sq");
+}
+
+// Waiting for an answer, for the end of its late window and for a poll's turn wakes the thread no more often
+// than something is due.
+void TestSession::waitingSleeps()
+{
+    TimerCount timers;
+    qApp->installEventFilter(&timers);
+    m_session->setPoll(command('p', 'd'), 1ms);
+    const auto isQuiet = [&](auto isOver) {
+        const int before = timers.count;
+        return QTest::qWaitFor(isOver, 5000) && timers.count - before < 30;
+    };
+    const auto done = std::make_shared<int>(0);  // the session ends later
+    const auto count = [done](const Result<Frame> &) { ++*done; };
+    Request slow = command('x', 'a');
+    slow.timeout = 400ms;
+    m_session->submit(slow, count);
+    QVERIFY2(isQuiet([&] { return *done == 1; }), qPrintable(QString::number(timers.count)));
+    m_session->submit(command('y', 'a'), count);  // held: the answer to the first may still come
+    QVERIFY2(isQuiet([&] { return m_transport->written.contains('y'); }),
+             qPrintable(QString::number(timers.count)));
+}
+
+// The link stays open until the board was seen to stand still; one that says nothing is not waited for for
+// ever, and that is told.
+void TestSession::closingOnPurposeEndsSteering()
+{
+    for (const bool answers : {true, false}) {
+        init();
+        QSignalSpy ended(m_session.get(), &Session::steeringEnded);
+        QByteArray written;
+        m_transport->answering = [&](char byte) {
+            written.append(byte);
+            if (byte == 'q' && answers)
+                m_transport->answer('d', 20ms);
+        };
+        m_session->refreshControl(movement());
+        QTRY_VERIFY(written.contains('m'));
+        bool isClosed = false;
+        m_session->finish([&isClosed] { isClosed = true; });
+        QVERIFY(!isClosed);
+        m_session->refreshControl(movement());  // too late
+        QTRY_VERIFY_WITH_TIMEOUT(isClosed, 5000);
+        QCOMPARE(ended.count(), 1);
+        QCOMPARE(ended.first().first().toBool(), answers);
+        QVERIFY2(written.contains('h') && written.endsWith('r'), written.constData());
+        QVERIFY(!written.mid(written.indexOf('h')).contains('m'));
+    }
+}
+
+// It has taken set-points since, as long as nobody knew.
+void TestSession::restartedBoardIsStoppedBeforeItIsLeft()
+{
+    QSignalSpy ended(m_session.get(), &Session::steeringEnded);
+    QSignalSpy closed(m_session.get(), &Session::closed);
+    QByteArray written;
+    m_transport->answering = [&](char byte) {
+        written.append(byte);
+        if (byte == 'q')
+            m_transport->answer('d', 20ms);
+    };
+    m_session->refreshControl(movement());
+    QTRY_VERIFY(written.contains('m'));
+    m_session->leaveRestarted({ErrorCode::Restarted, {}});
+    QTRY_COMPARE(closed.count(), 1);
+    QVERIFY(ended.count() == 1 && ended.first().first().toBool());
+    QVERIFY2(written.contains('h') && written.endsWith('r'), written.constData());
+    init();
+    QSignalSpy left(m_session.get(), &Session::closed);
+    m_session->leaveRestarted({ErrorCode::Restarted, {}});
+    QCOMPARE(left.count(), 1);  // at once: nothing was steered
+}
+
+void TestSession::brokenLinkTellsThatItWasSteered()
+{
+    QSignalSpy ended(m_session.get(), &Session::steeringEnded);
+    m_session->refreshControl(movement());
+    emit m_transport->closed({ErrorCode::LinkClosed, {}});
+    QCOMPARE(ended.count(), 1);
+    QVERIFY(!ended.first().first().toBool());
+}
+
+void TestSession::withoutASetpointNothingIsSteered()
+{
+    QSignalSpy ended(m_session.get(), &Session::steeringEnded);
+    m_session->refreshControl({});
+    m_session->endControl();
+    m_session->refreshControl({});
+    emit m_transport->closed({ErrorCode::LinkClosed, {}});
+    QCOMPARE(ended.count(), 0);
+    QVERIFY(m_transport.isNull() || m_transport->written.isEmpty());
+    // What was steered before ends with it.
+    init();
+    QSignalSpy later(m_session.get(), &Session::steeringEnded);
+    m_session->refreshControl(setpoints());
+    QTRY_VERIFY(m_transport->written.contains('s'));
+    m_session->refreshControl({});
+    QTRY_COMPARE(later.count(), 1);
+    QVERIFY(later.first().first().toBool());
+}
+
+void TestSession::unprovenStopIsRepeated()
+{
+    QSignalSpy late(m_session.get(), &Session::motorsStoppedLate);
+    int outcomes = 0;
+    m_session->stopMotors(stopPlan(), [&outcomes](const Result<void> &stopped) {
+        QVERIFY(!stopped);
+        ++outcomes;
+    });
+    QTRY_COMPARE(outcomes, 1);
+    const auto sent = m_transport->written.count('o');
+    QTRY_VERIFY_WITH_TIMEOUT(m_transport->written.count('o') >= sent + 3, 10000);
+    // An answer that takes nearly a second is a proof all the same.
+    m_transport->answering = [this](char byte) {
+        if (byte == 'o')
+            m_transport->answer('d', 900ms);
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(late.count(), 1, 10000);
+    QCOMPARE(outcomes, 1);
+}
+
+void TestSession::startingMotorsEndsARepeatedStop()
+{
+    QSignalSpy forgone(m_session.get(), &Session::stopForgone);
+    bool isOver = false;
+    m_session->stopMotors(stopPlan(), [&isOver](const Result<void> &) { isOver = true; });
+    m_session->allowMotors();  // still being stopped: nothing is given up
+    QCOMPARE(forgone.count(), 0);
+    QTRY_VERIFY(isOver);
+    m_session->allowMotors();
+    QCOMPARE(forgone.count(), 1);
+    bool isProven = false;
+    m_transport->answering = [this](char byte) {
+        if (byte == 'o')
+            m_transport->answer('d', 0ms);
+    };
+    m_session->stopMotors(stopPlan(), [&isProven](const Result<void> &stopped) { isProven = bool(stopped); });
+    QTRY_VERIFY(isProven);
 }
 
 QTEST_GUILESS_MAIN(TestSession)

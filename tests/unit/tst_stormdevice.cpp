@@ -4,6 +4,7 @@
 #include "protocol/client/connector.h"
 #include "protocol/storm32/parametertables.h"
 #include "protocol/storm32/telemetrytables.h"
+#include "tests/support/channelproxy.h"
 #include "tests/support/stormrig.h"
 #if GIMBAL_WITH_SIMPLEBGC
 #include "protocol/simplebgc/device.h"
@@ -53,6 +54,7 @@ private slots:
     void configurationIsReadAndWritten();
     void liveValues();
     void lockedOutBoardIsReached();
+    void lockedOutBoardIsFoundDespiteLosses();
     void lockedOutBoardWithOtherNumbers();
     void lockedOutBoardIsListed_data();
     void lockedOutBoardIsListed();
@@ -62,6 +64,7 @@ private slots:
     void telemetryIsPolled_data();
     void telemetryIsPolled();
     void lossAndDamageAreSurvived();
+    void angleIsSent();
     void everyActionIsAnswered();
     void sticksAreChecked();
     void scriptThatIsOffIsTold();
@@ -245,6 +248,31 @@ void TestStormDevice::lockedOutBoardIsReached()
 }
 
 // Its numbers on MAVLink are not the usual ones: its heartbeat tells them.
+// Its heartbeat is heard: questions that are lost do not make it another board.
+void TestStormDevice::lockedOutBoardIsFoundDespiteLosses()
+{
+    class Losing final : public ChannelProxy
+    {
+    public:
+        using ChannelProxy::ChannelProxy;
+        Result<Frame> transact(const Request &request) override
+        {
+            if (request.bytes.startsWith('\xFE') && m_left-- > 0)
+                return failure(ErrorCode::Timeout, request.name);
+            return ChannelProxy::transact(request);
+        }
+
+    private:
+        int m_left = 1;
+    };
+    StormRig rig(stormOptions(96, false), kLine);
+    rig.lockOut();
+    std::ignore = rig.channel.setLine(kLine);
+    Losing channel(rig.channel);
+    QVERIFY(rig.device.probe(channel).value_or(false));
+    QVERIFY(rig.device.isEmbedded());
+}
+
 void TestStormDevice::lockedOutBoardWithOtherNumbers()
 {
     StormRig rig(stormOptions(96, false), kLine);
@@ -344,14 +372,15 @@ void TestStormDevice::statusIsDecoded()
         return lines.join(u'\n');
     };
     QCOMPARE(text(0x8028, 0x8038, 0),
-             u"Camera sensor: OK\nFrame sensor: none\nMotors running: Roll Pitch Yaw\nFollowing axes: Yaw"_s);
+             u"Camera sensor: OK\nFrame sensor: not present\nMotors running: Roll Pitch Yaw\n"
+             "Following axes: Yaw"_s);
     const QString all = text(0x8000 | 0x1000 | 0x0800 | 0x0040 | 0x2000 | 0x0100 | 0x0002, 0x0100 | 0x0800,
                              0x4000 | 0x0080);
     for (const char *line : {"Camera sensor: error", "Frame sensor: OK on the board", "Magnetometer: error",
                              "STorM32-Link: unused", "Motors running: none", "Re-centering: Pitch",
                              "IR camera: active", "Input of pan mode: +500", "Input of script 1: -500"})
         QVERIFY2(all.contains(QLatin1String(line)), qPrintable(all));
-    QVERIFY(text(0, 0, 0).startsWith(u"Camera sensor: none"_s));
+    QVERIFY(text(0, 0, 0).startsWith(u"Camera sensor: not present"_s));
     // And from a running board.
     StormRig rig;
     QVERIFY(rig.device.identify(rig.channel));
@@ -463,6 +492,29 @@ void TestStormDevice::scriptThatIsOffIsTold()
     }
 }
 
+// It is sent once the board has said that its motors run.
+void TestStormDevice::angleIsSent()
+{
+    struct Noting final : ChannelProxy
+    {
+        using ChannelProxy::ChannelProxy;
+        Result<Frame> transact(const Request &request) override
+        {
+            sent.append(request.bytes.toHex());
+            return ChannelProxy::transact(request);
+        }
+        QByteArrayList sent;
+    };
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    QVERIFY(rig.channel.sleep(15s));
+    Noting noting(rig.channel);
+    std::ignore = rig.device.perform(
+        noting, u"angle"_s, {{u"pitch"_s, -12.5}, {u"roll"_s, 3}, {u"yaw"_s, 90}, {u"limited"_s, true}});
+    QVERIFY2(noting.sent.contains("fa0e11000048c1000040400000b44207004dce"),
+             noting.sent.join(' ').constData());
+}
+
 void TestStormDevice::everyActionIsAnswered()
 {
     for (const int firmware : {79, 90, 96}) {
@@ -483,6 +535,22 @@ void TestStormDevice::everyActionIsAnswered()
                 continue;  // these need somebody who does his part: tst_stormsetup
             const auto parsed = parseArguments(action, arguments.value(QString::fromLatin1(action.key)));
             QVERIFY2(parsed, action.key);
+            // The memory is erased by now: what is stored would let running motors go.
+            if (QLatin1String(action.key) == "stored.compare"_L1) {
+                const auto refused
+                    = rig.device.perform(rig.channel, QString::fromLatin1(action.key), *parsed);
+                QVERIFY(!refused);
+                QCOMPARE(refused.error().code, ErrorCode::ConditionUnmet);
+                QVERIFY(refused.error().detail.contains(u"motor.pitch.usage"_s));
+                QVERIFY(rig.channel.sleep(30s));  // it was reset before
+                for (const int word : {78, 79, 80})
+                    rig.board().set(word, 3);
+            }
+            // What turns the camera needs motors, which have been stopped by now.
+            if (QLatin1String(action.key) == "angle"_L1) {
+                QVERIFY(rig.channel.sleep(30s));
+                QVERIFY(rig.device.switchMotorsOn(rig.channel));
+            }
             const auto reply = rig.device.perform(rig.channel, QString::fromLatin1(action.key), *parsed);
             QVERIFY2(reply,
                      qPrintable(u"%1: %2"_s.arg(QLatin1String(action.key),

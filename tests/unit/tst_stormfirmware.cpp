@@ -41,7 +41,7 @@ class TestStormFirmware : public QObject
 {
     Q_OBJECT
 private slots:
-    void row01_standbyIsIgnoredWhileStarting_data() { addFirmwares(); }
+    void row01_standbyIsIgnoredWhileStarting_data();
     void row01_standbyIsIgnoredWhileStarting();
     void row02_factoryDefaultsDisableTheMotors_data() { addFirmwares(); }
     void row02_factoryDefaultsDisableTheMotors();
@@ -53,6 +53,7 @@ private slots:
     void row05_componentNoneIsAnswered();
     void row06_unknownParameterWritesTheFirst_data() { addFirmwares(); }
     void row06_unknownParameterWritesTheFirst();
+    void row06_isNeverSent_data() { addFirmwares(); }
     void row06_isNeverSent();
     void row07_signedWordsAreInt16_data() { addFirmwares(); }
     void row07_signedWordsAreInt16();
@@ -88,15 +89,39 @@ private:
     }
 };
 
+void TestStormFirmware::row01_standbyIsIgnoredWhileStarting_data()
+{
+    QTest::addColumn<int>("firmware");
+    QTest::addColumn<int>("state");
+    for (const auto &[firmware, state] : std::initializer_list<std::pair<int, int>>{
+             {79, 1}, {90, 1}, {90, 4}, {96, 0}, {96, 1}, {96, 2}, {96, 4}, {96, 5}})
+        QTest::addRow("%d in state %d", firmware, state) << firmware << state;
+}
+
 void TestStormFirmware::row01_standbyIsIgnoredWhileStarting()
 {
     QFETCH(int, firmware);
+    QFETCH(int, state);
     ByteClient client(firmware);
-    QCOMPARE(client.ask("xx").left(1), "o");
-    std::ignore = client.wait(5s);  // state 1
-    QCOMPARE(u16(client.ask("s"), 0), 1);
+    if (state == 5) {  // leaving standby goes through it
+        QCOMPARE(client.ask(hex("fa010e0176e8")), kAck);
+        std::ignore = client.wait(3s);
+        QCOMPARE(client.askRc(Rc::SetStandby, hex("00")), kAck);
+    } else {
+        QCOMPARE(client.ask("xx").left(1), "o");
+    }
+    if (state == 4) {
+        for (const int word : {21, 27, 33})  // directions are to be found
+            client.board().set(word, 2);
+    }
+    for (int i = 0; i < 2500 && client.board().state() != state; ++i)
+        std::ignore = client.wait(10ms);
+    QCOMPARE(client.board().state(), state);
+    QCOMPARE(u16(client.ask("s"), 0), state);
     QCOMPARE(client.ask(hex("fa010e0176e8")), kAck);
-    std::ignore = client.wait(20s);
+    for (int i = 0; i < 250 && client.board().state() != 6; ++i)
+        std::ignore = client.wait(100ms);
+    std::ignore = client.wait(1s);
     QByteArray status = client.ask("s");
     QCOMPARE(u16(status, 0), 6);
     QCOMPARE(u16(status, 4) & 0x0038, 0x0038);  // told off, and on all the same
@@ -176,7 +201,8 @@ void TestStormFirmware::row06_unknownParameterWritesTheFirst()
 // By hand neither.
 void TestStormFirmware::row06_isNeverSent()
 {
-    StormRig rig;
+    QFETCH(int, firmware);
+    StormRig rig(stormOptions(firmware));
     QVERIFY(rig.device.identify(rig.channel));
     const auto typed = [&rig](MessageId id, QVariantMap values) {
         values.insert(u"target_system"_s, 71);
@@ -186,9 +212,12 @@ void TestStormFirmware::row06_isNeverSent()
         return command ? ErrorCode::Cancelled : command.error().code;
     };
     QCOMPARE(typed(MessageId::ParamSet, {{u"param_id"_s, u"NONSENSE"_s}}), ErrorCode::InvalidArgument);
-    QCOMPARE(typed(MessageId::ParamSet, {{u"param_id"_s, u"PID_PITCH_P"_s}}), ErrorCode::Cancelled);
-    QCOMPARE(typed(MessageId::ParamSet2, {{u"param_index"_s, 125}}), ErrorCode::InvalidArgument);
-    QCOMPARE(typed(MessageId::ParamSet2, {{u"param_index"_s, 124}}), ErrorCode::Cancelled);
+    // Which names v0.90 has was never seen.
+    QCOMPARE(typed(MessageId::ParamSet, {{u"param_id"_s, u"PID_PITCH_P"_s}}),
+             firmware == 90 ? ErrorCode::InvalidArgument : ErrorCode::Cancelled);
+    const int words = firmware == 79 ? 124 : 125;
+    QCOMPARE(typed(MessageId::ParamSet2, {{u"param_index"_s, words}}), ErrorCode::InvalidArgument);
+    QCOMPARE(typed(MessageId::ParamSet2, {{u"param_index"_s, words - 1}}), ErrorCode::Cancelled);
 }
 
 void TestStormFirmware::row07_signedWordsAreInt16()

@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+#include <cmath>
+
 using namespace Qt::StringLiterals;
 using namespace storm32;
 
@@ -294,8 +296,17 @@ void TestStormHex::liveDataHasUnits()
     QVERIFY(near(late[AnglePitch], 30) && near(late[AngleRoll], -1.25) && near(late[AngleYaw], 90));
     QVERIFY(near(late[OutputPitch], -30) && near(late[OutputRoll], 1.25) && near(late[OutputYaw], 0));
     QVERIFY(near(late[InputPitch], -12) && near(late[InputRoll], 388) && near(late[InputYaw], 0));
-    QVERIFY(near(late[Angle2Pitch], 0.01) && near(late[Angle2Roll], 0.02) && near(late[Angle2Yaw], 0.03));
-    QVERIFY(near(late[MagYaw], -0.45) && near(late[AccConfidence], 1) && near(late[Functions], 0x4000));
+    QVERIFY(near(late[AccConfidence], 1) && near(late[Functions], 0x4000));
+    // What the status says is not there has no values.
+    QVERIFY(std::isnan(late[Angle2Pitch]) && std::isnan(late[Angle2Yaw]) && std::isnan(late[MagYaw]));
+    QByteArray whole = data;
+    whole[3] = char(0xB0);  // status with the second sensor and the magnetometer
+    const auto full = liveRow(asBytes(whole), LiveScales(96));
+    QVERIFY(near(full[Angle2Pitch], 0.01) && near(full[Angle2Roll], 0.02) && near(full[Angle2Yaw], 0.03));
+    QVERIFY(near(full[MagYaw], -0.45));
+    whole[3] = char(0x30);  // without the first one
+    const auto blind = liveRow(asBytes(whole), LiveScales(96));
+    QVERIFY(std::isnan(blind[AngleRoll]) && std::isnan(blind[GyroX]) && std::isnan(blind[UpZ]));
 }
 
 void TestStormHex::rc_data()
@@ -409,7 +420,6 @@ void TestStormHex::actionsSendThem_data()
     };
     row("standby", "on=true", "fa010e0176e8");
     row("motors.off", "", "fa010e0176e8");
-    row("angle", "pitch=-12.5, roll=3, yaw=90, limited=true", "fa0e11000048c1000040400000b44207004dce");
     row("sticks", "pitch=700, roll=1500, yaw=2300", "fa0612bc02dc05fc085009");
     row("recenter", "", "fa06120000000000004fe3");
     row("pan.mode", "mode=5", "fa010d053a84");

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/procedure/safeaction.h"
 #include "protocol/procedure/writeconfiguration.h"
+#include "protocol/record/configurationformats.h"
 #include "tests/support/stormrig.h"
 
 #include <QTemporaryDir>
@@ -33,10 +35,26 @@ private slots:
     void scriptThatSetsTheWrittenValueIsTold();
     void motorsNeitherStartNorFall_data();
     void motorsNeitherStartNorFall();
+    void disabledMotorLetsTheOthersRun_data();
+    void disabledMotorLetsTheOthersRun();
+    void standbyIsLeftAgain();
+    void cancelledReadingLosesNothing();
     void failedWriteLeavesBothAsTheyWere();
+    void storedHeartbeatIsCompared_data();
     void storedHeartbeatIsCompared();
     void wholeWriteWithAStoredHeartbeat();
-    void lockedOutBoardSaysWhatItCannotTell();
+    void lockedOutBoardKeepsTheTwoApart_data();
+    void lockedOutBoardKeepsTheTwoApart();
+    void stoppedWhileStartingIsNotStored_data();
+    void stoppedWhileStartingIsNotStored();
+    void scriptIsKeptFromStoring();
+    void storedMeanwhileIsTold();
+    void storedIsNotWhatAScriptHasJustSet();
+    void writtenValueThatAScriptSetsIsTold();
+    void plainStoreKeepsWhatWasStored_data();
+    void plainStoreKeepsWhatWasStored();
+    void restoredWordIsOneOfTheBoard_data();
+    void restoredWordIsOneOfTheBoard();
     void anyWordCanBeSetInRam_data();
     void anyWordCanBeSetInRam();
     void addressIsFollowed();
@@ -45,14 +63,20 @@ private:
     Result<WriteReport> write(StormRig &rig, const QString &key, double raw,
                               OtherValues others = OtherValues::Keep)
     {
+        return write(rig, rig.device, key, raw, others);
+    }
+    Result<WriteReport> write(StormRig &rig, storm32::Device &device, const QString &key, double raw,
+                              OtherValues others = OtherValues::Keep)
+    {
         const BoardHistory history(m_dir.path());
-        const auto base = rig.device.readConfiguration(rig.channel);
+        const auto base = device.readConfiguration(rig.channel);
         Configuration edited = *base;
         [&] { QVERIFY(edited.setRaw(*edited.parameters().find(key), 0, raw)); }();
         WriteOptions options;
         options.history = &history;
         options.others = others;
-        return writeConfiguration(rig.channel, rig.device, *base, edited, options);
+        options.named = {key};
+        return writeConfiguration(rig.channel, device, *base, edited, options);
     }
     static int word(StormRig &rig, const QString &key)
     {
@@ -226,6 +250,74 @@ void TestStormMemory::motorsNeitherStartNorFall()
     QCOMPARE(rig.board().stored(6), 444);
 }
 
+void TestStormMemory::disabledMotorLetsTheOthersRun_data()
+{
+    QTest::addColumn<int>("firmware");
+    for (const int firmware : {79, 90, 96})
+        QTest::addRow("0.%d", firmware) << firmware;
+}
+
+// A gimbal of two axes: its third motor is disabled, in use as well as where it is stored.
+void TestStormMemory::disabledMotorLetsTheOthersRun()
+{
+    QFETCH(int, firmware);
+    StormRig rig(stormOptions(firmware));
+    QVERIFY(rig.device.identify(rig.channel));
+    const auto usage = write(rig, u"motor.yaw.usage"_s, 3);
+    QVERIFY(usage && usage->isComplete());
+    QVERIFY(rig.board().stabilizer().motorsOn());
+    bool fell = false;
+    rig.channel.setTap([&](const FrameView &, TimePoint) {
+        fell |= !rig.board().stabilizer().motorsOn() || rig.board().state() != 6;
+    });
+    const BoardHistory history(m_dir.path());
+    QVERIFY(performSafely(rig.channel, rig.device, u"stored.compare"_s, {}, history));
+    for (const int raw : {441, 442}) {
+        const auto gain = write(rig, u"pid.pitch.p"_s, raw);
+        QVERIFY2(gain && gain->isComplete(), qPrintable(why(gain)));
+        QCOMPARE(rig.board().stored(0), raw);
+    }
+    rig.board().set(6, 450);
+    QVERIFY(performSafely(rig.channel, rig.device, u"store"_s, {}, history));
+    QCOMPARE(rig.board().stored(6), 450);
+    QVERIFY(!fell);
+    QCOMPARE(rig.board().inUse(80), 3);
+    QCOMPARE(rig.board().stored(80), 3);
+}
+
+// All motors are disabled: reading what is stored goes through standby, twice in a row as well.
+void TestStormMemory::standbyIsLeftAgain()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    for (const int motor : {78, 79, 80})
+        rig.board().set(motor, 3);
+    QVERIFY(rig.device.perform(rig.channel, u"store"_s, {}));
+    const BoardHistory history(m_dir.path());
+    for (const int raw : {441, 442}) {
+        QVERIFY(performSafely(rig.channel, rig.device, u"stored.compare"_s, {}, history));
+        const auto gain = write(rig, u"pid.pitch.p"_s, raw);
+        QVERIFY2(gain && gain->isComplete(), qPrintable(why(gain)));
+    }
+    QVERIFY(rig.board().state() < 7);  // it has left standby
+}
+
+// For a moment what is stored is in use: whoever cancels then has it put back first.
+void TestStormMemory::cancelledReadingLosesNothing()
+{
+    int cancelled = 0;
+    for (milliseconds after = 0ms; after < 200ms; after += 1ms) {
+        StormRig rig;
+        QVERIFY(rig.device.identify(rig.channel));
+        rig.board().set(6, 555);
+        rig.channel.cancelAfter(after);
+        const auto both = rig.device.wholeMemory()->readBoth(rig.channel);
+        cancelled += !both && both.error().code == ErrorCode::Cancelled ? 1 : 0;
+        QVERIFY2(rig.board().inUse(6) == 555, qPrintable(QString::number(after.count())));
+    }
+    QVERIFY(cancelled > 0);
+}
+
 void TestStormMemory::failedWriteLeavesBothAsTheyWere()
 {
     StormRig rig;
@@ -239,10 +331,16 @@ void TestStormMemory::failedWriteLeavesBothAsTheyWere()
     QCOMPARE(rig.board().inUse(0), 500);
 }
 
+void TestStormMemory::storedHeartbeatIsCompared_data()
+{
+    scriptsAreNamed_data();
+}
+
 // Stored on, switched off in use: the stored one must not lock the comparison out.
 void TestStormMemory::storedHeartbeatIsCompared()
 {
-    StormRig rig(stormOptions(96, false), LineSettings{115200, Parity::None});
+    QFETCH(int, firmware);
+    StormRig rig(stormOptions(firmware, false), LineSettings{115200, Parity::None});
     QVERIFY(rig.device.identify(rig.channel));
     rig.board().set(112, 2);
     QVERIFY(rig.device.probe(rig.channel).value());
@@ -277,16 +375,219 @@ void TestStormMemory::wholeWriteWithAStoredHeartbeat()
     QVERIFY(!rig.device.isEmbedded());
 }
 
-void TestStormMemory::lockedOutBoardSaysWhatItCannotTell()
+void TestStormMemory::lockedOutBoardKeepsTheTwoApart_data()
 {
-    StormRig rig(stormOptions(96, false), LineSettings{115200, Parity::None});
+    otherValues_data();
+}
+
+// Through MAVLink as well: the heartbeat itself is one of the values in use that are not stored.
+void TestStormMemory::lockedOutBoardKeepsTheTwoApart()
+{
+    QFETCH(int, firmware);
+    QFETCH(int, others);
+    QFETCH(int, inUse);
+    QFETCH(int, stored);
+    StormRig rig(stormOptions(firmware, false), LineSettings{115200, Parity::None});
     QVERIFY(rig.device.identify(rig.channel));
     rig.lockOut();
+    rig.board().set(0, 500);
     QVERIFY(rig.device.probe(rig.channel).value());
-    const auto report = write(rig, u"pid.roll.p"_s, 444);
-    QVERIFY(report && report->isComplete() && report->othersUnknown);
-    QCOMPARE(report->othersUnknown->code, ErrorCode::Unsupported);
+    const auto report = write(rig, u"pid.roll.p"_s, 444, OtherValues(others));
+    QVERIFY2(report && report->isComplete(), qPrintable(why(report)));
+    QVERIFY(!report->othersUnknown);
+    QCOMPARE(report->others.size(), std::size_t(2));
     QCOMPARE(rig.board().stored(6), 444);
+    QCOMPARE(rig.board().inUse(6), 444);
+    QCOMPARE(rig.board().inUse(0), inUse);
+    QCOMPARE(rig.board().stored(0), stored);
+    QCOMPARE(rig.board().inUse(112), OtherValues(others) == OtherValues::PutBack ? 0 : 1);
+    QCOMPARE(rig.board().stored(112), OtherValues(others) == OtherValues::Store ? 1 : 0);
+    QCOMPARE(rig.device.isEmbedded(), OtherValues(others) != OtherValues::PutBack);
+}
+
+void TestStormMemory::stoppedWhileStartingIsNotStored_data()
+{
+    QTest::addColumn<int>("firmware");
+    QTest::addColumn<bool>("isFresh");
+    for (const int firmware : {79, 90, 96}) {
+        QTest::addRow("0.%d, the device that stopped it", firmware) << firmware << false;
+        QTest::addRow("0.%d, a new one", firmware) << firmware << true;
+    }
+}
+
+// A board that starts ignores standby, so a stop disables its motors in RAM: nobody stores that unasked.
+void TestStormMemory::stoppedWhileStartingIsNotStored()
+{
+    QFETCH(int, firmware);
+    QFETCH(bool, isFresh);
+    StormRig rig(stormOptions(firmware));
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.change(u"no-imu=1"_s);
+    QVERIFY(rig.device.perform(rig.channel, u"restart"_s, {}));
+    if (isFresh) {
+        for (const int motor : {78, 79, 80})
+            rig.board().set(motor, 3);  // by a program that has ended since
+    } else {
+        rig.channel.stopMotors(rig.device.stopPlan());
+        QVERIFY(rig.channel.sleep(2500ms));
+        QCOMPARE(rig.board().inUse(78), 3);
+    }
+    storm32::Device fresh;
+    QVERIFY(fresh.identify(rig.channel));
+    storm32::Device &device = isFresh ? fresh : rig.device;
+    const ErrorCode refusal = isFresh ? ErrorCode::Unready : ErrorCode::Busy;
+    const BoardHistory history(m_dir.path());
+    for (const OtherValues others : {OtherValues::Keep, OtherValues::PutBack}) {
+        const auto report = write(rig, device, u"pid.pitch.p"_s, 440, others);
+        QVERIFY(!report);
+        QCOMPARE(report.error().code, refusal);
+    }
+    for (const QString &key : {u"store"_s, u"stored.compare"_s}) {
+        const auto done = performSafely(rig.channel, device, key, {}, history);
+        QVERIFY2(!done, qPrintable(key));
+        QCOMPARE(done.error().code, refusal);
+    }
+    QCOMPARE(rig.board().stored(78), 0);
+    QCOMPARE(rig.board().stored(0), 400);
+    if (!isFresh)
+        return;
+    // The operator says that everything is to be stored; nobody can tell whether it is.
+    const auto all = write(rig, device, u"pid.pitch.p"_s, 440, OtherValues::Store);
+    QVERIFY(all && !all->isComplete() && all->othersUnknown && all->storedUntold);
+    QCOMPARE(all->error->code, ErrorCode::Unready);
+    QCOMPARE(all->count(WriteState::Unknown), 1);
+    QCOMPARE(rig.board().stored(78), 3);
+    QCOMPARE(rig.board().stored(0), 440);
+    // What is in use as wanted may not be stored so: it is written.
+    rig.board().set(6, 450);
+    const auto same = write(rig, device, u"pid.roll.p"_s, 450, OtherValues::Store);
+    QVERIFY(same && same->storedUntold);
+    QCOMPARE(same->lines.size(), std::size_t(1));
+    QCOMPARE(rig.board().stored(6), 450);
+}
+
+// It sets a value between putting everything into use and storing it; the next time it does not.
+void TestStormMemory::scriptIsKeptFromStoring()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    runScript(rig, u"CASE#DEFAULT\nWAIT 200\nSET \"Yaw P\" 510\nREPEAT"_s);
+    QCOMPARE(rig.board().stored(12), 400);
+    bool wasStored = false;
+    rig.channel.setTap([&](const FrameView &, TimePoint) {
+        if (rig.board().inUse(6) == 444 && !wasStored)
+            rig.board().set(12, 510);
+        wasStored |= rig.board().stored(12) == 510;
+    });
+    const auto report = write(rig, u"pid.roll.p"_s, 444);
+    QVERIFY2(report && report->isComplete(), qPrintable(why(report)));
+    QVERIFY(wasStored);
+    QCOMPARE(rig.board().stored(12), 400);
+    QCOMPARE(rig.board().inUse(12), 510);  // what the script has set stays in use
+    QCOMPARE(rig.board().stored(6), 444);
+    QVERIFY(report->storedMeanwhile.empty());
+}
+
+// A script that never pauses: what it has stored is not said to be left so.
+void TestStormMemory::storedMeanwhileIsTold()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    runScript(rig, u"CASE#DEFAULT\nWAIT 200\nSET \"Yaw P\" 510\nREPEAT"_s);
+    QCOMPARE(rig.board().stored(12), 400);
+    rig.channel.setTap([&](const FrameView &, TimePoint) {
+        if (rig.board().inUse(6) == 444)
+            rig.board().set(12, 510);
+    });
+    const auto report = write(rig, u"pid.roll.p"_s, 444);
+    QVERIFY2(report && report->isComplete(), qPrintable(why(report)));
+    QCOMPARE(rig.board().stored(12), 510);
+    QVERIFY(report->others.empty());
+    QCOMPARE(report->storedMeanwhile.size(), std::size_t(1));
+    const StoredMeanwhile &value = report->storedMeanwhile.front();
+    QCOMPARE(value.spec->key, u"pid.yaw.p"_s);
+    QCOMPARE(value.before, 400.0);
+    QCOMPARE(value.now, 510.0);
+    QCOMPARE(value.setBy, u"script 1"_s);
+}
+
+// Nor is it taken for what is stored when it falls between loading and reading.
+void TestStormMemory::storedIsNotWhatAScriptHasJustSet()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    runScript(rig, u"CASE#DEFAULT\nWAIT 200\nSET \"Yaw P\" 510\nREPEAT"_s);
+    rig.board().set(0, 500);
+    bool wasLoaded = false;
+    rig.channel.setTap([&](const FrameView &, TimePoint) {
+        if (rig.board().inUse(0) == 400 && !std::exchange(wasLoaded, true))
+            rig.board().set(12, 510);
+    });
+    const auto both = rig.device.readBoth(rig.channel);
+    QVERIFY(both && wasLoaded);
+    QCOMPARE(both->stored.raw(*both->stored.parameters().find(u"pid.yaw.p"_s), 0), 400.0);
+}
+
+void TestStormMemory::writtenValueThatAScriptSetsIsTold()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    runScript(rig, u"CASE#DEFAULT\nWAIT 200\nSET \"Yaw P\" 510\nREPEAT"_s);
+    const auto report = write(rig, u"pid.yaw.p"_s, 420);
+    QVERIFY2(report && report->isComplete(), qPrintable(why(report)));
+    QCOMPARE(report->lines.front().state, WriteState::Verified);
+    QCOMPARE(report->lines.front().setBy, u"script 1"_s);
+}
+
+void TestStormMemory::plainStoreKeepsWhatWasStored_data()
+{
+    QTest::addColumn<int>("firmware");
+    QTest::addColumn<QString>("action");
+    for (const int firmware : {79, 90, 96}) {
+        QTest::addRow("0.%d, store", firmware) << firmware << u"store"_s;
+        QTest::addRow("0.%d, erase", firmware) << firmware << u"erase"_s;
+    }
+}
+
+// What is stored is overwritten: the snapshot holds it, and what becomes of it is told.
+void TestStormMemory::plainStoreKeepsWhatWasStored()
+{
+    QFETCH(int, firmware);
+    QFETCH(QString, action);
+    StormRig rig(stormOptions(firmware));
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.board().set(0, 500);
+    const BoardHistory history(m_dir.path());
+    const auto done = performSafely(rig.channel, rig.device, action, {}, history);
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    const auto kept = loadConfiguration(done->snapshotPath, {rig.family});
+    QVERIFY(kept);
+    const Configuration &snapshot = kept->configuration;
+    QCOMPARE(snapshot.raw(*snapshot.parameters().find(u"pid.pitch.p"_s), 0), 400.0);
+    QCOMPARE(done->stored.has_value(), action == u"store"_s);
+    if (!done->stored)
+        return;
+    QCOMPARE(rig.board().stored(0), 500);
+    QCOMPARE(done->stored->others.size(), std::size_t(1));
+    QCOMPARE(done->stored->others.front().inUse, 500.0);
+    QCOMPARE(done->stored->others.front().stored, 400.0);
+}
+
+void TestStormMemory::restoredWordIsOneOfTheBoard_data()
+{
+    scriptsAreNamed_data();
+}
+
+void TestStormMemory::restoredWordIsOneOfTheBoard()
+{
+    QFETCH(int, firmware);
+    StormRig rig(stormOptions(firmware));
+    QVERIFY(rig.device.identify(rig.channel));
+    const int words = storm32::wordsOf(rig.board().layout());
+    QVERIFY(rig.device.perform(rig.channel, u"restore"_s, {{u"word"_s, words - 1}}));
+    const auto beyond = rig.device.perform(rig.channel, u"restore"_s, {{u"word"_s, words}});
+    QVERIFY(!beyond);
+    QCOMPARE(beyond.error().code, ErrorCode::OutOfRange);
 }
 
 void TestStormMemory::anyWordCanBeSetInRam_data()

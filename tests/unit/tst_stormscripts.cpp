@@ -52,6 +52,7 @@ void TestStormScripts::textBecomesCode_data()
     QTest::newRow("set, signed") << u"SET \"pitch offset\" -250\nSTOP"_s << code("0a1606ff00ff");
     QTest::newRow("set, by number") << u"RESTORE \"#119\"\nSTOP"_s << code("0c7700ff");
     QTest::newRow("limits") << u"SETMINMAX \"Pitch Offset\" -1 2\nSTOP"_s << code("0b16ffff020000ff");
+    QTest::newRow("angle as fine as a board holds") << u"SETANGLEPITCH -290.29\nSTOP"_s << code("0d9b8e00ff");
     QTest::newRow("angle") << u"SETANGLEPITCH -12.34\nSTOP"_s << code("0d2efb00ff");
     QTest::newRow("angles") << u"SETANGLE 1 2 -3\nRESTART"_s << code("106400c800d4fe01ff");
     QTest::newRow("pwm") << u"SETPWM 2300\nSTOP"_s << code("18fc0800ff");
@@ -102,6 +103,8 @@ void TestStormScripts::mistakesAreNamed_data()
     QTest::newRow("unknown parameter") << u"SET \"Patch P\" 1"_s << u"Patch P"_s;
     QTest::newRow("no number") << u"WAIT long"_s << u"'long'"_s;
     QTest::newRow("not whole") << u"WAIT 1.5"_s << u"whole"_s;
+    QTest::newRow("finer than a board holds") << u"SETANGLEPITCH 12.345"_s << u"the nearest is 12.3"_s;
+    QTest::newRow("one of three is finer") << u"SETANGLE 1 2.005 3"_s << u"cannot hold 2.005"_s;
     QTest::newRow("not finite") << u"SETANGLEPITCH inf"_s << u"is not a number"_s;
     QTest::newRow("out of range") << u"SETPWM 600"_s << u"700"_s;
     QTest::newRow("negative for unsigned") << u"SET \"Pitch P\" -1"_s << u"outside 0"_s;

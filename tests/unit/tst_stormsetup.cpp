@@ -5,6 +5,7 @@
 #include "protocol/storm32/files.h"
 #include "protocol/storm32/orientations.h"
 #include "protocol/storm32/parametertables.h"
+#include "tests/support/channelproxy.h"
 #include "tests/support/stormrig.h"
 
 #include <QTemporaryDir>
@@ -27,6 +28,27 @@ Configuration readBoard(StormRig &rig)
     return rig.device.readConfiguration(rig.channel).value();
 }
 
+/// The answer to one of the questions for a single stored value gets lost.
+class AnswerLost final : public ChannelProxy
+{
+public:
+    AnswerLost(Channel &channel, int which)
+        : ChannelProxy(channel)
+        , m_which(which)
+    {
+    }
+    Result<Frame> transact(const Request &request) override
+    {
+        auto answer = ChannelProxy::transact(request);
+        if (request.name != u"RESTOREPARAMETER"_s || --m_which != 0)
+            return answer;
+        return failure(ErrorCode::Timeout, request.name);
+    }
+
+private:
+    int m_which;
+};
+
 }  // namespace
 
 /// Setting up a STorM32 gimbal: calibration, configuration tasks, scripts and files, against the simulated
@@ -40,7 +62,13 @@ private slots:
     void onePositionFindsTheZeros();
     void sixPositionsFindZerosAndScales_data();
     void sixPositionsFindZerosAndScales();
+    void motorsAreOffBetweenPositions_data() { sixPositionsFindZerosAndScales_data(); }
+    void motorsAreOffBetweenPositions();
+    void motorsThatMayRunStopIt();
+    void orientationNeedsDisabledMotors();
     void movingSensorIsNotMeasured();
+    void impossibleReadingIsNotTaken_data();
+    void impossibleReadingIsNotTaken();
     void missingSensorIsSaid();
     void badCalibrationIsNotStored();
     void orientationIsFound_data();
@@ -65,6 +93,7 @@ private slots:
     void settingsThatNobodyMaySetAreTold();
     void settingsOfLayout89KeepTheirNames_data();
     void settingsOfLayout89KeepTheirNames();
+    void settingsThatAreMissingStay();
     void badSettingsAreRefused_data();
     void badSettingsAreRefused();
     void calibrationFileComesBack();
@@ -144,6 +173,58 @@ void TestStormSetup::sixPositionsFindZerosAndScales()
     QVERIFY(std::abs(acc[1] - 1.0) < 0.02 && std::abs(acc[0]) < 0.02 && std::abs(acc[2]) < 0.02);
 }
 
+// Whoever asks for it: the sensor is turned over by hand, and somebody may switch the motors on meanwhile.
+void TestStormSetup::motorsAreOffBetweenPositions()
+{
+    QFETCH(int, firmware);
+    StormRig rig(stormOptions(firmware));
+    QVERIFY(rig.device.identify(rig.channel));
+    QVERIFY(rig.board().stabilizer().motorsOn());
+    QList<int> poses{3, 1, 6, 2, 5, 4};
+    rig.change(u"pose=%1"_s.arg(poses.takeFirst()));
+    int done = 0;
+    int asked = 0;
+    int running = 0;
+    rig.channel.setOperator([&](const Progress &progress) {
+        ++asked;
+        running += rig.board().stabilizer().motorsOn();
+        if (progress.done == std::exchange(done, progress.done) || poses.isEmpty())
+            return;
+        rig.change(u"pose=%1"_s.arg(poses.takeFirst()));
+        rig.board().receive(asBytes(encodeRc(int(Rc::SetStandby), QByteArray(1, '\0'))));
+        rig.board().cycle();
+    });
+    const auto reply
+        = rig.device.perform(rig.channel, u"calibrate.six"_s, {{u"imu"_s, 1}, {u"store"_s, true}});
+    QVERIFY2(reply, reply ? "" : qPrintable(reply.error().detail));
+    QVERIFY(asked > 50);
+    QCOMPARE(running, 0);
+    QVERIFY(reply->value(u"stored"_s).toBool() && reply->value(u"motors_switched_off"_s).toBool());
+    QVERIFY(!rig.board().stabilizer().motorsOn());  // nobody starts them while the camera is in a hand
+}
+
+void TestStormSetup::motorsThatMayRunStopIt()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.change(u"deaf=115"_s);  // the letter of the status: nothing tells what standby did
+    rig.layOn({1, 2, 3, 4, 5, 6});
+    const auto reply
+        = rig.device.perform(rig.channel, u"calibrate.six"_s, {{u"imu"_s, 1}, {u"store"_s, true}});
+    QVERIFY(!reply);
+    QCOMPARE(reply.error().code, ErrorCode::NotProven);
+    QVERIFY(rig.channel.progressReports().empty());  // no position was asked for
+}
+
+void TestStormSetup::orientationNeedsDisabledMotors()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    const auto refused = rig.device.perform(rig.channel, u"setup.orientation"_s, {});
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, ErrorCode::ConditionUnmet);
+}
+
 void TestStormSetup::movingSensorIsNotMeasured()
 {
     StormRig rig;
@@ -155,6 +236,36 @@ void TestStormSetup::movingSensorIsNotMeasured()
         = rig.device.perform(rig.channel, u"calibrate.level"_s, {{u"imu"_s, 1}, {u"store"_s, true}});
     QVERIFY(!reply);
     QCOMPARE(reply.error().code, ErrorCode::NotSeen);
+}
+
+void TestStormSetup::impossibleReadingIsNotTaken_data()
+{
+    QTest::addColumn<QString>("action");
+    QTest::newRow("one position") << u"calibrate.level"_s;
+    QTest::newRow("six positions") << u"calibrate.six"_s;
+    QTest::newRow("orientation") << u"setup.orientation"_s;
+}
+
+// It lies still and measures what no sensor at rest does: nothing of it is stored, or found.
+void TestStormSetup::impossibleReadingIsNotTaken()
+{
+    QFETCH(QString, action);
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    QVERIFY(rig.device.perform(rig.channel, u"setup.motors_off"_s, {}));
+    rig.change(u"pose=1"_s);
+    rig.board().stabilizer().imu().accError = {0, 0, 0.4};
+    const auto before = rig.device.perform(rig.channel, u"calibration.read"_s, {});
+    const TimePoint begun = rig.channel.now();
+    const auto reply = rig.device.perform(rig.channel, action, {{u"imu"_s, 1}, {u"store"_s, true}});
+    QVERIFY(!reply);
+    QCOMPARE(reply.error().code, ErrorCode::NotSeen);
+    QVERIFY2(reply.error().detail.contains(u"1.42 g instead of 1 g"_s), qPrintable(reply.error().detail));
+    QCOMPARE(rig.device.perform(rig.channel, u"calibration.read"_s, {}), before);
+    if (action == u"calibrate.level"_s)
+        QVERIFY(rig.channel.now() - begun < 10s);
+    for (const Progress &progress : rig.channel.progressReports())
+        QVERIFY(progress.step != u"calibrate"_s);
 }
 
 void TestStormSetup::missingSensorIsSaid()
@@ -170,13 +281,16 @@ void TestStormSetup::missingSensorIsSaid()
     const auto first = rig.device.perform(rig.channel, u"setup.orientation"_s, {});
     QVERIFY(!first);
     QVERIFY(first.error().detail.contains(u"no sensor"_s));
+    const auto raw = rig.device.perform(rig.channel, u"sensors.raw"_s, {});
+    QVERIFY(raw && !raw->contains(u"imu.acc.x"_s));
+    QCOMPARE(raw->value(u"imu"_s).toString(), u"missing"_s);
 }
 
 void TestStormSetup::badCalibrationIsNotStored()
 {
     StormRig rig;
     QVERIFY(rig.device.identify(rig.channel));
-    rig.board().stabilizer().imu().accScaleError = {1.3, 1.3, 1.3};  // a sensor that is broken
+    rig.board().stabilizer().imu().accScaleError = {1.14, 1.14, 1.14};  // a sensor that is broken
     rig.layOn({1, 2, 3, 4, 5, 6});
     const auto before = rig.device.perform(rig.channel, u"calibration.read"_s, {});
     const auto reply
@@ -239,6 +353,7 @@ void TestStormSetup::bothOrientationsAreFound()
     rig.change(u"mount=%1"_s.arg(mount));
     rig.change(u"frame-mount=%1"_s.arg(frameMount));
     rig.change(u"pose=1"_s);
+    QVERIFY(rig.device.perform(rig.channel, u"setup.motors_off"_s, {}));
     double tiltedAfter = 0;
     rig.channel.setOperator([&](const Progress &progress) {
         if (progress.step == u"tilt-camera"_s && rig.options.faults.pose == 1) {
@@ -308,6 +423,7 @@ void TestStormSetup::orientationIsNotGuessed()
     StormRig rig;
     QVERIFY(rig.device.identify(rig.channel));
     rig.change(u"pose=1"_s);  // level, and never tilted
+    QVERIFY(rig.device.perform(rig.channel, u"setup.motors_off"_s, {}));
     const int before = rig.board().inUse(39);
     const auto reply = rig.device.perform(rig.channel, u"setup.orientation"_s, {});
     QVERIFY(!reply);
@@ -428,22 +544,34 @@ void TestStormSetup::comparingLosesNothing()
                      qPrintable(reply.error().detail));
     }
     QVERIFY2(compared >= 20, qPrintable(QString::number(compared)));
-    // The line dies after the values in use were read, after the stored ones were loaded, after these were
-    // read.
-    for (int after = 1; after <= 3; ++after) {
+    // The line dies after each of the answers.
+    int died = 0;
+    for (bool isWhole = false; !isWhole; ++died) {
         StormRig rig;
         QVERIFY(rig.device.identify(rig.channel));
         rig.board().set(0, 444);
         rig.channel.setTap([&, frames = 0](const FrameView &, TimePoint) mutable {
-            if (++frames == after)
+            if (frames++ == died)
                 QVERIFY(rig.port.change(u"lose=1"_s));
         });
         const auto reply = rig.device.perform(rig.channel, u"stored.compare"_s, {});
-        QVERIFY(!reply);
-        QCOMPARE(rig.board().inUse(0), after == 1 ? 444 : 400);
+        isWhole = reply.has_value();
+        if (isWhole || rig.board().inUse(0) == 444)
+            continue;
+        QCOMPARE(rig.board().inUse(0), 400);
         QCOMPARE(reply.error().code, ErrorCode::NotRestored);
         QVERIFY2(reply.error().detail.contains(u"pid.pitch.p=4.44"_s), qPrintable(reply.error().detail));
     }
+    QVERIFY2(died > 8, qPrintable(QString::number(died)));
+    // The answer to the question for one word is lost: a motor that is stored as disabled runs on.
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.board().set(79, 3);
+    QVERIFY(rig.device.perform(rig.channel, u"store"_s, {}));
+    rig.board().set(79, 0);
+    AnswerLost channel(rig.channel, 2);
+    QVERIFY(!rig.device.perform(channel, u"stored.compare"_s, {}));
+    QCOMPARE(rig.board().inUse(79), 0);
 }
 
 // The firmware looks at no checksum of these frames: a value that is said to be set is set.
@@ -636,6 +764,30 @@ void TestStormSetup::settingsOfLayout89KeepTheirNames()
     QCOMPARE(now.raw(*now.parameters().find(filter.key), 0), 145);
 }
 
+// Defaults that nobody has asked for are not taken.
+void TestStormSetup::settingsThatAreMissingStay()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    Configuration board = readBoard(rig);
+    const ParameterSpec &pitch = *board.parameters().find(u"pid.pitch.p"_s);
+    const ParameterSpec &roll = *board.parameters().find(u"pid.roll.p"_s);
+    QVERIFY(board.setRaw(pitch, 0, 777) && board.setRaw(roll, 0, 888));
+    const auto settings = readSettings("%SettingsHash = (\n'Pitch P' => [ 512 , '5.12' ],\n);\n");
+    QVERIFY(settings);
+    QVERIFY(settings->missing.contains(roll.key) && !settings->missing.contains(pitch.key));
+    ConfigurationFile file;
+    file.configuration = settings->configuration;
+    file.missingKeys = settings->missing;
+    QStringList skipped;
+    const Configuration now = applied(board, file, skipped);
+    const auto changes = board.changesTo(now);
+    QCOMPARE(changes.size(), std::size_t(1));
+    QCOMPARE(changes.front().spec->key, pitch.key);
+    QCOMPARE(changes.front().to, 512);
+    QVERIFY(board.dataChangesTo(now).empty());
+}
+
 void TestStormSetup::badSettingsAreRefused_data()
 {
     QTest::addColumn<QByteArray>("text");
@@ -654,6 +806,10 @@ void TestStormSetup::badSettingsAreRefused_data()
     QTest::newRow("scripts") << QByteArray(
         "%SettingsHash = (\n'Pitch P' => [ 400 , '4' ],\n'Scripts' => [ 'XY' ],\n);\n")
                              << u"line 3"_s;
+    QTest::newRow("doubled") << QByteArray(
+        "%SettingsHash = (\n'Pitch P' => [ 400 , '4' ],\n'Roll P' => [ 400 , '4' ],\n"
+        "'Pitch P' => [ 500 , '5' ],\n);\n")
+                             << u"line 4: Pitch P, also in line 2"_s;
 }
 
 void TestStormSetup::badSettingsAreRefused()
@@ -677,7 +833,8 @@ void TestStormSetup::calibrationFileComesBack()
     QCOMPARE(*read, calibration);
     for (const auto &[bad, says] : {std::pair{"AXZERO: 1\n", "AXSCALE"},
                                     {"AXZERO: many\nAXSCALE: 1\n", "AXZERO"},
-                                    {"AXZERO: 1\nAXSCALE: 0\n", "AXSCALE"}}) {
+                                    {"AXZERO: 1\nAXSCALE: 0\n", "AXSCALE"},
+                                    {"AXZERO: 1\nAXSCALE: 9\nAXZERO: 2\n", "line 3: AXZERO"}}) {
         const auto wrong = readCalibration(bad);
         QVERIFY(!wrong);
         QVERIFY2(wrong.error().detail.contains(QLatin1String(says)), qPrintable(wrong.error().detail));

@@ -40,9 +40,12 @@ private slots:
     void startingBoardIsStopped();
     void nothingIsStoredMeanwhile();
     void actionIsProvenToo();
+    void whatCannotBePutBackIsTold_data();
+    void whatCannotBePutBackIsTold();
     void normalBoardIsPutIntoStandby();
     void disabledMotorsAreOff();
     void silentBoardIsNotProven();
+    void motorsOnNeedsAMotor_data();
     void motorsOnNeedsAMotor();
 };
 
@@ -135,6 +138,32 @@ void TestStormStop::actionIsProvenToo()
     QCOMPARE(usage(rig), kNormal);
 }
 
+void TestStormStop::whatCannotBePutBackIsTold_data()
+{
+    QTest::addColumn<int>("firmware");
+    for (const int firmware : {79, 90, 96})
+        QTest::newRow(QByteArray::number(firmware)) << firmware;
+}
+
+// A board that never comes to standby keeps its motors disabled: what was in use before is said.
+void TestStormStop::whatCannotBePutBackIsTold()
+{
+    QFETCH(const int, firmware);
+    StormRig rig(stormOptions(firmware));
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.board().set(80, 1);
+    rig.change(u"no-imu=1"_s);
+    QVERIFY(rig.device.perform(rig.channel, u"reset"_s, {}));
+    rig.board().set(80, 1);
+    const auto off = rig.device.perform(rig.channel, u"motors.off"_s, {});
+    QVERIFY(!off);
+    QCOMPARE(off.error().code, ErrorCode::NotRestored);
+    QCOMPARE(usage(rig), kDisabled);
+    for (const QString &told :
+         {u"motor.pitch.usage=0"_s, u"motor.roll.usage=0"_s, u"motor.yaw.usage=1"_s, u"Restart"_s})
+        QVERIFY2(off.error().detail.contains(told), qPrintable(off.error().detail));
+}
+
 void TestStormStop::normalBoardIsPutIntoStandby()
 {
     StormRig rig;
@@ -171,15 +200,27 @@ void TestStormStop::silentBoardIsNotProven()
     QCOMPARE(rig.channel.stopResult()->error().code, ErrorCode::NotProven);
 }
 
+void TestStormStop::motorsOnNeedsAMotor_data()
+{
+    QTest::addColumn<int>("firmware");
+    for (const int firmware : {79, 90, 96})
+        QTest::newRow(QByteArray::number(firmware)) << firmware;
+}
+
+// What keeps them off is read, not guessed.
 void TestStormStop::motorsOnNeedsAMotor()
 {
-    StormRig rig;
+    QFETCH(const int, firmware);
+    StormRig rig(stormOptions(firmware));
     QVERIFY(rig.device.identify(rig.channel));
     for (int i = 0; i < storm32::MotorStop::kWords; ++i)
         rig.board().set(storm32::MotorStop::kFirstWord + i, 3);
     const auto done = rig.device.perform(rig.channel, u"motors.on"_s, {});
     QVERIFY(!done);
     QCOMPARE(done.error().code, ErrorCode::NoEffect);
+    for (const QString &axis : {u"pitch"_s, u"roll"_s, u"yaw"_s})
+        QVERIFY2(done.error().detail.contains(u"motor.%1.usage"_s.arg(axis)),
+                 qPrintable(done.error().detail));
 }
 
 QTEST_GUILESS_MAIN(TestStormStop)

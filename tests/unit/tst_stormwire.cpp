@@ -52,6 +52,8 @@ private slots:
     void answersAreFound();
     void dataMayHoldAnything();
     void errorLettersInsteadOfData();
+    void lateDataAreKnownByTheirChecksum();
+    void ignoredQuestionsAreForgotten();
     void staleBytesBelongToNobody();
     void unfinishedMessageSurvivesACommand();
     void requestsTakeTheirAnswersOnly();
@@ -191,6 +193,59 @@ void TestStormWire::errorLettersInsteadOfData()
     QList<int> ids;
     framer.feed(asBytes("oeeee"), [&ids](const FrameView &frame) { ids.append(frame.id); });
     QCOMPARE(ids, (QList<int>{'o', 'e', 'e', 'e', 'e'}));
+}
+
+// A board that answers later than anybody waits: other questions have been asked by then.
+void TestStormWire::lateDataAreKnownByTheirChecksum()
+{
+    const QByteArray status = encodeReply(QByteArray(14, '\x11'));
+    const QByteArray live = encodeReply(QByteArray(64, 'o'));
+    const QByteArray version = hex("fb019600622e");  // an acknowledgement of the RC set
+    for (const int piece : {1, 5, 200}) {
+        storm32::Framer framer;
+        framer.sent(asBytes(encodeSimple(Simple::Status)));
+        framer.sent(asBytes(encodeSimple(Simple::LiveData)));
+        framer.sent(asBytes(encodeRc(int(Rc::SetStandby), QByteArray(1, '\1'))));
+        QList<int> ids;
+        for (const Heard &each : hear(framer, version + status + live, piece))
+            ids.append(each.id);
+        QCOMPARE(ids,
+                 (QList<int>{FrameId::kRc + int(Rc::Ack), FrameId::kSimple + int(Simple::Status),
+                             FrameId::kSimple + int(Simple::LiveData)}));
+        // Each came once: what looks like it now answers nothing.
+        for (const Heard &each : hear(framer, status, piece))
+            QVERIFY(each.id < FrameId::kSimple);
+    }
+}
+
+// A heartbeat has locked plain commands out: data were asked for and will never come.
+void TestStormWire::ignoredQuestionsAreForgotten()
+{
+    const QByteArray heartbeat = mavlink::encode(mavlink::MessageId::Heartbeat, QByteArray(9, '\1'), {}, 3);
+    const QByteArray version = hex("fb019600622e");
+    const auto idsOf = [](storm32::Framer &framer, const QByteArray &bytes, int piece) {
+        QList<int> ids;
+        for (const Heard &each : hear(framer, bytes, piece))
+            ids.append(each.id);
+        return ids;
+    };
+    for (const int piece : {1, 5, 200}) {
+        storm32::Framer framer;
+        framer.sent(asBytes(encodeSimple(Simple::LiveData)));
+        framer.sent(asBytes(encodeSimple(Simple::Retrieve)));
+        // What follows the letter is whole and checked, so it is no part of the data.
+        QCOMPARE(idsOf(framer, "o" + heartbeat, piece),
+                 (QList<int>{FrameId::kLetter + 'o', FrameId::kMavlink}));
+        for (int i = 0; i < 64; ++i) {
+            framer.sent(asBytes(encodeRc(int(Rc::SetStandby), QByteArray(1, '\1'))));
+            QCOMPARE(idsOf(framer, version, piece), QList<int>{FrameId::kRc + int(Rc::Ack)});
+        }
+        // No silence is needed any more to know a letter.
+        framer.sent(asBytes(encodeSimple(Simple::Retrieve)));
+        QList<int> ids;
+        framer.feed(asBytes(QByteArrayView("o")), [&ids](const FrameView &frame) { ids.append(frame.id); });
+        QCOMPARE(ids, QList<int>{FrameId::kLetter + 'o'});
+    }
 }
 
 void TestStormWire::staleBytesBelongToNobody()

@@ -61,6 +61,7 @@ public:
             SupervisedSituation situation = m_watched->situation();
             situation.period = m_period;
             situation.isSteered = isSteered;
+            situation.steeredTo = steeredTo;
             situation.isProcedure = isProcedure;
             supervisor.setSituation(situation);
             m_watched->feed(supervisor);
@@ -78,6 +79,8 @@ public:
     Supervisor supervisor;
     std::vector<Alarm> ended;
     bool isSteered = false;
+    SupervisedSample::Axes steeredTo{SupervisedSample::kNone, SupervisedSample::kNone,
+                                     SupervisedSample::kNone};
     bool isProcedure = false;
 
 private:
@@ -105,6 +108,7 @@ QByteArray told(const std::optional<Alarm> &alarm)
         .toUtf8();
 }
 
+constexpr double kMargin = 0.75;
 constexpr double kStart = 3.0;  // seconds in which nothing is wrong
 constexpr std::array<double, 3> kRates{1250, 100, 25};
 
@@ -171,6 +175,9 @@ private slots:
     void tooMuchGainIsNamed();
     void changeIsTakenBackOnce_data();
     void changeIsTakenBackOnce();
+    void stormTooMuchGainIsNamed_data();
+    void stormTooMuchGainIsNamed();
+    void blamelessChangeIsNotNamed();
     void resonanceIsNamed();
     void outgrownOscillationIsNoWrongDirection();
     void blockedAxisIsTold();
@@ -181,6 +188,7 @@ private slots:
     void limitIsTold();
     void staleDataAreToldWhileSteering();
     void alarmIsOverAndToldAgain();
+    void boardsOwnVoltageCounts();
     void whatABoardLacksIsNotWatched();
     void ordinaryDayHasNoAlarm_data();
     void ordinaryDayHasNoAlarm();
@@ -313,10 +321,10 @@ void TestSupervisor::tooMuchGainIsNamed()
     QCOMPARE(alarm->axis, Axis::Pitch);
     QVERIFY2(alarm->cause == AlarmCause::TooMuchGain, told(alarm));
     QVERIFY(alarm->isAfterChange);
-    // What was in use before is known, and put back.
+    // What was in use before is known, and put back; what was set to what it was is no change.
     const auto back = bench.device.takeBack(bench.channel);
     QVERIFY(back);
-    QCOMPARE(back->before.size(), 3U);
+    QCOMPARE(int(back->before.size()), (p != 30) + (i != 12) + (d != 25));
     QCOMPARE(bench.board().inUse(u"pid.pitch.d"_s), 25);
     QVERIFY(!bench.watched->run(5));
     QCOMPARE(bench.watched->ended.size(), 1U);
@@ -348,6 +356,55 @@ void TestSupervisor::changeIsTakenBackOnce()
     if (others)
         QCOMPARE(back.error().code, ErrorCode::Conflict);
     QCOMPARE(bench.board().inUse(u"pid.pitch.d"_s), others ? 70 : before);
+}
+
+void TestSupervisor::stormTooMuchGainIsNamed_data()
+{
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<double>("value");
+    QTest::addColumn<double>("within");  // seconds
+    QTest::newRow("D") << u"pid.pitch.d"_s << 2000.0 << 1.0;
+    QTest::newRow("more D") << u"pid.pitch.d"_s << 8000.0 << 1.0;
+    QTest::newRow("I") << u"pid.pitch.i"_s << 20000.0 << 4.0;  // it swings up slowly
+}
+
+// Although it is polled, and what swings is faster than can be told.
+void TestSupervisor::stormTooMuchGainIsNamed()
+{
+    QFETCH(QString, key);
+    QFETCH(double, value);
+    QFETCH(double, within);
+    StormBench bench(7);
+    QVERIFY(!bench.watched->run(15));
+    const double began = bench.watched->now();
+    const int variable = bench.device.parameters()->find(key)->adjustable;
+    QVERIFY(bench.device.live()->writeAdjustables(bench.channel, {{variable, value}}));
+    const auto alarm = bench.watched->run(10);
+    QVERIFY(alarm);
+    QCOMPARE(alarm->kind, AlarmKind::Oscillation);
+    QCOMPARE(alarm->axis, Axis::Pitch);
+    QVERIFY2(alarm->cause == AlarmCause::TooMuchGain, told(alarm));
+    QVERIFY(alarm->isAfterChange);
+    QVERIFY2(alarm->time - began < within, told(alarm));
+    QVERIFY(bench.device.live()->takeBack(bench.channel));
+    QVERIFY(!bench.watched->run(5));
+    QCOMPARE(bench.watched->ended.size(), 1U);
+}
+
+// A change that was made, and is not to blame, is not named.
+void TestSupervisor::blamelessChangeIsNotNamed()
+{
+    Alarm alarm;
+    alarm.kind = AlarmKind::Oscillation;
+    alarm.cause = AlarmCause::TooMuchGain;
+    alarm.isAfterChange = true;
+    for (const auto &[hertz, cause] :
+         {std::pair(8.0, AlarmCause::TooMuchGain), std::pair(52.0, AlarmCause::Resonance)}) {
+        alarm.hertz = hertz;
+        const Alarm told = Supervisor::withoutChange(alarm);
+        QVERIFY(!told.isAfterChange);
+        QCOMPARE(told.cause, cause);
+    }
 }
 
 void TestSupervisor::resonanceIsNamed()
@@ -524,6 +581,31 @@ void TestSupervisor::alarmIsOverAndToldAgain()
     QCOMPARE(ended, 2);
 }
 
+// Whichever comes first: what the board is set to, or what the program takes for low.
+void TestSupervisor::boardsOwnVoltageCounts()
+{
+    const auto alarmAt = [](double volts, const BatteryThresholds &board) {
+        Supervisor supervisor;
+        SupervisorRules rules;
+        rules.battery = board;
+        supervisor.setRules(rules);
+        for (double time = 0; time < 6; time += 0.1) {
+            SupervisedSample sample;
+            sample.time = time;
+            sample.battery = time < 1 ? 12.3 : volts;
+            supervisor.add(sample);
+            supervisor.look(time);
+        }
+        const std::vector<Alarm> raised = supervisor.takeRaised();
+        return raised.size() == 1 && raised.front().kind == AlarmKind::Battery ? raised.front().limit : 0.0;
+    };
+    QCOMPARE(alarmAt(10.5, {}), 0.0);
+    QCOMPARE(alarmAt(10.5, {.alarm = 11.0, .motorsOff = {}}), 11.0);
+    QCOMPARE(alarmAt(11.2, {.alarm = 11.0, .motorsOff = {}}), 0.0);
+    QCOMPARE(alarmAt(9.9, {.alarm = 9.0, .motorsOff = {}}), 3 * SupervisorRules().cellVolts);
+    QCOMPARE(alarmAt(10.7, {.alarm = 3.6, .motorsOff = {}, .perCell = true}), 3 * 3.6);
+}
+
 void TestSupervisor::whatABoardLacksIsNotWatched()
 {
     const simplebgc::Device full;
@@ -587,10 +669,12 @@ void TestSupervisor::hourWithoutAlarm_data()
 {
     QTest::addColumn<bool>("storm");
     QTest::addColumn<unsigned>("seed");
-    QTest::newRow("simplebgc") << false << 1U;
-    QTest::newRow("storm32") << true << 1U;
-    QTest::newRow("simplebgc-shortly") << false << 2U;  // another hand, and not at the full rate
-    QTest::newRow("storm32-shortly") << true << 2U;
+    QTest::addColumn<bool>("tuned");
+    QTest::newRow("simplebgc") << false << 1U << false;
+    QTest::newRow("storm32") << true << 1U << false;
+    QTest::newRow("simplebgc-shortly") << false << 2U << false;  // another hand, and not at the full rate
+    QTest::newRow("simplebgc-tuned") << false << 3U << true;
+    QTest::newRow("storm32-shortly") << true << 2U << false;
 }
 
 // Shaken, and steered the whole time: to places, and by rate.
@@ -598,9 +682,15 @@ void TestSupervisor::hourWithoutAlarm()
 {
     QFETCH(bool, storm);
     QFETCH(unsigned, seed);
+    QFETCH(bool, tuned);
     SimulatedNoise operatorsHand(seed);
     const int minutes = seed == 1 ? 60 : 10;
     const auto hour = [&](auto &bench, const auto &steer) {
+        // With margin: limits that are closer than those by default raise none either.
+        SupervisorRules strict;
+        strict.oscillation *= kMargin;
+        strict.runawayDeg *= kMargin;
+        bench.watched->supervisor.setRules(strict);
         bench.change(u"shake=2"_s);
         // Calibrated: otherwise yaw drifts until it is at its stop, and that is told rightly.
         SimulatedImu &imu = bench.board().stabilizer().imu();
@@ -627,11 +717,22 @@ void TestSupervisor::hourWithoutAlarm()
             if (const int input = mode.inputOf(axis); input >= 0)
                 wanted.inputs[std::size_t(input)] = std::clamp(angle, mode.inputs[std::size_t(input)].min,
                                                                mode.inputs[std::size_t(input)].max);
-            b.channel.steer(b.device.controlFrames(wanted));
+            const ControlFrames frames = b.device.controlFrames(wanted);
+            b.watched->steeredTo = frames.angles;
+            b.channel.steer(frames);
         });
         return;
     }
     Bench bench(seed, seed == 1 ? 1250 : 200);
+    if (tuned) {
+        // What auto-tune finds on the simulated gimbal.
+        const std::array<std::array<int, 3>, kAxisCount> gains{{{84, 14, 51}, {84, 19, 52}, {38, 8, 88}}};
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+            const QString prefix = u"pid.%1."_s.arg(QLatin1String(axisKey(kAxes[axis])));
+            for (std::size_t gain = 0; gain < 3; ++gain)
+                bench.board().store(prefix + u"pid"_s[qsizetype(gain)], 0, gains[axis][gain]);
+        }
+    }
     hour(bench, [&](Bench &b, Axis axis) {
         // Jumps, as an angle mode without limits makes them.
         b.board().stabilizer().setTarget(axis, operatorsHand.uniform() * 80 - 40);

@@ -89,6 +89,8 @@ private slots:
     void otherKindsAreNotHeldByALateAnswer();
     void whatIsRepeatedWaitsForNoLateAnswer();
     void answerToARetriedRequestLeavesOneToCome();
+    void furtherAnswersComeAsLateAsTheFirst_data();
+    void furtherAnswersComeAsLateAsTheFirst();
     void urgentGoesOutAtOnce();
     void cancelInFlightAndWaiting();
     void closingTheLinkEndsEverything();
@@ -253,6 +255,38 @@ void TestTransactionQueue::answerToARetriedRequestLeavesOneToCome()
     bench.pass(20ms);
     QCOMPARE(bench.written.size(), 3);
     QCOMPARE(bench.completed.size(), 1);
+}
+
+void TestTransactionQueue::furtherAnswersComeAsLateAsTheFirst_data()
+{
+    QTest::addColumn<int>("late");
+    for (const int late : {350, 700, 900, 1500, 2500, 3000})
+        QTest::addRow("%d ms", late) << late;
+}
+
+// What proves something is no answer to what was asked before.
+void TestTransactionQueue::furtherAnswersComeAsLateAsTheFirst()
+{
+    QFETCH(int, late);
+    Bench bench;
+    Request slow = request(u"g"_s, 1, true, 5);
+    slow.timeout = 300ms;
+    bench.submit(slow);
+    bench.submit(request(u"proof"_s, 1, false));
+    QList<TimePoint> due;
+    for (int asked = 0; bench.written.count(u"proof"_s) == 0;) {
+        for (; asked < bench.written.count(u"g"_s); ++asked)
+            due.append(bench.now + milliseconds(late));
+        bench.pass(1ms);
+        QVERIFY(bench.now < TimePoint() + 1h + 20s);
+        while (!due.isEmpty() && due.first() <= bench.now) {
+            due.removeFirst();
+            bench.arrive(1);
+        }
+    }
+    QVERIFY(due.isEmpty());
+    bench.arrive(1);
+    QCOMPARE(bench.completed.last(), u"proof:ok"_s);
 }
 
 void TestTransactionQueue::urgentGoesOutAtOnce()

@@ -140,6 +140,8 @@ void TestTranslations::oneWordForEachThing_data()
     QTest::newRow("retrieve") << uR"(\b[Rr]etriev|\bRecall|\b[Rr]oll(ed)? back)"_s << QString();
     QTest::newRow("go back") << uR"(\b[Gg]o back to (it|the board|the stored))"_s << QString();
     QTest::newRow("put back") << uR"(^(Put|Take|Bring)\b.*\bback$|^Undo: put)"_s << QString();
+    QTest::newRow("unwritten") << uR"([Uu]nwritten)"_s << u"[Uu]ngeschrieben"_s;
+    QTest::newRow("unsaved") << uR"([Uu]nsaved)"_s << QString();
     QTest::newRow("keep in the board") << uR"(^Keep (all|everything|the values)|^Keeps all)"_s << QString();
 }
 
@@ -167,8 +169,9 @@ void TestTranslations::helpUsesTheSameWords()
 {
     const QList<std::pair<QString, QRegularExpression>> others{
         {u"en"_s,
-         QRegularExpression(uR"([Rr]etriev|[Rr]oll(ed)? back|\*\*Save( variables)?\*\* stores|not saved)"_s)},
-        {u"de"_s, QRegularExpression(uR"(Alles zurück\*|Speichern\*\* legt)"_s)}};
+         QRegularExpression(
+             uR"([Rr]etriev|[Rr]oll(ed)? back|\*\*Save( variables)?\*\* stores|not saved|[Uu]nsaved)"_s)},
+        {u"de"_s, QRegularExpression(uR"(Alles zurück\*|Speichern\*\* legt|ngesichert)"_s)}};
     for (const auto &[language, words] : others) {
         const QDir folder(QStringLiteral(GIMBAL_SOURCE_DIR "/resources/help/") + language);
         const auto names = folder.entryList({u"*.md"_s});

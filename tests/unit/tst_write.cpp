@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/composition/composition.h"
+#include "protocol/base/filefault.h"
 #include "protocol/procedure/safeaction.h"
 #include "protocol/procedure/writeconfiguration.h"
 #include "protocol/record/configurationformats.h"
@@ -77,6 +78,8 @@ private slots:
     void disturbedCableStillWrites();
     void namesAreWritten();
     void fileRoundTrip();
+    void fileWithDoubledEntryIsRefused();
+    void fileWithoutProfileNamesKeepsThem();
     void fileValuesEditedByHandCount();
     void badFilesAreExplained_data();
     void badFilesAreExplained();
@@ -320,7 +323,7 @@ void TestWrite::namesAreWritten()
     bench.edited.setProfileNames({u"Eins"_s, u"Zwei"_s, u"Drei"_s, u"Vier"_s, u"Fünf"_s});
     const auto report = bench.write();
     QVERIFY(report->isComplete());
-    QVERIFY(report->namesWritten);
+    QVERIFY(report->areNamesWritten());
     QCOMPARE(bench.virtualBoard.device.readProfileNames(bench.virtualBoard.channel)->at(4), u"Fünf"_s);
 }
 
@@ -343,16 +346,46 @@ void TestWrite::fileRoundTrip()
     }
 }
 
+// Which of the two counts nobody can know.
+void TestWrite::fileWithDoubledEntryIsRefused()
+{
+    const Bench bench;
+    QByteArray json = ConfigurationFile::toJson(bench.base, u"test"_s, QDateTime::currentDateTimeUtc());
+    json.replace("\"pid.roll.i\": 0.15,", "\"pid.roll.i\": 0.15,\n\"pid.roll.i\": 0.22,");
+    const auto file = ConfigurationFile::fromJson(json, parametersFor);
+    QVERIFY(!file && file.error().file);
+    QCOMPARE(file.error().file->problem, FileProblem::Doubled);
+    QCOMPARE(file.error().file->key, u"pid.roll.i"_s);
+    QCOMPARE(file.error().file->expected, QString::number(file.error().file->line - 1));
+}
+
+// Profiles without a name in the file do not lose theirs.
+void TestWrite::fileWithoutProfileNamesKeepsThem()
+{
+    Bench bench;
+    QByteArray json = ConfigurationFile::toJson(bench.base, u"test"_s, QDateTime::currentDateTimeUtc());
+    json.replace("\"name\": ", "\"called\": ");
+    const auto file = ConfigurationFile::fromJson(json, parametersFor);
+    QVERIFY(file);
+    QCOMPARE(file->configuration.missing().size(), std::size_t(1));
+    bench.base.setProfileNames({u"Studio"_s});
+    QStringList skipped;
+    QCOMPARE(applied(bench.base, *file, skipped).profileNames(), bench.base.profileNames());
+}
+
 void TestWrite::fileValuesEditedByHandCount()
 {
     Bench bench;
     QByteArray json = ConfigurationFile::toJson(bench.base, u"test"_s, QDateTime::currentDateTimeUtc());
     QVERIFY(json.contains("\"pid.roll.i\": 0.15"));
-    json.replace("\"pid.roll.i\": 0.15", "\"pid.roll.i\": 0.22");
+    json.replace("\"pid.roll.i\": 0.15", "\"pid.roll.i\": 0.2231");
     json.replace("\"motor.roll.poles\": 14", "\"motor.roll.poles\": 22, \"no.such.key\": 1");
     const auto file = ConfigurationFile::fromJson(json, parametersFor);
     QVERIFY(file);
     QCOMPARE(file->unknownKeys, QStringList{u"no.such.key"_s});
+    QCOMPARE(file->rounded.size(), 5);  // in each profile
+    QVERIFY2(file->rounded.first().contains(u"0.22 is the nearest to 0.2231"_s),
+             qPrintable(file->rounded.first()));
     QStringList skipped;
     const auto changes = bench.base.changesTo(applied(bench.base, file->configuration, skipped));
     QStringList keys;
@@ -372,7 +405,7 @@ void TestWrite::badFilesAreExplained_data()
     QTest::newRow("other format") << QByteArray("gimbaldesk-configuration") << QByteArray("x")
                                   << u"not a GimbalDesk"_s;
     QTest::newRow("other version") << QByteArray("\"version\": 1") << QByteArray("\"version\": 9")
-                                   << u"version 9"_s;
+                                   << u"version = 9"_s;
     QTest::newRow("other family") << QByteArray("simplebgc") << QByteArray("nonsense") << u"nonsense"_s;
     QTest::newRow("out of range") << QByteArray("\"pid.roll.p\": 35") << QByteArray("\"pid.roll.p\": 999")
                                   << u"0 to 255"_s;
@@ -381,7 +414,7 @@ void TestWrite::badFilesAreExplained_data()
     QTest::newRow("profile 77") << QByteArray("\"activeProfile\": 1") << QByteArray("\"activeProfile\": 77")
                                 << u"77"_s;
     QTest::newRow("many profiles") << QByteArray("\"profileCount\": 5")
-                                   << QByteArray("\"profileCount\": 500000") << u"profiles"_s;
+                                   << QByteArray("\"profileCount\": 500000") << u"profileCount"_s;
 }
 
 void TestWrite::badFilesAreExplained()

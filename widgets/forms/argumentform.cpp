@@ -10,13 +10,11 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 
 #include <algorithm>
-#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -42,17 +40,6 @@ ArgumentForm::ArgumentForm(const ActionSpec &action, const QStringList &hidden, 
         m_fields.insert(QLatin1String(argument.key), field);
     }
     alignLabels(*layout);
-}
-
-// A number may have been typed with a comma; on the wire and in messages it has a point.
-QString ArgumentForm::textIn(const QLineEdit &line, const QString &key) const
-{
-    const QString text = line.text().trimmed();
-    const auto argument
-        = std::find_if(m_action.arguments.begin(), m_action.arguments.end(),
-                       [&key](const ArgumentSpec &each) { return key == QLatin1String(each.key); });
-    const bool isNumber = argument != m_action.arguments.end() && argument->kind != ArgumentKind::Text;
-    return isNumber && !std::isnan(typedNumber(text)) ? QString(text).replace(u',', u'.') : text;
 }
 
 QWidget *ArgumentForm::makeField(const ArgumentSpec &argument)
@@ -81,16 +68,22 @@ QWidget *ArgumentForm::makeField(const ArgumentSpec &argument)
     case ArgumentKind::Integer:
     case ArgumentKind::Real: break;
     }
-    // An argument that may be left out ("nan") is a text field with a hint, the rest are number boxes.
+    const int decimals = argument.kind == ArgumentKind::Integer ? 0 : 2;
+    // An argument that may be left out ("nan") is an empty field with a hint.
     if (standard == u"nan"_s) {
-        auto *line = new QLineEdit;
-        line->setPlaceholderText(tr("leave alone (%1 to %2 %3)")
-                                     .arg(shortNumberText(argument.min))
-                                     .arg(shortNumberText(argument.max))
-                                     .arg(QString::fromUtf8(argument.unit)));
-        return line;
+        auto *box = new NumberBox(argument.min, argument.max, decimals);
+        box->setEmptyAllowed(true,
+                             tr("leave alone (%1 to %2 %3)")
+                                 .arg(shortNumberText(argument.min))
+                                 .arg(shortNumberText(argument.max))
+                                 .arg(QString::fromUtf8(argument.unit)));
+        box->setValue(std::clamp(0.0, argument.min, argument.max));
+        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        box->clear();
+        return box;
     }
-    auto *box = new NumberBox(argument.min, argument.max, argument.kind == ArgumentKind::Integer ? 0 : 2,
+    auto *box = new NumberBox(argument.min, argument.max, decimals,
                               *argument.unit ? u' ' + QString::fromUtf8(argument.unit) : QString());
     box->setValue(standard.toDouble());
     box->setToolTip(tr("%1 to %2").arg(shortNumberText(argument.min), shortNumberText(argument.max)));
@@ -102,9 +95,10 @@ void ArgumentForm::setText(const QString &key, const QString &text)
     QWidget *field = m_fields.value(key);
     if (auto *line = qobject_cast<QLineEdit *>(field))
         line->setText(text);
-    else if (auto *number = qobject_cast<QDoubleSpinBox *>(field))
-        number->setValue(text.toDouble());
-    else if (auto *box = qobject_cast<QCheckBox *>(field))
+    else if (auto *number = qobject_cast<NumberBox *>(field)) {
+        number->type(text);
+        number->settle();
+    } else if (auto *box = qobject_cast<QCheckBox *>(field))
         box->setChecked(text == u"on"_s);
     else if (auto *choice = qobject_cast<QComboBox *>(field))
         choice->setCurrentIndex(choice->findData(text));
@@ -118,9 +112,9 @@ Result<QVariantMap> ArgumentForm::arguments() const
         if (auto *number = qobject_cast<NumberBox *>(it.value()); number && !number->settle())
             return failure(ErrorCode::OutOfRange, u"%1: %2"_s.arg(it.key(), number->text()));
         if (const auto *line = qobject_cast<QLineEdit *>(it.value()))
-            text = textIn(*line, it.key());
+            text = line->text().trimmed();
         else if (const auto *number = qobject_cast<NumberBox *>(it.value()))
-            text = QString::number(number->value(), 'f', number->decimals());
+            text = number->isEmpty() ? QString() : QString::number(number->value(), 'f', number->decimals());
         else if (const auto *box = qobject_cast<QCheckBox *>(it.value()))
             text = box->isChecked() ? u"on"_s : u"off"_s;
         else if (const auto *choice = qobject_cast<QComboBox *>(it.value()))

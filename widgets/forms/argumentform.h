@@ -6,8 +6,6 @@
 
 #include <QWidget>
 
-class QLineEdit;
-
 /// Fields for the arguments of an action, made from their declarations.
 class ArgumentForm final : public QWidget
 {
@@ -25,7 +23,6 @@ public:
 
 private:
     [[nodiscard]] QWidget *makeField(const ArgumentSpec &argument);
-    [[nodiscard]] QString textIn(const QLineEdit &line, const QString &key) const;
 
     ActionSpec m_action;
     QMap<QString, QWidget *> m_fields;

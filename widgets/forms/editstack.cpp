@@ -6,9 +6,12 @@
 #include "widgets/models/parametermodel.h"
 
 #include <QElapsedTimer>
+#include <QHash>
 #include <QJsonArray>
+#include <QSet>
 #include <QUndoCommand>
 
+#include <algorithm>
 #include <tuple>
 
 using namespace Qt::StringLiterals;
@@ -78,7 +81,10 @@ public:
         // NaN and infinity become null.
         return {{u"key"_s, m_key}, {u"profile"_s, m_profile}, {u"from"_s, m_old}, {u"to"_s, m_new}};
     }
-    [[nodiscard]] EditPlace place() const override { return {EditPlace::Kind::Value, m_key, m_profile, 0}; }
+    [[nodiscard]] EditPlace place() const override
+    {
+        return {EditPlace::Kind::Value, m_key, m_profile, 0, {}, {}};
+    }
 
 private:
     // By key: after reconnecting, the same parameter is another object.
@@ -112,7 +118,10 @@ public:
     {
         return {{u"profile"_s, m_profile}, {u"fromName"_s, m_old}, {u"toName"_s, m_new}};
     }
-    [[nodiscard]] EditPlace place() const override { return {EditPlace::Kind::Name, {}, m_profile, 0}; }
+    [[nodiscard]] EditPlace place() const override
+    {
+        return {EditPlace::Kind::Name, {}, m_profile, 0, {}, {}};
+    }
 
 private:
     ConfigurationModel &m_configuration;
@@ -144,7 +153,7 @@ public:
     }
     [[nodiscard]] EditPlace place() const override
     {
-        return {EditPlace::Kind::Data, {}, m_key.profile, m_key.block};
+        return {EditPlace::Kind::Data, {}, m_key.profile, m_key.block, m_old, m_new};
     }
 
 private:
@@ -154,11 +163,77 @@ private:
     QByteArray m_new;
 };
 
+// Edits as they stand in a file.
+
+QString placeName(const QJsonObject &edit)
+{
+    const int profile = edit.value(u"profile"_s).toInt(-1);
+    if (edit.contains(u"toName"_s))
+        return u"name/%1"_s.arg(profile);
+    if (edit.contains(u"toData"_s))
+        return u"data/%1/%2"_s.arg(edit.value(u"block"_s).toInt(-1)).arg(profile);
+    return u"value/%1/%2"_s.arg(edit.value(u"key"_s).toString()).arg(profile);
+}
+
+QString valueName(const QJsonObject &edit, const QString &which)
+{
+    return which
+        + (edit.contains(u"toName"_s)       ? u"Name"_s
+               : edit.contains(u"toData"_s) ? u"Data"_s
+                                            : QString());
+}
+
+QJsonValue wantedOf(const QJsonObject &edit)
+{
+    return edit.value(valueName(edit, u"to"_s));
+}
+
+QJsonValue beforeOf(const QJsonObject &edit)
+{
+    return edit.value(valueName(edit, u"from"_s));
+}
+
+QJsonObject withValues(QJsonObject edit, const QJsonValue &from, const QJsonValue &to)
+{
+    edit.insert(valueName(edit, u"from"_s), from);
+    edit.insert(valueName(edit, u"to"_s), to);
+    return edit;
+}
+
+/// What is at its place; undefined if there is no such place.
+QJsonValue heldIn(const Configuration &configuration, const QJsonObject &edit)
+{
+    const int profile = edit.value(u"profile"_s).toInt(-1);
+    if (profile < 0 || profile >= configuration.identity().profileCount)
+        return QJsonValue::Undefined;
+    if (edit.contains(u"toName"_s))
+        return configuration.profileNames().value(profile);
+    if (edit.contains(u"toData"_s)) {
+        const BlockKey key{profile, edit.value(u"block"_s).toInt(-1)};
+        return configuration.blocks().contains(key)
+            ? QJsonValue(QString::fromLatin1(configuration.block(key).toHex()))
+            : QJsonValue::Undefined;
+    }
+    const ParameterSpec *spec = configuration.parameters().find(edit.value(u"key"_s).toString());
+    const auto raw = spec ? configuration.raw(*spec, profile) : std::nullopt;
+    return raw ? QJsonValue(*raw) : QJsonValue::Undefined;
+}
+
+// NaN and infinity are null in a file.
+bool isSame(const QJsonValue &a, const QJsonValue &b)
+{
+    const auto isNumber = [](const QJsonValue &value) { return value.isDouble() || value.isNull(); };
+    if (isNumber(a) && isNumber(b))
+        return sameValue(a.toDouble(kNoNumber), b.toDouble(kNoNumber));
+    return a == b;
+}
+
 }  // namespace
 
 EditStack::EditStack(ConfigurationModel &configuration, QObject *parent)
     : QObject(parent)
     , m_configuration(configuration)
+    , m_refused(configuration)
 {
 }
 
@@ -177,7 +252,8 @@ bool EditStack::edit(int parameter, int profile, double raw)
 void EditStack::rename(int profile, const QString &name)
 {
     const QString now = m_configuration.edited().profileNames().value(profile);
-    if (now != name)
+    const bool isBoards = name == m_configuration.board().profileNames().value(profile);
+    if (now != name && (m_configuration.canRename() || isBoards))
         m_stack.push(new RenameEdit(m_configuration, profile, now, name));
 }
 
@@ -209,6 +285,7 @@ void EditStack::redo()
 
 void EditStack::discardAll()
 {
+    m_refused.clear();
     apply(m_configuration.board(), tr("Discard all changes"));
 }
 
@@ -230,7 +307,8 @@ void EditStack::apply(const Configuration &wanted, const QString &text)
 
 bool EditStack::canHold(const ParameterSpec &spec, int profile, double raw) const
 {
-    return spec.accepts(raw) || sameValue(m_configuration.boardValue(spec, profile), raw);
+    const auto held = m_configuration.boardValue(spec, profile);
+    return spec.accepts(raw, held) || sameValue(held, raw);
 }
 
 // What nobody may set, only the board's own value brings back.
@@ -288,51 +366,139 @@ QJsonObject EditStack::toJson() const
             append(command->child(child));
         steps.append(QJsonObject{{u"text"_s, command->text()}, {u"edits"_s, edits}});
     }
-    return {{u"steps"_s, steps}, {u"done"_s, m_stack.index()}};
+    return openSteps({{u"steps"_s, steps}, {u"done"_s, m_stack.index()}}, &m_configuration.edited());
 }
 
-bool EditStack::restore(const QJsonObject &steps)
+QJsonObject EditStack::opened(const QJsonObject &steps) const
+{
+    return openSteps(steps, nullptr);
+}
+
+// From the newest step back to where the board is: what lies before is written, or came to nothing.
+QJsonObject EditStack::openSteps(const QJsonObject &steps, const Configuration *edited) const
+{
+    const Configuration &board = m_configuration.board();
+    const QJsonArray all = steps.value(u"steps"_s).toArray();
+    const int done = std::min(steps.value(u"done"_s).toInt(), int(all.size()));
+    QHash<QString, QJsonValue> reached;  // by place: where the edits that are kept begin
+    QHash<QString, QJsonObject> samples;
+    QSet<QString> closed;
+    const auto meet = [&](const QJsonObject &edit) {
+        const QString place = placeName(edit);
+        if (reached.contains(place))
+            return place;
+        reached.insert(place, edited ? heldIn(*edited, edit) : wantedOf(edit));
+        samples.insert(place, edit);
+        if (isSame(reached.value(place), heldIn(board, edit)))
+            closed.insert(place);
+        return place;
+    };
+    QJsonArray open;
+    for (int i = done - 1; i >= 0; --i) {
+        const QJsonArray edits = all[i].toObject().value(u"edits"_s).toArray();
+        QJsonArray kept;
+        for (qsizetype k = edits.size() - 1; k >= 0; --k) {
+            const QJsonObject edit = edits[k].toObject();
+            const QString place = meet(edit);
+            if (closed.contains(place))
+                continue;
+            if (!isSame(wantedOf(edit), reached.value(place))) {
+                closed.insert(place);
+                continue;
+            }
+            kept.prepend(edit);
+            reached.insert(place, beforeOf(edit));
+            if (isSame(beforeOf(edit), heldIn(board, edit)))
+                closed.insert(place);
+        }
+        if (!kept.isEmpty())
+            open.prepend(QJsonObject{{u"text"_s, all[i].toObject().value(u"text"_s)}, {u"edits"_s, kept}});
+    }
+    for (int i = done; edited && i < all.size(); ++i) {
+        for (const auto &edit : all[i].toObject().value(u"edits"_s).toArray())
+            meet(edit.toObject());
+    }
+    // What no step explains: one that was written has been undone, or the board has changed beneath it.
+    QJsonArray rest;
+    for (auto it = reached.begin(); edited && it != reached.end(); ++it) {
+        const QJsonObject &sample = samples[it.key()];
+        const QJsonValue held = heldIn(board, sample);
+        if (!held.isUndefined() && !isSame(held, it.value()))
+            rest.append(withValues(sample, held, it.value()));
+    }
+    if (!rest.isEmpty())
+        open.prepend(QJsonObject{{u"text"_s, tr("Unwritten changes")}, {u"edits"_s, rest}});
+    const int count = int(open.size());
+    for (int i = done; i < all.size(); ++i)
+        open.append(all[i]);
+    return {{u"steps"_s, open}, {u"done"_s, count}};
+}
+
+EditStack::Restored EditStack::restore(const QJsonObject &steps)
 {
     m_stack.clear();
+    Restored restored;
     const QJsonArray list = steps.value(u"steps"_s).toArray();
     int undone = int(list.size()) - steps.value(u"done"_s).toInt();
     for (const auto &step : list) {
         m_stack.beginMacro(step.toObject().value(u"text"_s).toString());
         for (const auto &value : step.toObject().value(u"edits"_s).toArray())
-            restoreEdit(value.toObject());
+            restored.leftOut += restoreEdit(value.toObject()) ? 0 : 1;
         m_stack.endMacro();
     }
     for (; undone > 0; --undone)
         m_stack.undo();
-    return m_configuration.changeCount() > 0 || m_stack.canRedo();
+    restored.any = m_configuration.changeCount() > 0 || m_stack.canRedo();
+    return restored;
 }
 
-void EditStack::restoreEdit(const QJsonObject &edit)
+bool EditStack::concernsMissing(const QJsonObject &steps) const
+{
+    const Configuration &board = m_configuration.board();
+    for (const auto &step : steps.value(u"steps"_s).toArray()) {
+        for (const auto &value : step.toObject().value(u"edits"_s).toArray()) {
+            const QJsonObject edit = value.toObject();
+            const int profile = edit.value(u"profile"_s).toInt(-1);
+            const ParameterSpec *spec = board.parameters().find(edit.value(u"key"_s).toString());
+            const bool isMissing = edit.contains(u"toName"_s)
+                ? board.findMissing({0, MissingPart::kProfileNames}) != nullptr
+                : edit.contains(u"toData"_s)
+                ? board.findMissing({profile, edit.value(u"block"_s).toInt(-1)}) != nullptr
+                : spec && board.findMissing(*spec, profile);
+            if (isMissing)
+                return true;
+        }
+    }
+    return false;
+}
+
+bool EditStack::restoreEdit(const QJsonObject &edit)
 {
     const int profile = edit.value(u"profile"_s).toInt(-1);
     if (profile < 0 || profile >= m_configuration.board().identity().profileCount)
-        return;
+        return false;
     if (edit.contains(u"toName"_s)) {
-        m_stack.push(new RenameEdit(m_configuration, profile, edit.value(u"fromName"_s).toString(),
+        m_stack.push(new RenameEdit(m_configuration, profile,
+                                    m_configuration.edited().profileNames().value(profile),
                                     edit.value(u"toName"_s).toString()));
-        return;
+        return true;
     }
     if (edit.contains(u"toData"_s)) {
         const BlockKey key{profile, edit.value(u"block"_s).toInt(-1)};
         const BlockSpec *block = m_configuration.edited().parameters().block(key.block);
-        const auto bytes = [&edit](const QString &name) {
-            return QByteArray::fromHex(edit.value(name).toString().toLatin1());
-        };
-        const QByteArray from = bytes(u"fromData"_s);
-        const QByteArray to = bytes(u"toData"_s);
-        if (block && block->isData() && m_configuration.edited().blocks().contains(key)
-            && block->holds(to.size()) && block->holds(from.size()))
-            m_stack.push(new DataEdit(m_configuration, key, tableText(block->data), from, to));
-        return;
+        const QByteArray from = m_configuration.edited().block(key);
+        const QByteArray to = QByteArray::fromHex(edit.value(u"toData"_s).toString().toLatin1());
+        if (!block || !block->isData() || !m_configuration.edited().blocks().contains(key)
+            || !block->holds(to.size()))
+            return false;
+        m_stack.push(new DataEdit(m_configuration, key, tableText(block->data), from, to));
+        return true;
     }
     const ParameterSpec *spec = m_configuration.edited().parameters().find(edit.value(u"key"_s).toString());
     const double to = edit.value(u"to"_s).toDouble(kNoNumber);
-    const double from = edit.value(u"from"_s).toDouble(kNoNumber);
-    if (spec && !spec->row->state && canHold(*spec, profile, to) && m_configuration.value(*spec, profile))
-        m_stack.push(new ValueEdit(m_configuration, *spec, profile, from, to));
+    if (!spec || spec->row->state || !canHold(*spec, profile, to) || !m_configuration.value(*spec, profile))
+        return false;
+    // Undone, it becomes what is there now: the board may have been changed meanwhile.
+    m_stack.push(new ValueEdit(m_configuration, *spec, profile, *m_configuration.value(*spec, profile), to));
+    return true;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "widgets/models/configurationmodel.h"
+#include "widgets/models/refusedtexts.h"
 
 #include <QJsonObject>
 #include <QUndoStack>
@@ -15,6 +16,8 @@ struct EditPlace
     QString key;  ///< of the parameter
     int profile = 0;
     int block = 0;
+    QByteArray before;  ///< of the block, as the step found it when it was made
+    QByteArray after;
 };
 
 /// Edits of the configuration that can be undone, over all pages and profiles.
@@ -30,6 +33,9 @@ public:
     void rename(int profile, const QString &name);
     /// Changes a block without parameters as a whole.
     void editData(BlockKey key, const QByteArray &bytes);
+    /// What was typed for values and is none; it goes with the edits when they are discarded.
+    [[nodiscard]] RefusedTexts &refused() { return m_refused; }
+    [[nodiscard]] const RefusedTexts &refused() const { return m_refused; }
     /// Takes back all edits, as one step that can itself be undone.
     void discardAll();
     /// Takes the profile values of one profile over into another, as one step. Returns what was left out
@@ -41,10 +47,20 @@ public:
     /// what was left out.
     QStringList applyProfile(const Configuration &wanted, int from, int to, const QString &text);
 
-    /// All steps, done and undone, as data that survives the program.
+    /// All steps that are not written yet, and undone ones, as data that survives the program.
     [[nodiscard]] QJsonObject toJson() const;
-    /// Puts such steps on an empty stack. Steps that do not fit this board are left out; false if none fits.
-    bool restore(const QJsonObject &steps);
+    struct Restored
+    {
+        bool any = false;
+        int leftOut = 0;  ///< edits that do not fit this board
+    };
+    /// Puts such steps on an empty stack, as far as they fit this board.
+    Restored restore(const QJsonObject &steps);
+    /// Of such steps, those that the board does not hold already: what was written is left out, undone steps
+    /// stay.
+    [[nodiscard]] QJsonObject opened(const QJsonObject &steps) const;
+    /// Some of such steps concern a part of the board that could not be read: nobody knows whether they fit.
+    [[nodiscard]] bool concernsMissing(const QJsonObject &steps) const;
     [[nodiscard]] QUndoStack &undoStack() { return m_stack; }
     /// As the operator does it: tells where it acted.
     void undo();
@@ -58,8 +74,12 @@ private:
     void push(const ParameterChange &change);
     /// In range, or the board's own value.
     [[nodiscard]] bool canHold(const ParameterSpec &spec, int profile, double raw) const;
-    void restoreEdit(const QJsonObject &edit);
+    /// @param edited what they have led to; null: what they say themselves
+    [[nodiscard]] QJsonObject openSteps(const QJsonObject &steps, const Configuration *edited) const;
+    /// False if it does not fit.
+    bool restoreEdit(const QJsonObject &edit);
 
     ConfigurationModel &m_configuration;
     QUndoStack m_stack;
+    RefusedTexts m_refused;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/forms/filtertable.h"
 
+#include "widgets/forms/celldelegate.h"
 #include "widgets/theme/tablelook.h"
 
 #include <QHeaderView>
@@ -46,12 +47,13 @@ private:
 
 }  // namespace
 
-FilterTable::FilterTable(QAbstractItemModel &model, int searchRole, QWidget *parent)
+FilterTable::FilterTable(QAbstractItemModel &model, int searchRole, const Theme &theme, QWidget *parent)
     : QTableView(parent)
     , m_proxy(new WordFilter(searchRole, this))
 {
     m_proxy->setSourceModel(&model);
     setModel(m_proxy);
+    setItemDelegate(new CellDelegate(theme, this));
     setSelectableRows(*this);
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 10);
     setAlternatingRowColors(true);

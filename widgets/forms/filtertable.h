@@ -6,6 +6,7 @@
 
 class QLineEdit;
 class QSortFilterProxyModel;
+class Theme;
 
 /// A table over a model with a search in the model's own search role; columns keep their place.
 class FilterTable final : public QTableView
@@ -13,7 +14,7 @@ class FilterTable final : public QTableView
     Q_OBJECT
 public:
     /// @param searchRole role with lower-case text to look in
-    FilterTable(QAbstractItemModel &model, int searchRole, QWidget *parent = nullptr);
+    FilterTable(QAbstractItemModel &model, int searchRole, const Theme &theme, QWidget *parent = nullptr);
 
     /// A field that filters the table; Ctrl+F anywhere on the page goes there.
     [[nodiscard]] QLineEdit *makeFilterField(const QString &placeholder, const QString &name, QWidget *page);

@@ -59,8 +59,12 @@ void HelpCard::refresh()
         lines.append(
             u"<tr><td style='padding-right:12px'>%1</td><td>%2</td></tr>"_s.arg(name, value.toHtmlEscaped()));
     };
-    if (const auto board = m_configuration.boardValue(spec, m_configuration.shownProfile()))
-        line(tr("On the board"), parameterQuantityText(spec, *board));
+    const int profile = m_configuration.shownProfile();
+    if (const auto board = m_configuration.boardValue(spec, profile))
+        line(tr("On the board"),
+             std::as_const(m_configuration).board().findMissing(spec, profile)
+                 ? unknownText()
+                 : parameterQuantityText(spec, *board));
     if (!spec.row->state)
         line(tr("Default"), parameterQuantityText(spec, spec.defaultRaw));
     if (const QString range = parameterRangeText(spec); !range.isEmpty())

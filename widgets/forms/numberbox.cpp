@@ -9,11 +9,13 @@
 #include <QFocusEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <QTimer>
 #include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -69,11 +71,15 @@ QRect freePlace(const QWidget *hint, const QRect &field, const QWidget &canvas)
 NumberBox::NumberBox(QWidget *parent)
     : QDoubleSpinBox(parent)
 {
+    setKeyboardTracking(false);  // 3 on the way to 300 is no value
     // Typed on, emptied, or replaced by a value from elsewhere, which the line keeps to itself.
     const auto lookAgain = [this] {
+        if (!lineEdit()->isModified())
+            m_settled = lineEdit()->text();
         if (m_refused)
             setRefused(!isTaken(typed()));
     };
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this] { m_selectsAll = false; });
     connect(lineEdit(), &QLineEdit::textChanged, this, lookAgain);
     connect(this, &QDoubleSpinBox::textChanged, this, lookAgain);
 }
@@ -89,6 +95,12 @@ NumberBox::NumberBox(double low, double high, int decimals, const QString &suffi
 NumberBox::~NumberBox()
 {
     delete m_hint;
+}
+
+void NumberBox::setEmptyAllowed(bool allowed, const QString &placeholder)
+{
+    m_emptyAllowed = allowed;
+    lineEdit()->setPlaceholderText(placeholder);
 }
 
 QString NumberBox::textFromValue(double value) const
@@ -120,7 +132,14 @@ bool NumberBox::isTaken(const QString &text) const
     if (text == textFromValue(value()) || (!specialValueText().isEmpty() && text == specialValueText()))
         return true;  // what the board holds, in range or not
     const double number = typedNumber(text);
-    return !std::isnan(number) && isSame(number, nearestTo(number));
+    return !std::isnan(number) && isCertain(text) && isSame(number, nearestTo(number));
+}
+
+/// There is but one way to read it: "1.000" may be one or a thousand.
+bool NumberBox::isCertain(const QString &text) const
+{
+    static const QRegularExpression decimal(u"[.,]\\d"_s);
+    return decimals() == 0 ? !text.contains(decimal) : decimals() > 2 || !groupedNumber(text);
 }
 
 QValidator::State NumberBox::validate(QString &text, int &) const
@@ -142,8 +161,11 @@ void NumberBox::fixup(QString &) const { }
 bool NumberBox::settle()
 {
     setRefused(!isTaken(typed()));
+    // Not by interpretText(), which takes nothing that the program puts into a field that was cleared.
     if (!keepsText())
-        interpretText();
+        setValue(valueFromText(lineEdit()->text()));
+    if (!m_refused)
+        m_settled = lineEdit()->text();
     return !m_refused;
 }
 
@@ -156,6 +178,42 @@ NumberBox *NumberBox::refusedIn(QWidget &form)
         }
     }
     return nullptr;
+}
+
+void NumberBox::type(const QString &text)
+{
+    lineEdit()->setText(prefix() + text + suffix());
+    setRefused(!isTaken(text));
+}
+
+void NumberBox::goOnTyping(const QString &text)
+{
+    const QString settled = m_settled;
+    lineEdit()->setText(prefix() + text + suffix());
+    m_settled = settled;
+    lineEdit()->setCursorPosition(int(prefix().size() + text.size()));
+    lineEdit()->setModified(true);
+}
+
+void NumberBox::goBack()
+{
+    const bool isSpecial = !specialValueText().isEmpty() && value() == minimum();
+    lineEdit()->setText(isSpecial ? specialValueText() : prefix() + textFromValue(value()) + suffix());
+    setRefused(false);
+}
+
+// False: nothing was typed.
+bool NumberBox::takeBack()
+{
+    const bool isTyped = lineEdit()->isModified() && lineEdit()->text() != m_settled;
+    if (!m_refused && !isTyped)
+        return false;
+    if (!m_refused)
+        lineEdit()->setText(m_settled);
+    if (m_refused || !isTaken(typed()))
+        goBack();
+    selectAll();
+    return true;
 }
 
 double NumberBox::nearestTo(double value) const
@@ -185,17 +243,12 @@ void NumberBox::stepBy(int steps)
 void NumberBox::keyPressEvent(QKeyEvent *event)
 {
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (enter && !isTaken(typed())) {
-        setRefused(true);
+    if (enter && !settle()) {
         event->accept();  // no default button takes it for a yes
         return;
     }
-    if (event->key() == Qt::Key_Escape && m_refused) {
-        lineEdit()->setText(prefix() + textFromValue(value()) + suffix());
-        setRefused(false);
-        selectAll();
+    if (event->key() == Qt::Key_Escape && takeBack())
         return;
-    }
     QDoubleSpinBox::keyPressEvent(event);
 }
 
@@ -204,17 +257,31 @@ void NumberBox::keyPressEvent(QKeyEvent *event)
 void NumberBox::focusInEvent(QFocusEvent *event)
 {
     QDoubleSpinBox::focusInEvent(event);
-    if (event->reason() == Qt::MouseFocusReason || event->reason() == Qt::OtherFocusReason)
-        QTimer::singleShot(0, this, &QAbstractSpinBox::selectAll);  // after the press has set the cursor
+    m_selectsAll = event->reason() == Qt::MouseFocusReason || event->reason() == Qt::OtherFocusReason;
+    if (m_selectsAll)
+        // After the press has set the cursor, but not over a key that came with it.
+        QTimer::singleShot(0, this, [this, text = lineEdit()->text()] {
+            if (std::exchange(m_selectsAll, false) && lineEdit()->text() == text)
+                selectAll();
+        });
     if (m_refused)
         showHint();
 }
 
-// The base class would put the old value in the place of what was typed, here and where it is hidden and
-// shown. NOLINTBEGIN(bugprone-parent-virtual-call)
+// The base class would put the old value in the place of what was typed, here and where its window is left,
+// where the language changes, and where it is hidden and shown. NOLINTBEGIN(bugprone-parent-virtual-call)
+void NumberBox::changeEvent(QEvent *event)
+{
+    const bool replaces = event->type() == QEvent::ActivationChange || event->type() == QEvent::LocaleChange;
+    if (replaces && (keepsText() || !isTaken(typed())))
+        QWidget::changeEvent(event);
+    else
+        QDoubleSpinBox::changeEvent(event);
+}
+
 void NumberBox::focusOutEvent(QFocusEvent *event)
 {
-    setRefused(!isTaken(typed()));
+    settle();
     if (!keepsText()) {
         QDoubleSpinBox::focusOutEvent(event);
         return;
@@ -255,8 +322,8 @@ void NumberBox::moveEvent(QMoveEvent *event)
 
 void NumberBox::setRefused(bool refused)
 {
-    if (m_refused != refused) {
-        m_refused = refused;
+    const bool before = std::exchange(m_refused, refused);
+    if (before != refused) {
         setProperty("refused", refused);
         repolish(this);
     }
@@ -264,10 +331,46 @@ void NumberBox::setRefused(bool refused)
         showHint();
     else
         delete m_hint;
+    if (before || refused)
+        emit refusedChanged();
+}
+
+QString NumberBox::rangeSentence(const QString &text) const
+{
+    const double number = typedNumber(text);
+    if (std::isnan(number))
+        return rangeText();
+    if (const auto grouped = groupedNumber(text); grouped && !isCertain(text))
+        return tr("Can be read as %1 or as %2; %3")
+            .arg(shortNumberText(number), shortNumberText(*grouped), rangeText());
+    if (number < minimum() || number > maximum())
+        return rangeText();
+    return decimals() == 0 ? tr("Whole numbers, %1").arg(rangeText())
+                           : tr("At most %n decimal(s), %1", nullptr, decimals()).arg(rangeText());
+}
+
+/// The value nearest to what was typed; of two ways to read it, to the one that can be meant.
+double NumberBox::offered(const QString &text) const
+{
+    const double number = typedNumber(text);
+    const auto grouped = isCertain(text) ? std::nullopt : groupedNumber(text);
+    if (grouped && *grouped >= minimum() && *grouped <= maximum())
+        return nearestTo(*grouped);
+    return std::isnan(number) ? value() : nearestTo(number);
+}
+
+QString NumberBox::advice() const
+{
+    const QString range = rangeSentence(typed());
+    const QString nearest = textFromValue(offered(typed()));
+    return std::isnan(typedNumber(typed())) ? tr("No number; %1. Go back to %2").arg(range, nearest)
+                                            : tr("%1. Take %2").arg(range, nearest);
 }
 
 void NumberBox::showHint()
 {
+    if (!isVisible() || window()->isHidden())  // or about to be
+        return;
     // One at a time: of several, they would cover each other. A red field shows its own when it gets the
     // focus.
     static QPointer<NumberBox> owner;
@@ -281,14 +384,7 @@ void NumberBox::showHint()
         m_hint->setFocusPolicy(Qt::NoFocus);  // the arrow keys in the field do the same
         connect(m_hint, &QToolButton::clicked, this, &NumberBox::takeNearest);
     }
-    const double number = typedNumber(typed());
-    const bool isInside = number >= minimum() && number <= maximum();
-    const QString range = !isInside ? rangeText()
-        : decimals() == 0           ? tr("Whole numbers, %1").arg(rangeText())
-                                    : tr("At most %n decimal(s), %1", nullptr, decimals()).arg(rangeText());
-    const QString text = std::isnan(number)
-        ? tr("No number; %1. Back to %2").arg(range, textFromValue(value()))
-        : tr("%1. Take %2").arg(range, textFromValue(nearestTo(number)));
+    const QString text = advice();
     m_hint->setText(text);
     setAccessibleDescription(text);
     m_hint->adjustSize();
@@ -299,10 +395,8 @@ void NumberBox::showHint()
 
 void NumberBox::takeNearest()
 {
-    const double number = typedNumber(typed());
-    const double wanted = std::isnan(number) ? value() : nearestTo(number);
-    lineEdit()->setText(prefix() + textFromValue(value()) + suffix());
-    setRefused(false);
+    const double wanted = offered(typed());
+    goBack();
     setValue(wanted);
     selectAll();
 }

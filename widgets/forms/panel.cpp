@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/forms/panel.h"
 
+#include "widgets/forms/keyboard.h"
 #include "widgets/theme/theme.h"
 
 #include <QApplication>
@@ -60,10 +61,12 @@ public:
         firstFocus()->setFocus(Qt::PopupFocusReason);
     }
 
-    /// To what had it before the dialog.
+    /// To what had it before the dialog; outside of this area to no button that acts, which may have got it
+    /// only when what opened the dialog went.
     void giveFocusBack() const
     {
-        if (m_before && m_before->isVisible())
+        if (m_before && m_before->isVisible() && m_before->isEnabled()
+            && (parentWidget()->isAncestorOf(m_before) || mayTakeKeyboard(*m_before)))
             m_before->setFocus(Qt::PopupFocusReason);
     }
 
@@ -170,6 +173,11 @@ void PanelArea::rejectAll()
 {
     while (isOpen())
         m_panels.last()->dialog().reject();
+}
+
+QDialog *PanelArea::newest() const
+{
+    return isOpen() ? &m_panels.last()->dialog() : nullptr;
 }
 
 void PanelArea::resizeEvent(QResizeEvent *event)

@@ -25,6 +25,8 @@ public:
     [[nodiscard]] bool isOpen() const { return !m_panels.isEmpty(); }
     /// Rejects all that is open, the newest first.
     void rejectAll();
+    /// The dialog that was opened last; null if none is open.
+    [[nodiscard]] QDialog *newest() const;
 
 signals:
     void openChanged(bool open);

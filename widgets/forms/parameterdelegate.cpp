@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/forms/parameterdelegate.h"
 
+#include "widgets/forms/parameterbox.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QComboBox>
@@ -15,42 +16,62 @@ constexpr int kBar = 4;
 
 ParameterDelegate::ParameterDelegate(const ConfigurationModel &configuration, const Theme &theme,
                                      QObject *parent)
-    : QStyledItemDelegate(parent)
+    : CellDelegate(theme, parent)
     , m_configuration(configuration)
-    , m_theme(theme)
 {
 }
 
 void ParameterDelegate::initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const
 {
-    QStyledItemDelegate::initStyleOption(option, index);
-    if (!index.data(ParameterModel::ChangedRole).toBool())
+    CellDelegate::initStyleOption(option, index);
+    if (!index.data(ParameterModel::ChangedRole).toBool() || index.data(TableModel::RefusedRole).isValid())
         return;
     if (index.column() == ParameterModel::NameColumn || index.column() == ParameterModel::ValueColumn)
         option->font.setBold(true);
     if (index.column() == ParameterModel::ValueColumn)
-        option->palette.setColor(QPalette::Text, m_theme.color(ColorRole::Changed));
+        option->palette.setColor(QPalette::Text, theme().color(ColorRole::Changed));
 }
 
 void ParameterDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
                               const QModelIndex &index) const
 {
-    QStyledItemDelegate::paint(painter, option, index);
+    CellDelegate::paint(painter, option, index);
     if (index.column() != ParameterModel::NameColumn || !index.data(ParameterModel::ChangedRole).toBool())
         return;
     const QRect row = option.rect;
     painter->fillRect(QRect(row.left(), row.top() + 1, kBar, row.height() - 2),
-                      m_theme.color(ColorRole::Changed));
+                      theme().color(ColorRole::Changed));
+}
+
+const ParameterSpec &ParameterDelegate::specOf(const QModelIndex &index) const
+{
+    return m_configuration.edited().parameters().at(index.data(ParameterModel::IdRole).toInt());
+}
+
+NumberBox *ParameterDelegate::makeBox(const QModelIndex &index) const
+{
+    const ParameterSpec &spec = specOf(index);
+    return spec.row->kind == ValueKind::Number ? new ParameterBox(spec) : nullptr;
+}
+
+void ParameterDelegate::showValue(NumberBox &box, const QModelIndex &index) const
+{
+    if (const auto raw = m_configuration.value(specOf(index), m_configuration.shownProfile()))
+        static_cast<ParameterBox &>(box).showRaw(*raw);
 }
 
 QWidget *ParameterDelegate::createEditor(QWidget *parent, const QStyleOptionViewItem &option,
                                          const QModelIndex &index) const
 {
     const ParameterSet &parameters = m_configuration.edited().parameters();
-    const ParameterSpec &spec = parameters.at(index.data(ParameterModel::IdRole).toInt());
+    const ParameterSpec &spec = specOf(index);
     const bool toggle = spec.row->kind == ValueKind::Toggle;
-    if (!toggle && spec.row->kind != ValueKind::Choice)
-        return QStyledItemDelegate::createEditor(parent, option, index);
+    if (!toggle && spec.row->kind != ValueKind::Choice) {
+        QWidget *field = CellDelegate::createEditor(parent, option, index);
+        if (field)
+            field->setAccessibleName(parameterLabel(spec));
+        return field;
+    }
     auto *box = new QComboBox(parent);
     if (toggle) {
         for (const int value : {0, 1})
@@ -73,7 +94,7 @@ void ParameterDelegate::setEditorData(QWidget *editor, const QModelIndex &index)
     if (auto *box = qobject_cast<QComboBox *>(editor))
         box->setCurrentIndex(box->findData(index.data(Qt::EditRole)));
     else
-        QStyledItemDelegate::setEditorData(editor, index);
+        CellDelegate::setEditorData(editor, index);
 }
 
 void ParameterDelegate::setModelData(QWidget *editor, QAbstractItemModel *model,
@@ -81,7 +102,7 @@ void ParameterDelegate::setModelData(QWidget *editor, QAbstractItemModel *model,
 {
     const auto *box = qobject_cast<QComboBox *>(editor);
     if (!box)
-        QStyledItemDelegate::setModelData(editor, model, index);
+        CellDelegate::setModelData(editor, model, index);
     else if (box->currentIndex() >= 0)
         model->setData(index, box->currentData());
 }

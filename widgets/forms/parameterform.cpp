@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -46,8 +47,16 @@ ParameterForm::ParameterForm(ConfigurationModel &configuration, EditStack &edits
                 refresh(it.key());
         }
     });
-    connect(&m_configuration, &ConfigurationModel::shownProfileChanged, this, &ParameterForm::refreshAll);
+    connect(&m_configuration, &ConfigurationModel::shownProfileChanged, this, [this] {
+        for (ValueEditor *editor : std::as_const(m_editors))
+            editor->forgetTyping();
+        refreshAll();
+    });
     connect(&m_configuration, &ConfigurationModel::changeCountChanged, this, &ParameterForm::refreshAll);
+    connect(&m_edits.refused(), &RefusedTexts::replaced, this, [this] {
+        if (m_set == m_configuration.edited().parameterSet())  // else it is built anew in a moment
+            refreshAll();
+    });
 }
 
 void ParameterForm::setParameters(const QList<int> &parameters)
@@ -72,12 +81,16 @@ void ParameterForm::resizeEvent(QResizeEvent *event)
 void ParameterForm::rebuild()
 {
     m_columns = columnsFor(width());
-    // Rearranging must not take away the field that the operator is using.
-    int focused = -1;
-    for (auto it = m_editors.begin(); it != m_editors.end(); ++it) {
-        if (it.value()->control()->hasFocus())
-            focused = it.key();
+    // Rearranging must not take away the field that the operator is using, nor what stands half typed in it.
+    QString focused;
+    std::optional<QString> unfinished;
+    for (const ValueEditor *editor : std::as_const(m_editors)) {
+        if (editor->control()->hasFocus()) {
+            focused = editor->spec().key;
+            unfinished = editor->unfinishedText();
+        }
     }
+    const QString serial = std::exchange(m_serial, m_configuration.board().identity().serial);
     m_editors.clear();
     m_filterRows = nullptr;
     delete m_body;
@@ -104,8 +117,13 @@ void ParameterForm::rebuild()
     }
     body->addStretch(1);
     refreshAll();
-    if (ValueEditor *editor = m_editors.value(focused))
-        editor->control()->setFocus();
+    const ParameterSpec *spec = m_set->find(focused);
+    ValueEditor *editor = spec ? m_editors.value(spec->id) : nullptr;
+    if (!editor)
+        return;
+    editor->control()->setFocus();
+    if (unfinished && serial == m_serial)
+        editor->goOnTyping(*unfinished);
 }
 
 void ParameterForm::addGroup(QVBoxLayout *layout, const char *group, const QList<int> &parameters)
@@ -247,6 +265,9 @@ ValueEditor *ParameterForm::makeEditor(int parameter)
         if (!m_edits.edit(parameter, m_configuration.shownProfile(), raw))
             refresh(parameter);
     });
+    connect(editor, &ValueEditor::refusedChanged, this, [this, editor] {
+        m_edits.refused().set(editor->spec(), m_configuration.shownProfile(), editor->refusedText());
+    });
     connect(editor, &ValueEditor::focused, this, [this, parameter] { emit parameterFocused(parameter); });
     return editor;
 }
@@ -262,7 +283,9 @@ void ParameterForm::refresh(int parameter)
     if (reason.isEmpty() && m_filterRows)
         reason = m_filterRows->inactiveReason(parameter);
     shown->setInactive(reason);
-    shown->show(m_configuration.value(spec, profile), m_configuration.boardValue(spec, profile));
+    shown->show(m_configuration.value(spec, profile), m_configuration.boardValue(spec, profile),
+                !std::as_const(m_configuration).board().findMissing(spec, profile));
+    shown->showRefused(m_edits.refused().text(spec, profile));
 }
 
 void ParameterForm::refreshAll()

@@ -13,7 +13,7 @@ class QVBoxLayout;
 class ValueEditor;
 
 /// A form made from parameter declarations: per-axis values as a matrix, the rest in columns. Follows the
-/// model.
+/// model; what was typed and is no value is kept with the edits, for the profile that it was typed for.
 class ParameterForm final : public QWidget
 {
     Q_OBJECT
@@ -53,5 +53,6 @@ private:
     std::vector<NotchFilter> m_filters;
     FilterRows *m_filterRows = nullptr;  // null where no filter is shown
     QWidget *m_body = nullptr;
+    QString m_serial;  // of the board whose values are shown
     int m_columns = 1;
 };

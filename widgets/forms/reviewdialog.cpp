@@ -33,8 +33,8 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     resize(760, 460);
     auto *intro = new QLabel(
         board.missing().empty()
-            ? tr("These values go to the board. They are read back and compared, and a copy of the whole "
-                 "board is kept before the first write.")
+            ? tr("These values go to the board. They are read back and compared, and a copy of all "
+                 "settings of the board is kept before the first write.")
             : tr("These values go to the board. They are read back and compared, and a copy of what could be "
                  "read of the board is kept before the first write."));
     intro->setWordWrap(true);
@@ -113,12 +113,21 @@ void ReviewDialog::updateButton()
     repolish(m_write);
 }
 
+void ReviewDialog::setReplaced(const LiveValues &replaced)
+{
+    if (replaced.empty())
+        return;
+    m_live = replaced;
+    m_areReplaced = true;
+    updateOthers();
+}
+
 OtherValues ReviewDialog::others() const
 {
     return OtherValues(m_others->currentData().toInt());
 }
 
-// The board stores everything in use at once, so what else is in use is said before.
+// What else is in use is said before: the board stores all of it at once, or loads what is stored instead.
 void ReviewDialog::updateOthers()
 {
     const auto written = std::as_const(m_changes).ticked();
@@ -133,11 +142,16 @@ void ReviewDialog::updateOthers()
     }
     constexpr qsizetype kTold = 6;
     const auto more = int(values.size() - kTold);
-    QString text = tr("%n other value(s) in use are not stored:", nullptr, int(values.size())) + u'\n'
-        + values.mid(0, kTold).join(u'\n');
+    const auto count = int(values.size());
+    QString text
+        = (m_areReplaced
+               ? tr("%n other value(s) in use are not stored; the board goes back to the stored ones:",
+                    nullptr, count)
+               : tr("%n other value(s) in use are not stored:", nullptr, count))
+        + u'\n' + values.mid(0, kTold).join(u'\n');
     if (more > 0)
         text += u'\n' + tr("and %n more", nullptr, more);
     m_othersText->setText(text);
     m_othersText->setVisible(!values.isEmpty());
-    m_others->setVisible(!values.isEmpty());
+    m_others->setVisible(!values.isEmpty() && !m_areReplaced);
 }

@@ -22,6 +22,8 @@ public:
     ReviewDialog(const Configuration &board, const Configuration &edited, const LiveValues &live = {},
                  QWidget *parent = nullptr);
 
+    /// What is in use and is replaced by what is stored when the board loads what is written.
+    void setReplaced(const LiveValues &replaced);
     /// The configuration with the ticked changes.
     [[nodiscard]] Configuration chosen() const { return m_changes.ticked(); }
     /// What becomes of values in use that are not among them.
@@ -38,6 +40,7 @@ private:
     QTableView *m_table;
     QLabel *m_risk;
     LiveValues m_live;
+    bool m_areReplaced = false;
     QLabel *m_othersText;
     QComboBox *m_others;
     QLabel *m_effect;  // what writing means for the board

@@ -3,7 +3,7 @@
 #include "widgets/forms/valueeditor.h"
 
 #include "widgets/forms/flagsbutton.h"
-#include "widgets/forms/numberbox.h"
+#include "widgets/forms/parameterbox.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/theme.h"
 
@@ -18,61 +18,13 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
 namespace {
 
 constexpr int kResetWidth = 18;
-
-/// A number box that works in raw counts: each step is one count on the wire, or for a float one unit of the
-/// last decimal.
-class ParameterBox final : public NumberBox
-{
-public:
-    explicit ParameterBox(const ParameterSpec &spec)
-        : m_spec(spec)
-    {
-        setKeyboardTracking(false);
-    }
-
-    void stepBy(int steps) override
-    {
-        if (isRefused())
-            NumberBox::stepBy(steps);
-        else if (isFloat())
-            setValue(value() + steps * std::pow(10.0, -decimals()));
-        else
-            setValue(m_spec.toDisplay(m_spec.clamped(m_spec.toRaw(value()) + steps * m_spec.row->step)));
-        selectAll();
-    }
-
-protected:
-    [[nodiscard]] double nearestTo(double value) const override
-    {
-        if (!isFloat())
-            return m_spec.toDisplay(m_spec.clamped(m_spec.toRaw(value)));
-        const double shown = NumberBox::nearestTo(value);
-        return std::clamp(shown, m_spec.toDisplay(m_spec.row->min), m_spec.toDisplay(m_spec.row->max));
-    }
-    // Where a count is coarser than the decimals shown, the nearest one stands for what was typed.
-    [[nodiscard]] bool isSame(double typed, double nearest) const override
-    {
-        const double count = isFloat() ? 0.0 : std::abs(m_spec.row->scale);
-        return NumberBox::isSame(typed, nearest)
-            || (count > 1.001 * std::pow(10.0, -decimals())
-                && NumberBox::isSame(typed, NumberBox::nearestTo(typed))
-                && std::abs(typed - nearest) <= 0.5001 * count);
-    }
-    [[nodiscard]] QString rangeText() const override { return parameterRangeText(m_spec); }
-
-private:
-    [[nodiscard]] bool isFloat() const { return m_spec.row->wire == WireType::F32; }
-
-    const ParameterSpec &m_spec;
-};
 
 void markChanged(QWidget *widget, bool changed)
 {
@@ -135,16 +87,15 @@ ValueEditor::ValueEditor(const ParameterSpec &spec, int firmware, QWidget *paren
 QWidget *ValueEditor::makeNumber()
 {
     m_number = new ParameterBox(m_spec);
-    m_number->setDecimals(m_spec.row->decimals);
-    m_number->setRange(m_spec.toDisplay(m_spec.row->min), m_spec.toDisplay(m_spec.row->max));
-    m_number->setSingleStep(std::abs(m_spec.row->scale));
-    m_number->setAlignment(Qt::AlignRight);
-    m_number->setButtonSymbols(QAbstractSpinBox::NoButtons);
     m_number->setFocusPolicy(Qt::StrongFocus);
     m_number->setMinimumWidth(72);
     connect(m_number, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         if (!m_updating)
             emit edited(m_spec.clamped(m_spec.toRaw(value)));
+    });
+    connect(m_number, &NumberBox::refusedChanged, this, [this] {
+        if (!m_updating)
+            emit refusedChanged();
     });
     return m_number;
 }
@@ -192,32 +143,67 @@ QWidget *ValueEditor::makeFlags(int firmware)
     return m_flags;
 }
 
-void ValueEditor::show(std::optional<double> value, std::optional<double> onBoard)
+void ValueEditor::show(std::optional<double> value, std::optional<double> onBoard, bool isKnown)
 {
     m_control->setEnabled(value && !m_spec.row->state);
     if (!value)
         return;
-    // What was typed and is no value stays until there is another value.
-    const bool keepsText = m_number && m_number->isRefused() && sameValue(*value, m_raw);
+    // What was typed and is no value, or none yet, stays until there is another value.
+    const bool isOther = std::exchange(m_shown, true) && !sameValue(*value, m_raw);
+    const bool keepsText = m_number && (m_number->isRefused() || unfinishedText()) && !isOther;
     m_raw = *value;
     m_boardRaw = onBoard.value_or(*value);
     m_updating = true;
     if (!keepsText)
         showValue(*value);
+    if (!keepsText && m_number && m_number->isRefused())
+        m_number->goBack();
     m_updating = false;
     const bool changed = !sameValue(m_raw, m_boardRaw);
     markChanged(m_control, changed);
     m_reset->setVisible(changed);
-    if (changed) {
-        const QString board = parameterValueText(m_spec, m_boardRaw);
+    const QString board = isKnown ? parameterValueText(m_spec, m_boardRaw) : unknownText();
+    if (changed && !isKnown) {
+        const QString text = tr("Discard the change. What the board has is not known now.");
+        m_reset->setToolTip(text);
+        m_reset->setAccessibleName(text);
+    } else if (changed) {
         m_reset->setToolTip(tr("The board has %1. Discard the change.").arg(board));
         m_reset->setAccessibleName(tr("Discard the change; the board has %1").arg(board));
     }
     const QString inactive = m_inactive.isEmpty() ? QString() : u'\n' + m_inactive;
-    m_control->setToolTip(u"%1\n%2%3%4"_s.arg(
-        tableText(m_spec.row->help), parameterRangeText(m_spec),
-        changed ? tr("\nOn the board: %1").arg(parameterValueText(m_spec, m_boardRaw)) : QString(),
-        inactive));
+    m_control->setToolTip(u"%1\n%2%3%4"_s.arg(tableText(m_spec.row->help), parameterRangeText(m_spec),
+                                              changed ? tr("\nOn the board: %1").arg(board) : QString(),
+                                              inactive));
+}
+
+std::optional<QString> ValueEditor::refusedText() const
+{
+    return m_number && m_number->isRefused() ? std::optional(m_number->typed()) : std::nullopt;
+}
+
+void ValueEditor::showRefused(const std::optional<QString> &text)
+{
+    if (!m_number || refusedText() == text)
+        return;
+    m_updating = true;
+    if (text)
+        m_number->type(*text);
+    else
+        m_number->goBack();
+    m_updating = false;
+}
+
+std::optional<QString> ValueEditor::unfinishedText() const
+{
+    const auto *line = m_number ? m_number->findChild<QLineEdit *>() : nullptr;
+    return line && line->isModified() ? std::optional(m_number->typed()) : std::nullopt;
+}
+
+void ValueEditor::goOnTyping(const QString &text)
+{
+    if (m_number)
+        m_number->goOnTyping(text);
 }
 
 void ValueEditor::setInactive(const QString &reason)
@@ -228,29 +214,18 @@ void ValueEditor::setInactive(const QString &reason)
     repolish(m_control);
 }
 
-// NaN is shown as a word below the range; whatever is typed replaces it.
-void ValueEditor::showNumber(double raw)
+void ValueEditor::forgetTyping()
 {
-    double low = m_spec.toDisplay(m_spec.row->min);
-    double high = m_spec.toDisplay(m_spec.row->max);
-    if (std::isnan(raw)) {
-        low -= std::pow(10.0, -m_number->decimals());
-        m_number->setRange(low, high);
-        m_number->setSpecialValueText(parameterValueText(m_spec, raw));
-        m_number->setValue(low);
-        return;
-    }
-    // A board may hold a value outside the documented range; it is shown as it is.
-    const double display = m_spec.toDisplay(raw);
-    m_number->setSpecialValueText(QString());
-    m_number->setRange(std::min(low, display), std::max(high, display));
-    m_number->setValue(display);
+    m_updating = true;
+    if (unfinishedText())
+        m_number->goBack();
+    m_updating = false;
 }
 
 void ValueEditor::showValue(double raw)
 {
     if (m_number) {
-        showNumber(raw);
+        m_number->showRaw(raw);
     } else if (m_choice) {
         int index = m_choice->findData(int(raw));
         if (index < 0) {

@@ -7,7 +7,7 @@
 #include <QWidget>
 
 class FlagsButton;
-class NumberBox;
+class ParameterBox;
 class QCheckBox;
 class QComboBox;
 class QLabel;
@@ -24,7 +24,17 @@ public:
 
     [[nodiscard]] const ParameterSpec &spec() const { return m_spec; }
     /// Shows a value and what the board has; empty = the board did not deliver it.
-    void show(std::optional<double> value, std::optional<double> onBoard);
+    /// @param isKnown the board has it now, by all that is known
+    void show(std::optional<double> value, std::optional<double> onBoard, bool isKnown = true);
+    /// What was typed and is no value, for as long as it stands there.
+    [[nodiscard]] std::optional<QString> refusedText() const;
+    /// Puts such a text back, or the value in the place of one.
+    void showRefused(const std::optional<QString> &text);
+    /// What is being typed and is not finished yet.
+    [[nodiscard]] std::optional<QString> unfinishedText() const;
+    void goOnTyping(const QString &text);
+    /// What is not finished was meant for something else.
+    void forgetTyping();
     /// Why it has no effect now; it can be edited all the same, for when it has.
     void setInactive(const QString &reason);
     /// The control that takes keys.
@@ -32,6 +42,8 @@ public:
 
 signals:
     void edited(double raw);
+    /// By what is typed: refusedText() is another one, or none.
+    void refusedChanged();
     void focused();
 
 protected:
@@ -43,12 +55,11 @@ private:
     QWidget *makeToggle();
     QWidget *makeFlags(int firmware);
     void showValue(double raw);
-    void showNumber(double raw);
     void updateFlagsText(double raw);
 
     const ParameterSpec &m_spec;
     QWidget *m_control = nullptr;
-    NumberBox *m_number = nullptr;
+    ParameterBox *m_number = nullptr;
     QComboBox *m_choice = nullptr;
     QCheckBox *m_toggle = nullptr;
     FlagsButton *m_flags = nullptr;
@@ -57,5 +68,6 @@ private:
     QString m_inactive;
     double m_raw = 0;
     double m_boardRaw = 0;
+    bool m_shown = false;  // there has been a value
     bool m_updating = false;
 };

@@ -6,6 +6,7 @@
 #include "widgets/models/parametermodel.h"
 
 #include <cmath>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -25,6 +26,8 @@ void AdjustableModel::reset()
         m_values.assign(m_specs.size(), {});
         m_behind.assign(m_specs.size(), nullptr);
         m_asking = false;
+        if (const QString serial = m_client.identity().serial; std::exchange(m_serial, serial) != serial)
+            m_refused.clear();
         for (std::size_t row = 0; row < m_specs.size(); ++row) {
             for (const ParameterSpec &spec : m_parameters->all()) {
                 if (spec.adjustable == m_specs[row].id)
@@ -76,6 +79,15 @@ bool AdjustableModel::isFloat(int row) const
     return behind && behind->row->wire == WireType::F32;
 }
 
+QModelIndex AdjustableModel::refusedCell() const
+{
+    for (int row = 0; row < rows(); ++row) {
+        if (m_refused.contains(keyOf(row)))
+            return index(row, ValueColumn);
+    }
+    return {};
+}
+
 QString AdjustableModel::meaning(int row) const
 {
     const ParameterSpec *behind = m_behind[std::size_t(row)];
@@ -102,9 +114,15 @@ QVariant AdjustableModel::data(const QModelIndex &index, int role) const
     if (role == Qt::TextAlignmentRole && (index.column() == ValueColumn || index.column() == NumberColumn))
         return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::EditRole && index.column() == ValueColumn)
-        return value
-            ? isFloat(index.row()) ? QVariant(numberText(plainNumber(*value))) : QVariant(int(*value))
-            : QVariant();
+        return value ? QVariant(*value) : QVariant();
+    if (role == NumberRole && index.column() == ValueColumn) {
+        const int decimals = isFloat(index.row()) ? m_behind[std::size_t(index.row())]->row->decimals : 0;
+        return value ? QVariant::fromValue(NumberRange{spec.min, spec.max, decimals}) : QVariant();
+    }
+    if (role == RefusedRole && index.column() == ValueColumn) {
+        const auto refused = m_refused.find(keyOf(index.row()));
+        return refused == m_refused.end() ? QVariant() : QVariant(*refused);
+    }
     if (role == Qt::ToolTipRole && index.column() == ValueColumn)
         return tr("Takes effect at once, in volatile memory, from %1 to %2")
             .arg(numberText(plainNumber(spec.min)), numberText(plainNumber(spec.max)));
@@ -125,10 +143,23 @@ QVariant AdjustableModel::data(const QModelIndex &index, int role) const
 
 bool AdjustableModel::setData(const QModelIndex &index, const QVariant &value, int role)
 {
-    if (role != Qt::EditRole || index.column() != ValueColumn || !m_client.isConnected())
+    if (role == RefusedRole && index.column() == ValueColumn) {
+        if (value.isValid())
+            m_refused.insert(keyOf(index.row()), value.toString());
+        else
+            m_refused.remove(keyOf(index.row()));
+        emit dataChanged(index, index);
+        return true;
+    }
+    if (role != Qt::EditRole || index.column() != ValueColumn || m_held)
         return false;
+    if (!m_client.isConnected()) {
+        emit failed({ErrorCode::NotConnected, {}, 0});
+        return false;
+    }
     const AdjustableSpec &spec = m_specs[std::size_t(index.row())];
-    const double wanted = typedNumber(value.toString());
+    const double wanted
+        = value.userType() == QMetaType::Double ? value.toDouble() : typedNumber(value.toString());
     if (std::isnan(wanted) || (!isFloat(index.row()) && wanted != std::trunc(wanted)) || wanted < spec.min
         || wanted > spec.max) {
         emit failed({ErrorCode::OutOfRange,
@@ -156,7 +187,7 @@ bool AdjustableModel::setData(const QModelIndex &index, const QVariant &value, i
 Qt::ItemFlags AdjustableModel::flags(const QModelIndex &index) const
 {
     Qt::ItemFlags flags = TableModel::flags(index);
-    if (index.isValid() && index.column() == ValueColumn && m_client.isConnected()
+    if (index.isValid() && index.column() == ValueColumn && m_client.isConnected() && !m_held
         && m_client.identity().writable)
         flags |= Qt::ItemIsEditable;
     return flags;

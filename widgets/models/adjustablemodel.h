@@ -27,9 +27,13 @@ public:
 
     /// Another board (or none).
     void reset();
+    /// While they are held, none can be set.
+    void setHeld(bool held) { m_held = held; }
     /// Asks the board for all values, unless a request is still pending.
     void refresh();
 
+    /// The first cell with a text that is no value; invalid without one.
+    [[nodiscard]] QModelIndex refusedCell() const;
     [[nodiscard]] QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
     bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
@@ -43,6 +47,7 @@ private:
     [[nodiscard]] int rows() const override { return int(m_specs.size()); }
     /// Whole numbers, unless the parameter behind it is a float.
     [[nodiscard]] bool isFloat(int row) const;
+    [[nodiscard]] QString keyOf(int row) const { return QLatin1String(m_specs[std::size_t(row)].key); }
     [[nodiscard]] QString meaning(int row) const;
 
     DeviceClient &m_client;
@@ -51,5 +56,8 @@ private:
     std::vector<const ParameterSpec *>
         m_behind;  // the parameter behind each variable, null where there is none
     std::vector<std::optional<double>> m_values;
+    QMap<QString, QString> m_refused;  // what was typed and is no value, by the variable's key
+    QString m_serial;  // of the board that it was typed for
     bool m_asking = false;
+    bool m_held = false;
 };

@@ -55,6 +55,9 @@ QString seen(const Alarm &alarm)
     const QString second = axisLabel(alarm.other);
     switch (alarm.kind) {
     case AlarmKind::Runaway:
+        if (alarm.isTurning && alarm.cause != AlarmCause::SwappedAxes)
+            return AlarmText::tr("%1 turns on and on: %2° without a stop, and nothing is steered from here.")
+                .arg(axis, numberText(alarm.value, 0));
         if (alarm.isStanding && alarm.other != Axis::None)
             return AlarmText::tr("%1 and %2 have run away: %1 is %3° from its target and does not come back.")
                 .arg(axis, second, numberText(alarm.value, 0));
@@ -81,12 +84,16 @@ QString seen(const Alarm &alarm)
     case AlarmKind::Heat:
         return alarm.cause == AlarmCause::Fault
             ? AlarmText::tr("The motor drivers protect themselves: they are too hot or overloaded.")
+            : alarm.axis != Axis::None
+            ? AlarmText::tr("The motor of %1 is at %2 °C, the limit is %3 °C.")
+                  .arg(axis, numberText(alarm.value, 0), numberText(alarm.limit, 0))
             : AlarmText::tr("The board's sensor is at %1 °C, the limit is %2 °C.")
                   .arg(numberText(alarm.value, 0), numberText(alarm.limit, 0));
     case AlarmKind::Battery:
         if (std::isnan(alarm.value))
             return AlarmText::tr("The battery is low.");
-        return alarm.limit > alarm.value
+        // A board that reports it has a limit of its own.
+        return alarm.fault.isEmpty() && alarm.limit > alarm.value
             ? AlarmText::tr("The battery is low: %1 V, the limit is %2 V.")
                   .arg(numberText(alarm.value, 1), numberText(alarm.limit, 1))
             : AlarmText::tr("The board reports a low battery: %1 V.").arg(numberText(alarm.value, 1));
@@ -132,6 +139,13 @@ QString meant(const Alarm &alarm)
     }
     switch (alarm.kind) {
     case AlarmKind::Runaway:
+        if (alarm.mayBeMeant)
+            return AlarmText::tr("It may follow whoever turns the frame, or be steered by a remote control: "
+                                 "the motors were left on. If neither is so, it runs away.");
+        if (alarm.isTurning)
+            return AlarmText::tr(
+                "Nobody is known to steer it: its motor drives it, in the wrong direction or "
+                "by a sensor that does not see where it points.");
         return AlarmText::tr(
             "The motor cannot hold it: something blocks it, the load is not balanced, the power "
             "is too low, or the direction is wrong.");
@@ -168,7 +182,10 @@ QString cure(const Alarm &alarm)
     case AlarmCause::Unknown: break;
     }
     switch (alarm.kind) {
-    case AlarmKind::Runaway: return AlarmText::tr("Check balance, power and direction of that motor.");
+    case AlarmKind::Runaway:
+        if (alarm.mayBeMeant)
+            return AlarmText::tr("If nobody turns it, stop the motors.");
+        return AlarmText::tr("Check balance, power and direction of that motor.");
     case AlarmKind::Oscillation:
         return AlarmText::tr("Lower the gains of that axis, or look for the resonance.");
     case AlarmKind::Limit: return AlarmText::tr("Move it back by hand with the motors off.");
@@ -197,8 +214,14 @@ QString done(const AlarmReport &report, const ParameterSet *parameters)
     }
     switch (report.outcome) {
     case AlarmOutcome::Acting: return AlarmText::tr("The last live change is being reverted.");
-    case AlarmOutcome::Done: return AlarmText::tr("The last live change was reverted (%1).").arg(change);
+    case AlarmOutcome::Done:
+        return report.wasSeenToEnd
+            ? AlarmText::tr("The last live change was reverted (%1); it has been quiet since.").arg(change)
+            : AlarmText::tr("The last live change was reverted (%1).").arg(change);
     case AlarmOutcome::GoesOn:
+        if (report.wasSeenToEnd)
+            return AlarmText::tr("The last live change was reverted (%1); it went on for a while after that.")
+                .arg(change);
         return AlarmText::tr("The last live change was reverted (%1), and it goes on all the same.")
             .arg(change);
     case AlarmOutcome::Conflict:
@@ -219,8 +242,11 @@ ErrorText describe(const AlarmReport &report, const ParameterSet *parameters)
     const QString action = done(report, parameters);
     ErrorText text;
     text.what = action.isEmpty() ? seen(report.alarm) : seen(report.alarm) + u' ' + action;
-    text.meaning = meant(report.alarm);
-    text.cure = cure(report.alarm);
+    // What is over threatens nothing any more.
+    if (!report.isOver) {
+        text.meaning = meant(report.alarm);
+        text.cure = cure(report.alarm);
+    }
     return text;
 }
 
@@ -238,4 +264,32 @@ QString alarmName(AlarmKind kind)
     case AlarmKind::Count: break;
     }
     return {};
+}
+
+QString unwatchedText(const std::vector<Unwatched> &missing)
+{
+    QStringList texts;
+    for (const Unwatched &each : missing) {
+        const QString name
+            = each.isMotors ? AlarmText::tr("Overheating of the motors") : alarmName(each.kind);
+        QString reason;
+        switch (each.reason) {
+        case Unwatched::Reason::NotTold: reason = AlarmText::tr("the board does not tell it"); break;
+        case Unwatched::Reason::NotComing: reason = AlarmText::tr("no data for it come"); break;
+        case Unwatched::Reason::TooSlow:
+            reason = AlarmText::tr("above %1 Hz: data come too slowly").arg(numberText(each.hertz, 0));
+            break;
+        case Unwatched::Reason::OnlySteered:
+            reason = AlarmText::tr("except while it is steered to an angle from here");
+            break;
+        case Unwatched::Reason::ByRate:
+            reason = AlarmText::tr("while it is steered otherwise than to angles");
+            break;
+        case Unwatched::Reason::NoBattery:
+            reason = AlarmText::tr("the board measures no battery's voltage");
+            break;
+        }
+        texts.append(u"%1 (%2)"_s.arg(name, reason));
+    }
+    return texts.join(u", "_s);
 }

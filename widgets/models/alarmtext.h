@@ -3,7 +3,10 @@
 #pragma once
 
 #include "protocol/supervisor/alarmreport.h"
+#include "protocol/supervisor/unwatched.h"
 #include "widgets/models/errortext.h"
+
+#include <vector>
 
 class ParameterSet;
 
@@ -14,3 +17,6 @@ class ParameterSet;
 
 /// The kind of an alarm as a heading: "Runaway".
 [[nodiscard]] QString alarmName(AlarmKind kind);
+
+/// What cannot be watched for, with the reasons; empty if there is nothing of the kind.
+[[nodiscard]] QString unwatchedText(const std::vector<Unwatched> &missing);

@@ -46,8 +46,9 @@ QVariant ChangeModel::data(const QModelIndex &index, int role) const
         return {};
     if (row.data.spec && index.column() != ProfileColumn) {
         return index.column() == NameColumn ? tableText(row.data.spec->data)
-            : index.column() == BoardColumn ? tr("as on the board")
-                                            : tr("changed");
+            : index.column() == BoardColumn
+            ? (m_board.findMissing(row.data.key) ? unknownText() : tr("as on the board"))
+            : tr("changed");
     }
     switch (index.column()) {
     case NameColumn:
@@ -60,6 +61,9 @@ QVariant ChangeModel::data(const QModelIndex &index, int role) const
             return tr("All profiles");
         return profileLabel(m_board, row.change.profile);
     case BoardColumn:
+        if (spec ? m_board.findMissing(*spec, row.change.profile)
+                 : m_board.findMissing({0, MissingPart::kProfileNames}))
+            return unknownText();
         return spec ? parameterQuantityText(*spec, row.change.from)
                     : m_board.profileNames().value(row.change.profile);
     case EditedColumn:

@@ -5,6 +5,7 @@
 #include <QSet>
 
 #include <tuple>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -33,7 +34,7 @@ bool ConfigurationModel::rebase(Configuration board)
     const auto keep = m_board.parameterSet();
     const auto edits = m_board.changesTo(m_edited);
     const auto data = m_board.dataChangesTo(m_edited);
-    const bool renamed = namesChanged();
+    const Configuration before = m_board;
     const QStringList names = m_edited.profileNames();
     const int shown = m_shownProfile;
     m_board = std::move(board);
@@ -47,8 +48,7 @@ bool ConfigurationModel::rebase(Configuration board)
         if (m_board.blocks().contains(edit.key))
             m_edited.setBlock(edit.key, edit.to);
     }
-    if (renamed)
-        m_edited.setProfileNames(names);
+    keepNames(before, names);
     m_shownProfile = shown;
     emit boardReset();
     recount();
@@ -60,21 +60,43 @@ void ConfigurationModel::setBoard(const Configuration &board)
     const auto keep = m_board.parameterSet();
     const auto edits = m_board.changesTo(m_edited);
     const auto data = m_board.dataChangesTo(m_edited);
-    m_board = board;
+    const Configuration before = std::exchange(m_board, board);
     const QStringList names = m_edited.profileNames();
     m_edited = m_board;
-    m_edited.setProfileNames(names);
-    for (const ParameterChange &edit : edits) {
+    keepNames(before, names);
+    for (const ParameterChange &edit : edits)
         std::ignore = m_edited.restoreRaw(*edit.spec, edit.profile, edit.to);
-        emit valueChanged(edit.spec->id, edit.profile);
-    }
-    for (const DataChange &edit : data) {
+    for (const DataChange &edit : data)
         m_edited.setBlock(edit.key, edit.to);
-        emit dataChanged(edit.key.block, edit.key.profile);
+    // Also what was no edit: the board may hold something else than was known.
+    for (const auto &changes : {edits, before.changesTo(m_board)}) {
+        for (const ParameterChange &change : changes)
+            emit valueChanged(change.spec->id, change.profile);
+    }
+    for (const auto &changes : {data, before.dataChangesTo(m_board)}) {
+        for (const DataChange &change : changes)
+            emit dataChanged(change.key.block, change.key.profile);
     }
     recount();
     emit profileNamesChanged();
     emit storedChanged();
+}
+
+// Only names that were edited stay as they are; the others are the board's.
+void ConfigurationModel::keepNames(const Configuration &before, const QStringList &edited)
+{
+    QStringList names = m_board.profileNames();
+    bool any = false;
+    for (int profile = 0; profile < m_board.identity().profileCount; ++profile) {
+        if (edited.value(profile) == before.profileNames().value(profile))
+            continue;
+        any = true;
+        while (names.size() <= profile)
+            names.append(QString());
+        names[profile] = edited.value(profile);
+    }
+    if (any)
+        m_edited.setProfileNames(names);
 }
 
 void ConfigurationModel::setActiveProfile(int profile)

@@ -51,6 +51,11 @@ public:
     /// How many changes there are in each profile; under kAllProfiles those of the board as a whole.
     [[nodiscard]] QMap<int, int> changesByProfile() const;
     static constexpr int kAllProfiles = -1;
+    /// A board takes all names at once, so none is edited while some of them were not read.
+    [[nodiscard]] bool canRename() const
+    {
+        return !m_board.isEmpty() && !m_board.findMissing({0, MissingPart::kProfileNames});
+    }
     [[nodiscard]] bool namesChanged() const { return m_board.hasOtherNames(m_edited); }
 
 signals:
@@ -66,6 +71,7 @@ signals:
 
 private:
     Result<void> taken(const Result<void> &set, const ParameterSpec &spec, int profile);
+    void keepNames(const Configuration &before, const QStringList &edited);
     void recount();
 
     Configuration m_board;

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/errortext.h"
 
+#include "protocol/base/filefault.h"
+#include "protocol/configuration/aftermath.h"
 #include "protocol/configuration/writereport.h"
 #include "widgets/models/numbertext.h"
 
 #include <QCoreApplication>
 
 #include <array>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -26,6 +29,8 @@ struct ErrorRow
     const char *what;
     const char *meaning = nullptr;  ///< for the gimbal
     const char *cure = nullptr;
+    const char *told = nullptr;  ///< in place of `what` where there is a detail, which it takes in
+    const char *motors = nullptr;
 };
 
 // clang-format off
@@ -38,7 +43,7 @@ constexpr auto kErrors = std::to_array<ErrorRow>({
      QT_TRANSLATE_NOOP("ErrorText", "Try again; if that does not help, check cable and power.")},
     {ErrorCode::LinkClosed,
      QT_TRANSLATE_NOOP("ErrorText", "The link to the board broke."),
-     QT_TRANSLATE_NOOP("ErrorText", "The board keeps doing what it did."),
+     QT_TRANSLATE_NOOP("ErrorText", "What the board does now is not known: it may go on as before, or have restarted and run its motors."),
      QT_TRANSLATE_NOOP("ErrorText", "Check cable and power; the program connects again by itself.")},
     {ErrorCode::PortNotFound,
      QT_TRANSLATE_NOOP("ErrorText", "There is no such port."),
@@ -88,10 +93,15 @@ constexpr auto kErrors = std::to_array<ErrorRow>({
      nullptr,
      QT_TRANSLATE_NOOP("ErrorText", "Try again; if that does not help, the firmware is not supported.")},
     {ErrorCode::InvalidArgument,
-     QT_TRANSLATE_NOOP("ErrorText", "That does not make sense.")},
+     QT_TRANSLATE_NOOP("ErrorText", "What was entered cannot be used."),
+     QT_TRANSLATE_NOOP("ErrorText", "Nothing was changed."),
+     QT_TRANSLATE_NOOP("ErrorText", "Correct it, then try again."),
+     QT_TRANSLATE_NOOP("ErrorText", "What was entered cannot be used: %1.")},
     {ErrorCode::OutOfRange,
      QT_TRANSLATE_NOOP("ErrorText", "The value is outside its range."),
-     QT_TRANSLATE_NOOP("ErrorText", "Nothing was changed.")},
+     QT_TRANSLATE_NOOP("ErrorText", "Nothing was changed."),
+     nullptr,
+     QT_TRANSLATE_NOOP("ErrorText", "The value is outside its range: %1.")},
     {ErrorCode::Contradiction,
      QT_TRANSLATE_NOOP("ErrorText", "Two values exclude each other."),
      QT_TRANSLATE_NOOP("ErrorText", "Nothing was written."),
@@ -107,7 +117,10 @@ constexpr auto kErrors = std::to_array<ErrorRow>({
      QT_TRANSLATE_NOOP("ErrorText", "The old values were put back as far as the board let us."),
      QT_TRANSLATE_NOOP("ErrorText", "Look at the report; try again, or restore the snapshot.")},
     {ErrorCode::BadFile,
-     QT_TRANSLATE_NOOP("ErrorText", "The file cannot be used.")},
+     QT_TRANSLATE_NOOP("ErrorText", "The file cannot be used."),
+     QT_TRANSLATE_NOOP("ErrorText", "Nothing was taken from it or saved to it."),
+     QT_TRANSLATE_NOOP("ErrorText", "Use another copy, or choose another file."),
+     QT_TRANSLATE_NOOP("ErrorText", "The file cannot be used: %1.")},
     {ErrorCode::NotConnected,
      QT_TRANSLATE_NOOP("ErrorText", "No board is connected."),
      nullptr,
@@ -125,12 +138,12 @@ constexpr auto kErrors = std::to_array<ErrorRow>({
      QT_TRANSLATE_NOOP("ErrorText", "Samples would be lost; nothing was changed."),
      QT_TRANSLATE_NOOP("ErrorText", "Ask for fewer channels, a lower rate, or set a faster serial speed.")},
     {ErrorCode::Unready,
-     QT_TRANSLATE_NOOP("ErrorText", "The test could not be made."),
-     QT_TRANSLATE_NOOP("ErrorText", "The camera has to be held by running motors, and live data has to come."),
-     QT_TRANSLATE_NOOP("ErrorText", "Switch the motors on, let the camera settle, then try again.")},
+     QT_TRANSLATE_NOOP("ErrorText", "The board is not ready for this."),
+     QT_TRANSLATE_NOOP("ErrorText", "Nothing was stored. A test needs running motors that hold the camera, and live data; comparing and storing need a board that has started."),
+     QT_TRANSLATE_NOOP("ErrorText", "The details say what is missing. Let the board start and the camera settle, then try again.")},
     {ErrorCode::ConditionUnmet,
      QT_TRANSLATE_NOOP("ErrorText", "The board is not in the state that this action needs."),
-     QT_TRANSLATE_NOOP("ErrorText", "Nothing was sent to it."),
+     QT_TRANSLATE_NOOP("ErrorText", "Nothing was changed."),
      QT_TRANSLATE_NOOP("ErrorText", "The details say which condition must be met first.")},
     {ErrorCode::NotSeen,
      QT_TRANSLATE_NOOP("ErrorText", "What the procedure waited for did not happen."),
@@ -138,20 +151,24 @@ constexpr auto kErrors = std::to_array<ErrorRow>({
      QT_TRANSLATE_NOOP("ErrorText", "The details say what was missing. Correct it and repeat the step.")},
     {ErrorCode::NotRestored,
      QT_TRANSLATE_NOOP("ErrorText", "The values that were in use could not be put back."),
-     QT_TRANSLATE_NOOP("ErrorText", "The board uses its stored values now; nothing that is stored was changed."),
-     QT_TRANSLATE_NOOP("ErrorText", "The details list what was in use. Set it again if you want to keep it.")},
+     QT_TRANSLATE_NOOP("ErrorText", "The board may use other values now; nothing that is stored was changed."),
+     QT_TRANSLATE_NOOP("ErrorText", "The details list what was in use and, where it could be read, what is now. Set it again if you want to keep it.")},
     {ErrorCode::Diverged,
      QT_TRANSLATE_NOOP("ErrorText", "The axis did not follow; the motors were switched off."),
      QT_TRANSLATE_NOOP("ErrorText", "It moved further than the test allows."),
-     QT_TRANSLATE_NOOP("ErrorText", "Lower the gains or make the movement smaller, then switch the motors on again.")},
+     QT_TRANSLATE_NOOP("ErrorText", "Lower the gains or make the movement smaller, then start the motors again.")},
     {ErrorCode::NoSamples,
      QT_TRANSLATE_NOOP("ErrorText", "No live data come."),
-     QT_TRANSLATE_NOOP("ErrorText", "The board sends none, or none that can be read; what came before is kept."),
+     QT_TRANSLATE_NOOP("ErrorText", "The board sends none, none that can be read, or the same again and again; what came before is kept."),
      QT_TRANSLATE_NOOP("ErrorText", "Check cable and power, and that the board still answers; then start again.")},
     {ErrorCode::TooFewSamples,
      QT_TRANSLATE_NOOP("ErrorText", "There are too few samples."),
      QT_TRANSLATE_NOOP("ErrorText", "From so few nothing can be told that would be true."),
      QT_TRANSLATE_NOOP("ErrorText", "Record longer, or choose channels that were recorded.")},
+    {ErrorCode::NoMotion,
+     QT_TRANSLATE_NOOP("ErrorText", "The values do not change."),
+     QT_TRANSLATE_NOOP("ErrorText", "Either nothing moved by as much as the board tells apart, or it sent old values again and again."),
+     QT_TRANSLATE_NOOP("ErrorText", "Let the gimbal work while it is measured: walk with it, or shake its frame.")},
     {ErrorCode::NotProven,
      QT_TRANSLATE_NOOP("ErrorText", "The board did not confirm that the motors are off."),
      QT_TRANSLATE_NOOP("ErrorText", "They may still be running."),
@@ -160,10 +177,20 @@ constexpr auto kErrors = std::to_array<ErrorRow>({
      QT_TRANSLATE_NOOP("ErrorText", "The board does not use the value that was set."),
      QT_TRANSLATE_NOOP("ErrorText", "It confirmed the value and reports another. Nothing that is stored was changed."),
      QT_TRANSLATE_NOOP("ErrorText", "See whether a remote control, a script or another program sets it too, then try again.")},
+    {ErrorCode::NotStored,
+     QT_TRANSLATE_NOOP("ErrorText", "The board has not stored everything that it uses."),
+     QT_TRANSLATE_NOOP("ErrorText", "A restart brings the stored values back."),
+     QT_TRANSLATE_NOOP("ErrorText", "Store once more. If that does not help, save the values into a file.")},
     {ErrorCode::NoEffect,
      QT_TRANSLATE_NOOP("ErrorText", "The board acknowledged the command but did not carry it out."),
      nullptr,
      QT_TRANSLATE_NOOP("ErrorText", "The details say what is missing, as far as the board tells.")},
+    {ErrorCode::Restarted,
+     QT_TRANSLATE_NOOP("ErrorText", "The board restarted by itself."),
+     QT_TRANSLATE_NOOP("ErrorText", "What was in use without being stored is lost."),
+     QT_TRANSLATE_NOOP("ErrorText", "Check its supply voltage and its cables."),
+     nullptr,
+     QT_TRANSLATE_NOOP("ErrorText", "Its motors may run again.")},
     {ErrorCode::Busy,
      QT_TRANSLATE_NOOP("ErrorText", "Another job is still running."),
      nullptr,
@@ -188,7 +215,7 @@ static_assert(everyCodeHasItsRow(), "one row for each code, in the order of Erro
 QString ErrorText::oneLine() const
 {
     QStringList parts{what};
-    for (const QString &part : {meaning, cure}) {
+    for (const QString &part : {meaning, motors, cure}) {
         if (!part.isEmpty())
             parts.append(part);
     }
@@ -198,11 +225,148 @@ QString ErrorText::oneLine() const
     return text;
 }
 
+// What an error means in general does not stand beside what was read, or could not be read.
+static void tellAftermath(const Aftermath &after, ErrorText &text)
+{
+    constexpr int kTold = 12;
+    QStringList told;
+    for (const ParameterChange &change : after.changes()) {
+        const QString value = u"%1 %2 -> %3"_s.arg(change.spec->key, change.spec->format(change.from),
+                                                   change.spec->format(change.to));
+        const bool isOfAProfile
+            = change.spec->row->scope == Scope::Profile && after.before.identity().profileCount > 1;
+        told.append(isOfAProfile ? after.before.profileName(change.profile) + u": "_s + value : value);
+    }
+    for (const DataChange &change : after.dataChanges())
+        told.append(QLatin1String(change.spec->data));
+    const auto count = int(told.size());
+    const QStringList lost = after.lost();
+    if (!after.now)
+        text.meaning = Words::tr("What the board holds now could not be read.");
+    else if (count > 0)
+        text.meaning
+            = Words::tr("The board was read again: %n value(s) are not as they were before.", nullptr, count);
+    else if (!lost.isEmpty())
+        text.meaning = Words::tr("The board was read again, but not all of it: what was read is as before.");
+    else if (after.isInUse)
+        text.meaning = Words::tr("The board was read again: it uses the old values.");
+    else
+        text.meaning = Words::tr("The board was read again: it holds the old values.");
+    if (count > 0 && after.isUnstored)
+        text.meaning += u' ' + Words::tr("Where they are not stored, a restart brings the stored ones back.");
+    if (after.now && after.isBlind)
+        text.meaning += u' ' + Words::tr("Whether sensors were calibrated cannot be seen from that.");
+    if (!after.snapshotPath.isEmpty() && (count > 0 || !after.now || !lost.isEmpty()))
+        text.cure
+            = Words::tr("The snapshot holds what was there before: compare, and restore it if need be.");
+    QStringList details;
+    if (!text.detail.isEmpty())
+        details.append(text.detail);
+    details += told.mid(0, kTold);
+    if (count > kTold)
+        details.append(Words::tr("and %n more", nullptr, count - kTold));
+    if (!lost.isEmpty())
+        details.append(Words::tr("not read: %1").arg(lost.join(u", "_s)));
+    if (!after.snapshotPath.isEmpty())
+        details.append(Words::tr("snapshot: %1").arg(after.snapshotPath));
+    text.detail = details.join(u"; "_s);
+}
+
 ErrorText describe(const Error &error)
 {
     const ErrorRow &row = kErrors.at(std::size_t(error.code));
     const auto words = [](const char *text) { return text ? Words::tr(text) : QString(); };
-    return {words(row.what), words(row.meaning), words(row.cure), withNumbers(error.detail)};
+    if (error.file && error.code == ErrorCode::BadFile)
+        return describe(*error.file);
+    ErrorText text{words(row.what), words(row.meaning), words(row.cure), withNumbers(error.detail),
+                   words(row.motors)};
+    if (error.file) {  // what the file prevented comes first, and what to do is about the file
+        const ErrorText file = describe(*error.file);
+        text.what += u' ' + file.what;
+        text.cure = file.cure;
+        text.detail = file.detail;
+    } else if (row.told && !text.detail.isEmpty()) {
+        while (text.detail.endsWith(u'.'))
+            text.detail.chop(1);
+        text.what = words(row.told).arg(std::exchange(text.detail, {}));
+    }
+    // The disk is not to blame for what the board did not deliver.
+    if (error.code == ErrorCode::NoBackup && !error.file && !error.detail.isEmpty())
+        text.cure = Words::tr("Read the board again; if parts keep missing, check cable and power.");
+    if (error.after) {
+        const QString own = error.code == ErrorCode::Restarted ? text.meaning + u' ' : QString();
+        if (error.code == ErrorCode::LinkClosed && error.after->now)  // so there is a link again
+            text.cure = Words::tr("Check cable and power.");
+        tellAftermath(*error.after, text);
+        text.meaning.prepend(own);
+    }
+    return text;
+}
+
+static QString namesText(WriteState state)
+{
+    switch (state) {
+    case WriteState::Verified: return Words::tr("profile names verified");
+    case WriteState::Unknown: return Words::tr("profile names unknown");
+    case WriteState::NotWritten: return Words::tr("profile names not written");
+    case WriteState::Mismatch: return Words::tr("profile names different");
+    case WriteState::RolledBack: return Words::tr("profile names put back");
+    }
+    return {};
+}
+
+// What is in use instead of what was before.
+static QString inUseText(const UseReport &use)
+{
+    constexpr int kTold = 8;
+    QStringList told;
+    for (const ParameterChange &change : use.changes())
+        told.append(
+            Words::tr("%1 in use: %2, before %3")
+                .arg(change.spec->key, change.spec->format(change.to), change.spec->format(change.from)));
+    for (const DataChange &change : use.dataChanges())
+        told.append(Words::tr("%1 in use: others").arg(QLatin1String(change.spec->data)));
+    const auto count = int(told.size());
+    told = told.mid(0, kTold);
+    if (count > kTold)
+        told.append(Words::tr("and %n more", nullptr, count - kTold));
+    return told.join(u"; "_s);
+}
+
+// "Studio: motor.yaw.power 120 -> 0": what was not to be written.
+static QString straysText(const WriteReport &report)
+{
+    constexpr int kTold = 8;
+    QStringList told;
+    for (const ParameterChange &change : report.strays) {
+        const bool isOfAProfile
+            = change.spec->row->scope == Scope::Profile && report.before.identity().profileCount > 1;
+        told.append((isOfAProfile ? report.before.profileName(change.profile) + u": "_s : QString())
+                    + u"%1 %2 -> %3"_s.arg(change.spec->key, change.spec->format(change.from),
+                                           change.spec->format(change.to)));
+    }
+    told += report.strayPlaces;
+    const auto count = int(told.size());
+    told = told.mid(0, kTold);
+    if (count > kTold)
+        told.append(Words::tr("and %n more", nullptr, count - kTold));
+    return told.isEmpty() ? QString() : Words::tr("not to be written: %1").arg(told.join(u", "_s));
+}
+
+QString restartText(const WriteReport &report)
+{
+    const RestartSigns &signs = report.restart;
+    if (signs.areProof())
+        return Words::tr("The board was silent for %1 s during the write and its motors run now, which were "
+                         "off before: it has restarted. What was in use without being stored is lost.")
+            .arg(numberText(signs.silentSeconds, 1));
+    if (signs.motorsStarted)
+        return Words::tr("The motors run now; before the write they were off.");
+    if (signs.silentSeconds > 0)
+        return Words::tr("The board was silent for %1 s during the write. If it has restarted, what was in "
+                         "use without being stored is lost, and its motors may run.")
+            .arg(numberText(signs.silentSeconds, 1));
+    return {};
 }
 
 ErrorText describe(const WriteReport &report)
@@ -218,15 +382,52 @@ ErrorText describe(const WriteReport &report)
     count(WriteState::Unknown, QT_TRANSLATE_N_NOOP("ErrorText", "%n unknown"));
     count(WriteState::NotWritten, QT_TRANSLATE_N_NOOP("ErrorText", "%n not written"));
     count(WriteState::Mismatch, QT_TRANSLATE_N_NOOP("ErrorText", "%n different"));
-    text.what = Words::tr("The write is not complete: %1. ").arg(counts.join(u", "_s)) + text.what;
+    if (report.namesWanted)
+        counts.append(namesText(report.namesState));
+    // Where nothing was to be written but names, their state stands for all of it.
+    text.what = counts.isEmpty()
+        ? Words::tr("The write is not complete.") + u' ' + text.what
+        : Words::tr("The write is not complete: %1. ").arg(counts.join(u", "_s)) + text.what;
     // Nothing that the error means in general stands beside what was read.
-    if (const int unknown = report.count(WriteState::Unknown))
+    const auto strayInUse
+        = report.use ? int(report.use->changes().size() + report.use->dataChanges().size()) : 0;
+    if (report.storedUntold)
+        text.meaning = Words::tr("What was written is in use; whether it is stored could not be read.");
+    else if (const int unknown = report.count(WriteState::Unknown))
         text.meaning = Words::tr("What the board holds of %n value(s) could not be read.", nullptr, unknown);
+    else if (report.areNamesUnknown())
+        text.meaning = Words::tr("Which names the profiles have now could not be read.");
     else if (const int other = report.countOther())
         text.meaning
             = Words::tr("The board was read again: %n value(s) are not as they were before.", nullptr, other);
+    else if (report.namesWanted && report.onBoard.hasOtherNames(report.before))
+        text.meaning = Words::tr("The board was read again: the profile names are not as they were before.");
+    else if (report.use && (!report.use->now || strayInUse > 0))
+        text.meaning = Words::tr("The board was read again: the old values are stored.");
     else
         text.meaning = Words::tr("The board was read again: it holds the old values.");
+    if (report.use && !report.use->now)
+        text.meaning += u' ' + Words::tr("Which values are in use now could not be read.");
+    else if (strayInUse > 0)
+        text.meaning
+            += u' ' + Words::tr("%n value(s) in use are not as they were before.", nullptr, strayInUse);
+    if (report.strayProfile == WriteReport::kUnread) {
+        text.meaning += u' ' + Words::tr("Which profile is active now could not be read.");
+    } else if (report.strayProfile) {
+        text.meaning += u' '
+            + Words::tr("The active profile is now %1 instead of %2: the gimbal uses its values.")
+                  .arg(report.before.profileName(*report.strayProfile),
+                       report.before.profileName(report.before.activeProfile()));
+    }
+    if (const QString restart = restartText(report); !restart.isEmpty())
+        text.meaning += u' ' + restart;
+    if (const QString strays = straysText(report); !strays.isEmpty())
+        text.detail += (text.detail.isEmpty() ? QString() : u"; "_s) + strays;
+    if (strayInUse > 0)
+        text.detail += (text.detail.isEmpty() ? QString() : u"; "_s) + inUseText(*report.use);
+    if (report.namesWanted && !report.areNamesUnknown())
+        text.detail += (text.detail.isEmpty() ? QString() : u"; "_s)
+            + Words::tr("profile names on the board: %1").arg(report.onBoard.profileNames().join(u", "_s));
     return text;
 }
 

@@ -5,6 +5,7 @@
 #include "protocol/base/progress.h"
 #include "protocol/base/result.h"
 
+struct FileFault;
 struct WriteReport;
 
 /// An error in the operator's words: what happened, what it means for the gimbal, what to do.
@@ -14,6 +15,7 @@ struct ErrorText
     QString meaning;
     QString cure;
     QString detail;  ///< the system's or the board's own message, for support
+    QString motors = {};  ///< what its motors may do, as long as that is not known
 
     /// All of it in one paragraph.
     [[nodiscard]] QString oneLine() const;
@@ -21,8 +23,14 @@ struct ErrorText
 
 [[nodiscard]] ErrorText describe(const Error &error);
 
+/// What happened to which file in which line, what it means, what to do.
+[[nodiscard]] ErrorText describe(const FileFault &fault);
+
 /// A write that was not completed: why, how many values are how, and what the board holds now.
 [[nodiscard]] ErrorText describe(const WriteReport &report);
+
+/// What was noticed of a restart of the board during a write; empty if nothing.
+[[nodiscard]] QString restartText(const WriteReport &report);
 
 /// A progress report as a sentence: "Reading PARAMS_3, profile 2".
 [[nodiscard]] QString describe(const Progress &progress);

@@ -13,6 +13,7 @@ using namespace Qt::StringLiterals;
 FrameLogModel::FrameLogModel(DeviceClient &client, QObject *parent)
     : TableModel({tr("Seconds"), tr("Direction"), tr("Frame"), tr("Fields"), tr("Bytes")}, parent)
     , m_client(client)
+    , m_isKnown(client.isConnected())
 {
     connect(&client, &DeviceClient::stateChanged, this, &FrameLogModel::onState);
     connect(&client, &DeviceClient::statisticsChanged, this, [this] {
@@ -31,7 +32,9 @@ void FrameLogModel::onState(DeviceClient::State state)
     switch (state) {
     case DeviceClient::State::Disconnected: addMark(tr("Link ended")); break;
     case DeviceClient::State::Connecting: addMark(tr("New link"), m_client.addressText()); break;
-    case DeviceClient::State::Reconnecting: addMark(tr("Link lost")); break;
+    case DeviceClient::State::Reconnecting:
+        addMark(m_client.loss() == DeviceClient::Loss::Link ? tr("Link lost") : tr("Board restarts"));
+        break;
     case DeviceClient::State::Connected:
         addMark(tr("Connected"), u"%1 · %2"_s.arg(m_client.identity().model, m_client.identity().firmware));
         break;

@@ -59,6 +59,7 @@ void LiveModel::reset()
 {
     ++m_generation;
     m_wanted.clear();
+    m_back.clear();
     m_sent.clear();
     m_writing = false;
     m_parameters.clear();
@@ -70,8 +71,10 @@ void LiveModel::reset()
     // The same board read anew keeps the two sets; ids mean the same for the same firmware.
     if (key != std::exchange(m_boardKey, key)) {
         m_values.clear();
+        m_own.clear();
         m_other.clear();
         m_otherKnown = false;
+        m_isDoubted = false;
         m_slot = Slot::A;
     }
     m_set = m_configuration.isEmpty() ? nullptr : std::as_const(m_configuration).board().parameterSet();
@@ -115,6 +118,7 @@ bool LiveModel::isChanged(int parameter) const
 void LiveModel::forget()
 {
     m_values.clear();
+    m_own.clear();
     recount();
 }
 
@@ -135,6 +139,7 @@ void LiveModel::read()
                 emit failed(read.error());
                 return;
             }
+            m_isDoubted = false;
             QHash<int, double> byId;
             for (const AdjustableValue &variable : *read)
                 byId.insert(variable.id, variable.value);
@@ -148,6 +153,7 @@ void LiveModel::read()
                 if (sameValue(value(parameter), raw))
                     continue;
                 m_values.insert(parameter, raw);
+                m_own.remove(parameter);
                 emit valueChanged(parameter);
             }
             recount();
@@ -171,7 +177,7 @@ std::pair<double, double> LiveModel::range(int parameter) const
 
 void LiveModel::setValue(int parameter, double raw)
 {
-    if (!m_client.isConnected() || !m_known.contains(parameter))
+    if (!m_client.isConnected() || isHeld() || !m_known.contains(parameter))
         return;
     const auto [low, high] = range(parameter);
     const double wanted = std::clamp(spec(parameter).nearest(raw), low, high);
@@ -183,6 +189,22 @@ void LiveModel::setValue(int parameter, double raw)
 
 void LiveModel::setValues(const QHash<int, double> &values)
 {
+    demand(values);
+    flush();
+}
+
+void LiveModel::putBack(const QHash<int, double> &values)
+{
+    demand(values);
+    for (auto it = values.begin(); it != values.end(); ++it) {
+        if (m_wanted.contains(it.key()))
+            m_back.insert(it.key());
+    }
+    flush();
+}
+
+void LiveModel::demand(const QHash<int, double> &values)
+{
     if (!m_client.isConnected())
         return;
     for (auto it = values.begin(); it != values.end(); ++it) {
@@ -193,16 +215,27 @@ void LiveModel::setValues(const QHash<int, double> &values)
             continue;
         // Always written: the value assumed to be in use may be outdated.
         put(it.key(), raw);
+        m_own.insert(it.key());
         m_wanted.insert(it.key(), raw);
+        m_back.remove(it.key());
     }
-    flush();
 }
 
 LiveValues LiveModel::unsaved() const
 {
+    return unsavedOf([](int) { return true; });
+}
+
+LiveValues LiveModel::ownUnsaved() const
+{
+    return unsavedOf([this](int parameter) { return m_own.contains(parameter); });
+}
+
+LiveValues LiveModel::unsavedOf(const std::function<bool(int)> &isMeant) const
+{
     LiveValues values;
     for (const int parameter : m_known) {
-        if (isChanged(parameter))
+        if (isChanged(parameter) && isMeant(parameter))
             values.push_back(
                 {spec(parameter).key, stored(parameter).value_or(*value(parameter)), *value(parameter)});
     }
@@ -214,7 +247,9 @@ void LiveModel::put(int parameter, double raw)
     if (!std::isfinite(raw) || sameValue(value(parameter), raw))
         return;
     m_values.insert(parameter, raw);
+    m_own.insert(parameter);
     m_wanted.insert(parameter, raw);
+    m_back.remove(parameter);
     emit valueChanged(parameter);
     recount();
 }
@@ -225,15 +260,22 @@ void LiveModel::flush()
         return;
     m_writing = true;
     std::vector<AdjustableValue> values;
+    std::vector<AdjustableValue> back;
     for (auto it = m_wanted.begin(); it != m_wanted.end(); ++it) {
         if (!m_sent.contains(it.key()))
             m_sent.append(it.key());
-        values.push_back({variableOf(it.key()), it.value() * spec(it.key()).row->adjustableScale});
+        (m_back.contains(it.key()) ? back : values)
+            .push_back({variableOf(it.key()), it.value() * spec(it.key()).row->adjustableScale});
     }
     m_wanted.clear();
+    m_back.clear();
     m_client
-        .submit<bool>([values](Channel &channel, Device &device) -> Result<bool> {
-            const auto done = device.live()->writeAdjustables(channel, values);
+        .submit<bool>([values, back](Channel &channel, Device &device) -> Result<bool> {
+            Result<void> done;
+            if (!back.empty())
+                done = device.live()->restoreAdjustables(channel, back);
+            if (done && !values.empty())
+                done = device.live()->writeAdjustables(channel, values);
             return done ? Result<bool>(true) : tl::unexpected(done.error());
         })
         .then(this, [this, generation = m_generation](const Result<bool> &done) {
@@ -243,7 +285,9 @@ void LiveModel::flush()
             if (!done) {
                 // The values in use are no longer known, so they are read.
                 m_wanted.clear();
+                m_back.clear();
                 m_sent.clear();
+                m_isDoubted = true;
                 emit failed(done.error());
                 read();
                 return;
@@ -254,8 +298,22 @@ void LiveModel::flush()
         });
 }
 
+void LiveModel::hold()
+{
+    if (++m_holds == 1)
+        emit heldChanged(true);
+}
+
+void LiveModel::release()
+{
+    if (--m_holds == 0)
+        emit heldChanged(false);
+}
+
 void LiveModel::revert()
 {
+    if (isHeld())
+        return;
     m_wanted.clear();
     for (const int parameter : std::as_const(m_parameters)) {
         const auto kept = stored(parameter);
@@ -271,7 +329,7 @@ void LiveModel::revert()
 
 void LiveModel::useSlot(Slot slot)
 {
-    if (slot == m_slot)
+    if (slot == m_slot || isHeld())
         return;
     const Values present = tuned();
     if (!m_otherKnown)

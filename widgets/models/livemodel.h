@@ -7,6 +7,9 @@
 #include "widgets/models/configurationmodel.h"
 
 #include <QHash>
+#include <QSet>
+
+#include <functional>
 
 /// Parameters that the board changes at once, in its volatile memory: what is in use now, what is stored, and
 /// two sets to compare. Values are raw parameter values; writes go out one after the other, the newest value
@@ -34,16 +37,29 @@ public:
     /// How many of them revert() puts back: those to tune with.
     [[nodiscard]] int tunedCount() const;
     /// All requested values have reached the board.
+    /// A value was sent, and neither confirmed nor read since.
+    [[nodiscard]] bool isDoubted() const { return m_isDoubted; }
     [[nodiscard]] bool isSettled() const { return m_wanted.isEmpty() && !m_writing; }
+
+    /// While a search, measurement or calibration runs, nobody puts a value into use: it would wait, be shown
+    /// as if it were in use, and replace what was found. Each hold() has its release().
+    void hold();
+    void release();
+    [[nodiscard]] bool isHeld() const { return m_holds > 0; }
 
     /// Asks the board what is in use.
     void read();
     /// Forgets what is in use: the board has loaded a profile anew.
     void forget();
     void setValue(int parameter, double raw);
+    /// Puts into use what an operation has found: goes out in any case.
     void setValues(const QHash<int, double> &values);
+    /// Puts back what a write has replaced: goes out in any case, and is no change that could be taken back.
+    void putBack(const QHash<int, double> &values);
     /// Values in use that are not stored.
     [[nodiscard]] LiveValues unsaved() const;
+    /// Those of them that were put into use here.
+    [[nodiscard]] LiveValues ownUnsaved() const;
     /// Puts the stored values to tune with into use, ahead of pending changes.
     void revert();
 
@@ -61,6 +77,7 @@ signals:
     void valueChanged(int parameter);
     void changeCountChanged(int count);
     void slotChanged();
+    void heldChanged(bool held);
     void failed(const Error &error);
     /// All that was asked for has reached the board: these parameters.
     void settled(const QList<int> &parameters);
@@ -69,11 +86,13 @@ private:
     using Values = QHash<int, double>;  // parameter id -> raw
     void reset();
     void put(int parameter, double raw);
+    void demand(const QHash<int, double> &values);
     void flush();
     void recount();
     [[nodiscard]] const ParameterSpec &spec(int parameter) const;
     [[nodiscard]] int variableOf(int parameter) const;
     [[nodiscard]] Values tuned() const;
+    [[nodiscard]] LiveValues unsavedOf(const std::function<bool(int)> &isMeant) const;
 
     DeviceClient &m_client;
     ConfigurationModel &m_configuration;
@@ -82,12 +101,16 @@ private:
     QList<int> m_known;  // the same, and the others whose value in use is known
     Values m_values;
     Values m_wanted;  // waiting to be written
+    QSet<int> m_back;  // those of them that were in use before
+    QSet<int> m_own;  // put into use here, and found so since
     QList<int> m_sent;  // since everything was settled last
     Values m_other;  // of the slot not in use
     Slot m_slot = Slot::A;
     bool m_otherKnown = false;
     bool m_writing = false;
+    bool m_isDoubted = false;
     int m_changeCount = 0;
+    int m_holds = 0;
     QString m_boardKey;  // which board, firmware and profile the values belong to
     int m_generation = 0;  // answers to questions of an earlier board or profile are dropped
 };

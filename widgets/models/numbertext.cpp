@@ -61,6 +61,15 @@ QString sizeText(qint64 bytes)
     return screenLocale().formattedDataSize(bytes);
 }
 
+std::optional<double> groupedNumber(const QString &text)
+{
+    static const QRegularExpression grouped(u"^[+\\-\\x{2212}]?[1-9]\\d{0,2}[.,]\\d{3}$"_s);
+    QString plain = text.trimmed();
+    if (!grouped.match(plain).hasMatch())
+        return {};
+    return typedNumber(plain.remove(u',').remove(u'.'));
+}
+
 double typedNumber(const QString &text)
 {
     static const QRegularExpression number(u"^[+\\-\\x{2212}]?(\\d+([.,]\\d*)?|[.,]\\d+)$"_s);

@@ -5,6 +5,8 @@
 #include <QLocale>
 #include <QString>
 
+#include <optional>
+
 /// Numbers as the operator's language writes them, for the screen alone: files, the command line and what is
 /// copied as data keep the point. Digits are not grouped. All of this belongs to the GUI thread.
 
@@ -27,3 +29,5 @@ void setNumberLocale(const QLocale &locale);
 /// The number that was typed, with a comma or a point before the decimals. NaN: it is none, or there is more
 /// than one way to read it.
 [[nodiscard]] double typedNumber(const QString &text);
+/// What was typed, if its only mark can part thousands as well as decimals: "1.000" is 1000 then.
+[[nodiscard]] std::optional<double> groupedNumber(const QString &text);

@@ -3,6 +3,7 @@
 #include "widgets/models/parametermodel.h"
 
 #include "widgets/models/numbertext.h"
+#include "widgets/models/refusedtexts.h"
 
 #include <QCoreApplication>
 
@@ -87,6 +88,11 @@ QString parameterQuantityText(const ParameterSpec &spec, double raw)
     return *spec.row->unit && !std::isnan(raw) ? text + u' ' + QString::fromUtf8(spec.row->unit) : text;
 }
 
+QString unknownText()
+{
+    return QCoreApplication::translate("Tables", "not known");
+}
+
 QString parameterRangeText(const ParameterSpec &spec)
 {
     if (spec.row->kind != ValueKind::Number)
@@ -115,11 +121,12 @@ QString parameterSearchText(const ParameterSpec &spec)
         .toLower();
 }
 
-ParameterModel::ParameterModel(ConfigurationModel &configuration, QObject *parent)
+ParameterModel::ParameterModel(ConfigurationModel &configuration, RefusedTexts *refused, QObject *parent)
     : TableModel(
         {tr("Parameter"), tr("Value"), tr("Unit"), tr("On the board"), tr("Default"), tr("Range"), tr("Key")},
         parent)
     , m_configuration(configuration)
+    , m_refused(refused)
 {
     connect(&m_configuration, &ConfigurationModel::boardReset, this, &ParameterModel::reset);
     connect(&m_configuration, &ConfigurationModel::shownProfileChanged, this,
@@ -128,6 +135,13 @@ ParameterModel::ParameterModel(ConfigurationModel &configuration, QObject *paren
         if (parameter < m_rows)
             emit dataChanged(index(parameter, 0), index(parameter, ColumnCount - 1));
     });
+    if (m_refused)
+        connect(m_refused, &RefusedTexts::changed, this, [this] {
+            // Otherwise this is another board, and the model is about to learn of it.
+            if (!m_configuration.isEmpty()
+                && m_rows == int(m_configuration.edited().parameters().all().size()))
+                tellAllChanged(ValueColumn, ValueColumn);
+        });
     reset();
 }
 
@@ -169,6 +183,16 @@ QVariant ParameterModel::data(const QModelIndex &index, int role) const
             ? QVariant(isNumber ? numberText(spec.format(*value)) : spec.format(*value))
             : QVariant();
     }
+    case NumberRole:
+        return index.column() == ValueColumn && spec.row->kind == ValueKind::Number
+            ? QVariant::fromValue(
+                NumberRange{spec.toDisplay(spec.row->min), spec.toDisplay(spec.row->max), spec.row->decimals})
+            : QVariant();
+    case RefusedRole: {
+        const auto text
+            = m_refused && index.column() == ValueColumn ? m_refused->text(spec, profile) : std::nullopt;
+        return text ? QVariant(*text) : QVariant();
+    }
     case Qt::DisplayRole: break;
     default: return {};
     }
@@ -178,6 +202,8 @@ QVariant ParameterModel::data(const QModelIndex &index, int role) const
     case UnitColumn: return QString::fromUtf8(spec.row->unit);
     case BoardColumn: {
         const auto board = m_configuration.boardValue(spec, profile);
+        if (board && m_configuration.board().findMissing(spec, profile))
+            return unknownText();
         return board ? parameterValueText(spec, *board) : QString();
     }
     case DefaultColumn: return spec.row->state ? QString() : parameterValueText(spec, spec.defaultRaw);
@@ -189,10 +215,17 @@ QVariant ParameterModel::data(const QModelIndex &index, int role) const
 
 bool ParameterModel::setData(const QModelIndex &index, const QVariant &value, int role)
 {
-    if (role != Qt::EditRole || index.column() != ValueColumn)
+    if ((role != Qt::EditRole && role != RefusedRole) || index.column() != ValueColumn)
         return false;
     const ParameterSpec &spec = specAt(index.row());
-    const double number = typedNumber(value.toString());
+    if (role == RefusedRole) {
+        if (m_refused)
+            m_refused->set(spec, m_configuration.shownProfile(),
+                           value.isValid() ? std::optional(value.toString()) : std::nullopt);
+        return m_refused;
+    }
+    const double number
+        = value.userType() == QMetaType::Double ? value.toDouble() : typedNumber(value.toString());
     const auto raw = spec.row->kind == ValueKind::Number && !std::isnan(number)
         ? std::optional(spec.toRaw(number))
         : spec.parse(value.toString());

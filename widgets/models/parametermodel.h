@@ -5,6 +5,8 @@
 #include "widgets/models/configurationmodel.h"
 #include "widgets/models/tablemodel.h"
 
+class RefusedTexts;
+
 /// "Studio: 2", "all profiles: 1", in the order of the profiles. Empty for a board with one profile.
 [[nodiscard]] QStringList changePlaces(const ConfigurationModel &model, const QMap<int, int> &counts);
 
@@ -33,7 +35,9 @@ public:
         GroupRole
     };
 
-    explicit ParameterModel(ConfigurationModel &configuration, QObject *parent = nullptr);
+    /// @param refused where texts are kept that are no values; without it they are not
+    explicit ParameterModel(ConfigurationModel &configuration, RefusedTexts *refused = nullptr,
+                            QObject *parent = nullptr);
 
     [[nodiscard]] QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
     bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
@@ -51,6 +55,7 @@ private:
     void reset();
 
     ConfigurationModel &m_configuration;
+    RefusedTexts *m_refused;
     int m_rows = 0;
 };
 
@@ -63,6 +68,8 @@ private:
 [[nodiscard]] QString parameterValueText(const ParameterSpec &spec, double raw);
 /// The same with its unit.
 [[nodiscard]] QString parameterQuantityText(const ParameterSpec &spec, double raw);
+/// The word for what a board holds that could not be read, or not since something was sent.
+[[nodiscard]] QString unknownText();
 [[nodiscard]] QString parameterRangeText(const ParameterSpec &spec);
 /// Lower-case text in which a search looks: label, key, group, help.
 /// Why the parameter has no effect now, as a sentence; empty: it has one.

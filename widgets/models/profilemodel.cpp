@@ -65,13 +65,16 @@ QVariant ProfileModel::data(const QModelIndex &index, int role) const
         return {};
     switch (index.column()) {
     case NumberColumn: return profile + 1;
-    case NameColumn: return profileLabel(edited, profile);
+    case NameColumn:
+        return m_configuration.canRename() || !edited.profileNames().value(profile).isEmpty()
+            ? profileLabel(edited, profile)
+            : tr("not read");
     case StateColumn: return profile == edited.activeProfile() ? tr("● active") : QString();
     case ChangesColumn: {
         const bool renamed = m_configuration.edited().profileNames().value(profile)
             != std::as_const(m_configuration).board().profileNames().value(profile);
         const int count = m_changes[std::size_t(profile)] + (renamed ? 1 : 0);
-        return count > 0 ? tr("%n unsaved", nullptr, count) : QString();
+        return count > 0 ? tr("%n unwritten", nullptr, count) : QString();
     }
     case DifferenceColumn: {
         if (profile == edited.activeProfile())
@@ -85,7 +88,7 @@ QVariant ProfileModel::data(const QModelIndex &index, int role) const
 
 bool ProfileModel::setData(const QModelIndex &index, const QVariant &value, int role)
 {
-    if (role != Qt::EditRole || index.column() != NameColumn)
+    if (role != Qt::EditRole || index.column() != NameColumn || !m_configuration.canRename())
         return false;
     // What was pasted may have line breaks; the field showed them as spaces.
     QString name = value.toString();
@@ -94,7 +97,7 @@ bool ProfileModel::setData(const QModelIndex &index, const QVariant &value, int 
         u' ');
     name = name.trimmed();
     if (name.toUtf8().size() > m_nameLimit) {
-        emit nameRefused(index.row(), int(name.toUtf8().size()), m_nameLimit);
+        emit nameRefused(index.row(), name, m_nameLimit);
         return false;
     }
     emit renameRequested(index.row(), name);
@@ -104,7 +107,7 @@ bool ProfileModel::setData(const QModelIndex &index, const QVariant &value, int 
 Qt::ItemFlags ProfileModel::flags(const QModelIndex &index) const
 {
     Qt::ItemFlags flags = TableModel::flags(index);
-    if (index.isValid() && index.column() == NameColumn)
+    if (index.isValid() && index.column() == NameColumn && m_configuration.canRename())
         flags |= Qt::ItemIsEditable;
     return flags;
 }

@@ -23,7 +23,7 @@ public:
 signals:
     /// Somebody typed a name; whoever owns the undo stack makes an edit of it.
     void renameRequested(int profile, const QString &name);
-    void nameRefused(int profile, int bytes, int limit);
+    void nameRefused(int profile, const QString &name, int limit);
 
 private:
     [[nodiscard]] int rows() const override { return int(m_changes.size()); }

@@ -44,8 +44,7 @@ IterationChart::IterationChart(const Theme &theme, const QString &title, QWidget
     chart()->addAxis(m_values, Qt::AlignLeft);
     m_steps->setLabelFormat(labelFormat(u"%d"_s));
     m_values->setLabelFormat(labelFormat(u"%g"_s));
-    m_steps->setRange(0, 5);
-    m_values->setRange(0, 1);
+    showRange();
     setFrameShape(QFrame::NoFrame);
     setRenderHint(QPainter::Antialiasing);
     setMinimumHeight(150);
@@ -65,8 +64,16 @@ void IterationChart::clear()
     applyTheme();
     m_high = 0;
     m_lastStep = 1;
-    m_steps->setRange(0, 5);
-    m_values->setRange(0, 1);
+    showRange();
+}
+
+// Labels of the steps are whole numbers.
+void IterationChart::showRange()
+{
+    m_steps->setRange(0, std::max(5, m_lastStep));
+    m_steps->applyNiceNumbers();
+    m_values->setRange(0, m_high > 0 ? m_high : 1);
+    m_values->applyNiceNumbers();
 }
 
 void IterationChart::addPoint(const QString &name, Axis axis, int step, double value, Qt::PenStyle style)
@@ -87,10 +94,7 @@ void IterationChart::addPoint(const QString &name, Axis axis, int step, double v
         series->append(step, value);
     m_high = std::max(m_high, value);
     m_lastStep = std::max(m_lastStep, step);
-    m_steps->setRange(0, std::max(5, m_lastStep));
-    m_steps->applyNiceNumbers();
-    m_values->setRange(0, m_high > 0 ? m_high : 1);
-    m_values->applyNiceNumbers();
+    showRange();
 }
 
 void IterationChart::applyTheme()

@@ -29,6 +29,7 @@ protected:
 
 private:
     void applyTheme();
+    void showRange();
     void layOut();
 
     struct Line

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plot/plotlayout.h"
 
+#include "protocol/base/jsonplace.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -44,6 +46,22 @@ PlotLayout PlotLayout::fromJson(const QByteArray &json, ChannelTable table)
             layout.plots.append(plot);
     }
     return layout;
+}
+
+Result<void> PlotLayout::check(const QByteArray &json, const QString &name)
+{
+    QJsonParseError parse;
+    const QJsonDocument document = QJsonDocument::fromJson(json, &parse);
+    if (!document.isObject())
+        return tl::unexpected(inFile(jsonFault(json, parse, FileKind::Layout).error(), name));
+    if (!document.object().value(u"plots"_s).isArray())
+        return fileFailure({.problem = FileProblem::MissingEntry,
+                            .kind = FileKind::Layout,
+                            .path = name,
+                            .key = u"plots"_s});
+    if (const auto once = checkOnce(json, FileKind::Layout); !once)
+        return tl::unexpected(inFile(once.error(), name));
+    return {};
 }
 
 PlotLayout PlotLayout::byUnit(ChannelTable table, const QList<int> &channels)

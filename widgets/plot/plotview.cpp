@@ -34,6 +34,7 @@ constexpr int kRoomy = 150;  // height of a plot that can spare a third row for 
 constexpr double kAreaRight = 20;
 constexpr double kRightAxis = 64;
 constexpr double kAreaBottom = 30;
+constexpr double kLabelPadding = 8;  // Qt keeps so much clear around each label
 constexpr std::size_t kMaxAxes = 6;  // more would leave no room for the picture
 // A transient is left out of the scale where it is so many times as high as the rest, and taken in again
 // below the other.
@@ -289,7 +290,8 @@ void PlotView::applyScale(const ValueAxis &axis)
     // As many decimals as the steps need; moved by a tiny amount, so that rounding yields 0 and not -0 or
     // 3e-17.
     const double step = (axis.scale.high() - axis.scale.low()) / axis.scale.steps();
-    const int decimals = std::clamp(int(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
+    const double number = axis.scale.steps() == 1 ? step / 2 : step;  // that one may lie around 0
+    const int decimals = std::clamp(int(std::ceil(-std::log10(number) - 1e-9)), 0, 6);
     axis.axis->setLabelFormat(u"%.%1f"_s.arg(decimals));
     axis.axis->setRange(axis.scale.low() + step * 1e-9, axis.scale.high() + step * 1e-9);
     axis.axis->setTickCount(axis.scale.steps() + 1);
@@ -332,7 +334,14 @@ void PlotView::layOut()
     const double names
         = m_legend.layOut(font(), kAreaLeft, kNamesTop, width() - kAreaLeft - kAreaRight, rows, rate);
     const double top = std::max(kAreaTop, kNamesTop + names + kNamesGap);
-    chart()->setPlotArea({kAreaLeft, top, room, std::max(10.0, height() - top - kAreaBottom)});
+    const double high = std::max(10.0, height() - top - kAreaBottom);
+    chart()->setPlotArea({kAreaLeft, top, room, high});
+    // Labels with less room would be cut to dots.
+    const double label = QFontMetricsF(m_timeAxis->labelsFont()).height() + kLabelPadding;
+    for (ValueAxis &axis : m_axes) {
+        if (axis.scale.setMostSteps(int(high / label) - 1))
+            applyScale(axis);
+    }
 }
 
 bool PlotView::advance()

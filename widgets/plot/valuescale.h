@@ -18,11 +18,14 @@ public:
     /// Fixes this range, rounded outwards, until release().
     void fix(double low, double high);
     void release() { m_fixed = false; }
+    /// At most so many parts, for labels that have room; at least one. True if the range changed.
+    bool setMostSteps(int most);
 
 private:
     double m_low = -1;
     double m_high = 1;
     int m_steps = 4;
+    int m_most = 6;
     bool m_fixed = false;
     QElapsedTimer m_shrinkTimer;
 };

@@ -47,6 +47,7 @@ QFrame#card { background: @Surface; border: 1px solid @Border; border-radius: 6p
 QFrame#fault { background: @Background; border: 1px solid @Warning; border-left: 6px solid @Warning; border-radius: 4px; }
 QFrame#fault[severe="true"] { border-color: @Danger; }
 QFrame#messageBar { background: @Surface; border: 1px solid @Ok; border-left: 4px solid @Ok; border-radius: 4px; }
+QFrame#messageBar[warns="true"] { border-color: @Warning; }
 QFrame#messageBar[severe="true"] { border-color: @Danger; }
 QFrame#alarmBar { background: @Warning; border: none; border-radius: 0; }
 QFrame#alarmBar[severe="true"] { background: @Danger; }
@@ -63,7 +64,7 @@ QListView#navigation::item { padding: 6px 12px; color: @Text; border: none; bord
 QListView#navigation::item:selected { background: @SurfaceRaised; color: @Accent; border-left: 4px solid @Accent; }
 QListView#navigation::item:disabled { color: @Muted; padding: 8px 12px 2px 12px; }
 QListView#navigation:focus { border: none; border-right: 2px solid @Accent; }
-QListView, QTreeView, QTableView { background: @Surface; border: 1px solid @Border; border-radius: 4px; }
+QListView, QTreeView, QTableView { background: @Surface; border: 1px solid @Border; border-radius: 4px; outline: none; }
 QListView::item { padding: 4px 8px; border: none; }
 QTreeView::item { min-height: 22px; }
 QTableView::item { padding: 0 6px; border: none; }

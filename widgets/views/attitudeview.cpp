@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kDegreesOverHeight = 70.0;  // pitch range that the view spans
 constexpr double kHeadingSpan = 90.0;  // degrees of heading on the strip
+constexpr double kEdge = 2;  // beside a number
 
 }  // namespace
 
@@ -101,7 +102,10 @@ void AttitudeView::paintEvent(QPaintEvent *)
     for (int mark = first; mark <= m_yaw + kHeadingSpan / 2 + step; mark += step) {
         const double x = center.x() + (mark - m_yaw) * headingScale;
         painter.drawLine(QPointF(x, strip.bottom() - 4), QPointF(x, strip.bottom()));
-        painter.drawText(QRectF(x - 20, strip.top(), 40, 19), Qt::AlignCenter, u"%1°"_s.arg(mark));
+        const QString number = u"%1°"_s.arg(mark);
+        const double half = painter.fontMetrics().horizontalAdvance(number) / 2.0 + kEdge;
+        if (x - half >= strip.left() && x + half <= strip.right())  // else a part of it would be read
+            painter.drawText(QRectF(x - half, strip.top(), 2 * half, 19), Qt::AlignCenter, number);
     }
     painter.setPen(QPen(m_theme.axisColor(Axis::Yaw), 2));
     painter.drawLine(QPointF(center.x(), strip.bottom() - 2), QPointF(center.x(), strip.bottom() + 8));

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -76,8 +77,28 @@ void AxisDial::tell()
     setAccessibleDescription(text);
 }
 
+void AxisDial::setDriven(std::optional<bool> driven)
+{
+    if (driven == std::exchange(m_driven, driven))
+        return;
+    explain();
+    tell();
+    update();
+}
+
+void AxisDial::explain()
+{
+    if (!m_follows || m_driven == false)
+        setToolTip({});
+    else
+        setToolTip(*m_follows ? tr("This axis follows the frame.")
+                              : tr("This axis keeps its direction, however the frame turns."));
+}
+
 QString AxisDial::guideText() const
 {
+    if (m_driven == false)
+        return tr("motor off");
     return !m_follows ? QString() : *m_follows ? tr("follows") : tr("holds");
 }
 
@@ -95,9 +116,7 @@ void AxisDial::setFollows(std::optional<bool> follows)
     if (follows == m_follows)
         return;
     m_follows = follows;
-    setToolTip(!follows       ? QString()
-                   : *follows ? tr("This axis follows the frame.")
-                              : tr("This axis keeps its direction, however the frame turns."));
+    explain();
     tell();
     update();
 }

@@ -23,6 +23,10 @@ public:
     void setLimits(const std::optional<std::pair<double, double>> &limits);
     /// Whether the axis follows the frame or keeps its direction; empty = not known.
     void setFollows(std::optional<bool> follows);
+    /// Whether its motor works; one that does not neither follows nor holds. Empty = not known.
+    void setDriven(std::optional<bool> driven);
+    /// What is said of it: "holds".
+    [[nodiscard]] QString guideText() const;
     [[nodiscard]] std::optional<std::pair<double, double>> limits() const { return m_limits; }
     [[nodiscard]] std::optional<bool> follows() const { return m_follows; }
     [[nodiscard]] QSize sizeHint() const override { return {200, 190}; }
@@ -33,7 +37,7 @@ protected:
 
 private:
     void tell();
-    [[nodiscard]] QString guideText() const;
+    void explain();
 
     const Theme &m_theme;
     Axis m_axis;
@@ -42,5 +46,6 @@ private:
     double m_power = 0;
     std::optional<std::pair<double, double>> m_limits;
     std::optional<bool> m_follows;
+    std::optional<bool> m_driven;
     bool m_valid = false;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/views/batteryview.h"
 
+#include "protocol/base/battery.h"
 #include "widgets/models/numbertext.h"
 
 #include <QPainter>
@@ -10,16 +11,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
 namespace {
 
-// A cell of lithium polymer: empty, full, and the most a full one shows.
+// A cell of lithium polymer: empty and full.
 constexpr double kEmptyCell = 3.0;
 constexpr double kFullCell = 4.2;
-constexpr double kHighestCell = 4.25;
-constexpr double kLeastVolts = 5.0;
 constexpr int kBar = 18;
 
 }  // namespace
@@ -35,11 +35,6 @@ BatteryView::BatteryView(const Theme &theme, QWidget *parent)
     tell();
 }
 
-int BatteryView::cellsFor(double volts)
-{
-    return std::isnan(volts) || volts < kLeastVolts ? 0 : int(std::ceil(volts / kHighestCell));
-}
-
 QSize BatteryView::sizeHint() const
 {
     QFont large = font();
@@ -53,7 +48,7 @@ void BatteryView::setVolts(double volts)
     if (isSame)
         return;
     m_volts = volts;
-    m_cells = cellsFor(volts) == 0 ? 0 : std::max(m_cells, cellsFor(volts));
+    m_cells = batteryCells(volts) == 0 ? 0 : std::max(m_cells, batteryCells(volts));
     tell();
 }
 
@@ -63,6 +58,17 @@ void BatteryView::setThresholds(std::optional<double> alarm, std::optional<doubl
     m_motorsOff = motorsOff;
     m_perCell = perCell;
     tell();
+}
+
+void BatteryView::setLowCell(double volts)
+{
+    if (std::exchange(m_lowCell, volts) != volts)
+        tell();
+}
+
+std::optional<double> BatteryView::alarm() const
+{
+    return lowBattery(m_cells, m_lowCell, {.alarm = m_alarm, .motorsOff = {}, .perCell = m_perCell});
 }
 
 std::optional<double> BatteryView::whole(const std::optional<double> &volts) const

@@ -20,10 +20,13 @@ public:
     /// Volts of the whole battery, or of each cell; those that are set.
     void setThresholds(std::optional<double> alarm, std::optional<double> motorsOff, bool perCell);
 
+    /// Volts of each cell below which the program warns, whatever the board does.
+    void setLowCell(double volts);
+
     enum class State { Unknown, Good, Low, Empty };
     [[nodiscard]] State state() const;
-    /// Cells of lithium polymer that such a voltage takes; 0: no battery's voltage.
-    [[nodiscard]] static int cellsFor(double volts);
+    /// What is said of the limits.
+    [[nodiscard]] QString thresholdText() const;
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return {150, sizeHint().height()}; }
 
@@ -31,11 +34,10 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
-    [[nodiscard]] std::optional<double> alarm() const { return whole(m_alarm); }
+    [[nodiscard]] std::optional<double> alarm() const;
     [[nodiscard]] std::optional<double> motorsOff() const { return whole(m_motorsOff); }
     [[nodiscard]] std::optional<double> whole(const std::optional<double> &volts) const;
     [[nodiscard]] QString cellText() const;
-    [[nodiscard]] QString thresholdText() const;
     [[nodiscard]] QString stateText() const;
     void tell();
 
@@ -45,4 +47,5 @@ private:
     std::optional<double> m_alarm;
     std::optional<double> m_motorsOff;
     bool m_perCell = false;
+    double m_lowCell = 0;
 };

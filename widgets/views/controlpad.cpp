@@ -124,6 +124,29 @@ void ControlPad::keyReleaseEvent(QKeyEvent *event)
     QWidget::keyReleaseEvent(event);
 }
 
+// Whoever is no longer told of the button coming up has let go.
+void ControlPad::letGo()
+{
+    m_keys.clear();
+    m_mouse = false;
+    if (m_springs)
+        setValue({});
+}
+
+bool ControlPad::endsDrag(const QWidget &widget, const QEvent &event)
+{
+    const QEvent::Type type = event.type();
+    return type == QEvent::UngrabMouse || type == QEvent::WindowDeactivate || type == QEvent::Hide
+        || (type == QEvent::EnabledChange && !widget.isEnabled());
+}
+
+bool ControlPad::event(QEvent *event)
+{
+    if (endsDrag(*this, *event))
+        letGo();
+    return QWidget::event(event);
+}
+
 void ControlPad::focusOutEvent(QFocusEvent *event)
 {
     // A key released elsewhere must not keep pushing.

@@ -20,6 +20,8 @@ public:
     /// Springs back to the middle when let go (speed), or stays (angle).
     void setSprings(bool on);
     void reset();
+    /// The widget will not be told of a button that comes up after this.
+    [[nodiscard]] static bool endsDrag(const QWidget &widget, const QEvent &event);
     void setLabels(const QString &horizontal, const QString &vertical);
     [[nodiscard]] QSize sizeHint() const override { return {300, 300}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {180, 180}; }
@@ -28,6 +30,7 @@ signals:
     void moved();
 
 protected:
+    bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
@@ -38,6 +41,7 @@ protected:
 
 private:
     void setValue(QPointF value);
+    void letGo();
     void applyKeys(bool fine);
     [[nodiscard]] QRectF field() const;
 

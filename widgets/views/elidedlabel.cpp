@@ -10,9 +10,10 @@ ElidedLabel::ElidedLabel(QWidget *parent)
     setTextFormat(Qt::PlainText);
 }
 
-void ElidedLabel::setFullText(const QString &text, const QString &explanation)
+void ElidedLabel::setFullText(const QString &text, const QString &explanation, const QString &shorter)
 {
     m_full = text;
+    m_shorter = shorter;
     setToolTip(explanation.isEmpty() || text.isEmpty() ? text : text + u"\n\n"_s + explanation);
     setAccessibleName(text);
     elide();
@@ -38,5 +39,6 @@ void ElidedLabel::resizeEvent(QResizeEvent *event)
 
 void ElidedLabel::elide()
 {
-    setText(fontMetrics().elidedText(m_full, Qt::ElideRight, width()));
+    const bool fits = m_shorter.isEmpty() || fontMetrics().horizontalAdvance(m_full) <= width();
+    setText(fontMetrics().elidedText(fits ? m_full : m_shorter, Qt::ElideRight, width()));
 }

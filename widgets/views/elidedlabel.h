@@ -4,7 +4,7 @@
 
 #include <QLabel>
 
-/// One line of text that is elided where room is short; the tool tip shows all of it.
+/// One line of text that is said shorter or elided where room is short; the tool tip shows all of it.
 class ElidedLabel final : public QLabel
 {
     Q_OBJECT
@@ -12,7 +12,8 @@ public:
     explicit ElidedLabel(QWidget *parent = nullptr);
 
     /// @param explanation what the tool tip says besides
-    void setFullText(const QString &text, const QString &explanation = {});
+    /// @param shorter what takes its place before it would be elided
+    void setFullText(const QString &text, const QString &explanation = {}, const QString &shorter = {});
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -23,4 +24,5 @@ protected:
 private:
     void elide();
     QString m_full;
+    QString m_shorter;
 };

@@ -26,6 +26,8 @@ constexpr std::array<std::array<Vector, 3>, 6> kFrames{{
 }};
 // clang-format on
 
+constexpr double kLetter = 24;  // height and width
+
 // A plain oblique view: x to the right, y into the picture, z up.
 QPointF project(const Vector &point, double scale, QPointF centre)
 {
@@ -54,8 +56,8 @@ void SensorCube::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const double scale = std::min(width() / 5.2, height() / 4.4);
-    const QPointF centre(width() / 2.0 - 0.1 * scale, height() / 2.0 + 0.2 * scale);
+    const double scale = std::min(width() / 5.2, (height() - kLetter) / 4.2);
+    const QPointF centre(width() / 2.0 - 0.1 * scale, height() / 2.0);
     const auto at = [&](double x, double y, double z) { return project({x, y, z}, scale, centre); };
     // The table it lies on, then the three faces that are seen.
     painter.setPen(QPen(m_theme.color(ColorRole::Border), 1.5));
@@ -90,7 +92,7 @@ void SensorCube::paintEvent(QPaintEvent *)
         painter.drawLine(from, to);
         painter.setPen(m_theme.color(roles[axis]));
         const QPointF label = at(direction[0] * 2.05, direction[1] * 2.4, direction[2] * 2.05);
-        painter.drawText(QRectF(label.x() - 12, label.y() - 12, 24, 24), Qt::AlignCenter,
-                         QString(QLatin1Char(names[axis])));
+        painter.drawText(QRectF(label.x() - kLetter / 2, label.y() - kLetter / 2, kLetter, kLetter),
+                         Qt::AlignCenter, QString(QLatin1Char(names[axis])));
     }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/views/settingspicture.h"
 
+#include "widgets/models/missingtext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QApplication>
@@ -68,7 +69,8 @@ std::vector<Line> linesOf(const Configuration &configuration, int profile)
 
 }  // namespace
 
-QImage settingsPicture(const Configuration &configuration, int profile, const Theme &theme, double scale)
+QImage settingsPicture(const Configuration &configuration, int profile, const Theme &theme, double scale,
+                       const QString &note)
 {
     const QFont plain = QApplication::font();
     QFont small = plain;
@@ -102,7 +104,12 @@ QImage settingsPicture(const Configuration &configuration, int profile, const Th
     painter.drawText(
         kMargin, kMargin + QFontMetrics(title).height() + height,
         QCoreApplication::translate("SettingsPicture", "%1 · bold differs from the default · GimbalDesk")
-            .arg(QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat)));
+                .arg(QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat))
+            + (note.isEmpty() ? QString() : u" · "_s + note)
+            + (configuration.missing().empty() ? QString()
+                                               : u" · "_s
+                       + QCoreApplication::translate("SettingsPicture", "not read: %1")
+                             .arg(missingText(configuration, configuration.missing()))));
     int line = 0;
     int column = 0;
     for (std::size_t i = 0; i < lines.size(); ++i) {

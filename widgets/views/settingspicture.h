@@ -8,6 +8,7 @@
 #include <QImage>
 
 /// All values of one profile as one picture, group by group, to share; what differs from
-/// the default is bold. @param scale device pixels per pixel
+/// the default is bold. @param scale device pixels per pixel @param note stands on it, beneath the board's
+/// name
 [[nodiscard]] QImage settingsPicture(const Configuration &configuration, int profile, const Theme &theme,
-                                     double scale);
+                                     double scale, const QString &note = {});

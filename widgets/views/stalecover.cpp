@@ -41,16 +41,15 @@ void StaleCover::place()
     setGeometry(m_area());
 }
 
-void StaleCover::setSince(const std::optional<QDateTime> &since)
+void StaleCover::setText(const QString &text)
 {
-    const QString text = since ? tr("No data since %1").arg(since->toString(u"HH:mm:ss"_s)) : QString();
     if (text == m_text && isHidden() == text.isEmpty())
         return;
     m_text = text;
     setAccessibleName(text);
     setToolTip(text);
-    setVisible(since.has_value());
-    if (!since)
+    setVisible(!text.isEmpty());
+    if (text.isEmpty())
         return;
     place();
     raise();

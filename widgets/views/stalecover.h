@@ -4,24 +4,22 @@
 
 #include "widgets/theme/theme.h"
 
-#include <QDateTime>
 #include <QWidget>
 
 #include <functional>
-#include <optional>
 
 class QAbstractScrollArea;
 class QHeaderView;
 
-/// Lies over a view of live data once there are none: what is shown then is old, and says since when. Lets
-/// the mouse through.
+/// Lies over a view of live data once there are none, and says so: what is shown then is old, or means
+/// nothing. Lets the mouse through.
 class StaleCover final : public QWidget
 {
     Q_OBJECT
 public:
     enum class Look {
-        Veil,  ///< fades the view and says since when
-        Fade,  ///< fades it: the time stands beside it
+        Veil,  ///< fades the view and says why
+        Fade,  ///< fades it: the words stand beside it
         Tag,  ///< leaves it as it is: what it shows is past anyway
     };
     /// @param view is covered, and owns the cover; no splitter, which would make room for it
@@ -29,8 +27,8 @@ public:
     /// Fades only one column of a table. @param header is the table's
     StaleCover(const Theme &theme, QAbstractScrollArea &table, const QHeaderView &header, int column);
 
-    /// Empty: the data are live.
-    void setSince(const std::optional<QDateTime> &since);
+    /// What is wrong with the data; empty: they are live.
+    void setText(const QString &text);
     [[nodiscard]] QString text() const { return m_text; }
     bool eventFilter(QObject *watched, QEvent *event) override;
 

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/families/simplebgc/autotunepage.h"
 
+#include "protocol/base/linkloss.h"
 #include "widgets/forms/argumentform.h"
+#include "widgets/forms/keyboard.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/plot/iterationchart.h"
+#include "widgets/plot/spanstatistics.h"
 #include "widgets/theme/tablelook.h"
 #include "widgets/theme/theme.h"
 #include "widgets/views/card.h"
@@ -17,14 +20,23 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 using namespace Qt::StringLiterals;
 
 namespace {
 
 const QString kAction = u"autotune"_s;
+const QString kStop = u"autotune.stop"_s;
 constexpr int kBeforeColumn = 1;
 constexpr int kNowColumn = 2;
 constexpr int kAskWidth = 340;
+constexpr double kJudged = 3.0;  // seconds whose error counts
+constexpr auto kJudgeAfter = 4s;  // the search has shaken the camera
+constexpr double kWorseTimes = 2.0;
+constexpr double kWorseDegrees = 0.3;
 
 const ActionSpec *findAction(const Device *device, const QString &key)
 {
@@ -54,6 +66,7 @@ AutoTunePage::AutoTunePage(Workspace &workspace, QWidget *parent)
 {
     m_start->setObjectName(u"primary"_s);
     m_accept->setObjectName(u"primary"_s);
+    setHarmless(*m_stop);
     m_text->setWordWrap(true);
     m_ask->setFixedWidth(kAskWidth);
     for (QPushButton *button : {m_start, m_stop, m_accept, m_revert})
@@ -86,14 +99,30 @@ AutoTunePage::AutoTunePage(Workspace &workspace, QWidget *parent)
     body()->addWidget(m_text);
     body()->addLayout(row, 1);
 
+    m_judging.setSingleShot(true);
+    connect(&m_judging, &QTimer::timeout, this, &AutoTunePage::judge);
     connect(m_start, &QPushButton::clicked, this, &AutoTunePage::start);
     connect(m_stop, &QPushButton::clicked, &workspace.client(), &DeviceClient::cancelJobs);
     connect(m_accept, &QPushButton::clicked, this, &AutoTunePage::accept);
-    connect(m_revert, &QPushButton::clicked, this, &AutoTunePage::revert);
+    connect(m_revert, &QPushButton::clicked, this, &AutoTunePage::revertAndTell);
     connect(&workspace.client(), &DeviceClient::progressChanged, this, &AutoTunePage::onProgress);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &AutoTunePage::onState);
     connect(&m_live, &LiveModel::valueChanged, this, &AutoTunePage::fillTable);
-    connect(&m_live, &LiveModel::modelReset, this, &AutoTunePage::fillTable);
+    connect(&m_live, &LiveModel::modelReset, this, [this] {
+        m_whenReverted = {};  // nothing tells of it any more
+        onValues();
+        fillTable();
+    });
+    connect(&m_live, &LiveModel::changeCountChanged, this, &AutoTunePage::onValues);
+    connect(&m_live, &LiveModel::heldChanged, this, &AutoTunePage::updateStart);
+    connect(&m_live, &LiveModel::settled, this, [this] {
+        if (const auto tell = std::exchange(m_whenReverted, {}))
+            tell();
+    });
+    connect(&m_live, &LiveModel::failed, this, [this](const Error &error) {
+        if (std::exchange(m_whenReverted, {}) && !isEndOfLink(error))
+            this->workspace().notifications().report(error);
+    });
     onState();
 }
 
@@ -102,26 +131,111 @@ void AutoTunePage::onState()
     const DeviceClient &client = workspace().client();
     const ActionSpec *action = client.isConnected() ? findAction(client.device(), kAction) : nullptr;
     if (action && !m_form) {
-        // Whether to save is decided once the result is known, not before.
-        m_form = new ArgumentForm(*action, {u"save"_s});
+        // Whether to save is decided once the result is known, not before; and everything here is told of the
+        // profile in use.
+        m_form = new ArgumentForm(*action, {u"save"_s, u"profile"_s});
         m_ask->content()->insertWidget(1, m_form);
     }
-    if (!client.isConnected() && m_state == State::Finished)
-        m_before.clear();  // the board may have restarted: the values in use are read again
-    if (m_state == State::Finished && m_before.isEmpty())
-        m_state = State::Ready;
+    if (!client.isConnected() && m_state == State::Finished) {
+        m_left = m_before.isEmpty() ? Left::Nothing : Left::Found;
+        setState(State::Ready);
+        workspace().notifications().notify(
+            tr("The link ended before the new gains were accepted or reverted."), Notice::Attention);
+    }
     setState(m_state);
     fillTable();
+    if (client.isConnected() && client.identity().serial == m_board && m_left != Left::Nothing)
+        clearUp(std::exchange(m_left, Left::Nothing));
+}
+
+// The link broke during a search, and the board may be searching on, or have ended with other gains; or it
+// broke before it was decided which ones to keep, and the board may have restarted.
+void AutoTunePage::clearUp(Left left)
+{
+    workspace()
+        .client()
+        .submit<Configuration>([left](Channel &channel, Device &device) -> Result<Configuration> {
+            if (left == Left::Searching) {
+                if (const auto stopped = device.perform(channel, kStop, {}); !stopped)
+                    return tl::unexpected(stopped.error());
+            }
+            return device.readConfiguration(channel);
+        })
+        .then(this, [this, left](const Result<Configuration> &board) {
+            if (!board && (isLinkLoss(board.error()) || !workspace().client().isConnected())) {
+                m_left = left;  // the next connection
+                return;
+            }
+            workspace().notifications().settle(Concern::Interrupted);
+            if (!board && left == Left::Found) {
+                workspace().notifications().report(board.error());
+                return;
+            }
+            if (!board) {
+                ErrorText text = describe(board.error());
+                text.what
+                    = tr("The search that was broken off could not be ended: the board may be moving the "
+                         "camera on.");
+                text.cure = tr("Stop the motors.");
+                workspace().notifications().report(text);
+                return;
+            }
+            if (m_state == State::Ready)
+                tellLeft(*board, left);
+        });
+}
+
+// A board does not tell what it has stored of what it uses, so what was in use before is the way back.
+void AutoTunePage::tellLeft(const Configuration &board, Left left)
+{
+    QStringList told;
+    for (auto it = m_before.constBegin(); it != m_before.constEnd(); ++it) {
+        const ParameterSpec &spec = board.parameters().at(it.key());
+        const auto now = board.raw(spec, board.activeProfile());
+        if (now && !sameValue(*now, *it))
+            told.append(
+                u"%1 %2 → %3"_s.arg(spec.key, parameterValueText(spec, *it), parameterValueText(spec, *now)));
+    }
+    if (told.isEmpty()) {
+        m_before.clear();
+        workspace().notifications().notify(
+            left == Left::Searching
+                ? tr("The search that was broken off has been stopped; the gains are those from before.")
+                : tr("The board uses the gains from before the search again."),
+            left == Left::Searching ? Notice::Done : Notice::Attention);
+        return;
+    }
+    told.sort();
+    m_live.read();
+    setState(State::Finished);
+    if (left == Left::Found) {
+        m_text->setText(tr("The link ended before the new gains were accepted or reverted. The board uses "
+                           "them still: %1. Accept them, or revert to the old ones.")
+                            .arg(told.join(u", "_s)));
+        return;
+    }
+    m_text->setText(
+        tr("The search was broken off and has been stopped. The board uses other gains than before, "
+           "and may have stored them: %1. Revert and store the old gains, or accept the new ones.")
+            .arg(told.join(u", "_s)));
+    workspace().notifications().report(
+        ErrorText{tr("After the search that was broken off the board uses other gains."),
+                  tr("It may have stored them; it does not tell."),
+                  tr("Revert to the old gains on the page Auto-tune and store them, or accept the new ones."),
+                  told.join(u", "_s)});
 }
 
 void AutoTunePage::setState(State state)
 {
     const bool changed = state != m_state;
     m_state = state;
-    const bool ready
-        = workspace().client().isConnected() && workspace().client().identity().writable && m_form;
+    if (state != State::Finished)
+        m_judging.stop();
+    m_isUnstored = state == State::Finished && m_live.changeCount() > 0;
+    m_isGone = false;
+    m_stop->setVisible(state == State::Running);  // before the other goes: the keyboard goes on to it
     m_start->setVisible(state != State::Running);
-    m_start->setEnabled(ready);
+    updateStart();
     m_start->setToolTip(
         workspace().client().isConnected() && !m_form ? tr("This board has no command for it.") : QString());
     m_start->setText(state == State::Finished ? tr("Search again: the camera will shake")
@@ -129,7 +243,6 @@ void AutoTunePage::setState(State state)
     m_start->setObjectName(state == State::Finished ? QString()
                                                     : u"primary"_s);  // then accepting is the next step
     repolish(m_start);
-    m_stop->setVisible(state == State::Running);
     m_accept->setVisible(state == State::Finished);
     m_revert->setVisible(state == State::Finished);
     if (m_form)
@@ -156,6 +269,12 @@ void AutoTunePage::setState(State state)
         emit changesChanged();
 }
 
+void AutoTunePage::updateStart()
+{
+    const DeviceClient &client = workspace().client();
+    m_start->setEnabled(client.isConnected() && client.identity().writable && m_form && !m_live.isHeld());
+}
+
 void AutoTunePage::start()
 {
     auto arguments = m_form->arguments();
@@ -164,7 +283,12 @@ void AutoTunePage::start()
         return;
     }
     arguments->insert(u"save"_s, false);
+    arguments->insert(u"profile"_s, 0);
+    m_left = Left::Nothing;
+    m_board = workspace().client().identity().serial;
     if (m_state != State::Finished) {
+        m_errorBefore = errors();
+        m_profile = activeProfile();
         m_before.clear();
         for (const int parameter : m_live.parameters()) {
             if (const auto value = m_live.value(parameter))
@@ -175,6 +299,7 @@ void AutoTunePage::start()
     m_errors->clear();
     m_last.clear();
     setState(State::Running);
+    fillTable();
     workspace().perform(kAction, *arguments, true).then(this, [this](const Result<ActionOutcome> &outcome) {
         onFinished(outcome);
     });
@@ -198,7 +323,7 @@ void AutoTunePage::onProgress(const Progress &progress)
         add(m_gains, u"d"_s, u"D"_s, Qt::DashLine);
         add(m_errors, u"error"_s, tr("Error"), Qt::SolidLine);
     }
-    m_live.read();
+    fillTable();
     m_text->setText(tr("Iteration %1. Keep the gimbal as it is. F12 or the red button stops everything.")
                         .arg(progress.done));
 }
@@ -208,27 +333,92 @@ void AutoTunePage::onFinished(const Result<ActionOutcome> &outcome)
     m_live.read();
     if (outcome) {
         setState(State::Finished);
+        m_judging.start(kJudgeAfter);
         return;
     }
-    if (outcome.error().code == ErrorCode::LinkClosed || !workspace().client().isConnected()) {
+    if (isLinkLoss(outcome.error()) || !workspace().client().isConnected()) {
+        m_left = Left::Searching;
         setState(State::Ready);
         ErrorText text = describe(outcome.error());
-        text.meaning = tr(
-            "Nothing was stored. The board may still use what it has found so far, until its next start.");
-        text.cure
-            = tr("When it is connected again, look at Tuning: “Revert all” puts the stored gains back.");
-        workspace().notifications().report(text);
+        if (outcome.error().code == ErrorCode::Restarted)
+            text.meaning = tr("The search has ended with it.");
+        else
+            text.meaning = tr("The board may be searching on, and store what it finds.");
+        text.cure = tr("When it is connected again, the search is stopped and the gains are compared.");
+        workspace().notifications().report(text, Concern::Interrupted);
         return;
     }
     // Stopped, or the board gave up: the previous values are put back into use.
     if (outcome.error().code != ErrorCode::Cancelled)
         workspace().notifications().report(outcome.error());
-    revert();
+    revertAndTell();
+}
+
+std::any AutoTunePage::keep()
+{
+    return m_left == Left::Nothing ? std::any() : std::any(Kept{m_left, m_board, m_before});
+}
+
+void AutoTunePage::resume(const std::any &kept)
+{
+    const auto &[left, board, before] = std::any_cast<const Kept &>(kept);
+    m_left = left;
+    m_board = board;
+    m_before = before;
+    onState();
+}
+
+std::array<double, kAxisCount> AutoTunePage::errors() const
+{
+    std::array<double, kAxisCount> errors{};
+    errors.fill(std::nan(""));
+    const auto store = workspace().client().telemetry();
+    const ChannelRoles &roles = workspace().roles();
+    for (std::size_t axis = 0; store && axis < kAxisCount; ++axis) {
+        const bool told = roles.target[axis] >= 0;
+        SpanStatistics span
+            = spanStatistics(*store, told ? roles.target[axis] : roles.angle[axis],
+                             told ? roles.angle[axis] : -1, store->now() - kJudged, store->now());
+        errors[axis] = told ? span.rms : span.aroundMean().rms;
+    }
+    return errors;
+}
+
+// The board calls its search a success by itself; whether it holds the camera better is seen afterwards.
+void AutoTunePage::judge()
+{
+    if (m_state != State::Finished || !workspace().client().isConnected())
+        return;
+    if (m_isGone) {
+        giveUp(true);
+        return;
+    }
+    if (!workspace().motorsRunning().value_or(true))
+        return;
+    const auto after = errors();
+    QStringList figures;
+    bool isWorse = false;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        if (std::isnan(after[axis]) || std::isnan(m_errorBefore[axis]))
+            continue;
+        figures.append(u"%1 %2° → %3°"_s.arg(axisLabel(kAxes[axis]), numberText(m_errorBefore[axis], 2),
+                                             numberText(after[axis], 2)));
+        isWorse |= after[axis] > kWorseTimes * m_errorBefore[axis]
+            && after[axis] > m_errorBefore[axis] + kWorseDegrees;
+    }
+    if (figures.isEmpty())
+        return;
+    const QString measured = tr("Angle error, RMS: %1.").arg(figures.join(u", "_s));
+    if (!isWorse) {
+        m_text->setText(m_text->text() + u' ' + measured);
+        return;
+    }
+    revert([this, measured] { tellReverted(measured); });
 }
 
 void AutoTunePage::accept()
 {
-    workspace().saveLive().then(this, [this](bool saved) {
+    workspace().saveLive(*this).then(this, [this](bool saved) {
         if (!saved)
             return;
         m_before.clear();
@@ -236,12 +426,85 @@ void AutoTunePage::accept()
     });
 }
 
-void AutoTunePage::revert()
+int AutoTunePage::activeProfile() const
 {
-    m_live.setValues(m_before);
+    return std::as_const(workspace()).configuration().board().activeProfile();
+}
+
+void AutoTunePage::onValues()
+{
+    if (m_state != State::Finished || workspace().configuration().isEmpty())
+        return;
+    if (activeProfile() != m_profile) {
+        leaveProfile();
+        return;
+    }
+    const bool was = std::exchange(m_isUnstored, m_live.changeCount() > 0);
+    m_isGone = !m_isUnstored && (was || m_isGone);
+    if (m_isGone && !m_judging.isActive())
+        giveUp(false);
+}
+
+// Others have stored it, or reverted it: the supervisor does, where it oscillates.
+void AutoTunePage::giveUp(bool tells)
+{
+    const bool isReverted = std::all_of(m_before.keyBegin(), m_before.keyEnd(), [this](int parameter) {
+        return sameValue(m_live.value(parameter), m_before.value(parameter));
+    });
     m_before.clear();
     setState(State::Ready);
-    workspace().notifications().notify(tr("The previous gains are in use again."));
+    if (isReverted && tells)
+        tellReverted({});
+}
+
+void AutoTunePage::tellReverted(const QString &measured)
+{
+    workspace().notifications().report(
+        ErrorText{tr("The gains that the board found hold the camera worse; they were reverted."),
+                  measured,
+                  tr("Balance the camera, hold the gimbal still, and search again with a lower gain."),
+                  {}});
+}
+
+// The gains from before are those of the other profile.
+void AutoTunePage::leaveProfile()
+{
+    m_before.clear();
+    setState(State::Ready);
+    workspace().notifications().notify(
+        tr("Profile %1 is in use now. What was found for profile %2 was not stored and is gone.")
+            .arg(activeProfile() + 1)
+            .arg(m_profile + 1),
+        Notice::Attention);
+}
+
+void AutoTunePage::revertAndTell()
+{
+    revert([this] { workspace().notifications().notify(tr("The previous gains are in use again.")); });
+}
+
+void AutoTunePage::revert(const std::function<void()> &tell)
+{
+    if (!workspace().configuration().isEmpty() && activeProfile() != m_profile) {
+        leaveProfile();
+        return;
+    }
+    const QHash<int, double> before = std::exchange(m_before, {});
+    setState(State::Ready);  // first: what follows is no answer of others
+    if (!before.isEmpty())
+        m_whenReverted = tell;  // once the board has read it back
+    m_live.setValues(before);
+}
+
+// While the board searches, only its reports tell what it uses: "p.roll" is pid.roll.p. They give I in units
+// of one, the board counts hundredths.
+std::optional<double> AutoTunePage::tried(const ParameterSpec &spec) const
+{
+    const QStringList parts = spec.key.split(u'.');
+    const auto it = parts.size() == 3 ? m_last.constFind(parts[2] + u'.' + parts[1]) : m_last.constEnd();
+    if (it == m_last.constEnd())
+        return {};
+    return std::round(parts[2] == u"i" ? *it * 100.0 : *it);
 }
 
 void AutoTunePage::fillTable()
@@ -254,7 +517,7 @@ void AutoTunePage::fillTable()
         const ParameterSpec &spec = model.board().parameters().at(parameter);
         if (!spec.key.startsWith(u"pid."_s))
             continue;
-        const auto now = m_live.value(parameter);
+        const auto now = m_state == State::Running ? tried(spec) : m_live.value(parameter);
         const auto before = m_before.contains(parameter) ? std::optional(m_before.value(parameter))
                                                          : m_live.stored(parameter);
         const int row = m_table->rowCount();

@@ -5,6 +5,11 @@
 #include "app/workspace/page.h"
 #include "widgets/models/livemodel.h"
 
+#include <QTimer>
+
+#include <array>
+#include <functional>
+
 class ArgumentForm;
 class Card;
 class IterationChart;
@@ -21,6 +26,9 @@ public:
     explicit AutoTunePage(Workspace &workspace, QWidget *parent = nullptr);
 
     [[nodiscard]] bool hasChanges() const override { return m_state == State::Finished; }
+    [[nodiscard]] bool isUnderWay() const override { return m_state != State::Ready; }
+    [[nodiscard]] std::any keep() override;
+    void resume(const std::any &kept) override;
     [[nodiscard]] State state() const { return m_state; }
     [[nodiscard]] ArgumentForm *form() const { return m_form; }
     [[nodiscard]] QPushButton *startButton() const { return m_start; }
@@ -31,10 +39,37 @@ private:
     void start();
     void onProgress(const Progress &progress);
     void onFinished(const Result<ActionOutcome> &outcome);
+    /// How far the axes are from their targets, RMS of the last seconds in degrees; NaN: not known.
+    [[nodiscard]] std::array<double, kAxisCount> errors() const;
+    void judge();
+    /// What a link that broke has left to be looked after.
+    enum class Left {
+        Nothing,
+        Searching,  ///< the board may be searching on
+        Found,  ///< new gains are in use, neither accepted nor reverted
+    };
+    struct Kept
+    {
+        Left left;
+        QString board;
+        QHash<int, double> before;
+    };
+    void clearUp(Left left);
+    void tellLeft(const Configuration &board, Left left);
     void accept();
-    void revert();
+    void revert(const std::function<void()> &tell);
+    void revertAndTell();
+    /// What was found is no longer what waits for an answer: another profile is in use, or others have stored
+    /// or reverted it.
+    void onValues();
+    void leaveProfile();
+    void giveUp(bool tells);
+    void tellReverted(const QString &measured);
+    [[nodiscard]] int activeProfile() const;
     void setState(State state);
+    void updateStart();
     void fillTable();
+    [[nodiscard]] std::optional<double> tried(const ParameterSpec &spec) const;
 
     LiveModel &m_live;
     ArgumentForm *m_form = nullptr;
@@ -48,6 +83,14 @@ private:
     IterationChart *m_errors;
     QTableWidget *m_table;
     QHash<int, double> m_before;  // parameter -> raw value in use before the run
+    int m_profile = 0;  // whose values these are
+    bool m_isUnstored = false;  // what was found has been seen in use without being stored
+    bool m_isGone = false;  // no more, before it was judged
     QMap<QString, double> m_last;  // latest figures of the run
+    std::array<double, kAxisCount> m_errorBefore{};
+    QTimer m_judging;  // what was found is measured before it is recommended
+    std::function<void()> m_whenReverted;
+    Left m_left = Left::Nothing;
+    QString m_board;  // that has searched last
     State m_state = State::Ready;
 };

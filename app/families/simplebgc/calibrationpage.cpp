@@ -4,6 +4,8 @@
 
 #include "app/workspace/question.h"
 #include "app/workspace/wizardparts.h"
+#include "protocol/base/linkloss.h"
+#include "widgets/forms/keyboard.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/plot/spanstatistics.h"
 #include "widgets/views/sensorcube.h"
@@ -80,8 +82,8 @@ CalibrationPage::CalibrationPage(Workspace &workspace, QWidget *parent)
             m_progress->setValue(progress.done);
     });
     connect(&workspace.client(), &DeviceClient::stateChanged, this, [this] {
-        if (!this->workspace().client().isConnected() && m_step == Step::Place)
-            setStep(Step::Choose);
+        if (!this->workspace().client().isConnected() && isUnderWay())
+            breakOff();
         updateButtons();
     });
     m_timer.setInterval(kLookPeriod);
@@ -137,6 +139,8 @@ QWidget *CalibrationPage::makeWizard()
     setQuiet(*m_stillness, tr("Stillness"));  // the sentence above gives the meaning
     setQuiet(*m_progress, tr("Progress of the measurement"));
     m_continue->setObjectName(u"primary"_s);
+    for (QPushButton *button : {m_back, m_cancel, m_continue})
+        setHarmless(*button);  // what is measured lies still, and nothing is moved
     auto *middle = new QHBoxLayout;
     middle->setSpacing(Metric::kGroupGap);
     middle->addWidget(m_cube, 2);
@@ -243,12 +247,16 @@ void CalibrationPage::setStep(Step step)
 
 QString CalibrationPage::waitingFor() const
 {
-    if (std::isnan(m_motion))
+    if (std::isnan(m_motion) || std::isnan(m_acc[0]))
         return tr("Waiting for live data of the sensor.");
     if (m_motion > kStillEnough)
         return tr("It moves (%1 °/s). Waiting until it is still.").arg(numberText(m_motion, 1));
     if (m_kind == Kind::SixPositions && workspace().motorsRunning() == true)
         return tr("The motors run. Stop them before the sensor is turned over.");
+    if (m_kind != Kind::Gyroscope && !isGravity(m_acc, 1.0))
+        return tr("It measures %1 g instead of 1 g, which no sensor at rest does. Let it lie still, or check "
+                  "the sensor and its calibration.")
+            .arg(numberText(std::hypot(m_acc[0], m_acc[1], m_acc[2]), 2));
     if (m_kind == Kind::Level && m_face != 0)
         return tr("Still, but not level: %1. Waiting for Z up.").arg(faceName(m_face));
     if (m_kind == Kind::SixPositions && m_face < 0)
@@ -269,20 +277,19 @@ void CalibrationPage::look()
     if (store && workspace().client().isConnected()) {
         const double now = store->now();
         m_motion = 0;
-        std::array<double, 3> acc{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double deviation
                 = spanStatistics(*store, roles.gyro[axis], -1, now - kStillSpan, now).aroundMean().rms;
             // Without samples, a sensor does not count as still.
             m_motion = std::isnan(deviation) ? deviation : std::max(m_motion, deviation);
-            acc[axis] = spanStatistics(*store, roles.acc[axis], -1, now - kStillSpan / 2, now).mean;
+            m_acc[axis] = spanStatistics(*store, roles.acc[axis], -1, now - kStillSpan / 2, now).mean;
             if (std::isnan(m_motion))
                 break;
         }
         for (int axis = 0; axis < 3; ++axis) {
-            const double up = acc[std::size_t(axis)];
-            const double side = std::max(std::abs(acc[std::size_t((axis + 1) % 3)]),
-                                         std::abs(acc[std::size_t((axis + 2) % 3)]));
+            const double up = m_acc[std::size_t(axis)];
+            const double side = std::max(std::abs(m_acc[std::size_t((axis + 1) % 3)]),
+                                         std::abs(m_acc[std::size_t((axis + 2) % 3)]));
             constexpr std::array<int, 3> faceOfAxis{2, 4, 0};
             if (std::abs(up) > kFaceUp && side < kFaceSide)
                 m_face = faceOfAxis[std::size_t(axis)] + (up < 0 ? 1 : 0);
@@ -308,7 +315,9 @@ void CalibrationPage::measure()
     setStep(Step::Measure);
     const QString key = m_kind == Kind::Gyroscope ? u"calibrate.gyro"_s : u"calibrate.acc"_s;
     workspace()
-        .perform(key, {{u"imu"_s, 0}, {u"action"_s, 1}, {u"form"_s, 0}}, true)
+        .perform(key,
+                 {{u"imu"_s, 0}, {u"action"_s, 1}, {u"form"_s, 0}, {u"six"_s, m_kind == Kind::SixPositions}},
+                 true)
         .then(this, [this](const Result<ActionOutcome> &outcome) { onMeasured(outcome); });
 }
 
@@ -316,6 +325,10 @@ void CalibrationPage::onMeasured(const Result<ActionOutcome> &outcome)
 {
     if (m_step != Step::Measure)
         return;
+    if (!outcome && isLinkLoss(outcome.error())) {
+        breakOff();
+        return;
+    }
     if (!outcome) {
         ErrorText text = describe(outcome.error());
         if (outcome.error().code == ErrorCode::Cancelled) {
@@ -341,6 +354,29 @@ void CalibrationPage::onMeasured(const Result<ActionOutcome> &outcome)
     showResult();
 }
 
+// The link is gone in the middle: what was done by then, and what is not known.
+void CalibrationPage::breakOff()
+{
+    QStringList meaning;
+    if (m_kind == Kind::SixPositions && m_done) {
+        QStringList faces;
+        for (int face = 0; face < kSensorFaces; ++face) {
+            if (m_done >> face & 1U)
+                faces.append(faceName(face));
+        }
+        meaning.append(tr("%1 of 6 positions were measured: %2.").arg(doneCount()).arg(faces.join(u", "_s)));
+    }
+    if (m_step == Step::Measure)
+        meaning.append(tr("Whether the board has finished the measurement under way is not known."));
+    else if (!m_done)
+        meaning.append(tr("Nothing was measured; the sensor's calibration is the one from before."));
+    const QString again = tr("Calibrate again from the beginning when the board is connected.");
+    workspace().notifications().report(
+        ErrorText{tr("The calibration ended with the link."), meaning.join(u' '), again, {}},
+        Concern::Writing);
+    setStep(Step::Choose);
+}
+
 void CalibrationPage::showResult()
 {
     const bool gyro = m_kind == Kind::Gyroscope;
@@ -350,8 +386,9 @@ void CalibrationPage::showResult()
     m_what->setText(gyro ? tr("Gyroscope: %1").arg(verdict) : tr("Accelerometer: %1").arg(verdict));
     QString html = u"<table>"_s;
     const auto row = [&html](const QString &name, const QString &value) {
-        html += u"<tr><td style='padding:2px 24px 2px 0'>%1</td><td align='right'>%2</td></tr>"_s.arg(
-            name.toHtmlEscaped(), value.toHtmlEscaped());
+        html += u"<tr><td style='padding:2px 24px 2px 0'>%1</td>"
+                "<td style='padding:2px 0' align='right'>%2</td></tr>"_s.arg(name.toHtmlEscaped(),
+                                                                             value.toHtmlEscaped());
     };
     if (gyro) {
         row(tr("Drift before"), tr("%1 °/s").arg(numberText(m_quality.biasBefore, 2)));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/workspace/page.h"
+#include "protocol/analysis/accelerometer.h"
 
 #include <QTimer>
 
@@ -25,6 +26,10 @@ public:
 
     void start(Kind kind);
     [[nodiscard]] Step step() const { return m_step; }
+    [[nodiscard]] bool isUnderWay() const override
+    {
+        return m_step == Step::Place || m_step == Step::Measure;
+    }
     [[nodiscard]] QPushButton *continueButton() const { return m_continue; }
     [[nodiscard]] QPushButton *cancelButton() const { return m_cancel; }
     [[nodiscard]] QPushButton *backButton() const { return m_back; }
@@ -47,6 +52,7 @@ private:
     void measure();
     void onMeasured(const Result<ActionOutcome> &outcome);
     void showResult();
+    void breakOff();
     void cancel();
     void updateButtons();
     [[nodiscard]] QString waitingFor() const;
@@ -64,6 +70,7 @@ private:
     Quality m_quality;
     int m_face = -1;
     int m_measuring = 0;  // position being measured
+    AccReading m_acc{};  // g
     double m_motion = 0;  // standard deviation of the gyroscope, deg/s
     bool m_satisfied = false;
     QStackedWidget *m_stack;

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/families/storm32/sensorpage.h"
 
-#include "app/workspace/files.h"
 #include "app/workspace/question.h"
 #include "app/workspace/wizardparts.h"
+#include "protocol/base/filefault.h"
+#include "protocol/base/linkloss.h"
+#include "widgets/forms/keyboard.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/views/sensorcube.h"
 
@@ -24,6 +26,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+constexpr qint64 kLargestFile = 1024 * 1024;
 constexpr double kGoodQuality = 0.01;  // g
 constexpr double kFairQuality = 0.03;
 constexpr unsigned kAllFaces = (1U << kSensorFaces) - 1;
@@ -61,12 +64,10 @@ SensorPage::SensorPage(Workspace &workspace, QWidget *parent)
 
     connect(m_load, &QPushButton::clicked, this, [this] {
         const Family *family = this->workspace().family();
-        askOpenPath(this, tr("Load a calibration"),
-                    u"%1 (*.%2)"_s.arg(family->calibrationFile->name, family->calibrationFile->suffix),
-                    [this](const QString &path) {
-                        if (const auto loaded = loadFile(path); !loaded)
-                            this->workspace().notifications().report(loaded.error());
-                    });
+        askOpenPath(
+            this, tr("Load a calibration"),
+            u"%1 (*.%2)"_s.arg(family->calibrationFile->name, family->calibrationFile->suffix),
+            [this](const QString &path) { this->workspace().notifications().reportLoaded(loadFile(path)); });
     });
     connect(m_save, &QPushButton::clicked, this, [this] {
         const Family *family = this->workspace().family();
@@ -131,6 +132,8 @@ QWidget *SensorPage::makeWizard()
     m_result->setAlignment(Qt::AlignTop);
     setQuiet(*m_progress, tr("Progress of the measurement"));
     m_store->setObjectName(u"primary"_s);
+    for (QPushButton *button : {m_again, m_cancel, m_save})
+        setHarmless(*button);
     auto *middle = new QHBoxLayout;
     middle->setSpacing(Metric::kGroupGap);
     middle->addWidget(m_cube, 2);
@@ -169,7 +172,17 @@ void SensorPage::updateState()
     m_imu->setEnabled(ready && m_step == Step::Choose);
     m_store->setEnabled(ready);
     if (!client.isConnected() && m_step == Step::Measure)
-        setStep(Step::Choose);
+        breakOff();
+}
+
+void SensorPage::breakOff()
+{
+    const QString done = m_six
+        ? tr("%1 of 6 faces were measured; nothing of it is on the board.").arg(doneCount())
+        : tr("Nothing of it is on the board.");
+    workspace().notifications().notify(tr("The calibration ended with the link.") + u' ' + done,
+                                       Notice::Attention);
+    setStep(Step::Choose);
 }
 
 int SensorPage::doneCount() const
@@ -235,8 +248,9 @@ void SensorPage::onProgress(const Progress &progress)
     const double length = std::hypot(value(u"x"_s), value(u"y"_s), value(u"z"_s));
     QString rows;
     const auto row = [&rows](const QString &name, double number, int decimals, const QString &unit) {
-        rows += u"<tr><td style='padding:2px 16px 2px 0'>%1</td><td align='right'>%2 %3</td></tr>"_s.arg(
-            name, numberText(number, decimals), unit);
+        rows += u"<tr><td style='padding:2px 16px 2px 0'>%1</td>"
+                "<td style='padding:2px 0' align='right'>%2 %3</td></tr>"_s.arg(
+                    name, numberText(number, decimals), unit);
     };
     row(u"X"_s, value(u"x"_s), 3, u"g"_s);
     row(u"Y"_s, value(u"y"_s), 3, u"g"_s);
@@ -250,6 +264,10 @@ void SensorPage::onProgress(const Progress &progress)
         m_sees->setText(tr("%1 lies still: measuring. Do not touch it.").arg(faceName(face)));
     else if (moves)
         m_sees->setText(tr("It moves. Waiting until it lies still."));
+    else if (value(u"impossible"_s) != 0)
+        m_sees->setText(tr("It measures %1 g instead of 1 g, which no sensor at rest does: it is not taken. "
+                           "Let it lie still, or check the sensor.")
+                            .arg(numberText(length, 2)));
     else if (face < 0)
         m_sees->setText(tr("It is tilted. Waiting until one face lies up."));
     else if (known)
@@ -267,6 +285,10 @@ void SensorPage::onMeasured(const Result<ActionOutcome> &outcome)
     if (m_step != Step::Measure)
         return;
     if (!outcome) {
+        if (isLinkLoss(outcome.error())) {
+            breakOff();
+            return;
+        }
         if (outcome.error().code != ErrorCode::Cancelled)
             workspace().notifications().report(outcome.error());
         setStep(Step::Choose);
@@ -330,7 +352,7 @@ void SensorPage::showResult()
     repolish(m_store);
     setStep(Step::Result);
     if (isVisible())
-        (m_plausible ? m_store : m_again)->setFocus();
+        (m_plausible ? m_save : m_again)->setFocus();
 }
 
 void SensorPage::store()
@@ -345,7 +367,7 @@ void SensorPage::store()
     workspace()
         .perform(u"calibration.write"_s, arguments)
         .then(this, [this](const Result<ActionOutcome> &outcome) {
-            m_store->setEnabled(true);
+            updateState();
             if (!outcome)
                 return;
             workspace().notifications().notify(tr("The calibration is stored and read back."));
@@ -357,14 +379,14 @@ void SensorPage::store()
 Result<void> SensorPage::loadFile(const QString &path)
 {
     const Family *family = workspace().family();
-    QFile file(path);
     if (!family || !family->calibrationFile)
         return failure(ErrorCode::NotConnected);
-    if (!file.open(QIODevice::ReadOnly))
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
-    const auto calibration = family->calibrationFile->read(file.read(qint64(1024) * 1024));
+    const auto text = readWhole(path, FileKind::Calibration, kLargestFile);
+    if (!text)
+        return tl::unexpected(text.error());
+    const auto calibration = family->calibrationFile->read(*text);
     if (!calibration)
-        return failure(calibration.error().code, path + u": "_s + calibration.error().detail);
+        return tl::unexpected(inFile(calibration.error(), path));
     m_calibration = *calibration;
     m_quality = m_oneG = 0;
     m_plausible = true;
@@ -377,5 +399,5 @@ Result<void> SensorPage::saveFile(const QString &path) const
     const Family *family = workspace().family();
     if (!family || !family->calibrationFile)
         return failure(ErrorCode::NotConnected);
-    return writeFile(path, family->calibrationFile->write(m_calibration));
+    return writeWhole(path, family->calibrationFile->write(m_calibration), FileKind::Calibration);
 }

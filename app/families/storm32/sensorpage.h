@@ -23,6 +23,7 @@ public:
     explicit SensorPage(Workspace &workspace, QWidget *parent = nullptr);
 
     void start(bool six);
+    [[nodiscard]] bool isUnderWay() const override { return m_step != Step::Choose; }
     [[nodiscard]] Step step() const { return m_step; }
     [[nodiscard]] int doneCount() const;
     [[nodiscard]] QPushButton *storeButton() const { return m_store; }
@@ -43,6 +44,7 @@ private:
     void onProgress(const Progress &progress);
     void onMeasured(const Result<ActionOutcome> &outcome);
     void showResult();
+    void breakOff();
     void store();
     void updateState();
 

@@ -3,6 +3,8 @@
 #include "app/families/storm32/setuppage.h"
 
 #include "app/workspace/wizardparts.h"
+#include "protocol/base/linkloss.h"
+#include "widgets/forms/keyboard.h"
 #include "widgets/forms/numberbox.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
@@ -72,10 +74,8 @@ SetupPage::SetupPage(Workspace &workspace, QWidget *parent)
     connect(m_continue, &QPushButton::clicked, this, &SetupPage::onContinue);
     connect(&workspace.client(), &DeviceClient::progressChanged, this, &SetupPage::onProgress);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
-        if (state != DeviceClient::State::Connected && m_step != Step::Choose) {
-            note(tr("✖ The link broke; the setup ended here."));
-            enter(Step::Choose);
-        }
+        if (state != DeviceClient::State::Connected && isUnderWay())
+            breakOff();
         updateState();
     });
     enter(Step::Choose);
@@ -145,6 +145,7 @@ QWidget *SetupPage::makeGuide()
     m_report->setSelectionMode(QAbstractItemView::NoSelection);
     m_report->setWordWrap(true);
     m_continue->setObjectName(u"primary"_s);
+    setHarmless(*m_cancel);
     auto *buttons = new QHBoxLayout;
     buttons->addWidget(m_cancel);
     buttons->addStretch(1);
@@ -244,7 +245,7 @@ void SetupPage::next()
 void SetupPage::enter(Step step)
 {
     m_step = step;
-    workspace().setGuided(step != Step::Choose && step != Step::Done);
+    workspace().setGuided(step != Step::Choose && step != Step::Done, u"setup."_s);
     m_failed = m_running = false;
     m_held->setVisible(step == Step::Orientation);
     m_held->setValue(0);
@@ -264,8 +265,26 @@ void SetupPage::enter(Step step)
         runStep();
     repolish(m_continue);
     updateState();
-    if (isVisible() && m_continue->isEnabled())
+    leadOn();
+}
+
+// To what this step asks for, but never to what starts or disables the motors: that wants a deliberate key.
+void SetupPage::leadOn()
+{
+    if (!isVisible())
+        return;
+    const bool choosing = m_step == Step::Choose || m_step == Step::Done;
+    const bool dangerous = m_step == Step::AskStart || m_step == Step::Start || m_step == Step::AskFinish
+        || m_step == Step::Finish;
+    setHarmless(*m_continue, !choosing && !dangerous);
+    if (m_step == Step::Poles)
+        m_poles.front()->setFocus();
+    else if (mayTakeKeyboard(*m_continue))
         m_continue->setFocus();
+    else if (!choosing)
+        m_cancel->setFocus();
+    else
+        giveKeyboard(*this);
 }
 
 // What is to be done in this step, and what the button does.
@@ -296,7 +315,7 @@ void SetupPage::sayWhatToDo()
             return {tr("Now the motors start. Put the camera into the gimbal, hold the handle still, and "
                        "connect the battery."),
                     tr("The board levels the camera and turns each motor a little to find its direction. "
-                       "Motors off stops it at any time."),
+                       "Stop motors ends it at any time."),
                     tr("Start the motors"), true};
         case Step::Start: return {tr("The board starts. Keep the handle still.")};
         case Step::Take: return {tr("Taking over what the board has found.")};
@@ -304,8 +323,8 @@ void SetupPage::sayWhatToDo()
             return {tr("Turn the camera until it looks straight ahead."), {}, tr("Take this position")};
         case Step::AskFinish:
             return {tr("Everything is set. Store it, and start the gimbal?"),
-                    tr("A snapshot of the board as it was is kept. The motors start."), tr("Start and store"),
-                    true};
+                    tr("A snapshot of the settings as they were is kept. The motors start."),
+                    tr("Start and store"), true};
         case Step::Finish: return {tr("Starting and storing.")};
         case Step::Done: return {tr("The gimbal is set up."), {}, tr("Begin again")};
         }
@@ -374,6 +393,8 @@ void SetupPage::runStep()
 void SetupPage::finished(const Result<ActionOutcome> &outcome)
 {
     m_running = false;
+    if (!outcome && isLinkLoss(outcome.error()))
+        return;  // told with the state of the link, which ends the setup
     if (!outcome) {
         m_failed = true;
         const ErrorText text = describe(outcome.error());
@@ -416,7 +437,7 @@ void SetupPage::finished(const Result<ActionOutcome> &outcome)
         if (!std::exchange(m_yawBegun, true)) {
             m_sees->setText(tr("The buttons turn it within %1° either way.").arg(shortNumberText(kMaxYaw)));
             updateState();
-            m_continue->setFocus();
+            leadOn();
             return;
         }
         m_yawBegun = false;
@@ -426,18 +447,37 @@ void SetupPage::finished(const Result<ActionOutcome> &outcome)
         m_running = true;
         updateState();
         workspace().setGuided(false);
-        workspace().saveLive().then(this, [this, run = m_run](bool stored) {
+        workspace().saveLive(*this, setHere()).then(this, [this, run = m_run](bool stored) {
             if (run != m_run)
                 return;
             m_running = false;
             note(stored ? tr("✓ Everything is stored.")
-                        : tr("✖ It could not be stored. Use “Store on the board” below."));
+                        : tr("✖ Not everything is stored. Use “Store on the board” below."));
             next();
         });
         return;
     default: break;
     }
     next();
+}
+
+// The parameters that the chosen tasks set, as the report of the steps says.
+QSet<QString> SetupPage::setHere() const
+{
+    QSet<QString> keys;
+    if (wants(Task::Orientation))
+        keys = {u"imu.orientation"_s, u"imu2.orientation"_s};
+    for (const Axis axis : kAxes) {
+        const QString motor = u"motor.%1."_s.arg(QLatin1String(axisKey(axis)));
+        keys.insert(motor + u"usage"_s);
+        if (wants(Task::Poles))
+            keys.insert(motor + u"poles"_s);
+        if (wants(Task::AutoDirections) || wants(Task::TakeDirections))
+            keys.insert(motor + u"direction"_s);
+        if (wants(axis == Axis::Yaw ? Task::AlignYaw : Task::StartPositions))
+            keys.insert(motor + u"start_position"_s);
+    }
+    return keys;
 }
 
 void SetupPage::onContinue()
@@ -463,6 +503,22 @@ void SetupPage::cancel()
     if (std::exchange(m_yawBegun, false))
         workspace().perform(u"setup.yaw_end"_s, {{u"take"_s, false}}, true);
     note(tr("Cancelled. The values set so far are in use, but not stored."));
+    enter(Step::Choose);
+}
+
+// What was set stands in the report; on another page, too, one hears of it.
+void SetupPage::breakOff()
+{
+    ++m_run;  // what the board still answers belongs to no step any more
+    m_yawBegun = false;
+    note(tr("✖ The link broke; the setup ended here."));
+    const bool isLost = workspace().client().loss() != DeviceClient::Loss::Link;
+    const QString left = m_step == Step::Finish
+        ? tr("It was starting or storing: what is stored is seen when the board is read again.")
+        : isLost ? tr("What was set by then is lost: the board restarted.")
+                 : tr("What was set by then is in use and not stored: a restart of the board takes it back.");
+    workspace().notifications().notify(tr("The gimbal setup ended with the link.") + u' ' + left,
+                                       Notice::Attention);
     enter(Step::Choose);
 }
 

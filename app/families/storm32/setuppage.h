@@ -39,6 +39,7 @@ public:
     explicit SetupPage(Workspace &workspace, QWidget *parent = nullptr);
 
     [[nodiscard]] Step step() const { return m_step; }
+    [[nodiscard]] bool isUnderWay() const override { return m_step != Step::Choose && m_step != Step::Done; }
     [[nodiscard]] QCheckBox *box(Task task) const { return m_boxes[std::size_t(task)]; }
     [[nodiscard]] QPushButton *continueButton() const { return m_continue; }
     [[nodiscard]] QPushButton *cancelButton() const { return m_cancel; }
@@ -58,12 +59,15 @@ private:
     void begin();
     void next();
     void enter(Step step);
+    void leadOn();
     void sayWhatToDo();
     void showPoles();
+    [[nodiscard]] QSet<QString> setHere() const;
     void runStep();
     void finished(const Result<ActionOutcome> &outcome);
     void onContinue();
     void cancel();
+    void breakOff();
     void moveYaw(double by);
     void onProgress(const Progress &progress);
     void updateState();

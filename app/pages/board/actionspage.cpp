@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/board/actionspage.h"
 
+#include "app/workspace/question.h"
 #include "widgets/forms/argumentform.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/views/card.h"
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -111,6 +113,7 @@ ActionsPage::ActionsPage(Workspace &workspace, QWidget *parent)
     connect(m_cancel, &QPushButton::clicked, &workspace.client(), &DeviceClient::cancelJobs);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &ActionsPage::fillList);
     connect(&workspace, &Workspace::guidedChanged, this, &ActionsPage::updateRun);
+    connect(&workspace.live(), &LiveModel::heldChanged, this, &ActionsPage::updateRun);
     new QShortcut(QKeySequence::Find, this, [this] { m_search->setFocus(); });
     fillList();
 }
@@ -164,6 +167,16 @@ void ActionsPage::refilter()
     }
 }
 
+std::any ActionsPage::keep()
+{
+    return m_action ? std::any(QString::fromLatin1(m_action->key)) : std::any();
+}
+
+void ActionsPage::resume(const std::any &kept)
+{
+    showAction(std::any_cast<QString>(kept));
+}
+
 bool ActionsPage::showAction(const QString &key)
 {
     for (int g = 0; g < m_list->topLevelItemCount(); ++g) {
@@ -192,30 +205,49 @@ void ActionsPage::onChosen()
     delete std::exchange(m_form, nullptr);
     m_title->setText(tableText(m_action->label));
     m_help->setText(tableText(m_action->help));
-    m_risk->setText(riskText(m_action->risk));
-    m_risk->setObjectName(m_action->risk == ActionRisk::Safe           ? u"muted"_s
-                              : m_action->risk == ActionRisk::Destroys ? u"error"_s
-                                                                       : u"warning"_s);
-    repolish(m_risk);
     m_form = new ArgumentForm(*m_action);
     m_formHolder->addWidget(m_form);
+    if (!m_action->entries.empty()) {
+        auto *entry
+            = qobject_cast<QComboBox *>(m_form->field(QLatin1String(m_action->arguments.front().key)));
+        connect(entry, &QComboBox::currentIndexChanged, this, &ActionsPage::updateRun);
+    }
     updateRun();
+}
+
+// As it is with the entry that is chosen.
+std::optional<ActionSpec> ActionsPage::chosen() const
+{
+    if (!m_action || !m_form || m_action->entries.empty())
+        return m_action;
+    return chosenAction(*m_action, m_form->arguments().value_or(QVariantMap()));
 }
 
 void ActionsPage::updateRun()
 {
     const bool connected = workspace().client().isConnected();
-    const bool red = m_action && m_action->risk == ActionRisk::Destroys;
+    const std::optional<ActionSpec> action = chosen();
+    const bool red = action && action->risk == ActionRisk::Destroys;
+    if (action) {
+        m_risk->setText(riskText(action->risk));
+        m_risk->setObjectName(action->risk == ActionRisk::Safe ? u"muted"_s
+                                  : red                        ? u"error"_s
+                                                               : u"warning"_s);
+        repolish(m_risk);
+    }
     // The button's text says what will happen; there is no further question.
     m_run->setText(!m_action ? tr("Run")
                        : red ? tr("%1: overwrite settings").arg(tableText(m_action->label))
                              : tableText(m_action->label));
     m_run->setObjectName(red ? u"danger"_s : u"primary"_s);
     repolish(m_run);
-    m_run->setEnabled(connected && m_action && !m_running
-                      && (m_action->risk == ActionRisk::Safe
+    const bool isHeld = workspace().live().isHeld() && !(action && action->stopsMotors);
+    m_run->setEnabled(connected && m_action && !m_running && !isHeld
+                      && (action->risk == ActionRisk::Safe
                           || (workspace().client().identity().writable && !workspace().isGuided())));
-    m_run->setToolTip(workspace().isGuided() ? tr("The gimbal is being set up.") : QString());
+    m_run->setToolTip(workspace().isGuided()     ? tr("The gimbal is being set up.")
+                          : isHeld && !m_running ? tr("A search, measurement or calibration is running.")
+                                                 : QString());
     m_cancel->setVisible(m_running);
     m_list->setEnabled(connected && !m_running);
 }
@@ -227,14 +259,24 @@ void ActionsPage::run()
         workspace().notifications().report(arguments.error());
         return;
     }
+    const ActionSpec action = chosenAction(*m_action, *arguments);
+    const auto goOn = [this, action, given = *arguments] { performNow(action, given); };
+    if (action.letsGo)
+        askToLetGo(workspace(), tableText(action.label), this, goOn);
+    else
+        goOn();
+}
+
+void ActionsPage::performNow(const ActionSpec &action, const QVariantMap &arguments)
+{
     m_running = true;
     updateRun();
-    const QString label = tableText(m_action->label);
+    const QString label = tableText(action.label);
     m_reply->setPlainText(tr("%1 …").arg(label));
-    const bool rereads = m_action->risk == ActionRisk::Writes && m_action->memory == MemoryEffect::None;
+    const bool rereads = action.risk == ActionRisk::Writes && action.memory == MemoryEffect::None;
     workspace()
-        .perform(QString::fromLatin1(m_action->key), *arguments)
-        .then(this, [this, action = *m_action, label, rereads](const Result<ActionOutcome> &outcome) {
+        .perform(QString::fromLatin1(action.key), arguments)
+        .then(this, [this, action, label, rereads](const Result<ActionOutcome> &outcome) {
             m_running = false;
             updateRun();
             const QString time = QTime::currentTime().toString(u"HH:mm:ss"_s);
@@ -253,8 +295,9 @@ void ActionsPage::run()
             }
             html += u"</table>"_s;
             if (!outcome->snapshotPath.isEmpty())
-                html += u"<p>%1</p>"_s.arg(
-                    tr("The board as it was is kept in %1").arg(outcome->snapshotPath).toHtmlEscaped());
+                html += u"<p>%1</p>"_s.arg(tr("The settings as they were are kept in %1")
+                                               .arg(outcome->snapshotPath)
+                                               .toHtmlEscaped());
             m_reply->setHtml(html);
             if (rereads && !outcome->reply.contains(u"unstored"_s))
                 workspace().readBoard();

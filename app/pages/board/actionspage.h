@@ -21,6 +21,9 @@ public:
 
     /// Chooses an action; true if the board has it.
     bool showAction(const QString &key);
+    [[nodiscard]] bool isUnderWay() const override { return m_running; }
+    [[nodiscard]] std::any keep() override;
+    void resume(const std::any &kept) override;
     [[nodiscard]] ArgumentForm *form() const { return m_form; }
     [[nodiscard]] QPushButton *runButton() const { return m_run; }
     [[nodiscard]] QTextBrowser *reply() const { return m_reply; }
@@ -32,6 +35,8 @@ private:
     void refilter();
     void onChosen();
     void run();
+    void performNow(const ActionSpec &action, const QVariantMap &arguments);
+    [[nodiscard]] std::optional<ActionSpec> chosen() const;
     void updateRun();
 
     QLineEdit *m_search;

@@ -4,6 +4,7 @@
 
 #include "app/pages/board/boardnamedialog.h"
 #include "app/pages/board/sharedialog.h"
+#include "protocol/base/filefault.h"
 #include "widgets/forms/panel.h"
 #include "widgets/models/missingtext.h"
 #include "widgets/models/numbertext.h"
@@ -11,7 +12,6 @@
 #include "widgets/theme/tablelook.h"
 #include "widgets/views/card.h"
 
-#include <QFile>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -20,6 +20,8 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 using namespace Qt::StringLiterals;
 
@@ -44,10 +46,13 @@ QString reasonText(const QString &reason, const Device *device)
 {
     if (reason == u"by the operator"_s)
         return BackupsPage::tr("by the operator");
+    if (reason == u"by the operator, in use"_s)
+        return BackupsPage::tr("by the operator, of what was in use");
     if (reason == u"before the first write"_s)
         return BackupsPage::tr("before the first write");
-    if (reason == u"unsaved edits of an earlier run"_s)
-        return BackupsPage::tr("unsaved edits of an earlier run");
+    // Version 0.1 called them unsaved.
+    if (reason == u"unwritten edits of an earlier run"_s || reason == u"unsaved edits of an earlier run"_s)
+        return BackupsPage::tr("unwritten edits of an earlier run");
     if (!reason.startsWith(u"before "_s))
         return reason;
     const QString key = reason.mid(7);
@@ -72,6 +77,8 @@ BackupsPage::BackupsPage(Workspace &workspace, QWidget *parent)
     , m_export(new QPushButton(tr("Export…")))
     , m_board(new QLabel)
     , m_which(new QPushButton(tr("Which board…")))
+    , m_lacking(new QLabel(tr("A snapshot holds no calibration of the board's sensors: restoring one leaves "
+                              "that as it is.")))
 {
     makeHeader();
     makeBody();
@@ -88,14 +95,14 @@ void BackupsPage::makeHeader()
     saveAs->setToolTip(tr("Save the values as they are shown, edits included"));
     connect(load, &QPushButton::clicked, this, [this] {
         askOpenPath(this, tr("Load a configuration"), workspace().openFilter(), [this](const QString &path) {
-            if (const auto done = workspace().applyFile(path); !done)
-                workspace().notifications().report(done.error());
+            workspace().notifications().reportLoaded(workspace().applyFile(path));
         });
     });
     connect(saveAs, &QPushButton::clicked, this, [this] {
         askSavePath(this, tr("Save the configuration"), u"gimbal.json"_s, workspace().configurationFilter(),
                     [this](const QString &path) {
-                        workspace().notifications().reportSaved(workspace().saveFile(path), path);
+                        workspace().notifications().reportSaved(workspace().saveFile(path), path,
+                                                                workspace().lacking());
                     });
     });
     header()->addWidget(load);
@@ -142,7 +149,10 @@ void BackupsPage::makeBody()
     board->setSpacing(Metric::kGap);
     board->addWidget(m_board, 1);
     board->addWidget(m_which);
+    m_lacking->setWordWrap(true);
+    m_lacking->setObjectName(u"muted"_s);
     body()->addLayout(board);
+    body()->addWidget(m_lacking);
     body()->addWidget(m_table, 1);
     body()->addWidget(card, 1);
 }
@@ -151,19 +161,18 @@ void BackupsPage::connectAll()
 {
     connect(m_take, &QPushButton::clicked, &workspace(), &Workspace::takeSnapshot);
     connect(m_restore, &QPushButton::clicked, this, [this] {
-        if (const auto done = workspace().applyFile(chosenPath()); !done)
-            workspace().notifications().report(done.error());
+        workspace().notifications().reportLoaded(workspace().applyFile(chosenPath()));
         showDifferences();
     });
     connect(m_export, &QPushButton::clicked, this, [this] {
         const QString from = chosenPath();
         askSavePath(this, tr("Export snapshot"), u"snapshot.json"_s, tr("GimbalDesk configurations (*.json)"),
                     [this, from](const QString &to) {
-                        QFile::remove(to);
-                        if (QFile::copy(from, to))
-                            workspace().notifications().notify(tr("Saved to %1").arg(to));
-                        else
-                            workspace().notifications().report({ErrorCode::BadFile, to, 0});
+                        const auto file = workspace().loadFile(from);
+                        workspace().notifications().reportSaved(
+                            copyWhole(from, to, FileKind::Configuration), to,
+                            file ? missingText(file->configuration, file->configuration.missing())
+                                 : QString());
                     });
     });
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &BackupsPage::showDifferences);
@@ -175,6 +184,10 @@ void BackupsPage::connectAll()
     connect(&workspace().configuration(), &ConfigurationModel::boardReset, this, &BackupsPage::reload);
     connect(&workspace().configuration(), &ConfigurationModel::storedChanged, this,
             &BackupsPage::showDifferences);
+    connect(&workspace().configuration(), &ConfigurationModel::changeCountChanged, this, [this] {
+        if (isVisible())
+            showDifferences();
+    });
 }
 
 void BackupsPage::showEvent(QShowEvent *event)
@@ -204,6 +217,15 @@ QString BackupsPage::chosenPath() const
                            : m_table->item(items.first()->row(), 0)->data(Qt::UserRole).toString();
 }
 
+bool BackupsPage::hasCalibration() const
+{
+    const auto actions
+        = workspace().tables() ? workspace().tables()->actions() : std::span<const ActionSpec>();
+    return std::any_of(actions.begin(), actions.end(), [](const ActionSpec &action) {
+        return QLatin1String(action.key).startsWith(u"calibrate."_s);
+    });
+}
+
 void BackupsPage::reload()
 {
     if (!isVisible())
@@ -215,6 +237,7 @@ void BackupsPage::reload()
                                              : tr("Board “%1”. It has no serial number.").arg(naming.name()));
     m_board->setVisible(naming.isNeeded());
     m_which->setVisible(naming.isNeeded());
+    m_lacking->setVisible(hasCalibration());
     m_table->setRowCount(0);
     m_take->setEnabled(!model.isEmpty());
     const QStringList paths
@@ -261,13 +284,19 @@ void BackupsPage::showDifferences()
         return;
     }
     QStringList skipped;
-    const Configuration wanted = applied(model.edited(), file->configuration, skipped);
-    const auto changes = model.edited().changesTo(wanted);
-    const bool names = model.edited().hasOtherNames(wanted);
-    const auto blocks = model.edited().dataChangesTo(wanted);
-    m_restore->setEnabled(!changes.empty() || !blocks.empty() || names);
+    // What the board holds; what is only an edit yet would hide how it differs.
+    const Configuration &board = model.board();
+    const Configuration wanted = applied(board, *file, skipped);
+    const auto changes = board.changesTo(wanted);
+    const bool names = board.hasOtherNames(wanted);
+    const auto blocks = board.dataChangesTo(wanted);
+    QStringList ignored;
+    const Configuration restored = applied(model.edited(), *file, ignored);
+    m_restore->setEnabled(!model.edited().changesTo(restored).empty()
+                          || !model.edited().dataChangesTo(restored).empty()
+                          || model.edited().hasOtherNames(restored));
     std::vector<MissingPart> missing = file->configuration.missing();
-    missing.insert(missing.end(), model.edited().missing().begin(), model.edited().missing().end());
+    missing.insert(missing.end(), board.missing().begin(), board.missing().end());
     QString text = !changes.empty() ? tr("%n value(s) differ.", nullptr, int(changes.size()))
         : missing.empty()           ? tr("All values are the same.")
                                     : tr("All values that could be compared are the same.");
@@ -280,6 +309,10 @@ void BackupsPage::showDifferences()
         text += u' ' + tr("%1 differ.").arg(tableText(change.spec->data));
     if (names)
         text += u' ' + tr("Profile names differ.");
+    if (model.changeCount() > 0)
+        text += u' '
+            + tr("Compared with what the board holds; %n unwritten change(s) are left aside.", nullptr,
+                 model.changeCount());
     m_summary->setText(text);
     for (const ParameterChange &change : changes) {
         const int row = m_differences->rowCount();

@@ -30,6 +30,8 @@ private:
     void reload();
     void showDifferences();
     [[nodiscard]] QString chosenPath() const;
+    /// Of its sensors, which is no setting.
+    [[nodiscard]] bool hasCalibration() const;
 
     QTableWidget *m_table;
     QTableWidget *m_differences;
@@ -39,4 +41,5 @@ private:
     QPushButton *m_export;
     QLabel *m_board;
     QPushButton *m_which;
+    QLabel *m_lacking;
 };

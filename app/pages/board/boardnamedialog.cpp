@@ -28,6 +28,12 @@ BoardNameDialog::BoardNameDialog(Workspace &workspace, QWidget *parent)
     makeBody();
     makeButtons();
     update();
+    if (m_name->isEnabled()) {
+        m_name->setFocus();
+        m_name->selectAll();
+    } else {
+        m_which->checkedButton()->setFocus();
+    }
 }
 
 void BoardNameDialog::makeBody()
@@ -35,7 +41,7 @@ void BoardNameDialog::makeBody()
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(Metric::kMargin, Metric::kMargin, Metric::kMargin, Metric::kMargin);
     layout->setSpacing(Metric::kGap);
-    auto *intro = new QLabel(tr("It has no serial number. Under its name its snapshots and unsaved changes "
+    auto *intro = new QLabel(tr("It has no serial number. Under its name its snapshots and unwritten changes "
                                 "are kept apart from those of other boards."));
     intro->setWordWrap(true);
     layout->addWidget(intro);
@@ -97,9 +103,12 @@ void BoardNameDialog::update()
     m_store->setEnabled(m_workspace.client().identity().extra.value(u"name"_s).toString() != chosen());
     m_take->setText(isNew ? tr("Use this name") : tr("It is this one"));
     m_take->setEnabled(!chosen().isEmpty());
-    m_problem->setText(isNew && m_names.contains(chosen())
-                           ? tr("A board of that name is known: it becomes this one.")
-                           : QString());
+    const bool isOwn = isNew && chosen() == m_workspace.client().identity().extra.value(u"name"_s).toString();
+    m_problem->setText(
+        isNew && m_names.contains(chosen()) ? tr("A board of that name is known: it becomes this one.")
+            : isOwn ? tr("The board has this name already. If it is the one that it left the factory "
+                         "with, every such board will be taken for this one.")
+                    : QString());
     m_problem->setVisible(!m_problem->text().isEmpty());
 }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/board/consolepage.h"
 
-#include "app/workspace/files.h"
+#include "app/workspace/question.h"
+#include "protocol/base/filefault.h"
 #include "protocol/procedure/safeaction.h"
 #include "widgets/forms/filtertable.h"
 
@@ -28,7 +29,7 @@ constexpr auto kPeriod = 100ms;
 ConsolePage::ConsolePage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"console"_s, tr("Console"), parent)
     , m_model(workspace.client())
-    , m_table(new FilterTable(m_model, FrameLogModel::SearchRole))
+    , m_table(new FilterTable(m_model, FrameLogModel::SearchRole, workspace.theme()))
     , m_filter(m_table->makeFilterField(tr("Filter (Ctrl+F)"), tr("Filter frames"), this))
     , m_streams(new QCheckBox(tr("Live data too")))
     , m_pause(new QPushButton(tr("Pause")))
@@ -147,20 +148,37 @@ void ConsolePage::send()
         workspace().notifications().report(text);
         return;
     }
-    client
-        .submit<bool>([command = *command, history = workspace().history(),
+    const RestartNotice *notice = client.device()->restartNotice();
+    const auto goOn = [this, command = *command] { sendNow(command); };
+    if (notice && notice->ordersReset(command->bytes))
+        askToLetGo(workspace(), command->name, this, goOn);
+    else
+        goOn();
+}
+
+void ConsolePage::sendNow(const RawCommand &command)
+{
+    workspace()
+        .client()
+        .submit<bool>([command, history = workspace().history(),
                        live = workspace().live().unsaved()](Channel &channel, Device &device) {
             return sendRaw(channel, device, command, history, live);
         })
-        .then(this, [this](const Result<bool> &sent) {
-            if (!sent)
+        .then(this, [this, risk = command.risk](const Result<bool> &sent) {
+            if (!sent) {
                 workspace().notifications().report(sent.error());
-            else
-                m_input->selectAll();
+                return;
+            }
+            m_input->selectAll();
+            if (risk == ActionRisk::Safe || !workspace().client().isConnected())
+                return;
+            // Whatever it did, the screen says what the board holds.
+            workspace().live().read();
+            workspace().readBoard();
         });
 }
 
 Result<void> ConsolePage::saveText(const QString &path) const
 {
-    return writeFile(path, m_model.text().toUtf8());
+    return writeWhole(path, m_model.text().toUtf8());
 }

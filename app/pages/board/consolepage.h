@@ -10,6 +10,7 @@ class QCheckBox;
 class QLineEdit;
 class QPushButton;
 class QTextBrowser;
+struct RawCommand;
 
 /// Every frame in and out, decoded; and sending by name or in hex.
 class ConsolePage final : public Page
@@ -27,6 +28,7 @@ public:
 private:
     void refresh();
     void showDetails(const QModelIndex &shown);
+    void sendNow(const RawCommand &command);
 
     FrameLogModel m_model;
     FilterTable *m_table;

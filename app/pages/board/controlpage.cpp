@@ -3,6 +3,7 @@
 #include "app/pages/board/controlpage.h"
 
 #include "app/pages/board/functionscard.h"
+#include "app/workspace/unwatchednote.h"
 #include "protocol/session/controlstream.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "widgets/forms/numberbox.h"
@@ -63,6 +64,12 @@ ControlPage::ControlPage(Workspace &workspace, QWidget *parent)
     onState();
 }
 
+ControlPage::~ControlPage()
+{
+    if (isArmed())
+        workspace().client().releaseControl();
+}
+
 void ControlPage::makeHeader()
 {
     m_arm->setCheckable(true);
@@ -92,6 +99,9 @@ void ControlPage::makeBody()
     row->addLayout(right, 2);
     body()->addWidget(m_state);
     body()->addLayout(row, 1);
+    body()->addWidget(new UnwatchedNote(workspace().client(),
+                                        {AlarmKind::Runaway, AlarmKind::Oscillation, AlarmKind::Limit,
+                                         AlarmKind::Saturation, AlarmKind::Stale}));
 }
 
 Card *ControlPage::makeSteerCard()
@@ -133,7 +143,6 @@ Card *ControlPage::makeAnglesCard()
         m_angles[axis] = new NumberBox;
         m_angles[axis]->setDecimals(1);
         m_angles[axis]->setEmptyAllowed(true);  // unknown
-        m_angles[axis]->setKeyboardTracking(false);  // 5 on the way to 50 is no target
         m_angles[axis]->setAlignment(Qt::AlignRight);
         m_angles[axis]->setAccessibleName(tr("Angle, %1").arg(axisLabel(kAxes[axis])));
         m_angleLabels[axis] = new QLabel(axisLabel(kAxes[axis]));
@@ -186,6 +195,7 @@ void ControlPage::connectAll()
     connect(&workspace().client(), &DeviceClient::stateChanged, this, &ControlPage::onState);
     connect(&workspace().client(), &DeviceClient::motorsOffFinished, this, [this] { setArmed(false); });
     connect(&workspace().client(), &DeviceClient::failsafeActed, this, [this] { setArmed(false); });
+    connect(&workspace(), &Workspace::controlReleased, this, [this] { setArmed(false); });
     connect(&workspace().settings(), &Settings::changed, this,
             [this] { m_speed->setMaximum(workspace().settings().controlSpeedLimit()); });
     connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
@@ -347,7 +357,6 @@ void ControlPage::fillInputs()
             continue;
         auto *box = new NumberBox(input.min, input.max, 2,
                                   *input.unit ? u' ' + QString::fromUtf8(input.unit) : QString());
-        box->setKeyboardTracking(false);
         box->setSingleStep((input.max - input.min) / 20);
         box->setValue(input.centre);
         connect(box, &QDoubleSpinBox::valueChanged, this, [this] { m_touched.start(); });
@@ -365,11 +374,6 @@ void ControlPage::fillInputs()
     }
 }
 
-bool ControlPage::isArmed() const
-{
-    return m_send.isActive();
-}
-
 // Motors that no command switches on are started by steering, so they are off before it.
 bool ControlPage::isLimp() const
 {
@@ -379,7 +383,11 @@ bool ControlPage::isLimp() const
 
 void ControlPage::setArmed(bool on)
 {
-    const bool allowed = on && isVisible() && workspace().client().isConnected()
+    const bool isStopping = workspace().client().isStopUnproven();
+    if (on && isVisible() && isStopping)
+        workspace().notifications().notify(
+            tr("Not armed: the motors are being stopped, and the board has not confirmed it."), Notice::Hint);
+    const bool allowed = on && !isStopping && isVisible() && workspace().client().isConnected()
         && workspace().client().identity().writable && mode() && workspace().client().telemetry()
         && !isLimp();
     if (on && !allowed && isVisible() && isLimp())
@@ -565,6 +573,8 @@ void ControlPage::updateNow()
 
 bool ControlPage::eventFilter(QObject *watched, QEvent *event)
 {
+    if (watched == m_roll && ControlPad::endsDrag(*m_roll, *event))
+        m_roll->setSliderDown(false);
     if (event->type() == QEvent::KeyPress && isArmed()
         && static_cast<QKeyEvent *>(event)->key() == Qt::Key_Escape)
         setArmed(false);

@@ -26,8 +26,10 @@ class ControlPage final : public Page
     Q_OBJECT
 public:
     explicit ControlPage(Workspace &workspace, QWidget *parent = nullptr);
+    ~ControlPage() override;
 
-    [[nodiscard]] bool isArmed() const;
+    [[nodiscard]] bool isArmed() const { return m_send.isActive(); }
+    [[nodiscard]] bool isUnderWay() const override { return isArmed(); }
     void setArmed(bool on);
     [[nodiscard]] QPushButton *armButton() const { return m_arm; }
     [[nodiscard]] ControlPad *pad() const { return m_pad; }

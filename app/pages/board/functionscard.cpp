@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/board/functionscard.h"
 
+#include "app/workspace/question.h"
 #include "widgets/forms/argumentform.h"
 #include "widgets/models/parametermodel.h"
 
@@ -38,7 +39,7 @@ void FunctionsCard::fill()
     for (const ActionSpec &action : tables ? tables->actions() : std::span<const ActionSpec>()) {
         if (!action.whileSteering)
             continue;
-        auto *form = new ArgumentForm(action);
+        auto *form = new ArgumentForm(action, {}, rows);
         auto *button = new QPushButton(tableText(action.label));
         // The card is narrow: a field has its label above it, a check box beside it.
         const bool ticks
@@ -52,18 +53,35 @@ void FunctionsCard::fill()
                 label->setMinimumHeight(0);
         }
         button->setToolTip(tableText(action.help));
-        grid->addWidget(form, line, 0, Qt::AlignVCenter);
-        grid->addWidget(button, line++, 1, ticks ? Qt::AlignVCenter : Qt::AlignBottom);
-        connect(button, &QPushButton::clicked, this, [this, form, key = QString::fromLatin1(action.key)] {
-            if (const auto arguments = form->arguments())
-                m_workspace.perform(key, *arguments);
-            else
+        // Beside the fields it would have no room in the smallest window.
+        auto *cell = new QVBoxLayout;
+        cell->setSpacing(Metric::kUnit);
+        cell->addWidget(form);
+        cell->addWidget(button, 0, Qt::AlignLeft);
+        form->setVisible(!action.arguments.empty());
+        grid->addLayout(cell, line++, 0);
+        connect(button, &QPushButton::clicked, this, [this, form, action] {
+            const auto arguments = form->arguments();
+            if (!arguments) {
                 m_workspace.notifications().report(arguments.error());
+                return;
+            }
+            const auto perform = [this, action, given = *arguments] {
+                m_workspace.perform(QString::fromLatin1(action.key), given);
+            };
+            if (chosenAction(action, *arguments).letsGo)
+                askToLetGo(m_workspace, tableText(action.label), this, perform);
+            else
+                perform();
         });
     }
     grid->setRowStretch(line, 1);
     delete m_scroll->takeWidget();
     m_scroll->setWidget(rows);
+    // Before the style sheet applies, buttons ask for less than they need.
+    for (QWidget *widget : rows->findChildren<QWidget *>())
+        widget->ensurePolished();
+    grid->invalidate();
     m_scroll->setMinimumWidth(rows->minimumSizeHint().width()
                               + m_scroll->verticalScrollBar()->sizeHint().width());
     setVisible(line > 0);

@@ -3,8 +3,11 @@
 #include "app/pages/board/sharedialog.h"
 
 #include "app/workspace/filedialogs.h"
+#include "protocol/base/filefault.h"
 #include "widgets/views/settingspicture.h"
 
+#include <QBuffer>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -18,19 +21,22 @@ using namespace Qt::StringLiterals;
 
 ShareDialog::ShareDialog(Workspace &workspace, QWidget *parent)
     : QDialog(parent)
-    , m_image(settingsPicture(std::as_const(workspace.configuration()).edited(),
-                              workspace.configuration().shownProfile(), workspace.theme(), 2.0))
+    , m_workspace(workspace)
+    , m_edits(new QCheckBox(tr("With unwritten changes")))
+    , m_picture(new QLabel)
 {
     setWindowTitle(tr("Share settings"));
     resize(940, 580);
-    auto *intro
-        = new QLabel(tr("All values as they are shown now, edits included, for a forum or a colleague."));
+    auto *intro = new QLabel(tr("All values, for a forum or a colleague."));
     intro->setWordWrap(true);
-    auto *picture = new QLabel;
-    picture->setPixmap(QPixmap::fromImage(m_image));
-    picture->setAccessibleName(tr("Picture of all values"));
+    m_edits->setToolTip(tr("The picture says that they are on it and on no board"));
+    m_edits->setChecked(true);
+    m_edits->setVisible(workspace.configuration().changeCount() > 0);
+    connect(m_edits, &QCheckBox::toggled, this, &ShareDialog::draw);
+    draw();
+    m_picture->setAccessibleName(tr("Picture of all values"));
     auto *scroll = new QScrollArea;
-    scroll->setWidget(picture);
+    scroll->setWidget(m_picture);
     auto *close = new QPushButton(tr("Close"));
     auto *copy = new QPushButton(tr("Copy"));
     auto *saveAs = new QPushButton(tr("Save…"));
@@ -44,6 +50,7 @@ ShareDialog::ShareDialog(Workspace &workspace, QWidget *parent)
     layout->setContentsMargins(Metric::kMargin, Metric::kMargin, Metric::kMargin, Metric::kMargin);
     layout->setSpacing(Metric::kGap);
     layout->addWidget(intro);
+    layout->addWidget(m_edits);
     layout->addWidget(scroll, 1);
     layout->addLayout(buttons);
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
@@ -59,10 +66,25 @@ ShareDialog::ShareDialog(Workspace &workspace, QWidget *parent)
     });
 }
 
+void ShareDialog::draw()
+{
+    const ConfigurationModel &model = std::as_const(m_workspace).configuration();
+    const int changes = m_edits->isChecked() ? model.changeCount() : 0;
+    m_image = settingsPicture(changes > 0 ? model.edited() : model.board(), model.shownProfile(),
+                              m_workspace.theme(), 2.0,
+                              changes > 0 ? tr("with %n unwritten change(s)", nullptr, changes) : QString());
+    m_picture->setPixmap(QPixmap::fromImage(m_image));
+    m_picture->adjustSize();
+}
+
 Result<void> ShareDialog::save(const QString &path) const
 {
-    QImageWriter writer(path, "png");
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    QImageWriter writer(&buffer, "png");
     if (!writer.write(m_image))
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, writer.errorString()));
-    return {};
+        return fileFailure(
+            {.problem = FileProblem::System, .path = path, .writing = true, .said = writer.errorString()});
+    return writeWhole(path, bytes);
 }

@@ -7,6 +7,9 @@
 #include <QDialog>
 #include <QImage>
 
+class QCheckBox;
+class QLabel;
+
 /// All values as one picture, to copy or to save.
 class ShareDialog final : public QDialog
 {
@@ -19,5 +22,10 @@ public:
     Result<void> save(const QString &path) const;
 
 private:
+    void draw();
+
     QImage m_image;
+    Workspace &m_workspace;
+    QCheckBox *m_edits;
+    QLabel *m_picture;
 };

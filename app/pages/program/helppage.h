@@ -23,6 +23,8 @@ public:
     /// Shows the text of a page; the introduction where there is none.
     void showTopic(const QString &key);
     [[nodiscard]] QString topic() const;
+    [[nodiscard]] std::any keep() override { return topic(); }
+    void resume(const std::any &kept) override { showTopic(std::any_cast<QString>(kept)); }
     [[nodiscard]] QLineEdit *search() const { return m_search; }
     /// Keys of all texts, in reading order.
     [[nodiscard]] static QStringList allTopics();

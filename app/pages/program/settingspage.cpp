@@ -12,12 +12,14 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 using namespace Qt::StringLiterals;
 
 namespace {
 
+constexpr auto kPatience = 400ms;
 constexpr int kLabelWidth = 230;
 constexpr int kMaxWidth = 720;  // of the cards
 constexpr double kBytesPerSample = 4.9;  // with its share of the index
@@ -34,10 +36,13 @@ SettingsPage::SettingsPage(Workspace &workspace, QWidget *parent)
     , m_escape(new NumberBox(0, 3000, 0, tr(" ms")))
     , m_speed(new NumberBox(1, 360, 0, tr(" °/s")))
     , m_disarm(new NumberBox(2, 120, 0, tr(" s")))
-    , m_offOnQuit(new QCheckBox(tr("Switch the motors off when the program is closed")))
+    , m_offOnQuit(new QCheckBox(tr("Stop the motors when the program is closed")))
+    , m_askMotors(new QCheckBox(tr("Ask before the link ends while motors run")))
+    , m_scroll(new QScrollArea)
     , m_memory(new QLabel)
-    , m_startLanguage(workspace.settings().language())
-    , m_restart(new QLabel(tr("The language changes at the next start.")))
+    , m_madeIn(workspace.settings().language())
+    , m_wait(
+          new QLabel(tr("The language changes as soon as what runs, or is half done on a page, has ended.")))
 {
     fillFields();
     makeBody();
@@ -66,13 +71,16 @@ void SettingsPage::fillFields()
     m_speed->setValue(settings.controlSpeedLimit());
     m_disarm->setValue(settings.disarmSeconds());
     m_offOnQuit->setChecked(settings.motorsOffOnQuit());
+    m_askMotors->setChecked(settings.askAboutMotors());
 }
 
 void SettingsPage::makeBody()
 {
     m_memory->setObjectName(u"muted"_s);
     m_memory->setWordWrap(true);
-    m_restart->setObjectName(u"muted"_s);
+    m_wait->setObjectName(u"muted"_s);
+    m_wait->setWordWrap(true);
+    m_wait->hide();
     auto *cards = new QWidget;
     cards->setMaximumWidth(kMaxWidth);
     auto *column = new QVBoxLayout(cards);
@@ -98,16 +106,17 @@ void SettingsPage::makeBody()
     QFormLayout *look = section(tr("Look and language"));
     row(look, tr("Colours"), m_theme);
     row(look, tr("Language"), m_language);
-    look->addRow(QString(), m_restart);
+    look->addRow(QString(), m_wait);
     row(look, tr("Temperatures"), m_temperature);
     QFormLayout *live = section(tr("Live data"));
     row(live, tr("Keep in memory"), m_retention);
     live->addRow(m_memory);
     QFormLayout *safety = section(tr("Safety"));
-    row(safety, tr("Hold Esc to switch motors off"), m_escape);
+    row(safety, tr("Hold Esc to stop the motors"), m_escape);
     row(safety, tr("Highest speed on Control"), m_speed);
     row(safety, tr("Disarm control after"), m_disarm);
     safety->addRow(m_offOnQuit);
+    safety->addRow(m_askMotors);
     auto *fixed = new QLabel(
         tr("Always on, and cannot be switched off: a snapshot before the first write, reading back of every "
            "byte, F12 for motors off, and control that ends when the program does not refresh it."));
@@ -116,7 +125,7 @@ void SettingsPage::makeBody()
     safety->addRow(fixed);
     QFormLayout *supervisor = section(tr("Supervisor"));
     new SupervisorForm(
-        workspace().settings(),
+        workspace().settings(), workspace().client(),
         [row, supervisor](const QString &label, QWidget *field) { row(supervisor, label, field); },
         *supervisor, this);
     auto *about = section(tr("About"));
@@ -133,11 +142,10 @@ void SettingsPage::makeBody()
     line->setContentsMargins(0, 0, 0, 0);
     line->addWidget(cards, 1);
     line->addStretch();
-    auto *scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(holder);
-    body()->addWidget(scroll, 1);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setWidget(holder);
+    body()->addWidget(m_scroll, 1);
 }
 
 void SettingsPage::connectAll()
@@ -145,10 +153,13 @@ void SettingsPage::connectAll()
     Settings &settings = workspace().settings();
     connect(m_theme, &QComboBox::activated, this,
             [this, &settings] { settings.setTheme(Settings::ThemeChoice(m_theme->currentData().toInt())); });
-    connect(m_language, &QComboBox::activated, this, [this, &settings] {
-        settings.setLanguage(m_language->currentData().toString());
-        updateNotes();
-    });
+    connect(m_language, &QComboBox::activated, this,
+            [this, &settings] { settings.setLanguage(m_language->currentData().toString()); });
+    // Every page is made anew for another language. If this one is still there, something keeps it waiting.
+    m_patience.setSingleShot(true);
+    connect(&m_patience, &QTimer::timeout, this,
+            [this, &settings] { m_wait->setVisible(settings.language() != m_madeIn); });
+    connect(m_language, &QComboBox::activated, &m_patience, [this] { m_patience.start(kPatience); });
     connect(m_temperature, &QComboBox::activated, this,
             [this, &settings] { settings.setFahrenheit(m_temperature->currentData().toBool()); });
     connect(m_retention, &NumberBox::valueChanged, this, [this, &settings](double minutes) {
@@ -165,11 +176,25 @@ void SettingsPage::connectAll()
             [&settings](double value) { settings.setDisarmSeconds(int(value)); });
     connect(m_offOnQuit, &QCheckBox::toggled, this,
             [&settings](bool on) { settings.setMotorsOffOnQuit(on); });
+    connect(m_askMotors, &QCheckBox::toggled, this, [&settings](bool on) { settings.setAskAboutMotors(on); });
+}
+
+std::any SettingsPage::keep()
+{
+    return Kept{m_scroll->verticalScrollBar()->value(), m_language->hasFocus()};
+}
+
+void SettingsPage::resume(const std::any &kept)
+{
+    const auto &before = std::any_cast<const Kept &>(kept);
+    // The height of the cards is known once they are laid out.
+    QTimer::singleShot(0, this, [this, before] { m_scroll->verticalScrollBar()->setValue(before.scrolled); });
+    if (before.languageHasFocus)
+        m_language->setFocus();
 }
 
 void SettingsPage::updateNotes()
 {
-    m_restart->setVisible(workspace().settings().language() != m_startLanguage);
     const double rate = std::max(fullRate(workspace().client().families()), kPolledRate);
     const double bytesPerMinute = 24 * rate * 60 * kBytesPerSample;
     m_memory->setText(tr("At most %1 MB with 24 channels at full rate. The last ten minutes of the link "

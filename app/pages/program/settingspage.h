@@ -7,6 +7,7 @@
 class NumberBox;
 class QCheckBox;
 class QComboBox;
+class QScrollArea;
 
 /// What the operator can choose about the program itself.
 class SettingsPage final : public Page
@@ -15,7 +16,15 @@ class SettingsPage final : public Page
 public:
     explicit SettingsPage(Workspace &workspace, QWidget *parent = nullptr);
 
+    [[nodiscard]] std::any keep() override;
+    void resume(const std::any &kept) override;
+
 private:
+    struct Kept
+    {
+        int scrolled = 0;
+        bool languageHasFocus = false;
+    };
     void fillFields();
     void makeBody();
     void connectAll();
@@ -29,7 +38,10 @@ private:
     NumberBox *m_speed;
     NumberBox *m_disarm;
     QCheckBox *m_offOnQuit;
+    QCheckBox *m_askMotors;
+    QScrollArea *m_scroll;
     QLabel *m_memory;
-    QString m_startLanguage;
-    QLabel *m_restart;
+    QString m_madeIn;  // the language
+    QLabel *m_wait;
+    QTimer m_patience;
 };

@@ -3,6 +3,7 @@
 #include "app/pages/program/supervisorform.h"
 
 #include "app/workspace/settings.h"
+#include "protocol/client/deviceclient.h"
 #include "widgets/forms/numberbox.h"
 #include "widgets/models/alarmtext.h"
 
@@ -13,7 +14,8 @@
 
 using namespace Qt::StringLiterals;
 
-SupervisorForm::SupervisorForm(Settings &settings, const AddRow &row, QFormLayout &form, QObject *parent)
+SupervisorForm::SupervisorForm(Settings &settings, const DeviceClient &client, const AddRow &row,
+                               QFormLayout &form, QObject *parent)
     : QObject(parent)
     , m_settings(settings)
     , m_runaway(new NumberBox(5, 90, 0, tr(" °")))
@@ -21,6 +23,7 @@ SupervisorForm::SupervisorForm(Settings &settings, const AddRow &row, QFormLayou
     , m_cell(new NumberBox(2.5, 4.2, 2, tr(" V")))
     , m_hot(new NumberBox(30, 120, 0, tr(" °C")))
     , m_sound(new QCheckBox(tr("An alarm makes a sound")))
+    , m_missing(new QLabel)
 {
     auto *intro = new QLabel(
         tr("The program watches live data on every page and tells what goes wrong, with its cause. It can do "
@@ -42,6 +45,16 @@ SupervisorForm::SupervisorForm(Settings &settings, const AddRow &row, QFormLayou
         connect(box, &QComboBox::activated, this, &SupervisorForm::apply);
         m_actions[kind] = box;
     }
+    m_missing->setWordWrap(true);
+    row(tr("Not watched"), m_missing);
+    const auto showMissing = [this, &client] {
+        m_missing->setText(!client.isConnected()            ? tr("No board is connected")
+                               : client.unwatched().empty() ? tr("Nothing: all of these can be seen")
+                                                            : unwatchedText(client.unwatched()));
+    };
+    connect(&client, &DeviceClient::unwatchedChanged, this, showMissing);
+    connect(&client, &DeviceClient::stateChanged, this, showMissing);
+    showMissing();
     m_runaway->setValue(rules.runawayDeg);
     m_oscillation->setValue(rules.oscillation);
     m_cell->setValue(rules.cellVolts);
@@ -49,7 +62,7 @@ SupervisorForm::SupervisorForm(Settings &settings, const AddRow &row, QFormLayou
     row(tr("Runaway: away from the target by"), m_runaway);
     row(tr("Oscillation: rate of more than (RMS)"), m_oscillation);
     row(tr("Low battery: less per cell than"), m_cell);
-    row(tr("Overheating: sensor hotter than"), m_hot);
+    row(tr("Overheating: sensor or motor hotter than"), m_hot);
     for (NumberBox *box : {m_runaway, m_oscillation, m_cell, m_hot})
         connect(box, &NumberBox::valueChanged, this, &SupervisorForm::apply);
     m_sound->setChecked(settings.alarmSound());

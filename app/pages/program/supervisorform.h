@@ -9,10 +9,12 @@
 #include <array>
 #include <functional>
 
+class DeviceClient;
 class NumberBox;
 class QCheckBox;
 class QComboBox;
 class QFormLayout;
+class QLabel;
 class Settings;
 
 /// The supervisor's part of the settings: for each kind of alarm what is done, and the limits.
@@ -22,7 +24,8 @@ class SupervisorForm final : public QObject
 public:
     /// Adds a row with a label and its field.
     using AddRow = std::function<void(const QString &label, QWidget *field)>;
-    SupervisorForm(Settings &settings, const AddRow &row, QFormLayout &form, QObject *parent);
+    SupervisorForm(Settings &settings, const DeviceClient &client, const AddRow &row, QFormLayout &form,
+                   QObject *parent);
 
 private:
     void apply();
@@ -34,4 +37,5 @@ private:
     NumberBox *m_cell;
     NumberBox *m_hot;
     QCheckBox *m_sound;
+    QLabel *m_missing;
 };

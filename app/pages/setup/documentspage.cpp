@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/setup/documentspage.h"
 
-#include "app/workspace/files.h"
+#include "protocol/base/filefault.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QFile>
@@ -112,6 +112,15 @@ void DocumentsPage::chooseDocument()
     const int row = m_list->currentRow();
     m_shown = row >= 0 && row < int(m_documents.size()) ? m_documents[std::size_t(row)] : nullptr;
     showDocument();
+}
+
+void DocumentsPage::showText(int block)
+{
+    for (std::size_t row = 0; row < m_documents.size(); ++row) {
+        if (m_documents[row]->id == block)
+            m_list->setCurrentRow(int(row));
+    }
+    m_editor->setFocus();
 }
 
 QByteArray DocumentsPage::held() const
@@ -238,18 +247,17 @@ void DocumentsPage::showState()
 
 void DocumentsPage::loadFrom(const QString &path)
 {
-    QFile file(path);
     if (!m_shown)
         return;
-    if (!file.open(QIODevice::ReadOnly)) {
-        workspace().notifications().report(
-            {ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()), 0});
+    const auto read = readWhole(path, FileKind::Text, std::max(m_shown->size, m_shown->maxSize));
+    if (!workspace().notifications().reportLoaded(read))
         return;
-    }
-    const QByteArray bytes = file.read(std::max(m_shown->size, m_shown->maxSize) + 1);
+    const QByteArray &bytes = *read;
     if (!m_shown->holds(bytes.size()) || !isUtf8(bytes)) {
-        workspace().notifications().report(
-            {ErrorCode::BadFile, tr("%1 is too long for this document, or no UTF-8 text").arg(path), 0});
+        const FileFault fault{.problem = bytes.isEmpty() ? FileProblem::Empty : FileProblem::OtherKind,
+                              .kind = FileKind::Text,
+                              .path = path};
+        workspace().notifications().report(fault.error(), Concern::Loading);
         return;
     }
     m_takeTimer.stop();
@@ -262,7 +270,7 @@ void DocumentsPage::saveTo(const QString &path)
 {
     take();
     const QByteArray bytes = isUtf8(held()) ? typed() : held();
-    workspace().notifications().reportSaved(writeFile(path, bytes), path);
+    workspace().notifications().reportSaved(writeWhole(path, bytes, FileKind::Text), path);
 }
 
 void DocumentsPage::hideEvent(QHideEvent *event)

@@ -19,6 +19,8 @@ public:
     explicit DocumentsPage(Workspace &workspace, QWidget *parent = nullptr);
 
     [[nodiscard]] bool hasChanges() const override;
+    /// Leads to the text of a block.
+    void showText(int block);
     /// Puts a file in place of the text shown, as one edit.
     void loadFrom(const QString &path);
     void saveTo(const QString &path);

@@ -3,8 +3,10 @@
 #include "app/pages/setup/parameterspage.h"
 
 #include "widgets/forms/helpcard.h"
+#include "widgets/forms/parameterbox.h"
 #include "widgets/forms/parameterdelegate.h"
 #include "widgets/forms/parameterform.h"
+#include "widgets/forms/typingkeeper.h"
 #include "widgets/forms/valueeditor.h"
 #include "widgets/theme/tablelook.h"
 
@@ -23,6 +25,8 @@
 #include <QTableView>
 #include <QTimer>
 #include <QVBoxLayout>
+
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -65,7 +69,7 @@ QPushButton *makeChip(const QString &text)
 
 ParametersPage::ParametersPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"parameters"_s, tr("Parameters"), parent)
-    , m_model(workspace.configuration())
+    , m_model(workspace.configuration(), &workspace.edits().refused())
     , m_proxy(new RowFilter(
           [this](int row) {
               return matches(this->workspace().configuration().edited().parameters().at(row));
@@ -133,6 +137,8 @@ void ParametersPage::makeBody()
     m_table->setAccessibleName(tr("All parameters"));
     m_table->setItemDelegate(
         new ParameterDelegate(workspace().configuration(), workspace().theme(), m_table));
+    new TypingKeeper(*m_table, ParameterModel::IdRole,
+                     [this] { return std::as_const(workspace().configuration()).board().identity().serial; });
     setPlainRows(*m_table);
     m_table->setAlternatingRowColors(true);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -346,12 +352,13 @@ void ParametersPage::onRefused(int parameter, const QString &text)
 {
     const ParameterSpec &spec = workspace().configuration().edited().parameters().at(parameter);
     const QString range = parameterRangeText(spec);
-    workspace().notifications().notify(range.isEmpty()
-                                           ? tr("%1: “%2” is no value of it. The value is as before.")
-                                                 .arg(parameterLabel(spec), text.left(kShownTyped))
-                                           : tr("%1: “%2” is no value from %3. The value is as before.")
-                                                 .arg(parameterLabel(spec), text.left(kShownTyped), range),
-                                       Notice::Attention);
+    workspace().notifications().notify(
+        range.isEmpty()
+            ? tr("%1: “%2” is no value of it. The value is as before.")
+                  .arg(parameterLabel(spec), text.left(kShownTyped))
+            : tr("%1: “%2” is no value of it (%3). The value is as before.")
+                  .arg(parameterLabel(spec), text.left(kShownTyped), ParameterBox(spec).rangeSentence(text)),
+        Notice::Attention);
 }
 
 // With a board, the profile in use and the one that is shown are two things.

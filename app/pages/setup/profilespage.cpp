@@ -3,11 +3,14 @@
 #include "app/pages/setup/profilespage.h"
 
 #include "app/workspace/question.h"
+#include "widgets/forms/celldelegate.h"
 #include "widgets/forms/panel.h"
+#include "widgets/forms/typingkeeper.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/tablelook.h"
 #include "widgets/views/card.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -15,11 +18,15 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTableView>
+#include <QTimer>
 #include <QVBoxLayout>
+
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -52,7 +59,7 @@ ProfilesPage::ProfilesPage(Workspace &workspace, QWidget *parent)
 void ProfilesPage::makeHeader()
 {
     m_loadAll->setToolTip(tr("Load everything in a file, as one edit that can be undone"));
-    m_save->setToolTip(tr("Save all profiles with their unsaved changes"));
+    m_save->setToolTip(tr("Save all profiles with their unwritten changes"));
     header()->addWidget(m_loadAll);
     header()->addWidget(m_save);
 }
@@ -63,6 +70,7 @@ void ProfilesPage::makeBody()
     m_table->setAccessibleName(tr("Profiles"));
     setSelectableRows(*m_table);
     m_table->verticalHeader()->setDefaultSectionSize(36);
+    m_table->setItemDelegate(new CellDelegate(workspace().theme(), m_table));
     m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->setColumnWidth(ProfileModel::NumberColumn, 56);
@@ -72,7 +80,6 @@ void ProfilesPage::makeBody()
     m_target->setAccessibleName(tr("Profile to copy onto"));
     m_target->setMinimumContentsLength(14);
     m_active->setToolTip(tr("The board uses this profile from now on"));
-    m_rename->setToolTip(tr("Change the name (F2)"));
     m_copy->setToolTip(
         tr("Copy all values of the chosen profile to another one, as an edit that can be undone"));
     m_load->setToolTip(
@@ -101,15 +108,7 @@ void ProfilesPage::makeBody()
 void ProfilesPage::connectAll()
 {
     connect(&m_model, &ProfileModel::renameRequested, &workspace().edits(), &EditStack::rename);
-    connect(&m_model, &ProfileModel::nameRefused, this, [this](int profile, int bytes, int limit) {
-        ErrorText text;
-        text.what = tr("The name of profile %1 is too long.").arg(profile + 1);
-        text.meaning = tr("It has %1 bytes, the board holds %2; an accented letter counts as two.")
-                           .arg(bytes)
-                           .arg(limit);
-        text.cure = tr("Choose a shorter one.");
-        workspace().notifications().report(text);
-    });
+    connect(&m_model, &ProfileModel::nameRefused, this, &ProfilesPage::onNameRefused);
     connect(m_active, &QPushButton::clicked, this, [this] { askToUseProfile(workspace(), chosen(), this); });
     connect(m_rename, &QPushButton::clicked, this,
             [this] { m_table->edit(m_model.index(chosen(), ProfileModel::NameColumn)); });
@@ -128,8 +127,7 @@ void ProfilesPage::connectAll()
     });
     connect(m_loadAll, &QPushButton::clicked, this, [this] {
         askOpenPath(this, tr("Load all profiles"), tr(kFilter), [this](const QString &path) {
-            if (const auto loaded = workspace().applyFile(path); !loaded)
-                workspace().notifications().report(loaded.error());
+            workspace().notifications().reportLoaded(workspace().applyFile(path));
         });
     });
     connect(m_save, &QPushButton::clicked, this, [this] {
@@ -148,8 +146,33 @@ void ProfilesPage::connectAll()
     });
     connect(&m_model, &QAbstractItemModel::dataChanged, this, &ProfilesPage::updateButtons);
     connect(&workspace().client(), &DeviceClient::stateChanged, this, &ProfilesPage::updateButtons);
+    connect(&workspace().live(), &LiveModel::heldChanged, this, &ProfilesPage::updateButtons);
     connect(&workspace().configuration(), &ConfigurationModel::changeCountChanged, this,
             &Page::changesChanged);
+    new TypingKeeper(*m_table, Qt::DisplayRole,
+                     [this] { return std::as_const(workspace().configuration()).board().identity().serial; });
+}
+
+// The field closes with Enter; it opens again with what was typed.
+void ProfilesPage::onNameRefused(int profile, const QString &name, int limit)
+{
+    ErrorText text;
+    text.what = tr("The name of profile %1 is too long.").arg(profile + 1);
+    text.meaning = tr("“%1” has %2 bytes, the board holds %3; an accented letter counts as two.")
+                       .arg(name)
+                       .arg(name.toUtf8().size())
+                       .arg(limit);
+    text.cure = tr("Choose a shorter one.");
+    workspace().notifications().report(text);
+    const auto openAgain = [this, profile, name] {
+        if (!m_table->hasFocus())
+            return;
+        const QModelIndex cell = m_model.index(profile, ProfileModel::NameColumn);
+        m_table->edit(cell);
+        if (auto *line = qobject_cast<QLineEdit *>(QApplication::focusWidget()))
+            line->setText(name);
+    };
+    QTimer::singleShot(0, this, openAgain);
 }
 
 int ProfilesPage::chosen() const
@@ -163,15 +186,29 @@ bool ProfilesPage::hasChanges() const
     return workspace().configuration().namesChanged();
 }
 
+void ProfilesPage::showName(int profile)
+{
+    const QModelIndex name = m_model.index(profile, ProfileModel::NameColumn);
+    m_table->setCurrentIndex(name);
+    m_table->scrollTo(name);
+    m_table->setFocus();
+}
+
 void ProfilesPage::updateButtons()
 {
     const ConfigurationModel &model = workspace().configuration();
     const int profile = chosen();
     const bool any = profile >= 0 && !model.isEmpty();
-    m_active->setEnabled(any && workspace().client().isConnected()
+    m_active->setEnabled(any && workspace().client().isConnected() && !workspace().live().isHeld()
                          && profile != model.board().activeProfile());
-    for (QPushButton *button : {m_rename, m_copy, m_load})
+    for (QPushButton *button : {m_copy, m_load})
         button->setEnabled(any);
+    const bool isNameless = any && !model.canRename();
+    m_rename->setEnabled(any && !isNameless);
+    m_rename->setToolTip(isNameless
+                             ? tr("The names could not be read. The board takes all of them at once, so the "
+                                  "others would be erased: read the board again (F5) first.")
+                             : tr("Change the name (F2)"));
     for (QPushButton *button : {m_loadAll, m_save})
         button->setEnabled(!model.isEmpty());
     m_target->setEnabled(any);
@@ -187,17 +224,14 @@ void ProfilesPage::updateButtons()
 
 void ProfilesPage::loadFrom(const QString &path, int from, int to)
 {
-    if (const auto loaded = workspace().applyFile(path, from, to); !loaded)
-        workspace().notifications().report(loaded.error());
+    workspace().notifications().reportLoaded(workspace().applyFile(path, from, to));
 }
 
 void ProfilesPage::loadInto(const QString &path, int profile)
 {
     const auto file = workspace().loadFile(path);
-    if (!file) {
-        workspace().notifications().report(file.error());
+    if (!workspace().notifications().reportLoaded(file))
         return;
-    }
     auto *dialog = new QDialog(this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Load into profile %1").arg(profile + 1));
@@ -224,5 +258,5 @@ void ProfilesPage::loadInto(const QString &path, int profile)
 
 void ProfilesPage::saveTo(const QString &path)
 {
-    workspace().notifications().reportSaved(workspace().saveFile(path), path);
+    workspace().notifications().reportSaved(workspace().saveFile(path), path, workspace().lacking());
 }

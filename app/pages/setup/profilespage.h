@@ -21,6 +21,8 @@ public:
     /// Loads one profile of a file into a profile here, or asks which one where the file has several.
     void loadInto(const QString &path, int profile);
     void saveTo(const QString &path);
+    /// Leads to the name of a profile.
+    void showName(int profile);
     /// The profile chosen in the table, -1 without one.
     [[nodiscard]] int chosen() const;
 
@@ -29,6 +31,7 @@ private:
     void makeBody();
     void connectAll();
     void updateButtons();
+    void onNameRefused(int profile, const QString &name, int limit);
     void loadFrom(const QString &path, int from, int to);
 
     ProfileModel m_model;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/setup/scriptspage.h"
 
-#include "app/workspace/files.h"
+#include "app/workspace/question.h"
+#include "protocol/base/filefault.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/views/card.h"
@@ -15,7 +16,10 @@
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 using namespace Qt::StringLiterals;
 
@@ -98,12 +102,7 @@ ScriptsPage::ScriptsPage(Workspace &workspace, QWidget *parent)
     connect(m_load, &QPushButton::clicked, this, &ScriptsPage::load);
     connect(m_save, &QPushButton::clicked, this, &ScriptsPage::save);
     connect(m_take, &QPushButton::clicked, this, &ScriptsPage::take);
-    connect(m_revert, &QPushButton::clicked, this, [this] {
-        m_texts = m_taken;
-        keepDrafts();
-        showScript(m_script);
-        check();
-    });
+    connect(m_revert, &QPushButton::clicked, this, &ScriptsPage::askToDiscard);
     connect(&drafts(), &Drafts::replaced, this, &ScriptsPage::reload);
     connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &ScriptsPage::reload);
     connect(&workspace.configuration(), &ConfigurationModel::dataChanged, this, &ScriptsPage::reload);
@@ -176,6 +175,40 @@ void ScriptsPage::showScript(int script)
     showState();
 }
 
+// In the script that is shown, undo brings the text back; what others lose is asked for.
+void ScriptsPage::askToDiscard()
+{
+    int others = 0;
+    for (int script = 0; script < m_texts.size(); ++script)
+        others += script != m_script && m_texts[script] != m_taken.value(script) ? 1 : 0;
+    if (others == 0) {
+        discard();
+        return;
+    }
+    askInPanel(
+        {tr("Discard what was typed?"),
+         tr("The texts of %n other script(s) that were not taken over are lost as well.", nullptr, others),
+         {{tr("Discard"), [this] { discard(); }, true}},
+         tr("Keep them")},
+        this);
+}
+
+void ScriptsPage::discard()
+{
+    m_texts = m_taken;
+    m_filling = true;
+    if (m_editor->text() != m_texts.value(m_script)) {
+        m_editor->selectAll();  // replaced, not set: that can be undone
+        m_editor->replaceSelectedText(m_texts.value(m_script));
+    }
+    m_filling = false;
+    keepDrafts();
+    showScript(m_script);
+    check();
+    // Undo is meant for the text now, not for edits elsewhere. A panel gives the keyboard back first.
+    QTimer::singleShot(0, m_editor, [this] { m_editor->setFocus(); });
+}
+
 void ScriptsPage::onTyped()
 {
     if (m_filling || m_script >= m_texts.size())
@@ -216,10 +249,18 @@ void ScriptsPage::showState()
     const bool there = scripts && !m_texts.isEmpty();
     const Configuration &edited = std::as_const(workspace().configuration()).edited();
     if (!there) {
+        const MissingPart *part = scripts ? edited.findMissing({0, scripts->block()}) : nullptr;
+        const bool isLost = part && part->why.code != ErrorCode::Unsupported;
         m_message->setText(workspace().configuration().isEmpty()
                                ? tr("Connect a board, or open a file, to see its scripts.")
-                               : tr("The scripts of this board cannot be read over this link."));
+                               : isLost ? tr("The scripts did not come. Read the board again (F5).")
+                                        : tr("The scripts of this board cannot be read over this link."));
         m_message->setObjectName(u"muted"_s);
+    } else if (m_checkTimer.isActive()) {  // nothing is known of this text yet
+        m_editor->showMistake(0, {});
+        m_message->setText({});
+        m_memoryText->setText({});
+        m_memory->setValue(0);
     } else if (m_code) {
         Configuration shown = edited;
         shown.setBlock({0, scripts->block()}, *m_code);
@@ -237,6 +278,8 @@ void ScriptsPage::showState()
         m_message->setObjectName(u"muted"_s);
     } else {
         const ScriptMistake &mistake = m_code.error();
+        m_memoryText->setText(tr("No code: a script has a mistake"));
+        m_memory->setValue(0);
         const QString text = mistake.sentence(tableText(mistake.what));
         const QString number = QString::number(mistake.script + 1);
         m_message->setText(mistake.line > 0
@@ -268,6 +311,10 @@ void ScriptsPage::take()
     const QStringList typed = m_texts;
     workspace().edits().editData({0, scripts->block()}, *m_code);
     m_texts = m_taken = typed;
+    static const QRegularExpression comment(u"^\\s*(//|;)"_s, QRegularExpression::MultilineOption);
+    if (std::any_of(typed.begin(), typed.end(), [](const QString &text) { return text.contains(comment); }))
+        workspace().notifications().notify(
+            tr("The board stores no comments. Save the script to a file to keep them."), Notice::Hint);
     keepDrafts();
     showScript(m_script);
     emit changesChanged();
@@ -277,16 +324,9 @@ void ScriptsPage::load()
 {
     askOpenPath(this, tr("Load a script"), tr("Scripts (*.%1)").arg(language()->suffix()),
                 [this](const QString &path) {
-                    QFile file(path);
-                    if (!file.open(QIODevice::ReadOnly) || file.size() > kLargestText) {
-                        workspace().notifications().report({ErrorCode::BadFile,
-                                                            file.isOpen()
-                                                                ? tr("%1 is too large for a script").arg(path)
-                                                                : u"%1: %2"_s.arg(path, file.errorString()),
-                                                            0});
-                        return;
-                    }
-                    m_editor->setText(QString::fromUtf8(file.readAll()));  // as if it had been typed
+                    const auto text = readWhole(path, FileKind::Script, kLargestText);
+                    if (workspace().notifications().reportLoaded(text))
+                        m_editor->setText(QString::fromUtf8(*text));  // as if it had been typed
                 });
 }
 
@@ -294,7 +334,7 @@ void ScriptsPage::save()
 {
     askSavePath(this, tr("Save the script"), u"script%1.%2"_s.arg(m_script + 1).arg(language()->suffix()),
                 tr("Scripts (*.%1)").arg(language()->suffix()), [this](const QString &path) {
-                    workspace().notifications().reportSaved(writeFile(path, m_texts.value(m_script).toUtf8()),
-                                                            path);
+                    workspace().notifications().reportSaved(
+                        writeWhole(path, m_texts.value(m_script).toUtf8(), FileKind::Script), path);
                 });
 }

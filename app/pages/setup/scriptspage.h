@@ -35,6 +35,8 @@ private:
     void keepDrafts();
     void reload();
     void onTyped();
+    void askToDiscard();
+    void discard();
     void check();
     void take();
     void showState();

@@ -4,6 +4,7 @@
 
 #include "app/pages/tune/movementform.h"
 #include "app/pages/tune/responsecharts.h"
+#include "protocol/base/filefault.h"
 #include "protocol/record/responsecsv.h"
 #include "widgets/forms/numberbox.h"
 #include "widgets/models/numbertext.h"
@@ -111,19 +112,14 @@ ResponsePage::ResponsePage(Workspace &workspace, QWidget *parent)
         m_charts->setRecords(m_records);
     });
     connect(import, &QPushButton::clicked, this, [this] {
-        askOpenPath(this, tr("Import a measurement"), tr("Text files (*.csv *.txt);;All files (*)"),
-                    [this](const QString &path) {
-                        if (const auto done = importCsv(path); !done)
-                            this->workspace().notifications().report(done.error());
-                    });
+        askOpenPath(
+            this, tr("Import a measurement"), tr("Text files (*.csv *.txt);;All files (*)"),
+            [this](const QString &path) { this->workspace().notifications().reportLoaded(importCsv(path)); });
     });
     connect(m_export, &QPushButton::clicked, this, [this] {
         askSavePath(this, tr("Export a measurement"), u"response.csv"_s, tr("CSV files (*.csv)"),
                     [this](const QString &path) {
-                        if (const auto done = exportCsv(path); done)
-                            this->workspace().notifications().notify(tr("Measurement saved to %1").arg(path));
-                        else
-                            this->workspace().notifications().report(done.error());
+                        this->workspace().notifications().reportSaved(exportCsv(path), path);
                     });
     });
     connect(&workspace.client(), &DeviceClient::progressChanged, this, [this](const Progress &progress) {
@@ -279,6 +275,13 @@ void ResponsePage::updateButtons()
     m_export->setEnabled(!m_records.empty());
 }
 
+void ResponsePage::resume(const std::any &kept)
+{
+    m_records = std::any_cast<const std::vector<ResponseRecord> &>(kept);
+    showRecords();
+    updateButtons();
+}
+
 void ResponsePage::start()
 {
     if (m_running) {
@@ -292,8 +295,11 @@ void ResponsePage::start()
         measureOwnMotion();
         return;
     }
+    if (workspace().refusesToBegin())
+        return;
     m_running = true;
     workspace().beginWork();
+    workspace().live().hold();
     m_progress->setValue(0);
     workspace().mark(PlotMark::Kind::Note, tr("Test of %1 begins").arg(axisLabel(axis())));
     workspace()
@@ -306,6 +312,7 @@ void ResponsePage::start()
             DeviceClient::JobKind::Moving)
         .then(this, [this](const Result<MotionTestResult> &result) {
             m_running = false;
+            workspace().live().release();
             workspace().endWork();
             if (result)
                 onMeasured(*result);
@@ -332,7 +339,12 @@ void ResponsePage::onFailed(const Error &error)
 {
     workspace().mark(error.code == ErrorCode::Diverged ? PlotMark::Kind::Fault : PlotMark::Kind::Note,
                      tr("Test was ended"));
-    if (error.code == ErrorCode::Cancelled)
+    if (isEndOfLink(error) && !workspace().client().isConnected())
+        workspace().notifications().notify(
+            tr("The test ended with the link: nothing was measured, and the camera may go on as it was moved "
+               "last."),
+            Notice::Attention);
+    else if (error.code == ErrorCode::Cancelled)
         workspace().notifications().notify(tr("The test was ended; control was given back."), Notice::Hint);
     else
         workspace().notifications().report(error);
@@ -425,7 +437,8 @@ void ResponsePage::showRecords()
                       tr("Greatest sensitivity")};
     m_model->clear();
     m_model->setHorizontalHeaderLabels(titles);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setStretchLastSection(true);
     for (int row = 0; const auto place = recordAt(row); ++row) {
         const ResponseRecord &record = m_records[*place];
         QStringList cells;
@@ -461,14 +474,12 @@ void ResponsePage::showRecords()
 
 Result<void> ResponsePage::importCsv(const QString &path)
 {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
-    if (file.size() > kBiggestFile)
-        return failure(ErrorCode::BadFile, u"%1: %2 MB is too big"_s.arg(path).arg(file.size() / 1'000'000));
-    auto samples = readResponseCsv(file.readAll(), fullRate(workspace().client().families()));
+    const auto text = readWhole(path, FileKind::Measurement, kBiggestFile);
+    if (!text)
+        return tl::unexpected(text.error());
+    auto samples = readResponseCsv(*text, fullRate(workspace().client().families()));
     if (!samples)
-        return failure(samples.error().code, path + u": "_s + samples.error().detail);
+        return tl::unexpected(inFile(samples.error(), path));
     auto record = frequencyRecord(std::move(samples->in), std::move(samples->out), samples->rate, kOwnFromHz,
                                   kOwnToHz);
     if (!record)
@@ -490,13 +501,15 @@ Result<void> ResponsePage::exportCsv(const QString &path) const
     if (!place)
         return failure(ErrorCode::InvalidArgument, u"no measurement"_s);
     const ResponseRecord &record = m_records[*place];
+    if (const auto checked = checkTarget(path, FileKind::Measurement); !checked)
+        return tl::unexpected(checked.error());
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
+        return tl::unexpected(systemError(file, FileKind::Measurement, true));
     if (const auto written = writeResponseCsv(file, record.target, record.angle, record.rate); !written)
         return written;
     if (!file.commit())
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
+        return tl::unexpected(systemError(file, FileKind::Measurement, true));
     return {};
 }
 

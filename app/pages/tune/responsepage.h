@@ -32,6 +32,9 @@ public:
     [[nodiscard]] QTableView *table() const { return m_table; }
     [[nodiscard]] const std::vector<ResponseRecord> &records() const { return m_records; }
     [[nodiscard]] bool isRunning() const { return m_running; }
+    [[nodiscard]] bool isUnderWay() const override { return m_running; }
+    [[nodiscard]] std::any keep() override { return m_records; }
+    void resume(const std::any &kept) override;
     /// Reads a measurement from in;out. Errors: BadFile, InvalidArgument.
     Result<void> importCsv(const QString &path);
     /// Writes both sides of the chosen (or newest) measurement. Errors: BadFile, InvalidArgument (there is

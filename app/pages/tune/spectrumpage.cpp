@@ -19,6 +19,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QStyle>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -57,6 +58,19 @@ QTableWidget *makeTable(const QStringList &titles, const QString &name)
     return table;
 }
 
+QString bandText(double rms, double peak)
+{
+    return SpectrumPage::tr("%1° RMS\n%2° peak").arg(numberText(rms, 3), numberText(peak, 3));
+}
+
+/// Of a column in which both lines stand in full.
+int bandWidth(const QTableWidget &table)
+{
+    const int padding = 2 * (table.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &table) + 1)
+        + 2 * Metric::kGap;
+    return table.fontMetrics().size(0, bandText(88.888, 88.888)).width() + padding;
+}
+
 void setText(QTableWidget *table, int row, int column, const QString &text)
 {
     if (!table->item(row, column))
@@ -80,7 +94,7 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
     , m_pictures(new QStackedWidget)
     , m_chart(new SpectrumChart(workspace.theme()))
     , m_waterfall(new WaterfallView(workspace.theme()))
-    , m_peaks(makeTable({tr("Axis"), tr("Frequency"), tr("Strength (RMS)"), tr("Width")}, tr("Peaks")))
+    , m_peaks(makeTable({tr("Axis"), tr("Frequency"), tr("RMS"), tr("Width")}, tr("Peaks")))
     , m_bands(makeTable({tr("Band"), axisLabel(Axis::Roll), axisLabel(Axis::Pitch), axisLabel(Axis::Yaw)},
                         tr("Angle error by band")))
 {
@@ -120,16 +134,29 @@ SpectrumPage::SpectrumPage(Workspace &workspace, QWidget *parent)
     bands->content()->addLayout(buttons);
     m_bands->setRowCount(int(kHoldingBands.size()));
     m_bands->verticalHeader()->setDefaultSectionSize(2 * m_bands->fontMetrics().lineSpacing() + Metric::kGap);
+    for (int column = 1; column < m_peaks->columnCount(); ++column)
+        m_peaks->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    for (int column = 1; column < m_bands->columnCount(); ++column) {
+        m_bands->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Fixed);
+        m_bands->horizontalHeader()->resizeSection(column, bandWidth(*m_bands));
+    }
     nameBands({});
     auto *row = new QHBoxLayout;
     row->setSpacing(Metric::kGroupGap);
-    row->addWidget(peaks, 1);
-    row->addWidget(bands, 1);
+    row->addWidget(peaks, 2);
+    row->addWidget(bands, 3);
     m_pictures->addWidget(m_chart);
     m_pictures->addWidget(m_waterfall);
     m_waterfall->setHop(std::chrono::duration<double>(kPeriod).count());
     makeViewMenu();
     body()->addWidget(m_pictures, 3);
+    const auto channels = [this] {
+        const ChannelRoles &roles = this->workspace().roles();
+        return ChannelRoles::present({roles.gyro, roles.angle});
+    };
+    coverWhenStale(*m_pictures, channels, StaleCover::Look::Tag);
+    for (QTableWidget *figures : {m_peaks, m_bands})
+        coverWhenStale(*figures, channels, StaleCover::Look::Fade);
     body()->addLayout(row, 2);
 
     connect(m_pause, &QPushButton::toggled, this,
@@ -300,6 +327,20 @@ void SpectrumPage::refresh()
     addWaterfall();
     showPeaks(m_unit);
     showBands();
+}
+
+std::any SpectrumPage::keep()
+{
+    return Kept{m_earlier, m_before, m_signal->currentIndex(), m_span->currentIndex()};
+}
+
+void SpectrumPage::resume(const std::any &kept)
+{
+    const auto &before = std::any_cast<const Kept &>(kept);
+    m_earlier = before.earlier;
+    m_before = before.before;
+    m_signal->setCurrentIndex(before.signal);
+    m_span->setCurrentIndex(before.span);
 }
 
 void SpectrumPage::drawCurves()
@@ -478,9 +519,7 @@ void SpectrumPage::showBands()
     for (std::size_t axis = 0; axis < m_left.size(); ++axis) {
         for (std::size_t band = 0; band < m_left[axis].size(); ++band) {
             const Left &left = m_left[axis][band];
-            QString text = left.known
-                ? tr("%1° RMS\n%2° peak").arg(numberText(left.rms, 3)).arg(numberText(left.peak, 3))
-                : u"–"_s;
+            QString text = left.known ? bandText(left.rms, left.peak) : u"–"_s;
             if (m_before && left.known && (*m_before)[axis][band].known && (*m_before)[axis][band].rms > 0) {
                 const double change = (left.rms / (*m_before)[axis][band].rms - 1.0) * 100.0;
                 text = tr("%1° RMS").arg(numberText(left.rms, 3))

@@ -34,6 +34,8 @@ public:
     [[nodiscard]] QMenu *viewMenu() const { return m_viewMenu; }
     [[nodiscard]] QPushButton *pauseButton() const { return m_pause; }
     [[nodiscard]] QPushButton *notchButton() const { return m_notch; }
+    [[nodiscard]] std::any keep() override;
+    void resume(const std::any &kept) override;
     /// What is advised about the chosen peak, or how the last trial went.
     [[nodiscard]] QLabel *advice() const { return m_advice; }
 
@@ -58,6 +60,14 @@ private:
         bool known = false;
     };
     using Bands = std::array<std::array<Left, 3>, 3>;  // axis, band
+    /// What the operator compares with, and what is looked at.
+    struct Kept
+    {
+        std::vector<SpectrumCurve> earlier;
+        std::optional<Bands> before;
+        int signal = 0;
+        int span = 0;
+    };
 
     void makeViewMenu();
     void offerHeldSpan();

@@ -4,6 +4,7 @@
 
 #include "app/pages/tune/gaincard.h"
 #include "widgets/forms/liveslider.h"
+#include "widgets/forms/numberbox.h"
 #include "widgets/forms/valueeditor.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
@@ -22,7 +23,9 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -43,9 +46,29 @@ QPushButton *makeButton(const QString &text, const QString &tip)
     return button;
 }
 
+// As many digits however large the angle is: a column never grows under what stands beside it.
 QString figure(double value)
 {
-    return std::isnan(value) ? u"–"_s : u"%1°"_s.arg(numberText(value, 3));
+    const int decimals = value < 9.9995 ? 3 : value < 99.995 ? 2 : 1;
+    return std::isnan(value) ? u"–"_s : u"%1°"_s.arg(numberText(value, decimals));
+}
+
+// The slider beneath the field is no part of its line.
+void standOnLineOf(const LiveSlider &control, QLabel &label)
+{
+    const QWidget *field = control.editor()->control();
+    field->ensurePolished();
+    const int drop = (field->sizeHint().height() - label.fontMetrics().height()) / 2;
+    label.setContentsMargins(0, std::max(0, drop), 0, 0);
+    label.setAlignment(Qt::AlignLeft | Qt::AlignTop);  // its first line
+}
+
+QString percentText(double change)
+{
+    if (std::isnan(change))
+        return u"–"_s;
+    const QString amount = std::abs(change) > 999 ? u">999"_s : numberText(std::abs(change), 0);
+    return (change < 0 ? u"▼ "_s : u"▲ "_s) + u"%1 %"_s.arg(amount);
 }
 
 }  // namespace
@@ -57,10 +80,13 @@ TuningPage::TuningPage(Workspace &workspace, QWidget *parent)
     , m_a(makeButton(tr("Set A"), tr("Use the first set of values (F6 switches)")))
     , m_b(makeButton(tr("Set B"), tr("Use the second set of values (F6 switches)")))
     , m_copy(makeButton(tr("Copy to other"), tr("Make the other set the same as the values in use")))
-    , m_revert(makeButton(tr("Revert all"), tr("Put the stored values into use at once (F9)")))
+    , m_revert(makeButton(tr("Revert all"),
+                          tr("Put the values that were read from the board into use at once (F9)")))
     , m_save(makeButton(tr("Store"),
                         tr("Store the values in use in the active profile; a snapshot is taken first")))
     , m_state(new QLabel)
+    , m_compare(
+          makeButton(tr("Compare with stored"), tr("Reads what is stored: the board uses it for a moment")))
 {
     makeHeader();
     makeBody();
@@ -107,12 +133,25 @@ void TuningPage::makeBody()
             },
             StaleCover::Look::Tag);
     }
-    rightLayout->addWidget(makeFigures());
+    QWidget *figures = makeFigures();
+    coverWhenStale(
+        *figures,
+        [this] {
+            const ChannelRoles &roles = this->workspace().roles();
+            return ChannelRoles::present({roles.angle});
+        },
+        StaleCover::Look::Fade);
+    rightLayout->addWidget(figures);
     auto *split = new QHBoxLayout;
     split->setSpacing(12);
     split->addWidget(m_scroll);
     split->addWidget(right, 1);
-    body()->addWidget(m_state);
+    auto *state = new QHBoxLayout;
+    state->setSpacing(Metric::kGap);
+    m_state->setWordWrap(true);
+    state->addWidget(m_state, 1);
+    state->addWidget(m_compare);
+    body()->addLayout(state);
     body()->addLayout(split, 1);
     m_clock.setPlots(m_plots);
 }
@@ -122,7 +161,7 @@ QWidget *TuningPage::makeFigures()
 {
     auto *figures = new Card(tr("Angle error, last %1 s").arg(shortNumberText(kFigureSpan)));
     auto *grid = new QGridLayout;
-    grid->setHorizontalSpacing(12);
+    grid->setHorizontalSpacing(2 * Metric::kUnit);
     grid->setVerticalSpacing(Metric::kUnit);
     const QStringList heads{QString(),         tr("RMS"),          tr("Peak"),
                             tr("RMS\nbefore"), tr("Peak\nbefore"), tr("Change")};
@@ -138,14 +177,16 @@ QWidget *TuningPage::makeFigures()
         for (std::size_t cell = 0; cell < m_cells[axis].size(); ++cell) {
             m_cells[axis][cell] = new QLabel;
             m_cells[axis][cell]->setAlignment(Qt::AlignRight);
+            const QString widest = cell + 1 < m_cells[axis].size() ? figure(88.888) : percentText(1000);
+            m_cells[axis][cell]->setMinimumWidth(fontMetrics().horizontalAdvance(widest));
             grid->addWidget(m_cells[axis][cell], int(axis) + 1, int(cell) + 1);
         }
     }
     auto *keep = makeButton(tr("Compare"),
                             tr("Compare what follows with these figures; switching sets does so too"));
     grid->setColumnStretch(0, 1);
+    header()->insertWidget(header()->indexOf(m_a), keep);  // a row here would be the plots' loss
     figures->content()->addLayout(grid);
-    figures->content()->addWidget(keep, 0, Qt::AlignRight);
     connect(keep, &QPushButton::clicked, this, &TuningPage::keepFigures);
     return figures;
 }
@@ -163,6 +204,8 @@ void TuningPage::connectAll()
     connect(m_copy, &QPushButton::clicked, &m_live, &LiveModel::copyToOther);
     connect(m_revert, &QPushButton::clicked, &m_live, &LiveModel::revert);
     connect(m_save, &QPushButton::clicked, this, &TuningPage::save);
+    connect(m_compare, &QPushButton::clicked, this, &TuningPage::compare);
+    connect(&workspace(), &Workspace::unstoredChanged, this, &TuningPage::updateState);
     new QShortcut(Qt::Key_F6, this, [this] { (m_live.slot() == LiveModel::Slot::A ? m_b : m_a)->click(); });
     new QShortcut(Qt::Key_F9, this, [this] { m_revert->click(); });
     connect(&m_live, &LiveModel::modelReset, this, &TuningPage::rebuild);
@@ -175,6 +218,7 @@ void TuningPage::connectAll()
         emit changesChanged();
     });
     connect(&m_live, &LiveModel::slotChanged, this, &TuningPage::updateState);
+    connect(&m_live, &LiveModel::heldChanged, this, &TuningPage::updateState);
     connect(&m_live, &LiveModel::failed, this, [this](const Error &error) {
         if (isEndOfLink(error))
             return;
@@ -202,7 +246,9 @@ QWidget *TuningPage::makeControls()
     QString group;
     QGridLayout *grid = nullptr;
     int row = -1;
+    bool hasHeads = false;
     const ParameterRow *last = nullptr;
+    QLabel *beside = nullptr;  // the label of a row whose first control follows
     for (const int parameter : m_live.parameters()) {
         const ParameterSpec &spec = m_set->at(parameter);
         if (group != QLatin1String(spec.row->group) || !grid) {
@@ -212,16 +258,21 @@ QWidget *TuningPage::makeControls()
             grid->setHorizontalSpacing(Metric::kGap);
             grid->setVerticalSpacing(Metric::kGap);
             grid->setColumnMinimumWidth(0, kLabelWidth);
-            for (int column = 1; column <= 3; ++column) {
-                auto *head = new QLabel(axisLabel(kAxes[std::size_t(column - 1)]));
-                head->setObjectName(u"muted"_s);
-                grid->addWidget(head, 0, column);
+            for (int column = 1; column <= 3; ++column)
                 grid->setColumnStretch(column, 1);
-            }
             card->content()->addLayout(grid);
             layout->addWidget(card);
             row = 0;
             last = nullptr;
+            hasHeads = false;
+        }
+        if (spec.axis != Axis::None && !std::exchange(hasHeads, true)) {
+            ++row;
+            for (int column = 1; column <= 3; ++column) {
+                auto *head = new QLabel(axisLabel(kAxes[std::size_t(column - 1)]));
+                head->setObjectName(u"muted"_s);
+                grid->addWidget(head, row, column);
+            }
         }
         if (last != spec.row) {
             ++row;
@@ -230,14 +281,18 @@ QWidget *TuningPage::makeControls()
             label->setWordWrap(true);
             label->setToolTip(tableText(spec.row->help));
             label->ensurePolished();
-            if (label->minimumSizeHint().width() > kMaxLabelWidth)
+            if (label->minimumSizeHint().width() > kMaxLabelWidth) {
                 grid->addWidget(label, row++, 0, 1, 4);
-            else
+            } else {
                 grid->addWidget(label, row, 0, Qt::AlignTop);
+                beside = label;
+            }
         }
         auto *control = new LiveSlider(spec, m_live.range(parameter), firmware);
         const int column = spec.axis == Axis::None ? 1 : int(spec.axis) + 1;
-        grid->addWidget(control, row, column, 1, spec.axis == Axis::None ? 3 : 1);
+        grid->addWidget(control, row, column, 1, spec.axis == Axis::None ? 3 : 1, Qt::AlignTop);
+        if (QLabel *named = std::exchange(beside, nullptr))
+            standOnLineOf(*control, *named);
         connect(control, &LiveSlider::edited, this, [this, control, parameter](double raw) {
             m_live.setValue(parameter, raw);
             control->show(m_live.value(parameter),
@@ -266,6 +321,14 @@ void TuningPage::rebuild()
         updateState();
         return;
     }
+    // What was typed and refused outlives the controls, on the same board.
+    const QString serial = model.isEmpty() ? QString() : model.board().identity().serial;
+    QMap<QString, QString> refused;
+    for (const LiveSlider *control : std::as_const(m_controls)) {
+        if (const auto text = control->editor()->refusedText(); text && serial == m_serial)
+            refused.insert(control->editor()->spec().key, *text);
+    }
+    m_serial = serial;
     m_controls.clear();
     // The old controls refer to the old set, so they are removed first.
     delete m_scroll->takeWidget();
@@ -273,6 +336,10 @@ void TuningPage::rebuild()
     m_set = set;
     if (m_set) {
         m_scroll->setWidget(makeControls());
+        for (auto it = refused.begin(); it != refused.end(); ++it) {
+            if (LiveSlider *again = control(it.key()))
+                again->editor()->showRefused(it.value());
+        }
         const int needed = m_scroll->widget()->minimumSizeHint().width()
             + m_scroll->verticalScrollBar()->sizeHint().width();
         m_scroll->setMinimumWidth(std::max(kControlsWidth, needed));
@@ -332,7 +399,7 @@ void TuningPage::hideEvent(QHideEvent *event)
 void TuningPage::updateState()
 {
     const bool connected = workspace().client().isConnected();
-    const bool writable = connected && workspace().client().identity().writable;
+    const bool writable = connected && workspace().client().identity().writable && !m_live.isHeld();
     const int changed = m_live.changeCount();
     m_a->setChecked(m_live.slot() == LiveModel::Slot::A);
     m_b->setChecked(m_live.slot() == LiveModel::Slot::B);
@@ -341,15 +408,43 @@ void TuningPage::updateState()
     m_revert->setEnabled(writable && m_live.tunedCount() > 0);
     m_save->setEnabled(writable && changed > 0 && !m_saving);
     m_scroll->setEnabled(writable);
+    // It keeps its room while there is no link.
+    const Device *device = workspace().client().device();
+    m_compare->setVisible(device && device->wholeMemory());
+    m_compare->setEnabled(workspace().canCompareStored() && !m_saving && !m_live.isHeld());
     if (!connected) {
         m_state->setText(tr("Connect the board to tune it live"));
         return;
     }
-    QString text
-        = changed == 0 ? tr("In use: as stored") : tr("%n value(s) in use, not stored", nullptr, changed);
+    if (m_live.isHeld()) {
+        m_state->setText(tr("Locked while a search, measurement or calibration runs"));
+        return;
+    }
+    QString text = changed > 0           ? tr("%n value(s) in use, not stored", nullptr, changed)
+        : workspace().isStoredKnown()    ? tr("In use: as stored")
+        : workspace().canCompareStored() ? tr("Whether what is in use is stored is not known yet")
+                                         : tr("Nothing is changed here; this board does not tell what it has "
+                                              "stored");
     if (const int different = m_live.slotDifference())
         text += u" · "_s + tr("A and B differ in %1").arg(different);
     m_state->setText(text);
+}
+
+QString TuningPage::stateText() const
+{
+    return m_state->text();
+}
+
+void TuningPage::compare()
+{
+    m_saving = true;
+    updateState();
+    workspace().compareStored().then(this, [this](const Result<WholeMemory::Contents> &both) {
+        m_saving = false;
+        if (!both)
+            workspace().notifications().report(both.error());
+        updateState();
+    });
 }
 
 void TuningPage::updateFigures()
@@ -374,9 +469,7 @@ void TuningPage::updateFigures()
         cells[3]->setText(before ? figure(before->peak) : u"–"_s);
         const double change
             = before && before->rms > 0 ? 100.0 * (span.rms / before->rms - 1.0) : std::nan("");
-        cells[4]->setText(std::isnan(change) ? u"–"_s
-                                             : (change < 0 ? u"▼ "_s : u"▲ "_s)
-                                  + u"%1 %"_s.arg(numberText(std::abs(change), 0)));
+        cells[4]->setText(percentText(change));
         const QString name = std::isnan(change) || std::abs(change) < 5 ? u"muted"_s
             : change < 0                                                ? u"ok"_s
                                                                         : u"warning"_s;
@@ -395,11 +488,20 @@ void TuningPage::keepFigures()
     updateFigures();
 }
 
+void TuningPage::resume(const std::any &kept)
+{
+    m_before = std::any_cast<decltype(m_before)>(kept);
+    updateFigures();
+}
+
+// What was refused is not in use, and would not be stored.
 void TuningPage::save()
 {
+    if (NumberBox::refusedIn(*this))
+        return;
     m_saving = true;
     updateState();
-    workspace().saveLive().then(this, [this](bool) {
+    workspace().saveLive(*this).then(this, [this](bool) {
         m_saving = false;
         updateState();
     });

@@ -22,9 +22,14 @@ public:
     explicit TuningPage(Workspace &workspace, QWidget *parent = nullptr);
 
     [[nodiscard]] bool hasChanges() const override { return m_live.changeCount() > 0; }
+    [[nodiscard]] std::any keep() override { return m_before; }
+    void resume(const std::any &kept) override;
     [[nodiscard]] LiveModel &live() { return m_live; }
     [[nodiscard]] LiveSlider *control(const QString &key) const;
     [[nodiscard]] QPushButton *revertButton() const { return m_revert; }
+    [[nodiscard]] QPushButton *compareButton() const { return m_compare; }
+    /// What is in use, and whether that is stored.
+    [[nodiscard]] QString stateText() const;
     [[nodiscard]] QPushButton *slotButton(LiveModel::Slot slot) const
     {
         return slot == LiveModel::Slot::A ? m_a : m_b;
@@ -46,6 +51,7 @@ private:
     void updateFigures();
     void keepFigures();
     void save();
+    void compare();
     [[nodiscard]] QWidget *makeControls();
 
     struct Figures
@@ -63,6 +69,7 @@ private:
     QPushButton *m_revert;
     QPushButton *m_save;
     QLabel *m_state;
+    QPushButton *m_compare;
     QList<PlotView *> m_plots;
     PlotClock m_clock;
     QTimer m_figureTimer;
@@ -70,5 +77,6 @@ private:
     std::array<std::optional<Figures>, kAxisCount> m_before{};
     std::array<std::array<QLabel *, 5>, kAxisCount> m_cells{};
     std::shared_ptr<const ParameterSet> m_set;  // what the controls refer to
+    QString m_serial;  // of the board whose values they show
     bool m_saving = false;
 };

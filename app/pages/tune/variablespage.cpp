@@ -3,6 +3,7 @@
 #include "app/pages/tune/variablespage.h"
 
 #include "widgets/forms/filtertable.h"
+#include "widgets/forms/typingkeeper.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -24,7 +25,7 @@ constexpr auto kRefreshPeriod = 500ms;
 VariablesPage::VariablesPage(Workspace &workspace, QWidget *parent)
     : Page(workspace, u"variables"_s, tr("Adjustable variables"), parent)
     , m_model(workspace.client())
-    , m_table(new FilterTable(m_model, AdjustableModel::SearchRole))
+    , m_table(new FilterTable(m_model, AdjustableModel::SearchRole, workspace.theme()))
     , m_search(m_table->makeFilterField(tr("Search (Ctrl+F)"), tr("Search variables"), this))
     , m_live(new QCheckBox(tr("Keep reading")))
     , m_note(new QLabel)
@@ -42,6 +43,8 @@ VariablesPage::VariablesPage(Workspace &workspace, QWidget *parent)
     header()->addWidget(m_live);
     header()->addWidget(save);
     header()->addWidget(m_search);
+    new TypingKeeper(*m_table, AdjustableModel::IdRole,
+                     [this] { return this->workspace().client().identity().serial; });
     m_table->setAccessibleName(tr("Adjustable variables"));
     m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
                              | QAbstractItemView::AnyKeyPressed);
@@ -53,12 +56,32 @@ VariablesPage::VariablesPage(Workspace &workspace, QWidget *parent)
             this->workspace().notifications().report(error);
     });
     connect(&m_model, &AdjustableModel::written, &workspace.live(), &LiveModel::read);
-    connect(save, &QPushButton::clicked, this, [this] { std::ignore = this->workspace().saveLive(); });
+    connect(save, &QPushButton::clicked, this, &VariablesPage::save);
+    connect(&workspace.live(), &LiveModel::heldChanged, this, [this, save](bool held) {
+        m_model.setHeld(held);
+        save->setEnabled(!held);
+    });
+    m_model.setHeld(workspace.live().isHeld());
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &VariablesPage::onState);
     refreshWhileShown(
         kRefreshPeriod, [this] { m_model.refresh(); },
         [this] { return !m_live->isChecked() || m_table->isEditing(); });
     onState();
+}
+
+// What stands in a cell and was refused is not in use, and would not be stored.
+void VariablesPage::save()
+{
+    const QModelIndex refused = m_model.refusedCell();
+    if (!refused.isValid()) {
+        std::ignore = workspace().saveLive(*this);
+        return;
+    }
+    m_search->clear();
+    const QModelIndex cell = m_table->fromSource(refused);
+    m_table->setCurrentIndex(cell);
+    m_table->scrollTo(cell);
+    m_table->edit(cell);
 }
 
 void VariablesPage::onState()

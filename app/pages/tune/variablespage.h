@@ -20,6 +20,7 @@ public:
     [[nodiscard]] FilterTable *table() const { return m_table; }
 
 private:
+    void save();
     void onState();
 
     AdjustableModel m_model;

@@ -5,9 +5,11 @@
 #include "app/pages/watch/alarmcard.h"
 #include "protocol/device/bearings.h"
 #include "protocol/session/linkstatistics.h"
+#include "protocol/telemetry/telemetrystore.h"
 #include "widgets/models/missingtext.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
+#include "widgets/plot/plotview.h"
 #include "widgets/views/attitudeview.h"
 #include "widgets/views/axisdial.h"
 #include "widgets/views/batteryview.h"
@@ -31,6 +33,8 @@ constexpr auto kRefresh = 33ms;
 constexpr int kTicksPerFacts = 10;
 constexpr qint64 kRatesEveryMs = 1000;
 constexpr int kFactsWidth = 460;
+constexpr int kRoomForCourse = 800;  // height of a page that would leave a third empty without it
+constexpr double kCourseSeconds = 30.0;
 
 QString number(double value, int decimals, const QString &unit)
 {
@@ -88,6 +92,8 @@ DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
     , m_facts(new QLabel)
     , m_link(new QLabel)
     , m_faultList(new QVBoxLayout)
+    , m_courseCard(new Card(tr("Angles, last %1 s").arg(shortNumberText(kCourseSeconds))))
+    , m_course(new PlotView(workspace.theme()))
 {
     auto *columns = new QHBoxLayout;
     columns->setSpacing(12);
@@ -103,13 +109,17 @@ DashboardPage::DashboardPage(Workspace &workspace, QWidget *parent)
     coverWhenStale(*m_motorCard, [this] { return this->workspace().roles().motors; });
     coverWhenStale(*m_battery, {}, StaleCover::Look::Fade);
     coverWhenStale(*m_facts, {}, StaleCover::Look::Fade);
+    coverWhenStale(*m_course, angles, StaleCover::Look::Tag);
+    m_clock.setPlots({m_course});
     m_timer.setInterval(kRefresh);
     connect(&m_timer, &QTimer::timeout, this, &DashboardPage::refresh);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &DashboardPage::fillParts);
+    connect(&workspace.client(), &DeviceClient::stateChanged, this, &DashboardPage::fillCourse);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &DashboardPage::refreshFacts);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &DashboardPage::refreshFaults);
     connect(&workspace.alarms(), &Alarms::changed, this, &DashboardPage::refreshFaults);
     fillParts();
+    fillCourse();
     refreshFaults();
 }
 
@@ -158,20 +168,59 @@ QWidget *DashboardPage::makeFacts()
     state->content()->addStretch(1);
     auto *link = new Card(tr("Link"));
     link->content()->addWidget(m_link);
+    m_course->setWindow(kCourseSeconds);
+    m_course->setAccessibleName(tr("Angles of the camera"));
+    m_course->setMarks(&workspace().marks());
+    m_courseCard->content()->addWidget(m_course, 1);
+    m_courseCard->hide();
     auto *facts = new QWidget;
     auto *rows = new QVBoxLayout(facts);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(12);
     rows->addWidget(state, 1);
+    rows->addWidget(m_courseCard);
     rows->addWidget(m_motorCard);
     rows->addWidget(m_batteryCard);
     rows->addWidget(link);
+    m_factRows = rows;
     auto *scroll = new QScrollArea;
     scroll->setWidgetResizable(true);
     scroll->setWidget(facts);
     scroll->setMaximumWidth(kFactsWidth);  // the rest is for the pictures
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     return scroll;
+}
+
+// What is told of the board gives room to the plot, where there is enough for both.
+void DashboardPage::giveRoom()
+{
+    const bool hasRoom = height() >= kRoomForCourse && workspace().client().telemetry();
+    m_courseCard->setVisible(hasRoom);
+    m_factRows->setStretchFactor(m_courseCard, hasRoom ? 2 : 0);
+    if (hasRoom && isVisible())
+        m_clock.start();
+    else
+        m_clock.stop();
+}
+
+void DashboardPage::fillCourse()
+{
+    const Device *device = workspace().client().device();
+    const auto store = workspace().client().telemetry();
+    if (device && store) {
+        QList<Curve> curves;
+        for (const int channel : ChannelRoles::present({workspace().roles().angle}))
+            curves.append({channel, -1, {}});
+        m_course->setCurves(device->channels(), curves, store);
+        m_clock.updateRate();
+    }
+    giveRoom();
+}
+
+void DashboardPage::resizeEvent(QResizeEvent *event)
+{
+    Page::resizeEvent(event);
+    giveRoom();
 }
 
 // A dial for each axis, a bar for each numbered motor that the board has.
@@ -206,12 +255,14 @@ void DashboardPage::showEvent(QShowEvent *event)
     });
     refreshBearings();
     m_timer.start();
+    giveRoom();
 }
 
 void DashboardPage::hideEvent(QHideEvent *event)
 {
     Page::hideEvent(event);
     m_timer.stop();
+    m_clock.stop();
 }
 
 void DashboardPage::refresh()
@@ -219,7 +270,7 @@ void DashboardPage::refresh()
     const ChannelRoles &roles = workspace().roles();
     const auto value = [this](int channel) { return workspace().latest(channel); };
     GimbalView::Pose pose{{value(roles.angle[0]), value(roles.angle[1]), value(roles.angle[2])}, {}, {}};
-    if (m_frameMeasured == true && roles.frameAngle[0] >= 0)
+    if (m_frameMeasured == true && !std::isnan(value(roles.frameAngle[0])))
         pose.frame = {value(roles.frameAngle[0]), value(roles.frameAngle[1]), value(roles.frameAngle[2])};
     pose.running = workspace().motorsRunning();
     m_gimbal->setPose(pose);
@@ -307,6 +358,18 @@ void DashboardPage::refreshLink()
     m_link->setText(u"<table width='100%'>%1</table>"_s.arg(rows.join(QString())));
 }
 
+// Why nothing is said of the motors; empty where the board does not report them.
+QString DashboardPage::silenceText() const
+{
+    const auto store = workspace().client().telemetry();
+    if (!store || store->rows() == 0)
+        return tr("No live data yet.");
+    if (std::isnan(workspace().latest(workspace().roles().outputs)))
+        return {};
+    return workspace().client().address().isReplay() ? tr("The recording stands still.")
+                                                     : tr("Live data have stopped.");
+}
+
 void DashboardPage::refreshFaults()
 {
     std::vector<BoardFault> faults = workspace().faults();
@@ -317,10 +380,15 @@ void DashboardPage::refreshFaults()
     const double state = workspace().latest(workspace().roles().state);
     const Device *device = workspace().client().device();
     const StatusWords *told = device ? device->statusWords() : nullptr;
-    const QString doing = running && told && !std::isnan(state) ? told->statusText(int(state)) : QString();
+    const bool isFrozen = workspace().freshness().frozenSince().has_value();
+    const QString doing
+        = running && !isFrozen && told && !std::isnan(state) ? told->statusText(int(state)) : QString();
     keys.append(doing);
+    keys.append(isFrozen ? u"frozen"_s : QString());
     keys.append(workspace().client().isConnected() ? (running ? (*running ? u"on"_s : u"off"_s) : u"?"_s)
                                                    : u"-"_s);
+    const QString silence = silenceText();
+    keys.append(silence);
     const Configuration &board = std::as_const(workspace().configuration()).board();
     const QString missing = missingText(board, board.missing());
     keys.append(missing);
@@ -346,13 +414,15 @@ void DashboardPage::refreshFaults()
         add(tr("Not connected."), "muted");
         return;
     }
-    if (!running)
-        add(tr("No live data yet."), "muted");
-    else
+    if (!running && isFrozen)
+        add(tr("⚠ Whether the motors run is not known: the live data stand still."), "warning");
+    else if (!running && !silence.isEmpty())
+        add(silence, "muted");
+    else if (running)
         add(*running ? tr("● Motors are running.") : tr("○ Motors are off."), *running ? "ok" : "muted");
     if (!doing.isEmpty())
         add(tr("State: %1").arg(tableText(doing.toUtf8().constData())), "muted");
-    if (faults.empty() && running && device && device->faultWords())
+    if (faults.empty() && running && !isFrozen && device && device->faultWords())
         add(tr("✓ The board reports no errors."), "ok");
     if (!missing.isEmpty()) {
         add(tr("⚠ Could not be read: %1.").arg(missing), "warning");
@@ -365,6 +435,7 @@ void DashboardPage::refreshFaults()
 // What settings and status say of the axes, the frame and the battery.
 void DashboardPage::refreshBearings()
 {
+    m_battery->setLowCell(workspace().settings().supervisorRules().cellVolts);
     const ConfigurationModel &model = workspace().configuration();
     const Bearings *bearings = workspace().tables() ? workspace().tables()->bearings() : nullptr;
     if (!bearings || model.isEmpty()) {
@@ -376,6 +447,8 @@ void DashboardPage::refreshBearings()
         const AxisBearing bearing = bearings->bearing(axis, model.board(), latest);
         m_dials[std::size_t(axis)]->setLimits(bearing.limits);
         m_dials[std::size_t(axis)]->setFollows(bearing.follows);
+        m_dials[std::size_t(axis)]->setDriven(workspace().client().isConnected() ? bearing.isDriven
+                                                                                 : std::nullopt);
     }
     m_frameMeasured = bearings->isFrameMeasured(model.board(), latest);
     const BatteryThresholds battery = bearings->batteryThresholds(model.board());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/workspace/page.h"
+#include "widgets/plot/plotclock.h"
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -12,11 +13,12 @@ class AxisDial;
 class BatteryView;
 class Card;
 class GimbalView;
+class PlotView;
 class QFormLayout;
 class QProgressBar;
 
 /// The gimbal at a glance: as a body and as a horizon, angles against targets and limits, motors, battery,
-/// faults with cause and cure, the link both ways.
+/// faults with cause and cure, the link both ways; in a high window what the camera did lately as well.
 class DashboardPage final : public Page
 {
     Q_OBJECT
@@ -26,16 +28,20 @@ public:
 protected:
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void refresh();
     void refreshFacts();
     void refreshLink();
     void refreshFaults();
+    [[nodiscard]] QString silenceText() const;
     void refreshBearings();
     QWidget *makeMotion();
     QWidget *makeFacts();
     void fillParts();
+    void fillCourse();
+    void giveRoom();
 
     QTimer m_timer;
     GimbalView *m_gimbal;
@@ -49,6 +55,10 @@ private:
     QLabel *m_facts;
     QLabel *m_link;
     QVBoxLayout *m_faultList;
+    Card *m_courseCard;
+    PlotView *m_course;
+    PlotClock m_clock;
+    QVBoxLayout *m_factRows = nullptr;
     QStringList m_shownFaults;
     std::optional<bool> m_frameMeasured;
     quint64 m_bytesIn = 0;  // when the rates of the link were last worked out

@@ -3,6 +3,7 @@
 #include "app/pages/watch/monitorpage.h"
 
 #include "app/pages/watch/streamsdialog.h"
+#include "protocol/base/filefault.h"
 #include "protocol/record/telemetrycsv.h"
 #include "protocol/telemetry/telemetryplan.h"
 #include "widgets/forms/panel.h"
@@ -183,8 +184,13 @@ ChannelTable MonitorPage::table() const
 void MonitorPage::onStore()
 {
     DeviceClient &client = workspace().client();
-    if (m_publication && m_publication->store() != client.telemetry().get())
+    if (m_publication && m_publication->store() != client.telemetry().get()) {
         m_publication.reset();
+        workspace().notifications().notify(
+            tr("Nothing is sent to %1 any more: the link over which the data came has ended.")
+                .arg(m_publishedTo),
+            Notice::Attention);
+    }
     m_channels.reset(table(), client.telemetry());
     m_stack->setSource(table(), client.telemetry());
     if (!m_chosen) {
@@ -355,16 +361,45 @@ void MonitorPage::saveLayout(const QString &name)
 
 void MonitorPage::useLayout(const QString &name)
 {
-    const PlotLayout layout = PlotLayout::fromJson(workspace().settings().plotLayout(name), table());
+    const QByteArray kept = workspace().settings().plotLayout(name);
+    if (const auto readable = PlotLayout::check(kept, name); !readable) {
+        workspace().notifications().report(readable.error());
+        return;
+    }
+    const PlotLayout layout = PlotLayout::fromJson(kept, table());
     if (layout.plots.isEmpty()) {
         workspace().notifications().notify(tr("This board has none of the channels of “%1”.").arg(name),
                                            Notice::Attention);
         return;
     }
+    usePlots(layout);
+}
+
+void MonitorPage::usePlots(const PlotLayout &layout)
+{
     m_stack->setPlots(layout.plots);
     if (layout.seconds > 0)
         m_stack->setSeconds(layout.seconds);
     onPlotsEdited();
+}
+
+std::any MonitorPage::keep()
+{
+    if (table().empty())
+        return {};
+    return Kept{PlotLayout{m_stack->layoutPlots(), m_stack->seconds()}.toJson(table()),
+                std::exchange(m_publication, nullptr), m_publishedTo};
+}
+
+void MonitorPage::resume(const std::any &kept)
+{
+    const auto &before = std::any_cast<const Kept &>(kept);
+    if (before.publication && before.publication->store() == workspace().client().telemetry().get()) {
+        m_publication = before.publication;
+        m_publishedTo = before.publishedTo;
+        watchPublication();
+    }
+    usePlots(PlotLayout::fromJson(before.plots, table()));
 }
 
 void MonitorPage::askLayoutName()
@@ -385,15 +420,17 @@ Result<qint64> MonitorPage::exportCsv(const QString &path)
     const auto store = workspace().client().telemetry();
     if (!store || m_stack->panels().isEmpty())
         return failure(ErrorCode::NotConnected);
+    if (const auto checked = checkTarget(path, FileKind::Other); !checked)
+        return tl::unexpected(checked.error());
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
+        return tl::unexpected(systemError(file, FileKind::Other, true));
     const double end = m_stack->endTime();
     const auto lines = writeTelemetryCsv(file, *store, table(), ticked(false), end - m_stack->seconds(), end);
     if (!lines)
         return lines;
     if (!file.commit())
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
+        return tl::unexpected(systemError(file, FileKind::Other, true));
     return lines;
 }
 
@@ -404,33 +441,35 @@ Result<void> MonitorPage::exportPicture(const QString &path) const
     image.setDevicePixelRatio(kScale);
     image.fill(workspace().theme().color(ColorRole::Surface));
     m_stack->render(&image);
+    if (const auto checked = checkTarget(path, FileKind::Other); !checked)
+        return tl::unexpected(checked.error());
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || !image.save(&file, "PNG") || !file.commit())
-        return failure(ErrorCode::BadFile, u"%1: %2"_s.arg(path, file.errorString()));
+        return tl::unexpected(systemError(file, FileKind::Other, true));
     return {};
 }
 
 void MonitorPage::askExport()
 {
-    askSavePath(this, tr("Save samples"), u"samples.csv"_s, tr("CSV files (*.csv)"),
-                [this](const QString &path) {
-                    const auto lines = exportCsv(path);
-                    if (lines)
-                        workspace().notifications().notify(tr("%1 lines saved to %2").arg(*lines).arg(path));
-                    else
-                        workspace().notifications().report(lines.error());
-                });
+    askSavePath(
+        this, tr("Save samples"), u"samples.csv"_s, tr("CSV files (*.csv)"), [this](const QString &path) {
+            const auto lines = exportCsv(path);
+            workspace().notifications().settle(Concern::Saving);
+            if (lines && *lines == 0)
+                workspace().notifications().notify(
+                    tr("%1 holds no samples: none came in the time shown.").arg(path), Notice::Attention);
+            else if (lines)
+                workspace().notifications().notify(tr("%1 lines saved to %2").arg(*lines).arg(path));
+            else
+                workspace().notifications().report(lines.error(), Concern::Saving);
+        });
 }
 
 void MonitorPage::askPicture()
 {
-    askSavePath(this, tr("Save picture"), u"plots.png"_s, tr("Pictures (*.png)"),
-                [this](const QString &path) {
-                    if (const auto saved = exportPicture(path); saved)
-                        workspace().notifications().notify(tr("Picture saved to %1").arg(path));
-                    else
-                        workspace().notifications().report(saved.error());
-                });
+    askSavePath(
+        this, tr("Save picture"), u"plots.png"_s, tr("Pictures (*.png)"),
+        [this](const QString &path) { workspace().notifications().reportSaved(exportPicture(path), path); });
 }
 
 Result<void> MonitorPage::publish(const QString &hostAndPort)
@@ -441,14 +480,19 @@ Result<void> MonitorPage::publish(const QString &hostAndPort)
     const auto store = workspace().client().telemetry();
     if (!store)
         return failure(ErrorCode::NotConnected);
-    auto publication = std::make_unique<UdpExport>(table(), store, m_stack->channels());
+    auto publication = std::make_shared<UdpExport>(table(), store, m_stack->channels());
     if (const auto started = publication->start(hostAndPort); !started)
         return started;
-    connect(publication.get(), &UdpExport::failed, this,
-            [this](const Error &error) { workspace().notifications().report(error); });
     m_publication = std::move(publication);
     m_publishedTo = hostAndPort;
+    watchPublication();
     return {};
+}
+
+void MonitorPage::watchPublication()
+{
+    connect(m_publication.get(), &UdpExport::failed, this,
+            [this](const Error &error) { workspace().notifications().report(error); });
 }
 
 void MonitorPage::askPublish()

@@ -15,6 +15,7 @@ class QComboBox;
 class QMenu;
 class QPushButton;
 class QTreeView;
+struct PlotLayout;
 
 /// Chosen telemetry channels plotted live: by default one plot per unit, or as the operator arranges them.
 class MonitorPage final : public Page
@@ -38,6 +39,8 @@ public:
     /// NotConnected.
     Result<void> publish(const QString &hostAndPort);
     [[nodiscard]] const UdpExport *publication() const { return m_publication.get(); }
+    [[nodiscard]] std::any keep() override;
+    void resume(const std::any &kept) override;
     /// Saves the arrangement of plots under a name; restores a saved one.
     void saveLayout(const QString &name);
     void useLayout(const QString &name);
@@ -47,9 +50,18 @@ protected:
     void hideEvent(QHideEvent *event) override;
 
 private:
+    /// What goes on in the page that takes this one's place.
+    struct Kept
+    {
+        QByteArray plots;
+        std::shared_ptr<UdpExport> publication;
+        QString publishedTo;
+    };
     void makeHeader();
     void makeBody();
     void connectAll();
+    void watchPublication();
+    void usePlots(const PlotLayout &layout);
     void onStore();
     void onTicks();
     void onPlotsEdited();
@@ -85,7 +97,7 @@ private:
     QMenu *m_recordMenu;
     ElidedLabel *m_note;
     QTimer m_valueTimer;
-    std::unique_ptr<UdpExport> m_publication;
+    std::shared_ptr<UdpExport> m_publication;
     QString m_publishedTo;
     bool m_chosen = false;  // the operator (or the first board) has chosen channels
 };

@@ -70,7 +70,7 @@ StreamsDialog::StreamsDialog(Workspace &workspace, QWidget *parent)
     m_apply->setObjectName(u"primary"_s);
     m_apply->setDefault(true);
     connect(m_apply, &QPushButton::clicked, this, [this] {
-        if (NumberBox::refusedIn(*this))
+        if (NumberBox::refusedIn(*this) || !m_apply->isEnabled())  // a rate still being typed counts as well
             return;
         m_workspace.telemetry().setStreams(chosen());
         accept();

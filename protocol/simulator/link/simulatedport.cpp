@@ -164,6 +164,8 @@ Result<void> SimulatedPort::change(const QString &assignment)
         return set;
     if (assignment.startsWith(u"unplug="_s))
         changed.unplugAfter += seconds(m_now);
+    if (assignment.startsWith(u"reset="_s))
+        changed.resetAfter += seconds(m_now);
     if (assignment.startsWith(u"other-client="_s))
         changed.otherClient += seconds(m_now);
     m_faults = changed;

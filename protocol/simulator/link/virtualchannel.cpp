@@ -129,7 +129,19 @@ void VirtualChannel::step()
     while (const auto frame = m_control.advance(now(), m_latest.get())) {
         if (!frame->isEmpty())
             m_queue.sendUnanswered(*frame, now());
+        if (const Request *question = m_control.question(); question && !std::exchange(m_isAsking, true)) {
+            m_queue.submit(
+                *question,
+                [this](const Result<Frame> &answer) {
+                    m_isAsking = false;
+                    if (answer)
+                        m_control.answered(*answer);
+                },
+                now(), TransactionQueue::Lane::Urgent);
+        }
     }
+    if (const auto outcome = m_control.takeOutcome())
+        m_stoodStill = outcome;
     m_stop.advance(now());
     beat();
     m_queue.bytesTaken(1 << 20, now());
@@ -142,7 +154,7 @@ Result<Frame> VirtualChannel::transact(const Request &request)
         return tl::unexpected(*stop);
     std::optional<Result<Frame>> result;
     const auto id = m_queue.submit(
-        request, [&result](Result<Frame> r) { result = std::move(r); }, now());
+        request, [&result](Result<Frame> r) { result.emplace(std::move(r)); }, now());
     while (!result) {
         if (cancelled()) {
             m_queue.cancel(id);

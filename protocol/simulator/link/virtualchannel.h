@@ -26,7 +26,8 @@ public:
     void releaseControl() override { m_control.end(now()); }
     void stopMotors(const StopPlan &plan) override;
     void expectSilence(milliseconds duration) override;
-    [[nodiscard]] bool cancelled() const override { return m_cancelAt && now() >= *m_cancelAt; }
+    [[nodiscard]] bool cancelled() const override { return !m_held && m_cancelAt && now() >= *m_cancelAt; }
+    void holdCancel(bool held) override { m_held = held; }
     void progress(const Progress &progress) override;
     [[nodiscard]] TimePoint now() const override { return TimePoint() + 1h + m_port.now(); }
     [[nodiscard]] LinkObservation observation() const override;
@@ -39,6 +40,8 @@ public:
     void setLatestValues(std::shared_ptr<const LatestValues> latest) { m_latest = std::move(latest); }
     /// Outcome of the last stop; empty until it ends.
     [[nodiscard]] const std::optional<Result<void>> &stopResult() const { return m_stopped; }
+    /// How the last steering ended: the board was seen to stand still, or not.
+    [[nodiscard]] const std::optional<bool> &stoodStill() const { return m_stoodStill; }
     /// Plays the operator: receives every progress report while the procedure waits.
     void setOperator(std::function<void(const Progress &)> person) { m_operator = std::move(person); }
     [[nodiscard]] const std::vector<Progress> &progressReports() const { return m_progress; }
@@ -62,11 +65,14 @@ private:
     StopSequence m_stop;
     std::shared_ptr<const LatestValues> m_latest;
     std::optional<Result<void>> m_stopped;
+    bool m_isAsking = false;  // whether the board stands still
+    std::optional<bool> m_stoodStill;
     std::set<class VirtualMailbox *> m_mailboxes;
     std::function<void(const FrameView &, TimePoint)> m_tap;
     std::function<void(const Progress &)> m_operator;
     std::vector<Progress> m_progress;
     std::optional<TimePoint> m_cancelAt;
+    bool m_held = false;
     QByteArray m_lastBytes;
     quint64 m_bytesIn = 0;
     qint64 m_bytesOut = 0;

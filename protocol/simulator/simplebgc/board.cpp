@@ -18,6 +18,7 @@ constexpr qsizetype kInputBuffer = 256;  // errata 7: a whole message is lost wh
 constexpr double kCommandTime = 0.0015;  // errata 7: 1-10 ms to an answer
 constexpr double kNominalVoltage = 12.3;
 constexpr double kStillEnough = 8.0;  // deg/s peak to peak that still counts as standing still
+constexpr double kCalibrationBlocks = 0.5;  // seconds
 constexpr double kLongestCalibration = 12.0;  // seconds, then it ends without having changed anything
 constexpr double kMissedSteps = 30.0;  // degrees of error
 
@@ -218,7 +219,11 @@ void SimulatedBoard::cycle()
     m_stabilizer.step();
     updateCalibration();
     // For the first half second a calibration blocks everything else (errata 7).
-    const bool silent = m_calibration.left > 0 && m_calibration.total - m_calibration.left < 0.5;
+    const double lateStreams = m_options.faults.lateStreams;
+    const bool silent = m_calibration.left > 0
+        && (lateStreams > 0 || m_calibration.total - m_calibration.left < kCalibrationBlocks);
+    if (silent)
+        m_streamsAt = m_now + lateStreams;
     if (!silent && !m_commands.empty() && m_now >= m_nextCommandAt) {
         const Frame frame = std::move(m_commands.front());
         m_commands.pop_front();
@@ -230,7 +235,7 @@ void SimulatedBoard::cycle()
         m_output += m_replies.front().frame;
         m_replies.pop_front();
     }
-    if (!silent)
+    if (!silent && m_now >= m_streamsAt)
         sendStreams();
 }
 
@@ -247,6 +252,8 @@ void SimulatedBoard::updateFaults()
     m_stabilizer.setImuPresent(!faults.noImu);
     m_stabilizer.setPose(faults.pose);
     m_stabilizer.setSwappedMotors(faults.swappedAxes);
+    for (std::size_t i = 0; i < kAxisCount; ++i)
+        m_stabilizer.plant(kAxes[i]).setBlocked(faults.blocked == int(i) + 1);
     m_stabilizer.hand().setStrength(isCalibrating() && faults.shake <= 2.0 ? 0.0 : faults.shake);
     const double volts
         = (faults.battery > 0 ? faults.battery : kNominalVoltage) - 0.04 * m_stabilizer.current();
@@ -254,6 +261,10 @@ void SimulatedBoard::updateFaults()
     const double motorsOff = value(u"battery.motors_off"_s);
     if (motorsOff > 0 && volts < motorsOff)
         m_stabilizer.setMotorsOn(false);
+    if (faults.resetAfter >= 0 && m_now >= faults.resetAfter && m_resetDone != faults.resetAfter) {
+        m_resetDone = faults.resetAfter;
+        restart(0.0);
+    }
     if (faults.otherClient >= 0 && m_now >= faults.otherClient && !m_otherClientDone) {
         m_otherClientDone = true;
         store(u"pid.roll.p"_s, m_active, std::min(255, stored(u"pid.roll.p"_s, m_active) + 10));

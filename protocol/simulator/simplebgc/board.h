@@ -90,6 +90,7 @@ private:
     [[nodiscard]] QByteArray realtimeCustom(quint32 flags) const;
     [[nodiscard]] QByteArray laterFields(quint32 flags) const;
     [[nodiscard]] double volts() const;
+    [[nodiscard]] int celsius(int normal) const;
     /// Gravity and heading in vector form, 24 bytes.
     [[nodiscard]] QByteArray attitudeVectors() const;
     [[nodiscard]] Angles angles() const;
@@ -105,6 +106,7 @@ private:
         int version = 1;
         double next = 0;
         double interval = 0;
+        QByteArray sent = {};  // the newest payload
     };
     struct Calibration
     {
@@ -143,6 +145,7 @@ private:
     int m_imu = 1;
     double m_now = 0;
     double m_nextCommandAt = 0;
+    double m_streamsAt = 0;  // nothing is streamed before
     double m_bootLeft = 0;
     double m_restartAt = -1;
     double m_voltageOffset = 0;
@@ -163,6 +166,7 @@ private:
     bool m_emergency = false;
     int m_writesSeen = 0;
     bool m_otherClientDone = false;
+    double m_resetDone = -1;  // the time of the last restart that the world made
 };
 
 }  // namespace simplebgc

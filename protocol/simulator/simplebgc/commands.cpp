@@ -220,7 +220,7 @@ bool SimulatedBoard::handleAction(const Frame &frame)
         confirm(frame);
         return true;
     case CommandId::MotorsOff:
-        m_stabilizer.setMotorsOn(false);
+        m_stabilizer.setMotorsOn(m_options.faults.runsOn && m_stabilizer.motorsOn());
         m_autoPid.reset();
         m_control = {};
         confirm(frame);
@@ -241,7 +241,7 @@ bool SimulatedBoard::handleAction(const Frame &frame)
     case CommandId::CalibBat:
         if (!hasSize(frame, 2))
             return true;
-        m_voltageOffset = ByteReader(frame.payload).u16() * 0.01 - 12.3;
+        m_voltageOffset += ByteReader(frame.payload).u16() * 0.01 - volts();
         confirm(frame);
         return true;
     case CommandId::AutoPid: {
@@ -447,6 +447,9 @@ void SimulatedBoard::sendStreams()
             payload = realtimeCustom(ByteReader(stream.request.config).u32());
         else
             payload = attitudeVectors();
+        if (m_options.faults.frozen && !stream.sent.isEmpty())
+            payload = stream.sent;
+        stream.sent = payload;
         send(id, payload, stream.version, true);
     }
 }
@@ -504,9 +507,11 @@ void SimulatedBoard::menu(int action, const Frame &frame)
         reply(frame, CommandId::Reset, {});
         restart(kResetNotice);
         break;
-    case 10: m_stabilizer.setMotorsOn(!m_stabilizer.motorsOn() && !m_emergency); break;
+    case 10:
+        m_stabilizer.setMotorsOn(!m_emergency && (!m_stabilizer.motorsOn() || m_options.faults.runsOn));
+        break;
     case 11: m_stabilizer.setMotorsOn(!m_emergency); break;
-    case 12: m_stabilizer.setMotorsOn(false); break;
+    case 12: m_stabilizer.setMotorsOn(m_options.faults.runsOn && m_stabilizer.motorsOn()); break;
     case 17: m_stabilizer.setTarget(Axis::Pitch, 90.0); break;
     case 18:
         for (const Axis axis : kAxes)

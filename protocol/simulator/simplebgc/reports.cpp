@@ -37,6 +37,11 @@ template <typename Angle> std::array<double, 4> attitude(Angle angle)
 
 }  // namespace
 
+int SimulatedBoard::celsius(int normal) const
+{
+    return m_options.faults.heat > 0 ? int(std::lround(m_options.faults.heat)) : normal;
+}
+
 double SimulatedBoard::volts() const
 {
     return (m_options.faults.battery > 0 ? m_options.faults.battery : 12.3) + m_voltageOffset
@@ -96,7 +101,14 @@ QByteArray SimulatedBoard::realtime(bool extended) const
     writer.zeros(1);
     for (const Axis axis : kAxes)
         writer.i16(int(std::lround(std::clamp(s.torque(axis), -1.0, 1.0) * 512.0)));
-    writer.u16(int(std::lround(s.current() * 1000.0))).i16(210).i16(-40).i16(380).i8(31).i8(0).u8(2).u8(0);
+    writer.u16(int(std::lround(s.current() * 1000.0)))
+        .i16(210)
+        .i16(-40)
+        .i16(380)
+        .i8(celsius(31))
+        .i8(0)
+        .u8(2)
+        .u8(0);
     return writer.zeros(36).take();
 }
 
@@ -173,7 +185,7 @@ QByteArray SimulatedBoard::laterFields(quint32 flags) const
         for (const Axis axis : kAxes) {
             writer.i16(int(std::lround(std::clamp(s.torque(axis), -1.0, 1.0) * 10000.0)));
             writer.u16(int(std::lround(s.current() / 3.0 * 1000.0)))
-                .i8(35)
+                .i8(celsius(35))
                 .u16(s.motorsOn() ? 4 : 0)
                 .zeros(6);
         }

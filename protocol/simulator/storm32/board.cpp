@@ -128,8 +128,7 @@ void SimulatedBoard::applyParameters()
         gains.poles = int(axisValue("motor.%a.poles", axis));
         gains.inverted
             = axisValue("motor.%a.direction", axis) == 1.0;  // the simulated motors run the normal way
-        const bool used = axisValue("motor.%a.usage", axis) != 3.0;
-        gains.power = used ? std::min(1.0, axisValue("motor.%a.vmax", axis) / 255.0) : 0.0;
+        gains.power = isUsed(axis) ? std::min(1.0, axisValue("motor.%a.vmax", axis) / 255.0) : 0.0;
         constexpr std::array<double, 7> kLowPassMs{0, 1.5, 3.0, 4.5, 6.0, 7.5, 9.0};
         const double ms = kLowPassMs[std::size_t(std::clamp(value(u"filter.gyro_lpf"_s), 0.0, 6.0))];
         gains.dLpfHz = ms > 0 ? 1000.0 / (2.0 * 3.14159265 * ms) : 0.0;
@@ -195,6 +194,7 @@ void SimulatedBoard::restart(Memory memory)
     m_scriptCase = {};
     m_scriptRuns = {};
     m_heardBeat = false;
+    m_isBeating = false;  // who it is comes first again
     m_input.clear();
     if (memory == Memory::Reload)
         m_ram = m_eeprom;
@@ -254,14 +254,34 @@ bool SimulatedBoard::isPanning(Axis axis) const
     return kModes[std::size_t(mode)][place[std::size_t(axis)]];
 }
 
+bool SimulatedBoard::isUsed(Axis axis) const
+{
+    return axisValue("motor.%a.usage", axis) != 3.0 || m_options.faults.runsOn;
+}
+
+bool SimulatedBoard::isDriven(Axis axis) const
+{
+    return m_stabilizer.motorsOn() && isUsed(axis);
+}
+
 void SimulatedBoard::updateWorld()
 {
     const Faults &faults = m_options.faults;
+    if (!faults.frozen)
+        m_frozen.reset();
+    else if (!m_frozen)
+        m_frozen = liveWords();
+    if (faults.resetAfter >= 0 && m_now >= faults.resetAfter && m_resetDone != faults.resetAfter) {
+        m_resetDone = faults.resetAfter;
+        restart(Memory::Reload);
+    }
     m_stabilizer.setImuPresent(!faults.noImu);
     // Poses by this family's axes, forward and left, converted to the plant's, right and forward.
     constexpr std::array<int, 8> kPlantPose{0, 1, 2, 5, 6, 4, 3, 7};
     m_stabilizer.setPose(kPlantPose[std::size_t(faults.pose)]);
     m_stabilizer.setSwappedMotors(faults.swappedAxes);
+    for (std::size_t i = 0; i < kAxisCount; ++i)
+        m_stabilizer.plant(kAxes[i]).setBlocked(faults.blocked == int(i) + 1);
     m_stabilizer.hand().setStrength(faults.shake);
     m_stabilizer.setVoltage(volts());
     // The motors turn from state 4 on (2 and 3 hold still for the sensors).

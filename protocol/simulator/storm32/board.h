@@ -62,6 +62,10 @@ private:
     void updateTargets();
     [[nodiscard]] double volts() const;
     [[nodiscard]] bool isPanning(Axis axis) const;
+    /// Its motor is not disabled by its parameter.
+    [[nodiscard]] bool isUsed(Axis axis) const;
+    /// Nor is it off.
+    [[nodiscard]] bool isDriven(Axis axis) const;
 
     // reports (reports.cpp)
     [[nodiscard]] QByteArray versionData() const;
@@ -141,6 +145,8 @@ private:
     double m_now = 0;
     double m_started = 0;  // time at which the program started
     double m_relevelUntil = 0;
+    std::optional<std::array<int, 32>> m_frozen;  // live data that stand still
+    double m_resetDone = -1;  // the time of the last restart that the world made
     bool m_standby = false;
     QByteArray m_input;
     double m_lastByteAt = 0;

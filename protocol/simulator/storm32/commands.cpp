@@ -279,7 +279,7 @@ std::pair<int, QByteArray> SimulatedBoard::rc(int id, QByteArrayView payload)
     case Rc::SetPanMode: setPanMode(u8At(payload, 0)); return ack(0);
     case Rc::SetStandby:
         // Acknowledged and ignored while starting (errata 13, row 1).
-        if (!m_standby && state() != 6)
+        if (!m_standby && (state() != 6 || m_options.faults.runsOn))
             return ack(0);
         if (m_standby && u8At(payload, 0) == 0)
             m_relevelUntil = m_now + 1.0;

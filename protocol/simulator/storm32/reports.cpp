@@ -83,7 +83,7 @@ int SimulatedBoard::status2() const
     for (std::size_t i = 0; i < kAxisCount; ++i) {
         if (isPanning(kAxes[i]))
             bits |= kPanBits[i];
-        if (m_stabilizer.motorsOn() && axisValue("motor.%a.usage", kAxes[i]) != 3.0)
+        if (isDriven(kAxes[i]))
             bits |= kMotorBits[i];
     }
     if (!m_stabilizer.imuPresent() && m_options.firmware < 80)
@@ -129,7 +129,7 @@ std::array<int, 32> SimulatedBoard::liveWords() const
         words[16 + i] = rounded(angles[i] * 100.0);
         // With an inactive motor exactly minus the angle (errata 3.5); otherwise the angle by which the motor
         // has turned the camera.
-        const bool active = s.motorsOn() && axisValue("motor.%a.usage", axis) != 3.0;
+        const bool active = isDriven(axis);
         words[19 + i] = rounded((active ? sign * s.jointAngle(axis) : -angles[i]) * 100.0);
         words[22 + i] = m_pulse[std::size_t(axis)];
         words[25 + i] = rounded(frame[i] * 100.0);
@@ -147,7 +147,7 @@ std::array<int, 32> SimulatedBoard::liveWords() const
 
 QByteArray SimulatedBoard::liveData(int words) const
 {
-    const auto live = liveWords();
+    const auto live = m_frozen ? *m_frozen : liveWords();
     ByteWriter writer;
     for (int i = 0; i < words; ++i)
         writer.u16(live[std::size_t(i)] & 0xFFFF);

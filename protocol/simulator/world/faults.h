@@ -18,12 +18,19 @@ struct Faults
     double reorder = 0;  ///< reorder: probability that a packet is overtaken by the next one
     double unplugAfter = -1;  ///< unplug: seconds until the cable is pulled
     double replugAfter = 3;  ///< replug: seconds until it is plugged in again; negative = never
+    double resetAfter = -1;  ///< reset: seconds until the board restarts by itself, without notice
     int resetOnWrite
         = 0;  ///< reset-on-write: the n-th parameter block written from now on resets the board half-way
     int deaf = -1;  ///< deaf: number, or letter code, of a command that is never answered; -1 = none
     int failWith = 0;  ///< fail: error code with which a calibration or auto-tune ends half-way, 0 = none
+    double lateStreams
+        = 0;  ///< late-streams: seconds after a calibration, which answers nothing then; 0 = normal
     bool noImu = false;  ///< no-imu
+    bool frozen = false;  ///< frozen: live data stand still, with their time stamps
     double battery = 0;  ///< battery: volts, 0 = normal
+    double heat = 0;  ///< heat: °C of the board's sensor and of its motors, 0 = normal
+    int blocked = 0;  ///< blocked: an axis that something holds fast, 1-3 = roll, pitch, yaw; 0 = none
+    bool runsOn = false;  ///< runs-on: what switches the motors off is confirmed and not obeyed
     bool unknownFirmware = false;  ///< unknown-firmware: reports an unknown version
     double otherClient = -1;  ///< other-client: seconds until another client changes P of roll by 10
     double shake = 1;  ///< shake: strength of the hand, 0 = tripod

@@ -23,6 +23,12 @@ void AxisPlant::step(double seconds, double torque, double frameAngle, double fr
     const double omega = 2.0 * std::numbers::pi * m_mechanics.resonanceHz;
     m_frameAngle = frameAngle;
     m_atStop = false;
+    if (m_isBlocked) {
+        m_angle += frameRate * seconds;
+        m_rate = frameRate;
+        m_bend = m_bendRate = m_motor = 0.0;
+        return;
+    }
     for (int i = 0; i < kSubSteps; ++i) {
         m_motor += (std::clamp(torque, -1.0, 1.0) - m_motor) * std::min(1.0, dt / kMotorLag);
         const double drive = m_mechanics.fullTorque * m_motor;

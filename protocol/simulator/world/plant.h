@@ -64,6 +64,8 @@ public:
         m_angle = degrees;
         m_rate = m_bend = m_bendRate = m_motor = 0.0;
     }
+    /// Something holds the camera fast to the frame.
+    void setBlocked(bool blocked) { m_isBlocked = blocked; }
     [[nodiscard]] const AxisMechanics &mechanics() const { return m_mechanics; }
 
 private:
@@ -75,6 +77,7 @@ private:
     double m_motor = 0;  // present torque of the lagging motor
     double m_frameAngle = 0;
     bool m_atStop = false;
+    bool m_isBlocked = false;
 };
 
 /// The hand that holds the frame: slow sway and faster tremor about three axes.

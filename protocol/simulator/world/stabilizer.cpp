@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace {
 
@@ -103,6 +104,18 @@ void Stabilizer::setMotorsOn(bool on)
     m_motorsOn = on;
 }
 
+void Stabilizer::setPose(int pose)
+{
+    if (std::exchange(m_pose, pose) != 0 && pose == 0)
+        resetEstimate();
+}
+
+void Stabilizer::setBelievedAxes(const Rotation &axes)
+{
+    if (std::exchange(m_believed, axes) != axes)
+        m_believesAnew = true;
+}
+
 void Stabilizer::resetEstimate()
 {
     for (AxisState &axis : m_axes) {
@@ -147,7 +160,7 @@ void Stabilizer::sense()
 {
     const double roll = radians(m_axes[0].plant.angle());
     const double pitch = radians(m_axes[1].plant.angle());
-    m_gravity = {std::sin(roll), -std::sin(pitch), std::cos(roll) * std::cos(pitch)};
+    m_gravity = {std::cos(pitch) * std::sin(roll), -std::sin(pitch), std::cos(pitch) * std::cos(roll)};
     if (m_pose == kTilted) {
         m_gravity = {0.0, -std::numbers::sqrt2 / 2.0, std::numbers::sqrt2 / 2.0};
     } else if (m_pose != 0) {
@@ -173,16 +186,34 @@ void Stabilizer::sense()
     if (!m_imuPresent)
         return;
     misjudge();
-    // Complementary filter: the gyroscope leads, the accelerometer corrects roll and pitch. Yaw has no
-    // reference.
+    updateEstimate();
+}
+
+// Complementary filter: the gyroscope leads, the accelerometer corrects roll and pitch. Yaw has no reference.
+void Stabilizer::updateEstimate()
+{
+    if (std::exchange(m_believesAnew, false)) {
+        m_axes[0].estimate = degrees(std::atan2(m_acc[0], m_acc[2]));
+        m_axes[1].estimate = degrees(std::atan2(-m_acc[1], std::hypot(m_acc[0], m_acc[2])));
+    }
     const double pull = 0.6 * 120.0 / std::max(10.0, m_gyroTrust) * kCycle;
-    const std::array<double, 2> level{degrees(std::asin(std::clamp(m_acc[0], -1.0, 1.0))),
-                                      degrees(std::asin(std::clamp(-m_acc[1], -1.0, 1.0)))};
+    const double roll = radians(m_axes[0].estimate);
+    const double pitch = radians(m_axes[1].estimate);
+    // Gravity in the plane in which the axis turns, as it was measured: across and along what the estimates
+    // expect. An axis that points up or down sees none of it and is not corrected.
+    const double up = m_acc[0] * std::sin(roll) + m_acc[2] * std::cos(roll);
+    const double side = m_acc[0] * std::cos(roll) - m_acc[2] * std::sin(roll);
+    const double sign = std::copysign(1.0, std::cos(pitch));
+    const std::array<std::array<double, 2>, 2> seen{{{side * sign, up * sign},
+                                                     {-m_acc[1] * std::cos(pitch) - up * std::sin(pitch),
+                                                      up * std::cos(pitch) - m_acc[1] * std::sin(pitch)}}};
     for (std::size_t i = 0; i < kAxisCount; ++i) {
         AxisState &axis = m_axes[i];
         axis.estimate += axis.gyro * kCycle;
-        if (i < level.size())
-            axis.estimate += (level[i] - axis.estimate) * pull;
+        if (i < seen.size()) {
+            const auto &[across, along] = seen[i];
+            axis.estimate += degrees(std::atan2(across, along)) * std::hypot(across, along) * pull;
+        }
     }
 }
 

@@ -68,7 +68,7 @@ public:
     void setHeld(bool held) { m_held = held; }
     /// The camera lies still on one of its faces: 1-6 with Z, -Z, X, -X, Y, -Y up; 7 tilted 45 degrees down;
     /// 0 = in the gimbal.
-    void setPose(int pose) { m_pose = pose; }
+    void setPose(int pose);
     [[nodiscard]] int pose() const { return m_pose; }
     /// True gravity, in g, in the camera's axes right, forward and up.
     [[nodiscard]] const std::array<double, kAxisCount> &gravity() const { return m_gravity; }
@@ -78,7 +78,7 @@ public:
     /// rotation matrix. Not the identity if the sensor is mounted differently from what the firmware is
     /// configured for.
     using Rotation = std::array<std::array<int, 3>, 3>;
-    void setBelievedAxes(const Rotation &axes) { m_believed = axes; }
+    void setBelievedAxes(const Rotation &axes);
     /// Roll and pitch motors are swapped.
     void setSwappedMotors(bool swapped) { m_swapped = swapped; }
     void setVoltage(double volts) { m_voltage = volts; }
@@ -130,6 +130,7 @@ private:
     static std::size_t index(Axis axis) { return static_cast<std::size_t>(axis); }
     void sense();
     void misjudge();
+    void updateEstimate();
     void control(AxisState &axis);
 
     SimulatedNoise m_noise;
@@ -141,6 +142,7 @@ private:
     std::array<double, kAxisCount> m_acc{0, 0, 1};
     std::array<double, kAxisCount> m_rawAcc{0, 0, 1};
     Rotation m_believed{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    bool m_believesAnew = false;
     double m_gyroTrust = 120;
     double m_voltage = 12.3;
     double m_current = 0;

@@ -3,11 +3,12 @@
 #pragma once
 
 #include "protocol/client/deviceclient.h"
+#include "protocol/telemetry/changewatch.h"
 
 #include <QTimer>
 
 /// Notices when the samples of some channels stop coming. Only what was decoded counts, not bytes: a board
-/// may talk all the time without telling anything.
+/// may talk all the time without telling anything, or tell the same again and again.
 class SampleWatch final : public QObject
 {
     Q_OBJECT
@@ -24,21 +25,25 @@ public:
     [[nodiscard]] bool isReplayed() const { return m_isReplayed; }
 
 signals:
-    /// Once: no sample for the silence limit, or the recording that is played is over.
+    /// Once: no sample for the silence limit, nothing but the same, or the recording that is played is over.
     void ended();
 
 private:
     void look();
     [[nodiscard]] Duration limit() const;
     [[nodiscard]] TimePoint newest() const;
+    /// The board measures motion, and has sent the same values for this long; zero: they change.
+    [[nodiscard]] Duration sameFor(TimePoint now);
     void end(const QString &finding);
 
     DeviceClient &m_client;
     QList<int> m_channels;
     double m_slowest;
     QTimer m_timer;
+    ChangeWatch m_change;
     TimePoint m_newest{};  // time of the newest sample, by the store
     TimePoint m_heardAt{};  // when it came
+    TimePoint m_startedAt{};
     bool m_hasHeard = false;
     bool m_isReplayed = false;
     QString m_finding;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/samplewatch.h"
+#include "protocol/client/samplewatch.h"
 
 #include "protocol/client/replaycontrol.h"
 #include "protocol/device/family.h"
@@ -17,6 +17,8 @@ namespace {
 
 constexpr auto kLookPeriod = 100ms;
 constexpr Duration kSilenceLimit = 3s;
+constexpr Duration kArranging = 10s;
+constexpr Duration kFresh = 1s;
 constexpr double kRowsMissed = 3;  // a slow stream may be late, too
 constexpr Duration kReplayRest = 500ms;  // what is delivered last is decoded by then
 
@@ -29,20 +31,27 @@ SampleWatch::SampleWatch(DeviceClient &client, QList<int> channels, double slowe
 {
     m_timer.setInterval(kLookPeriod);
     connect(&m_timer, &QTimer::timeout, this, &SampleWatch::look);
-    // What was asked for is only on its way from now on.
-    connect(&m_client, &DeviceClient::telemetryPlanChanged, this, [this] { m_heardAt = Clock::now(); });
+    // What was asked for is only on its way from now on. A board whose streams end is asked again and again.
+    connect(&m_client, &DeviceClient::telemetryPlanChanged, this, [this] {
+        if (const TimePoint now = Clock::now(); now - m_startedAt < kArranging)
+            m_heardAt = now;
+    });
 }
 
 void SampleWatch::start()
 {
     m_newest = newest();
-    m_heardAt = Clock::now();
+    m_heardAt = m_startedAt = Clock::now();
     m_timer.start();
 }
 
 void SampleWatch::look()
 {
     const TimePoint now = Clock::now();
+    if (const Duration same = sameFor(now); same > 0s) {
+        end(u"the same again and again for %1 s"_s.arg(seconds(same), 0, 'f', 1));
+        return;
+    }
     if (const TimePoint latest = newest(); latest != m_newest) {
         m_newest = latest;
         m_heardAt = now;
@@ -61,6 +70,19 @@ void SampleWatch::look()
         end((m_hasHeard ? u"nothing more for %1 s"_s : u"nothing within %1 s"_s)
                 .arg(seconds(silence), 0, 'f', 1));
     }
+}
+
+// Only rates of turn are never the same for long: they have noise.
+Duration SampleWatch::sameFor(TimePoint now)
+{
+    const auto store = m_client.telemetry();
+    m_change.look(store.get(), now);
+    const QList<int> rates = ChannelRoles::present({m_client.roles().gyro});
+    const bool isMeasured = store && !m_client.address().isReplay()
+        && std::any_of(rates.begin(), rates.end(),
+                       [&](int rate) { return now - store->latestAt(rate) < kFresh; });
+    const auto since = isMeasured ? m_change.unchangedSince(*store, now) : std::nullopt;
+    return since ? now - *since : Duration::zero();
 }
 
 void SampleWatch::end(const QString &finding)

@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/base/result.h"
+
+/// The link was lost, or the board on it has started anew, while the job ran.
+[[nodiscard]] inline bool isLinkLoss(const Error &error)
+{
+    return error.code == ErrorCode::LinkClosed || error.code == ErrorCode::Restarted;
+}

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/procedure/inuse.h"
+
+#include "protocol/device/abilities.h"
+#include "protocol/device/device.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using InUse = QMap<int, double>;  // by number of the variable
+
+std::optional<InUse> askInUse(Channel &channel, LiveAccess &live, const QList<int> &variables)
+{
+    const auto read = live.readAdjustables(channel, variables);
+    if (!read)
+        return {};
+    InUse values;
+    for (const AdjustableValue &value : *read)
+        values.insert(value.id, value.value);
+    return values;
+}
+
+// Integers as the board divides them.
+double rawInUse(const ParameterSpec &spec, double variable)
+{
+    const double raw = variable / spec.row->adjustableScale;
+    return spec.row->wire == WireType::F32 ? spec.nearest(raw) : std::trunc(raw);
+}
+
+}  // namespace
+
+std::vector<OtherValue> readReplaceable(Channel &channel, Device &device, const Configuration &stored)
+{
+    LiveAccess *live = device.live();
+    if (!live || device.wholeMemory())
+        return {};
+    QList<int> variables;
+    for (const AdjustableSpec &variable : live->adjustables()) {
+        const auto &all = stored.parameters().all();
+        if (std::any_of(all.begin(), all.end(),
+                        [&variable](const ParameterSpec &spec) { return spec.adjustable == variable.id; }))
+            variables.append(variable.id);
+    }
+    const auto inUse = variables.isEmpty() ? std::nullopt : askInUse(channel, *live, variables);
+    std::vector<OtherValue> values;
+    for (const ParameterSpec &spec : stored.parameters().all()) {
+        const auto raw = stored.raw(spec, stored.activeProfile());
+        if (!inUse || !raw || spec.row->state || !inUse->contains(spec.adjustable))
+            continue;
+        const double used = rawInUse(spec, inUse->value(spec.adjustable));
+        if (!sameValue(*raw, used))
+            values.push_back({&spec, used, *raw, {}});
+    }
+    return values;
+}
+
+std::vector<OtherValue> findReplaced(Channel &channel, Device &device, std::vector<OtherValue> before)
+{
+    if (before.empty())
+        return before;
+    QList<int> variables;
+    for (const OtherValue &value : before)
+        variables.append(value.spec->adjustable);
+    const auto now = askInUse(channel, *device.live(), variables);
+    if (!now)
+        return {};
+    std::erase_if(before, [&now](OtherValue &value) {
+        value.now = rawInUse(*value.spec, now->value(value.spec->adjustable));
+        return sameValue(*value.now, value.inUse);
+    });
+    return before;
+}

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "protocol/configuration/writereport.h"
+
+class Channel;
+class Device;
+
+/// What is in use in the active profile otherwise than stored, on a board that loads what is written: a write
+/// replaces it. Nothing on a board that stores everything in use at once (WholeMemory), or that answers
+/// questions for what is stored with what is in use: there nobody can tell.
+/// @param stored what the board answered for what is stored
+[[nodiscard]] std::vector<OtherValue> readReplaceable(Channel &channel, Device &device,
+                                                      const Configuration &stored);
+/// These of them the board does not use any more.
+[[nodiscard]] std::vector<OtherValue> findReplaced(Channel &channel, Device &device,
+                                                   std::vector<OtherValue> before);
