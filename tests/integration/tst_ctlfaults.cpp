@@ -712,8 +712,12 @@ void TestCtlFaults::slowLinesThinOut()
                          u"monitor"_s, u"--channels"_s, channels, u"--seconds"_s, u"2"_s});
     QVERIFY2(run.exitCode == 0, qPrintable(run.err));
     QVERIFY2(run.err.contains(u"The line is slow"_s), qPrintable(run.err));
+    // On a busy machine an answer is late, and the end may come before it.
+    static const QRegularExpression counts(u"([0-9]+) rows, ([0-9]+) lost"_s);
+    const auto counted = counts.match(run.err);
+    QVERIFY2(counted.captured(1).toInt() > 8, qPrintable(run.err));
+    QVERIFY2(counted.captured(2).toInt() <= 1, qPrintable(run.err));
     QVERIFY(run.out.count(u'\n') > 8);
-    QVERIFY2(run.err.contains(u" 0 lost"_s), qPrintable(run.err));
 }
 
 void TestCtlFaults::steeringEndsWithTheCommand_data()
