@@ -154,6 +154,9 @@ private:
     {
         m_patience.stop();
         CommandOutcome outcome = doneOutcome(kStopKey, {});
+        QJsonObject json = outcome.json.toObject();
+        json.insert(u"restored"_s, restored);
+        outcome.json = json;
         if (!restored) {
             outcome.note
                 = u"the motors are off, but disabled in volatile memory, and what was in use before could "
@@ -358,7 +361,7 @@ private:
                     continue;
                 entries.append(QJsonObject{{u"entry"_s, QString::fromUtf8(choice->name)},
                                            {u"risk"_s, other},
-                                           {u"answered"_s, entry.answered}});
+                                           {u"answered"_s, entry.isShown}});
                 outcome.text
                     += u"      %1 %2\n"_s.arg(other.leftJustified(9), QString::fromUtf8(choice->name));
             }

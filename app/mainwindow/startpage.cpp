@@ -3,6 +3,7 @@
 #include "app/mainwindow/startpage.h"
 
 #include "widgets/forms/keyboard.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/theme/theme.h"
 #include "widgets/views/card.h"
 
@@ -11,7 +12,6 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -123,7 +123,7 @@ void StartPage::setLeftovers(const QStringList &bases)
         const QString serial = QFileInfo(base).dir().dirName() == u"unsaved"_s
             ? QFileInfo(QFileInfo(base).path()).dir().dirName()
             : QFileInfo(base).baseName();
-        const QString when = QLocale::system().toString(QFileInfo(base).lastModified(), QLocale::ShortFormat);
+        const QString when = dateText(QFileInfo(base).lastModified());
         auto *button = new QPushButton(tr("Board %1, %2").arg(serial, when));
         connect(button, &QPushButton::clicked, this, [this, base] { emit leftoverRequested(base); });
         m_leftovers->addWidget(button, 0, Qt::AlignLeft);

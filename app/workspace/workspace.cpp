@@ -78,6 +78,8 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     connect(&m_client, &DeviceClient::stateChanged, this, &Workspace::onState);
     connect(&m_client, &DeviceClient::connectionLost, this, &Workspace::onLost);
     connect(&m_client, &DeviceClient::statisticsChanged, this, &Workspace::followActiveProfile);
+    connect(&m_configuration, &ConfigurationModel::activeProfileChanged, this,
+            [this] { m_profileKnownAt = Clock::now(); });
     connect(&m_client, &DeviceClient::statisticsChanged, this, &Workspace::settleMotors);
     connect(&m_client, &DeviceClient::statisticsChanged, this, &Workspace::readUnknown);
     connect(&m_client, &DeviceClient::motorsOffFinished, this, [this](bool isProven) {
@@ -521,12 +523,16 @@ std::vector<BoardFault> Workspace::faults() const
     return words->faults(unsigned(bits), std::isnan(detail) ? 0U : unsigned(detail));
 }
 
-// A menu button, a radio or another program can change the profile as well.
+// A menu button, a radio or another program can change the profile as well. A sample from before the last
+// change says nothing about it: on a slow line it is the newest one for a while.
 void Workspace::followActiveProfile()
 {
-    const double active = latest(roles().activeProfile);
-    if (std::isnan(active) || m_switchingProfile || isWriting() || m_reading || m_configuration.isEmpty()
-        || !m_client.isConnected() || int(active) == m_configuration.board().activeProfile())
+    const auto store = m_client.telemetry();
+    const int channel = roles().activeProfile;
+    const double active = latest(channel);
+    if (std::isnan(active) || store->latestAt(channel) <= m_profileKnownAt || m_switchingProfile
+        || isWriting() || m_reading || m_configuration.isEmpty() || !m_client.isConnected()
+        || int(active) == m_configuration.board().activeProfile())
         return;
     m_configuration.setActiveProfile(int(active));
 }

@@ -265,6 +265,7 @@ private:
     bool m_readLater = false;  // when nothing is held any more
     bool m_isDoubted = false;  // whether it is the board before, until the operator has answered
     bool m_switchingProfile = false;
+    TimePoint m_profileKnownAt{};  // the active one
     bool m_stopWhenConnected = false;
     std::optional<bool> m_ranLast;  // whether the motors ran, for all that was heard on this link
     bool m_wereOff = false;  // before the link was lost, and nobody has started them since

@@ -84,7 +84,7 @@ ActionSpec chosenAction(const ActionSpec &action, const QVariantMap &arguments)
             continue;
         chosen.risk = entry.risk;
         chosen.memory = entry.memory;
-        chosen.answered = entry.answered;
+        chosen.isShown = entry.isShown;
         chosen.letsGo |= entry.letsGo;
     }
     return chosen;

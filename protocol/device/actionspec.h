@@ -52,7 +52,7 @@ struct EntryEffect
     int value = 0;  ///< of the action's first argument, unless another one is named
     ActionRisk risk = ActionRisk::Safe;
     MemoryEffect memory = MemoryEffect::None;
-    bool answered = true;
+    bool isShown = true;
     bool letsGo = false;
     const char *argument = "";  ///< a choice, or a toggle that counts as 1
 };

@@ -27,9 +27,6 @@ constexpr double kArrived = 3.0;  // degrees between them
 constexpr qsizetype kErrorBits = 14;  // of REALTIME_DATA_3
 constexpr unsigned kMissingSensor = 1;
 // Entries of the board's menu (errata 4.1).
-constexpr int kMenuMotorsSwitch = 10;
-constexpr int kMenuMotorsOn = 11;
-constexpr int kMenuMotorsOff = 12;
 constexpr int kMenuAutoPid = 16;
 constexpr int kMenuAutoPidGain = 64;
 

@@ -26,16 +26,21 @@ constexpr Choice kDefaultsScope[] = {{0, "profile1"}, {1, "profile2"}, {2, "prof
 constexpr ArgumentSpec kMenuArguments[] = {
     {.key = "command", .label = "Command", .kind = ArgumentKind::Choice, .choices = kMenuActions}};
 constexpr int kProfileEntries[] = {1, 2, 3, 14, 15};
+constexpr int kMotorEntries[] = {kMenuMotorsSwitch, kMenuMotorsOn, kMenuMotorsOff};
 constexpr int kMenuReset = 7;
 constexpr auto kMenuEntries = [] {
-    std::array<EntryEffect, std::size(kMenuEffects) + std::size(kProfileEntries) + 1> entries{};
+    std::array<EntryEffect,
+               std::size(kMenuEffects) + std::size(kProfileEntries) + std::size(kMotorEntries) + 1>
+        entries{};
     std::size_t count = 0;
     for (const MenuEffect &effect : kMenuEffects)
         entries[count++] = {effect.action, effect.destroys ? ActionRisk::Destroys : ActionRisk::Writes,
-                            MemoryEffect::None, !effect.goesOn};
+                            MemoryEffect::None, false};
     for (const int profile : kProfileEntries)
         entries[count++] = {profile, ActionRisk::Moves, MemoryEffect::Reloads, true};
-    entries[count] = {kMenuReset, ActionRisk::Moves, MemoryEffect::ChangesInUse, true, true};
+    for (const int motors : kMotorEntries)
+        entries[count++] = {motors, ActionRisk::Moves, MemoryEffect::ChangesInUse, true};
+    entries[count] = {kMenuReset, ActionRisk::Moves, MemoryEffect::ChangesInUse, false, true};
     return entries;
 }();
 constexpr ArgumentSpec kProfileArguments[] = {
@@ -125,7 +130,7 @@ constexpr ActionSpec kActions[] = {
     {.key = "motors.off", .label = "Stop motors", .help = "Switches all motors off at once.", .group = "Motion", .stopsMotors = true},
     {.key = "menu", .label = "Menu command", .help = "Runs a command of the board's menu.", .group = "Motion",
      .risk = ActionRisk::Moves, .arguments = kMenuArguments, .memory = MemoryEffect::ChangesInUse,
-     .entries = kMenuEntries},
+     .entries = kMenuEntries, .isShown = false},
     {.key = "steer", .label = "Steer", .help = "Moves the camera for a time, then gives control back.",
      .group = "Motion", .risk = ActionRisk::Moves, .arguments = kSteerArguments, .isProcedure = true,
      .units = kAngleUnits},
@@ -160,7 +165,7 @@ constexpr ActionSpec kActions[] = {
      .group = "Board", .risk = ActionRisk::Moves, .arguments = kResetArguments, .units = kResetUnits,
      .letsGo = true},
     {.key = "defaults", .label = "Factory defaults", .help = "Overwrites a profile, or everything, with defaults.",
-     .group = "Board", .risk = ActionRisk::Destroys, .arguments = kDefaultsArguments, .letsGo = true},
+     .group = "Board", .risk = ActionRisk::Destroys, .arguments = kDefaultsArguments, .isShown = false, .letsGo = true},
 };
 // clang-format on
 

@@ -49,6 +49,9 @@ struct MenuEffect
     bool goesOn = false;
 };
 // clang-format off
+inline constexpr int kMenuMotorsSwitch = 10;
+inline constexpr int kMenuMotorsOn = 11;
+inline constexpr int kMenuMotorsOff = 12;
 inline constexpr MenuEffect kMenuEffects[] = {
     {4}, {5}, {6, false, true}, {8}, {9, false, true}, {13}, {16, false, true}, {19, false, true},
     {20, false, true}, {21, false, true}, {33, false, true}, {34}, {45, false, true}, {48, true}, {49, true},

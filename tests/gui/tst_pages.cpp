@@ -73,6 +73,7 @@ private slots:
     void profileNameTooLongIsRefused();
     void profileSavedAndLoaded();
     void profileMadeActive();
+    void switchedProfileStays();
     void damagedFileIsExplained();
     void liveSliderIsHeardAtOnceAndForgotten();
     void savedValuesStay();
@@ -244,6 +245,21 @@ void TestPages::profileMadeActive()
     QTest::mouseClick(named<QPushButton>(window().panels(), u"Switch profile"_s), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(std::as_const(m_rig->model()).board().activeProfile(), 2, 5000);
     QVERIFY(!named<QPushButton>(page, u"Make active"_s)->isEnabled());
+}
+
+// On a slow line the newest sample is from before the switch for a while.
+void TestPages::switchedProfileStays()
+{
+    QVERIFY(m_rig->open(u"sim:simplebgc?rate=9600"_s));
+    const auto reported = [this] { return workspace().latest(workspace().roles().activeProfile); };
+    QTRY_COMPARE(reported(), 0.0);
+    QSignalSpy active(&m_rig->model(), &ConfigurationModel::activeProfileChanged);
+    workspace().useProfile(1);
+    QTRY_COMPARE_WITH_TIMEOUT(reported(), 1.0, 10000);
+    QVERIFY(m_rig->boardGoesOn(1));
+    for (const QList<QVariant> &change : active)
+        QCOMPARE(change.first().toInt(), 1);
+    QCOMPARE(active.count(), 1);
 }
 
 void TestPages::damagedFileIsExplained()

@@ -56,6 +56,11 @@ QString withNumbers(const QString &sentence)
     return QString(sentence).replace(number, u"\\1"_s + screenLocale().decimalPoint() + u"\\2"_s);
 }
 
+QString dateText(const QDateTime &time)
+{
+    return numberLocale().toString(time, QLocale::ShortFormat);
+}
+
 QString sizeText(qint64 bytes)
 {
     return screenLocale().formattedDataSize(bytes);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QDateTime>
 #include <QLocale>
 #include <QString>
 
@@ -24,6 +25,8 @@ void setNumberLocale(const QLocale &locale);
 /// A sentence of the protocol's floor, with every number that has decimals rewritten; versions, addresses and
 /// keys stay.
 [[nodiscard]] QString withNumbers(const QString &sentence);
+/// Date and time of day.
+[[nodiscard]] QString dateText(const QDateTime &time);
 /// "1.2 MB".
 [[nodiscard]] QString sizeText(qint64 bytes);
 /// The number that was typed, with a comma or a point before the decimals. NaN: it is none, or there is more

@@ -3,11 +3,11 @@
 #include "widgets/views/settingspicture.h"
 
 #include "widgets/models/missingtext.h"
+#include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QApplication>
 #include <QDateTime>
-#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
@@ -104,7 +104,7 @@ QImage settingsPicture(const Configuration &configuration, int profile, const Th
     painter.drawText(
         kMargin, kMargin + QFontMetrics(title).height() + height,
         QCoreApplication::translate("SettingsPicture", "%1 · bold differs from the default · GimbalDesk")
-                .arg(QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat))
+                .arg(dateText(QDateTime::currentDateTime()))
             + (note.isEmpty() ? QString() : u" · "_s + note)
             + (configuration.missing().empty() ? QString()
                                                : u" · "_s

@@ -16,7 +16,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -246,7 +245,7 @@ void BackupsPage::reload()
         const int row = m_table->rowCount();
         m_table->insertRow(row);
         const QDateTime time = BoardHistory::timeOf(path).toLocalTime();
-        auto *when = new QTableWidgetItem(QLocale::system().toString(time, QLocale::ShortFormat));
+        auto *when = new QTableWidgetItem(dateText(time));
         when->setData(Qt::UserRole, path);
         const auto file = workspace().loadFile(path);
         m_table->setItem(row, 0, when);
