@@ -78,8 +78,9 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     connect(&m_client, &DeviceClient::stateChanged, this, &Workspace::onState);
     connect(&m_client, &DeviceClient::connectionLost, this, &Workspace::onLost);
     connect(&m_client, &DeviceClient::statisticsChanged, this, &Workspace::followActiveProfile);
-    connect(&m_configuration, &ConfigurationModel::activeProfileChanged, this,
-            [this] { m_profileKnownAt = Clock::now(); });
+    const auto noteProfile = [this] { m_profileKnownAt = Clock::now(); };
+    connect(&m_configuration, &ConfigurationModel::boardReset, this, noteProfile);
+    connect(&m_configuration, &ConfigurationModel::activeProfileChanged, this, noteProfile);
     connect(&m_client, &DeviceClient::statisticsChanged, this, &Workspace::settleMotors);
     connect(&m_client, &DeviceClient::statisticsChanged, this, &Workspace::readUnknown);
     connect(&m_client, &DeviceClient::motorsOffFinished, this, [this](bool isProven) {

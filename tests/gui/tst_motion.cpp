@@ -468,7 +468,7 @@ void TestMotion::searchEndsWithItsProfile()
     QVERIFY(m_rig->jobsAreDone());
     workspace().live().read();
     QVERIFY(m_rig->jobsAreDone());
-    QTRY_COMPARE(workspace().live().changeCount(), 0);
+    QCOMPARE(workspace().live().changeCount(), 0);
 }
 
 void TestMotion::storedElsewhereIsAnAnswer()

@@ -247,19 +247,20 @@ void TestPages::profileMadeActive()
     QVERIFY(!named<QPushButton>(page, u"Make active"_s)->isEnabled());
 }
 
-// On a slow line the newest sample is from before the switch for a while.
+// The newest sample is from before the switch for a moment.
 void TestPages::switchedProfileStays()
 {
-    QVERIFY(m_rig->open(u"sim:simplebgc?rate=9600"_s));
+    QVERIFY(m_rig->open());
     const auto reported = [this] { return workspace().latest(workspace().roles().activeProfile); };
     QTRY_COMPARE(reported(), 0.0);
     QSignalSpy active(&m_rig->model(), &ConfigurationModel::activeProfileChanged);
     workspace().useProfile(1);
+    QTRY_COMPARE(active.count(), 1);
+    emit m_rig->client().statisticsChanged();
     QTRY_COMPARE_WITH_TIMEOUT(reported(), 1.0, 10000);
     QVERIFY(m_rig->boardGoesOn(1));
-    for (const QList<QVariant> &change : active)
-        QCOMPARE(change.first().toInt(), 1);
     QCOMPARE(active.count(), 1);
+    QCOMPARE(active.first().first().toInt(), 1);
 }
 
 void TestPages::damagedFileIsExplained()

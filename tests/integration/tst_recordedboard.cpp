@@ -43,13 +43,18 @@ Family familyOf(const QString &key)
     qFatal("no such family");
 }
 
-/// The newest samples of a channel that are numbers, oldest first.
+/// The samples of a channel that are numbers, oldest first. What came before the subscription took effect may
+/// be a track of its own.
 std::vector<double> numbersOf(const TelemetryStore &store, int channel)
 {
     std::vector<double> numbers;
-    if (store.tracks(channel).empty())
+    const auto tracks = store.tracks(channel);
+    if (tracks.empty())
         return numbers;
-    const TrackView track = store.tracks(channel).front();
+    const TrackView &track
+        = *std::max_element(tracks.begin(), tracks.end(), [](const TrackView &one, const TrackView &other) {
+              return one.end() < other.end();
+          });
     for (std::size_t row = track.begin(); row < track.end(); ++row) {
         if (!std::isnan(track.value(row)))
             numbers.push_back(track.value(row));
