@@ -87,6 +87,14 @@
         <source>The settings as they were are kept in %1</source>
         <translation>Die Einstellungen, wie sie waren, liegen in %1</translation>
     </message>
+    <message>
+        <source>%1: put stored values into use?</source>
+        <translation>%1: gespeicherte Werte in Gebrauch nehmen?</translation>
+    </message>
+    <message>
+        <source>Do nothing</source>
+        <translation>Nichts tun</translation>
+    </message>
 </context>
 <context>
     <name>AdjustableModel</name>
@@ -2163,10 +2171,6 @@
         <translation>Das Board hat abgelehnt.</translation>
     </message>
     <message>
-        <source>Nothing was changed by this command.</source>
-        <translation>Durch diesen Befehl wurde nichts geändert.</translation>
-    </message>
-    <message>
         <source>The board&apos;s answer does not match its documentation.</source>
         <translation>Die Antwort des Boards ist nicht, was sein Dokument verspricht.</translation>
     </message>
@@ -2748,6 +2752,14 @@
     <message>
         <source>The board was silent for %1 s during the write. If it has restarted, what was in use without being stored is lost, and its motors may run.</source>
         <translation>Das Board hat während des Schreibens %1 s geschwiegen. Falls es neu gestartet hat, ist verloren, was in Gebrauch und nicht gespeichert war, und seine Motoren laufen vielleicht.</translation>
+    </message>
+    <message>
+        <source>It says that it has not carried out this command.</source>
+        <translation>Es meldet, dass es diesen Befehl nicht ausgeführt hat.</translation>
+    </message>
+    <message>
+        <source>The motors are off now; before the write they were running.</source>
+        <translation>Die Motoren sind jetzt aus; vor dem Schreiben liefen sie.</translation>
     </message>
 </context>
 <context>
@@ -4433,6 +4445,10 @@
         <source>Keep clear of the gimbal. Stop the motors (F12), or disconnect the power.</source>
         <translation>Bleiben Sie vom Gimbal weg. Schalten Sie die Motoren aus (F12), oder trennen Sie den Strom.</translation>
     </message>
+    <message>
+        <source>The board does not confirm yet that the motors are off; the command is repeated. Hold the camera.</source>
+        <translation>Das Board bestätigt noch nicht, dass die Motoren aus sind; der Befehl wird wiederholt. Die Kamera festhalten.</translation>
+    </message>
 </context>
 <context>
     <name>NumberBox</name>
@@ -4983,14 +4999,6 @@
         <translation>Zu Profil %1, %2, wechseln?</translation>
     </message>
     <message>
-        <source>The motors are running: its settings act at once.</source>
-        <translation>Die Motoren laufen: Seine Einstellungen wirken sofort.</translation>
-    </message>
-    <message>
-        <source>The motors may be running: its settings act at once.</source>
-        <translation>Die Motoren laufen vielleicht: Seine Einstellungen wirken sofort.</translation>
-    </message>
-    <message>
         <source>Switch profile</source>
         <translation>Profil wechseln</translation>
     </message>
@@ -5029,6 +5037,36 @@
     <message>
         <source>Stop motors</source>
         <translation>Motoren stoppen</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weiterer</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The motors are running: other settings act at once.</source>
+        <translation>Die Motoren laufen: Andere Einstellungen wirken sofort.</translation>
+    </message>
+    <message>
+        <source>The motors may be running: other settings act at once.</source>
+        <translation>Die Motoren laufen vielleicht: Andere Einstellungen wirken sofort.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) in use are not stored and will be lost: %1</source>
+        <translation>
+            <numerusform>%n benutzter Wert ist nicht gespeichert und geht verloren: %1</numerusform>
+            <numerusform>%n benutzte Werte sind nicht gespeichert und gehen verloren: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Store, then go on</source>
+        <translation>Speichern, dann weiter</translation>
+    </message>
+    <message>
+        <source>%1 without storing</source>
+        <translation>%1 ohne Speichern</translation>
     </message>
 </context>
 <context>
@@ -13844,13 +13882,6 @@ Auf dem Board: %1</translation>
         <translation>Nichts speichern</translation>
     </message>
     <message numerus="yes">
-        <source>%n value(s) that were in use without being stored are lost: the board restarted.</source>
-        <translation>
-            <numerusform>%n Wert, der benutzt und nicht gespeichert war, ist verloren: Das Board ist neu gestartet.</numerusform>
-            <numerusform>%n Werte, die benutzt und nicht gespeichert waren, sind verloren: Das Board ist neu gestartet.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n value(s) are not in the file; what is shown for them are defaults: %1</source>
         <translation>
             <numerusform>%n Wert steht nicht in der Datei; gezeigt wird dafür der Standardwert: %1</numerusform>
@@ -13938,6 +13969,21 @@ Auf dem Board: %1</translation>
     <message>
         <source>Store them all the same</source>
         <translation>Trotzdem speichern</translation>
+    </message>
+    <message>
+        <source>The motors run now; before this they were off.</source>
+        <translation>Die Motoren laufen jetzt; vorher waren sie aus.</translation>
+    </message>
+    <message>
+        <source>The motors are off now; before this they were running.</source>
+        <translation>Die Motoren sind jetzt aus; vorher liefen sie.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) that were in use without being stored are lost: the board restarted. In use before: %1</source>
+        <translation>
+            <numerusform>%n Wert, der benutzt und nicht gespeichert war, ist verloren: Das Board ist neu gestartet. Vorher in Gebrauch: %1</numerusform>
+            <numerusform>%n Werte, die benutzt und nicht gespeichert waren, sind verloren: Das Board ist neu gestartet. Vorher in Gebrauch: %1</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

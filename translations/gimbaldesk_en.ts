@@ -244,6 +244,23 @@
     </message>
 </context>
 <context>
+    <name>Questions</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) in use are not stored and will be lost: %1</source>
+        <translation>
+            <numerusform>%n value in use is not stored and will be lost: %1</numerusform>
+            <numerusform>%n values in use are not stored and will be lost: %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ReviewDialog</name>
     <message numerus="yes">
         <source>%n value(s)</source>
@@ -462,13 +479,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n value(s) that were in use without being stored are lost: the board restarted.</source>
-        <translation>
-            <numerusform>%n value that was in use without being stored is lost: the board restarted.</numerusform>
-            <numerusform>%n values that were in use without being stored are lost: the board restarted.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n value(s) are not in the file; what is shown for them are defaults: %1</source>
         <translation>
             <numerusform>%n value is not in the file; what is shown for it is the default: %1</numerusform>
@@ -487,6 +497,13 @@
         <translation>
             <numerusform>%n value of the file was rounded to what the board can hold: %1</numerusform>
             <numerusform>%n values of the file were rounded to what the board can hold: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) that were in use without being stored are lost: the board restarted. In use before: %1</source>
+        <translation>
+            <numerusform>%n value that was in use without being stored is lost: the board restarted. In use before: %1</numerusform>
+            <numerusform>%n values that were in use without being stored are lost: the board restarted. In use before: %1</numerusform>
         </translation>
     </message>
 </context>

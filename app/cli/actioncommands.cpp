@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
+#include "protocol/procedure/motorsnow.h"
 #include "protocol/procedure/safeaction.h"
 
 #include <algorithm>
@@ -255,6 +256,11 @@ Result<CommandOutcome> ActionCommand::run(Channel &channel, Device &device)
     if (done->stored) {
         if (const QString told = tellOthers(*done->stored, outcome.text, json); !told.isEmpty())
             outcome.note += u'\n' + told;
+    }
+    if (done->motorsNow) {
+        json.insert(u"motorsNow"_s, *done->motorsNow);
+        outcome.note += (outcome.note.isEmpty() ? u""_s : u"\n"_s) + motorsChangedText(*done->motorsNow);
+        outcome.exitCode = Refused;
     }
     outcome.json = json;
     return outcome;

@@ -5,6 +5,7 @@
 #include "app/cli/faultteller.h"
 #include "protocol/base/linkloss.h"
 #include "protocol/configuration/aftermath.h"
+#include "protocol/procedure/inuse.h"
 #include "protocol/procedure/wholewrite.h"
 #include "widgets/models/alarmtext.h"
 #include "widgets/models/missingtext.h"
@@ -250,7 +251,9 @@ void BoardCommand::readAgain()
                 // What such a board answers says nothing about what is stored.
                 if (WholeMemory *memory = device.wholeMemory(); memory && !isInUse)
                     return memory->readBoth(channel);
-                return device.readConfiguration(channel).map([](const Configuration &board) {
+                return device.readConfiguration(channel).map([&](Configuration board) {
+                    if (isInUse)
+                        board = withInUse(channel, device, std::move(board));
                     return WholeMemory::Contents{board, board};
                 });
             })

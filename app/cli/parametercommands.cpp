@@ -4,6 +4,7 @@
 #include "protocol/base/linkloss.h"
 #include "protocol/configuration/aftermath.h"
 #include "protocol/configuration/rounding.h"
+#include "protocol/procedure/inuse.h"
 #include "protocol/procedure/motorsnow.h"
 #include "widgets/models/parametermodel.h"
 
@@ -211,7 +212,7 @@ Error afterLive(Channel &channel, Device &device, Error error, const Configurati
     if (isLinkLoss(error) || error.code == ErrorCode::Cancelled)
         return error;  // read when the board is back
     auto now = device.readConfiguration(channel);
-    return now ? settled(std::move(error), *std::move(now)) : error;
+    return now ? settled(std::move(error), withInUse(channel, device, *std::move(now))) : error;
 }
 
 // What was asked for and is there already: no line of the report, and not left out either.
@@ -329,10 +330,12 @@ public:
         if (*profile != base->activeProfile())
             return failure(ErrorCode::InvalidArgument, u"--no-save works on the active profile only"_s);
         const auto ranBefore = askMotors(channel, device);
+        const Configuration usedBefore = withInUse(channel, device, *base);
         if (const auto done = device.live()->writeAdjustables(channel, live); !done) {
-            Error error = afterLive(channel, device, done.error(), *base);
-            if (!isLinkLoss(error) && ranBefore == false && askMotors(channel, device) == true)
-                error.detail += u"; the motors run now, before this they were off"_s;
+            Error error = afterLive(channel, device, done.error(), usedBefore);
+            if (const auto run
+                = isLinkLoss(error) ? std::nullopt : findMotorsChanged(channel, device, ranBefore))
+                error.detail += u"; "_s + motorsChangedText(*run);
             return tl::unexpected(error);
         }
         CommandOutcome outcome;
@@ -344,9 +347,8 @@ public:
                            u"ones into "
                            "use"_s;
         // A board that has started anew takes them as well.
-        if (ranBefore == false && askMotors(channel, device) == true) {
-            outcome.note += (outcome.note.isEmpty() ? u""_s : u"\n"_s)
-                + u"the motors run now; before this they were off"_s;
+        if (const auto run = findMotorsChanged(channel, device, ranBefore)) {
+            outcome.note += (outcome.note.isEmpty() ? u""_s : u"\n"_s) + motorsChangedText(*run);
             outcome.exitCode = Refused;
         }
         reportRounded(outcome, rounded);

@@ -114,16 +114,17 @@ void tellReport(CommandOutcome &outcome)
         outcome.exitCode = Refused;
         notes.append(forConsole(describe(report), report.error->code).oneLine());
         json.insert(u"error"_s, notes.first());
-    } else if (report.restart.areAny()) {
+    } else if (report.restart.areTold()) {
         notes.append(restartText(report));
     }
-    if (report.restart.areAny()) {
+    if (report.restart.areTold()) {
         json.insert(u"restart"_s,
                     QJsonObject{{u"silentSeconds"_s, report.restart.silentSeconds},
-                                {u"motorsStarted"_s, report.restart.motorsStarted}});
+                                {u"motorsStarted"_s, report.restart.motorsStarted},
+                                {u"motorsStopped"_s, report.restart.motorsStopped}});
     }
-    // Whoever had switched them off counts on that.
-    if (report.restart.motorsStarted)
+    // Whoever had switched them off, or on, counts on that.
+    if (report.restart.motorsStarted || report.restart.motorsStopped)
         outcome.exitCode = Refused;
     if (!report.snapshotPath.isEmpty())
         notes.append(u"snapshot: "_s + report.snapshotPath

@@ -65,6 +65,11 @@ Notifications::Notifications(DeviceClient &client, const ConfigurationModel &con
                              {}},
                    Concern::Standby);
     });
+    connect(&m_client, &DeviceClient::motorsOffLate, this, [this] {
+        notify(tr("The board does not confirm yet that the motors are off; the command is repeated. Hold the "
+                  "camera."),
+               Notice::Attention, Concern::Motors);
+    });
     connect(&m_client, &DeviceClient::motorsOffForgone, this, [this] { settle(Concern::Motors); });
     connect(&m_client, &DeviceClient::steeringEnded, this, &Notifications::onSteeringEnded);
     connect(&m_client, &DeviceClient::statisticsChanged, this, &Notifications::onReplay);
@@ -403,5 +408,6 @@ void Notifications::onMotorsOff(bool confirmed)
         notify(tr("The motors were switched off."));
         return;
     }
+    settle(Concern::Motors);  // what was told meanwhile
     reportMotorsMayRun(tr("The board did not confirm that the motors are off."));
 }

@@ -77,6 +77,11 @@ QFuture<Result<ActionOutcome>> Workspace::performNow(const QString &key, const Q
                       readAfterFailure(outcome.error(), before, quiet);
                   if (outcome && !outcome->snapshotPath.isEmpty())
                       emit snapshotTaken();
+                  if (outcome && outcome->motorsNow)
+                      m_notifications.notify(
+                          *outcome->motorsNow ? tr("The motors run now; before this they were off.")
+                                              : tr("The motors are off now; before this they were running."),
+                          Notice::Attention);
                   // Live values are lost, even if only the reply went missing.
                   if (outcome || action.memory == MemoryEffect::Reloads)
                       readAfter(action, outcome.value_or(ActionOutcome()), before);

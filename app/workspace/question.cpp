@@ -10,6 +10,10 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include <utility>
+
+using namespace Qt::StringLiterals;
+
 namespace {
 
 struct Questions
@@ -24,6 +28,21 @@ void withdrawWithTheLink(Workspace &workspace, QDialog *panel)
 }
 
 }  // namespace
+
+QString liveText(const Configuration &board, const LiveValues &values)
+{
+    constexpr qsizetype kTold = 6;
+    QStringList texts;
+    for (const LiveValue &value : values) {
+        if (const ParameterSpec *spec = board.parameters().find(value.key))
+            texts.append(u"%1 %2"_s.arg(parameterLabel(*spec), parameterQuantityText(*spec, value.inUse)));
+    }
+    const auto more = int(texts.size() - kTold);
+    texts = texts.mid(0, kTold);
+    if (more > 0)
+        texts.append(Questions::tr("and %n more", nullptr, more));
+    return texts.join(u", "_s);
+}
 
 QDialog *askInPanel(const Question &question, QWidget *parent)
 {
@@ -101,26 +120,57 @@ void askToLetGo(Workspace &workspace, const QString &what, QWidget *parent, cons
     withdrawWithTheLink(workspace, askInPanel(question, parent));
 }
 
-void askToUseProfile(Workspace &workspace, int profile, QWidget *parent,
-                     const std::function<void()> &otherwise)
+void askToReload(Workspace &workspace, const QString &title, const QString &what, const QString &stay,
+                 QWidget *parent, const std::function<void()> &goOn, const std::function<void()> &otherwise)
 {
-    const ConfigurationModel &model = std::as_const(workspace).configuration();
-    const bool isHarmless = !workspace.client().isConnected() || workspace.client().address().isReplay()
-        || !workspace.motorsRunning().value_or(true) || model.isEmpty()
-        || profile == model.board().activeProfile();
-    if (isHarmless) {
-        workspace.useProfile(profile);
+    const std::optional<bool> run = workspace.motorsRunning();
+    const LiveValues live = workspace.live().unsaved();
+    if (run == false && live.empty()) {
+        goOn();
         return;
     }
-    const QString name = profileLabel(model.edited(), profile);
-    Question question{
-        Questions::tr("Switch to profile %1, %2?").arg(profile + 1).arg(name),
-        workspace.motorsRunning() ? Questions::tr("The motors are running: its settings act at once.")
-                                  : Questions::tr("The motors may be running: its settings act at once."),
-        {{Questions::tr("Switch profile"), [&workspace, profile] { workspace.useProfile(profile); }}},
-        Questions::tr("Stay in profile %1").arg(model.board().activeProfile() + 1)};
+    QStringList texts;
+    if (run != false)
+        texts.append(run ? Questions::tr("The motors are running: other settings act at once.")
+                         : Questions::tr("The motors may be running: other settings act at once."));
+    if (!live.empty())
+        texts.append(
+            Questions::tr("%n value(s) in use are not stored and will be lost: %1", nullptr, int(live.size()))
+                .arg(liveText(std::as_const(workspace).configuration().board(), live)));
+    Question question{title, texts.join(u"\n\n"_s), {}, stay};
+    if (live.empty()) {
+        question.answers = {{what, goOn}};
+    } else {
+        const auto store = [&workspace, parent, goOn] {
+            workspace.saveLive(*parent).then(parent, [goOn](bool stored) {
+                if (stored)
+                    goOn();
+            });
+        };
+        question.answers = {{Questions::tr("Store, then go on"), store},
+                            {Questions::tr("%1 without storing").arg(what), goOn, true}};
+    }
     QDialog *panel = askInPanel(question, parent);
     withdrawWithTheLink(workspace, panel);
     if (otherwise)
         QObject::connect(panel, &QDialog::finished, parent, otherwise);
+}
+
+void askToUseProfile(Workspace &workspace, int profile, QWidget *parent,
+                     const std::function<void()> &otherwise)
+{
+    const ConfigurationModel &model = std::as_const(workspace).configuration();
+    const auto goOn = [&workspace, profile] { workspace.useProfile(profile); };
+    if (!workspace.client().isConnected() || workspace.client().address().isReplay() || model.isEmpty()
+        || profile == model.board().activeProfile()) {
+        goOn();
+        return;
+    }
+    askToReload(workspace,
+                Questions::tr("Switch to profile %1, %2?")
+                    .arg(profile + 1)
+                    .arg(profileLabel(model.edited(), profile)),
+                Questions::tr("Switch profile"),
+                Questions::tr("Stay in profile %1").arg(model.board().activeProfile() + 1), parent, goOn,
+                otherwise);
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "protocol/configuration/livevalues.h"
+
 #include <QList>
 #include <QString>
 
@@ -26,6 +28,9 @@ struct Question
     QString stay;  ///< the way out, which is what Return and Esc do
 };
 
+/// "P, roll 62, P, pitch 55 and 3 more".
+[[nodiscard]] QString liveText(const Configuration &board, const LiveValues &values);
+
 /// Asks in a panel of that widget's window. @return the panel, which destroys itself; whoever asks rejects
 /// it when there is nothing left to decide
 QDialog *askInPanel(const Question &question, QWidget *parent);
@@ -42,7 +47,14 @@ void askForMotorsOff(Workspace &workspace, QWidget *parent, const std::function<
 void askToLetGo(Workspace &workspace, const QString &what, QWidget *parent,
                 const std::function<void()> &goOn);
 
-/// Makes a profile the active one, after asking where motors run or may run.
+/// Goes on with what puts stored values into use (MemoryEffect::Reloads), after asking where motors run or
+/// may run, or where values in use that are not stored would be lost: they can be stored first.
+/// @param what its button @param otherwise done when the operator stays where he is
+void askToReload(Workspace &workspace, const QString &title, const QString &what, const QString &stay,
+                 QWidget *parent, const std::function<void()> &goOn,
+                 const std::function<void()> &otherwise = {});
+
+/// Makes a profile the active one, after asking (askToReload).
 /// @param otherwise done when the operator stays where he is
 void askToUseProfile(Workspace &workspace, int profile, QWidget *parent,
                      const std::function<void()> &otherwise = {});

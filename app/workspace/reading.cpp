@@ -90,7 +90,7 @@ void Workspace::readKnowing(const std::optional<LiveValues> &live, bool quiet)
             const bool isBoards = m_offlineFile.isEmpty();  // what was shown before was read from it
             m_offlineFile.clear();
             const int others = isFirst && sameBoard && isBoards ? changedMeanwhile(read) : 0;
-            const int lost = isFirst && sameBoard ? lostSince(*answer) : 0;
+            const LiveValues lost = isFirst && sameBoard ? lostSince(*answer) : LiveValues();
             m_usedBefore.clear();
             if (!m_configuration.rebase(read)) {
                 leaveEdits();
@@ -149,13 +149,15 @@ void Workspace::tellMissing(const Configuration &configuration)
             Concern::Reading);
 }
 
-// How many values set live before the link was lost have become the stored ones: the board has restarted.
-int Workspace::lostSince(const Configuration &read) const
+// What values set live before the link was lost have become the stored ones: the board has restarted.
+LiveValues Workspace::lostSince(const Configuration &read) const
 {
-    return int(std::count_if(m_usedBefore.begin(), m_usedBefore.end(), [&read](const LiveValue &value) {
+    LiveValues lost;
+    std::ranges::copy_if(m_usedBefore, std::back_inserter(lost), [&read](const LiveValue &value) {
         const ParameterSpec *spec = read.parameters().find(value.key);
         return spec && sameValue(read.raw(*spec, read.activeProfile()), value.stored);
-    }));
+    });
+    return lost;
 }
 
 // How many values a board holds otherwise than when it was read last, beside those of an interrupted write.

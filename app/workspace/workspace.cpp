@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workspace/workspace.h"
 
+#include "app/workspace/question.h"
 #include "protocol/base/filefault.h"
 #include "protocol/record/configurationformats.h"
 #include "widgets/models/missingtext.h"
@@ -174,17 +175,18 @@ void Workspace::onLost()
     m_usedBefore = loss == DeviceClient::Loss::Link ? m_live.unsaved() : LiveValues();
     if (loss == DeviceClient::Loss::Link)
         return;
-    tellLost(m_live.changeCount());
+    tellLost(m_live.unsaved());
     m_live.forget();
     setUnstored(false);
 }
 
-void Workspace::tellLost(int count)
+void Workspace::tellLost(const LiveValues &lost)
 {
-    if (count > 0)
+    if (!lost.empty())
         m_notifications.notify(tr("%n value(s) that were in use without being stored are lost: the board "
-                                  "restarted.",
-                                  nullptr, count),
+                                  "restarted. In use before: %1",
+                                  nullptr, int(lost.size()))
+                                   .arg(liveText(std::as_const(m_configuration).board(), lost)),
                                Notice::Attention);
 }
 

@@ -222,8 +222,8 @@ private:
     void tellRunningOn(bool isRunning);
     void followMotors(DeviceClient::State state);
     void forgetStop();
-    [[nodiscard]] int lostSince(const Configuration &read) const;
-    void tellLost(int count);
+    [[nodiscard]] LiveValues lostSince(const Configuration &read) const;
+    void tellLost(const LiveValues &lost);
 
     Theme &m_theme;
     Settings &m_settings;

@@ -15,6 +15,7 @@ Q_LOGGING_CATEGORY(logClient, "gimbal.client", QtWarningMsg)
 namespace {
 
 constexpr auto kStatisticsPeriod = 250ms;
+constexpr auto kStopPatience = 1s;
 // For a board that is being steered to be seen standing still, before the program ends.
 constexpr milliseconds kLongestFarewell = ControlStream::kStopLimit + 1s;
 
@@ -75,6 +76,9 @@ DeviceClient::Private::Private(DeviceClient &client, TransportFactory makeTransp
             emit q.motorsOffForgone();
         },
         Qt::QueuedConnection);
+    stopPatience.setSingleShot(true);
+    stopPatience.setInterval(kStopPatience);
+    connect(&stopPatience, &QTimer::timeout, &q, &DeviceClient::motorsOffLate);
     ioThread.start(QThread::TimeCriticalPriority);
     workerThread.start();
     statisticsTimer.setInterval(kStatisticsPeriod);
@@ -381,6 +385,7 @@ void DeviceClient::Private::stopMotors(const std::function<void(bool proven)> &p
         tell(false);
         return;
     }
+    back([this] { stopPatience.start(); });
     later([this, link = session, wanted = std::move(*wanted), tell] {
         link->stopMotors(
             wanted, [tell](const Result<void> &result) { tell(result.has_value()); },
@@ -393,6 +398,7 @@ void DeviceClient::Private::stopMotors(const std::function<void(bool proven)> &p
 
 void DeviceClient::Private::tellStopped(bool isProven)
 {
+    stopPatience.stop();
     stopIsUnproven = !isProven && state == State::Connected;
     if (isProven && supervision)
         supervision->stopProven();

@@ -124,6 +124,8 @@ signals:
     void statisticsChanged();
     /// The stop has been proven (or has not: it goes on being repeated, and this comes again with its proof).
     void motorsOffFinished(bool confirmed);
+    /// Nothing has proven a stop for a second; it goes on.
+    void motorsOffLate();
     /// A stop that was not proven is no longer repeated, because motors are being started.
     void motorsOffForgone();
     /// Steering has ended: the board was seen to stand still, or boards like it cannot be seen to; or it was

@@ -113,4 +113,5 @@ struct DeviceClient::Private
     RestartWatch restarts;  // on the I/O thread
     Loss loss = Loss::Link;
     bool stopIsUnproven = false;  // it is being repeated
+    QTimer stopPatience;
 };

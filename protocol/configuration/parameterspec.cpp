@@ -65,6 +65,12 @@ double ParameterSpec::nearest(double raw) const
     return std::isfinite(stored) ? double(stored) : raw;
 }
 
+double ParameterSpec::rawOf(double variable) const
+{
+    const double raw = variable / row->adjustableScale;
+    return row->wire == WireType::F32 ? nearest(raw) : std::trunc(raw);
+}
+
 bool ParameterSpec::isInRange(double raw) const
 {
     return nearest(raw) >= nearest(row->min) && nearest(raw) <= nearest(row->max);

@@ -182,6 +182,8 @@ struct ParameterSpec
     [[nodiscard]] double toRaw(double display) const;
     /// The nearest number that the wire type can represent: an integer or a float; not clamped.
     [[nodiscard]] double nearest(double raw) const;
+    /// The raw number behind its live variable; of integers whole counts, as the board divides.
+    [[nodiscard]] double rawOf(double variable) const;
     /// False also for NaN.
     [[nodiscard]] bool isInRange(double raw) const;
     /// Whether an operator may set it: in range, on a step and, for a choice or a flag, one that this

@@ -101,13 +101,15 @@ struct UseReport
     }
 };
 
-/// What speaks for a restart of the board in the middle of a write.
+/// What speaks for a restart of the board in the middle of a write, and what its motors do otherwise since.
 struct RestartSigns
 {
     double silentSeconds = 0;  ///< it stayed silent for so long, and then answered again; 0: it did not
     bool motorsStarted = false;  ///< they run now, and did not before
+    bool motorsStopped = false;  ///< they are off now, and ran before: no sign of a restart by itself
 
     [[nodiscard]] bool areAny() const { return motorsStarted || silentSeconds > 0; }
+    [[nodiscard]] bool areTold() const { return areAny() || motorsStopped; }
     [[nodiscard]] bool areProof() const { return motorsStarted && silentSeconds > 0; }
 };
 

@@ -189,6 +189,8 @@ public:
     virtual Result<void> switchMotorsOn(Channel &channel) const = 0;
     /// Whether they run, asked now. Errors: Unsupported (nothing answers that), those of the channel.
     virtual Result<bool> areMotorsOn(Channel &) const { return failure(ErrorCode::Unsupported); }
+    /// Whether another value of it starts or stops motors by itself.
+    [[nodiscard]] virtual bool isSwitchedBy(const ParameterSpec &) const { return false; }
 };
 
 /// A frame in readable form, for the console.

@@ -82,6 +82,8 @@ struct ActionSpec
     bool isShown = true;
     /// Motors that run lose their current by it, although that is not what it is for: what they hold falls.
     bool letsGo = false;
+    /// Whether motors run is otherwise afterwards: that is what it does.
+    bool switchesMotors = false;
     /// It is a stop: it waits for no turn and goes on until the board's state proves it (StopPlan).
     bool stopsMotors = false;
 };

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace {
 
@@ -21,13 +22,6 @@ std::optional<InUse> askInUse(Channel &channel, LiveAccess &live, const QList<in
     for (const AdjustableValue &value : *read)
         values.insert(value.id, value.value);
     return values;
-}
-
-// Integers as the board divides them.
-double rawInUse(const ParameterSpec &spec, double variable)
-{
-    const double raw = variable / spec.row->adjustableScale;
-    return spec.row->wire == WireType::F32 ? spec.nearest(raw) : std::trunc(raw);
 }
 
 }  // namespace
@@ -50,7 +44,7 @@ std::vector<OtherValue> readReplaceable(Channel &channel, Device &device, const 
         const auto raw = stored.raw(spec, stored.activeProfile());
         if (!inUse || !raw || spec.row->state || !inUse->contains(spec.adjustable))
             continue;
-        const double used = rawInUse(spec, inUse->value(spec.adjustable));
+        const double used = spec.rawOf(inUse->value(spec.adjustable));
         if (!sameValue(*raw, used))
             values.push_back({&spec, used, *raw, {}});
     }
@@ -68,8 +62,15 @@ std::vector<OtherValue> findReplaced(Channel &channel, Device &device, std::vect
     if (!now)
         return {};
     std::erase_if(before, [&now](OtherValue &value) {
-        value.now = rawInUse(*value.spec, now->value(value.spec->adjustable));
+        value.now = value.spec->rawOf(now->value(value.spec->adjustable));
         return sameValue(*value.now, value.inUse);
     });
     return before;
+}
+
+Configuration withInUse(Channel &channel, Device &device, Configuration answered)
+{
+    for (const OtherValue &value : readReplaceable(channel, device, answered))
+        std::ignore = answered.restoreRaw(*value.spec, answered.activeProfile(), value.inUse);
+    return answered;
 }

@@ -16,3 +16,6 @@ class Device;
 /// These of them the board does not use any more.
 [[nodiscard]] std::vector<OtherValue> findReplaced(Channel &channel, Device &device,
                                                    std::vector<OtherValue> before);
+/// The same configuration with what is in use in the active profile, where the board answers for that apart
+/// from what it answers for its parameters.
+[[nodiscard]] Configuration withInUse(Channel &channel, Device &device, Configuration answered);

@@ -14,3 +14,18 @@
     const auto on = motors ? motors->areMotorsOn(channel) : failure(ErrorCode::Unsupported);
     return on ? std::optional(*on) : std::nullopt;
 }
+
+/// For the details of an error.
+[[nodiscard]] inline QString motorsChangedText(bool run)
+{
+    return run ? QStringLiteral("the motors run now; before this they were off")
+               : QStringLiteral("the motors are off now; before this they were running");
+}
+
+/// Whether they run now, if that is otherwise than before; empty: it is not, or the board does not tell.
+[[nodiscard]] inline std::optional<bool> findMotorsChanged(Channel &channel, const Device &device,
+                                                           std::optional<bool> ranBefore)
+{
+    const auto run = ranBefore ? askMotors(channel, device) : std::nullopt;
+    return run == ranBefore ? std::nullopt : run;
+}

@@ -4,10 +4,15 @@
 
 #include "protocol/base/linkloss.h"
 #include "protocol/configuration/aftermath.h"
+#include "protocol/procedure/inuse.h"
+#include "protocol/procedure/motorsnow.h"
 #include "protocol/procedure/wholewrite.h"
+
+#include <QSet>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace Qt::StringLiterals;
 
@@ -134,6 +139,33 @@ Result<void> proveStored(Channel &channel, WholeMemory &memory, const Configurat
     return {};
 }
 
+// A board that keeps what is stored apart, and was told to store what is in use in the active profile: what
+// it holds since is read. One that answers with what is in use proves nothing, and contradicts nothing.
+Result<void> checkActiveStored(Channel &channel, Device &device, Configuration before)
+{
+    QSet<int> blocks;
+    for (const ParameterSpec &spec : before.parameters().all()) {
+        if (spec.adjustable >= 0)
+            blocks.insert(spec.row->block);
+    }
+    std::vector<BlockKey> keys;
+    for (const auto &[key, bytes] : before.blocks())
+        keys.push_back(key);
+    for (const BlockKey key : keys) {
+        if (key.profile != before.activeProfile() || !blocks.contains(key.block))
+            continue;
+        if (const auto bytes = device.readBlock(channel, key))
+            before.setBlock(key, *bytes);
+        else if (isLinkLoss(bytes.error()))
+            return tl::unexpected(bytes.error());
+    }
+    QStringList different;
+    for (const OtherValue &value : readReplaceable(channel, device, before))
+        different.append(u"%1 is %2 in use and %3 where it is stored"_s.arg(
+            value.spec->key, value.spec->format(value.inUse), value.spec->format(value.stored)));
+    return different.isEmpty() ? Result<void>() : failure(ErrorCode::NotStored, different.join(u"; "_s));
+}
+
 // Older telemetry does not show the present state.
 constexpr auto kFresh = 2s;
 
@@ -231,6 +263,8 @@ Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QStr
     }
     if (action.silence > 0ms)
         channel.expectSilence(action.silence);
+    const bool isLasting = action.risk == ActionRisk::Writes || action.risk == ActionRisk::Destroys;
+    const auto ranBefore = isLasting ? askMotors(channel, device) : std::nullopt;
     Result<ActionReply> reply = failure(ErrorCode::Unsupported);
     const auto perform = [&] {
         reply = device.perform(channel, key, arguments);
@@ -242,6 +276,11 @@ Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QStr
         access->noteChangesBy(channel, perform);
     else
         perform();
+    if (!reply && !isLinkLoss(reply.error()) && reply.error().code != ErrorCode::Cancelled) {
+        if (const auto run = findMotorsChanged(channel, device, ranBefore))
+            reply.error().detail
+                += (reply.error().detail.isEmpty() ? QString() : u"; "_s) + motorsChangedText(*run);
+    }
     if (!reply && backup && !isOwn(reply.error()))
         return tl::unexpected(withAftermath(reply.error(), channel, device, *backup, live));
     if (!reply)
@@ -257,6 +296,13 @@ Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QStr
     // A calibration whose confirmation never came says so itself.
     outcome.answered
         = action.answered && action.isShown && outcome.reply.value(u"confirmed"_s, true).toBool();
+    // A calibration by hand says so itself.
+    if (!action.letsGo && !action.switchesMotors && !outcome.reply.contains(u"motors_switched_off"_s))
+        outcome.motorsNow = findMotorsChanged(channel, device, ranBefore);
+    if (action.memory == MemoryEffect::Stores && !memory && backup) {
+        if (const auto stored = checkActiveStored(channel, device, backup->before); !stored)
+            return tl::unexpected(withKnown(stored.error(), *backup));
+    }
     if (wanted) {
         if (const auto proven = proveStored(channel, *memory, *wanted, backup, outcome); !proven)
             return tl::unexpected(backup->now

@@ -17,6 +17,8 @@ struct ActionOutcome
     bool answered
         = true;  ///< false: the board was told, and nothing shows that it heard (ActionSpec::answered), or
                  ///< that it has stored what is in use; then `reply` has why ("unproven")
+    /// Whether motors run since, where that is otherwise than before and not what the action is for.
+    std::optional<bool> motorsNow = {};
     /// Of an action that stores everything in use on a board with a WholeMemory: what was in use without
     /// being stored (`others`), or why that is not known.
     std::optional<WriteReport> stored = {};

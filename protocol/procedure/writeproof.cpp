@@ -274,7 +274,9 @@ void Writer::noteSilence(TimePoint since)
 // A board that has started anew answers as if nothing had happened.
 void Writer::lookForRestart()
 {
-    m_report.restart.motorsStarted = m_ranBefore == false && askMotors(m_channel, m_device) == true;
+    const auto run = findMotorsChanged(m_channel, m_device, m_ranBefore);
+    m_report.restart.motorsStarted = run == true;
+    m_report.restart.motorsStopped = run == false;
 }
 
 // The board loads what is written: what was in use instead is not any more.

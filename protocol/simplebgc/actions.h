@@ -76,7 +76,7 @@ private:
     /// Errors: ConditionUnmet.
     Result<void> needSensor();
     static Request stopSearchRequest();
-    Result<QMap<QString, double>> gainsInUse(int profile);
+    Result<QMap<QString, double>> gainsInUse(int profile, bool isActive);
     /// The same answer, once the board's status agrees. Errors: NoEffect.
     Result<ActionReply> motorsAre(bool on);
     /// What a search may change and the board uses now.

@@ -334,8 +334,22 @@ Result<std::vector<AdjustableValue>> Actions::searchedValues()
 }
 
 // "p.roll" and its like, as the progress of a search names them.
-Result<QMap<QString, double>> Actions::gainsInUse(int profile)
+Result<QMap<QString, double>> Actions::gainsInUse(int profile, bool isActive)
 {
+    // What is stored may be told apart from what is in use.
+    if (const auto live = isActive ? searchedValues() : failure(ErrorCode::Unsupported)) {
+        QMap<QString, double> gains;
+        for (const ParameterSpec &spec : m_device.m_parameters->all()) {
+            const QStringList parts = spec.key.split(u'.');
+            const auto value = std::find_if(live->begin(), live->end(), [&spec](const AdjustableValue &each) {
+                return each.id == spec.adjustable;
+            });
+            if (value != live->end() && parts.size() == 3 && parts[0] == u"pid"_s)
+                gains.insert(parts[2] + u'.' + parts[1],
+                             spec.rawOf(value->value) * (parts[2] == u"i"_s ? 0.01 : 1));
+        }
+        return gains;
+    }
     const auto bytes = m_device.readBlock(m_channel, {profile, Params3});
     if (!bytes)
         return tl::unexpected(bytes.error());
@@ -373,7 +387,7 @@ Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
         = ByteWriter().u8(profile).u8(flags).u8(arguments.value(u"gain"_s).toInt()).zeros(16).take();
     if (const auto sees = needSensor(); !sees)
         return tl::unexpected(sees.error());
-    const auto before = gainsInUse(profile);
+    const auto before = gainsInUse(profile, profile == *active);
     if (!before)
         return tl::unexpected(before.error());
     // Of another profile they are not in use, and those of this one are no way back to it.
@@ -415,7 +429,7 @@ Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
         m_channel.progress(progress);
     }
     // What it reported is what it tried; what it uses now is the result.
-    const auto after = gainsInUse(profile);
+    const auto after = gainsInUse(profile, profile == *active);
     if (!after) {
         Error error = after.error();
         error.detail += u": the search has ended; which gains are in use could not be read"_s;

@@ -350,9 +350,11 @@ Result<void> Device::selectProfile(Channel &channel, int profile)
         return failure(ErrorCode::InvalidArgument, u"profile %1"_s.arg(profile + 1));
     const auto reply = channel.transact(confirmRequest(
         CommandId::ExecuteMenu, ByteWriter().u8(kProfileActions[std::size_t(profile)]).take(), kVersion));
-    if (!reply)
+    const bool isRefused = !reply && reply.error().code == ErrorCode::BoardError;
+    if (!reply && !isRefused)
         return tl::unexpected(reply.error());
-    // The confirmation shows that the command was understood; telemetry shows that it was carried out.
+    // The confirmation shows that the command was understood; telemetry shows whether it was carried out,
+    // also where it was refused.
     int used = -1;
     for (auto waited = 0ms; waited < kProfileSwitch; waited += milliseconds(kPauseBetweenLooks)) {
         const auto active = activeProfile(channel);
@@ -360,6 +362,8 @@ Result<void> Device::selectProfile(Channel &channel, int profile)
             return tl::unexpected(active.error());
         if (*active == profile)
             return {};
+        if (isRefused)
+            return tl::unexpected(reply.error());
         used = *active;
         if (const auto slept = channel.sleep(milliseconds(kPauseBetweenLooks)); !slept)
             return slept;
@@ -444,9 +448,10 @@ Result<void> Device::putAdjustables(Channel &channel, const std::vector<Adjustab
     QStringList wrong;
     Result<void> sent;
     for (int attempt = 0; attempt <= kLiveRetries; ++attempt) {
-        // Where only the answer was lost, what is in use tells.
+        // Where the answer was lost, or refuses what was carried out, what is in use tells.
         sent = sendAdjustables(channel, values);
-        if (!sent && sent.error().code != ErrorCode::Timeout)
+        const bool isRefused = !sent && sent.error().code == ErrorCode::BoardError;
+        if (!sent && !isRefused && sent.error().code != ErrorCode::Timeout)
             return sent;
         const auto back = readAdjustables(channel, ids);
         if (!back)
@@ -464,6 +469,8 @@ Result<void> Device::putAdjustables(Channel &channel, const std::vector<Adjustab
         }
         if (wrong.isEmpty())
             return {};
+        if (isRefused)
+            return sent;
     }
     return failure(ErrorCode::NotInUse, wrong.join(u"; "));
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calibration of the accelerometers (errata 9.2).
+#include "protocol/base/linkloss.h"
 #include "protocol/storm32/procedures.h"
 #include "protocol/storm32/telemetrytables.h"
 
@@ -243,17 +244,20 @@ Result<void> Procedures::writeCalibration(int imu, const AccCalibration &calibra
             writer.i16(value);
     }
     writer.zeros(36 - 2 * first - 12);
-    if (const auto written = m_channel.transact(m_device.simple(Simple::WriteCalibration, writer.take()));
-        !written)
+    // Whatever was answered, what is stored then counts.
+    const auto written = m_channel.transact(m_device.simple(Simple::WriteCalibration, writer.take()));
+    if (!written && (isLinkLoss(written.error()) || written.error().code == ErrorCode::Cancelled))
         return tl::unexpected(written.error());
     const auto now = m_channel.transact(m_device.simple(Simple::ReadCalibration));
     if (!now)
-        return tl::unexpected(now.error());
+        return tl::unexpected(written ? now.error() : written.error());
     ByteReader reader(QByteArrayView(now->payload).sliced(2 * first));
     for (const auto *values : {&calibration.zero, &calibration.scale}) {
         for (const int value : *values) {
             if (const int found = reader.i16(); found != value)
-                return failure(ErrorCode::VerifyFailed, u"%1 was written, %2 read"_s.arg(value).arg(found));
+                return written
+                    ? failure(ErrorCode::VerifyFailed, u"%1 was written, %2 read"_s.arg(value).arg(found))
+                    : tl::unexpected(written.error());
         }
     }
     return {};

@@ -86,6 +86,8 @@ public:
 
     [[nodiscard]] const MotorSwitch *motorSwitch() const override { return this; }
     Result<void> switchMotorsOn(Channel &channel) const override;
+    Result<bool> areMotorsOn(Channel &channel) const override;
+    [[nodiscard]] bool isSwitchedBy(const ParameterSpec &spec) const override;
 
     [[nodiscard]] const Bearings *bearings() const override { return this; }
     [[nodiscard]] AxisBearing bearing(Axis axis, const Configuration &active,

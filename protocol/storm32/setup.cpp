@@ -237,6 +237,7 @@ Result<ActionReply> Procedures::restartAndWait()
     const TimePoint until = m_channel.now() + kStartLimit;
     TimePoint normalSince = TimePoint::max();
     bool restored = false;
+    bool hasStarted = false;  // its answer to the command says nothing
     while (m_channel.now() < until) {
         const auto now = status();
         const bool tolerable = now || now.error().code == ErrorCode::Timeout
@@ -260,10 +261,13 @@ Result<ActionReply> Procedures::restartAndWait()
                         return tl::unexpected(put.error());
                 }
             }
+            hasStarted |= now->state < kMotorsTurn;
             if (now->state != kNormalState)
                 normalSince = TimePoint::max();
             else if (normalSince == TimePoint::max())
                 normalSince = m_channel.now();
+            else if (m_channel.now() - normalSince >= kNormalFor && !hasStarted)
+                return failure(ErrorCode::NoEffect, u"the board works normally, but has not restarted"_s);
             else if (m_channel.now() - normalSince >= kNormalFor)
                 return ActionReply{{u"state"_s, stateName(now->state, m_device.m_firmware)}};
             progress.values.insert(u"state"_s, now->state);

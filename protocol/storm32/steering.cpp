@@ -213,6 +213,32 @@ Result<void> Device::switchMotorsOn(Channel &channel) const
                        : u"no motor became active; disabled are %1"_s.arg(disabled->join(u", "_s)));
 }
 
+// While the board starts they do not run yet, but are about to, unless all of them are disabled.
+Result<bool> Device::areMotorsOn(Channel &channel) const
+{
+    const auto status = channel.transact(simple(Simple::Status));
+    if (!status)
+        return tl::unexpected(status.error());
+    ByteReader reader(status->payload);
+    const int state = reader.u16();
+    reader.u16();
+    const bool areActive = (reader.u16() & kMotorBits) != 0;
+    if (!reader.ok())
+        return failure(ErrorCode::BadReply, u"s"_s);
+    if (areActive || state >= kMotorsTurn)
+        return areActive;
+    const auto disabled = disabledMotors(channel);
+    if (!disabled)
+        return tl::unexpected(disabled.error());
+    return disabled->size() < MotorStop::kWords;
+}
+
+bool Device::isSwitchedBy(const ParameterSpec &spec) const
+{
+    const int word = spec.offset / 2 - MotorStop::kFirstWord;
+    return spec.row->block == Parameters && word >= 0 && word < MotorStop::kWords;
+}
+
 // "motor.pitch.usage=3"; nothing of a board whose words are not known.
 Result<QStringList> Device::disabledMotors(Channel &channel) const
 {

@@ -3,12 +3,14 @@
 #include "app/mainwindow/bannerarea.h"
 #include "app/mainwindow/messagebar.h"
 #include "app/mainwindow/windowplace.h"
+#include "app/pages/board/actionspage.h"
 #include "app/pages/board/backupspage.h"
 #include "app/pages/board/boardnamedialog.h"
 #include "app/pages/board/sharedialog.h"
 #include "app/pages/setup/scriptspage.h"
 #include "tests/support/named.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/argumentform.h"
 #include "widgets/forms/panel.h"
 #include "widgets/views/scripteditor.h"
 
@@ -16,6 +18,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStackedWidget>
@@ -33,6 +36,8 @@ private slots:
     void cleanup() { m_rig.reset(); }
     void theWheelSwitchesNoProfile();
     void theProfileInUseIsShownWhileItIsAsked();
+    void aSwitchLosesNoValueUnasked();
+    void actionsThatLoadAskToo();
     void aClickForAGoneBannerReachesNothing();
     void windowsAreKeptOnTheScreen_data();
     void windowsAreKeptOnTheScreen();
@@ -77,6 +82,65 @@ void TestGuards::theProfileInUseIsShownWhileItIsAsked()
     QCOMPARE(profiles()->currentIndex(), 0);
     m_rig->window().panels()->newest()->reject();
     QCOMPARE(profiles()->currentIndex(), 0);
+    QCOMPARE(active(), 0);
+}
+
+void TestGuards::aSwitchLosesNoValueUnasked()
+{
+    QVERIFY(m_rig->open());
+    workspace().setMotors(false);
+    QTRY_VERIFY(workspace().motorsRunning() == false);
+    const int p = m_rig->spec(u"pid.roll.p"_s).id;
+    QTRY_VERIFY(workspace().live().value(p));
+    workspace().live().setValue(p, 62);
+    QTRY_VERIFY(workspace().live().isSettled() && workspace().live().changeCount() == 1);
+    const auto choose = [this](int profile) {
+        profiles()->setCurrentIndex(profile);
+        emit profiles()->activated(profile);
+        return m_rig->window().panels()->isOpen();
+    };
+    const auto press = [this](const QString &text) {
+        auto *button = named<QPushButton>(m_rig->window().panels(), text);
+        return button && (QTest::mouseClick(button, Qt::LeftButton), true);
+    };
+    QVERIFY(choose(1));
+    const auto *box = qobject_cast<QMessageBox *>(m_rig->window().panels()->newest());
+    QVERIFY(box && box->text().contains(u"not stored"_s) && box->text().contains(u"62"_s));
+    m_rig->window().panels()->newest()->reject();
+    QVERIFY(m_rig->jobsAreDone());
+    QCOMPARE(active(), 0);
+    QCOMPARE(workspace().live().changeCount(), 1);
+    QVERIFY(choose(1));
+    QVERIFY(press(u"Store, then go on"_s));
+    QTRY_COMPARE_WITH_TIMEOUT(active(), 1, 10000);
+    // It was stored, so nothing is lost on the way back, and nothing is asked.
+    QVERIFY(m_rig->jobsAreDone());
+    QVERIFY(!choose(0));
+    QTRY_COMPARE_WITH_TIMEOUT(active(), 0, 10000);
+    QTRY_VERIFY(workspace().live().value(p) && *workspace().live().value(p) == 62);
+    workspace().live().setValue(p, 63);
+    QTRY_VERIFY(workspace().live().isSettled() && workspace().live().changeCount() == 1);
+    QVERIFY(choose(1));
+    QVERIFY(press(u"Switch profile without storing"_s));
+    QTRY_COMPARE_WITH_TIMEOUT(active(), 1, 10000);
+    QVERIFY(m_rig->jobsAreDone());
+    QVERIFY(!choose(0));
+    QTRY_COMPARE_WITH_TIMEOUT(active(), 0, 10000);
+    QTRY_VERIFY(workspace().live().value(p) && *workspace().live().value(p) == 62);
+}
+
+void TestGuards::actionsThatLoadAskToo()
+{
+    QVERIFY(m_rig->open());
+    workspace().setMotors(true);
+    QTRY_VERIFY(workspace().motorsRunning() == true);
+    auto *page = m_rig->page<ActionsPage>();
+    QVERIFY(page->showAction(u"profile.select"_s));
+    page->form()->setText(u"profile"_s, u"2"_s);
+    QTest::mouseClick(page->runButton(), Qt::LeftButton);
+    QVERIFY(m_rig->window().panels()->isOpen());
+    m_rig->window().panels()->newest()->reject();
+    QVERIFY(m_rig->jobsAreDone());
     QCOMPARE(active(), 0);
 }
 

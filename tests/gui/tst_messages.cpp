@@ -39,6 +39,7 @@ private slots:
     void copiesOfFailedConnectsHoldTheAddress();
     void copiesOfFilesSayThatNoBoardIsThere();
     void commandsForMotorsAreCommands();
+    void aLateStopIsTold();
     void anOrderedRestartIsNoBrokenLink();
     void aRestartOfItsOwnIsTold();
     void aStopThatWasKeptIsToldOnce();
@@ -285,6 +286,25 @@ void TestMessages::commandsForMotorsAreCommands()
              qPrintable(names.join(u", "_s)));
 }
 
+// Until the board has shown that it obeys, the operator is not left alone with a button that seems dead.
+void TestMessages::aLateStopIsTold()
+{
+    QVERIFY(m_rig->open(u"sim:storm32"_s));
+    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning() == true, 15000);
+    workspace().changeWorld(u"runs-on=1"_s);
+    const QString late = u"does not confirm yet that the motors are off"_s;
+    QElapsedTimer since;
+    since.start();
+    workspace().setMotors(false);
+    QTRY_VERIFY_WITH_TIMEOUT(bar().text().contains(late), 10000);
+    QVERIFY(since.elapsed() >= 900);
+    // What is known then takes its place.
+    QTRY_VERIFY_WITH_TIMEOUT(!bar().text().contains(late), 30000);
+    QVERIFY2(bar().text().contains(u"motors"_s), qPrintable(bar().text()));
+    workspace().changeWorld(u"runs-on=0"_s);
+    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(false), 30000);
+}
+
 void TestMessages::anOrderedRestartIsNoBrokenLink()
 {
     QVERIFY(m_rig->open(u"sim:simplebgc?rate=115200"_s));
@@ -318,9 +338,9 @@ void TestMessages::aRestartOfItsOwnIsTold()
     const QString back = u"The board restarted by itself and is back. It uses the stored values."_s;
     QTRY_VERIFY(notices.contains(back));
     QVERIFY(notices.value(back) == Notice::Attention);
-    QVERIFY(notices.contains(u"1 value that was in use without being stored is lost: the board restarted."_s)
-            || notices.contains(u"1 value(s) that were in use without being stored are lost: the board "
-                                "restarted."_s));
+    const QString told
+        = QStringList(notices.keys()).filter(u"the board restarted. In use before: "_s).join(u'\n');
+    QVERIFY2(told.startsWith(u"1 value"_s) && told.endsWith(u" 61"_s), qPrintable(told));
     QTRY_VERIFY(live.value(p) && *live.value(p) == m_rig->raw(u"pid.roll.p"_s));
     QCOMPARE(live.changeCount(), 0);
     // Until they are proven off.

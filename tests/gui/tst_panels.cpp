@@ -67,7 +67,7 @@ constexpr PanelSite kSites[]{
     {"storing", "app/workspace/storing.cpp reviewStoring", true},
     {"alarmed", "app/workspace/storing.cpp askToStoreAlarmed"},
     {nullptr, "app/workspace/storing.cpp askToStoreAll"},  // of motors that are stored otherwise
-    {"switch", "app/workspace/question.cpp askToUseProfile"},
+    {"switch", "app/workspace/question.cpp askToReload"},
     {"limp", "app/workspace/question.cpp askForMotorsOff"},
     {"streams", "app/pages/watch/monitorpage.cpp askStreams"},
     {"layout", "app/pages/watch/monitorpage.cpp askLayoutName"},

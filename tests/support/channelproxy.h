@@ -4,6 +4,9 @@
 
 #include "protocol/session/channel.h"
 
+#include <functional>
+#include <utility>
+
 /// Passes everything on to another channel; tests derive from it to meddle with some of that.
 class ChannelProxy : public Channel
 {
@@ -33,4 +36,24 @@ public:
 
 private:
     Channel &m_channel;
+};
+
+/// Each request goes through a function, which may alter it, answer for the board, or let it pass.
+class Altering final : public ChannelProxy
+{
+public:
+    using Pass = std::function<Result<Frame>(const Request &)>;
+    using Alter = std::function<Result<Frame>(const Request &, const Pass &)>;
+    Altering(Channel &channel, Alter alter)
+        : ChannelProxy(channel)
+        , m_alter(std::move(alter))
+    {
+    }
+    Result<Frame> transact(const Request &request) override
+    {
+        return m_alter(request, [this](const Request &passed) { return ChannelProxy::transact(passed); });
+    }
+
+private:
+    Alter m_alter;
 };

@@ -125,26 +125,6 @@ public:
     }
 };
 
-/// Each request goes through a function, which may alter it, answer for the board, or let it pass.
-class Altering final : public ChannelProxy
-{
-public:
-    using Pass = std::function<Result<Frame>(const Request &)>;
-    using Alter = std::function<Result<Frame>(const Request &, const Pass &)>;
-    Altering(Channel &channel, Alter alter)
-        : ChannelProxy(channel)
-        , m_alter(std::move(alter))
-    {
-    }
-    Result<Frame> transact(const Request &request) override
-    {
-        return m_alter(request, [this](const Request &passed) { return ChannelProxy::transact(passed); });
-    }
-
-private:
-    Alter m_alter;
-};
-
 /// The same request with other bytes in its payload.
 Request withPayload(Request request, const std::function<void(QByteArray &)> &alter)
 {

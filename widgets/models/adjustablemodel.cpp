@@ -94,8 +94,7 @@ QString AdjustableModel::meaning(int row) const
     const auto value = m_values[std::size_t(row)];
     if (!behind || !value)
         return {};
-    const double raw = *value / behind->row->adjustableScale;
-    const QString text = parameterValueText(*behind, isFloat(row) ? raw : std::trunc(raw));
+    const QString text = parameterValueText(*behind, behind->rawOf(*value));
     return u"%1: %2"_s.arg(parameterLabel(*behind), text);
 }
 

@@ -36,9 +36,8 @@ QString wayBackText(const LiveChange &change, const ParameterSet *parameters)
         for (const ParameterSpec &spec : parameters->all()) {
             if (spec.adjustable != change.before[i].id)
                 continue;
-            const auto text = [&spec](double variable) {
-                return parameterValueText(spec, spec.nearest(variable / spec.row->adjustableScale));
-            };
+            const auto text
+                = [&spec](double variable) { return parameterValueText(spec, spec.rawOf(variable)); };
             texts.append(u"%1 %2 → %3"_s.arg(parameterLabel(spec), text(change.after[i].value),
                                              text(change.before[i].value)));
             break;

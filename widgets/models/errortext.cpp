@@ -87,7 +87,7 @@ constexpr auto kErrors = std::to_array<ErrorRow>({
      QT_TRANSLATE_NOOP("ErrorText", "The line is disturbed: check cable, ground and rate, then try again.")},
     {ErrorCode::BoardError,
      QT_TRANSLATE_NOOP("ErrorText", "The board refused."),
-     QT_TRANSLATE_NOOP("ErrorText", "Nothing was changed by this command.")},
+     QT_TRANSLATE_NOOP("ErrorText", "It says that it has not carried out this command.")},
     {ErrorCode::BadReply,
      QT_TRANSLATE_NOOP("ErrorText", "The board's answer does not match its documentation."),
      nullptr,
@@ -362,6 +362,8 @@ QString restartText(const WriteReport &report)
             .arg(numberText(signs.silentSeconds, 1));
     if (signs.motorsStarted)
         return Words::tr("The motors run now; before the write they were off.");
+    if (signs.motorsStopped)
+        return Words::tr("The motors are off now; before the write they were running.");
     if (signs.silentSeconds > 0)
         return Words::tr("The board was silent for %1 s during the write. If it has restarted, what was in "
                          "use without being stored is lost, and its motors may run.")

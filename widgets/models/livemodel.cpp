@@ -8,17 +8,6 @@
 #include <cmath>
 #include <utility>
 
-namespace {
-
-// The parameter's raw value behind a variable's; of integers whole counts, as the board divides.
-double rawOf(const ParameterSpec &spec, double variable)
-{
-    const double raw = variable / spec.row->adjustableScale;
-    return spec.row->wire == WireType::F32 ? spec.nearest(raw) : std::trunc(raw);
-}
-
-}  // namespace
-
 LiveModel::LiveModel(DeviceClient &client, ConfigurationModel &configuration, QObject *parent)
     : QObject(parent)
     , m_client(client)
@@ -149,7 +138,7 @@ void LiveModel::read()
                 if (it == byId.end() || m_wanted.contains(parameter)
                     || (m_writing && m_sent.contains(parameter)))
                     continue;
-                const double raw = rawOf(spec(parameter), *it);
+                const double raw = spec(parameter).rawOf(*it);
                 if (sameValue(value(parameter), raw))
                     continue;
                 m_values.insert(parameter, raw);
@@ -169,8 +158,8 @@ std::pair<double, double> LiveModel::range(int parameter) const
     for (const AdjustableSpec &variable : variables) {
         if (variable.id != parameterSpec.adjustable)
             continue;
-        range.first = std::max(range.first, rawOf(parameterSpec, variable.min));
-        range.second = std::min(range.second, rawOf(parameterSpec, variable.max));
+        range.first = std::max(range.first, parameterSpec.rawOf(variable.min));
+        range.second = std::min(range.second, parameterSpec.rawOf(variable.max));
     }
     return range;
 }

@@ -261,8 +261,12 @@ void ActionsPage::run()
     }
     const ActionSpec action = chosenAction(*m_action, *arguments);
     const auto goOn = [this, action, given = *arguments] { performNow(action, given); };
+    const QString label = tableText(action.label);
     if (action.letsGo)
-        askToLetGo(workspace(), tableText(action.label), this, goOn);
+        askToLetGo(workspace(), label, this, goOn);
+    else if (action.memory == MemoryEffect::Reloads && action.risk != ActionRisk::Destroys)
+        askToReload(workspace(), tr("%1: put stored values into use?").arg(label), label, tr("Do nothing"),
+                    this, goOn);
     else
         goOn();
 }

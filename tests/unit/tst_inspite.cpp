@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/procedure/inuse.h"
+#include "protocol/procedure/safeaction.h"
+#include "protocol/procedure/writeconfiguration.h"
+#include "protocol/record/boardhistory.h"
+#include "protocol/storm32/commands.h"
+#include "tests/support/channelproxy.h"
+#include "tests/support/stormrig.h"
+#include "tests/support/virtualboard.h"
+#include "widgets/models/errortext.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace {
+
+constexpr auto kRefused = [](const Request &request) {
+    return failure(ErrorCode::BoardError, request.name + QStringLiteral(": not now"));
+};
+
+}  // namespace
+
+/// What a board does in spite of its answer, or by itself meanwhile, is what counts and is told.
+class TestInSpite : public QObject
+{
+    Q_OBJECT
+private slots:
+    void refusedLiveValueIsInUse();
+    void refusedLiveValueIsNot();
+    void refusedProfileIsInUse();
+    void inUseIsToldApart();
+    void searchIsJudgedByWhatIsInUse();
+    void lostStoreIsTold();
+    void motorsAreToldAfterAWrite_data();
+    void motorsAreToldAfterAWrite();
+    void stormThatRestartsInAWriteIsTold_data();
+    void stormThatRestartsInAWriteIsTold();
+    void switchedUsageIsNoRestart();
+    void motorsAreToldAfterACalibration();
+    void failedSixPositionsSayThatMotorsAreOff();
+    void unansweredCalibrationIsStored();
+    void setupStartIsProven();
+
+private:
+    Result<WriteReport> write(Channel &channel, Device &device, const QString &key, double raw)
+    {
+        const auto base = device.readConfiguration(channel);
+        Configuration edited = *base;
+        [&] { QVERIFY(edited.setRaw(*edited.parameters().find(key), 0, raw)); }();
+        const BoardHistory history(m_dir.path());
+        WriteOptions options;
+        options.history = &history;
+        return writeConfiguration(channel, device, *base, edited, options);
+    }
+    Result<ActionOutcome> perform(Channel &channel, Device &device, const char *key,
+                                  const QMap<QString, QString> &texts = {})
+    {
+        const BoardHistory history(m_dir.path());
+        return performSafely(channel, device, QString::fromLatin1(key), argumentsFor(device, key, texts),
+                             history);
+    }
+
+    QTemporaryDir m_dir;
+};
+
+void TestInSpite::refusedLiveValueIsInUse()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    Altering inSpite(bench.channel, [](const Request &request, const Altering::Pass &pass) {
+        auto answer = pass(request);
+        return request.name == u"SET_ADJ_VARS_VAL"_s ? kRefused(request) : answer;
+    });
+    QVERIFY(bench.device.writeAdjustables(inSpite, {{0, 44}}));
+    QCOMPARE(bench.board().inUse(u"pid.roll.p"_s), 44);
+}
+
+void TestInSpite::refusedLiveValueIsNot()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    Altering refusing(bench.channel, [](const Request &request, const Altering::Pass &pass) {
+        return request.name == u"SET_ADJ_VARS_VAL"_s ? kRefused(request) : pass(request);
+    });
+    const auto done = bench.device.writeAdjustables(refusing, {{0, 44}});
+    QVERIFY(!done);
+    QCOMPARE(done.error().code, ErrorCode::BoardError);
+    // Nothing is asserted of what nobody has looked at.
+    QVERIFY(!describe(done.error()).oneLine().contains(u"Nothing was changed"_s));
+}
+
+void TestInSpite::refusedProfileIsInUse()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    Altering inSpite(bench.channel, [](const Request &request, const Altering::Pass &pass) {
+        auto answer = pass(request);
+        return request.name == u"EXECUTE_MENU"_s ? kRefused(request) : answer;
+    });
+    QVERIFY(bench.device.selectProfile(inSpite, 2));
+    Altering refusing(bench.channel, [](const Request &request, const Altering::Pass &pass) {
+        return request.name == u"EXECUTE_MENU"_s ? kRefused(request) : pass(request);
+    });
+    QCOMPARE(bench.device.selectProfile(refusing, 1).error().code, ErrorCode::BoardError);
+}
+
+// The board answers for what is stored, and is asked for what it uses.
+void TestInSpite::inUseIsToldApart()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    const auto stored = bench.device.readConfiguration(bench.channel);
+    QVERIFY(stored);
+    const ParameterSpec &p = *stored->parameters().find(u"pid.roll.p"_s);
+    QVERIFY(bench.device.writeAdjustables(bench.channel, {{p.adjustable, 61}}));
+    QCOMPARE(*withInUse(bench.channel, bench.device, *stored).raw(p, 0), 61.0);
+}
+
+void TestInSpite::searchIsJudgedByWhatIsInUse()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    bench.board().stabilizer().imu().gyroCorrection = bench.board().stabilizer().imu().gyroBias;
+    std::optional<Frame> stored;
+    Altering apart(bench.channel, [&stored](const Request &request, const Altering::Pass &pass) {
+        if (request.name != u"READ_PARAMS_3"_s)
+            return pass(request);
+        if (!stored) {
+            const auto answer = pass(request);
+            if (answer)
+                stored = *answer;
+            return answer;
+        }
+        return Result<Frame>(*stored);
+    });
+    const auto reply = bench.device.perform(
+        apart, u"autotune"_s,
+        argumentsFor(bench.device, "autotune", {{u"yaw"_s, u"off"_s}, {u"save"_s, u"off"_s}}));
+    QVERIFY2(reply, reply ? "" : qPrintable(reply.error().detail));
+    QCOMPARE(reply->value(u"p.roll"_s).toInt(), bench.board().inUse(u"pid.roll.p"_s));
+    QVERIFY(reply->value(u"i.roll"_s).toDouble() < 3);
+}
+
+void TestInSpite::lostStoreIsTold()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    const auto before = bench.device.readBlock(bench.channel, {0, simplebgc::Params3});
+    QVERIFY(before);
+    QVERIFY(bench.device.writeAdjustables(bench.channel, {{0, 61}}));
+    Altering losing(bench.channel, [&](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        if (request.name == u"SAVE_PARAMS_3"_s)
+            return Frame{};
+        auto answer = pass(request);
+        if (answer && request.name == u"READ_PARAMS_3"_s && answer->payload[0] == 0)
+            answer->payload = *before;
+        return answer;
+    });
+    const auto done = perform(losing, bench.device, "variables.save");
+    QVERIFY(!done);
+    QCOMPARE(done.error().code, ErrorCode::NotStored);
+    QVERIFY2(done.error().detail.contains(u"pid.roll.p is 61 in use"_s), qPrintable(done.error().detail));
+    QVERIFY(perform(bench.channel, bench.device, "variables.save"));
+}
+
+void TestInSpite::motorsAreToldAfterAWrite_data()
+{
+    QTest::addColumn<bool>("ranBefore");
+    QTest::addColumn<bool>("runAfter");
+    QTest::newRow("started") << false << true;
+    QTest::newRow("stopped") << true << false;
+    QTest::newRow("running on") << true << true;
+}
+
+void TestInSpite::motorsAreToldAfterAWrite()
+{
+    QFETCH(bool, ranBefore);
+    QFETCH(bool, runAfter);
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    bench.board().stabilizer().setMotorsOn(ranBefore);
+    Altering switching(bench.channel, [&](const Request &request, const Altering::Pass &pass) {
+        if (request.name == u"WRITE_PARAMS_3"_s)
+            bench.board().stabilizer().setMotorsOn(runAfter);
+        return pass(request);
+    });
+    const auto report = write(switching, bench.device, u"pid.roll.p"_s, 39);
+    QVERIFY(report && report->isComplete());
+    QCOMPARE(report->restart.motorsStarted, !ranBefore && runAfter);
+    QCOMPARE(report->restart.motorsStopped, ranBefore && !runAfter);
+    QCOMPARE(restartText(*report).contains(u"off now"_s), ranBefore && !runAfter);
+    QCOMPARE(report->restart.areAny(), !ranBefore && runAfter);
+}
+
+void TestInSpite::stormThatRestartsInAWriteIsTold_data()
+{
+    QTest::addColumn<int>("firmware");
+    for (const int firmware : {79, 90, 96})
+        QTest::addRow("0.%d", firmware) << firmware;
+}
+
+// In standby, and behind the storing it is not any more.
+void TestInSpite::stormThatRestartsInAWriteIsTold()
+{
+    QFETCH(int, firmware);
+    StormRig rig(stormOptions(firmware));
+    QVERIFY(rig.device.identify(rig.channel));
+    QVERIFY(rig.device.perform(rig.channel, u"motors.off"_s, {}));
+    Altering restarting(rig.channel, [&](const Request &request, const Altering::Pass &pass) {
+        auto answer = pass(request);
+        if (request.name == u"xs"_s)
+            std::ignore = pass(storm32::simpleRequest(storm32::Simple::Restart));
+        return answer;
+    });
+    const auto report = write(restarting, rig.device, u"pid.pitch.p"_s, 410);
+    QVERIFY2(report, report ? "" : qPrintable(report.error().detail));
+    QVERIFY2(report->restart.motorsStarted, qPrintable(restartText(*report)));
+    const auto quiet = write(rig.channel, rig.device, u"pid.pitch.p"_s, 420);
+    QVERIFY(quiet && !quiet->restart.areTold());
+}
+
+void TestInSpite::switchedUsageIsNoRestart()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    QCOMPARE(rig.device.areMotorsOn(rig.channel), Result<bool>(true));
+    const auto base = rig.device.readConfiguration(rig.channel);
+    for (const ParameterSpec &spec : base->parameters().all())
+        QCOMPARE(rig.device.isSwitchedBy(spec),
+                 spec.key.startsWith(u"motor."_s) && spec.key.endsWith(u".usage"_s));
+}
+
+void TestInSpite::motorsAreToldAfterACalibration()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    bench.board().stabilizer().setMotorsOn(true);
+    Altering switching(bench.channel, [&](const Request &request, const Altering::Pass &pass) {
+        if (request.name == u"CALIB_BAT"_s)
+            bench.board().stabilizer().setMotorsOn(false);
+        return pass(request);
+    });
+    const auto done = perform(switching, bench.device, "calibrate.battery", {{u"voltage"_s, u"12"_s}});
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QCOMPARE(done->motorsNow, std::optional(false));
+    const auto quiet = perform(bench.channel, bench.device, "calibrate.battery", {{u"voltage"_s, u"12"_s}});
+    QVERIFY(quiet && !quiet->motorsNow);
+}
+
+void TestInSpite::failedSixPositionsSayThatMotorsAreOff()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.change(u"pose=1"_s);
+    int readings = 0;
+    Altering failing(rig.channel, [&](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        if (request.name == u"Cd"_s && ++readings > 100)
+            return kRefused(request);
+        return pass(request);
+    });
+    const auto done = perform(failing, rig.device, "calibrate.six");
+    QVERIFY(!done);
+    QVERIFY2(done.error().detail.contains(u"the motors are off now"_s), qPrintable(done.error().detail));
+}
+
+// Only its answer was lost.
+void TestInSpite::unansweredCalibrationIsStored()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    QVERIFY(rig.device.perform(rig.channel, u"motors.off"_s, {}));
+    rig.change(u"pose=1"_s);
+    Altering losing(rig.channel, [](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        auto answer = pass(request);
+        if (request.name == u"Cw"_s)
+            return failure(ErrorCode::Timeout, request.name);
+        return answer;
+    });
+    const auto done = perform(losing, rig.device, "calibrate.level", {{u"store"_s, u"on"_s}});
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    Altering deaf(rig.channel, [](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        if (request.name == u"Cw"_s)
+            return failure(ErrorCode::Timeout, request.name);
+        return pass(request);
+    });
+    rig.change(u"pose=3"_s);
+    QCOMPARE(perform(deaf, rig.device, "calibrate.level", {{u"store"_s, u"on"_s}}).error().code,
+             ErrorCode::Timeout);
+}
+
+void TestInSpite::setupStartIsProven()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    Altering ignoring(rig.channel, [](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        return request.name == u"xW"_s ? Result<Frame>(Frame{}) : pass(request);
+    });
+    const auto done = rig.device.perform(ignoring, u"setup.start"_s, {});
+    QVERIFY(!done);
+    QCOMPARE(done.error().code, ErrorCode::NoEffect);
+    QVERIFY(rig.device.perform(rig.channel, u"setup.start"_s, {}));
+}
+
+QTEST_GUILESS_MAIN(TestInSpite)
+#include "tst_inspite.moc"
