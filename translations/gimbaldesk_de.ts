@@ -5038,13 +5038,6 @@
         <source>Stop motors</source>
         <translation>Motoren stoppen</translation>
     </message>
-    <message numerus="yes">
-        <source>and %n more</source>
-        <translation>
-            <numerusform>und %n weiterer</numerusform>
-            <numerusform>und %n weitere</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The motors are running: other settings act at once.</source>
         <translation>Die Motoren laufen: Andere Einstellungen wirken sofort.</translation>

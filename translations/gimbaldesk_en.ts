@@ -246,13 +246,6 @@
 <context>
     <name>Questions</name>
     <message numerus="yes">
-        <source>and %n more</source>
-        <translation>
-            <numerusform>and %n more</numerusform>
-            <numerusform>and %n more</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n value(s) in use are not stored and will be lost: %1</source>
         <translation>
             <numerusform>%n value in use is not stored and will be lost: %1</numerusform>

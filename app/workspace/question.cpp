@@ -4,6 +4,7 @@
 
 #include "app/workspace/workspace.h"
 #include "widgets/forms/panel.h"
+#include "widgets/models/errortext.h"
 #include "widgets/models/parametermodel.h"
 
 #include <QCoreApplication>
@@ -28,21 +29,6 @@ void withdrawWithTheLink(Workspace &workspace, QDialog *panel)
 }
 
 }  // namespace
-
-QString liveText(const Configuration &board, const LiveValues &values)
-{
-    constexpr qsizetype kTold = 6;
-    QStringList texts;
-    for (const LiveValue &value : values) {
-        if (const ParameterSpec *spec = board.parameters().find(value.key))
-            texts.append(u"%1 %2"_s.arg(parameterLabel(*spec), parameterQuantityText(*spec, value.inUse)));
-    }
-    const auto more = int(texts.size() - kTold);
-    texts = texts.mid(0, kTold);
-    if (more > 0)
-        texts.append(Questions::tr("and %n more", nullptr, more));
-    return texts.join(u", "_s);
-}
 
 QDialog *askInPanel(const Question &question, QWidget *parent)
 {

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "protocol/configuration/livevalues.h"
-
 #include <QList>
 #include <QString>
 
@@ -27,9 +25,6 @@ struct Question
     QList<Answer> answers;
     QString stay;  ///< the way out, which is what Return and Esc do
 };
-
-/// "P, roll 62, P, pitch 55 and 3 more".
-[[nodiscard]] QString liveText(const Configuration &board, const LiveValues &values);
 
 /// Asks in a panel of that widget's window. @return the panel, which destroys itself; whoever asks rejects
 /// it when there is nothing left to decide

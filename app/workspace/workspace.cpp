@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workspace/workspace.h"
 
-#include "app/workspace/question.h"
 #include "protocol/base/filefault.h"
 #include "protocol/record/configurationformats.h"
+#include "widgets/models/errortext.h"
 #include "widgets/models/missingtext.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/models/parametermodel.h"

@@ -6,6 +6,7 @@
 #include "protocol/configuration/aftermath.h"
 #include "protocol/configuration/writereport.h"
 #include "widgets/models/numbertext.h"
+#include "widgets/models/parametermodel.h"
 
 #include <QCoreApplication>
 
@@ -351,6 +352,21 @@ static QString straysText(const WriteReport &report)
     if (count > kTold)
         told.append(Words::tr("and %n more", nullptr, count - kTold));
     return told.isEmpty() ? QString() : Words::tr("not to be written: %1").arg(told.join(u", "_s));
+}
+
+QString liveText(const Configuration &board, const LiveValues &values)
+{
+    constexpr qsizetype kTold = 6;
+    QStringList texts;
+    for (const LiveValue &value : values) {
+        if (const ParameterSpec *spec = board.parameters().find(value.key))
+            texts.append(u"%1 %2"_s.arg(parameterLabel(*spec), parameterQuantityText(*spec, value.inUse)));
+    }
+    const auto more = int(texts.size() - kTold);
+    texts = texts.mid(0, kTold);
+    if (more > 0)
+        texts.append(Words::tr("and %n more", nullptr, more));
+    return texts.join(u", "_s);
 }
 
 QString restartText(const WriteReport &report)

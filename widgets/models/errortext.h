@@ -4,6 +4,7 @@
 
 #include "protocol/base/progress.h"
 #include "protocol/base/result.h"
+#include "protocol/configuration/livevalues.h"
 
 struct FileFault;
 struct WriteReport;
@@ -29,6 +30,8 @@ struct ErrorText
 /// A write that was not completed: why, how many values are how, and what the board holds now.
 [[nodiscard]] ErrorText describe(const WriteReport &report);
 
+/// "P, roll 62, P, pitch 55 and 3 more".
+[[nodiscard]] QString liveText(const Configuration &board, const LiveValues &values);
 /// What was noticed of a restart of the board during a write; empty if nothing.
 [[nodiscard]] QString restartText(const WriteReport &report);
 
