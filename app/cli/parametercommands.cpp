@@ -282,6 +282,7 @@ public:
             return tl::unexpected(profile.error());
         Configuration edited = *base;
         std::vector<AdjustableValue> live;
+        std::vector<const ParameterSpec *> changed;
         QStringList rounded;
         for (const QString &assignment : arguments()) {
             const QString key = assignment.section(u'=', 0, 0);
@@ -308,6 +309,7 @@ public:
                                u"%1 cannot be changed in volatile memory; leave --no-save out"_s.arg(key));
             }
             options.named.insert(key);
+            changed.push_back(spec);
             live.push_back({variable, *raw * spec->row->adjustableScale});
         }
         if (!m_noSave) {
@@ -329,7 +331,7 @@ public:
             return failure(ErrorCode::ReadOnly, device.identity().firmware);
         if (*profile != base->activeProfile())
             return failure(ErrorCode::InvalidArgument, u"--no-save works on the active profile only"_s);
-        const auto ranBefore = askMotors(channel, device);
+        const auto ranBefore = askMotorsBefore(channel, device, changed);
         const Configuration usedBefore = withInUse(channel, device, *base);
         if (const auto done = device.live()->writeAdjustables(channel, live); !done) {
             Error error = afterLive(channel, device, done.error(), usedBefore);

@@ -5,7 +5,9 @@
 #include "protocol/device/abilities.h"
 #include "protocol/device/device.h"
 
+#include <algorithm>
 #include <optional>
+#include <vector>
 
 /// Whether the motors run, asked now; empty where the board does not tell.
 [[nodiscard]] inline std::optional<bool> askMotors(Channel &channel, const Device &device)
@@ -13,6 +15,17 @@
     const MotorSwitch *motors = device.motorSwitch();
     const auto on = motors ? motors->areMotorsOn(channel) : failure(ErrorCode::Unsupported);
     return on ? std::optional(*on) : std::nullopt;
+}
+
+/// The same before these are changed; empty also where that starts or stops them.
+[[nodiscard]] inline std::optional<bool> askMotorsBefore(Channel &channel, const Device &device,
+                                                         const std::vector<const ParameterSpec *> &changed)
+{
+    const MotorSwitch *motors = device.motorSwitch();
+    const bool isSwitched = motors
+        && std::any_of(changed.begin(), changed.end(),
+                       [motors](const ParameterSpec *spec) { return motors->isSwitchedBy(*spec); });
+    return isSwitched ? std::nullopt : askMotors(channel, device);
 }
 
 /// For the details of an error.

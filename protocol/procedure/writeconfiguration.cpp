@@ -56,12 +56,10 @@ Result<WriteReport> Writer::run()
     if (const auto checked = m_whole.isKnown() ? m_whole.check(patchedBlocks()) : Result<void>(); !checked)
         return tl::unexpected(checked.error());
 
-    const MotorSwitch *motors = m_device.motorSwitch();
-    const bool isSwitched
-        = motors && std::any_of(m_changes.begin(), m_changes.end(), [motors](const ParameterChange &change) {
-              return motors->isSwitchedBy(*change.spec);
-          });
-    m_ranBefore = isSwitched ? std::nullopt : askMotors(m_channel, m_device);
+    std::vector<const ParameterSpec *> changed;
+    for (const ParameterChange &change : m_changes)
+        changed.push_back(change.spec);
+    m_ranBefore = askMotorsBefore(m_channel, m_device, changed);
     readOthers();
     auto result = writeBlocks();
     if (result && m_whole.isUntellable() && !m_keys.empty())

@@ -386,7 +386,7 @@ void TestSbgcCalibration::searchThatChangedNothingIsNoSuccess()
     QVERIFY(bench.identify());
     bench.board().stabilizer().imu().gyroCorrection = bench.board().stabilizer().imu().gyroBias;
     Disturbed channel(bench.channel);
-    channel.frozen = u"READ_PARAMS_3"_s;
+    channel.frozen = u"GET_ADJ_VARS_VAL"_s;
     const auto reply = bench.device.perform(channel, u"autotune"_s, argumentsFor(bench.device, "autotune"));
     QVERIFY(!reply);
     QCOMPARE(reply.error().code, ErrorCode::NoEffect);
