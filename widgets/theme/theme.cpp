@@ -138,6 +138,7 @@ QCheckBox::indicator, QTreeView::indicator, QTableView::indicator { width: 14px;
 QRadioButton::indicator { width: 14px; height: 14px; border: 1px solid @Muted; border-radius: 8px; background: @Surface; }
 QRadioButton::indicator:checked { width: 6px; height: 6px; border: 5px solid @Accent; border-radius: 8px; background: @Surface; }
 QCheckBox::indicator:checked, QTreeView::indicator:checked, QTableView::indicator:checked { background: @Accent; border-color: @Accent; image: url(:/icons/@CheckIcon.svg); }
+QTreeView::indicator:checked:selected, QTableView::indicator:checked:selected { border-color: @AccentText; }
 QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: @Border; }
 QSlider::sub-page:horizontal { height: 4px; border-radius: 2px; background: @Accent; }
 QSlider::sub-page:horizontal:disabled { background: @Border; }

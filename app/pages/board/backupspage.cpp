@@ -141,6 +141,7 @@ void BackupsPage::makeBody()
     line->addWidget(m_export);
     line->addWidget(m_restore);
     card->content()->addLayout(line);
+    card->content()->addWidget(m_lacking);
     card->content()->addWidget(m_differences, 1);
     m_board->setWordWrap(true);
     m_which->setToolTip(tr("Say which board this is"));
@@ -151,7 +152,6 @@ void BackupsPage::makeBody()
     m_lacking->setWordWrap(true);
     m_lacking->setObjectName(u"muted"_s);
     body()->addLayout(board);
-    body()->addWidget(m_lacking);
     body()->addWidget(m_table, 1);
     body()->addWidget(card, 1);
 }
