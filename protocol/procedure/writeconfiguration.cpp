@@ -53,6 +53,8 @@ Result<WriteReport> Writer::run()
         return tl::unexpected(read.error());
     if (const auto checked = checkConflicts(); !checked)
         return tl::unexpected(checked.error());
+    if (const auto checked = checkProfile(); !checked)
+        return tl::unexpected(checked.error());
     if (const auto checked = m_whole.isKnown() ? m_whole.check(patchedBlocks()) : Result<void>(); !checked)
         return tl::unexpected(checked.error());
 
@@ -198,6 +200,19 @@ QByteArray Writer::asStored(BlockKey key, QByteArray bytes, const LiveValues &li
     if (key.profile != m_base.activeProfile() || m_device.wholeMemory())
         return bytes;
     return withoutLive(std::move(bytes), key.block, m_base.parameters(), live);
+}
+
+// A button on the board, or a remote control, may have switched it since. Writing would switch it back.
+Result<void> Writer::checkProfile()
+{
+    ProfileAccess *profiles = m_device.profiles();
+    const int wanted = m_base.activeProfile();
+    const int active = profiles ? profiles->activeProfile(m_channel).value_or(wanted) : wanted;
+    if (active == wanted)
+        return {};
+    return failure(ErrorCode::Conflict,
+                   u"profile %1 is in use now, and was profile %2 when the board was read"_s.arg(active + 1)
+                       .arg(wanted + 1));
 }
 
 Result<void> Writer::checkConflicts() const

@@ -118,20 +118,21 @@ void Writer::finishReport(const Error &error)
 }
 
 // Writing a block of another profile makes that the active one, confirmed or not: the gimbal then runs on
-// its values.
+// its values. What the board has switched to by itself stays, and is told.
 void Writer::settleProfile()
 {
     ProfileAccess *profiles = m_device.profiles();
     const int wanted = m_base.activeProfile();
     const bool mayHaveMoved = std::any_of(m_written.begin(), m_written.end(),
                                           [wanted](BlockKey key) { return key.profile != wanted; });
-    if (!profiles || !mayHaveMoved)
+    if (!profiles || m_written.empty())
         return;
-    m_report.strayProfile = WriteReport::kUnread;
+    if (mayHaveMoved)
+        m_report.strayProfile = WriteReport::kUnread;
     if (m_report.error && isLinkGone(*m_report.error))
         return;
     auto active = profiles->activeProfile(m_channel);
-    if (active && *active != wanted) {
+    if (active && *active != wanted && mayHaveMoved) {
         std::ignore = selectActive();
         active = profiles->activeProfile(m_channel);
     }

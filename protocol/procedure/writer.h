@@ -42,6 +42,7 @@ private:
     void collectBlocks();
     Result<void> readBoard();
     Result<void> checkConflicts() const;
+    Result<void> checkProfile();
     [[nodiscard]] QByteArray boardNow(BlockKey key) const;
     [[nodiscard]] bool isKnownLive(const ParameterChange &change, double now) const;
     Result<void> writeBlocks();

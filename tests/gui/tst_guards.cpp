@@ -95,12 +95,14 @@ void TestGuards::aSwitchLosesNoValueUnasked()
     workspace().live().setValue(p, 62);
     QTRY_VERIFY(workspace().live().isSettled() && workspace().live().changeCount() == 1);
     const auto choose = [this](int profile) {
+        // Where nothing tells that they are off, it is asked as well.
+        [this] { QTRY_VERIFY(workspace().motorsRunning() == false); }();
         profiles()->setCurrentIndex(profile);
         emit profiles()->activated(profile);
         return m_rig->window().panels()->isOpen();
     };
     const auto press = [this](const QString &text) {
-        auto *button = named<QPushButton>(m_rig->window().panels(), text);
+        auto *button = named<QPushButton>(m_rig->window().panels()->newest(), text);
         return button && (QTest::mouseClick(button, Qt::LeftButton), true);
     };
     QVERIFY(choose(1));

@@ -32,6 +32,8 @@ private slots:
     void inUseIsToldApart();
     void searchIsJudgedByWhatIsInUse();
     void lostStoreIsTold();
+    void profileSwitchedBeforeAWriteStays();
+    void profileSwitchedInAWriteIsTold();
     void motorsAreToldAfterAWrite_data();
     void motorsAreToldAfterAWrite();
     void stormThatRestartsInAWriteIsTold_data();
@@ -162,6 +164,43 @@ void TestInSpite::lostStoreIsTold()
     QCOMPARE(done.error().code, ErrorCode::NotStored);
     QVERIFY2(done.error().detail.contains(u"pid.roll.p is 61 in use"_s), qPrintable(done.error().detail));
     QVERIFY(perform(bench.channel, bench.device, "variables.save"));
+}
+
+// A button on the board has switched it since it was read.
+void TestInSpite::profileSwitchedBeforeAWriteStays()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    const auto base = bench.device.readConfiguration(bench.channel);
+    Configuration edited = *base;
+    QVERIFY(edited.setRaw(*edited.parameters().find(u"pid.roll.p"_s), 0, 39));
+    QVERIFY(bench.device.selectProfile(bench.channel, 2));
+    const BoardHistory history(m_dir.path());
+    WriteOptions options;
+    options.history = &history;
+    const auto report = writeConfiguration(bench.channel, bench.device, *base, edited, options);
+    QVERIFY(!report);
+    QCOMPARE(report.error().code, ErrorCode::Conflict);
+    QCOMPARE(bench.board().activeProfile(), 2);
+    QCOMPARE(double(bench.board().stored(u"pid.roll.p"_s, 0)),
+             *base->raw(*base->parameters().find(u"pid.roll.p"_s), 0));
+}
+
+void TestInSpite::profileSwitchedInAWriteIsTold()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    Altering switching(bench.channel, [&](const Request &request, const Altering::Pass &pass) {
+        auto answer = pass(request);
+        if (request.name == u"WRITE_PARAMS_3"_s)
+            std::ignore = bench.device.selectProfile(bench.channel, 2);
+        return answer;
+    });
+    const auto report = write(switching, bench.device, u"pid.roll.p"_s, 39);
+    QVERIFY2(report, report ? "" : qPrintable(report.error().detail));
+    QCOMPARE(report->strayProfile, std::optional(2));
+    QCOMPARE(bench.board().activeProfile(), 2);
+    QVERIFY(describe(*report).meaning.contains(u"active profile is now"_s));
 }
 
 void TestInSpite::motorsAreToldAfterAWrite_data()

@@ -8,6 +8,8 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include <utility>
+
 using namespace Qt::StringLiterals;
 
 HelpCard::HelpCard(ConfigurationModel &configuration, QWidget *parent)
@@ -69,7 +71,8 @@ void HelpCard::refresh()
         line(tr("Default"), parameterQuantityText(spec, spec.defaultRaw));
     if (const QString range = parameterRangeText(spec); !range.isEmpty())
         line(tr("Range"), range);
-    line(tr("Belongs to"), spec.row->scope == Scope::Board ? tr("the whole board") : tr("this profile"));
+    if (std::as_const(m_configuration).board().identity().profileCount > 1)
+        line(tr("Belongs to"), spec.row->scope == Scope::Board ? tr("the whole board") : tr("this profile"));
     line(tr("Key"), spec.key);
     QString facts = u"<table>%1</table>"_s.arg(lines.join(QString()));
     if (const QString inactive = inactiveReason(m_configuration, spec, m_configuration.shownProfile());

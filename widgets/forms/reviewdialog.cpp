@@ -41,6 +41,7 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     m_table->setModel(&m_changes);
     m_table->setAccessibleName(tr("Changes to write"));
     setPlainRows(*m_table);
+    m_table->setColumnHidden(ChangeModel::ProfileColumn, board.identity().profileCount <= 1);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);

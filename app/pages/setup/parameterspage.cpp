@@ -120,6 +120,7 @@ void ParametersPage::makeHeader()
 void ParametersPage::makeBody()
 {
     m_groups->setAccessibleName(tr("Groups"));
+    m_groups->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto *holder = new QWidget;
@@ -200,11 +201,18 @@ void ParametersPage::connectAll()
     });
 }
 
+// The names of the groups with what is changed in them, where there is room for that.
+void ParametersPage::fitGroups()
+{
+    const int names = m_groups->sizeHintForColumn(0) + 2 * m_groups->frameWidth();
+    m_groups->setFixedWidth(m_narrow ? kNarrowColumn : std::max(kGroupsColumn, names));
+}
+
 // A narrow page has no room for three columns: the help card moves below the groups.
 void ParametersPage::arrange(bool narrow)
 {
     m_narrow = narrow;
-    m_groups->setFixedWidth(narrow ? kNarrowColumn : kGroupsColumn);
+    fitGroups();
     m_help->setFixedWidth(narrow ? kNarrowColumn : kHelpColumn);
     m_left->removeWidget(m_help);
     m_row->removeWidget(m_help);
@@ -339,6 +347,7 @@ void ParametersPage::updateGroupMarks()
         item->setFont(font);
         item->setHidden(count.isEmpty() && !offered.contains(group));
     }
+    fitGroups();
     // A level that leaves nothing of the group that is shown goes on to the first that it leaves.
     for (int i = 0; i < m_groups->count() && m_groups->currentItem() && m_groups->currentItem()->isHidden();
          ++i) {

@@ -42,6 +42,7 @@ private:
     void makeBody();
     void connectAll();
     void arrange(bool narrow);
+    void fitGroups();
     void onBoard();
     void refilter();
     void updateGroupMarks();
