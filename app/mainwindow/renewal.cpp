@@ -22,6 +22,8 @@
 #include <any>
 #include <utility>
 
+using namespace Qt::StringLiterals;
+
 void MainWindow::makeFrame()
 {
     m_linkBar = new LinkBar(*m_workspace);

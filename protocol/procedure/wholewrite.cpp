@@ -3,6 +3,7 @@
 #include "protocol/procedure/wholewrite.h"
 
 #include "protocol/device/device.h"
+#include "protocol/session/channel.h"
 
 #include <algorithm>
 

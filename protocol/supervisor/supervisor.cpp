@@ -42,7 +42,6 @@ constexpr double kAlikeHigh = 2.5;
 constexpr double kSwing = 5.0;  // degrees: an error that changes sign like this oscillates
 
 constexpr double kLookEvery = 0.08;
-constexpr double kChangeCounts = 10.0;  // seconds during which a live change may be the cause
 constexpr double kAfterChange = 0.5;  // of the limit for oscillations
 constexpr double kThanCalm = 3.0;  // times as rough as it was before
 constexpr double kCalmShare = 0.05;  // of a new value in the average

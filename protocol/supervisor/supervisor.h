@@ -90,6 +90,7 @@ public:
     [[nodiscard]] std::vector<Unwatched> unwatched(const QSet<AlarmKind> &possible, double now) const;
 
 private:
+    static constexpr double kChangeCounts = 10.0;  // seconds during which a live change may be the cause
     static constexpr double kAfterStart = 0.3;  // motors that were switched on find their place first
     static constexpr double kStaleTime = 0.5;
     static constexpr double kStalePeriods = 3.0;
