@@ -503,7 +503,7 @@ void reportError(CommandOutcome &outcome, const Error &error)
 }
 
 Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Configuration &base,
-                                      const Configuration &edited, WriteOptions options)
+                                      const Configuration &edited, const WriteOptions &options)
 {
     auto report = writeConfiguration(channel, device, base, edited, options);
     const bool isUntold = !report

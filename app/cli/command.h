@@ -284,7 +284,7 @@ Result<void> checkOthers(Device &device, std::optional<OtherValues> others);
                                    const QSet<QString> &wanted);
 /// Writes and reports the result. The exit code is 1 unless everything was verified.
 Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Configuration &base,
-                                      const Configuration &edited, WriteOptions options);
+                                      const Configuration &edited, const WriteOptions &options);
 /// The same, and names what of the board was not read beside it; that is no failure of this write.
 Result<CommandOutcome> writeAndTellMissing(Channel &channel, Device &device, const Configuration &base,
                                            const Configuration &edited, const WriteOptions &options);
