@@ -65,8 +65,8 @@ CommandOutcome doneOutcome(const QString &key, const ActionReply &reply, bool an
                                {u"state"_s, state},
                                {u"reply"_s, QJsonObject::fromVariantMap(reply)},
                                {u"units"_s, units}};
-    if (outcome.text.isEmpty())
-        outcome.text = state + u'\n';
+    if (outcome.text.isEmpty() || !answered)
+        outcome.text += state + u'\n';
     return outcome;
 }
 
@@ -257,6 +257,15 @@ Result<CommandOutcome> ActionCommand::run(Channel &channel, Device &device)
         if (const QString told = tellOthers(*done->stored, outcome.text, json); !told.isEmpty())
             outcome.note += u'\n' + told;
     }
+    QJsonArray lost;
+    for (const ParameterChange &change : done->lost) {
+        lost.append(changeJson(change));
+        outcome.text += u"%1 %2 (%3 was in use, and not stored)\n"_s.arg(
+            change.spec->key.leftJustified(28), valueText(*change.spec, change.to),
+            valueText(*change.spec, change.from));
+    }
+    if (!lost.isEmpty())
+        json.insert(u"lost"_s, lost);
     if (done->motorsNow) {
         json.insert(u"motorsNow"_s, *done->motorsNow);
         outcome.note += (outcome.note.isEmpty() ? u""_s : u"\n"_s) + motorsChangedText(*done->motorsNow);

@@ -139,6 +139,19 @@ Result<void> proveStored(Channel &channel, WholeMemory &memory, const Configurat
     return {};
 }
 
+// What a script moves by itself is nobody's loss.
+std::vector<ParameterChange> changedSince(Channel &channel, Device &device, const Configuration &before)
+{
+    const auto now = device.readConfiguration(channel);
+    if (!now)
+        return {};
+    auto changes = before.changesTo(*now);
+    const auto moved = device.wholeMemory()->movedBy(*now);
+    std::erase_if(changes,
+                  [&moved](const ParameterChange &change) { return moved.contains(change.spec->key); });
+    return changes;
+}
+
 // A board that keeps what is stored apart, and was told to store what is in use in the active profile: what
 // it holds since is read. One that answers with what is in use proves nothing, and contradicts nothing.
 Result<void> checkActiveStored(Channel &channel, Device &device, Configuration before)
@@ -261,6 +274,9 @@ Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QStr
             return tl::unexpected(inUse.error());
         wanted = *std::move(inUse);
     }
+    // Whoever has put it into use.
+    const bool isReloading = action.memory == MemoryEffect::Reloads && device.wholeMemory();
+    const auto usedBefore = isReloading ? device.readConfiguration(channel) : failure(ErrorCode::Unsupported);
     if (action.silence > 0ms)
         channel.expectSilence(action.silence);
     const bool isLasting = action.risk == ActionRisk::Writes || action.risk == ActionRisk::Destroys;
@@ -299,6 +315,8 @@ Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QStr
     // A calibration by hand says so itself.
     if (!action.letsGo && !action.switchesMotors && !outcome.reply.contains(u"motors_switched_off"_s))
         outcome.motorsNow = findMotorsChanged(channel, device, ranBefore);
+    if (usedBefore)
+        outcome.lost = changedSince(channel, device, *usedBefore);
     if (action.memory == MemoryEffect::Stores && !memory && backup) {
         if (const auto stored = checkActiveStored(channel, device, backup->before); !stored)
             return tl::unexpected(withKnown(stored.error(), *backup));

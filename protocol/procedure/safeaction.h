@@ -22,6 +22,9 @@ struct ActionOutcome
     /// Of an action that stores everything in use on a board with a WholeMemory: what was in use without
     /// being stored (`others`), or why that is not known.
     std::optional<WriteReport> stored = {};
+    /// Of an action that puts what is stored into use there: what was in use before, `from`, and is not any
+    /// more.
+    std::vector<ParameterChange> lost = {};
 };
 
 /// The channel that reports a condition; -1 if the board has none.

@@ -163,7 +163,7 @@ constexpr ActionSpec kActions[] = {
      .help = "Ends a search of gains that may still be going on, and proves it.", .group = "Calibration"},
     {.key = "reset", .label = "Restart board", .help = "Restarts the controller; motors go off, and may start by themselves afterwards.",
      .group = "Board", .risk = ActionRisk::Moves, .arguments = kResetArguments, .units = kResetUnits,
-     .letsGo = true},
+     .isShown = false, .letsGo = true},
     {.key = "defaults", .label = "Factory defaults", .help = "Overwrites a profile, or everything, with defaults.",
      .group = "Board", .risk = ActionRisk::Destroys, .arguments = kDefaultsArguments, .isShown = false, .letsGo = true},
 };

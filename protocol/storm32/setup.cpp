@@ -259,6 +259,11 @@ Result<ActionReply> Procedures::restartAndWait()
                     if (const auto put = m_channel.transact(m_device.simple(Simple::PutParameters, wanted));
                         !put)
                         return tl::unexpected(put.error());
+                    const auto found = m_device.readStream(m_channel);
+                    if (!found)
+                        return tl::unexpected(found.error());
+                    if (*found != wanted)
+                        return failure(ErrorCode::NotInUse, u"what was set up before the restart"_s);
                 }
             }
             hasStarted |= now->state < kMotorsTurn;

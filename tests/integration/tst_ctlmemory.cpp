@@ -37,6 +37,8 @@ private slots:
     void scriptIsNamed();
     void lockedOutBoardStoresNothingElse();
     void plainStoreIsTold();
+    void restartNamesWhatIsLost_data();
+    void restartNamesWhatIsLost();
     void slowStopIsTold();
     void stoppedBoardRefusesToStore_data();
     void stoppedBoardRefusesToStore();
@@ -159,6 +161,29 @@ void TestCtlMemory::plainStoreIsTold()
 }
 
 // A board that starts ignores standby: its motors are disabled meanwhile, and that is said.
+void TestCtlMemory::restartNamesWhatIsLost_data()
+{
+    QTest::addColumn<QString>("action");
+    for (const QString &action : {u"restart"_s, u"reset"_s, u"retrieve"_s})
+        QTest::newRow(qPrintable(action)) << action;
+}
+
+// Whatever puts the stored values into use.
+void TestCtlMemory::restartNamesWhatIsLost()
+{
+    QFETCH(QString, action);
+    QCOMPARE(ctl({u"set"_s, u"--no-save"_s, u"pid.pitch.p=5"_s}).exitCode, 0);
+    const Run restart = ctl({u"--json"_s, u"do"_s, action, u"--confirmed"_s});
+    QVERIFY2(restart.exitCode == 0, qPrintable(restart.err));
+    const QJsonArray lost = QJsonDocument::fromJson(restart.out.toUtf8()).object().value(u"lost"_s).toArray();
+    QCOMPARE(lost.size(), 1);
+    QCOMPARE(lost.first().toObject().value(u"key"_s).toString(), u"pid.pitch.p"_s);
+    QCOMPARE(ctl({u"set"_s, u"--no-save"_s, u"pid.pitch.p=5"_s}).exitCode, 0);
+    const Run told = ctl({u"do"_s, action, u"--confirmed"_s});
+    QVERIFY2(told.out.contains(u"4.00 (5.00 was in use, and not stored)"_s), qPrintable(told.out));
+    QVERIFY(!ctl({u"do"_s, action, u"--confirmed"_s}).out.contains(u"in use"_s));
+}
+
 void TestCtlMemory::slowStopIsTold()
 {
     QCOMPARE(ctl({u"do"_s, u"reset"_s, u"--confirmed"_s}).exitCode, 0);

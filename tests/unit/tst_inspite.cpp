@@ -43,6 +43,8 @@ private slots:
     void failedSixPositionsSayThatMotorsAreOff();
     void unansweredCalibrationIsStored();
     void setupStartIsProven();
+    void setupIsInUseAfterTheStart();
+    void announcedRestartIsSent();
 
 private:
     Result<WriteReport> write(Channel &channel, Device &device, const QString &key, double raw)
@@ -339,6 +341,33 @@ void TestInSpite::setupStartIsProven()
     QVERIFY(!done);
     QCOMPARE(done.error().code, ErrorCode::NoEffect);
     QVERIFY(rig.device.perform(rig.channel, u"setup.start"_s, {}));
+}
+
+// A start that loads what is stored: what was set up is put back.
+void TestInSpite::setupIsInUseAfterTheStart()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    QVERIFY(rig.device.perform(rig.channel, u"setup.directions"_s, {{u"direction"_s, 2}}));
+    Altering ignoring(rig.channel, [](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        auto answer = request.name == u"p"_s ? Result<Frame>(Frame{}) : pass(request);
+        if (request.name == u"xW"_s)
+            std::ignore = pass(storm32::simpleRequest(storm32::Simple::Retrieve));
+        return answer;
+    });
+    const auto done = rig.device.perform(ignoring, u"setup.start"_s, {});
+    QVERIFY(!done);
+    QCOMPARE(done.error().code, ErrorCode::NotInUse);
+}
+
+// It is yet to come.
+void TestInSpite::announcedRestartIsSent()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    const auto done = perform(bench.channel, bench.device, "reset", {{u"delay"_s, u"500"_s}});
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QVERIFY(!done->answered);
 }
 
 QTEST_GUILESS_MAIN(TestInSpite)
