@@ -13,8 +13,10 @@
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QFile>
+#include <QHeaderView>
 #include <QLabel>
 #include <QSet>
+#include <QTableView>
 
 #include <atomic>
 
@@ -142,7 +144,8 @@ void TestLanguage::whatPagesHoldGoesOn()
 {
     QVERIFY(m_rig->open());
     m_rig->edit(u"pid.roll.p"_s, 0, 44);
-    QFile csv(m_rig->filePath(u"response.csv"_s));
+    QFile csv(m_rig->filePath(
+        u"the response of a gimbal with a name that is a long one, and the second of its kind.csv"_s));
     QVERIFY(csv.open(QIODevice::WriteOnly));
     csv.write("in;out\n");
     double state = 0;
@@ -158,6 +161,10 @@ void TestLanguage::whatPagesHoldGoesOn()
     QVERIFY(response->importCsv(csv.fileName()));
     const std::size_t records = response->records().size();
     QVERIFY(records > 0);
+    m_rig->window().showPage(u"response"_s);
+    const QTableView *table = response->table();
+    QTRY_VERIFY(table->isVisible() && table->model()->rowCount() > 0);
+    QTRY_VERIFY(table->horizontalHeader()->length() <= table->viewport()->width());
     auto *monitor = m_rig->page<MonitorPage>();
     QTRY_VERIFY(monitor->plots().size() > 1);
     QVERIFY(monitor->publish(u"127.0.0.1:9"_s));

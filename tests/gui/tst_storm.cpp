@@ -482,6 +482,10 @@ void TestStorm::settingsAreShared()
     auto *dialog = m_rig->window().findChild<ShareDialog *>();
     QVERIFY(dialog);
     QVERIFY(dialog->image().width() > 1000 && dialog->image().height() > 500);
+    for (const QLabel *label : dialog->findChildren<QLabel *>()) {
+        if (!label->pixmap().isNull())  // all of it can be seen, however small the screen
+            QCOMPARE(label->size(), label->pixmap().deviceIndependentSize().toSize());
+    }
     const QString path = m_rig->filePath(u"settings.png"_s);
     QVERIFY(dialog->save(path));
     QCOMPARE(QImage(path).size(), dialog->image().size());

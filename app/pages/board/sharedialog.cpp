@@ -74,7 +74,7 @@ void ShareDialog::draw()
                               m_workspace.theme(), 2.0,
                               changes > 0 ? tr("with %n unwritten change(s)", nullptr, changes) : QString());
     m_picture->setPixmap(QPixmap::fromImage(m_image));
-    m_picture->adjustSize();
+    m_picture->resize(m_picture->sizeHint());  // adjustSize() minds the screen while there is no parent
 }
 
 Result<void> ShareDialog::save(const QString &path) const

@@ -438,7 +438,7 @@ void ResponsePage::showRecords()
     m_model->clear();
     m_model->setHorizontalHeaderLabels(titles);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     for (int row = 0; const auto place = recordAt(row); ++row) {
         const ResponseRecord &record = m_records[*place];
         QStringList cells;
