@@ -14,6 +14,7 @@ constexpr int kKeyRole = Qt::UserRole;
 constexpr int kTitleRole = Qt::UserRole + 1;
 constexpr int kMarkRole = Qt::UserRole + 2;
 constexpr int kIcon = 18;
+const QString kMark = u"  •"_s;
 constexpr int kLastNumber = 9;  // Ctrl+1 to Ctrl+9
 
 }  // namespace
@@ -44,9 +45,7 @@ Navigation::Navigation(QWidget *parent)
         item->setData(kTitleRole, title);
     }
     renumber();
-    int width = 0;
-    for (int row = 0; row < count(); ++row)
-        width = std::max(width, sizeHintForColumn(0));
+    const int width = sizeHintForColumn(0) + fontMetrics().horizontalAdvance(kMark);
     setFixedWidth(std::max(168, width + 22));
     connect(this, &QListWidget::currentItemChanged, this, [this] {
         m_awaited.clear();
@@ -95,7 +94,7 @@ void Navigation::setMarked(const QString &key, bool marked)
         return;
     found->setData(kMarkRole, marked);
     const QString title = found->data(kTitleRole).toString();
-    found->setText(marked ? title + u"  •"_s : title);
+    found->setText(marked ? title + kMark : title);
     found->setData(Qt::AccessibleTextRole, marked ? tr("%1, with unwritten changes").arg(title) : title);
 }
 

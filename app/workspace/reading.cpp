@@ -87,7 +87,10 @@ void Workspace::readKnowing(const std::optional<LiveValues> &live, bool quiet)
             Configuration read = sameBoard ? withoutLive(*answer, known) : *answer;
             if (sameBoard)
                 keepMissing(read);
-            const bool isBoards = m_offlineFile.isEmpty();  // what was shown before was read from it
+            // A recording says nothing of what the board holds since.
+            const bool isRecording = m_client.address().isReplay();
+            const bool wasRecording = std::exchange(m_isRecording, isRecording);
+            const bool isBoards = m_offlineFile.isEmpty() && !wasRecording && !isRecording;
             m_offlineFile.clear();
             const int others = isFirst && sameBoard && isBoards ? changedMeanwhile(read) : 0;
             const LiveValues lost = isFirst && sameBoard ? lostSince(*answer) : LiveValues();
@@ -99,8 +102,10 @@ void Workspace::readKnowing(const std::optional<LiveValues> &live, bool quiet)
             if (isFirst)
                 m_journal.remind();
             tellLost(lost);
-            judge(others);
-            settle(*answer);
+            if (!isRecording) {
+                judge(others);
+                settle(*answer);
+            }
             tellMissing(read);
             emit boardRead();
         });

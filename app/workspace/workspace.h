@@ -240,6 +240,7 @@ private:
     BoardNaming m_naming;  // hears of a board before those that use its history
     LinkRecorder m_recorder;
     QString m_offlineFile;
+    bool m_isRecording = false;  // what is shown was read from one
     std::optional<std::pair<double, double>> m_heldSpan;
     PlotMarks m_marks;
     LinkMarks m_linkMarks;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/linkbar.h"
+#include "app/mainwindow/messagebar.h"
 #include "app/mainwindow/translations.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "tests/support/windowrig.h"
@@ -87,11 +88,23 @@ void TestBadges::everySourceIsMarkedInEveryWindow()
     QCOMPARE(marks(2), QString());  // and recorded
     QVERIFY(m_rig->boardGoesOn(0.5));
     m_rig->workspace().recorder().stop();
+    // What a recording holds otherwise is no news of the board.
+    m_rig->edit(u"pid.roll.p"_s, 0, 44);
+    m_rig->workspace().write(std::as_const(m_rig->model()).edited());
+    QTRY_COMPARE(m_rig->model().changeCount(), 0);
+    QVERIFY(m_rig->jobsAreDone());
     m_rig->client().disconnectFromBoard();
     QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
     QCOMPARE(marks(1), QString());  // offline
     QVERIFY(m_rig->open(u"replay:"_s + path));
+    QTRY_COMPARE(m_rig->raw(u"pid.roll.p"_s), 35.0);
     QCOMPARE(marks(1), QString());  // replayed
+    const auto said = [this] { return m_rig->window().messageBar()->text(); };
+    QVERIFY2(!said().contains(u"differ"_s), qPrintable(said()));
+    m_rig->client().disconnectFromBoard();
+    QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
+    QVERIFY(m_rig->open());
+    QVERIFY2(!said().contains(u"differ"_s), qPrintable(said()));
 }
 
 void TestBadges::silenceOfARecordingIsAGap_data()

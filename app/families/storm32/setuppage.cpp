@@ -256,7 +256,7 @@ void SetupPage::enter(Step step)
     if (step == Step::Poles)
         showPoles();
     if (step == Step::AlignYaw)
-        m_yawText->setText(u"0.0°"_s);
+        showYaw();
     if (step == Step::AskStart || step == Step::AskFinish)
         m_hands->putBack();
     if (step == Step::Done)
@@ -522,10 +522,15 @@ void SetupPage::breakOff()
     enter(Step::Choose);
 }
 
+void SetupPage::showYaw()
+{
+    m_yawText->setText(u"%1°"_s.arg(numberText(std::abs(m_yaw) < 0.05 ? 0.0 : m_yaw, 1)));
+}
+
 void SetupPage::moveYaw(double by)
 {
     m_yaw = std::clamp(m_yaw + by, -kMaxYaw, kMaxYaw);
-    m_yawText->setText(u"%1°"_s.arg(numberText(std::abs(m_yaw) < 0.05 ? 0.0 : m_yaw, 1)));
+    showYaw();
     workspace().perform(u"setup.yaw_move"_s, {{u"angle"_s, m_yaw}});
 }
 

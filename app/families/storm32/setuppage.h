@@ -68,6 +68,7 @@ private:
     void onContinue();
     void cancel();
     void breakOff();
+    void showYaw();
     void moveYaw(double by);
     void onProgress(const Progress &progress);
     void updateState();
