@@ -2746,10 +2746,6 @@
         <translation>Das Board hat während des Schreibens %1 s geschwiegen, und seine Motoren laufen jetzt, die vorher aus waren: Es hat neu gestartet. Was in Gebrauch und nicht gespeichert war, ist verloren.</translation>
     </message>
     <message>
-        <source>The motors run now; before the write they were off.</source>
-        <translation>Die Motoren laufen jetzt; vor dem Schreiben waren sie aus.</translation>
-    </message>
-    <message>
         <source>The board was silent for %1 s during the write. If it has restarted, what was in use without being stored is lost, and its motors may run.</source>
         <translation>Das Board hat während des Schreibens %1 s geschwiegen. Falls es neu gestartet hat, ist verloren, was in Gebrauch und nicht gespeichert war, und seine Motoren laufen vielleicht.</translation>
     </message>
@@ -2758,8 +2754,12 @@
         <translation>Es meldet, dass es diesen Befehl nicht ausgeführt hat.</translation>
     </message>
     <message>
-        <source>The motors are off now; before the write they were running.</source>
-        <translation>Die Motoren sind jetzt aus; vor dem Schreiben liefen sie.</translation>
+        <source>The motors run now; before this they were off.</source>
+        <translation>Die Motoren laufen jetzt; vorher waren sie aus.</translation>
+    </message>
+    <message>
+        <source>The motors are off now; before this they were running.</source>
+        <translation>Die Motoren sind jetzt aus; vorher liefen sie.</translation>
     </message>
 </context>
 <context>
@@ -13962,14 +13962,6 @@ Auf dem Board: %1</translation>
     <message>
         <source>Store them all the same</source>
         <translation>Trotzdem speichern</translation>
-    </message>
-    <message>
-        <source>The motors run now; before this they were off.</source>
-        <translation>Die Motoren laufen jetzt; vorher waren sie aus.</translation>
-    </message>
-    <message>
-        <source>The motors are off now; before this they were running.</source>
-        <translation>Die Motoren sind jetzt aus; vorher liefen sie.</translation>
     </message>
     <message numerus="yes">
         <source>%n value(s) that were in use without being stored are lost: the board restarted. In use before: %1</source>

@@ -4,6 +4,7 @@
 #include "app/workspace/workspace.h"
 #include "protocol/base/linkloss.h"
 #include "protocol/configuration/aftermath.h"
+#include "widgets/models/errortext.h"
 #include "widgets/models/missingtext.h"
 #include "widgets/models/parametermodel.h"
 
@@ -78,10 +79,7 @@ QFuture<Result<ActionOutcome>> Workspace::performNow(const QString &key, const Q
                   if (outcome && !outcome->snapshotPath.isEmpty())
                       emit snapshotTaken();
                   if (outcome && outcome->motorsNow)
-                      m_notifications.notify(
-                          *outcome->motorsNow ? tr("The motors run now; before this they were off.")
-                                              : tr("The motors are off now; before this they were running."),
-                          Notice::Attention);
+                      m_notifications.notify(motorsNowText(*outcome->motorsNow), Notice::Attention);
                   // Live values are lost, even if only the reply went missing.
                   if (outcome || action.memory == MemoryEffect::Reloads)
                       readAfter(action, outcome.value_or(ActionOutcome()), before);

@@ -369,6 +369,12 @@ QString liveText(const Configuration &board, const LiveValues &values)
     return texts.join(u", "_s);
 }
 
+QString motorsNowText(bool run)
+{
+    return run ? Words::tr("The motors run now; before this they were off.")
+               : Words::tr("The motors are off now; before this they were running.");
+}
+
 QString restartText(const WriteReport &report)
 {
     const RestartSigns &signs = report.restart;
@@ -376,10 +382,8 @@ QString restartText(const WriteReport &report)
         return Words::tr("The board was silent for %1 s during the write and its motors run now, which were "
                          "off before: it has restarted. What was in use without being stored is lost.")
             .arg(numberText(signs.silentSeconds, 1));
-    if (signs.motorsStarted)
-        return Words::tr("The motors run now; before the write they were off.");
-    if (signs.motorsStopped)
-        return Words::tr("The motors are off now; before the write they were running.");
+    if (signs.motorsStarted || signs.motorsStopped)
+        return motorsNowText(signs.motorsStarted);
     if (signs.silentSeconds > 0)
         return Words::tr("The board was silent for %1 s during the write. If it has restarted, what was in "
                          "use without being stored is lost, and its motors may run.")

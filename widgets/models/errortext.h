@@ -32,6 +32,8 @@ struct ErrorText
 
 /// "P, roll 62, P, pitch 55 and 3 more".
 [[nodiscard]] QString liveText(const Configuration &board, const LiveValues &values);
+/// Motors that run, or do not, otherwise than before something that was not to switch them.
+[[nodiscard]] QString motorsNowText(bool run);
 /// What was noticed of a restart of the board during a write; empty if nothing.
 [[nodiscard]] QString restartText(const WriteReport &report);
 
