@@ -2761,6 +2761,14 @@
         <source>The motors are off now; before this they were running.</source>
         <translation>Die Motoren sind jetzt aus; vorher liefen sie.</translation>
     </message>
+    <message>
+        <source>The active profile is now %1; before it was %2.</source>
+        <translation>Aktiv ist jetzt Profil %1; vorher war es %2.</translation>
+    </message>
+    <message>
+        <source>Whether the values in use are stored now shows only when the board has restarted.</source>
+        <translation>Ob die benutzten Werte jetzt gespeichert sind, zeigt sich erst nach einem Neustart des Boards.</translation>
+    </message>
 </context>
 <context>
     <name>FaceList</name>

@@ -9,3 +9,10 @@
 {
     return error.code == ErrorCode::LinkClosed || error.code == ErrorCode::Restarted;
 }
+
+/// A command was refused, or its answer did not come: whether it was carried out all the same, the state
+/// afterwards tells.
+[[nodiscard]] inline bool isUntoldByAnswer(const Error &error)
+{
+    return error.code == ErrorCode::BoardError || error.code == ErrorCode::Timeout;
+}

@@ -14,6 +14,7 @@ struct Aftermath
         = false;  ///< `before` is what was in use, on a board that keeps that apart from what is stored
     std::optional<Configuration> now = {};
     bool isBlind = false;  ///< what failed changes, above all, what no parameter shows
+    bool isStoreUntold = false;  ///< what failed was to store what is in use, which is all the board tells
     bool isUnstored = false;  ///< what failed changes values in use, and stores them at its very end at most
 
     /// What differs now; nothing is said of what was not read both times.

@@ -86,6 +86,7 @@ ActionSpec chosenAction(const ActionSpec &action, const QVariantMap &arguments)
         chosen.memory = entry.memory;
         chosen.isShown = entry.isShown;
         chosen.letsGo |= entry.letsGo;
+        chosen.switchesMotors |= entry.switchesMotors;
     }
     return chosen;
 }

@@ -55,6 +55,7 @@ struct EntryEffect
     bool isShown = true;
     bool letsGo = false;
     const char *argument = "";  ///< a choice, or a toggle that counts as 1
+    bool switchesMotors = false;
 };
 
 /// A named command: everything a protocol can do that is neither a parameter nor telemetry.

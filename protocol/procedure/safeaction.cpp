@@ -266,6 +266,7 @@ Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QStr
     if (backup) {
         outcome.snapshotPath = backup->snapshotPath;
         backup->isUnstored = action.memory == MemoryEffect::ChangesInUse;
+        backup->isStoreUntold = action.memory == MemoryEffect::Stores && !memory;
     }
     std::optional<Configuration> wanted;
     if (memory && action.memory == MemoryEffect::Stores) {
@@ -279,8 +280,8 @@ Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QStr
     const auto usedBefore = isReloading ? device.readConfiguration(channel) : failure(ErrorCode::Unsupported);
     if (action.silence > 0ms)
         channel.expectSilence(action.silence);
-    const bool isLasting = action.risk == ActionRisk::Writes || action.risk == ActionRisk::Destroys;
-    const auto ranBefore = isLasting ? askMotors(channel, device) : std::nullopt;
+    const bool isWatched = action.risk != ActionRisk::Safe && !action.switchesMotors;
+    const auto ranBefore = isWatched ? askMotors(channel, device) : std::nullopt;
     Result<ActionReply> reply = failure(ErrorCode::Unsupported);
     const auto perform = [&] {
         reply = device.perform(channel, key, arguments);
@@ -313,7 +314,7 @@ Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QStr
     outcome.answered
         = action.answered && action.isShown && outcome.reply.value(u"confirmed"_s, true).toBool();
     // A calibration by hand says so itself.
-    if (!action.letsGo && !action.switchesMotors && !outcome.reply.contains(u"motors_switched_off"_s))
+    if (!action.letsGo && !outcome.reply.contains(u"motors_switched_off"_s))
         outcome.motorsNow = findMotorsChanged(channel, device, ranBefore);
     if (usedBefore)
         outcome.lost = changedSince(channel, device, *usedBefore);

@@ -372,6 +372,8 @@ Result<void> Writer::put(BlockKey key, const QByteArray &bytes)
         const auto written = m_device.writeBlock(m_channel, key, bytes);
         if (written)
             noteSilence(sent);
+        else
+            noteGone(written.error());
         return written;
     }
     const milliseconds absence = specOf(key).restartTime > 0ms ? specOf(key).restartTime : kRestartLimit;
@@ -396,7 +398,12 @@ Result<void> Writer::put(BlockKey key, const QByteArray &bytes)
 Result<QByteArray> Writer::fetch(BlockKey key)
 {
     for (auto attempts = (m_backBy - m_channel.now()) / kRestartPause;; --attempts) {
+        const TimePoint asked = m_channel.now();
         auto bytes = m_device.readBlock(m_channel, key);
+        if (bytes && !m_written.empty() && asked >= m_backBy)
+            noteSilence(asked);
+        if (!bytes && asked >= m_backBy)
+            noteGone(bytes.error());
         if (bytes || bytes.error().code == ErrorCode::Cancelled || attempts <= 0
             || m_channel.now() >= m_backBy)
             return bytes;

@@ -14,6 +14,7 @@ namespace {
 
 // A board that runs answers sooner; one that starts is silent for longer.
 constexpr auto kStartTime = 1s;
+constexpr int kMostReads = 4;
 
 }  // namespace
 
@@ -108,6 +109,12 @@ void Writer::finishReport(const Error &error)
     // Perhaps only an answer was lost.
     if (!isLinkGone(error) && (readSent() || error.code != ErrorCode::Timeout))
         readTruth(rollBack());
+    // The link went while it was taken back: what the board holds is read when it answers again.
+    if (m_gone && !isLinkGone(error)) {
+        m_report.error = m_gone;
+        m_report.error->detail
+            = (m_gone->detail.isEmpty() ? QString() : m_gone->detail + u"; "_s) + error.detail;
+    }
     if (m_whole.isUntellable()) {
         Configuration inUse = m_base;
         for (const auto &[key, bytes] : m_board)
@@ -200,11 +207,34 @@ Result<QByteArray> Writer::fetchStored(BlockKey key)
         [this, key, &live](QByteArray bytes) { return asStored(key, std::move(bytes), live); });
 }
 
+// After a failure an answer may be the one to an earlier question: two in a row that agree are believed.
+Result<QByteArray> Writer::fetchSettled(BlockKey key)
+{
+    const std::vector<bool> mask = uncheckedBytes(key.block);
+    const auto settled = [&mask](QByteArray bytes) {
+        for (std::size_t i = 0; i < std::min(mask.size(), std::size_t(bytes.size())); ++i) {
+            if (mask[i])
+                bytes[qsizetype(i)] = 0;
+        }
+        return bytes;
+    };
+    auto last = fetchStored(key);
+    for (int tries = 0; tries < kMostReads && last; ++tries) {
+        auto again = fetchStored(key);
+        if (!again || settled(*again) == settled(*last))
+            return again;
+        last = std::move(again);
+    }
+    return last
+        ? failure(ErrorCode::BadReply, u"%1: each answer is another"_s.arg(QLatin1String(specOf(key).name)))
+        : last;
+}
+
 // What the board holds now, in its permanent memory where that can differ from what is in use.
 Result<QByteArray> Writer::truthOf(BlockKey key)
 {
     if (!m_device.wholeMemory())
-        return fetchStored(key);
+        return fetchSettled(key);
     return m_whole.askStored().map([key](const Configuration &stored) { return stored.block(key); });
 }
 

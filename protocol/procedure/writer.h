@@ -57,6 +57,7 @@ private:
     Result<void> put(BlockKey key, const QByteArray &bytes);
     Result<QByteArray> fetch(BlockKey key);
     Result<QByteArray> fetchStored(BlockKey key);
+    Result<QByteArray> fetchSettled(BlockKey key);
     [[nodiscard]] QByteArray asStored(BlockKey key, QByteArray bytes, const LiveValues &live) const;
     Result<void> verify();
     bool rollBack();
@@ -66,6 +67,11 @@ private:
     void finishReport(const Error &error);
     void lookForRestart();
     void noteSilence(TimePoint since);
+    void noteGone(const Error &error)
+    {
+        if (isLinkGone(error))
+            m_gone = error;
+    }
     void readOthers();
     void tellReplaced();
     // For boards with a WriteBracket.
@@ -101,6 +107,7 @@ private:
     std::map<BlockKey, QByteArray> m_board;  // as read from the board before anything was written
     std::set<BlockKey> m_written;
     std::optional<bool> m_ranBefore;  // its motors
+    std::optional<Error> m_gone;  // what a block met that was put or fetched while the link went
     std::vector<OtherValue> m_others;  // in use without being stored, beside what is written
     bool m_bracketOpen = false;
     TimePoint m_backBy{};  // until then a restarting board may be silent

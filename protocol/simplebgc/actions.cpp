@@ -371,6 +371,10 @@ Result<ActionReply> Actions::readVariables(const QVariantMap &arguments)
     ActionReply reply;
     for (const AdjustableValue &value : *values)
         reply.insert(QString::number(value.id), value.value);
+    for (const int id : *ids) {
+        if (!reply.contains(QString::number(id)))
+            return failure(ErrorCode::BadReply, u"variable %1 was not told"_s.arg(id));
+    }
     return reply;
 }
 

@@ -27,10 +27,12 @@ constexpr ArgumentSpec kMenuArguments[] = {
     {.key = "command", .label = "Command", .kind = ArgumentKind::Choice, .choices = kMenuActions}};
 constexpr int kProfileEntries[] = {1, 2, 3, 14, 15};
 constexpr int kMotorEntries[] = {kMenuMotorsSwitch, kMenuMotorsOn, kMenuMotorsOff};
+constexpr int kSwitchEntries[] = {22, 60, 66};  // the button, safe stop, safe toggle
 constexpr int kMenuReset = 7;
 constexpr auto kMenuEntries = [] {
     std::array<EntryEffect,
-               std::size(kMenuEffects) + std::size(kProfileEntries) + std::size(kMotorEntries) + 1>
+               std::size(kMenuEffects) + std::size(kProfileEntries) + std::size(kMotorEntries)
+                   + std::size(kSwitchEntries) + 1>
         entries{};
     std::size_t count = 0;
     for (const MenuEffect &effect : kMenuEffects)
@@ -39,7 +41,9 @@ constexpr auto kMenuEntries = [] {
     for (const int profile : kProfileEntries)
         entries[count++] = {profile, ActionRisk::Moves, MemoryEffect::Reloads, true};
     for (const int motors : kMotorEntries)
-        entries[count++] = {motors, ActionRisk::Moves, MemoryEffect::ChangesInUse, true};
+        entries[count++] = {motors, ActionRisk::Moves, MemoryEffect::ChangesInUse, true, false, "", true};
+    for (const int motors : kSwitchEntries)
+        entries[count++] = {motors, ActionRisk::Moves, MemoryEffect::ChangesInUse, false, false, "", true};
     entries[count] = {kMenuReset, ActionRisk::Moves, MemoryEffect::ChangesInUse, false, true};
     return entries;
 }();
@@ -126,7 +130,7 @@ constexpr ActionSpec kActions[] = {
     {.key = "beep", .label = "Make a sound", .help = "Standard sound or melody; helps to find the right board.",
      .group = "Board", .arguments = kBeepArguments, .since = 2590, .answered = false},
     {.key = "motors.on", .label = "Start motors", .help = "Starts stabilization.", .group = "Motion",
-     .risk = ActionRisk::Moves},
+     .risk = ActionRisk::Moves, .switchesMotors = true},
     {.key = "motors.off", .label = "Stop motors", .help = "Switches all motors off at once.", .group = "Motion", .stopsMotors = true},
     {.key = "menu", .label = "Menu command", .help = "Runs a command of the board's menu.", .group = "Motion",
      .risk = ActionRisk::Moves, .arguments = kMenuArguments, .memory = MemoryEffect::ChangesInUse,

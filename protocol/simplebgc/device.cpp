@@ -103,6 +103,14 @@ bool isUnanswered(const Error &error)
     return error.code == ErrorCode::Timeout || isPassing(error);
 }
 
+// An answer with other variables belongs to another question.
+bool areAmong(const Result<std::vector<AdjVar>> &values, const QList<int> &ids)
+{
+    return !values || std::all_of(values->begin(), values->end(), [&ids](const AdjVar &var) {
+        return ids.contains(var.id);
+    });
+}
+
 // Errors after which the other parts are still worth asking for.
 bool isPartial(const Error &error)
 {
@@ -350,26 +358,25 @@ Result<void> Device::selectProfile(Channel &channel, int profile)
         return failure(ErrorCode::InvalidArgument, u"profile %1"_s.arg(profile + 1));
     const auto reply = channel.transact(confirmRequest(
         CommandId::ExecuteMenu, ByteWriter().u8(kProfileActions[std::size_t(profile)]).take(), kVersion));
-    const bool isRefused = !reply && reply.error().code == ErrorCode::BoardError;
-    if (!reply && !isRefused)
+    if (!reply && !isUntoldByAnswer(reply.error()))
         return tl::unexpected(reply.error());
     // The confirmation shows that the command was understood; telemetry shows whether it was carried out,
-    // also where it was refused.
+    // also where it was refused or its answer was lost.
     int used = -1;
     for (auto waited = 0ms; waited < kProfileSwitch; waited += milliseconds(kPauseBetweenLooks)) {
         const auto active = activeProfile(channel);
         if (!active)
-            return tl::unexpected(active.error());
+            return tl::unexpected(reply ? active.error() : reply.error());
         if (*active == profile)
             return {};
-        if (isRefused)
+        if (!reply)
             return tl::unexpected(reply.error());
         used = *active;
         if (const auto slept = channel.sleep(milliseconds(kPauseBetweenLooks)); !slept)
             return slept;
     }
     return failure(ErrorCode::NoEffect,
-                   u"profile %1 was to be used, profile %2 still is"_s.arg(profile + 1).arg(used + 1));
+                   u"profile %1 was to be used, profile %2 is"_s.arg(profile + 1).arg(used + 1));
 }
 
 Request Device::statusRequest()
@@ -425,9 +432,9 @@ Result<std::vector<AdjustableValue>> Device::readAdjustables(Channel &channel, c
         writer.u8(int(part.size()));
         for (const int id : part)
             writer.u8(id);
-        const auto reply
-            = channel.transact(replyRequest(CommandId::GetAdjVarsVal, writer.take(), CommandId::SetAdjVarsVal,
-                                            1 + 5 * int(part.size()), kVersion));
+        const auto reply = channel.transact(replyRequest(
+            CommandId::GetAdjVarsVal, writer.take(), CommandId::SetAdjVarsVal, 1 + 5 * int(part.size()),
+            kVersion, [part](Bytes payload) { return areAmong(decodeAdjVars(payload), part); }));
         if (!reply)
             return tl::unexpected(reply.error());
         const auto decoded = decodeAdjVars(asBytes(reply->payload));
@@ -451,7 +458,7 @@ Result<void> Device::putAdjustables(Channel &channel, const std::vector<Adjustab
         // Where the answer was lost, or refuses what was carried out, what is in use tells.
         sent = sendAdjustables(channel, values);
         const bool isRefused = !sent && sent.error().code == ErrorCode::BoardError;
-        if (!sent && !isRefused && sent.error().code != ErrorCode::Timeout)
+        if (!sent && !isUntoldByAnswer(sent.error()))
             return sent;
         const auto back = readAdjustables(channel, ids);
         if (!back)
@@ -547,10 +554,17 @@ Request Device::harmlessQuestion() const
 StopPlan Device::stopPlan() const
 {
     StopPlan plan;
-    plan.means.push_back({{confirmRequest(CommandId::MotorsOff, {}, kVersion), statusRequest()}, 200ms, 5});
-    plan.fromAnswer = [](const Frame &frame) {
+    plan.means.push_back(
+        {{confirmRequest(CommandId::MotorsOff, {}, kVersion), statusRequest(), statusRequest()}, 200ms, 5});
+    // One answer may be an old one; and one that never changes, of a board that measures, is none at all.
+    plan.fromAnswer = [before = QByteArray()](const Frame &frame) mutable {
         const auto running = areMotorsRunning(frame);
-        return !running ? Proof::Nothing : *running ? Proof::Refuted : Proof::Proven;
+        if (!running)
+            return Proof::Nothing;
+        const QByteArray last = std::exchange(before, *running ? QByteArray() : frame.payload);
+        return *running                               ? Proof::Refuted
+            : last.isEmpty() || last == frame.payload ? Proof::Nothing
+                                                      : Proof::Proven;
     };
     return plan;
 }

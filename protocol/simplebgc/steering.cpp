@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/base/angles.h"
 #include "protocol/base/bytes.h"
 #include "protocol/base/latestvalues.h"
+#include "protocol/base/linkloss.h"
 #include "protocol/session/carryout.h"
 #include "protocol/session/controlstream.h"
 #include "protocol/simplebgc/commands.h"
@@ -84,29 +86,46 @@ double holdingValue(int mode, std::size_t axis, const LatestValues &latest)
 }
 
 // In the mode SPEED an axis goes on turning until the next CONTROL, and its target with it: two answers with
-// the same targets prove that the stop has arrived. So do motors that are off.
+// the same targets, and a camera that stands, prove that the stop has arrived. So do motors that are off.
 constexpr double kStandstill = 1.5 * kDegreesPerCount;
+constexpr double kCameraStands = 0.5;  // degrees between two answers, a tenth of a second apart: it is shaken
 constexpr auto kStillTimeout = 1s;
-constexpr int kTargetOffset = 44;  // of REALTIME_DATA_3
+constexpr int kCameraOffset = 32;  // of REALTIME_DATA_3
+constexpr int kTargetOffset = 44;
+
+using Angles = std::array<double, kAxisCount>;
+
+Angles anglesAt(const Frame &frame, int offset)
+{
+    ByteReader reader(QByteArrayView(frame.payload).sliced(offset));
+    Angles angles{};
+    for (double &angle : angles)
+        angle = reader.i16() * kDegreesPerCount;
+    return angles;
+}
 
 std::function<Proof(const Frame &)> standstill(const Device::Control &steered)
 {
-    return [steered, before = std::optional<std::array<double, kAxisCount>>()](const Frame &frame) mutable {
+    struct Place
+    {
+        Angles camera;
+        Angles target;
+    };
+    return [steered, before = std::optional<Place>()](const Frame &frame) mutable {
         const auto running = Device::areMotorsRunning(frame);
         if (!running)
             return Proof::Nothing;
         if (!*running)
             return Proof::Proven;
-        ByteReader reader(QByteArrayView(frame.payload).sliced(kTargetOffset));
-        std::array<double, kAxisCount> targets{};
-        for (double &target : targets)
-            target = reader.i16() * kDegreesPerCount;
-        const auto last = std::exchange(before, targets);
+        const Place now{anglesAt(frame, kCameraOffset), anglesAt(frame, kTargetOffset)};
+        const auto last = std::exchange(before, now);
         if (!last)
             return Proof::Nothing;
-        for (std::size_t axis = 0; axis < targets.size(); ++axis) {
+        for (std::size_t axis = 0; axis < now.camera.size(); ++axis) {
             const bool isOurs = steered[axis].mode != NoControl && steered[axis].mode != Ignore;
-            if (isOurs && std::abs(targets[axis] - (*last)[axis]) > kStandstill)
+            if (isOurs
+                && (turnBetween(now.target[axis], last->target[axis]) > kStandstill
+                    || turnBetween(now.camera[axis], last->camera[axis]) > kCameraStands))
                 return Proof::Refuted;
         }
         return Proof::Proven;
@@ -195,15 +214,18 @@ Result<void> Device::switchMotorsOn(Channel &channel) const
 {
     channel.allowMotors();
     const auto done = channel.transact(confirmRequest(CommandId::MotorsOn, {}, kVersion));
-    if (!done)
+    if (!done && !isUntoldByAnswer(done.error()))
         return tl::unexpected(done.error());
+    // Whatever was answered, or was not.
     const auto running = holdsWithin(channel, statusRequest(), kMotorsStart, [](const Frame &status) {
         return areMotorsRunning(status).value_or(false);
     });
     if (!running)
-        return tl::unexpected(running.error());
+        return tl::unexpected(done ? running.error() : done.error());
     if (*running)
         return {};
+    if (!done)
+        return tl::unexpected(done.error());
     return failure(ErrorCode::NoEffect, u"the board reports that its motors are off"_s);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/configuration/aftermath.h"
 #include "protocol/procedure/inuse.h"
 #include "protocol/procedure/safeaction.h"
 #include "protocol/procedure/writeconfiguration.h"
@@ -45,6 +46,17 @@ private slots:
     void setupStartIsProven();
     void setupIsInUseAfterTheStart();
     void announcedRestartIsSent();
+    void oneOldAnswerProvesNothing();
+    void linkThatGoesWhilePuttingBackIsTold();
+    void silentReadingBackIsTold();
+    void failedStoreSaysNothingOfWhatIsStored();
+    void unansweredProfileIsInUse();
+    void refusedMotorsRun();
+    void motorsAreToldAfterAnAction_data();
+    void motorsAreToldAfterAnAction();
+    void otherVariablesAreNoAnswer();
+    void anOldOrFrozenAnswerProvesNoStop();
+    void aTurningCameraDoesNotStand();
 
 private:
     Result<WriteReport> write(Channel &channel, Device &device, const QString &key, double raw)
@@ -368,6 +380,205 @@ void TestInSpite::announcedRestartIsSent()
     const auto done = perform(bench.channel, bench.device, "reset", {{u"delay"_s, u"500"_s}});
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QVERIFY(!done->answered);
+}
+
+// The board answers with what it held at the question before.
+void TestInSpite::oneOldAnswerProvesNothing()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    const double before = bench.board().stored(u"pid.roll.p"_s, 0);
+    std::map<QByteArray, Frame> last;
+    bool isLate = false;
+    Altering late(bench.channel, [&](const Request &request, const Altering::Pass &pass) {
+        auto answer = pass(request);
+        isLate = isLate || request.name == u"WRITE_PARAMS_3"_s;
+        if (!answer || request.name != u"READ_PARAMS_3"_s)
+            return answer;
+        const QByteArray profile = answer->payload.left(1);
+        const Frame older = last.contains(profile) ? last[profile] : *answer;
+        last[profile] = *answer;
+        return isLate ? Result<Frame>(older) : answer;
+    });
+    const auto report = write(late, bench.device, u"pid.roll.p"_s, 39);
+    QVERIFY(report && report->error);
+    QCOMPARE(double(bench.board().stored(u"pid.roll.p"_s, 0)), before);
+    QCOMPARE(report->lines.front().found, before);
+    QVERIFY(report->lines.front().state != WriteState::Verified);
+}
+
+void TestInSpite::linkThatGoesWhilePuttingBackIsTold()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    int writes = 0;
+    Altering failing(bench.channel, [&](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        writes += request.name == u"WRITE_PARAMS_3"_s ? 1 : 0;
+        if (writes > 1)
+            return failure(ErrorCode::LinkClosed, u"the cable"_s);
+        auto answer = pass(request);
+        if (writes == 1 && answer && request.name == u"READ_PARAMS_3"_s)
+            answer->payload[20] = char(answer->payload[20] ^ 0x08);
+        return answer;
+    });
+    const auto report = write(failing, bench.device, u"pid.roll.p"_s, 39);
+    QVERIFY(report && report->error);
+    QCOMPARE(report->error->code, ErrorCode::LinkClosed);  // so it is waited for, and read
+}
+
+void TestInSpite::silentReadingBackIsTold()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    bool isWritten = false;
+    Altering silent(bench.channel, [&](const Request &request, const Altering::Pass &pass) {
+        if (std::exchange(isWritten, request.name == u"WRITE_PARAMS_3"_s))
+            std::ignore = bench.channel.sleep(1500ms);
+        return pass(request);
+    });
+    const auto report = write(silent, bench.device, u"pid.roll.p"_s, 39);
+    QVERIFY(report && report->isComplete());
+    QVERIFY(report->restart.silentSeconds > 1);
+}
+
+// What it answers is what it uses.
+void TestInSpite::failedStoreSaysNothingOfWhatIsStored()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    Altering refusing(bench.channel, [](const Request &request, const Altering::Pass &pass) {
+        auto answer = pass(request);
+        return request.name == u"SAVE_PARAMS_3"_s ? kRefused(request) : answer;
+    });
+    const auto done = perform(refusing, bench.device, "variables.save");
+    QVERIFY(!done);
+    const QString told = describe(done.error()).oneLine();
+    QVERIFY2(told.contains(u"only when the board has restarted"_s) && !told.contains(u"old values"_s),
+             qPrintable(told));
+}
+
+void TestInSpite::unansweredProfileIsInUse()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    Altering losing(bench.channel, [](const Request &request, const Altering::Pass &pass) {
+        auto answer = pass(request);
+        return request.name == u"EXECUTE_MENU"_s ? failure(ErrorCode::Timeout, request.name) : answer;
+    });
+    QVERIFY(bench.device.selectProfile(losing, 2));
+    Altering deaf(bench.channel, [](const Request &request, const Altering::Pass &pass) {
+        return request.name == u"EXECUTE_MENU"_s ? failure(ErrorCode::Timeout, request.name) : pass(request);
+    });
+    QCOMPARE(bench.device.selectProfile(deaf, 1).error().code, ErrorCode::Timeout);
+    // Whoever changes values hears in which profile they are not.
+    Error error{ErrorCode::NotInUse, {}, 0};
+    Configuration before = *bench.device.readConfiguration(bench.channel);
+    before.setActiveProfile(0);
+    error.after = std::make_shared<const Aftermath>(Aftermath{{}, before, true});
+    const auto now = bench.device.readConfiguration(bench.channel);
+    QVERIFY(describe(settled(error, *now)).meaning.contains(u"active profile is now 3"_s));
+}
+
+void TestInSpite::refusedMotorsRun()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    bench.board().stabilizer().setMotorsOn(false);
+    Altering inSpite(bench.channel, [](const Request &request, const Altering::Pass &pass) {
+        auto answer = pass(request);
+        return request.name == u"MOTORS_ON"_s ? kRefused(request) : answer;
+    });
+    QVERIFY(perform(inSpite, bench.device, "motors.on"));
+    bench.board().stabilizer().setMotorsOn(false);
+    Altering refusing(bench.channel, [](const Request &request, const Altering::Pass &pass) {
+        return request.name == u"MOTORS_ON"_s ? kRefused(request) : pass(request);
+    });
+    QCOMPARE(perform(refusing, bench.device, "motors.on").error().code, ErrorCode::BoardError);
+}
+
+void TestInSpite::motorsAreToldAfterAnAction_data()
+{
+    QTest::addColumn<QString>("action");
+    QTest::addColumn<QString>("argument");
+    QTest::addColumn<QString>("value");
+    QTest::newRow("profile") << u"profile.select"_s << u"profile"_s << u"2"_s;
+    QTest::newRow("menu") << u"menu"_s << u"command"_s << u"18"_s;
+    QTest::newRow("steer") << u"steer"_s << u"yaw"_s << u"5"_s;
+}
+
+void TestInSpite::motorsAreToldAfterAnAction()
+{
+    QFETCH(QString, action);
+    QFETCH(QString, argument);
+    QFETCH(QString, value);
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    bench.board().stabilizer().setMotorsOn(true);
+    Altering switching(bench.channel, [&](const Request &request, const Altering::Pass &pass) {
+        if (request.name == u"EXECUTE_MENU"_s || request.name == u"GET_ANGLES"_s)
+            bench.board().stabilizer().setMotorsOn(false);
+        return pass(request);
+    });
+    const auto done = perform(switching, bench.device, action.toLatin1(), {{argument, value}});
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QCOMPARE(done->motorsNow, std::optional(false));
+}
+
+void TestInSpite::otherVariablesAreNoAnswer()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    std::optional<Frame> first;
+    Altering late(bench.channel, [&first](const Request &request, const Altering::Pass &pass) {
+        if (request.name != u"GET_ADJ_VARS_VAL"_s)
+            return pass(request);
+        if (!first) {
+            first = *pass(request);
+            return Result<Frame>(*first);
+        }
+        // What a channel does with an answer that does not fit.
+        return request.answer({first->id, asBytes(first->payload)}) ? Result<Frame>(*first) : pass(request);
+    });
+    QVERIFY(bench.device.readAdjustables(late, {0, 1}));
+    const auto values = bench.device.readAdjustables(late, {2, 3});
+    QVERIFY(values && values->size() == 2);
+    QCOMPARE(values->front().id, 2);
+}
+
+void TestInSpite::anOldOrFrozenAnswerProvesNoStop()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    const auto status = [&] { return *bench.channel.transact(simplebgc::Device::statusRequest()); };
+    bench.board().stabilizer().setMotorsOn(false);
+    const Frame off = status();
+    QVERIFY(bench.channel.sleep(100ms));
+    const Frame offLater = status();
+    QVERIFY(off.payload != offLater.payload);
+    bench.board().stabilizer().setMotorsOn(true);
+    const Frame on = status();
+    const StopPlan plan = bench.device.stopPlan();
+    QCOMPARE(plan.fromAnswer(off), Proof::Nothing);
+    QCOMPARE(plan.fromAnswer(off), Proof::Nothing);
+    QCOMPARE(plan.fromAnswer(on), Proof::Refuted);
+    QCOMPARE(plan.fromAnswer(offLater), Proof::Nothing);
+    QCOMPARE(plan.fromAnswer(off), Proof::Proven);
+}
+
+// Whatever its target says.
+void TestInSpite::aTurningCameraDoesNotStand()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    bench.board().stabilizer().setMotorsOn(true);
+    Frame frame = *bench.channel.transact(simplebgc::Device::statusRequest());
+    constexpr double kNone = ControlFrames::kUnknown;
+    const ControlFrames frames = bench.device.controlFrames(SteeringSetpoint{1, {kNone, kNone, 20}, {}});
+    QCOMPARE(frames.fromAnswer(frame), Proof::Nothing);
+    constexpr int kCameraYaw = 36;
+    frame.payload[kCameraYaw] = char(frame.payload[kCameraYaw] + 0x50);  // 1.8°
+    QCOMPARE(frames.fromAnswer(frame), Proof::Refuted);
+    QCOMPARE(frames.fromAnswer(frame), Proof::Proven);
 }
 
 QTEST_GUILESS_MAIN(TestInSpite)

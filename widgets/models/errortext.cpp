@@ -253,6 +253,14 @@ static void tellAftermath(const Aftermath &after, ErrorText &text)
         text.meaning = Words::tr("The board was read again: it uses the old values.");
     else
         text.meaning = Words::tr("The board was read again: it holds the old values.");
+    if (after.now && after.now->activeProfile() != after.before.activeProfile())
+        text.meaning += u' '
+            + Words::tr("The active profile is now %1; before it was %2.")
+                  .arg(after.now->activeProfile() + 1)
+                  .arg(after.before.activeProfile() + 1);
+    if (after.now && after.isStoreUntold)
+        text.meaning
+            = Words::tr("Whether the values in use are stored now shows only when the board has restarted.");
     if (count > 0 && after.isUnstored)
         text.meaning += u' ' + Words::tr("Where they are not stored, a restart brings the stored ones back.");
     if (after.now && after.isBlind)
