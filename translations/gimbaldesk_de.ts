@@ -13382,10 +13382,6 @@ Spitze %2°</translation>
         <translation>Vergleicht, was folgt, mit diesen Zahlen; ein Wechsel des Satzes tut das auch</translation>
     </message>
     <message>
-        <source> The values in use were read again.</source>
-        <translation> Die Werte in Gebrauch wurden neu erfragt.</translation>
-    </message>
-    <message>
         <source>This board has no values that can be changed live.</source>
         <translation>Dieses Board hat keine Werte, die sich live ändern lassen.</translation>
     </message>
@@ -13451,6 +13447,10 @@ vorher</translation>
     <message>
         <source>Locked while a search, measurement or calibration runs</source>
         <translation>Gesperrt, solange eine Suche, Messung oder Kalibrierung läuft</translation>
+    </message>
+    <message>
+        <source>What it uses is not known until it answers.</source>
+        <translation>Was es benutzt, ist nicht bekannt, bis es antwortet.</translation>
     </message>
 </context>
 <context>
@@ -13582,6 +13582,20 @@ vorher</translation>
         <translation>
             <numerusform>%n nicht gespeichert</numerusform>
             <numerusform>%n nicht gespeichert</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Whether %n value(s) set last are in use is not known: the board has not answered.</source>
+        <translation>
+            <numerusform>Ob %n zuletzt gesetzter Wert in Gebrauch ist, ist nicht bekannt: Das Board hat nicht geantwortet.</numerusform>
+            <numerusform>Ob %n zuletzt gesetzte Werte in Gebrauch sind, ist nicht bekannt: Das Board hat nicht geantwortet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not known</source>
+        <translation>
+            <numerusform>%n nicht bekannt</numerusform>
+            <numerusform>%n nicht bekannt</numerusform>
         </translation>
     </message>
 </context>
@@ -13977,6 +13991,10 @@ Auf dem Board: %1</translation>
             <numerusform>%n Wert, der benutzt und nicht gespeichert war, ist verloren: Das Board ist neu gestartet. Vorher in Gebrauch: %1</numerusform>
             <numerusform>%n Werte, die benutzt und nicht gespeichert waren, sind verloren: Das Board ist neu gestartet. Vorher in Gebrauch: %1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The board did not get what was set while it was silent: %1. It uses %2.</source>
+        <translation>Was gesetzt wurde, während das Board schwieg, ist dort nicht angekommen: %1. Es benutzt %2.</translation>
     </message>
 </context>
 </TS>

@@ -391,6 +391,20 @@
             <numerusform>%n not stored</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Whether %n value(s) set last are in use is not known: the board has not answered.</source>
+        <translation>
+            <numerusform>Whether %n value set last is in use is not known: the board has not answered.</numerusform>
+            <numerusform>Whether %n values set last are in use is not known: the board has not answered.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not known</source>
+        <translation>
+            <numerusform>%n not known</numerusform>
+            <numerusform>%n not known</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Workspace</name>

@@ -299,15 +299,21 @@ void UnstoredBar::refresh()
 {
     const bool connected = m_workspace.client().isConnected() && m_workspace.client().identity().writable;
     const int live = m_workspace.live().changeCount();
+    const int doubted = m_workspace.live().doubtedCount();
     const bool more = m_workspace.isUnstored();
     m_text->setFullText(
-        more ? tr("Values in use on the board are not stored: a restart loses them.")
-             : tr("%n value(s) in use on the board, not stored: a restart loses them.", nullptr, live),
-        {}, more ? tr("Values are not stored") : tr("%n not stored", nullptr, live));
+        doubted > 0 ? tr("Whether %n value(s) set last are in use is not known: the board has not answered.",
+                         nullptr, doubted)
+            : more  ? tr("Values in use on the board are not stored: a restart loses them.")
+                    : tr("%n value(s) in use on the board, not stored: a restart loses them.", nullptr, live),
+        {},
+        doubted > 0 ? tr("%n not known", nullptr, doubted)
+            : more  ? tr("Values are not stored")
+                    : tr("%n not stored", nullptr, live));
     const bool isFree = !m_workspace.isGuided() && !m_workspace.live().isHeld();
     m_back->setEnabled((!more || !reloadAction().isEmpty()) && isFree);
     m_store->setEnabled(isFree);
-    setVisible(connected && (more || live > 0));
+    setVisible(connected && (more || live > 0 || doubted > 0));
 }
 
 StatusStrip::StatusStrip(Workspace &workspace, QWidget *parent)

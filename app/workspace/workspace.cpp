@@ -53,6 +53,7 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
         setUnstored(report.othersWere == OtherValues::Keep && !report.otherData.isEmpty());
     });
     connect(&m_live, &LiveModel::changeCountChanged, this, &Workspace::unstoredChanged);
+    connect(&m_live, &LiveModel::notTaken, this, &Workspace::tellNotTaken);
     // After those who began it have heard of its end.
     connect(&m_live, &LiveModel::heldChanged, this,
             [this] { QTimer::singleShot(0, this, &Workspace::readWhenFree); });
@@ -188,6 +189,17 @@ void Workspace::tellLost(const LiveValues &lost)
                                   nullptr, int(lost.size()))
                                    .arg(liveText(std::as_const(m_configuration).board(), lost)),
                                Notice::Attention);
+}
+
+void Workspace::tellNotTaken(const LiveValues &values)
+{
+    LiveValues used = values;
+    for (LiveValue &value : used)
+        value.inUse = value.stored;
+    const Configuration &board = std::as_const(m_configuration).board();
+    m_notifications.notify(tr("The board did not get what was set while it was silent: %1. It uses %2.")
+                               .arg(liveText(board, values), liveText(board, used)),
+                           Notice::Attention);
 }
 
 void Workspace::applySettings()

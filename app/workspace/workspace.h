@@ -224,6 +224,7 @@ private:
     void forgetStop();
     [[nodiscard]] LiveValues lostSince(const Configuration &read) const;
     void tellLost(const LiveValues &lost);
+    void tellNotTaken(const LiveValues &values);
 
     Theme &m_theme;
     Settings &m_settings;

@@ -44,6 +44,7 @@ Result<void> LiveAccess::writeAdjustables(Channel &channel, const std::vector<Ad
             return checked;
     }
     const auto done = putAdjustables(channel, values);
+    close();
     // Also after a failure: some of them may be in use.
     if (before)
         note(channel.now(), *before, values);
@@ -52,7 +53,22 @@ Result<void> LiveAccess::writeAdjustables(Channel &channel, const std::vector<Ad
 
 Result<void> LiveAccess::restoreAdjustables(Channel &channel, const std::vector<AdjustableValue> &values)
 {
+    close();
     return putAdjustables(channel, values);
+}
+
+// Whoever sets values knows what is in use.
+void LiveAccess::close()
+{
+    const std::lock_guard lock(m_mutex);
+    if (!m_open.isRunning)
+        m_open = {};
+}
+
+bool LiveAccess::isChanging() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_open.isRunning || !m_open.before.empty();
 }
 
 bool LiveAccess::noteChangesBy(Channel &channel, const std::function<bool()> &job)
@@ -61,10 +77,17 @@ bool LiveAccess::noteChangesBy(Channel &channel, const std::function<bool()> &jo
     for (const AdjustableSpec &spec : adjustables())
         ids.append(spec.id);
     const auto before = readAdjustables(channel, ids);
+    const auto setOpen = [this](OpenChange open) {
+        const std::lock_guard lock(m_mutex);
+        m_open = std::move(open);
+    };
+    setOpen({true, before ? *before : std::vector<AdjustableValue>()});
     const bool done = job();
     const auto after = before ? readAdjustables(channel, ids) : before;
+    // What cannot be read stays open; a board that never tells has nothing to go back to.
+    setOpen(before && !after ? OpenChange{false, *before} : OpenChange());
     if (!before || !after)
-        return done;  // a board that does not tell
+        return done;
     std::vector<AdjustableValue> changed;
     for (const AdjustableValue &value : *after) {
         const AdjustableValue *was = findValue(*before, value.id);
@@ -118,7 +141,16 @@ std::optional<LiveChange> LiveAccess::lastChange() const
 
 Result<LiveChange> LiveAccess::takeBack(Channel &channel)
 {
-    const std::optional<LiveChange> change = lastChange();
+    std::optional<LiveChange> change = lastChange();
+    OpenChange open;
+    {
+        const std::lock_guard lock(m_mutex);
+        open = m_open;
+    }
+    if (open.isRunning)
+        return failure(ErrorCode::Busy, u"the board is tuning itself"_s);
+    if (!open.before.empty())
+        change = LiveChange{channel.now(), channel.now(), open.before, {}};
     if (!change || change->before.empty())
         return failure(ErrorCode::NoEffect, u"nothing was changed live"_s);
     const auto inUse = readAdjustables(channel, idsOf(change->after));
@@ -136,6 +168,7 @@ Result<LiveChange> LiveAccess::takeBack(Channel &channel)
         return tl::unexpected(done.error());
     const std::lock_guard lock(m_mutex);
     m_change.reset();
+    m_open = {};
     return *change;
 }
 

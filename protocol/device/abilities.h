@@ -97,6 +97,9 @@ public:
     /// not it is among adjustables(), the ones to tune with.
     [[nodiscard]] virtual int variableOf(const ParameterSpec &spec) const { return spec.adjustable; }
 
+    /// A board tunes itself, or what it made of its values could not be read since: nobody knows what is in
+    /// use.
+    [[nodiscard]] bool isChanging() const;
     /// What was changed last; empty before the first change and once it was taken back.
     [[nodiscard]] std::optional<LiveChange> lastChange() const;
     /// Puts the values from before the last change into use again, proven by reading back. Errors: Conflict
@@ -115,8 +118,17 @@ private:
     void note(TimePoint now, const std::vector<AdjustableValue> &before,
               const std::vector<AdjustableValue> &after);
 
+    /// A change by the board itself that is not known yet.
+    struct OpenChange
+    {
+        bool isRunning = false;
+        std::vector<AdjustableValue> before = {};
+    };
+    void close();
+
     mutable std::mutex m_mutex;
     std::optional<LiveChange> m_change;
+    OpenChange m_open;
 };
 
 /// Boards that stream the data they are asked for.

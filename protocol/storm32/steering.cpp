@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/base/latestvalues.h"
+#include "protocol/base/linkloss.h"
 #include "protocol/session/carryout.h"
 #include "protocol/session/controlstream.h"
 #include "protocol/session/stopplan.h"
@@ -22,6 +23,7 @@ constexpr int kLimitedMode = 1;
 constexpr int kPulseMode = 3;  // microseconds from the middle
 constexpr double kStickThrow = 800.0;
 constexpr double kMiddlePulse = 1500.0;
+constexpr auto kStarting = 20s;  // until motors turn, behind a restart
 constexpr auto kLeaving = 3s;  // from standby until motors are active
 constexpr std::array kLabels{"Roll", "Pitch", "Yaw"};
 
@@ -192,21 +194,34 @@ Result<void> Device::switchMotorsOn(Channel &channel) const
         return free;
     channel.allowMotors();
     const auto done = channel.transact(standbyRequest(false));
-    if (!done)
+    if (!done && !isUntoldByAnswer(done.error()))
         return tl::unexpected(done.error());
+    // Whatever was answered, or was not.
     const auto disabled = disabledMotors(channel);
     if (!disabled)
-        return tl::unexpected(disabled.error());
+        return tl::unexpected(done ? disabled.error() : done.error());
     if (disabled->size() == MotorStop::kWords)
         return failure(ErrorCode::NoEffect, u"every motor is disabled: %1"_s.arg(disabled->join(u", "_s)));
-    const auto active = holdsWithin(channel, simple(Simple::Status), kLeaving, [](const Frame &status) {
-        ByteReader reader(QByteArrayView(status.payload).sliced(4));
-        return (reader.u16() & kMotorBits) != 0;
-    });
-    if (!active)
-        return tl::unexpected(active.error());
-    if (*active)
-        return {};
+    std::optional<int> state;
+    for (const TimePoint until = channel.now() + kStarting; channel.now() < until;) {
+        const auto active
+            = holdsWithin(channel, simple(Simple::Status), kLeaving, [&state](const Frame &status) {
+                  ByteReader reader(status.payload);
+                  state = reader.u16();
+                  reader.u16();
+                  return (reader.u16() & kMotorBits) != 0;
+              });
+        if (!active)
+            return tl::unexpected(done ? active.error() : done.error());
+        if (*active)
+            return {};
+        if (state >= kMotorsTurn)
+            break;
+    }
+    if (state < kMotorsTurn)
+        return failure(ErrorCode::NotSeen, u"the board is starting; its motors start by themselves then"_s);
+    if (!done)
+        return tl::unexpected(done.error());
     return failure(ErrorCode::NoEffect,
                    disabled->isEmpty()
                        ? u"no motor became active, though none is disabled"_s

@@ -256,9 +256,11 @@ double Decoder::timeOf(int stamp, double arrival)
     const double step = again ? 0.0 : double((stamp - m_lastStamp) & 0xFFFF) / 1000.0;
     m_boardTime += step;
     m_lastStamp = stamp;
-    // The least late answer shows the offset of the clocks; it is forgotten slowly, because they drift.
+    // The least late answer shows the offset of the clocks; it is forgotten slowly, because they drift, and
+    // at once behind a silence, in which the board's may have stood still.
     const double late = arrival - m_boardTime;
-    m_offset = again ? late : std::min(late, m_offset + kDrift * step);
+    const bool isAnew = again || arrival - m_lastArrival > kGap;
+    m_offset = isAnew ? late : std::min(late, m_offset + kDrift * step);
     return m_boardTime + m_offset;
 }
 

@@ -114,7 +114,9 @@ SupervisedSituation SupervisedStore::situation()
         }
     }
     const LiveAccess *live = m_device->live();
-    if (const auto change = live ? live->lastChange() : std::nullopt)
+    if (live && live->isChanging())
+        now.changedAt = m_store->now();
+    else if (const auto change = live ? live->lastChange() : std::nullopt)
         now.changedAt = m_store->secondsAt(change->until);
     const double bits = latest(m_roles.faults);
     const double detail = latest(m_roles.faultDetail);

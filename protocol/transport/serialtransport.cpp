@@ -117,7 +117,8 @@ void SerialTransport::onError(QSerialPort::SerialPortError error)
         || ((error == QSerialPort::ReadError || error == QSerialPort::WriteError) && isHungUp());
     if (!m_open || !isGone)
         return;
-    const QString text = m_port.errorString();
+    // Not its own text: that is about whatever the program happened to do with it last.
+    const QString text = u"the port %1 disappeared"_s.arg(m_port.portName());
     m_open = false;
     m_port.close();
     emit closed({ErrorCode::LinkClosed, text});

@@ -10,6 +10,7 @@
 #include "tests/support/windowrig.h"
 #include "widgets/models/changemodel.h"
 
+#include <QLabel>
 #include <QSignalSpy>
 
 #include <csignal>
@@ -90,6 +91,7 @@ private slots:
     void whatIsStoredIsRead();
     void aSilentBoardIsReadWhenItAnswers();
     void liveValuesAreReadWhenItAnswers();
+    void lostLiveValuesAreNamed();
     void recordingsEndWithTheirBoard();
     void recordingsGoOnWithTheirBoard();
     void snapshotsSayWhatTheyHold();
@@ -336,6 +338,39 @@ void TestInterrupted::liveValuesAreReadWhenItAnswers()
     QTRY_VERIFY_WITH_TIMEOUT(!live.isDoubted(), 30000);
     client().removeListener(silencer);
     QVERIFY(live.value(gain));
+}
+
+// Nothing of what was sent has arrived.
+void TestInterrupted::lostLiveValuesAreNamed()
+{
+    const QString port = m_rig->filePath(u"gimbal"_s);
+    SimProcess board({u"--pty"_s, port}, u"simplebgc"_s);
+    QVERIFY(m_rig->open(u"serial:%1?family=simplebgc"_s.arg(port)));
+    QVERIFY(m_rig->jobsAreDone());
+    LiveModel &live = workspace().live();
+    const int gain = m_rig->spec(u"pid.roll.p"_s).id;
+    QTRY_VERIFY(live.value(gain));
+    const double before = *live.value(gain);
+    board.process().write("lose=1\n");
+    QVERIFY(board.process().waitForBytesWritten());
+    QTRY_VERIFY_WITH_TIMEOUT(workspace().freshness().staleSince(), 15000);
+    live.setValue(gain, before + 5);
+    QTRY_VERIFY_WITH_TIMEOUT(live.isDoubted(), 60000);
+    const auto *bar = m_rig->window().findChild<UnstoredBar *>();
+    const auto said = [bar] {
+        QStringList texts;
+        for (const QLabel *label : bar->findChildren<QLabel *>())
+            texts.append(label->text() + label->toolTip());
+        return texts.join(u' ');
+    };
+    QTRY_VERIFY2(bar->isVisible() && said().contains(u"is not known"_s), qPrintable(said()));
+    QVERIFY(client().isConnected());
+    board.process().write("lose=0\n");
+    QTRY_VERIFY_WITH_TIMEOUT(!live.isDoubted(), 30000);
+    QCOMPARE(*live.value(gain), before);
+    QTRY_VERIFY(!bar->isVisible());
+    const QString told = m_rig->window().messageBar()->text();
+    QVERIFY2(told.contains(u"did not get what was set"_s), qPrintable(told));
 }
 
 void TestInterrupted::recordingsEndWithTheirBoard()

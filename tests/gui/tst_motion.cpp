@@ -69,6 +69,7 @@ private slots:
     void autoTuneAcceptedAndSaved();
     void autoTuneReverted();
     void autoTuneThatHarmsIsTakenBack();
+    void secondClickBeginsNoSearch();
     void stoppedSearchLeavesNothing_data();
     void stoppedSearchLeavesNothing();
     void autoTuneUnplugged();
@@ -571,6 +572,30 @@ void TestMotion::gainsAreAsBefore(const AutoTunePage *page, int before)
     QVERIFY(bar && !bar->isVisible());
     auto *tuning = m_rig->page<TuningPage>();
     QVERIFY(!isMarked(m_rig->window(), u"Tuning"_s) && tuning);
+}
+
+// Nor by one that is meant for the end and comes too late: each button has its own place.
+void TestMotion::secondClickBeginsNoSearch()
+{
+    QVERIFY(m_rig->open());
+    QVERIFY(alive());
+    AutoTunePage *page = autoTune();
+    QPushButton *start = page->startButton();
+    auto *stop = named<QPushButton>(page, u"Stop and revert to the old gains"_s);
+    QVERIFY(stop->isVisible() && !stop->isEnabled());
+    const QPoint startsAt = start->mapTo(page, QPoint());
+    const QPoint stopsAt = stop->mapTo(page, stop->rect().center());
+    QTest::mouseClick(start, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(errorPoints(page, u"Error, Roll"_s) >= 1, 30000);
+    QCOMPARE(start->mapTo(page, QPoint()), startsAt);
+    QCOMPARE(page->childAt(stopsAt), stop);
+    QVERIFY(!start->isEnabled());
+    QTest::mouseClick(stop, Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(page->state(), AutoTunePage::State::Ready, 5000);
+    QCOMPARE(page->childAt(stopsAt), stop);
+    QTest::mouseClick(stop, Qt::LeftButton);
+    QVERIFY(m_rig->boardGoesOn(0.3));
+    QCOMPARE(page->state(), AutoTunePage::State::Ready);
 }
 
 void TestMotion::stoppedSearchLeavesNothing_data()

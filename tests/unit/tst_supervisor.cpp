@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/supervisor/supervisedstore.h"
+#include "tests/support/channelproxy.h"
 #include "tests/support/stormrig.h"
 #include "tests/support/virtualboard.h"
 
@@ -173,6 +174,7 @@ private slots:
     void stormRunsAway();
     void tooMuchGainIsNamed_data();
     void tooMuchGainIsNamed();
+    void unreadTuningIsAChange();
     void changeIsTakenBackOnce_data();
     void changeIsTakenBackOnce();
     void stormTooMuchGainIsNamed_data();
@@ -328,6 +330,31 @@ void TestSupervisor::tooMuchGainIsNamed()
     QCOMPARE(bench.board().inUse(u"pid.pitch.d"_s), 25);
     QVERIFY(!bench.watched->run(5));
     QCOMPARE(bench.watched->ended.size(), 1U);
+}
+
+// A board that was tuning itself and does not answer since: its gains may be to blame.
+void TestSupervisor::unreadTuningIsAChange()
+{
+    Bench bench;
+    const int before = bench.board().inUse(u"pid.pitch.d"_s);
+    bool isDeaf = false;
+    Altering lossy(bench.channel, [&isDeaf](const Request &request, const Altering::Pass &pass) {
+        return isDeaf ? failure(ErrorCode::Timeout, request.name) : pass(request);
+    });
+    QVERIFY(!bench.device.isChanging());
+    bench.device.noteChangesBy(lossy, [&] {
+        QTest::qVerify(bench.device.isChanging(), "isChanging", "while it searches", __FILE__, __LINE__);
+        const auto back = bench.device.takeBack(bench.channel);
+        QTest::qVerify(!back && back.error().code == ErrorCode::Busy, "Busy", "", __FILE__, __LINE__);
+        bench.board().store(u"pid.pitch.d"_s, 0, 70);
+        isDeaf = true;
+        return false;
+    });
+    QVERIFY(bench.device.isChanging());
+    QCOMPARE(bench.board().inUse(u"pid.pitch.d"_s), 70);
+    QVERIFY(bench.device.takeBack(bench.channel));
+    QCOMPARE(bench.board().inUse(u"pid.pitch.d"_s), before);
+    QVERIFY(!bench.device.isChanging());
 }
 
 void TestSupervisor::changeIsTakenBackOnce_data()

@@ -63,7 +63,7 @@ void LiveModel::reset()
         m_own.clear();
         m_other.clear();
         m_otherKnown = false;
-        m_isDoubted = false;
+        m_doubted.clear();
         m_slot = Slot::A;
     }
     m_set = m_configuration.isEmpty() ? nullptr : std::as_const(m_configuration).board().parameterSet();
@@ -128,7 +128,7 @@ void LiveModel::read()
                 emit failed(read.error());
                 return;
             }
-            m_isDoubted = false;
+            const Values doubted = std::exchange(m_doubted, {});
             QHash<int, double> byId;
             for (const AdjustableValue &variable : *read)
                 byId.insert(variable.id, variable.value);
@@ -146,7 +146,23 @@ void LiveModel::read()
                 emit valueChanged(parameter);
             }
             recount();
+            tellDoubted(doubted);
         });
+}
+
+// What a silent board was told to use, once it has said what it does use.
+void LiveModel::tellDoubted(const Values &doubted)
+{
+    LiveValues lost;
+    for (auto it = doubted.begin(); it != doubted.end(); ++it) {
+        const auto now = value(it.key());
+        if (now && !sameValue(*now, *it) && !m_wanted.contains(it.key()))
+            lost.push_back({spec(it.key()).key, *now, *it});
+    }
+    if (std::exchange(m_wasSilent, false) && !lost.empty())
+        emit notTaken(lost);
+    if (!doubted.isEmpty())
+        emit changeCountChanged(m_changeCount);  // they count again
 }
 
 std::pair<double, double> LiveModel::range(int parameter) const
@@ -275,8 +291,12 @@ void LiveModel::flush()
                 // The values in use are no longer known, so they are read.
                 m_wanted.clear();
                 m_back.clear();
-                m_sent.clear();
-                m_isDoubted = true;
+                for (const int parameter : std::exchange(m_sent, {})) {
+                    if (const auto wanted = value(parameter))
+                        m_doubted.insert(parameter, *wanted);
+                }
+                m_wasSilent |= done.error().code == ErrorCode::Timeout;
+                emit changeCountChanged(m_changeCount);
                 emit failed(done.error());
                 read();
                 return;

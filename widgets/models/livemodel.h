@@ -36,9 +36,10 @@ public:
     [[nodiscard]] int changeCount() const { return m_changeCount; }
     /// How many of them revert() puts back: those to tune with.
     [[nodiscard]] int tunedCount() const;
+    [[nodiscard]] bool isDoubted() const { return !m_doubted.isEmpty(); }
+    /// Values that were sent, and neither confirmed nor read since.
+    [[nodiscard]] int doubtedCount() const { return int(m_doubted.size()); }
     /// All requested values have reached the board.
-    /// A value was sent, and neither confirmed nor read since.
-    [[nodiscard]] bool isDoubted() const { return m_isDoubted; }
     [[nodiscard]] bool isSettled() const { return m_wanted.isEmpty() && !m_writing; }
 
     /// While a search, measurement or calibration runs, nobody puts a value into use: it would wait, be shown
@@ -79,6 +80,8 @@ signals:
     void slotChanged();
     void heldChanged(bool held);
     void failed(const Error &error);
+    /// The board was silent when these were sent, and uses others: `stored` is what it uses instead.
+    void notTaken(const LiveValues &values);
     /// All that was asked for has reached the board: these parameters.
     void settled(const QList<int> &parameters);
 
@@ -89,6 +92,7 @@ private:
     void demand(const QHash<int, double> &values);
     void flush();
     void recount();
+    void tellDoubted(const Values &doubted);
     [[nodiscard]] const ParameterSpec &spec(int parameter) const;
     [[nodiscard]] int variableOf(int parameter) const;
     [[nodiscard]] Values tuned() const;
@@ -108,7 +112,8 @@ private:
     Slot m_slot = Slot::A;
     bool m_otherKnown = false;
     bool m_writing = false;
-    bool m_isDoubted = false;
+    Values m_doubted;  // sent to a board that did not answer
+    bool m_wasSilent = false;  // at one of them: no refusal has told about it
     int m_changeCount = 0;
     int m_holds = 0;
     QString m_boardKey;  // which board, firmware and profile the values belong to

@@ -68,6 +68,7 @@ AutoTunePage::AutoTunePage(Workspace &workspace, QWidget *parent)
     m_accept->setObjectName(u"primary"_s);
     setHarmless(*m_stop);
     m_text->setWordWrap(true);
+    m_text->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_ask->setFixedWidth(kAskWidth);
     for (QPushButton *button : {m_start, m_stop, m_accept, m_revert})
         m_ask->content()->addWidget(button);
@@ -233,9 +234,14 @@ void AutoTunePage::setState(State state)
         m_judging.stop();
     m_isUnstored = state == State::Finished && m_live.changeCount() > 0;
     m_isGone = false;
-    m_stop->setVisible(state == State::Running);  // before the other goes: the keyboard goes on to it
-    m_start->setVisible(state != State::Running);
+    // Neither takes the other's place: a second click, or one that comes too late, must not start a search.
+    const bool hasKeyboard = m_start->hasFocus() || m_stop->hasFocus();
+    m_stop->setEnabled(state == State::Running);
     updateStart();
+    if (hasKeyboard && state == State::Running)
+        m_stop->setFocus();
+    else if (hasKeyboard && changed)
+        giveKeyboard(*m_ask);
     m_start->setToolTip(
         workspace().client().isConnected() && !m_form ? tr("This board has no command for it.") : QString());
     m_start->setText(state == State::Finished ? tr("Search again: the camera will shake")
@@ -248,13 +254,7 @@ void AutoTunePage::setState(State state)
     if (m_form)
         m_form->setEnabled(state != State::Running);
     switch (state) {
-    case State::Ready:
-        m_text->setText(
-            tr("Hold the gimbal in your hand or on a stand, balanced, with all motors running. The board "
-               "moves the "
-               "camera a little to find gains; the lower “gain against stability”, the calmer the result. "
-               "Nothing is stored before you accept."));
-        break;
+    case State::Ready: m_text->setText(readyText()); break;
     case State::Running:
         m_text->setText(
             tr("The board is searching. Keep the gimbal as it is. F12 or the red button stops everything."));
@@ -269,10 +269,28 @@ void AutoTunePage::setState(State state)
         emit changesChanged();
 }
 
+QString AutoTunePage::readyText()
+{
+    return tr(
+        "Hold the gimbal in your hand or on a stand, balanced, with all motors running. The board moves "
+        "the camera a little to find gains; the lower “gain against stability”, the calmer the result. "
+        "Nothing is stored before you accept.");
+}
+
+// The longest of the texts has its room at any time, so that no button moves under the pointer.
+void AutoTunePage::resizeEvent(QResizeEvent *event)
+{
+    Page::resizeEvent(event);
+    const QRect room(0, 0, m_text->width(), QWIDGETSIZE_MAX);
+    m_text->setMinimumHeight(
+        m_text->fontMetrics().boundingRect(room, Qt::TextWordWrap, readyText()).height());
+}
+
 void AutoTunePage::updateStart()
 {
     const DeviceClient &client = workspace().client();
-    m_start->setEnabled(client.isConnected() && client.identity().writable && m_form && !m_live.isHeld());
+    m_start->setEnabled(m_state != State::Running && client.isConnected() && client.identity().writable
+                        && m_form && !m_live.isHeld());
 }
 
 void AutoTunePage::start()

@@ -34,7 +34,11 @@ public:
     [[nodiscard]] QPushButton *startButton() const { return m_start; }
     [[nodiscard]] QPushButton *revertButton() const { return m_revert; }
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
+    [[nodiscard]] static QString readyText();
     void onState();
     void start();
     void onProgress(const Progress &progress);

@@ -223,7 +223,8 @@ void TuningPage::connectAll()
         if (isEndOfLink(error))
             return;
         ErrorText text = describe(error);
-        text.meaning += tr(" The values in use were read again.");
+        if (m_live.isDoubted() && error.code == ErrorCode::Timeout)
+            text.meaning = tr("What it uses is not known until it answers.");
         workspace().notifications().report(text);
     });
     connect(&workspace().client(), &DeviceClient::stateChanged, this, &TuningPage::onStore);
