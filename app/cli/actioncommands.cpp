@@ -75,7 +75,7 @@ const QString kStopKey = u"motors.off"_s;
 // Whatever ended a stop, nobody has seen it work; the words for NotProven say so themselves.
 QString unstopped(const Error &error)
 {
-    if (error.code == ErrorCode::NotProven)
+    if (error.code == ErrorCode::NotProven || error.code == ErrorCode::ReadOnly)
         return {};
     return u"nobody has seen the motors stop, and they may be running: hold the camera and disconnect the "
            "power"_s;
@@ -93,6 +93,10 @@ public:
 
     void start(DeviceClient &client)
     {
+        if (client.address().isReplay()) {
+            emit m_command.finished(failure(ErrorCode::ReadOnly, u"a recording has no motors"_s));
+            return;
+        }
         m_client = &client;
         connect(&client, &DeviceClient::motorsOffFinished, this, &MotorStop::onStopped);
         connect(&client, &DeviceClient::motorsOffSettled, this, &MotorStop::onSettled);

@@ -666,6 +666,8 @@ void TestCtl::stormOverAPseudoTerminal()
     QVERIFY2(record.exitCode == 0, qPrintable(record.err));
     const Run replayed = ctl({u"--link"_s, u"replay:"_s + file, u"get"_s, u"pid.roll.p"_s}, false);
     QCOMPARE(replayed.out, u"4.00\n"_s);
+    const Run off = ctl({u"--link"_s, u"replay:"_s + file, u"motors"_s, u"off"_s}, false);
+    QVERIFY2(off.exitCode == 1 && !off.err.contains(u"hold"_s, Qt::CaseInsensitive), qPrintable(off.err));
     const QStringList rows
         = ctl({u"export"_s, file, u"--csv"_s, u"-"_s, u"--channels"_s, u"imu.angle.pitch,battery"_s}, false)
               .out.split(u'\n');

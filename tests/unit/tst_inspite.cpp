@@ -54,6 +54,7 @@ private slots:
     void refusedMotorsRun();
     void motorsAreToldAfterAnAction_data();
     void motorsAreToldAfterAnAction();
+    void motorsOfAStartingBoardRun();
     void otherVariablesAreNoAnswer();
     void anOldOrFrozenAnswerProvesNoStop();
     void aTurningCameraDoesNotStand();
@@ -522,6 +523,23 @@ void TestInSpite::motorsAreToldAfterAnAction()
     const auto done = perform(switching, bench.device, action.toLatin1(), {{argument, value}});
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(done->motorsNow, std::optional(false));
+}
+
+// They start by themselves a few seconds later.
+void TestInSpite::motorsOfAStartingBoardRun()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    QVERIFY(rig.device.perform(rig.channel, u"restart"_s, {}));
+    const auto done = rig.device.perform(rig.channel, u"motors.on"_s, {});
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QCOMPARE(rig.device.areMotorsOn(rig.channel), Result<bool>(true));
+    Altering refusing(rig.channel, [](const Request &request, const Altering::Pass &pass) {
+        auto answer = pass(request);
+        return request.name.contains(u"STANDBY"_s) ? kRefused(request) : answer;
+    });
+    QVERIFY(rig.device.perform(rig.channel, u"motors.off"_s, {}));
+    QVERIFY(rig.device.perform(refusing, u"motors.on"_s, {}));
 }
 
 void TestInSpite::otherVariablesAreNoAnswer()

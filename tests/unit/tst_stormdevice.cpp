@@ -46,6 +46,7 @@ class TestStormDevice : public QObject
 {
     Q_OBJECT
 private slots:
+    void clockThatStoodStillIsMatchedAnew();
     void boardIsIdentified_data();
     void boardIsIdentified();
     void unknownLayoutIsReadOnlyWithRawWords();
@@ -669,6 +670,35 @@ void TestStormDevice::framesAreWorded()
           "setangle pitch=", "setangle pitch=5 7", "setstandby on=256", "getversion on=1"})
         QVERIFY2(!device.parseCommand(QString::fromLatin1(wrong)), wrong);
     QVERIFY(device.commandNames().contains(u"ACTIVEPANMODESETTING"_s));
+}
+
+// A processor that was suspended, or a board whose counter was: what it sends afterwards is of now.
+void TestStormDevice::clockThatStoodStillIsMatchedAnew()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    TelemetryStore store(int(rig.device.channels().size()), TimePoint{});
+    Decoder decoder(96);
+    Frame frame = *rig.channel.transact(simpleRequest(Simple::LiveData));
+    int stamp = 0;
+    const auto arrive = [&](double arrival) {
+        frame.payload[10] = char(stamp & 0xFF);
+        frame.payload[11] = char(stamp >> 8);
+        decoder.decode({frame.id, asBytes(frame.payload)}, TimePoint{} + durationFromSeconds(arrival), store);
+        stamp += 10;
+    };
+    for (int i = 0; i < 100; ++i)
+        arrive(1 + i * 0.01);
+    QVERIFY(std::abs(seconds(store.latestAt(0) - TimePoint{}) - 1.99) < 0.02);
+    for (int i = 0; i < 100; ++i)
+        arrive(8 + i * 0.01);
+    QVERIFY(std::abs(seconds(store.latestAt(0) - TimePoint{}) - 8.99) < 0.02);
+    // Answers that were held back by the link are as old as they are.
+    for (int i = 0; i < 100; ++i)
+        arrive(10 + i * 0.001);
+    for (int i = 0; i < 50; ++i)
+        arrive(10.1 + i * 0.01);
+    QVERIFY(std::abs(seconds(store.latestAt(0) - TimePoint{}) - 10.59) < 0.02);
 }
 
 QTEST_GUILESS_MAIN(TestStormDevice)
