@@ -14,7 +14,7 @@ constexpr int kKeyRole = Qt::UserRole;
 constexpr int kTitleRole = Qt::UserRole + 1;
 constexpr int kMarkRole = Qt::UserRole + 2;
 constexpr int kIcon = 18;
-const QString kMark = u"  •"_s;
+const QString kMark = u" •"_s;
 constexpr int kLastNumber = 9;  // Ctrl+1 to Ctrl+9
 
 }  // namespace
@@ -45,8 +45,8 @@ Navigation::Navigation(QWidget *parent)
         item->setData(kTitleRole, title);
     }
     renumber();
-    const int width = sizeHintForColumn(0) + fontMetrics().horizontalAdvance(kMark);
-    setFixedWidth(std::max(168, width + 22));
+    constexpr int kRoom = 22;  // of the scroll bar, and of a mark
+    setFixedWidth(std::max(168, sizeHintForColumn(0) + kRoom));
     connect(this, &QListWidget::currentItemChanged, this, [this] {
         m_awaited.clear();
         if (!currentPage().isEmpty())

@@ -93,12 +93,12 @@ constexpr auto kStillTimeout = 1s;
 constexpr int kCameraOffset = 32;  // of REALTIME_DATA_3
 constexpr int kTargetOffset = 44;
 
-using Angles = std::array<double, kAxisCount>;
+using AxisPlaces = std::array<double, kAxisCount>;
 
-Angles anglesAt(const Frame &frame, int offset)
+AxisPlaces anglesAt(const Frame &frame, int offset)
 {
     ByteReader reader(QByteArrayView(frame.payload).sliced(offset));
-    Angles angles{};
+    AxisPlaces angles{};
     for (double &angle : angles)
         angle = reader.i16() * kDegreesPerCount;
     return angles;
@@ -108,8 +108,8 @@ std::function<Proof(const Frame &)> standstill(const Device::Control &steered)
 {
     struct Place
     {
-        Angles camera;
-        Angles target;
+        AxisPlaces camera;
+        AxisPlaces target;
     };
     return [steered, before = std::optional<Place>()](const Frame &frame) mutable {
         const auto running = Device::areMotorsRunning(frame);

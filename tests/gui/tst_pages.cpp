@@ -540,7 +540,7 @@ void TestPages::actionThatLetsGoIsAskedFor()
         if (button != question()->defaultButton())
             button->click();
     }
-    QTRY_VERIFY2(page->reply()->toPlainText().contains(u": done"_s),
+    QTRY_VERIFY2(page->reply()->toPlainText().contains(u": sent"_s),
                  qPrintable(page->reply()->toPlainText()));
     // With the motors off nothing falls: no question.
     QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 20000);
