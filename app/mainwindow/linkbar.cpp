@@ -60,6 +60,7 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
         badge->hide();
     }
     m_recording->setProperty("kind", u"recording"_s);
+    m_dot->setObjectName(u"dot"_s);
     m_state->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
     m_profile->setAccessibleName(tr("Active profile"));
     m_profile->setToolTip(tr("Active profile of the board"));
@@ -117,7 +118,10 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
             m_workspace.settings().addRecentAddress(address.toString());
     });
     m_refresh.setInterval(kMotorsRefresh);
-    connect(&m_refresh, &QTimer::timeout, this, &LinkBar::updateMotors);
+    connect(&m_refresh, &QTimer::timeout, this, [this] {
+        updateMotors();
+        updateDot();
+    });
     m_refresh.start();
     keepWidth(m_connect, {tr("Connect"), tr("Cancel"), tr("Give up"), tr("Disconnect")});
     keepWidth(m_motors, {tr("■ STOP MOTORS"), tr("▶ Start motors")});
@@ -253,8 +257,6 @@ void LinkBar::connectOrDisconnect()
 void LinkBar::updateState()
 {
     const DeviceClient &client = m_workspace.client();
-    const Theme &theme = m_workspace.theme();
-    QString dot = theme.color(ColorRole::Muted).name();
     QString text;
     switch (client.state()) {
     case DeviceClient::State::Disconnected:
@@ -262,32 +264,42 @@ void LinkBar::updateState()
         m_connect->setText(tr("Connect"));
         break;
     case DeviceClient::State::Connecting:
-        dot = theme.color(ColorRole::Warning).name();
         text = m_progress.isEmpty() ? tr("Connecting…") : m_progress + u'…';
         m_connect->setText(tr("Cancel"));
         break;
     case DeviceClient::State::Reconnecting:
-        dot = theme.color(ColorRole::Warning).name();
         text = client.loss() == DeviceClient::Loss::Link ? tr("Link lost, connecting again…")
                                                          : tr("Board restarts, connecting again…");
         m_connect->setText(tr("Give up"));
         break;
     case DeviceClient::State::Connected:
-        dot = theme.color(ColorRole::Ok).name();
         text = client.isBusy() && !m_progress.isEmpty()
             ? m_progress + u'…'
             : tr("%1 · firmware %2").arg(client.identity().model, client.identity().firmware);
         m_connect->setText(tr("Disconnect"));
         break;
     }
-    m_dot->setText(u"<span style='color:%1'>●</span>"_s.arg(dot));
     m_state->setFullText(text);
     m_connect->setObjectName(client.state() == DeviceClient::State::Disconnected ? u"primary"_s : QString());
     repolish(m_connect);
     m_address->setEnabled(client.state() == DeviceClient::State::Disconnected);
     m_profile->setEnabled(!m_workspace.configuration().isEmpty());
+    updateDot();
     updateMotors();
     updateBadges();
+}
+
+// Green is what is alive, not what is connected.
+void LinkBar::updateDot()
+{
+    const Freshness &freshness = m_workspace.freshness();
+    const DeviceClient::State state = m_workspace.client().state();
+    const bool isAlive
+        = state == DeviceClient::State::Connected && !freshness.staleSince() && !freshness.frozenSince();
+    const ColorRole role = isAlive                   ? ColorRole::Ok
+        : state == DeviceClient::State::Disconnected ? ColorRole::Muted
+                                                     : ColorRole::Warning;
+    m_dot->setText(u"<span style='color:%1'>●</span>"_s.arg(m_workspace.theme().color(role).name()));
 }
 
 void LinkBar::updateBadges()

@@ -46,6 +46,7 @@ private:
     void updateProfiles();
     void updateMotors();
     void updateBadges();
+    void updateDot();
     void giveWay();
     void onMotors();
     void keepWidth(QPushButton *button, const QStringList &texts);

@@ -22,6 +22,7 @@ constexpr double kRepeatedSeconds = 2.0;
 const QString kTimeFormat = u"HH:mm:ss"_s;
 constexpr auto kSilent = 3s;
 constexpr auto kBetweenJobs = 1s;
+constexpr auto kLongestExcuse = 6s;  // a calibration of the gyroscope takes about four
 constexpr double kFirstSeconds = 3.0;  // from the connection until the first sample
 
 // How often one of these channels comes: a slow line thins out some streams more than others.
@@ -128,7 +129,10 @@ void Freshness::listen()
 {
     const TimePoint now = Clock::now();
     const bool hears = !m_client.isConnected() || !staleSince();
-    m_isExcused = m_client.isBusy() && (m_isExcused || hears || now - m_heardAt < kBetweenJobs);
+    if (hears)
+        m_dataAt = now;
+    m_isExcused = m_client.isBusy() && (m_isExcused || hears || now - m_heardAt < kBetweenJobs)
+        && now - m_dataAt < kLongestExcuse;
     if (hears || m_isExcused)
         m_heardAt = now;
     if (const bool isSilent = silentSince().has_value(); std::exchange(m_isSilent, isSilent) != isSilent)

@@ -34,8 +34,8 @@ public:
     /// is old then; empty: it does not.
     [[nodiscard]] std::optional<QDateTime> frozenSince() const;
 
-    /// Since when nothing has come for some seconds although nothing here keeps the line busy: what the board
-    /// does is not known; empty: it is.
+    /// Since when nothing has come for some seconds although nothing here keeps the line busy, or for longer
+    /// than that explains: what the board does is not known; empty: it is.
     [[nodiscard]] std::optional<QDateTime> silentSince() const;
 
     using Channels = std::function<QList<int>()>;
@@ -60,5 +60,6 @@ private:
     bool m_isSilent = false;
     bool m_isExcused = false;  // a job that may silence the board began while data came
     TimePoint m_heardAt{};  // or excused
+    TimePoint m_dataAt{};
     QTimer m_timer;
 };

@@ -5,6 +5,7 @@
 #include "protocol/configuration/aftermath.h"
 #include "protocol/session/linkstatistics.h"
 #include "widgets/models/missingtext.h"
+#include "widgets/models/parametermodel.h"
 
 #include <algorithm>
 #include <iterator>
@@ -92,7 +93,8 @@ void Workspace::readKnowing(const std::optional<LiveValues> &live, bool quiet)
             const bool wasRecording = std::exchange(m_isRecording, isRecording);
             const bool isBoards = m_offlineFile.isEmpty() && !wasRecording && !isRecording;
             m_offlineFile.clear();
-            const int others = isFirst && sameBoard && isBoards ? changedMeanwhile(read) : 0;
+            const QStringList others
+                = isFirst && sameBoard && isBoards ? changedMeanwhile(read) : QStringList();
             const LiveValues lost = isFirst && sameBoard ? lostSince(*answer) : LiveValues();
             m_usedBefore.clear();
             if (!m_configuration.rebase(read)) {
@@ -103,7 +105,7 @@ void Workspace::readKnowing(const std::optional<LiveValues> &live, bool quiet)
                 m_journal.remind();
             tellLost(lost);
             if (!isRecording) {
-                judge(others);
+                judge(int(others.size()), others);
                 settle(*answer);
             }
             tellMissing(read);
@@ -165,18 +167,24 @@ LiveValues Workspace::lostSince(const Configuration &read) const
     return lost;
 }
 
-// How many values a board holds otherwise than when it was read last, beside those of an interrupted write.
-int Workspace::changedMeanwhile(const Configuration &read) const
+// What a board holds otherwise than when it was read last, beside what an interrupted write waits for.
+QStringList Workspace::changedMeanwhile(const Configuration &read) const
 {
     const Configuration &before = std::as_const(m_configuration).board();
+    QStringList others;
     if (before.identity().firmwareNumber != read.identity().firmwareNumber)
-        return 0;
-    const auto changes = before.changesTo(read);
-    const auto data = before.dataChangesTo(read);
-    return int(std::count_if(changes.begin(), changes.end(),
-                             [this](const ParameterChange &change) { return !m_writer.awaits(change); })
-               + std::count_if(data.begin(), data.end(),
-                               [this](const DataChange &change) { return !m_writer.awaits(change.key); }));
+        return others;
+    for (const ParameterChange &change : before.changesTo(read)) {
+        if (!m_writer.awaits(change))
+            others.append(u"%1 %2 → %3"_s.arg(parameterLabel(*change.spec),
+                                              parameterValueText(*change.spec, change.from),
+                                              parameterQuantityText(*change.spec, change.to)));
+    }
+    for (const DataChange &change : before.dataChangesTo(read)) {
+        if (!m_writer.awaits(change.key))
+            others.append(tableText(change.spec->data));
+    }
+    return others;
 }
 
 // Edits of another board stay in its journal, and are offered when it is back.
@@ -196,8 +204,9 @@ void Workspace::leaveEdits()
 
 // A board without a serial number that holds other values may be another one: nothing that was begun on the
 // one before goes on without an answer.
-void Workspace::judge(int others)
+void Workspace::judge(int others, QStringList names)
 {
+    constexpr int kNamed = 6;
     if (others > 0 && mayLookLikeAnother(m_client.identity())
         && (m_writer.isInterrupted() || m_configuration.changeCount() > 0)) {
         m_isDoubted = true;
@@ -215,9 +224,12 @@ void Workspace::judge(int others)
         m_notifications.ask(question);
         return;
     }
+    if (names.size() > kNamed)
+        names = names.mid(0, kNamed) + QStringList{u"…"_s};
     if (others > 0)
         m_notifications.notify(
-            tr("%n value(s) on the board differ from what was read before the link ended.", nullptr, others),
+            tr("%n value(s) on the board differ from what was read before the link ended.", nullptr, others)
+                + (names.isEmpty() ? QString() : u' ' + names.join(u", "_s)),
             Notice::Attention);
     if (!m_isDoubted)
         m_writer.offerRepair();

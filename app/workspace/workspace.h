@@ -212,9 +212,9 @@ private:
     void settle(const Configuration &board);
     void readAfter(const ActionSpec &action, const ActionOutcome &outcome, const LiveValues &before);
     void readKnowing(const std::optional<LiveValues> &live, bool quiet = false);
-    [[nodiscard]] int changedMeanwhile(const Configuration &read) const;
+    [[nodiscard]] QStringList changedMeanwhile(const Configuration &read) const;
     void leaveEdits();
-    void judge(int others);
+    void judge(int others, QStringList names = {});
     void setEditsAside();
     void offerWayOut();
     void followActiveProfile();

@@ -549,7 +549,7 @@ void TestPages::actionThatLetsGoIsAskedFor()
     QVERIFY(page->showAction(u"reset"_s));
     page->runButton()->click();
     QVERIFY(!question());
-    QTRY_VERIFY2(page->reply()->toPlainText().contains(u": done"_s),
+    QTRY_VERIFY2(page->reply()->toPlainText().contains(u": sent"_s),
                  qPrintable(page->reply()->toPlainText()));
     QVERIFY(m_rig->jobsAreDone());
 }

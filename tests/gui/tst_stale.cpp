@@ -291,9 +291,12 @@ void TestStale::silenceWithMotorsIsAnAlarm_data()
 {
     QTest::addColumn<QString>("family");
     QTest::addColumn<bool>("run");
+    QTest::addColumn<bool>("isBusy");
     for (const QString &family : {u"simplebgc"_s, u"storm32"_s}) {
-        QTest::addRow("%s, motors run", qPrintable(family)) << family << true;
-        QTest::addRow("%s, motors off", qPrintable(family)) << family << false;
+        QTest::addRow("%s, motors run", qPrintable(family)) << family << true << false;
+        QTest::addRow("%s, motors off", qPrintable(family)) << family << false << false;
+        // No work explains a silence for so long.
+        QTest::addRow("%s, in the middle of work", qPrintable(family)) << family << true << true;
     }
 }
 
@@ -302,6 +305,7 @@ void TestStale::silenceWithMotorsIsAnAlarm()
 {
     QFETCH(const QString, family);
     QFETCH(const bool, run);
+    QFETCH(const bool, isBusy);
     const bool isOwnProcess = family == u"simplebgc"_s;
     std::optional<SimProcess> board;
     if (isOwnProcess)
@@ -325,13 +329,21 @@ void TestStale::silenceWithMotorsIsAnAlarm()
     QVERIFY(rig.boardGoesOn(0.5));
     QVERIFY(!rig.window().messageBar()->text().contains(told));
     QSignalSpy silent(&rig.workspace().freshness(), &Freshness::silentChanged);
+    if (isBusy)
+        rig.client().submit<bool>([](Channel &channel, Device &) -> Result<bool> {
+            return channel.sleep(30s).map([] { return true; });
+        });
     freeze(true);
-    QTRY_COMPARE_WITH_TIMEOUT(silent.count(), 1, 15000);
+    QTRY_COMPARE_WITH_TIMEOUT(silent.count(), 1, 20000);
+    QCOMPARE(rig.client().isBusy(), isBusy);
+    const auto *dot = rig.window().findChild<QLabel *>(u"dot"_s);
+    QVERIFY(dot && !dot->text().contains(rig.workspace().theme().color(ColorRole::Ok).name()));
     QCOMPARE(rig.window().messageBar()->text().contains(told), run);
     QVERIFY(rig.client().isConnected());
     freeze(false);
     QTRY_COMPARE_WITH_TIMEOUT(silent.count(), 2, 15000);
     QVERIFY(!rig.window().messageBar()->text().contains(told));
+    QTRY_VERIFY(dot->text().contains(rig.workspace().theme().color(ColorRole::Ok).name()));
 }
 
 void TestStale::silenceIsNoAlarmWhileWorkExplainsIt()

@@ -16,7 +16,7 @@
 /// Whether the navigation marks this page as one with unsaved changes.
 inline bool isMarked(const MainWindow &window, const QString &title)
 {
-    return !window.navigation()->findItems(title + QStringLiteral("  •"), Qt::MatchExactly).isEmpty();
+    return !window.navigation()->findItems(title + QStringLiteral(" •"), Qt::MatchExactly).isEmpty();
 }
 
 /// The real window on a simulated board, with folders of its own for settings and history.
