@@ -45,7 +45,7 @@ Navigation::Navigation(QWidget *parent)
         item->setData(kTitleRole, title);
     }
     renumber();
-    constexpr int kRoom = 22;  // of the scroll bar, and of a mark
+    constexpr int kRoom = 26;  // of the scroll bar, and of a mark
     setFixedWidth(std::max(168, sizeHintForColumn(0) + kRoom));
     connect(this, &QListWidget::currentItemChanged, this, [this] {
         m_awaited.clear();

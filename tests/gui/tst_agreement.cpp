@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bars.h"
+#include "app/mainwindow/messagebar.h"
 #include "app/pages/board/consolepage.h"
 #include "app/pages/setup/parameterspage.h"
 #include "app/pages/tune/tuningpage.h"
@@ -42,6 +43,7 @@ private slots:
     void storingListsWhatElseIsInUse();
     void simplebgc_data();
     void simplebgc();
+    void whatChangedBehindTheLinkIsNamed();
 
 private:
     /// Screen and board agree at first and after each operation of the row.
@@ -460,6 +462,20 @@ void TestAgreement::storingListsWhatElseIsInUse()
     done = store();
     QTRY_VERIFY_WITH_TIMEOUT(*done == true, 20000);
     QCOMPARE(storm32Board().stored(12), 500);
+}
+
+// By another program, or because it was in use only and the board has restarted.
+void TestAgreement::whatChangedBehindTheLinkIsNamed()
+{
+    QVERIFY(openSimplebgc());
+    QVERIFY(m_rig->jobsAreDone());
+    m_rig->client().disconnectFromBoard();
+    QTRY_VERIFY(!m_rig->client().isConnected());
+    simplebgcBoard().store(u"pid.roll.p"_s, 0, 51);
+    QVERIFY(reconnect());
+    QVERIFY(m_rig->jobsAreDone());
+    const QString told = m_rig->window().messageBar()->text();
+    QVERIFY2(told.contains(u"from what was read"_s) && told.contains(u"35 → 51"_s), qPrintable(told));
 }
 
 void TestAgreement::simplebgc_data()
