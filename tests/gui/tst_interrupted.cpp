@@ -100,6 +100,14 @@ private:
     [[nodiscard]] Workspace &workspace() { return m_rig->workspace(); }
     [[nodiscard]] DeviceClient &client() { return m_rig->client(); }
     [[nodiscard]] QString told() const { return m_told.join(u'\n'); }
+    /// Connects to the board at this port and waits until its values in use are known.
+    bool openLive(const QString &port)
+    {
+        if (!m_rig->open(u"serial:%1?family=simplebgc"_s.arg(port)) || !m_rig->jobsAreDone())
+            return false;
+        const int gain = m_rig->spec(u"pid.roll.p"_s).id;
+        return QTest::qWaitFor([&] { return workspace().live().value(gain).has_value(); }, 5000);
+    }
     void listen()
     {
         connect(&workspace().notifications(), &Notifications::problem, this,
@@ -325,11 +333,9 @@ void TestInterrupted::liveValuesAreReadWhenItAnswers()
 {
     const QString port = m_rig->filePath(u"gimbal"_s);
     SimProcess board({u"--pty"_s, port}, u"simplebgc"_s);
-    QVERIFY(m_rig->open(u"serial:%1?family=simplebgc"_s.arg(port)));
-    QVERIFY(m_rig->jobsAreDone());
+    QVERIFY(openLive(port));
     LiveModel &live = workspace().live();
     const int gain = m_rig->spec(u"pid.roll.p"_s).id;
-    QTRY_VERIFY(live.value(gain));
     Silencer silencer(board, int(simplebgc::CommandId::SetAdjVarsVal));
     client().addListener(silencer);
     live.setValue(gain, m_rig->raw(u"pid.roll.p"_s) + 5);
@@ -346,14 +352,11 @@ void TestInterrupted::lostLiveValuesAreNamed()
 {
     const QString port = m_rig->filePath(u"gimbal"_s);
     SimProcess board({u"--pty"_s, port}, u"simplebgc"_s);
-    QVERIFY(m_rig->open(u"serial:%1?family=simplebgc"_s.arg(port)));
-    QVERIFY(m_rig->jobsAreDone());
+    QVERIFY(openLive(port));
     LiveModel &live = workspace().live();
     const int gain = m_rig->spec(u"pid.roll.p"_s).id;
-    QTRY_VERIFY(live.value(gain));
     const double before = *live.value(gain);
     board.process().write("lose=1\n");
-    QVERIFY(board.process().waitForBytesWritten());
     QTRY_VERIFY_WITH_TIMEOUT(workspace().freshness().staleSince(), 15000);
     live.setValue(gain, before + 5);
     QTRY_VERIFY_WITH_TIMEOUT(live.isDoubted(), 60000);
