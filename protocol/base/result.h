@@ -72,6 +72,14 @@ struct Error
 
 template <typename T> using Result = tl::expected<T, Error>;
 
+/// One more thing to tell, behind what the detail tells already.
+inline void addDetail(QString &detail, const QString &more)
+{
+    if (!detail.isEmpty() && !more.isEmpty())
+        detail += QLatin1String("; ");
+    detail += more;
+}
+
 /// Short form for returning an error: `return failure(ErrorCode::Timeout, u"BOARD_INFO"_s);`
 inline tl::unexpected<Error> failure(ErrorCode code, QString detail = {}, int boardCode = 0)
 {

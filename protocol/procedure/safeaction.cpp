@@ -117,7 +117,6 @@ Result<void> checkStored(WholeMemory &memory, const Configuration &wanted, const
     return different.isEmpty() ? Result<void>() : failure(ErrorCode::NotStored, different.join(u"; "_s));
 }
 
-// An acknowledgement proves nothing: the board is asked what it has stored.
 Result<void> proveStored(Channel &channel, WholeMemory &memory, const Configuration &wanted, Backup &backup,
                          ActionOutcome &outcome)
 {
@@ -212,6 +211,173 @@ Result<void> checkCondition(Condition condition, const Device &device, const Lat
     return {};
 }
 
+// An action, from the safety copy to what the board says that it holds since.
+class SafeAction
+{
+public:
+    SafeAction(Channel &channel, Device &device, const ActionSpec &action, const QVariantMap &arguments,
+               const BoardHistory &history, const LiveValues &live)
+        : m_channel(channel)
+        , m_device(device)
+        , m_action(action)
+        , m_key(QLatin1String(action.key))
+        , m_arguments(arguments)
+        , m_history(history)
+        , m_live(live)
+    {
+        const bool isOverwriting
+            = action.memory == MemoryEffect::Stores || action.memory == MemoryEffect::Erases;
+        m_memory = isOverwriting && device.identity().writable ? device.wholeMemory() : nullptr;
+    }
+
+    Result<ActionOutcome> perform()
+    {
+        if (const auto backedUp = backUp(); !backedUp)
+            return tl::unexpected(backedUp.error());
+        if (const auto asked = askBefore(); !asked)
+            return tl::unexpected(asked.error());
+        auto reply = act();
+        if (!reply && m_backup && !isOwn(reply.error()))
+            return tl::unexpected(withAftermath(reply.error(), m_channel, m_device, *m_backup, m_live));
+        if (!reply)
+            return tl::unexpected(reply.error());
+        m_outcome.reply = *std::move(reply);
+        if (const auto kept = keepHistory(); !kept)
+            return tl::unexpected(kept.error());
+        askAfter();
+        if (const auto stored = prove(); !stored)
+            return tl::unexpected(stored.error());
+        return std::move(m_outcome);
+    }
+
+private:
+    Result<void> backUp();
+    Result<void> askBefore();
+    Result<ActionReply> act();
+    Result<void> keepHistory();
+    void askAfter();
+    Result<void> prove();
+
+    Channel &m_channel;
+    Device &m_device;
+    const ActionSpec &m_action;
+    const QString m_key;
+    const QVariantMap &m_arguments;
+    const BoardHistory &m_history;
+    const LiveValues &m_live;
+    WholeMemory *m_memory = nullptr;  // of an action that overwrites it
+    Backup m_backup;
+    std::optional<Configuration> m_wanted;  // to be stored
+    std::optional<Configuration> m_usedBefore;  // and to be replaced by what is stored
+    std::optional<bool> m_ranBefore;
+    ActionOutcome m_outcome;
+};
+
+Result<void> SafeAction::backUp()
+{
+    const auto take = [this](Result<Backup> saved) {
+        return std::move(saved).map([this](Backup backup) { m_backup = std::move(backup); });
+    };
+    if (m_memory) {
+        m_outcome.stored.emplace();
+        if (auto saved
+            = take(backUpStored(m_channel, *m_memory, u"before "_s + m_key, m_history, *m_outcome.stored));
+            !saved)
+            return saved;
+        if (m_action.memory == MemoryEffect::Erases)
+            m_outcome.stored.reset();
+    }
+    if (!m_backup) {
+        if (auto saved = take(backupFor(m_channel, m_device, m_action.risk, m_key, m_history, m_live));
+            !saved)
+            return saved;
+    }
+    if (!m_backup)
+        return {};
+    m_outcome.snapshotPath = m_backup->snapshotPath;
+    m_backup->isUnstored = m_action.memory == MemoryEffect::ChangesInUse;
+    m_backup->isStoreUntold = m_action.memory == MemoryEffect::Stores && !m_memory;
+    return {};
+}
+
+// What is in use, whoever has put it there, and whether motors run.
+Result<void> SafeAction::askBefore()
+{
+    if (m_memory && m_action.memory == MemoryEffect::Stores) {
+        auto inUse = m_device.readConfiguration(m_channel);
+        if (!inUse)
+            return tl::unexpected(inUse.error());
+        m_wanted = *std::move(inUse);
+    }
+    if (m_action.memory == MemoryEffect::Reloads && m_device.wholeMemory()) {
+        if (auto inUse = m_device.readConfiguration(m_channel))
+            m_usedBefore = *std::move(inUse);
+    }
+    if (m_action.risk != ActionRisk::Safe && !m_action.switchesMotors)
+        m_ranBefore = askMotors(m_channel, m_device);
+    return {};
+}
+
+Result<ActionReply> SafeAction::act()
+{
+    if (m_action.silence > 0ms)
+        m_channel.expectSilence(m_action.silence);
+    Result<ActionReply> reply = failure(ErrorCode::Unsupported);
+    const auto perform = [&] {
+        reply = m_device.perform(m_channel, m_key, m_arguments);
+        return reply.has_value();
+    };
+    // A board that tunes itself changes values as well as an operator does.
+    if (LiveAccess *access
+        = m_action.isProcedure && m_action.risk == ActionRisk::Writes ? m_device.live() : nullptr)
+        access->noteChangesBy(m_channel, perform);
+    else
+        perform();
+    if (!reply && !isLinkLoss(reply.error()) && reply.error().code != ErrorCode::Cancelled) {
+        if (const auto run = findMotorsChanged(m_channel, m_device, m_ranBefore))
+            addDetail(reply.error().detail, motorsChangedText(*run));
+    }
+    return reply;
+}
+
+// A board without a serial number that was renamed here keeps its history.
+Result<void> SafeAction::keepHistory()
+{
+    const QString look = m_outcome.reply.take(BoardHistory::kLook).toString();
+    if (look.isEmpty())
+        return {};
+    return m_history.follow(m_device.identity(), look, m_outcome.reply.value(u"name"_s).toString());
+}
+
+void SafeAction::askAfter()
+{
+    // A calibration whose confirmation never came says so itself.
+    m_outcome.answered
+        = m_action.answered && m_action.isShown && m_outcome.reply.value(u"confirmed"_s, true).toBool();
+    // So does one by hand.
+    if (!m_action.letsGo && !m_outcome.reply.contains(u"motors_switched_off"_s))
+        m_outcome.motorsNow = findMotorsChanged(m_channel, m_device, m_ranBefore);
+    if (m_usedBefore)
+        m_outcome.lost = changedSince(m_channel, m_device, *m_usedBefore);
+}
+
+// An acknowledgement proves nothing: the board is asked what it has stored.
+Result<void> SafeAction::prove()
+{
+    if (m_action.memory == MemoryEffect::Stores && !m_memory && m_backup) {
+        if (const auto stored = checkActiveStored(m_channel, m_device, m_backup->before); !stored)
+            return tl::unexpected(withKnown(stored.error(), *m_backup));
+    }
+    if (!m_wanted)
+        return {};
+    const auto proven = proveStored(m_channel, *m_memory, *m_wanted, m_backup, m_outcome);
+    if (proven)
+        return {};
+    return tl::unexpected(m_backup->now
+                              ? withKnown(proven.error(), *m_backup)
+                              : withAftermath(proven.error(), m_channel, m_device, *m_backup, m_live));
+}
+
 }  // namespace
 
 int channelOf(Condition condition, const ChannelRoles &roles)
@@ -244,91 +410,7 @@ Result<ActionOutcome> performSafely(Channel &channel, Device &device, const QStr
         if (const auto met = checkCondition(condition, device, latest, channel.now()); !met)
             return tl::unexpected(met.error());
     }
-    ActionOutcome outcome;
-    const bool isOverwriting = action.memory == MemoryEffect::Stores || action.memory == MemoryEffect::Erases;
-    WholeMemory *memory = isOverwriting && device.identity().writable ? device.wholeMemory() : nullptr;
-    Backup backup;
-    if (memory) {
-        outcome.stored.emplace();
-        auto saved = backUpStored(channel, *memory, u"before "_s + key, history, *outcome.stored);
-        if (!saved)
-            return tl::unexpected(saved.error());
-        backup = *std::move(saved);
-        if (action.memory == MemoryEffect::Erases)
-            outcome.stored.reset();
-    }
-    if (!backup) {
-        auto saved = backupFor(channel, device, action.risk, key, history, live);
-        if (!saved)
-            return tl::unexpected(saved.error());
-        backup = *std::move(saved);
-    }
-    if (backup) {
-        outcome.snapshotPath = backup->snapshotPath;
-        backup->isUnstored = action.memory == MemoryEffect::ChangesInUse;
-        backup->isStoreUntold = action.memory == MemoryEffect::Stores && !memory;
-    }
-    std::optional<Configuration> wanted;
-    if (memory && action.memory == MemoryEffect::Stores) {
-        auto inUse = device.readConfiguration(channel);
-        if (!inUse)
-            return tl::unexpected(inUse.error());
-        wanted = *std::move(inUse);
-    }
-    // Whoever has put it into use.
-    const bool isReloading = action.memory == MemoryEffect::Reloads && device.wholeMemory();
-    const auto usedBefore = isReloading ? device.readConfiguration(channel) : failure(ErrorCode::Unsupported);
-    if (action.silence > 0ms)
-        channel.expectSilence(action.silence);
-    const bool isWatched = action.risk != ActionRisk::Safe && !action.switchesMotors;
-    const auto ranBefore = isWatched ? askMotors(channel, device) : std::nullopt;
-    Result<ActionReply> reply = failure(ErrorCode::Unsupported);
-    const auto perform = [&] {
-        reply = device.perform(channel, key, arguments);
-        return reply.has_value();
-    };
-    // A board that tunes itself changes values as well as an operator does.
-    if (LiveAccess *access
-        = action.isProcedure && action.risk == ActionRisk::Writes ? device.live() : nullptr)
-        access->noteChangesBy(channel, perform);
-    else
-        perform();
-    if (!reply && !isLinkLoss(reply.error()) && reply.error().code != ErrorCode::Cancelled) {
-        if (const auto run = findMotorsChanged(channel, device, ranBefore))
-            reply.error().detail
-                += (reply.error().detail.isEmpty() ? QString() : u"; "_s) + motorsChangedText(*run);
-    }
-    if (!reply && backup && !isOwn(reply.error()))
-        return tl::unexpected(withAftermath(reply.error(), channel, device, *backup, live));
-    if (!reply)
-        return tl::unexpected(reply.error());
-    outcome.reply = std::move(*reply);
-    // A board without a serial number that was renamed here keeps its history.
-    if (const QString look = outcome.reply.take(BoardHistory::kLook).toString(); !look.isEmpty()) {
-        if (const auto kept
-            = history.follow(device.identity(), look, outcome.reply.value(u"name"_s).toString());
-            !kept)
-            return tl::unexpected(kept.error());
-    }
-    // A calibration whose confirmation never came says so itself.
-    outcome.answered
-        = action.answered && action.isShown && outcome.reply.value(u"confirmed"_s, true).toBool();
-    // A calibration by hand says so itself.
-    if (!action.letsGo && !outcome.reply.contains(u"motors_switched_off"_s))
-        outcome.motorsNow = findMotorsChanged(channel, device, ranBefore);
-    if (usedBefore)
-        outcome.lost = changedSince(channel, device, *usedBefore);
-    if (action.memory == MemoryEffect::Stores && !memory && backup) {
-        if (const auto stored = checkActiveStored(channel, device, backup->before); !stored)
-            return tl::unexpected(withKnown(stored.error(), *backup));
-    }
-    if (wanted) {
-        if (const auto proven = proveStored(channel, *memory, *wanted, backup, outcome); !proven)
-            return tl::unexpected(backup->now
-                                      ? withKnown(proven.error(), *backup)
-                                      : withAftermath(proven.error(), channel, device, *backup, live));
-    }
-    return outcome;
+    return SafeAction(channel, device, action, arguments, history, live).perform();
 }
 
 Result<bool> sendRaw(Channel &channel, Device &device, const RawCommand &command, const BoardHistory &history,

@@ -112,8 +112,7 @@ void Writer::finishReport(const Error &error)
     // The link went while it was taken back: what the board holds is read when it answers again.
     if (m_gone && !isLinkGone(error)) {
         m_report.error = m_gone;
-        m_report.error->detail
-            = (m_gone->detail.isEmpty() ? QString() : m_gone->detail + u"; "_s) + error.detail;
+        addDetail(m_report.error->detail, error.detail);
     }
     if (m_whole.isUntellable()) {
         Configuration inUse = m_base;

@@ -172,11 +172,10 @@ Result<void> Device::stopMotors(Channel &channel)
         if (spec.row->block == Parameters && word < before.size())
             values.append(u"%1=%2"_s.arg(spec.key, spec.format(before[word])));
     }
-    if (!done.error().detail.isEmpty())
-        done.error().detail += u"; "_s;
-    done.error().detail
-        += u"the motors are disabled in volatile memory; in use before: %1. Restart the board, or set these "
-           "again, to use the motors, and store nothing before"_s.arg(values.join(u' '));
+    addDetail(
+        done.error().detail,
+        u"the motors are disabled in volatile memory; in use before: %1. Restart the board, or set these "
+        "again, to use the motors, and store nothing before"_s.arg(values.join(u' ')));
     return done;
 }
 

@@ -9,6 +9,7 @@
 #include "protocol/simulator/simplebgc/board.h"
 #include "protocol/simulator/storm32/board.h"
 #include "tests/support/named.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/reviewdialog.h"
@@ -72,7 +73,7 @@ private:
     bool setLive(const QString &key, double raw)
     {
         live().setValue(m_rig->spec(key).id, raw);
-        return QTest::qWaitFor([this] { return live().isSettled(); }, 5000);
+        return QTest::qWaitFor([this] { return live().isSettled(); }, kPatience);
     }
     bool write(OtherValues others = OtherValues::Keep)
     {
@@ -83,7 +84,7 @@ private:
             return false;
         review->othersChoice()->setCurrentIndex(review->othersChoice()->findData(int(others)));
         review->accept();
-        return QTest::qWaitFor([&finished] { return finished.count() == 1; }, 20000)
+        return QTest::qWaitFor([&finished] { return finished.count() == 1; }, kPatience)
             && m_rig->workspace().lastReport()->isComplete();
     }
     bool act(const QString &key, const QVariantMap &arguments = {})
@@ -93,15 +94,15 @@ private:
             .perform(key, arguments)
             .then(&m_rig->window(),
                   [done](const Result<ActionOutcome> &outcome) { *done = outcome.has_value(); });
-        return QTest::qWaitFor([done] { return done->has_value(); }, 15000) && **done;
+        return QTest::qWaitFor([done] { return done->has_value(); }, kPatience) && **done;
     }
     bool reconnect()
     {
         m_rig->client().disconnectFromBoard();
-        if (!QTest::qWaitFor([this] { return !m_rig->client().isConnected(); }, 5000))
+        if (!QTest::qWaitFor([this] { return !m_rig->client().isConnected(); }, kPatience))
             return false;
         m_rig->window().openLink(m_host->address());
-        return QTest::qWaitFor([this] { return m_rig->client().isConnected(); }, 15000);
+        return QTest::qWaitFor([this] { return m_rig->client().isConnected(); }, kPatience);
     }
 
     std::unique_ptr<TcpHost> m_host;
@@ -286,7 +287,7 @@ void TestAgreement::storm_data()
 void TestAgreement::agreeAfterEach()
 {
     QFETCH(QStringList, operations);
-    QTRY_COMPARE_WITH_TIMEOUT(disagreement(), QString(), 10000);
+    QTRY_COMPARE(disagreement(), QString());
     for (const QString &operation : operations) {
         perform(operation);
         if (QTest::currentTestFailed())
@@ -294,7 +295,7 @@ void TestAgreement::agreeAfterEach()
         // What an operation leads to may itself ask the board again.
         for (int round = 0; round < 3; ++round)
             QVERIFY(m_rig->jobsAreDone());
-        QTRY_COMPARE_WITH_TIMEOUT(operation + u' ' + disagreement(), operation + u' ', 10000);
+        QTRY_COMPARE(operation + u' ' + disagreement(), operation + u' ');
     }
 }
 
@@ -363,7 +364,7 @@ void TestAgreement::stormReviewOffersEveryWay()
     QFETCH(int, inUse);
     QFETCH(int, stored);
     QVERIFY(openStorm());
-    QTRY_COMPARE_WITH_TIMEOUT(disagreement(), QString(), 10000);
+    QTRY_COMPARE(disagreement(), QString());
     perform(u"edit"_s);
     m_rig->window().review();
     QVERIFY(!m_rig->window().reviewDialog()->othersChoice()->isVisible());  // nothing else is in use
@@ -375,7 +376,7 @@ void TestAgreement::stormReviewOffersEveryWay()
     m_rig->window().reviewDialog()->reject();
     QTRY_VERIFY(!m_rig->window().reviewDialog());
     QVERIFY(write(OtherValues(others)));
-    QTRY_COMPARE_WITH_TIMEOUT(disagreement(), QString(), 10000);
+    QTRY_COMPARE(disagreement(), QString());
     QCOMPARE(storm32Board().inUse(6), inUse);
     QCOMPARE(storm32Board().stored(6), stored);
     QCOMPARE(storm32Board().stored(0), 47);
@@ -406,7 +407,7 @@ void TestAgreement::stormSetBeforeTheLink()
         perform(u"edit"_s);
         QVERIFY(write());
     }
-    QTRY_COMPARE_WITH_TIMEOUT(disagreement(), QString(), 10000);
+    QTRY_COMPARE(disagreement(), QString());
     QVERIFY(!page->stateText().contains(u"not known"_s));
     QVERIFY2(page->stateText().contains(u"1 value"_s), qPrintable(page->stateText()));
     QCOMPARE(storm32Board().inUse(6), 450);
@@ -435,16 +436,16 @@ void TestAgreement::storingListsWhatElseIsInUse()
         return done;
     };
     auto done = store();
-    QTRY_VERIFY_WITH_TIMEOUT(review(), 10000);
+    QTRY_VERIFY(review());
     QCOMPARE(review()->table()->model()->rowCount(), 2);
     review()->reject();
     QTRY_VERIFY(*done == false && !review());
     QCOMPARE(storm32Board().stored(6), 400);
     // Shown as in use and not stored since: but another program sets one more.
-    QTRY_COMPARE_WITH_TIMEOUT(disagreement(), QString(), 10000);
+    QTRY_COMPARE(disagreement(), QString());
     storm32Board().set(0, 555);
     done = store();
-    QTRY_VERIFY_WITH_TIMEOUT(review(), 10000);
+    QTRY_VERIFY(review());
     QAbstractItemModel *model = review()->table()->model();
     QCOMPARE(model->rowCount(), 3);
     for (int row = 0; row < model->rowCount(); ++row) {
@@ -452,15 +453,15 @@ void TestAgreement::storingListsWhatElseIsInUse()
             QVERIFY(model->setData(model->index(row, 0), Qt::Unchecked, Qt::CheckStateRole));
     }
     review()->accept();
-    QTRY_VERIFY_WITH_TIMEOUT(*done == true, 20000);
-    QTRY_COMPARE_WITH_TIMEOUT(disagreement(), QString(), 10000);
+    QTRY_VERIFY(*done == true);
+    QTRY_COMPARE(disagreement(), QString());
     QCOMPARE(storm32Board().stored(0), 555);
     QCOMPARE(storm32Board().stored(6), 450);
     QCOMPARE(storm32Board().stored(12), 400);
     QCOMPARE(storm32Board().inUse(12), 500);
     // What is shown is stored without a question.
     done = store();
-    QTRY_VERIFY_WITH_TIMEOUT(*done == true, 20000);
+    QTRY_VERIFY(*done == true);
     QCOMPARE(storm32Board().stored(12), 500);
 }
 

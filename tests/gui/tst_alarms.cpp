@@ -8,6 +8,7 @@
 #include "app/pages/tune/tuningpage.h"
 #include "app/pages/watch/alarmcard.h"
 #include "app/pages/watch/dashboardpage.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/panel.h"
 #include "widgets/models/alarmtext.h"
@@ -128,7 +129,7 @@ void TestAlarms::runawayIsSeenAndAcknowledged()
     QVERIFY(m_rig->boardGoesOn(1.5));
     QVERIFY(bar()->isHidden());
     m_rig->workspace().changeWorld(u"swapped-axes=1"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(bar()->isVisible(), 5000);
+    QTRY_VERIFY(bar()->isVisible());
     QVERIFY2(bar()->text().contains(u"axes are swapped"_s), qPrintable(bar()->text()));
     QTRY_VERIFY2(bar()->text().contains(u"The motors were switched off"_s), qPrintable(bar()->text()));
     QCOMPARE(bar()->property("severe").toBool(), true);
@@ -156,12 +157,12 @@ void TestAlarms::changeThatOscillatesGoesBackOnScreen()
     QTRY_VERIFY(live.value(gain).has_value());
     const double before = *live.value(gain);
     live.setValue(gain, 255);
-    QTRY_VERIFY_WITH_TIMEOUT(bar()->isVisible() && bar()->text().contains(u"was reverted"_s), 6000);
+    QTRY_VERIFY(bar()->isVisible() && bar()->text().contains(u"was reverted"_s));
     QVERIFY2(bar()->text().contains(u"255 → 25"_s), qPrintable(bar()->text()));
     // The page shows what the board uses.
     QTRY_COMPARE(*live.value(gain), before);
     QTRY_COMPARE(live.changeCount(), 0);
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->workspace().alarms().all().first().isOver, 5000);
+    QTRY_VERIFY(m_rig->workspace().alarms().all().first().isOver);
 }
 
 void TestAlarms::warningGoesWithItsCause()
@@ -169,11 +170,11 @@ void TestAlarms::warningGoesWithItsCause()
     QVERIFY(m_rig->open(u"sim:simplebgc?seed=53"_s));
     QVERIFY(m_rig->boardGoesOn(1.0));
     m_rig->workspace().changeWorld(u"battery=9.9"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(bar()->isVisible(), 8000);
+    QTRY_VERIFY(bar()->isVisible());
     QCOMPARE(bar()->property("severe").toBool(), false);
     QVERIFY(bar()->text().contains(u"battery"_s));
     m_rig->workspace().changeWorld(u"battery=12.3"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(bar()->isHidden(), 8000);
+    QTRY_VERIFY(bar()->isHidden());
     // But not from the dashboard, until it is acknowledged.
     QCOMPARE(m_rig->workspace().alarms().all().size(), 1);
 }
@@ -182,13 +183,13 @@ void TestAlarms::warningGoesWithItsCause()
 void TestAlarms::warningGoesWithTheLink()
 {
     QVERIFY(m_rig->open(u"sim:simplebgc?fault=battery=9.9"_s));
-    QTRY_VERIFY_WITH_TIMEOUT(!bar()->isHidden(), 15000);
+    QTRY_VERIFY(!bar()->isHidden());
     m_rig->workspace().changeWorld(u"battery=12.6"_s);
     m_rig->workspace().changeWorld(u"replug=1"_s);
     m_rig->workspace().changeWorld(u"unplug=0"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().state() == DeviceClient::State::Reconnecting, 10000);
+    QTRY_VERIFY(m_rig->client().state() == DeviceClient::State::Reconnecting);
     QVERIFY(bar()->isHidden());
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 20000);
+    QTRY_VERIFY(m_rig->client().isConnected());
     QVERIFY(m_rig->boardGoesOn(4.0));
     QVERIFY(bar()->isHidden());
 }
@@ -204,8 +205,7 @@ void TestAlarms::clickMeantForAnotherDoesNothing()
     QVERIFY(bar()->isVisible());
     QTest::mouseClick(bar()->acknowledgeButton(), Qt::LeftButton);
     QVERIFY(bar()->isVisible());
-    QTRY_VERIFY_WITH_TIMEOUT(
-        (QTest::mouseClick(bar()->acknowledgeButton(), Qt::LeftButton), bar()->isHidden()), 5000);
+    QTRY_VERIFY((QTest::mouseClick(bar()->acknowledgeButton(), Qt::LeftButton), bar()->isHidden()));
 }
 
 // Neither when the pointer comes to it, nor when it goes; and a second click in a hurry reaches nothing.
@@ -296,7 +296,7 @@ void TestAlarms::storingAlarmedValuesAsks()
     QTRY_VERIFY(live.isSettled());
     store();
     QVERIFY(!m_rig->window().panels()->isOpen());
-    QTRY_COMPARE_WITH_TIMEOUT(stored, std::optional(true), 30000);
+    QTRY_COMPARE(stored, std::optional(true));
 }
 
 void TestAlarms::sameCauseIsOneCard()
@@ -346,12 +346,11 @@ void TestAlarms::settingsAreKeptAndUsed()
     QVERIFY(m_rig->open(u"sim:simplebgc?seed=56"_s));
     QVERIFY(m_rig->boardGoesOn(1.0));
     m_rig->workspace().changeWorld(u"swapped-axes=1"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(bar()->isVisible(), 5000);
+    QTRY_VERIFY(bar()->isVisible());
     QVERIFY(bar()->remedyButton()->isVisible());
     QVERIFY(m_rig->workspace().motorsRunning().value_or(false));
-    QTRY_VERIFY_WITH_TIMEOUT((QTest::mouseClick(bar()->remedyButton(), Qt::LeftButton),
-                              m_rig->workspace().motorsRunning() == std::optional(false)),
-                             8000);
+    QTRY_VERIFY((QTest::mouseClick(bar()->remedyButton(), Qt::LeftButton),
+                 m_rig->workspace().motorsRunning() == std::optional(false)));
 }
 
 void TestAlarms::settingsByHandAreChecked()

@@ -4,6 +4,7 @@
 #include "app/mainwindow/messagebar.h"
 #include "app/mainwindow/translations.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 
 #include <QLabel>
@@ -76,7 +77,7 @@ void TestBadges::everySourceIsMarkedInEveryWindow()
             if (!m_rig->window().navigation()->isOffered(QLatin1String(entry.key)))
                 continue;
             m_rig->window().showPage(QLatin1String(entry.key));
-            if (!QTest::qWaitFor([this, count] { return badges().size() == count; }, 3000))
+            if (!QTest::qWaitFor([this, count] { return badges().size() == count; }, kPatience))
                 return QLatin1String(entry.key) + u": "_s + badges().join(u", "_s);
         }
         return QString();
@@ -126,9 +127,9 @@ void TestBadges::silenceOfARecordingIsAGap()
     QVERIFY(m_rig->workspace().recorder().start(path));
     QVERIFY(m_rig->boardGoesOn(0.5));
     m_rig->workspace().changeWorld(stop);
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->workspace().freshness().staleSince(), 15000);
+    QTRY_VERIFY(m_rig->workspace().freshness().staleSince());
     m_rig->workspace().changeWorld(goOn);
-    QTRY_VERIFY_WITH_TIMEOUT(!m_rig->workspace().freshness().staleSince(), 15000);
+    QTRY_VERIFY(!m_rig->workspace().freshness().staleSince());
     QVERIFY(m_rig->boardGoesOn(0.5));
     m_rig->workspace().recorder().stop();
     m_rig->client().disconnectFromBoard();
@@ -145,7 +146,7 @@ void TestBadges::silenceOfARecordingIsAGap()
         }
         return found;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(gaps() > 0, 15000);
+    QTRY_VERIFY(gaps() > 0);
 }
 
 QTEST_MAIN(TestBadges)

@@ -4,6 +4,7 @@
 #include "app/pages/board/backupspage.h"
 #include "app/pages/board/boardnamedialog.h"
 #include "tests/support/named.h"
+#include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/panel.h"

@@ -3,6 +3,7 @@
 #include "app/mainwindow/messagebar.h"
 #include "app/pages/watch/dashboardpage.h"
 #include "protocol/base/battery.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/views/axisdial.h"
@@ -188,13 +189,13 @@ void TestDashboard::oneLimitOfTheBattery()
     auto *page = rig.page<DashboardPage>();
     rig.workspace().changeWorld(u"battery=10.0"_s);
     const auto *shown = only<BatteryView>(page);
-    QTRY_COMPARE_WITH_TIMEOUT(shown->state(), BatteryView::State::Low, 10000);
+    QTRY_COMPARE(shown->state(), BatteryView::State::Low);
     const auto alarmed = [&rig] {
         const auto alarms = rig.workspace().alarms().all();
         return std::any_of(alarms.begin(), alarms.end(),
                            [](const AlarmReport &report) { return report.alarm.kind == AlarmKind::Battery; });
     };
-    QTRY_VERIFY_WITH_TIMEOUT(alarmed(), 10000);
+    QTRY_VERIFY(alarmed());
     for (const AlarmReport &report : rig.workspace().alarms().all()) {
         if (report.alarm.kind == AlarmKind::Battery && report.alarm.fault.isEmpty())
             QVERIFY2(shown->thresholdText().contains(numberText(report.alarm.limit, 1)),
@@ -215,9 +216,9 @@ void TestDashboard::frameIsShownWhereItIsMeasured()
     rig.edit(u"imu.frame.position"_s, 0, 2);
     QSignalSpy finished(&rig.workspace(), &Workspace::writeFinished);
     rig.workspace().write(rig.model().edited());
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 15000);
-    QTRY_VERIFY_WITH_TIMEOUT(gimbal->pose().frame, 15000);
-    QTRY_COMPARE_WITH_TIMEOUT(gimbal->pose().running, std::optional(true), 15000);
+    QTRY_COMPARE(finished.count(), 1);
+    QTRY_VERIFY(gimbal->pose().frame);
+    QTRY_COMPARE(gimbal->pose().running, std::optional(true));
     // It costs nothing while it is not seen.
     rig.window().showPage(u"settings"_s);
     const GimbalView::Pose before = gimbal->pose();
@@ -225,7 +226,7 @@ void TestDashboard::frameIsShownWhereItIsMeasured()
     QVERIFY(rig.boardGoesOn(1.5));
     QCOMPARE(gimbal->pose().running, before.running);
     rig.window().showPage(u"dashboard"_s);
-    QTRY_COMPARE_WITH_TIMEOUT(gimbal->pose().running, std::optional(false), 5000);
+    QTRY_COMPARE(gimbal->pose().running, std::optional(false));
 }
 
 void TestDashboard::limitsAndFollowing_data()
@@ -251,14 +252,14 @@ void TestDashboard::limitsAndFollowing()
     const auto shown = [&rig](const QString &key) { return rig.spec(key).toDisplay(rig.raw(key)); };
     const std::pair limits(shown(low), shown(high));
     QVERIFY(limits.first < limits.second);
-    QTRY_COMPARE_WITH_TIMEOUT(dials[1]->limits(), std::optional(limits), 8000);
-    QTRY_COMPARE_WITH_TIMEOUT(dials[2]->follows(), std::optional(yawFollows), 8000);
-    QTRY_COMPARE_WITH_TIMEOUT(dials[0]->follows(), std::optional(false), 8000);
-    QTRY_COMPARE_WITH_TIMEOUT(dials[0]->guideText(), u"holds"_s, 8000);
+    QTRY_COMPARE(dials[1]->limits(), std::optional(limits));
+    QTRY_COMPARE(dials[2]->follows(), std::optional(yawFollows));
+    QTRY_COMPARE(dials[0]->follows(), std::optional(false));
+    QTRY_COMPARE(dials[0]->guideText(), u"holds"_s);
     QVERIFY(dials[0]->accessibleDescription().contains(u"holds"_s));
     // Without its motor it holds nothing.
     rig.client().motorsOff();
-    QTRY_COMPARE_WITH_TIMEOUT(dials[0]->guideText(), u"motor off"_s, 8000);
+    QTRY_COMPARE(dials[0]->guideText(), u"motor off"_s);
 }
 
 void TestDashboard::faultsAreLarge()
@@ -268,7 +269,7 @@ void TestDashboard::faultsAreLarge()
     auto *page = rig.page<DashboardPage>();
     QVERIFY(!page->findChild<QFrame *>(u"fault"_s));
     rig.workspace().changeWorld(u"battery=9.6"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(says(page, u"Battery is empty"_s), 10000);
+    QTRY_VERIFY(says(page, u"Battery is empty"_s));
     for (const QFrame *fault : page->findChildren<QFrame *>(u"fault"_s)) {
         const auto words = fault->findChildren<QLabel *>();
         QCOMPARE(words.size(), 3);  // what, what it means, what to do
@@ -277,7 +278,7 @@ void TestDashboard::faultsAreLarge()
     }
     QCOMPARE(only<BatteryView>(page)->state(), BatteryView::State::Empty);
     rig.workspace().changeWorld(u"battery=12.3"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(!page->findChild<QFrame *>(u"fault"_s), 10000);
+    QTRY_VERIFY(!page->findChild<QFrame *>(u"fault"_s));
 }
 
 void TestDashboard::linkIsShownBothWays()
@@ -292,7 +293,7 @@ void TestDashboard::linkIsShownBothWays()
     }
     QVERIFY(link);
     const auto rates = [link] { return link->text().count(u"kB/s"_s); };
-    QTRY_COMPARE_WITH_TIMEOUT(rates(), 2, 8000);
+    QTRY_COMPARE(rates(), 2);
     // Figures of a link that is gone are gone with it.
     rig.client().disconnectFromBoard();
     QTRY_COMPARE(rates(), 0);

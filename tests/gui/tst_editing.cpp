@@ -10,6 +10,7 @@
 #include "protocol/device/abilities.h"
 #include "tests/support/drawntexts.h"
 #include "tests/support/named.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/liveslider.h"
 #include "widgets/forms/parameterform.h"
@@ -433,7 +434,7 @@ void TestEditing::leftoversOfMissingPartsAreKept()
     QVERIFY(rig.window().messageBar()->text().contains(u"could not be read"_s));
     rig.workspace().changeWorld(u"deaf=-1"_s);
     rig.workspace().readBoard();
-    QTRY_COMPARE_WITH_TIMEOUT(found.count(), 2, 15000);
+    QTRY_COMPARE(found.count(), 2);
     rig.window().offerBar()->buttons().first()->click();
     QCOMPARE(rig.model().changeCount(), 2);
     QCOMPARE(rig.model().value(rig.spec(key), 0).value(), wanted);

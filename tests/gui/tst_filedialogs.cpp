@@ -10,6 +10,7 @@
 #include "app/pages/watch/monitorpage.h"
 #include "app/workspace/filedialogs.h"
 #include "tests/support/named.h"
+#include "tests/support/patience.h"
 #include "tests/support/toyfamily/toycomposition.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/panel.h"
@@ -54,7 +55,7 @@ void exportSnapshot(WindowRig &rig)
     auto *page = rig.page<BackupsPage>();
     rig.workspace().takeSnapshot();
     auto *table = named<QTableWidget>(page, u"Snapshots of this board"_s);
-    if (QTest::qWaitFor([table] { return table->rowCount() > 0; }, 10000))
+    if (QTest::qWaitFor([table] { return table->rowCount() > 0; }, kPatience))
         table->selectRow(0);
     named<QPushButton>(page, u"Export…"_s)->click();
 }
@@ -100,7 +101,8 @@ void saveScript(WindowRig &rig)
 void saveOffline(WindowRig &rig)
 {
     rig.client().disconnectFromBoard();
-    if (QTest::qWaitFor([&rig] { return rig.client().state() == DeviceClient::State::Disconnected; }, 5000))
+    if (QTest::qWaitFor([&rig] { return rig.client().state() == DeviceClient::State::Disconnected; },
+                        kPatience))
         QTest::keyClick(&rig.window(), Qt::Key_S, Qt::ControlModifier);
 }
 
@@ -185,7 +187,7 @@ bool TestFileDialogs::open(const QByteArray &family)
 QFileDialog *TestFileDialogs::dialog()
 {
     const auto active = [] { return qobject_cast<QFileDialog *>(QApplication::activeWindow()); };
-    return QTest::qWaitFor([active] { return active() != nullptr; }, 5000) ? active() : nullptr;
+    return QTest::qWaitFor([active] { return active() != nullptr; }, kPatience) ? active() : nullptr;
 }
 
 // Keys go the way that they take from the window system, which ends at a widget that is disabled.

@@ -12,6 +12,7 @@
 #include "app/workspace/question.h"
 #include "tests/support/measure.h"
 #include "tests/support/named.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/argumentform.h"
 #include "widgets/forms/keyboard.h"
@@ -69,7 +70,7 @@ private:
     bool open(const QString &family)
     {
         return m_rig->open(u"sim:"_s + family)
-            && QTest::qWaitFor([this] { return workspace().motorsRunning().has_value(); }, 15000)
+            && QTest::qWaitFor([this] { return workspace().motorsRunning().has_value(); }, kPatience)
             && m_rig->jobsAreDone() && QTest::qWaitForWindowActive(&window());
     }
     /// What is wrong with where the keyboard is now that nothing moves any more; empty if nothing is.
@@ -127,7 +128,7 @@ void TestFocus::connectingLeadsIntoThePage()
     } else {
         window().openLink(u"sim:"_s + family);
     }
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && !m_rig->model().isEmpty(), 15000);
+    QTRY_VERIFY(m_rig->client().isConnected() && !m_rig->model().isEmpty());
     QVERIFY(m_rig->jobsAreDone());
     VERIFY_FOCUS(way);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
@@ -212,7 +213,7 @@ void TestFocus::writingLeadsBack()
     QTest::mouseClick(window().unsavedBar()->writeButton(), Qt::LeftButton);
     QVERIFY(window().reviewDialog());
     window().reviewDialog()->accept();
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 20000);
+    QTRY_COMPARE(finished.count(), 1);
     VERIFY_FOCUS(u"written"_s);
     const auto *button = qobject_cast<const QAbstractButton *>(QApplication::focusWidget());
     QVERIFY2(!button, qPrintable(button ? button->text() : QString()));
@@ -221,7 +222,7 @@ void TestFocus::writingLeadsBack()
 void TestFocus::measuringLeadsOn()
 {
     QVERIFY(open(u"simplebgc"_s));
-    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning() == true, 8000);
+    QTRY_VERIFY(workspace().motorsRunning() == true);
     auto *page = m_rig->page<ResponsePage>();
     named<QComboBox>(page, u"Axis"_s)->setCurrentIndex(2);
     QVERIFY(measure(*page));
@@ -231,7 +232,7 @@ void TestFocus::measuringLeadsOn()
 void TestFocus::autoTuneLeadsOn()
 {
     QVERIFY(open(u"simplebgc"_s));
-    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning() == true, 8000);
+    QTRY_VERIFY(workspace().motorsRunning() == true);
     auto *page = m_rig->page<AutoTunePage>();
     QTRY_VERIFY(page->startButton()->isEnabled());
     page->form()->setText(u"pitch"_s, u"off"_s);
@@ -251,11 +252,11 @@ void TestFocus::calibrationLeadsOn()
     page->start(CalibrationPage::Kind::Gyroscope);
     VERIFY_FOCUS(u"place"_s);
     workspace().changeWorld(u"pose=1"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(page->isSatisfied() && page->continueButton()->isEnabled(), 10000);
+    QTRY_VERIFY(page->isSatisfied() && page->continueButton()->isEnabled());
     QTest::keyClick(page->continueButton(), Qt::Key_Return);
     QCOMPARE(page->step(), CalibrationPage::Step::Measure);
     VERIFY_FOCUS(u"measure"_s);
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), CalibrationPage::Step::Result, 40000);
+    QTRY_COMPARE(page->step(), CalibrationPage::Step::Result);
     VERIFY_FOCUS(u"result"_s);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
     QCOMPARE(page->step(), CalibrationPage::Step::Choose);
@@ -272,18 +273,18 @@ void TestFocus::setupLeadsOn()
         page->box(task)->setChecked(false);
     page->continueButton()->setFocus();
     QTest::keyClick(page->continueButton(), Qt::Key_Return);
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SetupPage::Step::Poles, 8000);
+    QTRY_COMPARE(page->step(), SetupPage::Step::Poles);
     VERIFY_FOCUS(u"poles"_s);
     QTest::keyClick(page->continueButton(), Qt::Key_Space);
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SetupPage::Step::AskStart, 8000);
+    QTRY_COMPARE(page->step(), SetupPage::Step::AskStart);
     VERIFY_FOCUS(u"before the start"_s);
     QVERIFY(QApplication::focusWidget() != page->continueButton());
     page->continueButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SetupPage::Step::AskFinish, 40000);
+    QTRY_COMPARE(page->step(), SetupPage::Step::AskFinish);
     VERIFY_FOCUS(u"before the end"_s);
     QVERIFY(QApplication::focusWidget() != page->continueButton());
     page->continueButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SetupPage::Step::Done, 40000);
+    QTRY_COMPARE(page->step(), SetupPage::Step::Done);
     QVERIFY(m_rig->jobsAreDone());
     VERIFY_FOCUS(u"done"_s);
     QVERIFY(QApplication::focusWidget() != page->continueButton());
@@ -305,7 +306,7 @@ void TestFocus::sensorResultStoresNothing()
     QVERIFY(QApplication::focusWidget() != page->storeButton());
     page->storeButton()->setFocus();
     QTest::keyClick(page->storeButton(), Qt::Key_Return);
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SensorPage::Step::Choose, 10000);
+    QTRY_COMPARE(page->step(), SensorPage::Step::Choose);
     VERIFY_FOCUS(u"stored"_s);
 }
 

@@ -6,6 +6,7 @@
 #include "app/pages/board/functionscard.h"
 #include "app/pages/setup/parameterspage.h"
 #include "app/pages/tune/tuningpage.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/argumentform.h"
 #include "widgets/forms/flagsbutton.h"
@@ -424,8 +425,8 @@ void TestForms::repliesHaveUnits()
     auto *page = m_rig->page<ActionsPage>();
     QVERIFY(page->showAction(action));
     QTest::mouseClick(page->runButton(), Qt::LeftButton);
-    QTRY_VERIFY2_WITH_TIMEOUT(page->reply()->toPlainText().contains(QRegularExpression(pattern)),
-                              qPrintable(page->reply()->toPlainText()), 5000);
+    QTRY_VERIFY2(page->reply()->toPlainText().contains(QRegularExpression(pattern)),
+                 qPrintable(page->reply()->toPlainText()));
 }
 
 void TestForms::autoTuneSaysWhatItsColumnsAre()

@@ -5,6 +5,7 @@
 #include "app/mainwindow/messagebar.h"
 #include "app/mainwindow/startpage.h"
 #include "app/mainwindow/translations.h"
+#include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/panel.h"
@@ -119,7 +120,7 @@ private:
     }
     bool motorsAre(bool running)
     {
-        return QTest::qWaitFor([&] { return workspace().motorsRunning() == running; }, 15000);
+        return QTest::qWaitFor([&] { return workspace().motorsRunning() == running; }, kPatience);
     }
     bool canStart() { return motors()->isEnabled() && motors()->text().startsWith(u'▶'); }
     bool answer(const QString &text)
@@ -205,7 +206,7 @@ void TestFrame::nothingMoves()
         LiveModel &live = workspace().live();
         const int id = m_rig->spec(u"pid.yaw.p"_s).id;
         live.read();
-        QTRY_VERIFY_WITH_TIMEOUT(live.value(id), 8000);
+        QTRY_VERIFY(live.value(id));
         live.setValue(id, *live.value(id) + 1);
         QTRY_VERIFY(window().findChild<UnstoredBar *>()->isVisible());
     });
@@ -231,7 +232,7 @@ void TestFrame::barsFitSideBySide()
     LiveModel &live = workspace().live();
     const int id = m_rig->spec(u"pid.yaw.p"_s).id;
     live.read();
-    QTRY_VERIFY_WITH_TIMEOUT(live.value(id), 8000);
+    QTRY_VERIFY(live.value(id));
     live.setValue(id, *live.value(id) + 1);
     auto *unstored = window().findChild<UnstoredBar *>();
     QTRY_VERIFY(unstored->isVisible() && window().unsavedBar()->isVisible());
@@ -360,7 +361,7 @@ void TestFrame::startingTheMotorsAsks()
     QTest::mouseClick(motors(), Qt::LeftButton);
     QVERIFY(!window().panels()->isOpen());  // a stop never asks
     QVERIFY(motorsAre(false));
-    QTRY_VERIFY_WITH_TIMEOUT(canStart(), 5000);
+    QTRY_VERIFY(canStart());
     QTest::mouseClick(motors(), Qt::LeftButton);
     QVERIFY(question());
     QVERIFY(m_rig->boardGoesOn(1.0));
@@ -378,7 +379,7 @@ void TestFrame::startingTheMotorsAsks()
     // What was asked belongs to this link.
     QTest::mouseClick(motors(), Qt::LeftButton);
     QVERIFY(motorsAre(false));
-    QTRY_VERIFY_WITH_TIMEOUT(canStart(), 5000);
+    QTRY_VERIFY(canStart());
     QTest::mouseClick(motors(), Qt::LeftButton);
     QVERIFY(question());
     m_rig->client().disconnectFromBoard();
@@ -405,13 +406,13 @@ void TestFrame::switchingTheProfileAsks()
     QCOMPARE(active(), 0);
     choose();
     QVERIFY(answer(u"Switch profile"_s));
-    QTRY_COMPARE_WITH_TIMEOUT(active(), 1, 10000);
+    QTRY_COMPARE(active(), 1);
     QCOMPARE(box->currentIndex(), 1);
     workspace().setMotors(false);
     QVERIFY(motorsAre(false));
     choose();
     QVERIFY(!window().panels()->isOpen());
-    QTRY_COMPARE_WITH_TIMEOUT(active(), 2, 10000);
+    QTRY_COMPARE(active(), 2);
 }
 
 // In words that are no states.
@@ -421,7 +422,7 @@ void TestFrame::motorsButtonSaysWhatItDoes()
     QVERIFY(motorsAre(true));
     QTRY_COMPARE(motors()->text(), u"■ STOP MOTORS"_s);
     workspace().setMotors(false);
-    QTRY_COMPARE_WITH_TIMEOUT(motors()->text(), u"▶ Start motors"_s, 8000);
+    QTRY_COMPARE(motors()->text(), u"▶ Start motors"_s);
 }
 
 void TestFrame::motorsButtonNeverGives()
@@ -486,7 +487,7 @@ void TestFrame::recordingIsMarked()
     m_rig->client().disconnectFromBoard();
     QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
     window().openFile(path);
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 10000);
+    QTRY_VERIFY(m_rig->client().isConnected());
     QCOMPARE(badges(), QStringList{u"REPLAY"_s});
 }
 
@@ -531,7 +532,7 @@ void TestFrame::lastAddressIsOffered()
     }
     QVERIFY(lately && lately->isVisible());
     lately->click();
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 15000);
+    QTRY_VERIFY(m_rig->client().isConnected());
 }
 
 void TestFrame::latelyOpenedIsOffered()
@@ -558,9 +559,9 @@ void TestFrame::valuesInUseAskBeforeQuitting()
     const int id = m_rig->spec(u"pid.yaw.p"_s).id;
     QTRY_VERIFY(!live.parameters().isEmpty());
     live.read();
-    QTRY_VERIFY_WITH_TIMEOUT(live.value(id), 8000);
+    QTRY_VERIFY(live.value(id));
     live.setValue(id, *live.value(id) + 1);
-    QTRY_COMPARE_WITH_TIMEOUT(live.changeCount(), 1, 8000);
+    QTRY_COMPARE(live.changeCount(), 1);
     QVERIFY(!workspace().isUnstored());
     window().close();
     QVERIFY(window().isVisible());
@@ -594,7 +595,7 @@ void TestFrame::problemsGoWithTheirCause()
     told.reportMotorsMayRun(u"Nobody knows."_s);
     QVERIFY(window().messageBar()->text().contains(u"Hold the camera"_s));
     workspace().setMotors(false);
-    QTRY_VERIFY_WITH_TIMEOUT(!window().messageBar()->text().contains(u"Nobody knows"_s), 8000);
+    QTRY_VERIFY(!window().messageBar()->text().contains(u"Nobody knows"_s));
 }
 
 void TestFrame::readingProblemGoesWithAGoodRead()
@@ -602,16 +603,16 @@ void TestFrame::readingProblemGoesWithAGoodRead()
     const auto told
         = [this] { return window().messageBar()->isVisible() ? window().messageBar()->text() : QString(); };
     QVERIFY(m_rig->open(kDemo + u"?fault=deaf%3D62"_s));  // READ_PARAMS_EXT2
-    QTRY_VERIFY_WITH_TIMEOUT(told().contains(u"PARAMS_EXT2"_s), 15000);
+    QTRY_VERIFY(told().contains(u"PARAMS_EXT2"_s));
     workspace().changeWorld(u"deaf=-1"_s);
     QSignalSpy read(&workspace(), &Workspace::boardRead);
     workspace().readBoard();
-    QTRY_COMPARE_WITH_TIMEOUT(read.count(), 1, 20000);
+    QTRY_COMPARE(read.count(), 1);
     QCOMPARE(told(), QString());
     // And with the link.
     workspace().changeWorld(u"deaf=62"_s);
     workspace().readBoard();
-    QTRY_VERIFY_WITH_TIMEOUT(told().contains(u"PARAMS_EXT2"_s), 20000);
+    QTRY_VERIFY(told().contains(u"PARAMS_EXT2"_s));
     m_rig->client().disconnectFromBoard();
     QTRY_COMPARE(told(), QString());
 }

@@ -9,6 +9,7 @@
 #include "app/pages/board/sharedialog.h"
 #include "app/pages/setup/scriptspage.h"
 #include "tests/support/named.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/argumentform.h"
 #include "widgets/forms/panel.h"
@@ -114,20 +115,20 @@ void TestGuards::aSwitchLosesNoValueUnasked()
     QCOMPARE(workspace().live().changeCount(), 1);
     QVERIFY(choose(1));
     QVERIFY(press(u"Store, then go on"_s));
-    QTRY_COMPARE_WITH_TIMEOUT(active(), 1, 10000);
+    QTRY_COMPARE(active(), 1);
     // It was stored, so nothing is lost on the way back, and nothing is asked.
     QVERIFY(m_rig->jobsAreDone());
     QVERIFY(!choose(0));
-    QTRY_COMPARE_WITH_TIMEOUT(active(), 0, 10000);
+    QTRY_COMPARE(active(), 0);
     QTRY_VERIFY(workspace().live().value(p) && *workspace().live().value(p) == 62);
     workspace().live().setValue(p, 63);
     QTRY_VERIFY(workspace().live().isSettled() && workspace().live().changeCount() == 1);
     QVERIFY(choose(1));
     QVERIFY(press(u"Switch profile without storing"_s));
-    QTRY_COMPARE_WITH_TIMEOUT(active(), 1, 10000);
+    QTRY_COMPARE(active(), 1);
     QVERIFY(m_rig->jobsAreDone());
     QVERIFY(!choose(0));
-    QTRY_COMPARE_WITH_TIMEOUT(active(), 0, 10000);
+    QTRY_COMPARE(active(), 0);
     QTRY_VERIFY(workspace().live().value(p) && *workspace().live().value(p) == 62);
 }
 
@@ -214,7 +215,7 @@ void TestGuards::backupsCompareWithTheBoard()
     m_rig->edit(u"pid.roll.p"_s, 0, 44);
     QSignalSpy finished(&workspace(), &Workspace::writeFinished);
     workspace().write(m_rig->model().edited());
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 20000);
+    QTRY_COMPARE(finished.count(), 1);
     QTRY_VERIFY(page->table()->rowCount() > 0);
     page->table()->selectRow(page->table()->rowCount() - 1);
     const auto *differences = named<QTableWidget>(page, u"Differences between the snapshot and now"_s);

@@ -6,6 +6,7 @@
 #include "protocol/record/recordedboard.h"
 #include "protocol/simplebgc/commands.h"
 #include "protocol/telemetry/telemetryplan.h"
+#include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
 #include "widgets/models/changemodel.h"
@@ -106,7 +107,7 @@ private:
         if (!m_rig->open(u"serial:%1?family=simplebgc"_s.arg(port)) || !m_rig->jobsAreDone())
             return false;
         const int gain = m_rig->spec(u"pid.roll.p"_s).id;
-        return QTest::qWaitFor([&] { return workspace().live().value(gain).has_value(); }, 5000);
+        return QTest::qWaitFor([&] { return workspace().live().value(gain).has_value(); }, kPatience);
     }
     void listen()
     {
@@ -134,12 +135,12 @@ private:
         workspace().perform(key, *arguments).then(this, [&outcome](const Result<ActionOutcome> &result) {
             outcome = result;
         });
-        const bool runs = QTest::qWaitFor([&] { return goesOn || outcome.has_value(); }, 20000);
+        const bool runs = QTest::qWaitFor([&] { return goesOn || outcome.has_value(); }, kPatience);
         disconnect(watched);
         m_told.clear();
         if (runs)
             workspace().changeWorld(loss == Loss::Cable ? u"unplug=0"_s : u"reset=0"_s);
-        if (!QTest::qWaitFor([&outcome] { return outcome.has_value(); }, 30000))
+        if (!QTest::qWaitFor([&outcome] { return outcome.has_value(); }, kPatience))
             qFatal("no result");
         return *outcome;
     }
@@ -181,7 +182,7 @@ void TestInterrupted::anActionIsToldAsItIs()
     QVERIFY2(told().contains(outcome.error().after->snapshotPath), qPrintable(told()));
     QVERIFY2(!told().contains(u"Cancelled."_s), qPrintable(told()));
     QVERIFY2(Loss(loss) == Loss::Cable || !told().contains(u"may go on as before"_s), qPrintable(told()));
-    QTRY_VERIFY2_WITH_TIMEOUT(told().contains(u"The board was read again"_s), qPrintable(told()), 20000);
+    QTRY_VERIFY2(told().contains(u"The board was read again"_s), qPrintable(told()));
     QCOMPARE(told().contains(u"Whether sensors were calibrated cannot be seen from that."_s), isBlind);
     // What was not known before is not said any more.
     QVERIFY(!m_rig->window().messageBar()->text().contains(u"could not be read"_s));
@@ -206,7 +207,7 @@ void TestInterrupted::motorsThatRunAgainAreToldOf()
     QFETCH(bool, restarts);
     QFETCH(bool, wereOff);
     QVERIFY(m_rig->open(address));
-    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning() == true && !workspace().isStarting(), 30000);
+    QTRY_VERIFY(workspace().motorsRunning() == true && !workspace().isStarting());
     LiveModel &live = workspace().live();
     const int gain = m_rig->spec(u"pid.roll.p"_s).id;
     QTRY_VERIFY(live.value(gain));
@@ -214,21 +215,21 @@ void TestInterrupted::motorsThatRunAgainAreToldOf()
     QTRY_VERIFY(live.isSettled() && live.changeCount() == 1);
     if (wereOff) {
         workspace().setMotors(false);
-        QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning() == false && !workspace().isStarting(), 10000);
+        QTRY_VERIFY(workspace().motorsRunning() == false && !workspace().isStarting());
         QVERIFY(m_rig->boardGoesOn(0.5));
     }
     m_told.clear();
     const QSignalSpy lost(&client(), &DeviceClient::connectionLost);  // a new link may be there at once
     workspace().changeWorld(restarts ? u"reset=0"_s : u"unplug=0"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(!lost.isEmpty(), 15000);
-    QTRY_VERIFY_WITH_TIMEOUT(client().isConnected(), 15000);
-    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(restarts || !wereOff), 30000);
+    QTRY_VERIFY(!lost.isEmpty());
+    QTRY_VERIFY(client().isConnected());
+    QTRY_COMPARE(workspace().motorsRunning(), std::optional(restarts || !wereOff));
     QVERIFY(m_rig->jobsAreDone());
     if (client().loss() == DeviceClient::Loss::Link)
         QVERIFY2(told().contains(u"What the board does now is not known"_s), qPrintable(told()));
     const QString again = u"The motors run again."_s;
     if (restarts && wereOff)
-        QTRY_VERIFY2_WITH_TIMEOUT(told().contains(again), qPrintable(told()), 30000);
+        QTRY_VERIFY2(told().contains(again), qPrintable(told()));
     QVERIFY(m_rig->boardGoesOn(1.0));
     QCOMPARE(told().contains(again), restarts && wereOff);
     QCOMPARE(told().count(again), restarts && wereOff ? 1 : 0);
@@ -238,7 +239,7 @@ void TestInterrupted::motorsThatRunAgainAreToldOf()
     QVERIFY2(!told().contains(u"differ"_s), qPrintable(told()));
     QTRY_COMPARE(live.changeCount(), restarts ? 0 : 1);
     workspace().setMotors(false);
-    QTRY_VERIFY_WITH_TIMEOUT(!m_rig->window().messageBar()->text().contains(again), 15000);
+    QTRY_VERIFY(!m_rig->window().messageBar()->text().contains(again));
 }
 
 // The board was to be read before, for the snapshot.
@@ -251,7 +252,7 @@ void TestInterrupted::whatHadNotBegunIsToldSo()
         .perform(u"calibrate.battery"_s, {{u"voltage"_s, 12.0}})
         .then(this, [&outcome](const Result<ActionOutcome> &result) { outcome = result; });
     workspace().changeWorld(u"unplug=0"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(outcome, 20000);
+    QTRY_VERIFY(outcome);
     QVERIFY(!*outcome && !outcome->error().after);
     QVERIFY2(told().contains(u"It had not begun: nothing was changed."_s), qPrintable(told()));
 }
@@ -260,7 +261,7 @@ void TestInterrupted::whatHadNotBegunIsToldSo()
 void TestInterrupted::whatIsStoredIsRead()
 {
     QVERIFY(m_rig->open(u"sim:storm32?fault=replug=2"_s));
-    QTRY_VERIFY_WITH_TIMEOUT(!workspace().isStarting(), 30000);
+    QTRY_VERIFY(!workspace().isStarting());
     QVERIFY(m_rig->jobsAreDone());
     LiveModel &live = workspace().live();
     const int gain = m_rig->spec(u"pid.pitch.p"_s).id;
@@ -272,16 +273,16 @@ void TestInterrupted::whatIsStoredIsRead()
     workspace().perform(u"store"_s, {}).then(this, [&outcome](const Result<ActionOutcome> &result) {
         outcome = result;
     });
-    QTRY_VERIFY_WITH_TIMEOUT(watch.isSent, 20000);
+    QTRY_VERIFY(watch.isSent);
     m_told.clear();
     workspace().changeWorld(u"unplug=0"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(outcome, 20000);
+    QTRY_VERIFY(outcome);
     client().removeListener(watch);
     QVERIFY(!*outcome && outcome->error().after && !outcome->error().after->isInUse);
     QVERIFY2(told().contains(u"“Store” was interrupted."_s), qPrintable(told()));
-    QTRY_VERIFY2_WITH_TIMEOUT(told().contains(u"1 value(s) are not as they were before"_s)
-                                  || told().contains(u"1 value is not as it was before"_s),
-                              qPrintable(told()), 30000);
+    QTRY_VERIFY2(told().contains(u"1 value(s) are not as they were before"_s)
+                     || told().contains(u"1 value is not as it was before"_s),
+                 qPrintable(told()));
     QVERIFY2(told().contains(u"pid.pitch.p"_s), qPrintable(told()));
 }
 
@@ -303,7 +304,7 @@ void TestInterrupted::aSilentBoardIsReadWhenItAnswers()
     client().addListener(silencer);
     QSignalSpy finished(&workspace(), &Workspace::writeFinished);
     workspace().write(m_rig->model().edited());
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 60000);
+    QTRY_COMPARE(finished.count(), 1);
     QVERIFY(silencer.isSilent);
     QVERIFY(client().isConnected());
     QVERIFY(workspace().lastReport()->hasUnknown());
@@ -315,9 +316,9 @@ void TestInterrupted::aSilentBoardIsReadWhenItAnswers()
     };
     QCOMPARE(shown(), u"not known"_s);
     silencer.goOn();
-    QTRY_VERIFY2_WITH_TIMEOUT(told().contains(u"The interrupted write was complete"_s)
-                                  || m_rig->window().offerBar()->text().contains(u"was interrupted"_s),
-                              qPrintable(told()), 30000);
+    QTRY_VERIFY2(told().contains(u"The interrupted write was complete"_s)
+                     || m_rig->window().offerBar()->text().contains(u"was interrupted"_s),
+                 qPrintable(told()));
     client().removeListener(silencer);
     QVERIFY2(shown() != u"not known"_s, qPrintable(shown()));
     const double now = m_rig->raw(roll);
@@ -339,10 +340,10 @@ void TestInterrupted::liveValuesAreReadWhenItAnswers()
     Silencer silencer(board, int(simplebgc::CommandId::SetAdjVarsVal));
     client().addListener(silencer);
     live.setValue(gain, m_rig->raw(u"pid.roll.p"_s) + 5);
-    QTRY_VERIFY_WITH_TIMEOUT(live.isDoubted() && m_rig->jobsAreDone(), 60000);
+    QTRY_VERIFY(live.isDoubted() && m_rig->jobsAreDone());
     QVERIFY(client().isConnected());
     silencer.goOn();
-    QTRY_VERIFY_WITH_TIMEOUT(!live.isDoubted(), 30000);
+    QTRY_VERIFY(!live.isDoubted());
     client().removeListener(silencer);
     QVERIFY(live.value(gain));
 }
@@ -357,9 +358,9 @@ void TestInterrupted::lostLiveValuesAreNamed()
     const int gain = m_rig->spec(u"pid.roll.p"_s).id;
     const double before = *live.value(gain);
     board.process().write("lose=1\n");
-    QTRY_VERIFY_WITH_TIMEOUT(workspace().freshness().staleSince(), 15000);
+    QTRY_VERIFY(workspace().freshness().staleSince());
     live.setValue(gain, before + 5);
-    QTRY_VERIFY_WITH_TIMEOUT(live.isDoubted(), 60000);
+    QTRY_VERIFY(live.isDoubted());
     const auto *bar = m_rig->window().findChild<UnstoredBar *>();
     const auto said = [bar] {
         QStringList texts;
@@ -370,7 +371,7 @@ void TestInterrupted::lostLiveValuesAreNamed()
     QTRY_VERIFY2(bar->isVisible() && said().contains(u"is not known"_s), qPrintable(said()));
     QVERIFY(client().isConnected());
     board.process().write("lose=0\n");
-    QTRY_VERIFY_WITH_TIMEOUT(!live.isDoubted(), 30000);
+    QTRY_VERIFY(!live.isDoubted());
     QCOMPARE(*live.value(gain), before);
     QTRY_VERIFY(!bar->isVisible());
     const QString told = m_rig->window().messageBar()->text();
@@ -396,7 +397,7 @@ void TestInterrupted::recordingsEndWithTheirBoard()
     QTRY_VERIFY(!client().isConnected());
     const quint64 rows = first->rows();
     board = std::make_unique<SimProcess>(QStringList{u"--pty"_s, port, u"--seed"_s, u"7"_s}, u"simplebgc"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(client().isConnected(), 20000);
+    QTRY_VERIFY(client().isConnected());
     QVERIFY(client().identity().serial != serial);
     QVERIFY(m_rig->boardGoesOn(0.5));
     QVERIFY(client().telemetry() != first);
@@ -434,10 +435,10 @@ void TestInterrupted::recordingsGoOnWithTheirBoard()
     workspace().changeWorld(u"unplug=0"_s);
     QTRY_VERIFY(!client().isConnected());
     const qint64 size = workspace().recorder().size();
-    QTRY_VERIFY_WITH_TIMEOUT(client().isConnected(), 20000);
+    QTRY_VERIFY(client().isConnected());
     QVERIFY(client().telemetry() == store);
     QVERIFY(workspace().recorder().isRecording());
-    QTRY_VERIFY_WITH_TIMEOUT(workspace().recorder().size() > size + 2000, 20000);
+    QTRY_VERIFY(workspace().recorder().size() > size + 2000);
     workspace().recorder().stop();
     QTRY_VERIFY2(told().contains(u"Recording saved to"_s), qPrintable(told()));
     QVERIFY(Recording::load(path));
@@ -449,11 +450,11 @@ void TestInterrupted::snapshotsSayWhatTheyHold()
     QVERIFY(m_rig->jobsAreDone());
     workspace().takeSnapshot();
     QVERIFY2(told().contains(u"Snapshot taken of what is in use"_s), qPrintable(told()));
-    QTRY_VERIFY_WITH_TIMEOUT(!workspace().isStarting(), 30000);
+    QTRY_VERIFY(!workspace().isStarting());
     bool isCompared = false;
     workspace().compareStored().then(
         this, [&isCompared](const Result<WholeMemory::Contents> &both) { isCompared = both.has_value(); });
-    QTRY_VERIFY_WITH_TIMEOUT(isCompared, 20000);
+    QTRY_VERIFY(isCompared);
     m_told.clear();
     workspace().takeSnapshot();
     QVERIFY2(told().contains(u"Snapshot taken."_s), qPrintable(told()));

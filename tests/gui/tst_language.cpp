@@ -7,6 +7,7 @@
 #include "app/pages/tune/responsepage.h"
 #include "app/pages/watch/monitorpage.h"
 #include "tests/support/named.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 
 #include <QAbstractButton>

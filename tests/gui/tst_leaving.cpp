@@ -13,6 +13,7 @@
 #include "protocol/device/steering.h"
 #include "protocol/record/recording.h"
 #include "tests/support/named.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/panel.h"
 
@@ -73,14 +74,14 @@ private:
     bool setLive(const QString &key)
     {
         LiveModel &live = workspace().live();
-        if (!QTest::qWaitFor([&live] { return !live.parameters().isEmpty(); }, 8000))
+        if (!QTest::qWaitFor([&live] { return !live.parameters().isEmpty(); }, kPatience))
             return false;
         const int id = m_rig->spec(key).id;
         live.read();
-        if (!QTest::qWaitFor([&live, id] { return live.value(id).has_value(); }, 8000))
+        if (!QTest::qWaitFor([&live, id] { return live.value(id).has_value(); }, kPatience))
             return false;
         live.setValue(id, *live.value(id) + 1);
-        return QTest::qWaitFor([&live] { return live.changeCount() == 1; }, 8000);
+        return QTest::qWaitFor([&live] { return live.changeCount() == 1; }, kPatience);
     }
     void answer(const QString &button) { named<QPushButton>(question(), button)->click(); }
 
@@ -111,7 +112,7 @@ void TestLeaving::disconnectingAsksForValuesInUse()
     disconnectByButton();
     QVERIFY(question());
     answer(u"Store and disconnect"_s);
-    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Disconnected, 15000);
+    QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
     QVERIFY(window().isVisible());
     QCOMPARE(m_rig->raw(key), stored + 1);
 }
@@ -144,7 +145,7 @@ void TestLeaving::quittingWaitsForAWrite()
     QVERIFY(m_rig->client().isConnected());
     QCOMPARE(told.count(), 1);
     QVERIFY(told.first().first().toString().contains(u"quits when it has ended"_s));
-    QTRY_VERIFY_WITH_TIMEOUT(!window().isVisible(), 20000);
+    QTRY_VERIFY(!window().isVisible());
     QVERIFY(workspace().lastReport() && workspace().lastReport()->isComplete());
     QCOMPARE(m_rig->model().changeCount(), 0);
 }
@@ -156,7 +157,7 @@ void TestLeaving::disconnectingWaitsForAWrite()
     workspace().write(m_rig->model().edited());
     disconnectByButton();
     QVERIFY(m_rig->client().isConnected());
-    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Disconnected, 20000);
+    QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
     QVERIFY(workspace().lastReport() && workspace().lastReport()->isComplete());
     QVERIFY(window().isVisible());
 }
@@ -180,7 +181,7 @@ void TestLeaving::procedureIsWaitedForOrCancelled()
     QVERIFY(window().isVisible());
     QVERIFY(question());
     answer(answered);
-    QTRY_VERIFY_WITH_TIMEOUT(!window().isVisible(), 30000);
+    QTRY_VERIFY(!window().isVisible());
     QVERIFY(calibration.isFinished());
     QCOMPARE(calibration.result().has_value(), ends);
 }
@@ -197,13 +198,13 @@ void TestLeaving::motorsAreProvenOffBeforeQuitting()
     QFETCH(const QString, address);
     QVERIFY(m_rig->open(address));
     m_rig->settings().setMotorsOffOnQuit(true);
-    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, 15000));
+    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, kPatience));
     QSignalSpy off(&m_rig->client(), &DeviceClient::motorsOffFinished);
     bool wasVisible = false;
     connect(&m_rig->client(), &DeviceClient::motorsOffFinished, this,
             [this, &wasVisible] { wasVisible = window().isVisible(); });
     window().close();
-    QTRY_VERIFY_WITH_TIMEOUT(!window().isVisible(), 15000);
+    QTRY_VERIFY(!window().isVisible());
     QCOMPARE(off.count(), 1);
     QVERIFY(off.first().first().toBool());
     QVERIFY(wasVisible);
@@ -224,10 +225,10 @@ void TestLeaving::unprovenStopIsNoQuit()
     QFETCH(const QString, fault);
     QVERIFY(m_rig->open(address));
     m_rig->settings().setMotorsOffOnQuit(true);
-    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, 15000));
+    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, kPatience));
     workspace().changeWorld(fault);
     window().close();
-    QTRY_VERIFY_WITH_TIMEOUT(question(), 60000);
+    QTRY_VERIFY(question());
     QVERIFY(window().isVisible());
     answer(u"Quit all the same"_s);
     QTRY_VERIFY(!window().isVisible());
@@ -244,12 +245,12 @@ void TestLeaving::lateProofQuitsAfterAll()
     QFETCH(const QString, address);
     QVERIFY(m_rig->open(address));
     m_rig->settings().setMotorsOffOnQuit(true);
-    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, 15000));
+    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, kPatience));
     workspace().changeWorld(u"runs-on=1"_s);
     window().close();
-    QTRY_VERIFY_WITH_TIMEOUT(question(), 60000);
+    QTRY_VERIFY(question());
     workspace().changeWorld(u"runs-on=0"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(!window().isVisible(), 60000);
+    QTRY_VERIFY(!window().isVisible());
 }
 
 void TestLeaving::recordingIsWhole()
@@ -282,7 +283,7 @@ void TestLeaving::motorsThatRunAreAskedAbout()
 {
     m_rig->settings().setAskAboutMotors(true);
     QVERIFY(m_rig->open(kDemo));
-    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, 15000));
+    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, kPatience));
     window().close();
     QVERIFY(question() && window().isVisible());
     answer(u"Stay"_s);
@@ -291,12 +292,12 @@ void TestLeaving::motorsThatRunAreAskedAbout()
     answer(u"Disconnect and leave them running"_s);
     QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
     QVERIFY(m_rig->open(kDemo));
-    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, 15000));
+    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, kPatience));
     QSignalSpy off(&m_rig->client(), &DeviceClient::motorsOffFinished);
     disconnectByButton();
     QVERIFY(question());
     answer(u"Stop motors and disconnect"_s);
-    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Disconnected, 15000);
+    QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
     QVERIFY(off.count() == 1 && off.first().first().toBool());
 }
 
@@ -304,7 +305,7 @@ void TestLeaving::motorsThatRunAreAskedAbout()
 void TestLeaving::steeringEndsBeforeTheLink()
 {
     QVERIFY(m_rig->open(kDemo));
-    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, 15000));
+    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, kPatience));
     QTimer steering;
     connect(&steering, &QTimer::timeout, this, [this] {
         m_rig->client().setControl({1, {std::nan(""), std::nan(""), 10.0}, {}});
@@ -356,7 +357,7 @@ void TestLeaving::openingOpensWhatWasAskedFor()
     QTRY_VERIFY(question());
     QVERIFY(!m_rig->client().address().isReplay());
     answer(u"Disconnect without storing"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && m_rig->client().address().isReplay(), 15000);
+    QTRY_VERIFY(m_rig->client().isConnected() && m_rig->client().address().isReplay());
 }
 
 void TestLeaving::theWindowMayGoInTheMiddle_data()
@@ -389,7 +390,7 @@ void TestLeaving::theWindowMayGoInTheMiddle()
         auto *page = m_rig->page<CalibrationPage>();
         workspace().changeWorld(u"pose=1"_s);
         page->start(CalibrationPage::Kind::Gyroscope);
-        QTRY_VERIFY_WITH_TIMEOUT(page->isSatisfied() && page->continueButton()->isEnabled(), 10000);
+        QTRY_VERIFY(page->isSatisfied() && page->continueButton()->isEnabled());
         page->continueButton()->click();
     } else if (what == u"search"_s) {
         auto *page = m_rig->page<AutoTunePage>();

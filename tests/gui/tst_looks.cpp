@@ -6,6 +6,7 @@
 #include "app/pages/watch/monitorpage.h"
 #include "app/pages/watch/streamsdialog.h"
 #include "app/workspace/page.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/reviewdialog.h"
 
@@ -174,7 +175,7 @@ void TestLooks::nothingIsClipped()
     const auto check = [&rig](const QString &where) { checkClipping(rig, where); };
     check(u"start"_s);
     QVERIFY(rig.open());
-    QVERIFY(QTest::qWaitFor([&rig] { return rig.workspace().motorsRunning().has_value(); }, 8000));
+    QVERIFY(QTest::qWaitFor([&rig] { return rig.workspace().motorsRunning().has_value(); }, kPatience));
     rig.edit(u"pid.roll.p"_s, 0, 44);
     for (const PageEntry &entry : pageTable()) {
         rig.window().showPage(QLatin1String(entry.key));

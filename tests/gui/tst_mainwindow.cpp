@@ -11,6 +11,7 @@
 #include "app/tour/tour.h"
 #include "protocol/telemetry/telemetryplan.h"
 #include "tests/support/named.h"
+#include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/panel.h"
@@ -139,7 +140,7 @@ void TestMainWindow::startCardLeadsToTheSimulator()
     const auto buttons = start->findChildren<QPushButton *>();
     QCOMPARE(buttons.size(), 3);
     QTest::mouseClick(buttons.last(), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(client().isConnected() && !model().isEmpty(), 15000);
+    QTRY_VERIFY(client().isConnected() && !model().isEmpty());
     QVERIFY(!start->isVisible());
     QVERIFY(page<DashboardPage>()->isVisible());
 }
@@ -151,8 +152,8 @@ void TestMainWindow::connectByKeyboard()
     box->lineEdit()->selectAll();
     QTest::keyClicks(box->lineEdit(), u"sim:simplebgc?seed=4"_s);
     QTest::keyClick(box->lineEdit(), Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(client().isConnected(), 15000);
-    QTRY_VERIFY_WITH_TIMEOUT(!model().isEmpty(), 15000);
+    QTRY_VERIFY(client().isConnected());
+    QTRY_VERIFY(!model().isEmpty());
     // Ctrl+2 is the second page.
     QTest::keyClick(m_window, Qt::Key_2, Qt::ControlModifier);
     QTRY_VERIFY(m_window->page(QLatin1String(pageTable()[1].key))->isVisible());
@@ -216,7 +217,7 @@ void TestMainWindow::editReviewWriteByMouse()
     QCOMPARE(m_window->reviewDialog()->table()->model()->rowCount(), 1);
     QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
     QTest::mouseClick(m_window->reviewDialog()->writeButton(), Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 15000);
+    QTRY_COMPARE(finished.count(), 1);
     QCOMPARE(raw(u"pid.roll.p"_s), 47);
     QVERIFY(m_window->workspace().lastReport()->isComplete());
     QCOMPARE(model().changeCount(), 0);
@@ -228,7 +229,7 @@ void TestMainWindow::editReviewWriteByMouse()
     m_window->review();
     QTRY_VERIFY(m_window->reviewDialog());
     m_window->reviewDialog()->accept();
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 2, 15000);
+    QTRY_COMPARE(finished.count(), 2);
     QVERIFY(m_window->workspace().lastReport()->snapshotPath.isEmpty());
 }
 
@@ -245,7 +246,7 @@ void TestMainWindow::editReviewWriteByKeyboard()
     QTRY_VERIFY(m_window->reviewDialog());
     QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
     QTest::keyClick(m_window->reviewDialog(), Qt::Key_Return);
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 15000);
+    QTRY_COMPARE(finished.count(), 1);
     QCOMPARE(raw(u"pid.pitch.d"_s), 61);
     // Undo by keyboard makes an edit back, also while a field has the focus.
     m_window->activateWindow();
@@ -267,7 +268,7 @@ void TestMainWindow::untickedChangesStayUnsaved()
     QVERIFY(changes->setData(changes->index(0, 0), Qt::Unchecked, Qt::CheckStateRole));  // the risky one
     QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
     m_window->reviewDialog()->accept();
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 15000);
+    QTRY_COMPARE(finished.count(), 1);
     QCOMPARE(raw(u"pid.roll.p"_s), 47);
     QCOMPARE(raw(u"motor.roll.power"_s), 150);
     QCOMPARE(model().changeCount(), 1);
@@ -327,37 +328,36 @@ void TestMainWindow::profileSwitch()
     box->setFocus();
     QTest::keyClick(box, Qt::Key_Down);
     answerQuestion(u"Switch profile"_s);
-    QTRY_COMPARE_WITH_TIMEOUT(model().board().activeProfile(), 1, 10000);
+    QTRY_COMPARE(model().board().activeProfile(), 1);
     QTRY_COMPARE(numberBox(u"pid.roll.p"_s)->value(), 45.0);
     // The board really changed: its telemetry says so.
-    QTRY_COMPARE_WITH_TIMEOUT(m_window->workspace().latest(m_window->workspace().roles().activeProfile), 1.0,
-                              5000);
+    QTRY_COMPARE(m_window->workspace().latest(m_window->workspace().roles().activeProfile), 1.0);
 }
 
 void TestMainWindow::motorsOffByMouse()
 {
     QVERIFY(open());
-    QTRY_COMPARE_WITH_TIMEOUT(m_window->workspace().motorsRunning().value_or(false), true, 5000);
+    QTRY_COMPARE(m_window->workspace().motorsRunning().value_or(false), true);
     QPushButton *motors = m_window->findChild<LinkBar *>()->findChild<QPushButton *>(u"motors"_s);
     QTRY_VERIFY(motors->property("running").toBool());
     QTest::mouseClick(motors, Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(m_window->workspace().motorsRunning().value_or(true), false, 5000);
+    QTRY_COMPARE(m_window->workspace().motorsRunning().value_or(true), false);
     QTRY_VERIFY(!motors->property("running").toBool());
     QTRY_VERIFY(motors->isEnabled());  // not at once: pressed twice in a hurry they stay off
     QTest::mouseClick(motors, Qt::LeftButton);
     answerQuestion(u"Start motors"_s);
-    QTRY_COMPARE_WITH_TIMEOUT(m_window->workspace().motorsRunning().value_or(false), true, 5000);
+    QTRY_COMPARE(m_window->workspace().motorsRunning().value_or(false), true);
 }
 
 void TestMainWindow::motorsOffByF12FromADialog()
 {
     QVERIFY(open());
-    QTRY_COMPARE_WITH_TIMEOUT(m_window->workspace().motorsRunning().value_or(false), true, 5000);
+    QTRY_COMPARE(m_window->workspace().motorsRunning().value_or(false), true);
     numberBox(u"pid.roll.p"_s)->setValue(47);
     m_window->review();
     QTRY_VERIFY(m_window->reviewDialog() && m_window->reviewDialog()->isVisible());
     QTest::keyClick(m_window->reviewDialog()->table(), Qt::Key_F12);
-    QTRY_COMPARE_WITH_TIMEOUT(m_window->workspace().motorsRunning().value_or(true), false, 5000);
+    QTRY_COMPARE(m_window->workspace().motorsRunning().value_or(true), false);
     m_window->reviewDialog()->reject();
 }
 
@@ -438,31 +438,29 @@ void TestMainWindow::monitorDrawsTraces()
 {
     QVERIFY(open());
     auto *monitor = page<MonitorPage>();
-    QTRY_VERIFY_WITH_TIMEOUT(client().telemetryPlan().rate == 1250.0, 5000);
+    QTRY_VERIFY(client().telemetryPlan().rate == 1250.0);
     QCOMPARE(monitor->plots().size(), 2);  // degrees, and degrees per second
     // The colours of all three axes are in the picture once samples have come.
-    QTRY_VERIFY_WITH_TIMEOUT(
-        [&] {
-            const QSet<QRgb> colors = colorsOf(monitor->plots().last()->grab().toImage());
-            int found = 0;
-            for (const Axis axis : kAxes)
-                found += colors.contains(m_rig->theme().axisColor(axis).rgb());
-            return found == 3;
-        }(),
-        8000);
+    QTRY_VERIFY([&] {
+        const QSet<QRgb> colors = colorsOf(monitor->plots().last()->grab().toImage());
+        int found = 0;
+        for (const Axis axis : kAxes)
+            found += colors.contains(m_rig->theme().axisColor(axis).rgb());
+        return found == 3;
+    }());
     // Ticking another unit makes another plot; the stream is arranged anew.
     QList<int> ticked = monitor->channels().ticked();
     ticked.append(findChannel(client().device()->channels(), u"acc.x"_s));
     monitor->channels().setTicked(ticked);
     QCOMPARE(monitor->plots().size(), 3);
-    QTRY_VERIFY_WITH_TIMEOUT(!std::isnan(m_window->workspace().latest(ticked.last())), 5000);
+    QTRY_VERIFY(!std::isnan(m_window->workspace().latest(ticked.last())));
 }
 
 void TestMainWindow::monitorPauses()
 {
     QVERIFY(open());
     auto *monitor = page<MonitorPage>();
-    QTRY_VERIFY_WITH_TIMEOUT(client().telemetryPlan().rate == 1250.0, 5000);
+    QTRY_VERIFY(client().telemetryPlan().rate == 1250.0);
     QVERIFY(m_rig->boardGoesOn(0.5));
     PlotView *plot = monitor->plots().first();
     monitor->pauseButton()->setChecked(true);
@@ -478,15 +476,13 @@ void TestMainWindow::dashboardShowsFaults()
 {
     QVERIFY(open(u"sim:simplebgc?fault=no-imu=1,battery=9"_s));
     auto *dashboard = page<DashboardPage>();
-    QTRY_VERIFY_WITH_TIMEOUT(
-        [&] {
-            QString text;
-            for (const QLabel *label : dashboard->findChildren<QLabel *>())
-                text += label->text();
-            return text.contains(u"No IMU"_s) && text.contains(u"Check the sensor cable"_s)
-                && text.contains(u"Battery is empty"_s);
-        }(),
-        8000);
+    QTRY_VERIFY([&] {
+        QString text;
+        for (const QLabel *label : dashboard->findChildren<QLabel *>())
+            text += label->text();
+        return text.contains(u"No IMU"_s) && text.contains(u"Check the sensor cable"_s)
+            && text.contains(u"Battery is empty"_s);
+    }());
 }
 
 void TestMainWindow::readOnlyBoardCannotBeEdited()
@@ -505,11 +501,11 @@ void TestMainWindow::unplugKeepsEdits()
     SimProcess simulator({u"--pty"_s, path, u"--fault"_s, u"unplug=6"_s, u"--fault"_s, u"replug=1"_s});
     QVERIFY(open(u"serial:"_s + path));
     numberBox(u"pid.roll.p"_s)->setValue(47);
-    QTRY_COMPARE_WITH_TIMEOUT(client().state(), DeviceClient::State::Reconnecting, 15000);
+    QTRY_COMPARE(client().state(), DeviceClient::State::Reconnecting);
     QCOMPARE(model().changeCount(), 1);
     QVERIFY(!m_window->unsavedBar()->writeButton()->isEnabled());
     QSignalSpy read(&m_window->workspace(), &Workspace::boardRead);
-    QTRY_COMPARE_WITH_TIMEOUT(read.count(), 1, 15000);
+    QTRY_COMPARE(read.count(), 1);
     QCOMPARE(model().changeCount(), 1);
     QCOMPARE(numberBox(u"pid.roll.p"_s)->value(), 47.0);
     QVERIFY(m_window->unsavedBar()->writeButton()->isEnabled());
@@ -525,9 +521,9 @@ void TestMainWindow::interruptedWriteIsFinishedAfterReconnecting()
                                                    profile, 80 + profile));
     QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
     m_window->workspace().write(model().edited());
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 20000);
+    QTRY_COMPARE(finished.count(), 1);
     QVERIFY(!m_window->workspace().lastReport()->isComplete());
-    QTRY_VERIFY_WITH_TIMEOUT(m_window->offerBar()->text().contains(u"was interrupted"_s), 20000);
+    QTRY_VERIFY(m_window->offerBar()->text().contains(u"was interrupted"_s));
     QVERIFY(m_window->offerBar()->isVisible());
     // What was not known when it broke is known now.
     const QString told = m_window->messageBar()->text();
@@ -541,7 +537,7 @@ void TestMainWindow::interruptedWriteIsFinishedAfterReconnecting()
     QVERIFY(m_window->offerBar()->text().contains(u"%1 of 4"_s.arg(missing)));
     // The first answer finishes the write.
     QTest::mouseClick(m_window->offerBar()->buttons().first(), Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 2, 20000);
+    QTRY_COMPARE(finished.count(), 2);
     QVERIFY(m_window->workspace().lastReport()->isComplete());
     QCOMPARE(raw(u"pid.roll.p"_s, 3), 83);
 }
@@ -558,11 +554,11 @@ void TestMainWindow::conflictIsTold()
     QVERIFY(m_rig->boardGoesOn(0.2));
     QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
     m_window->workspace().write(model().edited());
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 15000);
+    QTRY_COMPARE(finished.count(), 1);
     QVERIFY2(m_window->messageBar()->text().contains(u"Somebody else"_s),
              qPrintable(m_window->messageBar()->text()));
     // It is read anew: the board's 45 shows against our 60.
-    QTRY_COMPARE_WITH_TIMEOUT(raw(u"pid.roll.p"_s), 45, 10000);
+    QTRY_COMPARE(raw(u"pid.roll.p"_s), 45);
     QCOMPARE(model().changeCount(), 1);
 }
 

@@ -4,6 +4,7 @@
 #include "app/mainwindow/messagehistory.h"
 #include "app/mainwindow/palettesource.h"
 #include "protocol/telemetry/telemetryplan.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 
 #include <QClipboard>
@@ -136,13 +137,14 @@ void TestMessages::theNextLinkKeepsMotorsThatMayRun()
 void TestMessages::anUnprovenStopGoesWithItsProof()
 {
     QVERIFY(m_rig->open());
-    QVERIFY(QTest::qWaitFor([this] { return workspace().motorsRunning() == std::optional(true); }, 15000));
+    QVERIFY(
+        QTest::qWaitFor([this] { return workspace().motorsRunning() == std::optional(true); }, kPatience));
     workspace().changeWorld(u"deaf=109"_s);
     workspace().setMotors(false);
-    QTRY_VERIFY_WITH_TIMEOUT(bar().text().contains(u"did not confirm"_s), 10000);
+    QTRY_VERIFY(bar().text().contains(u"did not confirm"_s));
     QVERIFY(m_rig->client().isStopUnproven());
     workspace().changeWorld(u"deaf=-1"_s);
-    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(false), 15000);
+    QTRY_COMPARE(workspace().motorsRunning(), std::optional(false));
     QTRY_VERIFY(!bar().text().contains(u"did not confirm"_s));
     QVERIFY(!m_rig->client().isStopUnproven());
 }
@@ -167,15 +169,14 @@ void TestMessages::aBoardThatRunsOnIsTold()
 {
     QFETCH(const QString, address);
     QVERIFY(m_rig->open(address));
-    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(true), 20000);
-    QTRY_VERIFY_WITH_TIMEOUT(!workspace().isStarting(), 20000);
+    QTRY_COMPARE(workspace().motorsRunning(), std::optional(true));
+    QTRY_VERIFY(!workspace().isStarting());
     workspace().changeWorld(u"runs-on=1"_s);
     workspace().setMotors(false);
-    QTRY_VERIFY2_WITH_TIMEOUT(bar().text().contains(u"The motors run on although"_s),
-                              qPrintable(bar().text()), 20000);
+    QTRY_VERIFY2(bar().text().contains(u"The motors run on although"_s), qPrintable(bar().text()));
     QVERIFY2(!bar().text().contains(u"may still be running"_s), qPrintable(bar().text()));
     workspace().changeWorld(u"runs-on=0"_s);
-    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(false), 40000);
+    QTRY_COMPARE(workspace().motorsRunning(), std::optional(false));
     QTRY_VERIFY(!bar().text().contains(u"The motors run on"_s));
 }
 
@@ -290,19 +291,19 @@ void TestMessages::commandsForMotorsAreCommands()
 void TestMessages::aLateStopIsTold()
 {
     QVERIFY(m_rig->open(u"sim:storm32"_s));
-    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning() == true, 15000);
+    QTRY_VERIFY(workspace().motorsRunning() == true);
     workspace().changeWorld(u"runs-on=1"_s);
     const QString late = u"does not confirm yet that the motors are off"_s;
     QElapsedTimer since;
     since.start();
     workspace().setMotors(false);
-    QTRY_VERIFY_WITH_TIMEOUT(bar().text().contains(late), 10000);
+    QTRY_VERIFY(bar().text().contains(late));
     QVERIFY(since.elapsed() >= 900);
     // What is known then takes its place.
-    QTRY_VERIFY_WITH_TIMEOUT(!bar().text().contains(late), 30000);
+    QTRY_VERIFY(!bar().text().contains(late));
     QVERIFY2(bar().text().contains(u"motors"_s), qPrintable(bar().text()));
     workspace().changeWorld(u"runs-on=0"_s);
-    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(false), 30000);
+    QTRY_COMPARE(workspace().motorsRunning(), std::optional(false));
 }
 
 void TestMessages::anOrderedRestartIsNoBrokenLink()
@@ -313,7 +314,7 @@ void TestMessages::anOrderedRestartIsNoBrokenLink()
     connect(&told(), &Notifications::notice, &window(),
             [&notices](const QString &text, Notice) { notices.append(text); });
     workspace().perform(u"reset"_s, {{u"delay"_s, 500}});
-    QTRY_VERIFY_WITH_TIMEOUT(notices.contains(u"The board has restarted and is back."_s), 20000);
+    QTRY_VERIFY(notices.contains(u"The board has restarted and is back."_s));
     QVERIFY(notices.filter(u"restarts, as it was told to"_s).size() == 1);
     QCOMPARE(problems.count(), 0);
     QVERIFY(!notices.contains(u"Connected again."_s));
@@ -332,9 +333,9 @@ void TestMessages::aRestartOfItsOwnIsTold()
     connect(&told(), &Notifications::notice, &window(),
             [&notices](const QString &text, Notice kind) { notices.insert(text, kind); });
     workspace().changeWorld(u"reset=0"_s);
-    QTRY_COMPARE_WITH_TIMEOUT(problems.count(), 1, 20000);
+    QTRY_COMPARE(problems.count(), 1);
     QCOMPARE(problems.first().first().value<ErrorText>().what, u"The board restarted by itself."_s);
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 20000);
+    QTRY_VERIFY(m_rig->client().isConnected());
     const QString back = u"The board restarted by itself and is back. It uses the stored values."_s;
     QTRY_VERIFY(notices.contains(back));
     QVERIFY(notices.value(back) == Notice::Attention);
@@ -346,8 +347,8 @@ void TestMessages::aRestartOfItsOwnIsTold()
     // Until they are proven off.
     QVERIFY2(bar().text().contains(back + u" Its motors may run."_s), qPrintable(bar().text()));
     workspace().setMotors(false);
-    QTRY_VERIFY_WITH_TIMEOUT(!bar().text().contains(u"may run"_s), 15000);
-    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(false), 15000);
+    QTRY_VERIFY(!bar().text().contains(u"may run"_s));
+    QTRY_COMPARE(workspace().motorsRunning(), std::optional(false));
     QVERIFY2(bar().text().contains(back), qPrintable(bar().text()));
 }
 
@@ -356,10 +357,10 @@ void TestMessages::aStopThatWasKeptIsToldOnce()
     QVERIFY(m_rig->open());
     workspace().changeWorld(u"replug=1"_s);
     workspace().changeWorld(u"unplug=0"_s);
-    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Reconnecting, 10000);
+    QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Reconnecting);
     workspace().setMotors(false);
     QVERIFY(bar().text().contains(u"There is no link yet."_s));
-    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(false), 20000);
+    QTRY_COMPARE(workspace().motorsRunning(), std::optional(false));
     QTRY_VERIFY2(!bar().text().contains(u"There is no link yet."_s), qPrintable(bar().text()));
 }
 

@@ -11,6 +11,7 @@
 #include "protocol/telemetry/streams.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "tests/support/named.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/filterrows.h"
 #include "widgets/forms/parameterform.h"
@@ -96,7 +97,7 @@ void TestMonitor::spectrumFindsTheResonance()
     QVERIFY(m_rig->open());
     auto *page = m_rig->page<SpectrumPage>();
     QVERIFY(page);
-    QTRY_COMPARE_WITH_TIMEOUT(page->chart()->curves().size(), qsizetype(3), 10000);
+    QTRY_COMPARE(page->chart()->curves().size(), qsizetype(3));
     QCOMPARE(page->chart()->xScale().high, 625.0);  // half the rate, not a hertz more
     // Gains that make the structure ring show where it rings.
     auto set = m_rig->client().submit<bool>([](Channel &channel, Device &device) -> Result<bool> {
@@ -122,9 +123,9 @@ void TestMonitor::spectrumFindsTheResonance()
         }
         return false;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(rollPeakAt(), 20000);
+    QTRY_VERIFY(rollPeakAt());
     // The error by band, and how it changes against what was kept.
-    QTRY_VERIFY_WITH_TIMEOUT(page->bands()->item(1, 1)->text().contains(u"RMS"_s), 10000);
+    QTRY_VERIFY(page->bands()->item(1, 1)->text().contains(u"RMS"_s));
     QVERIFY(!page->bands()->item(1, 1)->text().contains(u'%'));
     QTest::mouseClick(named<QPushButton>(page, u"Compare"_s), Qt::LeftButton);
     QVERIFY(page->bands()->item(1, 1)->text().contains(u'%'));
@@ -139,7 +140,7 @@ bool TestMonitor::writeEdits()
 {
     QSignalSpy written(&m_rig->workspace(), &Workspace::writeFinished);
     m_rig->workspace().write(std::as_const(m_rig->model()).edited());
-    return written.wait(15000) && m_rig->model().changeCount() == 0;
+    return written.wait(kPatience) && m_rig->model().changeCount() == 0;
 }
 
 // What auto-tune finds on the simulated gimbal in a hand that shakes.
@@ -177,9 +178,9 @@ void TestMonitor::tunedGimbalIsOfferedNoNotch()
     QVERIFY(openTuned());
     auto *page = m_rig->page<SpectrumPage>();
     QVERIFY(!page->notchButton()->isEnabled());
-    QTRY_VERIFY_WITH_TIMEOUT(rowOf(*page, Axis::Yaw, 51.8) >= 0, 20000);
+    QTRY_VERIFY(rowOf(*page, Axis::Yaw, 51.8) >= 0);
     QVERIFY(m_rig->boardGoesOn(10));
-    QTRY_VERIFY_WITH_TIMEOUT(rowOf(*page, Axis::Yaw, 51.8) >= 0, 20000);
+    QTRY_VERIFY(rowOf(*page, Axis::Yaw, 51.8) >= 0);
     QTest::mouseClick(page->pauseButton(), Qt::LeftButton);
     page->peaks()->selectRow(rowOf(*page, Axis::Yaw, 51.8));
     QVERIFY2(page->advice()->text().contains(u"no notch is offered"_s), qPrintable(page->advice()->text()));
@@ -200,7 +201,7 @@ void TestMonitor::harmfulTrialEndsWithoutItsPage()
     QVERIFY(adviser.isRunning());
     QVERIFY(m_rig->workspace().live().isHeld());
     m_rig->window().showPage(u"dashboard"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(!adviser.isRunning(), 30000);
+    QTRY_VERIFY(!adviser.isRunning());
     QVERIFY(!m_rig->workspace().live().isHeld());
     QVERIFY2(adviser.outcome().contains(u"oscillate"_s), qPrintable(adviser.outcome()));
     QVERIFY(adviser.outcome().contains(u"back on the board"_s));
@@ -228,7 +229,7 @@ void TestMonitor::cutTrialIsMadeGood()
                   m_rig->client().disconnectFromBoard();
           });
     adviser.start(*plan);
-    QTRY_VERIFY_WITH_TIMEOUT(!adviser.isRunning(), 30000);
+    QTRY_VERIFY(!adviser.isRunning());
     QVERIFY(cut);
     disconnect(onProgress);
     QVERIFY2(adviser.outcome().contains(u"could not be taken back"_s), qPrintable(adviser.outcome()));
@@ -236,7 +237,7 @@ void TestMonitor::cutTrialIsMadeGood()
     QSignalSpy notices(&m_rig->workspace().notifications(), &Notifications::notice);
     QSignalSpy written(&m_rig->workspace(), &Workspace::writeFinished);
     QVERIFY(m_rig->open());
-    QTRY_COMPARE_WITH_TIMEOUT(written.count(), 1, 15000);
+    QTRY_COMPARE(written.count(), 1);
     QVERIFY(std::any_of(notices.begin(), notices.end(), [](const QList<QVariant> &notice) {
         return notice.at(0).toString().contains(u"was cut off"_s);
     }));
@@ -260,9 +261,9 @@ void TestMonitor::notchTakesTheResonanceAway()
         const int row = rowOf(*page, Axis::Roll, 1.06 * resonance);
         return row < 0 ? 0.0 : page->peaks()->item(row, 2)->text().section(u' ', 0, 0).toDouble();
     };
-    QTRY_VERIFY_WITH_TIMEOUT(strength() > 0.0, 25000);
+    QTRY_VERIFY(strength() > 0.0);
     QVERIFY(m_rig->boardGoesOn(10));
-    QTRY_VERIFY_WITH_TIMEOUT(strength() > 0.0, 25000);
+    QTRY_VERIFY(strength() > 0.0);
     const double before = strength();
     QTest::mouseClick(page->pauseButton(), Qt::LeftButton);
     page->peaks()->selectRow(rowOf(*page, Axis::Roll, 1.06 * resonance));
@@ -282,7 +283,7 @@ void TestMonitor::notchTakesTheResonanceAway()
     QTest::keyClick(question(), Qt::Key_Return);
     QVERIFY(m_rig->workspace().notches().isRunning());
     QTRY_COMPARE(page->notchButton()->text(), u"End the trial"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(!m_rig->workspace().notches().isRunning(), 30000);
+    QTRY_VERIFY(!m_rig->workspace().notches().isRunning());
     QVERIFY2(offers.count() == 1, qPrintable(m_rig->workspace().notches().outcome()));
     QCOMPARE(m_rig->model().changeCount(), 0);
     m_rig->workspace().readBoard();
@@ -297,7 +298,7 @@ void TestMonitor::notchTakesTheResonanceAway()
     QVERIFY(hasNotch(Axis::Roll));
     QTest::mouseClick(page->pauseButton(), Qt::LeftButton);
     // What was measured before the notch leaves the span; then a third is left at most.
-    QTRY_VERIFY_WITH_TIMEOUT(strength() < before / 3, 25000);
+    QTRY_VERIFY(strength() < before / 3);
 }
 
 void TestMonitor::filtersAreShownAsFilters()
@@ -341,22 +342,22 @@ void TestMonitor::recordingsFromTheScreen()
     QVERIFY(m_rig->open());
     auto *monitor = m_rig->page<MonitorPage>();
     LinkRecorder &recorder = m_rig->workspace().recorder();
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().telemetry()->rows() > 500, 10000);
+    QTRY_VERIFY(m_rig->client().telemetry()->rows() > 500);
     // From now on, ended with the button.
     const QString now = m_rig->filePath(u"now.gimbalrec"_s);
     QSignalSpy finished(&recorder, &LinkRecorder::finished);
     QVERIFY(recorder.start(now));
     QVERIFY(!recorder.start(m_rig->filePath(u"second"_s)));
     QCOMPARE(named<QPushButton>(monitor, u"Stop recording"_s)->menu(), nullptr);
-    QTRY_VERIFY_WITH_TIMEOUT(recorder.size() > 50'000, 10000);
+    QTRY_VERIFY(recorder.size() > 50'000);
     QTest::mouseClick(named<QPushButton>(monitor, u"Stop recording"_s), Qt::LeftButton);
     QVERIFY(!recorder.isRecording());
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 10000);
+    QTRY_COMPARE(finished.count(), 1);
     QVERIFY(named<QPushButton>(monitor, u"Record"_s)->menu());
     // The last minutes, after the fact.
     const QString past = m_rig->filePath(u"past.gimbalrec"_s);
     QVERIFY(recorder.savePast(past));
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 2, 10000);
+    QTRY_COMPARE(finished.count(), 2);
     QVERIFY(QFileInfo(past).size() > QFileInfo(now).size());
     // A disk without room.
     if (QFileInfo::exists(u"/dev/full"_s))
@@ -366,11 +367,11 @@ void TestMonitor::recordingsFromTheScreen()
     for (const QString &file : {now, past}) {
         m_rig->window().openFile(file);
         QVERIFY(QTest::qWaitFor([this] { return m_rig->client().isConnected() && !m_rig->model().isEmpty(); },
-                                15000));
+                                kPatience));
         QCOMPARE(m_rig->raw(u"pid.roll.p"_s), 35);
         QVERIFY(!m_rig->client().identity().writable);
         m_rig->window().showPage(u"monitor"_s);
-        QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().telemetry()->rows() > 300, 10000);
+        QTRY_VERIFY(m_rig->client().telemetry()->rows() > 300);
         QVERIFY(!named<QPushButton>(monitor, u"Record"_s)->isEnabled());
         m_rig->client().disconnectFromBoard();
     }
@@ -382,19 +383,19 @@ void TestMonitor::recordingsFromTheScreen()
     stored.close();
     QSignalSpy problems(&m_rig->workspace().notifications(), &Notifications::problem);
     m_rig->window().openFile(now);
-    QTRY_COMPARE_WITH_TIMEOUT(problems.count(), 1, 15000);
+    QTRY_COMPARE(problems.count(), 1);
     const auto problem = problems.first().first().value<ErrorText>();
     QVERIFY2(problem.what.contains(u"damaged"_s) && problem.meaning.startsWith(u"1 part"_s)
                  && problem.detail == u"a checksum is wrong"_s,
              qPrintable(problem.oneLine()));
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().telemetry() && m_rig->client().telemetry()->rows() > 300, 10000);
+    QTRY_VERIFY(m_rig->client().telemetry() && m_rig->client().telemetry()->rows() > 300);
     m_rig->client().disconnectFromBoard();
     QCOMPARE(problems.count(), 1);
     // Unplugging ends a recording properly.
     QVERIFY(m_rig->open());
     QVERIFY(recorder.start(now));
     m_rig->client().disconnectFromBoard();
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 3, 10000);
+    QTRY_COMPARE(finished.count(), 3);
     QVERIFY(Recording::load(now));
 }
 
@@ -430,20 +431,19 @@ void TestMonitor::recordingThatFallsSilentIsTold()
     QVERIFY(recorder.start(m_rig->filePath(u"silent.gimbalrec"_s)));
     QVERIFY(m_rig->boardGoesOn(0.5));
     m_rig->workspace().changeWorld(u"deaf=100"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(messages.text().contains(u"Live data have stopped"_s), 15000);
+    QTRY_VERIFY(messages.text().contains(u"Live data have stopped"_s));
     m_rig->workspace().changeWorld(u"deaf=-1"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(!messages.isVisible() || !messages.text().contains(u"Live data have stopped"_s),
-                             15000);
+    QTRY_VERIFY(!messages.isVisible() || !messages.text().contains(u"Live data have stopped"_s));
     recorder.stop();
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 10000);
+    QTRY_COMPARE(finished.count(), 1);
     QVERIFY(finished.front().at(2).toBool());
     QTRY_VERIFY(messages.text().contains(u"Recording saved"_s));
     // Nothing at all came: no success.
     m_rig->workspace().changeWorld(u"deaf=100"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->workspace().freshness().staleSince(), 15000);
+    QTRY_VERIFY(m_rig->workspace().freshness().staleSince());
     QVERIFY(recorder.start(m_rig->filePath(u"empty.gimbalrec"_s)));
     recorder.stop();
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 2, 10000);
+    QTRY_COMPARE(finished.count(), 2);
     QVERIFY(!finished.back().at(2).toBool());
     QTRY_VERIFY(messages.text().contains(u"holds no live data"_s));
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pages/program/settingspage.h"
 #include "app/pages/setup/parameterspage.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/argumentform.h"
 #include "widgets/forms/numberbox.h"

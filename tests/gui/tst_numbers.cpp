@@ -5,6 +5,7 @@
 #include "app/workspace/page.h"
 #include "protocol/record/configurationfile.h"
 #include "tests/support/drawntexts.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/argumentform.h"
 #include "widgets/models/framelogmodel.h"
@@ -132,7 +133,7 @@ void TestNumbers::everyPageShowsTheComma()
     WindowRig rig;
     rig.window().resize(1600, 1200);
     QVERIFY(rig.open(address));
-    QVERIFY(QTest::qWaitFor([&rig] { return rig.workspace().motorsRunning().has_value(); }, 10000));
+    QVERIFY(QTest::qWaitFor([&rig] { return rig.workspace().motorsRunning().has_value(); }, kPatience));
     rig.window().showPage(u"monitor"_s);
     QVERIFY(rig.boardGoesOn(1.0));
     rig.edit(u"pid.roll.p"_s, 0, 44);

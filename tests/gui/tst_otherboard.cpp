@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/messagebar.h"
+#include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
 
@@ -62,7 +63,7 @@ private:
     {
         QSignalSpy finished(&workspace(), &Workspace::writeFinished);
         workspace().write(model().edited());
-        return QTest::qWaitFor([&finished] { return finished.count() == 1; }, 20000);
+        return QTest::qWaitFor([&finished] { return finished.count() == 1; }, kPatience);
     }
     bool leaveSomething()
     {
@@ -89,7 +90,7 @@ void TestOtherBoard::anInterruptedWriteStaysWithItsBoard()
     m_rig->edit(u"pid.roll.p"_s, 0, 81);
     m_rig->edit(u"pid.roll.p"_s, 1, 82);
     QVERIFY(write());
-    QTRY_VERIFY_WITH_TIMEOUT(open(Topic::Write).has_value(), 20000);
+    QTRY_VERIFY(open(Topic::Write).has_value());
     const Offer finish = *open(Topic::Write);
     const int edits = model().changeCount();
     QVERIFY(edits > 0);
@@ -97,7 +98,7 @@ void TestOtherBoard::anInterruptedWriteStaysWithItsBoard()
     QTRY_VERIFY(!m_rig->client().isConnected());
     m_told.clear();
     const auto second = plugIn({u"--seed"_s, u"7"_s});
-    QTRY_VERIFY_WITH_TIMEOUT(std::as_const(model()).board().identity().serial != serial, 20000);
+    QTRY_VERIFY(std::as_const(model()).board().identity().serial != serial);
     QVERIFY(!open(Topic::Write));
     QVERIFY2(told().contains(u"Another board answers"_s), qPrintable(told()));
     QVERIFY2(told().contains(u"interrupted write belongs to the board before"_s), qPrintable(told()));
@@ -125,8 +126,7 @@ void TestOtherBoard::lostMemoryIsTold()
     QTRY_VERIFY(!m_rig->client().isConnected());
     m_told.clear();
     board = plugIn();  // with the values of the factory
-    QTRY_VERIFY_WITH_TIMEOUT(told().contains(u"2 value(s) on the board differ from what was read before"_s),
-                             20000);
+    QTRY_VERIFY(told().contains(u"2 value(s) on the board differ from what was read before"_s));
     QCOMPARE(m_rig->raw(u"pid.roll.p"_s), 35.0);
 }
 
@@ -141,7 +141,7 @@ void TestOtherBoard::aBoardThatLooksTheSameIsAsked()
     board.reset();
     QTRY_VERIFY(!m_rig->client().isConnected());
     board = plugIn({}, u"storm32"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(open(Topic::Board).has_value(), 20000);
+    QTRY_VERIFY(open(Topic::Board).has_value());
     QVERIFY2(open(Topic::Board)->text.contains(u"looks like the one before"_s),
              qPrintable(open(Topic::Board)->text));
     QCOMPARE(model().changeCount(), 1);

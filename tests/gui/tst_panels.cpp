@@ -15,6 +15,7 @@
 #include "app/workspace/question.h"
 #include "protocol/device/abilities.h"
 #include "tests/support/named.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/keyboard.h"
 #include "widgets/forms/panel.h"
@@ -150,7 +151,7 @@ private:
     QPushButton *motors() { return window().findChild<QPushButton *>(u"motors"_s); }
     bool motorsAre(bool running)
     {
-        return QTest::qWaitFor([&] { return workspace().motorsRunning() == running; }, 15000);
+        return QTest::qWaitFor([&] { return workspace().motorsRunning() == running; }, kPatience);
     }
     /// A click as the window system sends it: a window that is blocked gets none.
     void click(QWidget *widget)
@@ -190,13 +191,13 @@ bool TestPanels::isLiveValueSet(const QString &key)
     if (live.changeCount() > 0)
         return true;
     const int id = m_rig->spec(key).id;
-    if (!QTest::qWaitFor([&live] { return !live.parameters().isEmpty(); }, 8000))
+    if (!QTest::qWaitFor([&live] { return !live.parameters().isEmpty(); }, kPatience))
         return false;
     live.read();
-    if (!QTest::qWaitFor([&live, id] { return live.value(id).has_value(); }, 8000))
+    if (!QTest::qWaitFor([&live, id] { return live.value(id).has_value(); }, kPatience))
         return false;
     live.setValue(id, *live.value(id) + 1);
-    return QTest::qWaitFor([&live] { return live.changeCount() == 1; }, 8000);
+    return QTest::qWaitFor([&live] { return live.changeCount() == 1; }, kPatience);
 }
 
 void TestPanels::discardTypedScripts()
@@ -213,7 +214,7 @@ bool TestPanels::isRecorded()
     if (QFile::exists(path))
         return true;
     QSignalSpy saved(&workspace().recorder(), &LinkRecorder::finished);
-    return workspace().recorder().savePast(path) && (saved.count() > 0 || saved.wait(8000));
+    return workspace().recorder().savePast(path) && (saved.count() > 0 || saved.wait(kPatience));
 }
 
 // What was opened before leaves nothing behind.
@@ -295,12 +296,12 @@ QDialog *TestPanels::open(const QString &name)
                 page->peaks()->selectRow(row);
             return page->notchButton()->isEnabled();
         };
-        if (!QTest::qWaitFor([&written] { return written.count() > 0; }, 15000)
+        if (!QTest::qWaitFor([&written] { return written.count() > 0; }, kPatience)
             || !QTest::qWaitFor(isOffered, 60000))
             return nullptr;
         page->notchButton()->click();
     }
-    if (!QTest::qWaitFor([this] { return window().panels()->isOpen(); }, 5000))
+    if (!QTest::qWaitFor([this] { return window().panels()->isOpen(); }, kPatience))
         return nullptr;
     return window().panels()->findChild<QDialog *>();
 }
@@ -364,7 +365,7 @@ void TestPanels::stopBeneath(const QString &address, const QString &name)
     QVERIFY(dialog->isAncestorOf(QApplication::focusWidget()));
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     QTRY_VERIFY(!window().panels()->isOpen());
-    QTRY_VERIFY_WITH_TIMEOUT(motors()->isEnabled(), 5000);  // to switch them on
+    QTRY_VERIFY(motors()->isEnabled());  // to switch them on
 }
 
 void TestPanels::keysStopThemInEachDialog()
@@ -406,12 +407,12 @@ void TestPanels::stopIsKeptBeneathEachDialog()
     QVERIFY(open(name));
     workspace().changeWorld(u"replug=1"_s);
     workspace().changeWorld(u"unplug=0"_s);
-    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Reconnecting, 10000);
+    QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Reconnecting);
     QTRY_VERIFY(motors()->isEnabled());
     QSignalSpy kept(&workspace().notifications(), &Notifications::notice);
     click(motors());
     QCOMPARE(kept.count(), 1);
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 20000);
+    QTRY_VERIFY(m_rig->client().isConnected());
     QVERIFY(motorsAre(false));
     tidy();
     workspace().setMotors(true);
@@ -425,7 +426,7 @@ void TestPanels::stopIsKeptBeneathEachDialog()
     kept.clear();
     click(motors());
     QCOMPARE(kept.count(), 1);
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 20000);
+    QTRY_VERIFY(m_rig->client().isConnected());
     QVERIFY(motorsAre(false));
 }
 
@@ -435,7 +436,7 @@ void TestPanels::stopOutrunsAStartThatWaits()
     QVERIFY(m_rig->open(kDemo));
     QSignalSpy off(&m_rig->client(), &DeviceClient::motorsOffFinished);
     workspace().setMotors(false);
-    QTRY_COMPARE_WITH_TIMEOUT(off.count(), 1, 20000);
+    QTRY_COMPARE(off.count(), 1);
     QVERIFY(motorsAre(false));
     const auto busy = std::make_shared<QSemaphore>();
     const auto released = qScopeGuard([busy] { busy->release(); });
@@ -445,7 +446,7 @@ void TestPanels::stopOutrunsAStartThatWaits()
     });
     workspace().setMotors(true);
     workspace().setMotors(false);
-    QTRY_COMPARE_WITH_TIMEOUT(off.count(), 2, 20000);
+    QTRY_COMPARE(off.count(), 2);
     busy->release();
     QVERIFY(m_rig->jobsAreDone());
     QVERIFY(m_rig->boardGoesOn(1.0));
@@ -483,12 +484,12 @@ void TestPanels::stopOutrunsWhateverTheWorkerDoes()
             if (key == work)
                 workspace().perform(key, *parseArguments(action, {}));
         }
-        QTRY_VERIFY_WITH_TIMEOUT(!progress.isEmpty(), 20000);
+        QTRY_VERIFY(!progress.isEmpty());
     }
     m_rig->client().submit<bool>(hold);
     QSignalSpy off(&m_rig->client(), &DeviceClient::motorsOffFinished);
     click(motors());
-    QTRY_VERIFY_WITH_TIMEOUT(!off.isEmpty() && off.first().first().toBool(), 5000);
+    QTRY_VERIFY(!off.isEmpty() && off.first().first().toBool());
     QVERIFY(m_rig->client().isBusy());
     QVERIFY(motorsAre(false));
     busy.release();
@@ -514,7 +515,7 @@ void TestPanels::lockedOutBoardIsStopped()
     m_rig->edit(u"mavlink.heartbeat"_s, 0, 1);
     QSignalSpy written(&workspace(), &Workspace::writeFinished);
     workspace().write(m_rig->model().edited());
-    QTRY_VERIFY_WITH_TIMEOUT(!written.isEmpty(), 20000);
+    QTRY_VERIFY(!written.isEmpty());
     m_rig->client().disconnectFromBoard();
     QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
     QVERIFY(m_rig->open(address));
@@ -723,7 +724,7 @@ void TestPanels::stopIsKeptUntilThereIsALink()
     QVERIFY(motorsAre(true));
     workspace().changeWorld(u"replug=4"_s);
     workspace().changeWorld(u"unplug=0"_s);
-    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().state(), DeviceClient::State::Reconnecting, 10000);
+    QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Reconnecting);
     QTRY_VERIFY(motors()->isEnabled());
     QSignalSpy kept(&workspace().notifications(), &Notifications::notice);
     if (by == u"button"_s)
@@ -732,7 +733,7 @@ void TestPanels::stopIsKeptUntilThereIsALink()
         QTest::keyPress(&window(), by == u"F12"_s ? Qt::Key_F12 : Qt::Key_Escape);
     QTRY_COMPARE(kept.count(), 1);
     QCOMPARE(m_rig->client().state(), DeviceClient::State::Reconnecting);
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 20000);
+    QTRY_VERIFY(m_rig->client().isConnected());
     QVERIFY(motorsAre(false));
 }
 

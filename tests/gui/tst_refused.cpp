@@ -9,6 +9,7 @@
 #include "app/pages/tune/tuningpage.h"
 #include "app/pages/tune/variablespage.h"
 #include "tests/support/named.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/filtertable.h"
 #include "widgets/forms/liveslider.h"
@@ -80,7 +81,7 @@ private:
     {
         QSignalSpy read(&m_rig->workspace(), &Workspace::boardRead);
         m_rig->workspace().readBoard();
-        return QTest::qWaitFor([&read] { return read.count() > 0; }, 15000);
+        return QTest::qWaitFor([&read] { return read.count() > 0; }, kPatience);
     }
     /// The field in which a cell is edited.
     static NumberBox *open(QAbstractItemView *table, const QModelIndex &cell)
@@ -357,7 +358,7 @@ void TestRefused::tablesHaveNoFieldsOfTheirOwn()
                        .data(TableModel::NumberRole)
                        .isValid();
         },
-        15000));
+        kPatience));
     // Of all groups and levels, not only what is shown first.
     named<QComboBox>(parameters(), u"How much to show"_s)->setCurrentIndex(2);
     for (QPushButton *chip : parameters()->findChildren<QPushButton *>(u"chip"_s)) {
@@ -456,7 +457,7 @@ void TestRefused::variablesTakeWhatWasMeant()
     const auto cell = [page, table](int row) {
         return table->fromSource(page->model().index(row, AdjustableModel::ValueColumn));
     };
-    QTRY_VERIFY_WITH_TIMEOUT(cell(3).data(TableModel::NumberRole).isValid(), 15000);
+    QTRY_VERIFY(cell(3).data(TableModel::NumberRole).isValid());
     const QString before = cell(3).data().toString();
     QSignalSpy written(&page->model(), &AdjustableModel::written);
     for (const QString &text : {u"3,5"_s, u"300"_s, u"1.000"_s}) {
@@ -495,7 +496,7 @@ void TestRefused::variablesTakeWhatWasMeant()
     QTest::keyClicks(table->findChild<NumberBox *>(), u"1"_s);
     QTest::keyClick(table->findChild<NumberBox *>(), Qt::Key_Return);
     QVERIFY(isClosed(table));
-    QTRY_VERIFY_WITH_TIMEOUT(written.last().at(1).toDouble() == 41.0, 15000);
+    QTRY_VERIFY(written.last().at(1).toDouble() == 41.0);
 }
 
 // A field that opens with the key that is its value already; the next key comes in the same moment.
@@ -505,7 +506,7 @@ void TestRefused::theFirstKeyIsKept()
     auto *page = m_rig->page<VariablesPage>();
     FilterTable *table = page->table();
     const QModelIndex cell = table->fromSource(page->model().index(3, AdjustableModel::ValueColumn));
-    QTRY_VERIFY_WITH_TIMEOUT(cell.data(TableModel::NumberRole).isValid(), 15000);
+    QTRY_VERIFY(cell.data(TableModel::NumberRole).isValid());
     QSignalSpy written(&page->model(), &AdjustableModel::written);
     for (const QString &keys : {u"4"_s, u"41"_s}) {
         table->setFocus();
@@ -530,7 +531,7 @@ void TestRefused::aLateReadingIsTypedOver()
     auto *page = m_rig->page<VariablesPage>();
     FilterTable *table = page->table();
     const QModelIndex cell = table->fromSource(page->model().index(3, AdjustableModel::ValueColumn));
-    QTRY_VERIFY_WITH_TIMEOUT(cell.data(TableModel::NumberRole).isValid(), 15000);
+    QTRY_VERIFY(cell.data(TableModel::NumberRole).isValid());
     NumberBox *box = open(table, cell);
     QVERIFY(box);
     // Meanwhile the radio changes it.
@@ -552,7 +553,7 @@ void TestRefused::aReadingAfterEnterReplacesNothing()
     FilterTable *table = page->table();
     const QModelIndex source = page->model().index(3, AdjustableModel::ValueColumn);
     const QModelIndex cell = table->fromSource(source);
-    QTRY_VERIFY_WITH_TIMEOUT(cell.data(TableModel::NumberRole).isValid(), 15000);
+    QTRY_VERIFY(cell.data(TableModel::NumberRole).isValid());
     const double before = cell.data(Qt::EditRole).toDouble();
     NumberBox *box = open(table, cell);
     QTest::keyClicks(box, u"41"_s);
@@ -626,15 +627,15 @@ void TestRefused::variablesKeepWhatIsHalfTyped()
     FilterTable *table = page->table();
     const auto cell
         = [page, table] { return table->fromSource(page->model().index(3, AdjustableModel::ValueColumn)); };
-    QTRY_VERIFY_WITH_TIMEOUT(cell().data(TableModel::NumberRole).isValid(), 15000);
+    QTRY_VERIFY(cell().data(TableModel::NumberRole).isValid());
     NumberBox *box = open(table, cell());
     QTest::keyClicks(box, u"12"_s);
     m_rig->workspace().changeWorld(u"replug=1"_s);
     m_rig->workspace().changeWorld(u"unplug=0"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(!m_rig->client().isConnected(), 10000);
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 15000);
+    QTRY_VERIFY(!m_rig->client().isConnected());
+    QTRY_VERIFY(m_rig->client().isConnected());
     QVERIFY(m_rig->jobsAreDone());
-    QTRY_VERIFY_WITH_TIMEOUT(cell().data(TableModel::NumberRole).isValid(), 15000);
+    QTRY_VERIFY(cell().data(TableModel::NumberRole).isValid());
     box = nullptr;
     for (NumberBox *each : table->findChildren<NumberBox *>())
         box = each->isVisible() ? each : box;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/translations.h"
 #include "app/pages/tune/spectrumpage.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 
 #include <QAbstractButton>
@@ -93,8 +94,7 @@ void TestSmallest::figuresOfTheSpectrumAreWhole()
     rig.window().resize(1024, 640);
     QVERIFY(rig.open(address));
     auto *page = rig.page<SpectrumPage>();
-    QTRY_VERIFY_WITH_TIMEOUT(
-        page->bands()->item(0, 1) && page->bands()->item(0, 1)->text().contains(u"RMS"_s), 15000);
+    QTRY_VERIFY(page->bands()->item(0, 1) && page->bands()->item(0, 1)->text().contains(u"RMS"_s));
     QVERIFY(rig.isSettled());
     for (const QTableWidget *table : {page->bands(), page->peaks()}) {
         for (int column = 0; column < table->columnCount(); ++column) {

@@ -3,6 +3,7 @@
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/messagebar.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/windowrig.h"
 #include "widgets/models/channelmodel.h"
@@ -98,15 +99,15 @@ void TestStale::viewsAreCoveredWhileNothingComes()
         QVERIFY(rig.window().showPage(key));
         const QWidget *page = rig.window().page(key);
         QVERIFY(rig.boardGoesOn(0.5));
-        QTRY_VERIFY2_WITH_TIMEOUT(shown(*page).isEmpty(), qPrintable(key), 30000);
+        QTRY_VERIFY2(shown(*page).isEmpty(), qPrintable(key));
         rig.window().messageBar()->hide();
-        QTRY_VERIFY2_WITH_TIMEOUT(!placesOn(*page).isEmpty(), qPrintable(key), 30000);  // the board is read
+        QTRY_VERIFY2(!placesOn(*page).isEmpty(), qPrintable(key));  // the board is read
         QVERIFY(rig.isSettled());
         const QList<QRect> places = placesOn(*page);
         const QDateTime before = QDateTime::currentDateTime();
         for (const QString &fault : stop)
             rig.workspace().changeWorld(fault);
-        QTRY_VERIFY2_WITH_TIMEOUT(!shown(*page).isEmpty(), qPrintable(key), 10000);
+        QTRY_VERIFY2(!shown(*page).isEmpty(), qPrintable(key));
         const QString text = shown(*page).front()->text();
         const QTime since = QTime::fromString(text.right(8), u"HH:mm:ss"_s);
         QVERIFY2(since.isValid(), qPrintable(text));
@@ -128,7 +129,7 @@ void TestStale::viewsAreCoveredWhileNothingComes()
         }
         for (const QString &fault : goOn)
             rig.workspace().changeWorld(fault);
-        QTRY_VERIFY2_WITH_TIMEOUT(shown(*page).isEmpty(), qPrintable(key), 30000);
+        QTRY_VERIFY2(shown(*page).isEmpty(), qPrintable(key));
     }
 }
 
@@ -176,17 +177,17 @@ void TestStale::aBoardWithoutLiveDataIsNoticed()
 {
     WindowRig rig;
     rig.window().openLink(u"sim:storm32?fault=deaf=100"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(rig.client().isConnected() && !rig.model().isEmpty(), 15000);
+    QTRY_VERIFY(rig.client().isConnected() && !rig.model().isEmpty());
     for (const QString &key : kPages) {
         QVERIFY(rig.window().showPage(key));
-        QTRY_VERIFY2_WITH_TIMEOUT(!shown(*rig.window().page(key)).isEmpty(), qPrintable(key), 15000);
+        QTRY_VERIFY2(!shown(*rig.window().page(key)).isEmpty(), qPrintable(key));
     }
     QVERIFY(rig.client().isConnected());
     const auto labels = rig.window().findChildren<QLabel *>();
     QTRY_VERIFY(std::any_of(labels.begin(), labels.end(),
                             [](const QLabel *label) { return label->text().contains(u"no live data"_s); }));
     rig.workspace().changeWorld(u"deaf=-1"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(shown(*rig.window().page(kPages.last())).isEmpty(), 30000);
+    QTRY_VERIFY(shown(*rig.window().page(kPages.last())).isEmpty());
 }
 
 void TestStale::aMissingSensorIsShown_data()
@@ -208,7 +209,7 @@ void TestStale::aMissingSensorIsShown()
         const QWidget *page = rig.window().page(key);
         const auto *attitude = page->findChild<AttitudeView *>();
         const auto *cover = attitude->findChild<StaleCover *>({}, Qt::FindDirectChildrenOnly);
-        QTRY_COMPARE_WITH_TIMEOUT(cover->text(), u"The board sees no sensor"_s, 10000);
+        QTRY_COMPARE(cover->text(), u"The board sees no sensor"_s);
         QVERIFY(cover->isVisible());
     }
     const auto store = rig.client().telemetry();
@@ -219,7 +220,7 @@ void TestStale::aMissingSensorIsShown()
     }
     QVERIFY(!std::isnan(store->latest(roles.battery)));
     rig.workspace().changeWorld(u"no-imu=0"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(!std::isnan(store->latest(roles.angle[0])), 20000);
+    QTRY_VERIFY(!std::isnan(store->latest(roles.angle[0])));
 }
 
 void TestStale::dataThatStandStillAreStale_data()
@@ -245,10 +246,10 @@ void TestStale::dataThatStandStillAreStale()
     QVERIFY(rig.boardGoesOn(1.0));
     QTRY_VERIFY(cover->text().isEmpty());
     rig.workspace().changeWorld(u"frozen=1"_s);
-    QTRY_VERIFY2_WITH_TIMEOUT(cover->text().startsWith(text), qPrintable(cover->text()), 15000);
+    QTRY_VERIFY2(cover->text().startsWith(text), qPrintable(cover->text()));
     QVERIFY(rig.client().isConnected());
     rig.workspace().changeWorld(u"frozen=0"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(cover->text().isEmpty(), 15000);
+    QTRY_VERIFY(cover->text().isEmpty());
 }
 
 // Nothing that the board has said before counts as the present; a stop that was proven since does.
@@ -256,7 +257,7 @@ void TestStale::dataThatStandStillAreToldEverywhere()
 {
     WindowRig rig;
     QVERIFY(rig.open());
-    QTRY_COMPARE_WITH_TIMEOUT(rig.workspace().motorsRunning(), std::optional(true), 10000);
+    QTRY_COMPARE(rig.workspace().motorsRunning(), std::optional(true));
     QVERIFY(rig.window().showPage(u"calibration"_s));
     QVERIFY(rig.boardGoesOn(1.0));
     const auto says = [&rig](const QString &text) {
@@ -269,7 +270,7 @@ void TestStale::dataThatStandStillAreToldEverywhere()
     const QString told = u"the same live data again and again"_s;
     QVERIFY(!rig.window().messageBar()->text().contains(told));
     rig.workspace().changeWorld(u"frozen=1"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(rig.window().messageBar()->text().contains(told), 15000);
+    QTRY_VERIFY(rig.window().messageBar()->text().contains(told));
     QTRY_VERIFY(says(u"live data stand still"_s));
     QCOMPARE(rig.workspace().motorsRunning(), std::nullopt);
     QTRY_COMPARE(motors->text(), u"■ STOP MOTORS"_s);
@@ -277,11 +278,11 @@ void TestStale::dataThatStandStillAreToldEverywhere()
     QTRY_VERIFY(says(u"Whether the motors run is not known"_s));
     QVERIFY(!says(u"Motors are running"_s) && !says(u"reports no errors"_s));
     QTest::keyClick(&rig.window(), Qt::Key_F12);
-    QTRY_COMPARE_WITH_TIMEOUT(rig.workspace().motorsRunning(), std::optional(false), 10000);
+    QTRY_COMPARE(rig.workspace().motorsRunning(), std::optional(false));
     QTRY_VERIFY(says(u"Motors are off."_s));
     QTRY_COMPARE(motors->text(), u"▶ Start motors"_s);
     rig.workspace().changeWorld(u"frozen=0"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(!rig.window().messageBar()->text().contains(told), 15000);
+    QTRY_VERIFY(!rig.window().messageBar()->text().contains(told));
     QTRY_VERIFY(!says(u"live data stand still"_s));
     QTRY_VERIFY(says(u"reports no errors"_s));
     QCOMPARE(rig.workspace().motorsRunning(), std::optional(false));
@@ -318,12 +319,12 @@ void TestStale::silenceWithMotorsIsAnAlarm()
         else
             rig.workspace().changeWorld(frozen ? u"deaf=100"_s : u"deaf=-1"_s);
     };
-    QTRY_COMPARE_WITH_TIMEOUT(rig.workspace().motorsRunning(), std::optional(true), 20000);
-    QTRY_VERIFY_WITH_TIMEOUT(!rig.workspace().isStarting(), 20000);
+    QTRY_COMPARE(rig.workspace().motorsRunning(), std::optional(true));
+    QTRY_VERIFY(!rig.workspace().isStarting());
     QVERIFY(rig.jobsAreDone());
     if (!run) {
         rig.workspace().setMotors(false);
-        QTRY_COMPARE_WITH_TIMEOUT(rig.workspace().motorsRunning(), std::optional(false), 10000);
+        QTRY_COMPARE(rig.workspace().motorsRunning(), std::optional(false));
     }
     const QString told = u"No live data have come since"_s;
     QVERIFY(rig.boardGoesOn(0.5));
@@ -334,14 +335,14 @@ void TestStale::silenceWithMotorsIsAnAlarm()
             return channel.sleep(30s).map([] { return true; });
         });
     freeze(true);
-    QTRY_COMPARE_WITH_TIMEOUT(silent.count(), 1, 20000);
+    QTRY_COMPARE(silent.count(), 1);
     QCOMPARE(rig.client().isBusy(), isBusy);
     const auto *dot = rig.window().findChild<QLabel *>(u"dot"_s);
     QVERIFY(dot && !dot->text().contains(rig.workspace().theme().color(ColorRole::Ok).name()));
     QCOMPARE(rig.window().messageBar()->text().contains(told), run);
     QVERIFY(rig.client().isConnected());
     freeze(false);
-    QTRY_COMPARE_WITH_TIMEOUT(silent.count(), 2, 15000);
+    QTRY_COMPARE(silent.count(), 2);
     QVERIFY(!rig.window().messageBar()->text().contains(told));
     QTRY_VERIFY(dot->text().contains(rig.workspace().theme().color(ColorRole::Ok).name()));
 }
@@ -364,13 +365,13 @@ void TestStale::silenceIsNoAlarmWhileWorkExplainsIt()
         const auto since = rig.workspace().freshness().staleSince();
         return since ? since->msecsTo(QDateTime::currentDateTime()) : 0;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(silence() > 5000, 20000);
+    QTRY_VERIFY(silence() > 5000);
     QVERIFY(!rig.workspace().freshness().silentSince());
     *goesOn = false;
     QTRY_VERIFY(work.isFinished());
-    QTRY_VERIFY_WITH_TIMEOUT(rig.workspace().freshness().silentSince(), 15000);
+    QTRY_VERIFY(rig.workspace().freshness().silentSince());
     rig.workspace().changeWorld(u"deaf=-1"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(!rig.workspace().freshness().silentSince(), 15000);
+    QTRY_VERIFY(!rig.workspace().freshness().silentSince());
 }
 
 QTEST_MAIN(TestStale)

@@ -13,6 +13,7 @@
 #include "app/pages/tune/spectrumpage.h"
 #include "app/pages/tune/tuningpage.h"
 #include "tests/support/named.h"
+#include "tests/support/patience.h"
 #include "tests/support/stormwindow.h"
 #include "widgets/forms/panel.h"
 #include "widgets/forms/parameterform.h"
@@ -177,17 +178,17 @@ void TestStorm::unstoredValuesStayInSight()
     m_rig->window().showPage(u"dashboard"_s);
     QVERIFY(bar->isVisible());  // on every page
     bar->storeButton()->click();
-    QTRY_VERIFY_WITH_TIMEOUT(!bar->isVisible(), 10000);
+    QTRY_VERIFY(!bar->isVisible());
     QTRY_COMPARE(m_rig->raw(u"pid.yaw.p"_s), 421);
     workspace().perform(u"restart"_s, {});
-    QTRY_COMPARE_WITH_TIMEOUT(inUse(12), 421, 8000);
+    QTRY_COMPARE(inUse(12), 421);
 
     // A restart that was asked for elsewhere takes live values with it; the pages know.
     page->live().setValue(m_rig->spec(u"pid.yaw.p"_s).id, 433);
     QTRY_VERIFY(bar->isVisible());
     QTRY_COMPARE(inUse(12), 433);
     workspace().perform(u"restart"_s, {});
-    QTRY_VERIFY_WITH_TIMEOUT(!bar->isVisible(), 10000);
+    QTRY_VERIFY(!bar->isVisible());
     QTRY_COMPARE(page->live().value(m_rig->spec(u"pid.yaw.p"_s).id), std::optional(421));
 
     // An action that changes what is in use says so as well, and there is a way back.
@@ -201,7 +202,7 @@ void TestStorm::unstoredValuesStayInSight()
     auto *question = m_rig->window().panels()->findChild<QDialog *>();
     QVERIFY(question);
     named<QPushButton>(question, u"Revert all"_s)->click();
-    QTRY_VERIFY_WITH_TIMEOUT(!workspace().isUnstored() && !bar->isVisible(), 10000);
+    QTRY_VERIFY(!workspace().isUnstored() && !bar->isVisible());
     QTRY_COMPARE(inUse(12), 421);
 }
 
@@ -220,7 +221,7 @@ void TestStorm::closingAsksForWhatIsNotStored()
         if (box->buttonRole(button) == QMessageBox::AcceptRole)
             button->click();
     }
-    QTRY_VERIFY_WITH_TIMEOUT(!m_rig->window().isVisible(), 10000);
+    QTRY_VERIFY(!m_rig->window().isVisible());
     QVERIFY(!workspace().isUnstored());
 }
 
@@ -339,7 +340,7 @@ void TestStorm::typedScriptIsAskedForWhenQuitting()
             if (box->buttonRole(button) == role)
                 button->click();
         }
-        return QTest::qWaitFor([this] { return !m_rig->window().isVisible(); }, 10000);
+        return QTest::qWaitFor([this] { return !m_rig->window().isVisible(); }, kPatience);
     };
     QVERIFY(quit(QMessageBox::AcceptRole));
     const BoardHistory history(BoardHistory::defaultRoot());
@@ -377,7 +378,7 @@ void TestStorm::spectrumOfPolledSamples()
 {
     QVERIFY(openStorm());
     auto *page = m_rig->page<SpectrumPage>();
-    QTRY_COMPARE_WITH_TIMEOUT(page->chart()->curves().size(), qsizetype(3), 15000);
+    QTRY_COMPARE(page->chart()->curves().size(), qsizetype(3));
     QTRY_VERIFY(page->bands()->item(0, 1) && page->bands()->item(0, 1)->text().contains(u'°'));
     const auto labels = page->findChildren<QLabel *>();
     QVERIFY(std::any_of(labels.begin(), labels.end(),
@@ -407,7 +408,7 @@ void TestStorm::consoleLeavesPollingOut()
     page->input()->setText(u"getparameter index=0"_s);
     page->send();
     QTRY_COMPARE(count(u"GETPARAMETER"_s), 2);  // the question and its answer
-    QVERIFY(QTest::qWaitFor([&] { return m_rig->client().telemetry()->rows() > 200; }, 10000));
+    QVERIFY(QTest::qWaitFor([&] { return m_rig->client().telemetry()->rows() > 200; }, kPatience));
     QCOMPARE(count(u"d"_s), 0);
     for (QCheckBox *box : page->findChildren<QCheckBox *>()) {
         if (box->text().contains(u"Live data"_s))
@@ -459,7 +460,7 @@ void TestStorm::heartbeatIsEscapedByOneClick()
     m_rig->client().disconnectFromBoard();
     QTRY_VERIFY(!m_rig->client().isConnected());
     m_rig->window().openLink(u"sim:storm32?rate=115200"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected(), 15000);
+    QTRY_VERIFY(m_rig->client().isConnected());
     QTRY_VERIFY(m_rig->window().offerBar()->text().contains(u"MAVLink"_s));
     QVERIFY(ready());  // live data comes all the same
     QTRY_COMPARE(m_rig->raw(u"pid.roll.p"_s), 433);
@@ -467,8 +468,8 @@ void TestStorm::heartbeatIsEscapedByOneClick()
     QVERIFY(!page->editor()->isEnabled() && !page->message().isEmpty());
     m_rig->window().offerBar()->buttons().first()->click();
     const int heartbeat = m_rig->spec(u"mavlink.heartbeat"_s).id;
-    QTRY_COMPARE_WITH_TIMEOUT(workspace().live().value(heartbeat), std::optional(0.0), 10000);
-    QTRY_VERIFY_WITH_TIMEOUT(page->editor()->isEnabled(), 5000);
+    QTRY_COMPARE(workspace().live().value(heartbeat), std::optional(0.0));
+    QTRY_VERIFY(page->editor()->isEnabled());
     QCOMPARE(m_rig->raw(u"mavlink.heartbeat"_s), 1.0);  // where it is stored
     QVERIFY(workspace().isUnstored());  // it would be back after a restart, and that is said
     QVERIFY(ready());
@@ -525,11 +526,11 @@ void TestStorm::disabledMotorsAreToldWithALostLink()
 {
     QVERIFY(openStorm());
     workspace().perform(u"reset"_s, {});
-    QTRY_VERIFY_WITH_TIMEOUT(!workspace().motorsRunning().value_or(true), 10000);
+    QTRY_VERIFY(!workspace().motorsRunning().value_or(true));
     QSignalSpy stopped(&m_rig->client(), &DeviceClient::motorsOffFinished);
     QSignalSpy settled(&m_rig->client(), &DeviceClient::motorsOffSettled);
     m_rig->client().motorsOff();
-    QTRY_COMPARE_WITH_TIMEOUT(stopped.size(), 1, 10000);
+    QTRY_COMPARE(stopped.size(), 1);
     QVERIFY(stopped.first().first().toBool());
     QVERIFY(settled.isEmpty());
     QStringList told;
@@ -537,7 +538,7 @@ void TestStorm::disabledMotorsAreToldWithALostLink()
             [&told](const ErrorText &text) { told.append(text.oneLine()); });
     workspace().changeWorld(u"unplug=0"_s);
     const auto lost = [&told] { return told.filter(u"The link to the board broke"_s); };
-    QTRY_VERIFY_WITH_TIMEOUT(!lost().isEmpty(), 10000);
+    QTRY_VERIFY(!lost().isEmpty());
     QVERIFY2(lost().first().contains(u"may stay so until it restarts"_s), qPrintable(told.join(u'\n')));
 }
 

@@ -19,6 +19,7 @@
 #include "tests/support/loopmath.h"
 #include "tests/support/measure.h"
 #include "tests/support/named.h"
+#include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/stormwindow.h"
 #include "widgets/forms/numberbox.h"
@@ -69,17 +70,17 @@ void TestStormMotion::sensorIsCalibratedAndStored()
     QVERIFY(openStorm());
     auto *page = m_rig->page<SensorPage>();
     workspace().changeWorld(u"pose=1"_s);
-    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(true), 8000);
+    QTRY_COMPARE(workspace().motorsRunning(), std::optional(true));
     page->start(true);  // past the question: the procedure itself keeps them off
-    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(false), 8000);
+    QTRY_COMPARE(workspace().motorsRunning(), std::optional(false));
     const std::array poses{1, 4, 2, 6, 3, 5};
     for (std::size_t i = 0; i < poses.size(); ++i) {
         workspace().changeWorld(u"pose=%1"_s.arg(poses[i]));
-        QTRY_VERIFY2_WITH_TIMEOUT(page->doneCount() == int(i) + 1 || page->step() == SensorPage::Step::Result,
-                                  qPrintable(page->sees()), 20000);
+        QTRY_VERIFY2(page->doneCount() == int(i) + 1 || page->step() == SensorPage::Step::Result,
+                     qPrintable(page->sees()));
     }
     QTRY_COMPARE(page->step(), SensorPage::Step::Result);
-    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(false), 8000);
+    QTRY_COMPARE(workspace().motorsRunning(), std::optional(false));
     QVERIFY(std::abs(page->calibration().scale[2] - 8356)
             < 60);  // 1.02 of 8192, the simulated sensor's own error
     // Nothing was changed so far.
@@ -89,13 +90,13 @@ void TestStormMotion::sensorIsCalibratedAndStored()
         workspace().perform(u"calibration.read"_s, {}).then(this, [&](const Result<ActionOutcome> &reply) {
             scale = reply ? reply->reply.value(u"imu.acc.scale.z"_s).toInt() : -1;
         });
-        return QTest::qWaitFor([&] { return scale.has_value(); }, 5000) ? *scale : -1;
+        return QTest::qWaitFor([&] { return scale.has_value(); }, kPatience) ? *scale : -1;
     };
     QCOMPARE(stored(), 8192);
     const QString file = m_rig->filePath(u"imu.cal"_s);
     QVERIFY(page->saveFile(file));
     page->storeButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SensorPage::Step::Choose, 10000);
+    QTRY_COMPARE(page->step(), SensorPage::Step::Choose);
     QCOMPARE(stored(), page->calibration().scale[2]);
 }
 
@@ -112,7 +113,7 @@ void TestStormMotion::calibrationComesFromAFile()
     QVERIFY(page->loadFile(path));
     QCOMPARE(page->step(), SensorPage::Step::Result);
     page->storeButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SensorPage::Step::Choose, 10000);
+    QTRY_COMPARE(page->step(), SensorPage::Step::Choose);
     QVERIFY(!page->loadFile(m_rig->filePath(u"none.cal"_s)));
 }
 
@@ -148,22 +149,22 @@ void TestStormMotion::gimbalIsSetUp()
     changeWorld("pose=1");
     QTRY_VERIFY(page->continueButton()->isEnabled());
     QTest::keyClick(page->continueButton(), Qt::Key_Space);
-    QTRY_VERIFY2_WITH_TIMEOUT(page->step() == Step::Orientation && page->what().contains(u"45°"_s),
-                              qPrintable(page->what()), 15000);
+    QTRY_VERIFY2(page->step() == Step::Orientation && page->what().contains(u"45°"_s),
+                 qPrintable(page->what()));
     QVERIFY(workspace().isUnstored());
     changeWorld("pose=7");
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), Step::Poles, 15000);
+    QTRY_COMPARE(page->step(), Step::Poles);
     QVERIFY2(page->report().last().contains(u"x90°"_s), qPrintable(page->report().last()));
     QCOMPARE(inUse(39), 5);
     page->poles(Axis::Yaw)->setValue(16);
     page->continueButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), Step::AskStart, 8000);
+    QTRY_COMPARE(page->step(), Step::AskStart);
     QCOMPARE(inUse(32), 16);
     QCOMPARE(inUse(21), 2);
     page->poles(Axis::Yaw)->setValue(14);
     QVERIFY(!workspace().motorsRunning().value_or(true));  // nothing moves before it is asked
     page->continueButton()->click();
-    QTRY_VERIFY_WITH_TIMEOUT(page->step() == Step::AlignYaw && page->continueButton()->isEnabled(), 40000);
+    QTRY_VERIFY(page->step() == Step::AlignYaw && page->continueButton()->isEnabled());
     QCOMPARE(inUse(21), 0);
     QTRY_VERIFY(workspace().motorsRunning().value_or(false));
     for (QPushButton *button : page->findChildren<QPushButton *>()) {
@@ -173,15 +174,15 @@ void TestStormMotion::gimbalIsSetUp()
     QCOMPARE(page->yaw(), 5.0);
     QTRY_COMPARE(inUse(108), 50);
     page->continueButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), Step::AskFinish, 8000);
+    QTRY_COMPARE(page->step(), Step::AskFinish);
     QCOMPARE(inUse(108), 0);
     page->continueButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), Step::Done, 40000);
+    QTRY_COMPARE(page->step(), Step::Done);
     QVERIFY(!workspace().isUnstored());
     QTRY_COMPARE(m_rig->raw(u"imu.orientation"_s), 5);
     QCOMPARE(m_rig->raw(u"motor.yaw.poles"_s), 16);
     workspace().perform(u"reset"_s, {});
-    QTRY_COMPARE_WITH_TIMEOUT(inUse(39), 5, 8000);  // kept over a restart
+    QTRY_COMPARE(inUse(39), 5);  // kept over a restart
 }
 
 // Values that somebody else has set are not stored with the set-up's own unless that is wanted.
@@ -195,13 +196,13 @@ void TestStormMotion::setupListsWhatItHasNotSet()
     for (int task = 0; task < SetupPage::kTasks; ++task)
         page->box(SetupPage::Task(task))->setChecked(SetupPage::Task(task) == SetupPage::Task::Poles);
     page->continueButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SetupPage::Step::Poles, 8000);
+    QTRY_COMPARE(page->step(), SetupPage::Step::Poles);
     page->poles(Axis::Yaw)->setValue(16);
     page->continueButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SetupPage::Step::AskFinish, 8000);
+    QTRY_COMPARE(page->step(), SetupPage::Step::AskFinish);
     page->continueButton()->click();
     const auto review = [this] { return m_rig->window().findChild<ReviewDialog *>(); };
-    QTRY_VERIFY_WITH_TIMEOUT(review(), 60000);
+    QTRY_VERIFY(review());
     QAbstractItemModel *model = review()->table()->model();
     bool isListed = false;
     for (int row = 0; row < model->rowCount(); ++row) {
@@ -212,7 +213,7 @@ void TestStormMotion::setupListsWhatItHasNotSet()
     }
     QVERIFY(isListed);
     review()->accept();
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SetupPage::Step::Done, 20000);
+    QTRY_COMPARE(page->step(), SetupPage::Step::Done);
     QCOMPARE(m_rig->raw(u"motor.yaw.poles"_s), 16);
     QCOMPARE(m_rig->raw(u"pid.roll.p"_s), 400);
     QCOMPARE(inUse(6), 450);
@@ -229,7 +230,7 @@ void TestStormMotion::setupCanBeCancelled()
     workspace().changeWorld(u"battery=7"_s);
     const auto *motors = named<QPushButton>(&m_rig->window(), u"Stop motors"_s);
     page->continueButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(page->step(), SetupPage::Step::AskStart, 8000);
+    QTRY_COMPARE(page->step(), SetupPage::Step::AskStart);
     // Until it ends or is cancelled, nothing else stores or starts the motors.
     auto *bar = m_rig->window().findChild<UnstoredBar *>();
     auto *store = named<QPushButton>(bar, u"Store on the board"_s);
@@ -265,7 +266,7 @@ void TestStormMotion::setupCanBeCancelled()
     auto *question = m_rig->window().panels()->findChild<QDialog *>();
     QVERIFY(question);
     named<QPushButton>(question, u"Revert all"_s)->click();
-    QTRY_COMPARE_WITH_TIMEOUT(inUse(79), 0, 8000);
+    QTRY_COMPARE(inUse(79), 0);
     // Nothing ticked: nothing to begin.
     for (int task = 0; task < SetupPage::kTasks; ++task)
         page->box(SetupPage::Task(task))->setChecked(false);
@@ -280,13 +281,13 @@ void TestStormMotion::aPulledCableIsToldByTheWizards()
     const auto pull = [this] {
         workspace().changeWorld(u"replug=1"_s);
         workspace().changeWorld(u"unplug=0"_s);
-        return QTest::qWaitFor([this] { return !m_rig->client().isConnected(); }, 10000)
-            && QTest::qWaitFor([this] { return m_rig->client().isConnected(); }, 15000)
+        return QTest::qWaitFor([this] { return !m_rig->client().isConnected(); }, kPatience)
+            && QTest::qWaitFor([this] { return m_rig->client().isConnected(); }, kPatience)
             && m_rig->jobsAreDone();
     };
     workspace().changeWorld(u"pose=1"_s);
     sensor->start(true);
-    QTRY_COMPARE_WITH_TIMEOUT(sensor->doneCount(), 1, 20000);
+    QTRY_COMPARE(sensor->doneCount(), 1);
     QVERIFY(pull());
     QCOMPARE(sensor->step(), SensorPage::Step::Choose);
     QVERIFY2(told().contains(u"1 of 6 faces were measured; nothing of it is on the board."_s),
@@ -295,7 +296,7 @@ void TestStormMotion::aPulledCableIsToldByTheWizards()
     auto *setup = m_rig->page<SetupPage>();
     setup->box(SetupPage::Task::Orientation)->setChecked(false);
     setup->continueButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(setup->step(), SetupPage::Step::Poles, 8000);
+    QTRY_COMPARE(setup->step(), SetupPage::Step::Poles);
     m_rig->window().showPage(u"dashboard"_s);
     QVERIFY(pull());
     QCOMPARE(setup->step(), SetupPage::Step::Choose);
@@ -304,9 +305,9 @@ void TestStormMotion::aPulledCableIsToldByTheWizards()
     QVERIFY(!workspace().isGuided());
     m_rig->window().messageBar()->hide();
     setup->continueButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(setup->step(), SetupPage::Step::Poles, 8000);
+    QTRY_COMPARE(setup->step(), SetupPage::Step::Poles);
     workspace().changeWorld(u"reset=0"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(told().contains(u"The gimbal setup ended with the link."_s), 20000);
+    QTRY_VERIFY(told().contains(u"The gimbal setup ended with the link."_s));
     QVERIFY2(told().contains(u"is lost: the board restarted."_s) && !told().contains(u"is in use and not"_s),
              qPrintable(told()));
 }
@@ -329,12 +330,12 @@ void TestStormMotion::steeringByAngleAndByPulse()
     });
     QVERIFY(pitch != spins.end());
     (*pitch)->setValue(12);
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(workspace().latest(roles.angle[1]) - 12) < 1.0, 8000);
+    QTRY_VERIFY(std::abs(workspace().latest(roles.angle[1]) - 12) < 1.0);
     (*pitch)->setValue(90);  // within the limits of the sticks: 25 degrees
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(workspace().latest(roles.angle[1]) - 25) < 1.0, 8000);
+    QTRY_VERIFY(std::abs(workspace().latest(roles.angle[1]) - 25) < 1.0);
     const LinkStatistics before = m_rig->client().statistics();
     (*pitch)->setValue(0);
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(workspace().latest(roles.angle[1])) < 1.0, 8000);
+    QTRY_VERIFY(std::abs(workspace().latest(roles.angle[1])) < 1.0);
     // One request at a time: nothing was asked twice, no answer was taken for another's.
     QCOMPARE(m_rig->client().statistics().timeouts, before.timeouts);
     QCOMPARE(m_rig->client().statistics().framing.bodyErrors, 0U);
@@ -342,7 +343,7 @@ void TestStormMotion::steeringByAngleAndByPulse()
         ->setCurrentIndex(named<QComboBox>(page, u"Mode of control"_s)->findData(3));
     page->setArmed(true);
     (*pitch)->setValue(250);
-    QTRY_COMPARE_WITH_TIMEOUT(int(workspace().latest(input)), 250, 5000);
+    QTRY_COMPARE(int(workspace().latest(input)), 250);
     page->setArmed(false);
 }
 
@@ -356,7 +357,7 @@ void TestStormMotion::stepsAreMeasuredWithoutToldTargets()
     QVERIFY(writeAll());
     const int yaw = workspace().roles().angle[2];
     workspace().perform(u"angle"_s, {{u"yaw"_s, 20}});
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(workspace().latest(yaw) - 20) < 1.0, 8000);
+    QTRY_VERIFY(std::abs(workspace().latest(yaw) - 20) < 1.0);
     auto *page = m_rig->page<ResponsePage>();
     const auto *ways = qobject_cast<QStandardItemModel *>(page->wayChoice()->model());
     QVERIFY(ways->item(0)->isEnabled() && !ways->item(1)->isEnabled() && !ways->item(2)->isEnabled());
@@ -405,7 +406,7 @@ void TestStormMotion::stepsAreRefusedWhereNothingHolds()
     QCOMPARE(problems.count(), 1);
     // On the way to its middle the motors go off: it ends.
     workspace().setMotors(true);
-    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning().value_or(false), 30000);
+    QTRY_VERIFY(workspace().motorsRunning().value_or(false));
     QTest::mouseClick(page->armButton(), Qt::LeftButton);
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
     QVERIFY(page->isRunning());
@@ -429,7 +430,7 @@ void TestStormMotion::functionsAreAtHandWhileSteering()
     choice->setCurrentIndex(3);  // pan pan pan
     pan->click();
     const int status2 = findChannel(m_rig->client().device()->channels(), u"status2"_s);
-    QTRY_COMPARE_WITH_TIMEOUT(int(workspace().latest(status2)) & 0xE000, 0xE000, 5000);
+    QTRY_COMPARE(int(workspace().latest(status2)) & 0xE000, 0xE000);
 #if GIMBAL_WITH_SIMPLEBGC
     // A board without such actions has no such card.
     QVERIFY(m_rig->open());
@@ -447,7 +448,7 @@ void TestStormMotion::motorsOffWorksThroughMavlink()
     workspace().setMotors(false);
     QTRY_COMPARE(done.count(), 1);
     QVERIFY(done.first().first().toBool());
-    QTRY_VERIFY_WITH_TIMEOUT(!workspace().motorsRunning().value_or(true), 5000);
+    QTRY_VERIFY(!workspace().motorsRunning().value_or(true));
 }
 
 void TestStormMotion::wholeDayOverAPseudoTerminal_data()
@@ -461,20 +462,19 @@ void TestStormMotion::wholeDayOverAPseudoTerminal_data()
 void TestStormMotion::startingBoardIsOfferedAStop()
 {
     QVERIFY(openStorm());
-    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(true), 15000);
+    QTRY_COMPARE(workspace().motorsRunning(), std::optional(true));
     workspace().setMotors(false);
-    QTRY_COMPARE_WITH_TIMEOUT(workspace().motorsRunning(), std::optional(false), 15000);
+    QTRY_COMPARE(workspace().motorsRunning(), std::optional(false));
     QVERIFY(!workspace().isStarting());
     askToStartMotors(workspace(), &m_rig->window());
     QVERIFY(m_rig->window().panels()->isOpen());
     workspace().perform(u"restart"_s, {});
-    QTRY_VERIFY_WITH_TIMEOUT(workspace().isStarting() && workspace().motorsRunning() == std::optional(false),
-                             20000);
+    QTRY_VERIFY(workspace().isStarting() && workspace().motorsRunning() == std::optional(false));
     QTRY_VERIFY(!m_rig->window().panels()->isOpen());
     const QPushButton *motors = m_rig->window().findChild<LinkBar *>()->motorsButton();
     QTRY_VERIFY(motors->text().contains(u"STOP"_s) && motors->isEnabled());
     workspace().setMotors(false);
-    QTRY_VERIFY_WITH_TIMEOUT(!workspace().isStarting(), 30000);
+    QTRY_VERIFY(!workspace().isStarting());
     QCOMPARE(workspace().motorsRunning(), std::optional(false));
 }
 
@@ -500,7 +500,7 @@ void TestStormMotion::wholeDayOverAPseudoTerminal()
     workspace().perform(u"restart"_s, {});
     QSignalSpy read(&workspace(), &Workspace::boardRead);
     workspace().readBoard();
-    QTRY_VERIFY_WITH_TIMEOUT(read.count() >= 1, 15000);
+    QTRY_VERIFY(read.count() >= 1);
     QCOMPARE(m_rig->raw(u"pid.roll.p"_s), 430);
     QCOMPARE(m_rig->raw(u"rc.pitch.max"_s), 300);
     QVERIFY(workspace().applyFile(before));  // the way back: what differs becomes an edit
@@ -510,9 +510,9 @@ void TestStormMotion::wholeDayOverAPseudoTerminal()
     board.process().write("pose=1\n");
     auto *sensor = m_rig->page<SensorPage>();
     sensor->start(false);
-    QTRY_VERIFY2_WITH_TIMEOUT(sensor->step() == SensorPage::Step::Result, qPrintable(sensor->sees()), 30000);
+    QTRY_VERIFY2(sensor->step() == SensorPage::Step::Result, qPrintable(sensor->sees()));
     sensor->storeButton()->click();
-    QTRY_COMPARE_WITH_TIMEOUT(sensor->step(), SensorPage::Step::Choose, 10000);
+    QTRY_COMPARE(sensor->step(), SensorPage::Step::Choose);
     board.process().write("pose=0\n");
 
     auto *tuning = m_rig->page<TuningPage>();
@@ -523,13 +523,13 @@ void TestStormMotion::wholeDayOverAPseudoTerminal()
     QVERIFY(!workspace().live().unsaved().empty() && named<QPushButton>(tuning, u"Store"_s)->isEnabled());
     QTRY_VERIFY(m_rig->window().findChild<UnstoredBar *>()->isVisible());
     named<QPushButton>(tuning, u"Store"_s)->click();
-    QTRY_COMPARE_WITH_TIMEOUT(m_rig->raw(u"pid.pitch.d"_s), 600, 10000);
+    QTRY_COMPARE(m_rig->raw(u"pid.pitch.d"_s), 600);
     QTRY_VERIFY(!workspace().isUnstored());
     workspace().perform(u"reset"_s, {});
-    QTRY_COMPARE_WITH_TIMEOUT(inUse(2), 600, 15000);  // it was stored
+    QTRY_COMPARE(inUse(2), 600);  // it was stored
 
     auto *response = m_rig->page<ResponsePage>();
-    QTRY_VERIFY_WITH_TIMEOUT(workspace().motorsRunning().value_or(false), 40000);
+    QTRY_VERIFY(workspace().motorsRunning().value_or(false));
     QVERIFY(measure(*response));
 
     auto *control = m_rig->page<ControlPage>();
@@ -541,7 +541,7 @@ void TestStormMotion::wholeDayOverAPseudoTerminal()
         if (box->accessibleName().contains(u"Pitch"_s))
             box->setValue(15);
     }
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(workspace().latest(workspace().roles().angle[1]) - 15) < 1.5, 15000);
+    QTRY_VERIFY(std::abs(workspace().latest(workspace().roles().angle[1]) - 15) < 1.5);
     control->setArmed(false);
 
     const QString file = m_rig->filePath(u"day.gimbalrec"_s);

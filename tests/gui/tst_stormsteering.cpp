@@ -4,6 +4,7 @@
 #include "protocol/base/framelistener.h"
 #include "protocol/storm32/commands.h"
 #include "tests/support/named.h"
+#include "tests/support/patience.h"
 #include "tests/support/stormwindow.h"
 #include "widgets/models/parametermodel.h"
 
@@ -161,7 +162,7 @@ bool TestStormSteering::holdFromTheStart()
         return false;
     workspace().perform(u"restart"_s, {});
     return m_rig->jobsAreDone() && reconnect()
-        && QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, 40000);
+        && QTest::qWaitFor([this] { return workspace().motorsRunning().value_or(false); }, kPatience);
 }
 
 /// The cable is pulled and plugged in again.
@@ -170,9 +171,9 @@ bool TestStormSteering::reconnect()
     QSignalSpy lost(&m_rig->client(), &DeviceClient::connectionLost);
     workspace().changeWorld(u"replug=1"_s);
     workspace().changeWorld(u"unplug=0"_s);
-    return QTest::qWaitFor([&lost] { return lost.count() == 1; }, 10000)
+    return QTest::qWaitFor([&lost] { return lost.count() == 1; }, kPatience)
         && QTest::qWaitFor([this] { return m_rig->client().isConnected() && m_rig->boardGoesOn(0.2); },
-                           20000);
+                           kPatience);
 }
 
 bool TestStormSteering::comesToRest()
@@ -194,7 +195,7 @@ bool TestStormSteering::steerTo(const PerAxis &where)
     m_page->setArmed(true);
     for (std::size_t axis = 0; axis < kAxisCount; ++axis)
         named<QDoubleSpinBox>(m_page, u"Angle, %1"_s.arg(axisLabel(kAxes[axis])))->setValue(where[axis]);
-    if (!QTest::qWaitFor([&] { return std::abs(angles()[1] - before[1]) > 3.0; }, 10000))
+    if (!QTest::qWaitFor([&] { return std::abs(angles()[1] - before[1]) > 3.0; }, kPatience))
         return false;
     if (!comesToRest())
         return false;
@@ -291,7 +292,7 @@ QString TestStormSteering::steerAndArm(int mode, const PerAxis &where, bool pans
     auto *word = named<QCheckBox>(m_page, u"Not in pan mode since it started"_s);
     for (const bool given : {false, true}) {
         const bool isAsked = !pans && mode != kPulse;
-        if (!QTest::qWaitFor([&] { return word->isVisible() == isAsked; }, 3000) || word->isChecked())
+        if (!QTest::qWaitFor([&] { return word->isVisible() == isAsked; }, kPatience) || word->isChecked())
             return u"the operator's word"_s;
         word->setChecked(given && isAsked);
         watched = given;

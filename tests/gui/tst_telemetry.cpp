@@ -11,6 +11,7 @@
 #include "tests/support/loopmath.h"
 #include "tests/support/measure.h"
 #include "tests/support/named.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/numberbox.h"
 #include "widgets/models/parametermodel.h"
@@ -83,15 +84,12 @@ private:
     PlotView *plot(int index) { return m_rig->page<MonitorPage>()->plots()[index]; }
     void drop(PlotView *view, const QList<int> &channels);
     QPoint at(PlotView *view, double share, double height);
-    void waitForSamples(quint64 rows = 1500)
-    {
-        QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().telemetry()->rows() > rows, 15000);
-    }
+    void waitForSamples(quint64 rows = 1500) { QTRY_VERIFY(m_rig->client().telemetry()->rows() > rows); }
     // The camera is held, and telemetry tells so.
     void waitForMotors()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(m_rig->workspace().motorsRunning() == std::optional(true), 10000);
-        QTRY_VERIFY_WITH_TIMEOUT(!std::isnan(m_rig->workspace().latest(channel("target.angle.yaw"))), 10000);
+        QTRY_VERIFY(m_rig->workspace().motorsRunning() == std::optional(true));
+        QTRY_VERIFY(!std::isnan(m_rig->workspace().latest(channel("target.angle.yaw"))));
     }
 
     std::unique_ptr<WindowRig> m_rig;
@@ -234,24 +232,23 @@ void TestTelemetry::eventsAreMarked()
         return std::any_of(marks.all().begin(), marks.all().end(),
                            [&](const PlotMark &mark) { return mark.text.contains(text); });
     };
-    QTRY_VERIFY_WITH_TIMEOUT(!m_rig->workspace().live().parameters().isEmpty()
-                                 && m_rig->workspace().live().value(m_rig->spec(u"pid.roll.p"_s).id),
-                             10000);
+    QTRY_VERIFY(!m_rig->workspace().live().parameters().isEmpty()
+                && m_rig->workspace().live().value(m_rig->spec(u"pid.roll.p"_s).id));
     m_rig->workspace().live().setValue(m_rig->spec(u"pid.roll.p"_s).id, 41);
-    QTRY_VERIFY_WITH_TIMEOUT(marked(u"41"_s), 5000);
+    QTRY_VERIFY(marked(u"41"_s));
     m_rig->workspace().useProfile(2);
-    QTRY_VERIFY_WITH_TIMEOUT(marked(u"Profile 3"_s), 10000);
+    QTRY_VERIFY(marked(u"Profile 3"_s));
     m_rig->edit(u"pid.roll.p"_s, 2, 50);
     m_rig->workspace().write(std::as_const(m_rig->model()).edited());
-    QTRY_VERIFY_WITH_TIMEOUT(marked(u"written"_s), 10000);
+    QTRY_VERIFY(marked(u"written"_s));
     // A calibration is silence, not loss.
     const auto calibrated = m_rig->workspace().perform(u"calibrate.gyro"_s, {});
-    QTRY_VERIFY_WITH_TIMEOUT(calibrated.isFinished(), 20000);
+    QTRY_VERIFY(calibrated.isFinished());
     QVERIFY2(calibrated.result(), qPrintable(calibrated.result().error().detail));
-    QTRY_VERIFY_WITH_TIMEOUT(marked(u"silent"_s), 5000);
+    QTRY_VERIFY(marked(u"silent"_s));
     QCOMPARE(m_rig->client().telemetry()->lost(), quint64(0));
     m_rig->client().motorsOff();
-    QTRY_VERIFY_WITH_TIMEOUT(marked(u"Motors"_s), 5000);
+    QTRY_VERIFY(marked(u"Motors"_s));
     // Ctrl and arrows go from event to event.
     QTest::mouseClick(page->pauseButton(), Qt::LeftButton);
     PlotView *view = plot(0);
@@ -326,7 +323,7 @@ void TestTelemetry::streamsByHand()
 {
     QVERIFY(m_rig->open());
     auto *page = m_rig->page<MonitorPage>();
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().telemetryPlan().rate == 1250.0, 5000);
+    QTRY_VERIFY(m_rig->client().telemetryPlan().rate == 1250.0);
     QTest::mouseClick(page->streamsButton(), Qt::LeftButton);
     auto *dialog = m_rig->window().findChild<StreamsDialog *>();
     QVERIFY(dialog);
@@ -339,24 +336,22 @@ void TestTelemetry::streamsByHand()
     QVERIFY(named<QPushButton>(dialog, u"Use"_s)->isEnabled());
     QVERIFY2(dialog->verdict()->text().contains(u"%"_s), qPrintable(dialog->verdict()->text()));
     QTest::mouseClick(named<QPushButton>(dialog, u"Use"_s), Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().telemetryPlan().rate, 500.0, 5000);
+    QTRY_COMPARE(m_rig->client().telemetryPlan().rate, 500.0);
     QCOMPARE(m_rig->client().telemetryPlan().budget.streams.size(), std::size_t(2));
-    QTRY_VERIFY_WITH_TIMEOUT(plot(1)->accessibleDescription().contains(u"500"_s)
-                                 && !plot(1)->accessibleDescription().contains(u"1250"_s),
-                             15000);
+    QTRY_VERIFY(plot(1)->accessibleDescription().contains(u"500"_s)
+                && !plot(1)->accessibleDescription().contains(u"1250"_s));
     // What is ticked later joins the stream.
     page->channels().setTicked(page->channels().ticked() << channel("acc.x"));
-    QTRY_VERIFY_WITH_TIMEOUT(
-        m_rig->client().telemetryPlan().budget.streams[1].channels.contains(channel("acc.x")), 5000);
+    QTRY_VERIFY(m_rig->client().telemetryPlan().budget.streams[1].channels.contains(channel("acc.x")));
     m_rig->workspace().telemetry().setStreams({});
-    QTRY_COMPARE_WITH_TIMEOUT(m_rig->client().telemetryPlan().rate, 1250.0, 5000);
+    QTRY_COMPARE(m_rig->client().telemetryPlan().rate, 1250.0);
 }
 
 void TestTelemetry::streamsThatDoNotFitAreNotOffered()
 {
     QVERIFY(m_rig->open(u"sim:simplebgc?rate=115200"_s));
     auto *page = m_rig->page<MonitorPage>();
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().telemetryPlan().streaming, 10000);
+    QTRY_VERIFY(m_rig->client().telemetryPlan().streaming);
     const double before = m_rig->client().telemetryPlan().rate;
     QTest::mouseClick(page->streamsButton(), Qt::LeftButton);
     auto *dialog = m_rig->window().findChild<StreamsDialog *>();
@@ -419,7 +414,7 @@ void TestTelemetry::waterfallShowsWhatRings()
         if (action->text() == u"Waterfall, Roll"_s)
             action->trigger();
     }
-    QTRY_VERIFY_WITH_TIMEOUT(page->waterfall()->columnCount() >= 3, 10000);
+    QTRY_VERIFY(page->waterfall()->columnCount() >= 3);
     QVERIFY(page->waterfall()->isVisible());
     // A tone stands in its row, and in no other.
     WaterfallView view(m_rig->theme());
@@ -521,7 +516,7 @@ void TestTelemetry::ownMotionIsMeasured()
     });
     clock.start();
     hand.start(20);
-    QTRY_VERIFY_WITH_TIMEOUT(clock.elapsed() > 7500, 12000);
+    QTRY_VERIFY(clock.elapsed() > 7500);
     hand.stop();
     m_rig->client().releaseControl();
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
@@ -556,8 +551,8 @@ void TestTelemetry::testsAreGuarded()
     QTest::mouseClick(page->armButton(), Qt::LeftButton);
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
     m_rig->client().motorsOff();
-    QTRY_VERIFY_WITH_TIMEOUT(!page->isRunning(), 3000);
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->workspace().motorsRunning() == std::optional(false), 5000);
+    QTRY_VERIFY(!page->isRunning());
+    QTRY_VERIFY(m_rig->workspace().motorsRunning() == std::optional(false));
     QSignalSpy told(&m_rig->workspace().notifications(), &Notifications::problem);
     QTest::mouseClick(page->armButton(), Qt::LeftButton);
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
@@ -593,9 +588,9 @@ void TestTelemetry::divergenceSwitchesTheMotorsOff()
     QSignalSpy told(&m_rig->workspace().notifications(), &Notifications::problem);
     QTest::mouseClick(page->armButton(), Qt::LeftButton);
     QTest::mouseClick(page->startButton(), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(!page->isRunning(), 5000);
+    QTRY_VERIFY(!page->isRunning());
     QTRY_COMPARE(told.count(), 1);
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->workspace().motorsRunning() == std::optional(false), 5000);
+    QTRY_VERIFY(m_rig->workspace().motorsRunning() == std::optional(false));
     QVERIFY(page->records().empty());
 }
 
@@ -658,7 +653,7 @@ void TestTelemetry::recordingIsPausedAndGoneThrough()
     QSignalSpy finished(&m_rig->workspace().recorder(), &LinkRecorder::finished);
     waitForSamples(12000);
     QVERIFY(m_rig->workspace().recorder().savePast(path));
-    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 10000);
+    QTRY_COMPARE(finished.count(), 1);
     m_rig->client().disconnectFromBoard();
     QTRY_VERIFY(!m_rig->window().replayBar()->isVisible());
     QVERIFY(m_rig->open(u"replay:"_s + path));
@@ -680,21 +675,19 @@ void TestTelemetry::recordingIsPausedAndGoneThrough()
     QVERIFY(m_rig->client().telemetry()->lost() == 0);
     // Back: opened anew, with everything before that place, and still paused.
     m_rig->client().replay().seek(position + 1.0);
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && state().paused
-                                 && std::abs(state().position - position - 1.0) < 0.3,
-                             10000);
+    QTRY_VERIFY(m_rig->client().isConnected() && state().paused
+                && std::abs(state().position - position - 1.0) < 0.3);
     QTRY_VERIFY(m_rig->client().telemetry()->rows() > 1000);
     QVERIFY(m_rig->client().telemetry()->rows() < rows + 3500);
     // Faster, to the end, which is told.
     m_rig->client().replay().setSpeed(10);
     QTest::mouseClick(bar->pauseButton(), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(state().hasEnded(), 10000);
+    QTRY_VERIFY(state().hasEnded());
     QTRY_VERIFY2(bar->text().contains(u"the end"_s), qPrintable(bar->text()));
     QVERIFY(m_rig->client().isConnected());
     // The slider goes there as well, by keyboard too.
     bar->place()->setValue(10);
-    QTRY_VERIFY_WITH_TIMEOUT(m_rig->client().isConnected() && !state().hasEnded() && state().position >= 0.9,
-                             10000);
+    QTRY_VERIFY(m_rig->client().isConnected() && !state().hasEnded() && state().position >= 0.9);
 }
 
 QTEST_MAIN(TestTelemetry)

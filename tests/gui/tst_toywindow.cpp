@@ -14,6 +14,7 @@
 #include "app/pages/watch/monitorpage.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "tests/support/named.h"
+#include "tests/support/patience.h"
 #include "tests/support/toyfamily/toycomposition.h"
 #include "tests/support/toyfamily/toytables.h"
 #include "tests/support/windowrig.h"
@@ -86,10 +87,10 @@ private:
     {
         QSignalSpy finished(&m_rig->workspace(), &Workspace::writeFinished);
         QTest::mouseClick(window().unsavedBar()->writeButton(), Qt::LeftButton);
-        if (!QTest::qWaitFor([this] { return window().reviewDialog() != nullptr; }, 5000))
+        if (!QTest::qWaitFor([this] { return window().reviewDialog() != nullptr; }, kPatience))
             return false;
         QTest::mouseClick(window().reviewDialog()->writeButton(), Qt::LeftButton);
-        return QTest::qWaitFor([&finished] { return finished.count() > 0; }, 20000)
+        return QTest::qWaitFor([&finished] { return finished.count() > 0; }, kPatience)
             && m_rig->workspace().lastReport()->isComplete();
     }
 
@@ -313,7 +314,7 @@ void TestToyWindow::actionIsConfirmedEachTime()
         if (time == 1)
             break;
         QTest::mouseClick(offers->buttons().first(), Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(latest(toy::Calibrated), 1.0, 8000);
+        QTRY_COMPARE(latest(toy::Calibrated), 1.0);
         QTRY_VERIFY(actions->runButton()->isEnabled());
         QVERIFY(actions->reply()->toPlainText().contains(u"done"_s));
         QTRY_VERIFY(!m_rig->client().isBusy());

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/ctlrun.h"
+#include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 
 #include <QTemporaryDir>
@@ -223,7 +224,7 @@ void TestArguments::wrongSimulators()
     QFETCH(QString, says);
     QProcess sim;
     sim.start(QStringLiteral(GIMBAL_BIN_DIR "/gimbalsim"), arguments);
-    QVERIFY(QTest::qWaitFor([&sim] { return sim.state() == QProcess::NotRunning; }, 10000));
+    QVERIFY(QTest::qWaitFor([&sim] { return sim.state() == QProcess::NotRunning; }, kPatience));
     const QString told = QString::fromUtf8(sim.readAllStandardError());
     QVERIFY2(sim.exitCode() == 2, qPrintable(told));
     QVERIFY2(told.contains(says), qPrintable(told));

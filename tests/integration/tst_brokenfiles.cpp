@@ -7,6 +7,7 @@
 #include "protocol/record/configurationformats.h"
 #include "protocol/record/recording.h"
 #include "protocol/record/responsecsv.h"
+#include "tests/support/patience.h"
 #include "widgets/models/errortext.h"
 #include "widgets/plot/plotlayout.h"
 
@@ -287,7 +288,7 @@ void TestBrokenFiles::theCommandLineSaysTheSame()
     for (const auto &[arguments, words] : calls) {
         QProcess process;
         process.start(QStringLiteral(GIMBAL_BIN_DIR "/gimbalctl"), arguments);
-        QVERIFY(QTest::qWaitFor([&process] { return process.state() == QProcess::NotRunning; }, 60000));
+        QVERIFY(QTest::qWaitFor([&process] { return process.state() == QProcess::NotRunning; }, kPatience));
         const QString told = QString::fromUtf8(process.readAllStandardError());
         QVERIFY2(process.exitCode() != 0, qPrintable(arguments.join(u' ')));
         QVERIFY2(told.contains(words), qPrintable(told));

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/patience.h"
+
 #include <QProcess>
 #include <QTest>
 
@@ -47,7 +49,7 @@ void TestCommandLine::answersOnTheTerminal()
     program.setProcessEnvironment(environment);
     program.setProcessChannelMode(QProcess::MergedChannels);
     program.start(QStringLiteral(GIMBAL_BIN_DIR "/gimbaldesk"), arguments);
-    QVERIFY(program.waitForFinished(30000));
+    QVERIFY(program.waitForFinished(kPatience));
     const QString output = QString::fromUtf8(program.readAll());
     QCOMPARE(program.exitStatus(), QProcess::NormalExit);
     QVERIFY2(program.exitCode() == exitCode, qPrintable(output));

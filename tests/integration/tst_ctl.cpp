@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 
 #include <QDateTime>
@@ -99,7 +100,7 @@ private:
             all += {u"--link"_s, m_simulator->address()};
         QProcess process;
         process.start(QStringLiteral(GIMBAL_BIN_DIR "/gimbalctl"), all + arguments);
-        if (!QTest::qWaitFor([&process] { return process.state() == QProcess::NotRunning; }, 60000))
+        if (!QTest::qWaitFor([&process] { return process.state() == QProcess::NotRunning; }, kPatience))
             process.kill();
         return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
                 QString::fromUtf8(process.readAllStandardError())};
@@ -368,9 +369,9 @@ void TestCtl::recordingKilledInTheMiddleOpens()
     QProcess process;
     process.start(QStringLiteral(GIMBAL_BIN_DIR "/gimbalctl"),
                   {u"--link"_s, m_simulator->address(), u"record"_s, file});
-    QVERIFY(QTest::qWaitFor([&file] { return QFileInfo(file).size() > 100'000; }, 30000));
+    QVERIFY(QTest::qWaitFor([&file] { return QFileInfo(file).size() > 100'000; }, kPatience));
     process.kill();
-    QVERIFY(QTest::qWaitFor([&process] { return process.state() == QProcess::NotRunning; }, 10000));
+    QVERIFY(QTest::qWaitFor([&process] { return process.state() == QProcess::NotRunning; }, kPatience));
     const Run whole = ctl({u"export"_s, file}, false);
     QCOMPARE(whole.exitCode, 0);
     QVERIFY(whole.out.count(u'\n') > 1000);
@@ -810,7 +811,7 @@ void TestCtl::stormIsSteeredAndTuned()
         return measured.exitCode == 0 ? measured.json().object().value(u"overshootPercent"_s).toDouble(-1)
                                       : -1.0;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(shows(u"state"_s) == 6.0, 30000);
+    QTRY_VERIFY(shows(u"state"_s) == 6.0);
     const double before = overshoot();
     QVERIFY2(before >= 0, qPrintable(said));
     QCOMPARE(ask({u"set"_s, u"pid.yaw.d=0.0200"_s, u"--no-save"_s}).exitCode, 0);
@@ -821,7 +822,7 @@ void TestCtl::stormIsSteeredAndTuned()
     QVERIFY(ask({u"do"_s, u"stored.compare"_s}).out.contains(u"0.0600 in use, 0.0500 stored"_s));
     QVERIFY(does({u"store"_s}));
     QVERIFY(does({u"reset"_s, u"--confirmed"_s}));
-    QTRY_COMPARE_WITH_TIMEOUT(ask({u"get"_s, u"pid.yaw.d"_s}).out, u"0.0600\n"_s, 15000);
+    QTRY_COMPARE(ask({u"get"_s, u"pid.yaw.d"_s}).out, u"0.0600\n"_s);
     const Run sweep = ask({u"measure"_s, u"sweep"_s, u"yaw"_s});
     QVERIFY2(sweep.exitCode == 1 && sweep.err.contains(u"steps can be measured"_s), qPrintable(sweep.err));
     // Without told targets a recording cannot say how the camera followed; how it held it can.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/ctlrun.h"
+#include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 
 #include <QJsonArray>
@@ -92,7 +93,7 @@ void TestCtlAftermath::cancelledSearchLeavesNothing()
     QCOMPARE(ctl({u"set"_s, u"--no-save"_s, u"pid.roll.p=37"_s}).exitCode, 0);
     const QJsonValue before = inUse();
     Running search(m_dir->path(), link() + QStringList{u"autotune"_s});
-    QTRY_VERIFY2_WITH_TIMEOUT(search.told().contains(u"iteration 3:"_s), qPrintable(search.told()), 30000);
+    QTRY_VERIFY2(search.told().contains(u"iteration 3:"_s), qPrintable(search.told()));
     QCOMPARE(::kill(pid_t(search.id()), SIGINT), 0);
     const Run run = search.finish();
     QVERIFY2(run.exitCode == 1, qPrintable(run.err));
@@ -198,7 +199,7 @@ void TestCtlAftermath::outputThatIsLostIsNoSuccess()
     process.setStandardOutputFile(u"/dev/full"_s);
     process.start(QStringLiteral(GIMBAL_BIN_DIR "/gimbalctl"),
                   QStringList{u"--history"_s, path(u"history"_s), u"--link"_s, u"sim:simplebgc"_s} + command);
-    QVERIFY(process.waitForFinished(15000));
+    QVERIFY(process.waitForFinished(kPatience));
     const QByteArray told = process.readAllStandardError();
     QVERIFY2(process.exitCode() == 1, told);
     QVERIFY2(told.contains("disk is full"), told);

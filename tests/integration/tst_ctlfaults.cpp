@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/ctlrun.h"
+#include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 
 #include <QDir>
@@ -101,7 +102,7 @@ void TestCtlFaults::silenceEndsIt()
                 : prints   ? running.printed().count(u'\n') > 500
                            : simulator.streams().all > before + 1000;
         },
-        20000));
+        kPatience));
     ::kill(pid_t(simulator.process().processId()), SIGSTOP);
     const Run run = running.finish(20000);
     ::kill(pid_t(simulator.process().processId()), SIGCONT);
@@ -142,7 +143,7 @@ void TestCtlFaults::aRestartEndsIt()
     Running running(m_dir->path(),
                     QStringList{u"--family"_s, family, u"--link"_s, simulator.address()} + command);
     QVERIFY(QTest::qWaitFor(
-        [&] { return running.printed().count(u'\n') > 100 || QFileInfo(file).size() > 20'000; }, 20000));
+        [&] { return running.printed().count(u'\n') > 100 || QFileInfo(file).size() > 20'000; }, kPatience));
     simulator.process().write("reset=0\n");
     const Run run = running.finish(20000);
     QCOMPARE(run.exitCode, 1);
@@ -193,7 +194,7 @@ void TestCtlFaults::silenceIsNoTime()
     Running monitor(m_dir->path(),
                     {u"--family"_s, u"simplebgc"_s, u"--link"_s, simulator.address(), u"monitor"_s,
                      u"--seconds"_s, u"2"_s, u"--channels"_s, u"imu.angle.roll"_s});
-    QVERIFY(QTest::qWaitFor([&] { return monitor.printed().count(u'\n') > 1; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return monitor.printed().count(u'\n') > 1; }, kPatience));
     simulator.process().write("late=2600\n");
     const Run run = monitor.finish(20000);
     QCOMPARE(run.exitCode, 1);
@@ -399,7 +400,7 @@ void TestCtlFaults::cancelledWriteIsReadAgain()
     const SimProcess storm({u"--pty"_s, port, u"--rate"_s, u"115200"_s}, u"storm32"_s);
     Running set(m_dir->path(),
                 {u"--link"_s, u"serial:%1?family=storm32"_s.arg(port), u"set"_s, u"pid.roll.p=5.00"_s});
-    QTRY_VERIFY_WITH_TIMEOUT(set.told().contains(u"Writing"_s), 20000);
+    QTRY_VERIFY(set.told().contains(u"Writing"_s));
     ::kill(pid_t(set.id()), SIGINT);
     const Run run = set.finish();
     QCOMPARE(run.exitCode, 1);
@@ -414,7 +415,7 @@ void TestCtlFaults::streamsOfAKilledProgramAreStopped()
     const QStringList link{u"--link"_s, u"serial:"_s + path(u"board"_s)};
     for (const QString &channels : {u"imu.angle.roll,gyro.roll"_s, u"target.angle.yaw,gyro.roll"_s}) {
         Running running(m_dir->path(), link + QStringList{u"monitor"_s, u"--channels"_s, channels});
-        QVERIFY(QTest::qWaitFor([&] { return running.printed().count(u'\n') > 50; }, 20000));
+        QVERIFY(QTest::qWaitFor([&] { return running.printed().count(u'\n') > 50; }, kPatience));
         running.kill();
     }
     const quint64 before = simulator.streams().all;
@@ -436,7 +437,7 @@ void TestCtlFaults::streamsOfAKilledProgramAreStoppedOnASlowLine()
     const QStringList link{u"--link"_s, u"serial:"_s + path(u"slow"_s) + u"?baud=9600&parity=none"_s};
     for (int i = 0; i < 3; ++i) {
         Running running(m_dir->path(), link + QStringList{u"monitor"_s});
-        QVERIFY2(QTest::qWaitFor([&] { return running.printed().count(u'\n') > 20; }, 30000),
+        QVERIFY2(QTest::qWaitFor([&] { return running.printed().count(u'\n') > 20; }, kPatience),
                  qPrintable(running.told()));
         running.kill();
         const Run run = ctl(link + QStringList{u"info"_s});
@@ -455,7 +456,7 @@ void TestCtlFaults::motorsAreOffWhileASensorIsTurned()
     QVERIFY2(status().contains(u"normal"_s), qPrintable(status()));
     {
         Running six(m_dir->path(), link + QStringList{u"calibrate"_s, u"six"_s, u"--confirmed"_s});
-        QTRY_VERIFY2_WITH_TIMEOUT(six.told().contains(u"Lay the sensor"_s), qPrintable(six.told()), 20000);
+        QTRY_VERIFY2(six.told().contains(u"Lay the sensor"_s), qPrintable(six.told()));
         six.kill();
     }
     QVERIFY2(status().contains(u"standby"_s), qPrintable(status()));
@@ -527,9 +528,9 @@ void TestCtlFaults::unprovenStopGoesOn()
         options += {u"--fault"_s, fault};
     const SimProcess board(options, family);
     Running stop(m_dir->path(), {u"--link"_s, board.address(), u"--family"_s, family, u"motors"_s, u"off"_s});
-    QTRY_VERIFY2_WITH_TIMEOUT(stop.told().contains(u"goes on until"_s), qPrintable(stop.told()), 20000);
+    QTRY_VERIFY2(stop.told().contains(u"goes on until"_s), qPrintable(stop.told()));
     if (interrupted) {
-        QTRY_VERIFY2_WITH_TIMEOUT(stop.told().contains(u"still stopping"_s), qPrintable(stop.told()), 10000);
+        QTRY_VERIFY2(stop.told().contains(u"still stopping"_s), qPrintable(stop.told()));
         ::kill(pid_t(stop.id()), SIGINT);
     }
     const Run run = stop.finish();
@@ -560,7 +561,7 @@ void TestCtlFaults::confirmedStopGoesOnUntilProven()
     SimProcess board({u"--tcp"_s, u"0"_s, u"--fault"_s, u"runs-on=1"_s}, family);
     const QStringList link{u"--link"_s, board.address(), u"--family"_s, family};
     Running stop(m_dir->path(), link + command);
-    QTRY_VERIFY2_WITH_TIMEOUT(stop.told().contains(u"still stopping"_s), qPrintable(stop.told()), 60000);
+    QTRY_VERIFY2(stop.told().contains(u"still stopping"_s), qPrintable(stop.told()));
     QVERIFY(!stop.printed().contains(u"done"_s));
     board.process().write("runs-on=0\n");
     const Run run = stop.finish(60000);
@@ -631,8 +632,8 @@ void TestCtlFaults::lostLinkIsNotPromisedBack()
     const QString port = path(u"board"_s);
     SimProcess board({u"--pty"_s, port});
     Running running(m_dir->path(), QStringList{u"--json"_s, u"--link"_s, u"serial:"_s + port} + command);
-    QTRY_VERIFY2_WITH_TIMEOUT(board.streams().all > 50 || running.told().contains(u"alibrat"_s),
-                              qPrintable(running.told()), 20000);
+    QTRY_VERIFY2(board.streams().all > 50 || running.told().contains(u"alibrat"_s),
+                 qPrintable(running.told()));
     board.process().write("replug=-1\nunplug=0\n");
     const Run run = running.finish(60000);
     QCOMPARE(run.exitCode, 1);
@@ -740,8 +741,7 @@ void TestCtlFaults::steeringEndsWithTheCommand()
     const QStringList steer{u"do"_s, u"steer"_s, u"mode=speed"_s, u"yaw=10"_s, u"seconds=60"_s};
     {
         Running running(m_dir->path(), link + steer);
-        QTRY_VERIFY2_WITH_TIMEOUT(running.told().contains(u"steer"_s, Qt::CaseInsensitive),
-                                  qPrintable(running.told()), 20000);
+        QTRY_VERIFY2(running.told().contains(u"steer"_s, Qt::CaseInsensitive), qPrintable(running.told()));
         ::kill(pid_t(running.id()), signal);
         const Run run = running.finish();
         QCOMPARE(run.exitCode, 1);
@@ -766,8 +766,7 @@ void TestCtlFaults::silenceWhileSteeringIsTold()
     Running running(m_dir->path(),
                     {u"--link"_s, simulator.address(), u"do"_s, u"steer"_s, u"mode=speed"_s, u"yaw=10"_s,
                      u"seconds=3"_s});
-    QTRY_VERIFY2_WITH_TIMEOUT(running.told().contains(u"steer"_s, Qt::CaseInsensitive),
-                              qPrintable(running.told()), 20000);
+    QTRY_VERIFY2(running.told().contains(u"steer"_s, Qt::CaseInsensitive), qPrintable(running.told()));
     ::kill(pid_t(simulator.process().processId()), SIGSTOP);
     const Run run = running.finish(30000);
     ::kill(pid_t(simulator.process().processId()), SIGCONT);
@@ -814,15 +813,15 @@ void TestCtlFaults::alarmsAreToldAndActedOn()
                     QStringList{u"--family"_s, family, u"--link"_s, simulator.address(), u"monitor"_s,
                                 u"--seconds"_s, u"60"_s}
                         + wanted);
-    QVERIFY(QTest::qWaitFor([&] { return running.printed().count(u'\n') > 200; }, 30000));
+    QVERIFY(QTest::qWaitFor([&] { return running.printed().count(u'\n') > 200; }, kPatience));
     simulator.process().write(fault.toUtf8() + '\n');
-    QVERIFY2(
-        QTest::qWaitFor(
-            [&] { return running.told().contains(told) && running.told().contains(u"alarm: "_s); }, 20000),
-        qPrintable(running.told()));
+    QVERIFY2(QTest::qWaitFor(
+                 [&] { return running.told().contains(told) && running.told().contains(u"alarm: "_s); },
+                 kPatience),
+             qPrintable(running.told()));
     if (ends)
         QVERIFY2(QTest::qWaitFor([&] { return running.told().contains(u"The motors were switched off."_s); },
-                                 15000),
+                                 kPatience),
                  qPrintable(running.told()));
     else
         QVERIFY(!running.told().contains(u"switched off"_s));

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 
 #include <QJsonArray>
@@ -51,7 +52,7 @@ private:
                       QStringList{u"--history"_s, m_dir->filePath(u"history"_s), u"--family"_s, u"storm32"_s,
                                   u"--link"_s, m_simulator->address()}
                           + arguments);
-        if (!QTest::qWaitFor([&process] { return process.state() == QProcess::NotRunning; }, 30000))
+        if (!QTest::qWaitFor([&process] { return process.state() == QProcess::NotRunning; }, kPatience))
             return {-1, {}, u"it does not end"_s};
         return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
                 QString::fromUtf8(process.readAllStandardError())};

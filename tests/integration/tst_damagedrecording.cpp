@@ -6,6 +6,7 @@
 #include "protocol/record/replaystore.h"
 #include "protocol/record/replaytransport.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "tests/support/patience.h"
 #include "tests/support/pieces.h"
 
 #include <QSignalSpy>
@@ -206,8 +207,8 @@ void TestDamagedRecording::polledSamplesHaveAGapToo()
         DeviceClient client(allLinks().transports, allFamilies());
         client.addListener(recorder);
         client.connectTo(*LinkAddress::parse(u"sim:storm32?seed=4"_s), u"storm32"_s);
-        QTRY_VERIFY_WITH_TIMEOUT(client.isConnected(), 10000);
-        QTRY_VERIFY_WITH_TIMEOUT(client.telemetry()->rows() > 20, 10000);
+        QTRY_VERIFY(client.isConnected());
+        QTRY_VERIFY(client.telemetry()->rows() > 20);
         client.removeListener(recorder);
     }
     const auto families = allFamilies();

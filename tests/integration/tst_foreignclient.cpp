@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 
 #include <QElapsedTimer>
@@ -67,7 +68,7 @@ public:
     }
 
     /// Body of the next frame with that id.
-    QByteArray reply(int id, int ms = 2000)
+    QByteArray reply(int id, int ms = kPatience)
     {
         QElapsedTimer timer;
         timer.start();
@@ -196,7 +197,7 @@ void TestForeignClient::connectsReadsWritesStreamsAndMoves()
         return angles.size() == 18 && std::abs(word(angles, 12) * 0.02197265625 + 45.0) < 1.0
             && std::abs(word(angles, 6) * 0.02197265625 - 20.0) < 1.0;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isThere(), 10000);
+    QTRY_VERIFY(isThere());
     const double yaw = word(angles, 12) * 0.02197265625;
     QVERIFY2(std::abs(yaw + 45.0) < 3.0, qPrintable(QString::number(yaw)));
     const double pitch = word(angles, 6) * 0.02197265625;
@@ -231,7 +232,7 @@ void TestForeignClient::speaksStorm()
     QVERIFY(!simulator.address().isEmpty());
     Foreigner client(path);
     QVERIFY(client.isOpen());
-    const auto ask = [&client](const QByteArray &bytes, qsizetype size, int ms = 3000) {
+    const auto ask = [&client](const QByteArray &bytes, qsizetype size, int ms = kPatience) {
         client.send(bytes);
         return client.receive(ms, size);
     };
@@ -365,7 +366,7 @@ void TestForeignClient::badArguments()
     QFETCH(QString, says);
     QProcess process;
     process.start(QStringLiteral(GIMBAL_BIN_DIR "/gimbalsim"), arguments);
-    QVERIFY(QTest::qWaitFor([&process] { return process.state() == QProcess::NotRunning; }, 10000));
+    QVERIFY(QTest::qWaitFor([&process] { return process.state() == QProcess::NotRunning; }, kPatience));
     QCOMPARE(process.exitCode(), 2);
     const QString error = QString::fromUtf8(process.readAllStandardError());
     QVERIFY2(error.contains(says), qPrintable(error));

@@ -4,6 +4,7 @@
 #include "protocol/client/deviceclient.h"
 #include "protocol/procedure/writeconfiguration.h"
 #include "tests/support/ctlrun.h"
+#include "tests/support/patience.h"
 #include "tests/support/simprocess.h"
 #include "tests/support/toyfamily/toycomposition.h"
 
@@ -87,7 +88,7 @@ const QList<Kind> &kinds()
 
 template <typename T> Result<T> wait(QFuture<Result<T>> future)
 {
-    if (!QTest::qWaitFor([&future] { return future.isFinished(); }, 60000))
+    if (!QTest::qWaitFor([&future] { return future.isFinished(); }, kPatience))
         return failure(ErrorCode::Timeout, u"the test waited too long"_s);
     return future.result();
 }
@@ -197,7 +198,7 @@ void TestMisbehaving::clientSaysNothingFalse()
         DeviceClient client(isToy ? toyLinks().transports : allLinks().transports,
                             isToy ? toyFamilies() : allFamilies());
         client.connectTo(*LinkAddress::parse(link), tried.key);
-        const bool isConnected = QTest::qWaitFor([&client] { return client.isConnected(); }, 20000);
+        const bool isConnected = QTest::qWaitFor([&client] { return client.isConnected(); }, kPatience);
         QVERIFY(isConnected || !misbehaves.mustWork);
         if (isConnected) {
             const BoardHistory history(dir.filePath(u"kept"_s));
@@ -219,7 +220,7 @@ void TestMisbehaving::clientSaysNothingFalse()
         client.shutDown();
     }
     // A board that was reset is absent from its bus for a while.
-    QTRY_VERIFY_WITH_TIMEOUT(isToy || QFile::exists(dir.filePath(u"board"_s)), 20000);
+    QTRY_VERIFY(isToy || QFile::exists(dir.filePath(u"board"_s)));
     Run after;
     bool isRetrieved = tried.key != u"storm32"_s;
     for (int i = 0; i < 10 && !isRetrieved; ++i) {

@@ -5,6 +5,7 @@
 #include "app/workspace/settings.h"
 #include "protocol/record/configurationformats.h"
 #include "protocol/record/replaystore.h"
+#include "tests/support/patience.h"
 #include "widgets/plot/plotlayout.h"
 
 #include <QDir>
@@ -88,7 +89,7 @@ Run ctl(const QStringList &arguments)
 {
     QProcess process;
     process.start(QStringLiteral(GIMBAL_BIN_DIR "/gimbalctl"), arguments);
-    if (!QTest::qWaitFor([&process] { return process.state() == QProcess::NotRunning; }, 60000))
+    if (!QTest::qWaitFor([&process] { return process.state() == QProcess::NotRunning; }, kPatience))
         process.kill();
     return {process.exitCode(), process.readAllStandardOutput(),
             QString::fromUtf8(process.readAllStandardError())};

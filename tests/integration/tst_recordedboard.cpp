@@ -12,6 +12,7 @@
 #include "protocol/telemetry/telemetrystore.h"
 #include "protocol/telemetry/uniformsamples.h"
 #include "protocol/transport/replay.h"
+#include "tests/support/patience.h"
 #include "widgets/models/channelmodel.h"
 #include "widgets/models/numbertext.h"
 
@@ -83,7 +84,8 @@ private:
     {
         QProcess process;
         process.start(u"" GIMBAL_BIN_DIR "/gimbalctl"_s, arguments);
-        const bool isDone = QTest::qWaitFor([&] { return process.state() == QProcess::NotRunning; }, 60000);
+        const bool isDone
+            = QTest::qWaitFor([&] { return process.state() == QProcess::NotRunning; }, kPatience);
         if (!isDone || process.exitCode() != 0)
             qWarning() << process.readAllStandardError();
         return process.readAllStandardOutput();
@@ -102,11 +104,11 @@ bool TestRecordedBoard::record(const QString &link, const QString &family, quint
     DeviceClient client(allLinks().transports, allFamilies());
     client.addListener(recorder);
     client.connectTo(*LinkAddress::parse(link), family);
-    if (!QTest::qWaitFor([&] { return client.isConnected(); }, 20000))
+    if (!QTest::qWaitFor([&] { return client.isConnected(); }, kPatience))
         return false;
     const ChannelRoles roles = client.roles();
     client.subscribe({QList<int>(roles.gyro.begin(), roles.gyro.end()), 0});
-    if (!QTest::qWaitFor([&] { return client.telemetry()->rows() > rows; }, 20000))
+    if (!QTest::qWaitFor([&] { return client.telemetry()->rows() > rows; }, kPatience))
         return false;
     m_live = client.telemetry();
     auto task = RecordingTask::start(recorder, m_file,
@@ -143,13 +145,13 @@ void TestRecordedBoard::readersAgree()
 
     DeviceClient player(allLinks().transports, allFamilies());
     player.connectTo(*LinkAddress::parse(u"replay:%1?speed=20"_s.arg(m_file)), family);
-    QTRY_VERIFY_WITH_TIMEOUT(player.isConnected(), 10000);
-    QTRY_VERIFY_WITH_TIMEOUT(player.telemetry()->rows() >= m_live->rows(), 10000);
+    QTRY_VERIFY(player.isConnected());
+    QTRY_VERIFY(player.telemetry()->rows() >= m_live->rows());
 
     const QString csv = m_dir.filePath(u"r.csv"_s);
     QProcess ctl;
     ctl.start(u"" GIMBAL_BIN_DIR "/gimbalctl"_s, {u"export"_s, m_file, u"--csv"_s, csv});
-    QVERIFY(ctl.waitForFinished(30000));
+    QVERIFY(ctl.waitForFinished(kPatience));
     QVERIFY2(ctl.exitCode() == 0, ctl.readAllStandardError());
     QFile file(csv);
     QVERIFY(file.open(QIODevice::ReadOnly));
@@ -249,7 +251,7 @@ void TestRecordedBoard::readersMeasureTheSame()
 
     DeviceClient player(allLinks().transports, allFamilies());
     player.connectTo(*LinkAddress::parse(u"replay:%1?speed=20"_s.arg(m_file)), family);
-    QTRY_VERIFY_WITH_TIMEOUT(player.replay().state() && player.replay().state()->hasEnded(), 30000);
+    QTRY_VERIFY(player.replay().state() && player.replay().state()->hasEnded());
     ChannelModel shown;
     shown.reset(player.device()->channels(), player.telemetry());
     int compared = 0;
@@ -328,7 +330,7 @@ void TestRecordedBoard::holesAreTold()
         QProcess ctl;
         ctl.start(u"" GIMBAL_BIN_DIR "/gimbalctl"_s,
                   QStringList{u"--json"_s} + command + QStringList{m_file});
-        QVERIFY(ctl.waitForFinished(30000));
+        QVERIFY(ctl.waitForFinished(kPatience));
         const QString err = QString::fromUtf8(ctl.readAllStandardError());
         QVERIFY2(err.contains(told), qPrintable(err));
         QCOMPARE(err.contains(u"nothing came"_s), holes > 0);

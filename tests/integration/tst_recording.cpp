@@ -10,6 +10,7 @@
 #include "protocol/session/linkstatistics.h"
 #include "protocol/telemetry/streams.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "tests/support/patience.h"
 #include "tests/support/pieces.h"
 
 #include <QBuffer>
@@ -307,16 +308,16 @@ void TestRecording::replayIsTheSameBoard()
         DeviceClient client(allLinks().transports, allFamilies());
         client.addListener(recorder);
         client.connectTo(*LinkAddress::parse(u"sim:simplebgc?seed=4"_s), u"simplebgc"_s);
-        QTRY_VERIFY_WITH_TIMEOUT(client.isConnected(), 10000);
+        QTRY_VERIFY(client.isConnected());
         auto configuration = client.submit<Configuration>(
             [](Channel &channel, Device &device) { return device.readConfiguration(channel); });
-        QTRY_VERIFY_WITH_TIMEOUT(configuration.isFinished(), 10000);
+        QTRY_VERIFY(configuration.isFinished());
         original = *configuration.result();
         identity = client.identity();
         const ChannelRoles roles = client.roles();
         wanted = QList<int>(roles.gyro.begin(), roles.gyro.end());
         client.subscribe({wanted, 0});
-        QTRY_VERIFY_WITH_TIMEOUT(client.telemetry()->rows() > 1500, 10000);
+        QTRY_VERIFY(client.telemetry()->rows() > 1500);
         client.shutDown();
         rows = client.telemetry()->rows();
     }
@@ -338,25 +339,25 @@ void TestRecording::replayIsTheSameBoard()
     // And as a link.
     DeviceClient client(allLinks().transports, allFamilies());
     client.connectTo(*LinkAddress::parse(u"replay:%1?speed=10"_s.arg(file)), u"simplebgc"_s);
-    QTRY_VERIFY_WITH_TIMEOUT(client.isConnected(), 10000);
+    QTRY_VERIFY(client.isConnected());
     QCOMPARE(client.identity().serial, identity.serial);
     QCOMPARE(client.identity().firmware, identity.firmware);
     QVERIFY(!client.identity().writable);
     auto again = client.submit<Configuration>(
         [](Channel &channel, Device &d) { return d.readConfiguration(channel); });
-    QTRY_VERIFY_WITH_TIMEOUT(again.isFinished(), 10000);
+    QTRY_VERIFY(again.isFinished());
     QVERIFY(again.result());
     QCOMPARE(again.result()->blocks().size(), original.blocks().size());
     for (const auto &[key, bytes] : original.blocks())
         QCOMPARE(again.result()->blocks().at(key), bytes);
-    QTRY_VERIFY_WITH_TIMEOUT(client.telemetry()->rows() >= rows, 10000);
+    QTRY_VERIFY(client.telemetry()->rows() >= rows);
     QVERIFY(client.isConnected());  // the end of the recording is no lost link
     // Nothing can be written to the past.
     auto written = client.submit<QVariantMap>([](Channel &channel, Device &d) -> Result<QVariantMap> {
         const auto reply = d.perform(channel, u"motors.on"_s, {});
         return reply ? Result<QVariantMap>(QVariantMap()) : tl::unexpected(reply.error());
     });
-    QTRY_VERIFY_WITH_TIMEOUT(written.isFinished(), 10000);
+    QTRY_VERIFY(written.isFinished());
     QVERIFY(!written.result());
     QCOMPARE(written.result().error().code, ErrorCode::ReadOnly);
 }
@@ -371,15 +372,15 @@ void TestRecording::replayFindsTheStreamThatRan()
         DeviceClient client(allLinks().transports, allFamilies());
         client.addListener(recorder);
         client.connectTo(*LinkAddress::parse(u"sim:simplebgc?seed=4"_s), u"simplebgc"_s);
-        QTRY_VERIFY_WITH_TIMEOUT(client.isConnected(), 10000);
+        QTRY_VERIFY(client.isConnected());
         gyro = client.roles().gyro[0];
         angle = client.roles().angle[0];
         for (const int channel : {gyro, angle}) {
             QSignalSpy planned(&client, &DeviceClient::telemetryPlanChanged);
             const quint64 rows = client.telemetry()->rows();
             client.subscribe({{channel}, 0});
-            QTRY_VERIFY_WITH_TIMEOUT(planned.count() > 0, 10000);
-            QTRY_VERIFY_WITH_TIMEOUT(client.telemetry()->rows() > rows + 500, 10000);
+            QTRY_VERIFY(planned.count() > 0);
+            QTRY_VERIFY(client.telemetry()->rows() > rows + 500);
         }
         client.removeListener(recorder);
     }

@@ -10,6 +10,7 @@
 #include "protocol/telemetry/telemetrystore.h"
 #include "protocol/transport/linkaddress.h"
 #include "tests/support/boardtime.h"
+#include "tests/support/patience.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -18,12 +19,6 @@
 #include <algorithm>
 
 using namespace Qt::StringLiterals;
-
-namespace {
-
-constexpr int kPatience = 60000;
-
-}  // namespace
 
 /// An acknowledgement proves nothing: boards of each family that confirm every stop and go on.
 class TestStops : public QObject
@@ -74,17 +69,16 @@ void TestStops::open(const QString &address, bool lockedOut)
     static int seed = 300;
     m_address = LinkAddress::parse(u"%1&seed=%2"_s.arg(address).arg(++seed)).value();
     m_client->connectTo(m_address);
-    QTRY_VERIFY_WITH_TIMEOUT(m_client->isConnected(), 15000);
-    QTRY_VERIFY_WITH_TIMEOUT(isDriven(), 20000);
+    QTRY_VERIFY(m_client->isConnected());
+    QTRY_VERIFY(isDriven());
     const StatusWords *words = m_client->device()->statusWords();
-    QTRY_VERIFY_WITH_TIMEOUT(
-        !words || words->isStabilising(int(m_client->telemetry()->latest(m_client->roles().state))), 20000);
+    QTRY_VERIFY(!words || words->isStabilising(int(m_client->telemetry()->latest(m_client->roles().state))));
     if (!lockedOut)
         return;
     auto locked = m_client->submit<void>([](Channel &channel, Device &device) {
         return device.live()->writeAdjustables(channel, {{kHeartbeat, 1}});
     });
-    QTRY_VERIFY_WITH_TIMEOUT(locked.isFinished(), kPatience);
+    QTRY_VERIFY(locked.isFinished());
     QVERIFY(locked.result());
     QVERIFY(boardGoesOn(*m_client, 1.0));
 }
@@ -113,14 +107,14 @@ void TestStops::confirmedIsNotOff()
     QVERIFY(change(u"runs-on=1"_s));
     QSignalSpy finished(m_client.get(), &DeviceClient::motorsOffFinished);
     m_client->motorsOff();
-    QTRY_VERIFY_WITH_TIMEOUT(!finished.isEmpty(), kPatience);
+    QTRY_VERIFY(!finished.isEmpty());
     QVERIFY(!finished.last().first().toBool());
     QVERIFY(m_client->isStopUnproven());
     QVERIFY(isDriven());
     // It goes on by itself, and is told when it is so.
     QVERIFY(change(u"runs-on=0"_s));
-    QTRY_VERIFY_WITH_TIMEOUT(finished.last().first().toBool(), kPatience);
-    QTRY_VERIFY_WITH_TIMEOUT(!isDriven(), 5000);
+    QTRY_VERIFY(finished.last().first().toBool());
+    QTRY_VERIFY(!isDriven());
     QVERIFY(!m_client->isStopUnproven());
 }
 
@@ -147,7 +141,7 @@ void TestStops::confirmedActionIsNotDone()
     QVERIFY(change(u"runs-on=0"_s));
     const auto done = stopByAction();
     QVERIFY2(done && done->answered, done ? "sent" : qPrintable(done.error().detail));
-    QTRY_VERIFY_WITH_TIMEOUT(!isDriven(), 5000);
+    QTRY_VERIFY(!isDriven());
 }
 
 // An alarm says what is so, and says so when that changes.
@@ -172,12 +166,12 @@ void TestStops::supervisorsStopIsNotDone()
         return std::any_of(reports.begin(), reports.end(),
                            [outcome](const AlarmReport &report) { return report.outcome == outcome; });
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isTold(AlarmOutcome::NotProven), kPatience);
+    QTRY_VERIFY(isTold(AlarmOutcome::NotProven));
     QVERIFY(!isTold(AlarmOutcome::Done));
     QVERIFY(isDriven());
     QVERIFY(change(u"runs-on=0"_s));
-    QTRY_VERIFY_WITH_TIMEOUT(isTold(AlarmOutcome::Done), kPatience);
-    QTRY_VERIFY_WITH_TIMEOUT(!isDriven(), 5000);
+    QTRY_VERIFY(isTold(AlarmOutcome::Done));
+    QTRY_VERIFY(!isDriven());
 }
 
 QTEST_GUILESS_MAIN(TestStops)

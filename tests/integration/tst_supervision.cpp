@@ -13,6 +13,7 @@
 #include "protocol/telemetry/telemetrystore.h"
 #include "protocol/transport/linkaddress.h"
 #include "tests/support/boardtime.h"
+#include "tests/support/patience.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -115,11 +116,11 @@ void TestSupervision::open(const QString &address)
     static int seed = 100;
     m_address = LinkAddress::parse(u"%1?seed=%2"_s.arg(address).arg(++seed)).value();
     m_client->connectTo(m_address);
-    QTRY_VERIFY_WITH_TIMEOUT(m_client->isConnected(), 15000);
+    QTRY_VERIFY(m_client->isConnected());
     subscribe();
-    QTRY_VERIFY_WITH_TIMEOUT(m_client->telemetry()->rows() > 0, 5000);
+    QTRY_VERIFY(m_client->telemetry()->rows() > 0);
     QVERIFY(m_client->roles().outputs >= 0);
-    QTRY_VERIFY_WITH_TIMEOUT(m_client->telemetry()->latest(m_client->roles().outputs) > 0, 20000);
+    QTRY_VERIFY(m_client->telemetry()->latest(m_client->roles().outputs) > 0);
 }
 
 void TestSupervision::subscribe()
@@ -134,7 +135,7 @@ void TestSupervision::subscribe()
 template <typename T> Result<T> TestSupervision::ask(std::function<Result<T>(Channel &, Device &)> job)
 {
     auto future = m_client->submit<T>(std::move(job));
-    if (!QTest::qWaitFor([&] { return future.isFinished(); }, 15000))
+    if (!QTest::qWaitFor([&] { return future.isFinished(); }, kPatience))
         qFatal("no answer");
     return future.result();
 }
@@ -163,8 +164,7 @@ void TestSupervision::runawayIsStopped()
     open(address);
     // The simulated STorM32 levels first; its supervisor waits until it holds.
     const StatusWords *words = m_client->device()->statusWords();
-    QTRY_VERIFY_WITH_TIMEOUT(
-        !words || words->isStabilising(int(m_client->telemetry()->latest(m_client->roles().state))), 20000);
+    QTRY_VERIFY(!words || words->isStabilising(int(m_client->telemetry()->latest(m_client->roles().state))));
     QVERIFY(boardGoesOn(*m_client, 1.5));
     QVERIFY(m_reports.isEmpty());
     auto busy = m_client->submit<bool>([](Channel &channel, Device &) -> Result<bool> {
@@ -200,11 +200,11 @@ void TestSupervision::runawayIsStopped()
     qInfo() << "stopped" << reaction << "s after the limit was passed";
     QVERIFY(reaction < 0.5);
     // And it is told as soon as the screen is back.
-    QTRY_VERIFY_WITH_TIMEOUT(!m_reports.isEmpty() && m_reports.last().outcome == AlarmOutcome::Done, 5000);
+    QTRY_VERIFY(!m_reports.isEmpty() && m_reports.last().outcome == AlarmOutcome::Done);
     QCOMPARE(m_reports.first().alarm.kind, AlarmKind::Runaway);
     QCOMPARE(m_reports.first().alarm.cause, AlarmCause::SwappedAxes);
     QCOMPARE(m_reports.last().action, AlarmAction::MotorsOff);
-    QTRY_VERIFY_WITH_TIMEOUT(m_client->telemetry()->latest(m_client->roles().outputs) == 0, 5000);
+    QTRY_VERIFY(m_client->telemetry()->latest(m_client->roles().outputs) == 0);
     m_client->cancelJobs();
 }
 
@@ -226,7 +226,7 @@ void TestSupervision::oscillationIsTakenBack()
     const double began = m_client->telemetry()->now();
     QThread::msleep(2000);  // the screen hangs
     QVERIFY(!busy.isFinished());
-    QTRY_VERIFY_WITH_TIMEOUT(!m_reports.isEmpty() && m_reports.last().outcome == AlarmOutcome::Done, 3000);
+    QTRY_VERIFY(!m_reports.isEmpty() && m_reports.last().outcome == AlarmOutcome::Done);
     const AlarmReport &report = m_reports.last();
     QCOMPARE(report.alarm.kind, AlarmKind::Oscillation);
     QCOMPARE(report.alarm.axis, Axis::Pitch);
@@ -238,7 +238,7 @@ void TestSupervision::oscillationIsTakenBack()
     m_client->cancelJobs();
     QTRY_VERIFY(busy.isFinished());
     QCOMPARE(inUse(kPitchD), before);
-    QTRY_VERIFY_WITH_TIMEOUT(m_reports.last().isOver, 5000);
+    QTRY_VERIFY(m_reports.last().isOver);
 }
 
 void TestSupervision::operatorChoosesToBeWarnedOnly()
@@ -249,7 +249,7 @@ void TestSupervision::operatorChoosesToBeWarnedOnly()
     open(u"sim:simplebgc"_s);
     QVERIFY(boardGoesOn(*m_client, 1.0));
     QVERIFY(m_links.changeWorld(m_address, u"swapped-axes=1"_s));
-    QTRY_VERIFY_WITH_TIMEOUT(!m_reports.isEmpty(), 5000);
+    QTRY_VERIFY(!m_reports.isEmpty());
     QCOMPARE(m_reports.first().action, AlarmAction::Warn);
     QVERIFY(boardGoesOn(*m_client, 1.0));
     QVERIFY(m_client->telemetry()->latest(m_client->roles().outputs) > 0);
@@ -263,7 +263,7 @@ bool TestSupervision::isStabilising() const
             return !words
                 || words->isStabilising(int(m_client->telemetry()->latest(m_client->roles().state)));
         },
-        20000);
+        kPatience);
 }
 
 void TestSupervision::chosenReactionIsTaken_data()
@@ -318,11 +318,11 @@ void TestSupervision::chosenReactionIsTaken()
                                      [kind](const AlarmReport &each) { return each.alarm.kind == kind; });
         return it == m_reports.rend() ? nullptr : &*it;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(report() && report()->outcome == outcome, 15000);
+    QTRY_VERIFY(report() && report()->outcome == outcome);
     QCOMPARE(report()->action, ends ? AlarmAction::MotorsOff : AlarmAction::Warn);
     const double outputs = m_client->roles().outputs;
     if (ends) {
-        QTRY_COMPARE_WITH_TIMEOUT(m_client->telemetry()->latest(int(outputs)), 0.0F, 5000);
+        QTRY_COMPARE(m_client->telemetry()->latest(int(outputs)), 0.0F);
         return;
     }
     QVERIFY(boardGoesOn(*m_client, 1.0));
@@ -369,7 +369,7 @@ void TestSupervision::reactionFollowsTheChange()
         return written ? Result<bool>(true) : tl::unexpected(written.error());
     });
     QVERIFY(done);
-    QTRY_VERIFY_WITH_TIMEOUT(!m_reports.isEmpty() && m_reports.last().outcome != AlarmOutcome::Acting, 8000);
+    QTRY_VERIFY(!m_reports.isEmpty() && m_reports.last().outcome != AlarmOutcome::Acting);
     const AlarmReport report = m_reports.last();
     QCOMPARE(report.alarm.kind, AlarmKind::Oscillation);
     QCOMPARE(report.alarm.cause, AlarmCause::TooMuchGain);
@@ -379,11 +379,11 @@ void TestSupervision::reactionFollowsTheChange()
     QCOMPARE(report.outcome, wanted == AlarmAction::Warn ? AlarmOutcome::Told : AlarmOutcome::Done);
     QCOMPARE(inUse(variable) == before, isBack);
     if (wanted == AlarmAction::MotorsOff)
-        QTRY_VERIFY_WITH_TIMEOUT(m_client->telemetry()->latest(m_client->roles().outputs) == 0, 5000);
+        QTRY_VERIFY(m_client->telemetry()->latest(m_client->roles().outputs) == 0);
     else
         QVERIFY(m_client->telemetry()->latest(m_client->roles().outputs) > 0);
     if (isBack)
-        QTRY_VERIFY_WITH_TIMEOUT(m_reports.last().isOver, 8000);
+        QTRY_VERIFY(m_reports.last().isOver);
 }
 
 // Much P and no damping: once the damping is back it takes a second to die away, which is no going on.
@@ -404,8 +404,8 @@ void TestSupervision::whatDiesAwayIsToldToBeQuiet()
         });
         QVERIFY(done);
     }
-    QTRY_VERIFY_WITH_TIMEOUT(!m_reports.isEmpty() && m_reports.last().change.has_value(), 8000);
-    QTRY_VERIFY_WITH_TIMEOUT(m_reports.last().isOver, 8000);
+    QTRY_VERIFY(!m_reports.isEmpty() && m_reports.last().change.has_value());
+    QTRY_VERIFY(m_reports.last().isOver);
     for (const AlarmReport &report : m_reports)
         QVERIFY(report.outcome != AlarmOutcome::GoesOn);
     QVERIFY(m_reports.last().wasSeenToEnd);
@@ -454,7 +454,7 @@ void TestSupervision::steeredBoardsAreWatched()
     QVERIFY(m_links.changeWorld(m_address, fault));
     if (kind == AlarmKind::Saturation)
         wanted.inputs[std::size_t(pitch)] += 18;
-    QTRY_VERIFY_WITH_TIMEOUT(!m_reports.isEmpty(), 8000);
+    QTRY_VERIFY(!m_reports.isEmpty());
     QCOMPARE(m_reports.first().alarm.kind, kind);
     if (kind == AlarmKind::Saturation)
         QCOMPARE(m_reports.first().alarm.axis, Axis::Pitch);
@@ -475,7 +475,7 @@ void TestSupervision::whatIsNotWatchedIsNamed()
     QFETCH(bool, targets);
     open(address);
     QSignalSpy changed(m_client.get(), &DeviceClient::unwatchedChanged);
-    QVERIFY(changed.count() > 0 || changed.wait(10000));
+    QVERIFY(changed.count() > 0 || changed.wait(kPatience));
     const auto isNamed = [this](AlarmKind kind) {
         const auto &list = m_client->unwatched();
         return std::any_of(list.begin(), list.end(),

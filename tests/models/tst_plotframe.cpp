@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/allocationcount.h"
+#include "tests/support/patience.h"
 #include "widgets/plot/plotstack.h"
 #include "widgets/plot/plotview.h"
 
@@ -292,7 +293,7 @@ void TestPlotFrame::hiddenPlotsDoNothing()
                 rig.feed(50);
                 return end(seen) > until;
             },
-            10000);
+            kPatience);
     };
     QVERIFY(live(1.0));
     QTRY_VERIFY(end(hidden) > 0 && end(minimised) > 0);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/support/patience.h"
+
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -51,7 +53,7 @@ public:
         m_process.kill();
         m_process.waitForFinished();
     }
-    Run finish(int ms = 30000)
+    Run finish(int ms = kPatience)
     {
         if (!QTest::qWaitFor([this] { return m_process.state() == QProcess::NotRunning; }, ms))
             return {-1, text(m_out), QStringLiteral("it does not end: ") + text(m_err)};

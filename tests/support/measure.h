@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/pages/tune/responsepage.h"
+#include "tests/support/patience.h"
 
 #include <QPushButton>
 #include <QTest>
@@ -18,7 +19,7 @@ inline bool measure(ResponsePage &page)
     for (int i = 0; i < kMeasureTries; ++i) {
         QTest::mouseClick(page.armButton(), Qt::LeftButton);
         QTest::mouseClick(page.startButton(), Qt::LeftButton);
-        if (!page.isRunning() || !QTest::qWaitFor([&page] { return !page.isRunning(); }, 40000))
+        if (!page.isRunning() || !QTest::qWaitFor([&page] { return !page.isRunning(); }, kPatience))
             return false;
         if (page.records().size() == wanted)
             return true;

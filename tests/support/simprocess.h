@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/support/patience.h"
+
 #include <QProcess>
 #include <QTest>
 
@@ -22,7 +24,8 @@ public:
         m_process.setChildProcessModifier([] { setpriority(PRIO_PROCESS, 0, -15); });
         m_process.start();
         std::ignore = QTest::qWaitFor(
-            [this] { return m_process.canReadLine() || m_process.state() == QProcess::NotRunning; }, 10000);
+            [this] { return m_process.canReadLine() || m_process.state() == QProcess::NotRunning; },
+            kPatience);
         const QByteArray line = m_process.readLine().trimmed();
         if (line.startsWith("ready "))
             m_address = QString::fromLocal8Bit(line.mid(6));
@@ -39,7 +42,8 @@ public:
         if (m_process.state() == QProcess::NotRunning)
             return m_process.exitCode();
         m_process.terminate();
-        std::ignore = QTest::qWaitFor([this] { return m_process.state() == QProcess::NotRunning; }, 5000);
+        std::ignore
+            = QTest::qWaitFor([this] { return m_process.state() == QProcess::NotRunning; }, kPatience);
         return m_process.exitStatus() == QProcess::NormalExit ? m_process.exitCode() : -1;
     }
     QProcess &process() { return m_process; }
@@ -52,7 +56,7 @@ public:
     Streams streams()
     {
         m_process.write("streams\n");
-        std::ignore = QTest::qWaitFor([this] { return m_process.canReadLine(); }, 5000);
+        std::ignore = QTest::qWaitFor([this] { return m_process.canReadLine(); }, kPatience);
         const QList<QByteArray> words = m_process.readLine().simplified().split(' ');
         return {words.value(2).toULongLong() + words.value(4).toULongLong(), words.value(4).toULongLong()};
     }

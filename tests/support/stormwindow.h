@@ -6,6 +6,7 @@
 #include "protocol/session/linkstatistics.h"
 #include "protocol/telemetry/streams.h"
 #include "protocol/telemetry/telemetrystore.h"
+#include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/reviewdialog.h"
 
@@ -21,7 +22,7 @@ protected:
     }
     bool ready()
     {
-        return QTest::qWaitFor([this] { return m_rig->workspace().motorsRunning().has_value(); }, 10000);
+        return QTest::qWaitFor([this] { return m_rig->workspace().motorsRunning().has_value(); }, kPatience);
     }
     Workspace &workspace() { return m_rig->workspace(); }
     /// A word as the board uses it now, asked past all models.
@@ -35,16 +36,16 @@ protected:
             .then(this, [&value](const Result<std::vector<AdjustableValue>> &read) {
                 value = read ? int(read->front().value) : -1;
             });
-        return QTest::qWaitFor([&value] { return value.has_value(); }, 5000) ? *value : -1;
+        return QTest::qWaitFor([&value] { return value.has_value(); }, kPatience) ? *value : -1;
     }
     bool writeAll()
     {
         QSignalSpy finished(&workspace(), &Workspace::writeFinished);
         m_rig->window().review();
-        if (!QTest::qWaitFor([this] { return m_rig->window().reviewDialog() != nullptr; }, 3000))
+        if (!QTest::qWaitFor([this] { return m_rig->window().reviewDialog() != nullptr; }, kPatience))
             return false;
         m_rig->window().reviewDialog()->accept();
-        return QTest::qWaitFor([&finished] { return finished.count() == 1; }, 60000)
+        return QTest::qWaitFor([&finished] { return finished.count() == 1; }, kPatience)
             && workspace().lastReport()->isComplete();
     }
 

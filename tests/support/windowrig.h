@@ -7,6 +7,7 @@
 #include "app/mainwindow/navigation.h"
 #include "app/mainwindow/pagetable.h"
 #include "tests/support/boardtime.h"
+#include "tests/support/patience.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -69,7 +70,7 @@ public:
     bool open(const QString &address = {})
     {
         m_window->openLink(address.isEmpty() ? QStringLiteral("sim:") + m_families.first().key : address);
-        return QTest::qWaitFor([this] { return client().isConnected() && !model().isEmpty(); }, 15000);
+        return QTest::qWaitFor([this] { return client().isConnected() && !model().isEmpty(); }, kPatience);
     }
     /// Waits until so many more seconds of samples have come from the board.
     bool boardGoesOn(double seconds) { return ::boardGoesOn(client(), seconds); }
@@ -80,7 +81,8 @@ public:
         client()
             .submit<bool>([](Channel &, Device &) -> Result<bool> { return true; })
             .then(m_window.get(), [done](const Result<bool> &) { *done = true; });
-        return QTest::qWaitFor([done] { return *done; }, 60000);  // whole reads through MAVLink are before it
+        return QTest::qWaitFor([done] { return *done; },
+                               kPatience);  // whole reads through MAVLink are before it
     }
     /// Waits until a turn of the event loop moves no widget any more.
     bool isSettled()

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/session/session.h"
+#include "tests/support/patience.h"
 
 #include <QCoreApplication>
 #include <QPointer>
@@ -211,7 +212,7 @@ void TestSession::pollingTakesItsTurnAmongRequests()
     // Two at a time, so that one is always waiting.
     ask();
     ask();
-    QTRY_VERIFY_WITH_TIMEOUT(m_transport->written.count('p') >= 4, 20000);
+    QTRY_VERIFY(m_transport->written.count('p') >= 4);
     // Most of the time belongs to the requests.
     QVERIFY2(done > 3 * m_transport->written.count('p'), m_transport->written.constData());
     QTRY_VERIFY(m_transport->written.count('r') == done);
@@ -270,7 +271,7 @@ void TestSession::waitingSleeps()
     m_session->setPoll(command('p', 'd'), 1ms);
     const auto isQuiet = [&](auto isOver) {
         const int before = timers.count;
-        return QTest::qWaitFor(isOver, 5000) && timers.count - before < 30;
+        return QTest::qWaitFor(isOver, kPatience) && timers.count - before < 30;
     };
     const auto done = std::make_shared<int>(0);  // the session ends later
     const auto count = [done](const Result<Frame> &) { ++*done; };
@@ -302,7 +303,7 @@ void TestSession::closingOnPurposeEndsSteering()
         m_session->finish([&isClosed] { isClosed = true; });
         QVERIFY(!isClosed);
         m_session->refreshControl(movement());  // too late
-        QTRY_VERIFY_WITH_TIMEOUT(isClosed, 5000);
+        QTRY_VERIFY(isClosed);
         QCOMPARE(ended.count(), 1);
         QCOMPARE(ended.first().first().toBool(), answers);
         QVERIFY2(written.contains('h') && written.endsWith('r'), written.constData());
@@ -371,13 +372,13 @@ void TestSession::unprovenStopIsRepeated()
     });
     QTRY_COMPARE(outcomes, 1);
     const auto sent = m_transport->written.count('o');
-    QTRY_VERIFY_WITH_TIMEOUT(m_transport->written.count('o') >= sent + 3, 10000);
+    QTRY_VERIFY(m_transport->written.count('o') >= sent + 3);
     // An answer that takes nearly a second is a proof all the same.
     m_transport->answering = [this](char byte) {
         if (byte == 'o')
             m_transport->answer('d', 900ms);
     };
-    QTRY_COMPARE_WITH_TIMEOUT(late.count(), 1, 10000);
+    QTRY_COMPARE(late.count(), 1);
     QCOMPARE(outcomes, 1);
 }
 

@@ -4,6 +4,7 @@
 #include "protocol/simulator/link/simulatedgimbals.h"
 #include "protocol/simulator/link/simulatorsetup.h"
 #include "protocol/simulator/link/udphost.h"
+#include "tests/support/patience.h"
 
 #include <QNetworkDatagram>
 #include <QSignalSpy>
@@ -289,7 +290,7 @@ void TestSimulatedFamily::datagramsOverLoopback()
                     heard.append(socket.receiveDatagram().data());
                 return heard.size() >= 2;
             },
-            5000);
+            kPatience);
         return answered ? heard : QList<QByteArray>();
     };
     QCOMPARE(ask(first, "one"), (QList<QByteArray>{"1", "one"}));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/base/checksum.h"
 #include "protocol/storm32/scripts.h"
+#include "tests/support/patience.h"
 #include "tests/support/stormbytes.h"
 #include "tests/support/stormrig.h"
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/patience.h"
+
 #include <QDir>
 #include <QFile>
 #include <QProcess>
@@ -189,7 +191,7 @@ void TestTranslations::everyTableTextIsThere()
 {
     QProcess process;
     process.start(QStringLiteral(GIMBAL_BIN_DIR "/tabletexts"), QStringList());
-    QVERIFY(process.waitForFinished(20000));
+    QVERIFY(process.waitForFinished(kPatience));
     QSet<QString> known;
     for (const Message &message : readCatalogue(u"gimbaldesk_de.ts"_s)) {
         if (message.context == u"Tables"_s)

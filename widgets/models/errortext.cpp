@@ -451,13 +451,13 @@ ErrorText describe(const WriteReport &report)
     }
     if (const QString restart = restartText(report); !restart.isEmpty())
         text.meaning += u' ' + restart;
-    if (const QString strays = straysText(report); !strays.isEmpty())
-        text.detail += (text.detail.isEmpty() ? QString() : u"; "_s) + strays;
+    addDetail(text.detail, straysText(report));
     if (strayInUse > 0)
-        text.detail += (text.detail.isEmpty() ? QString() : u"; "_s) + inUseText(*report.use);
+        addDetail(text.detail, inUseText(*report.use));
     if (report.namesWanted && !report.areNamesUnknown())
-        text.detail += (text.detail.isEmpty() ? QString() : u"; "_s)
-            + Words::tr("profile names on the board: %1").arg(report.onBoard.profileNames().join(u", "_s));
+        addDetail(
+            text.detail,
+            Words::tr("profile names on the board: %1").arg(report.onBoard.profileNames().join(u", "_s)));
     return text;
 }
 
