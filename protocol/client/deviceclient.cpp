@@ -211,6 +211,8 @@ void DeviceClient::Private::shutDown()
     // The worker may still wait for the I/O thread, so it goes first.
     workerThread.quit();
     workerThread.wait();
+    while (const Delivery next = nextDelivery())
+        next();
     now([this] {
         session->removeListener(&frames);
         session->removeListener(feed.get());
@@ -476,12 +478,36 @@ void DeviceClient::enqueue(Job job, JobKind kind)
         [this, control, device = d->device, job = std::move(job)] {
             const auto channel = d->makeChannel(control, SessionChannel::Link::Open);
             const bool cancelled = channel->cancelled();
-            const Delivery deliver = job(cancelled ? nullptr : channel.get(), device.get(),
-                                         cancelled ? control->why() : Error());
-            d->back([this] { d->jobFinished(); });
-            deliver();
+            d->deliverLater(
+                job(cancelled ? nullptr : channel.get(), device.get(), cancelled ? control->why() : Error()));
         },
         Qt::QueuedConnection);
+}
+
+// Qt 6.4 runs a continuation twice, the second time without what it holds, if it is attached on one thread
+// while another finishes the future. So the thread that attaches them finishes them, too.
+void DeviceClient::Private::deliverLater(Delivery delivery)
+{
+    {
+        const std::lock_guard lock(urgentMutex);
+        deliveries.push_back(std::move(delivery));
+    }
+    back([this] {
+        if (const Delivery next = nextDelivery()) {
+            jobFinished();
+            next();
+        }
+    });
+}
+
+DeviceClient::Delivery DeviceClient::Private::nextDelivery()
+{
+    const std::lock_guard lock(urgentMutex);
+    if (deliveries.empty())
+        return {};
+    Delivery next = std::move(deliveries.front());
+    deliveries.pop_front();
+    return next;
 }
 
 void DeviceClient::Private::jobFinished()

@@ -77,7 +77,7 @@ public:
     void shutDown();
 
     /// Runs sequential code on the worker thread. The future always gets a result; NotConnected when there is
-    /// no board.
+    /// no board. It gets it on the thread of the client, from the event loop: never wait for it there.
     template <typename T>
     QFuture<Result<T>> submit(std::function<Result<T>(Channel &, Device &)> job,
                               JobKind kind = JobKind::Quiet);

@@ -15,6 +15,8 @@
 #include <QSemaphore>
 #include <QThread>
 
+#include <deque>
+
 /// Implementation of the client.
 struct DeviceClient::Private
 {
@@ -46,6 +48,9 @@ struct DeviceClient::Private
     [[nodiscard]] std::optional<Error> refusal(const Subscription &wanted) const;
     void pollStatistics();
     void jobFinished();
+    /// From the worker thread: hands the result over on the thread of the client.
+    void deliverLater(Delivery delivery);
+    [[nodiscard]] Delivery nextDelivery();
     void followWay();
     void cancelJobs(const Error &why = {ErrorCode::Cancelled, {}, 0});
     void cancelMovingJobs(const Error &why = {ErrorCode::Cancelled, {}, 0});
@@ -106,6 +111,7 @@ struct DeviceClient::Private
     std::mutex urgentMutex;  // motorsOff() may be called from any thread
     std::optional<StopPlan> stopPlan;
     std::vector<std::weak_ptr<JobControl>> movingJobs;
+    std::deque<Delivery> deliveries;  // of finished jobs, on their way
     std::unique_ptr<Supervision> supervision;
     std::vector<Unwatched> unwatched;
     std::shared_ptr<SteeringNote> steering;

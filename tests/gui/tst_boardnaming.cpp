@@ -115,11 +115,10 @@ void TestBoardNaming::renamedElsewhereIsAsked()
     m_rig->workspace().takeSnapshot();
     QCOMPARE(snapshots(), 1);
     // Another program renames it.
-    m_rig->client()
-        .submit<ActionReply>([](Channel &channel, Device &device) {
-            return device.perform(channel, u"name"_s, {{u"name"_s, u"Elsewhere"_s}});
-        })
-        .waitForFinished();
+    const auto renamed = m_rig->client().submit<ActionReply>([](Channel &channel, Device &device) {
+        return device.perform(channel, u"name"_s, {{u"name"_s, u"Elsewhere"_s}});
+    });
+    QTRY_VERIFY(renamed.isFinished());
     QVERIFY(leave());
     m_questions.clear();
     QVERIFY(m_rig->open(u"serial:%1?family=storm32"_s.arg(m_rig->filePath(u"board"_s))));

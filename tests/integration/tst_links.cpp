@@ -199,6 +199,8 @@ private slots:
     void cancelledJobsEndAtOnce();
     void telemetryGoesOnWhileTheScreenIsBlocked();
     void submittingWithoutABoardFails();
+    void resultsComeFromTheEventLoop();
+    void unfinishedJobsHaveResultsAfterTheEnd();
     void foreignProtocolIsNamed();
     void portInUseIsToldAsBusy();
 };
@@ -715,6 +717,46 @@ void TestLinks::telemetryGoesOnWhileTheScreenIsBlocked()
     const quint64 rows = client->telemetry()->rows() - before;
     QVERIFY2(rows > 1600, qPrintable(QString::number(rows)));
     QCOMPARE(client->telemetry()->lost(), quint64(0));
+}
+
+// A continuation that is attached on one thread while another finishes its future may run twice in Qt 6.4,
+// and crash: so a future is never finished while whoever submitted is still at it.
+void TestLinks::resultsComeFromTheEventLoop()
+{
+    const auto client = makeClient();
+    QVERIFY(connectTo(*client, u"sim:simplebgc"_s));
+    std::atomic<bool> hasRun = false;
+    auto first = client->submit<bool>([](Channel &, Device &) -> Result<bool> { return true; });
+    const auto second = client->submit<bool>([&hasRun](Channel &, Device &) -> Result<bool> {
+        hasRun = true;
+        return true;
+    });
+    while (!hasRun)
+        std::this_thread::yield();
+    QVERIFY(!first.isFinished());
+    int runs = 0;
+    first.then(client.get(), [&runs](const Result<bool> &) { ++runs; });
+    QTRY_VERIFY(second.isFinished());
+    QCOMPARE(runs, 1);
+}
+
+// The screen was busy when they ended.
+void TestLinks::unfinishedJobsHaveResultsAfterTheEnd()
+{
+    const auto client = makeClient();
+    QVERIFY(connectTo(*client, u"sim:simplebgc"_s));
+    std::atomic<int> begun = 0;
+    std::vector<QFuture<Result<int>>> jobs;
+    for (int i = 0; i < 3; ++i) {
+        jobs.push_back(client->submit<int>([&begun](Channel &, Device &) -> Result<int> { return ++begun; }));
+    }
+    while (begun < 3)
+        std::this_thread::yield();
+    client->shutDown();
+    for (int i = 0; i < 3; ++i) {
+        QVERIFY(jobs[std::size_t(i)].isFinished());
+        QCOMPARE(jobs[std::size_t(i)].result().value_or(-1), i + 1);
+    }
 }
 
 void TestLinks::submittingWithoutABoardFails()
