@@ -4342,10 +4342,6 @@
         <translation>Board: %1, Firmware %2</translation>
     </message>
     <message>
-        <source>, number %1</source>
-        <translation>, Nummer %1</translation>
-    </message>
-    <message>
         <source> (read before, or from a file)</source>
         <translation> (früher gelesen, oder aus einer Datei)</translation>
     </message>

@@ -42,6 +42,11 @@ const Configuration &beforeOf(const Result<CommandOutcome> &outcome)
     return outcome ? outcome->report->before : outcome.error().after->before;
 }
 
+QString nameOf(const BoardIdentity &board)
+{
+    return BoardHistory::isNumbered(board) ? u"%1, serial %2"_s.arg(board.model, board.serial) : board.model;
+}
+
 }  // namespace
 
 QList<int> defaultChannels(const Device &device)
@@ -239,8 +244,8 @@ void BoardCommand::readAgain()
         return;
     const BoardIdentity &before = beforeOf(*m_interrupted).identity();
     if (m_client->identity().serial != before.serial) {
-        emit told(u"another board answers now: %1, serial %2; before it was %3, serial %4"_s.arg(
-            m_client->identity().model, m_client->identity().serial, before.model, before.serial));
+        emit told(u"another board answers now: %1; before it was %2"_s.arg(nameOf(m_client->identity()),
+                                                                           nameOf(before)));
         conclude(*m_interrupted);
         return;
     }

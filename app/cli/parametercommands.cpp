@@ -71,11 +71,13 @@ public:
         const BoardIdentity &identity = device.identity();
         QStringList capabilities(identity.capabilities.begin(), identity.capabilities.end());
         capabilities.sort();
+        const bool isNumbered = BoardHistory::isNumbered(identity);
         CommandOutcome outcome;
         QJsonObject known{{u"family"_s, identity.family},
                           {u"model"_s, identity.model},
                           {u"firmware"_s, identity.firmware},
-                          {u"serial"_s, identity.serial},
+                          {u"serial"_s, isNumbered ? QJsonValue(identity.serial) : QJsonValue()},
+                          {u"history"_s, identity.serial},
                           {u"profiles"_s, identity.profileCount},
                           {u"usb"_s, identity.usb},
                           {u"writable"_s, identity.writable},
@@ -93,7 +95,7 @@ public:
             + u"board        %1\nfirmware     %2%3\nserial       %4\nprofiles     %5\nport         %6\n"
               u"can          %7\n"_s
                   .arg(identity.model, identity.firmware, identity.writable ? QString() : u" (read-only)"_s,
-                       identity.serial)
+                       isNumbered ? identity.serial : u"none"_s)
                   .arg(identity.profileCount)
                   .arg(identity.usb ? u"USB"_s : u"UART"_s, capabilities.join(u", "_s));
         return outcome;

@@ -28,19 +28,14 @@ bool isEndOfLink(const Error &error)
     return isLinkLoss(error) || error.code == ErrorCode::Cancelled;
 }
 
-bool mayLookLikeAnother(const BoardIdentity &identity)
-{
-    return identity.extra.value(BoardHistory::kUnnumbered).toBool();
-}
-
 QString boardText(const BoardIdentity &identity)
 {
     const QString name = identity.extra.value(u"name"_s).toString();
     if (!name.isEmpty())
         return Notifications::tr("%1, “%2”").arg(identity.model, name);
-    return identity.serial.isEmpty() || mayLookLikeAnother(identity)
-        ? identity.model
-        : Notifications::tr("%1, number %2").arg(identity.model, identity.serial);
+    return BoardHistory::isNumbered(identity)
+        ? Notifications::tr("%1, number %2").arg(identity.model, identity.serial)
+        : identity.model;
 }
 
 Notifications::Notifications(DeviceClient &client, const ConfigurationModel &configuration)
@@ -131,9 +126,7 @@ QString Notifications::circumstances() const
     }
     const BoardIdentity &board
         = isLinked ? m_client.identity() : std::as_const(m_configuration).board().identity();
-    QString text = tr("Board: %1, firmware %2").arg(board.model, board.firmware);
-    if (!board.serial.isEmpty())
-        text += tr(", number %1").arg(board.serial);
+    QString text = tr("Board: %1, firmware %2").arg(boardText(board), board.firmware);
     if (!isLinked)
         text += tr(" (read before, or from a file)");
     lines.append(text);

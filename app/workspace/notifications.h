@@ -25,8 +25,6 @@ enum class Notice {
     Attention,  ///< something is not as wished; stays until it is closed
 };
 
-/// The board has no number of its own: another one may have the same "serial number".
-[[nodiscard]] bool mayLookLikeAnother(const BoardIdentity &identity);
 /// "SimpleBGC 3.0, number 1f00", or with its name.
 [[nodiscard]] QString boardText(const BoardIdentity &identity);
 

@@ -207,7 +207,7 @@ void Workspace::leaveEdits()
 void Workspace::judge(int others, QStringList names)
 {
     constexpr int kNamed = 6;
-    if (others > 0 && mayLookLikeAnother(m_client.identity())
+    if (others > 0 && !BoardHistory::isNumbered(m_client.identity())
         && (m_writer.isInterrupted() || m_configuration.changeCount() > 0)) {
         m_isDoubted = true;
         Offer question;

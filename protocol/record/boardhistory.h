@@ -20,6 +20,12 @@ public:
     /// ActionReply: how the board looks after the action, as a serial number.
     static inline const QString kLook = QStringLiteral("look");
 
+    /// It has a number of its own; without one, BoardIdentity::serial is a look at most.
+    [[nodiscard]] static bool isNumbered(const BoardIdentity &identity)
+    {
+        return !identity.serial.isEmpty() && !identity.extra.value(kUnnumbered).toBool();
+    }
+
     /// How well a board is known when it connects.
     enum class Acquaintance {
         Numbered,  ///< by its own number

@@ -29,11 +29,6 @@ QString plainName(const QString &serial)
     return name.isEmpty() ? u"unknown"_s : name.left(80);
 }
 
-bool isUnnumbered(const BoardIdentity &identity)
-{
-    return identity.extra.value(BoardHistory::kUnnumbered).toBool();
-}
-
 }  // namespace
 
 QList<BoardHistory::Named> BoardHistory::named() const
@@ -132,7 +127,7 @@ QString BoardHistory::folder(const QString &serial) const
 
 BoardHistory::Acquaintance BoardHistory::acquaintance(const BoardIdentity &identity) const
 {
-    if (!isUnnumbered(identity))
+    if (isNumbered(identity))
         return Acquaintance::Numbered;
     const QList<Named> all = named();
     if (find(all, identity.serial))
@@ -178,7 +173,7 @@ QString BoardHistory::nameOf(const QString &serial) const
 Result<void> BoardHistory::choose(const BoardIdentity &identity, const QString &name)
 {
     const QString wanted = name.simplified();
-    if (!isUnnumbered(identity))
+    if (isNumbered(identity))
         return failure(ErrorCode::InvalidArgument, u"this board has a serial number, which names it"_s);
     if (wanted.isEmpty())
         return failure(ErrorCode::InvalidArgument, u"a board without a serial number needs a name"_s);

@@ -46,6 +46,12 @@ bool isSensed(int channel)
         || channel == ImuTemperature;
 }
 
+// Milliseconds of the board's clock, at the beginning of each CUSTOM (errata 3.9).
+double stampOf(const FrameView &frame)
+{
+    return ByteReader(frame.payload).u16();
+}
+
 bool isStatus(int id)
 {
     return id == number(CommandId::RealtimeData3) || id == number(CommandId::RealtimeData4);
@@ -126,6 +132,8 @@ void Decoder::decode(const FrameView &frame, TimePoint at, TelemetryStore &store
         && frame.payload.size() >= std::size_t(flow->payloadSize)) {
         if (flow->period == 0)
             m_polls.answered(store);
+        if (flow->customFlags && flow->watch.isDoubtful(stampOf(frame)))
+            return;
         if (isFrozen(*flow, frame.payload)) {
             store.noteRepeat(at);
             return;
@@ -180,9 +188,8 @@ void Decoder::take(Flow &flow, const FrameView &frame, TimePoint at, TelemetrySt
     const double arrival = store.secondsAt(at);
     double time = arrival;
     if (flow.period > 0) {
-        const StreamWatch::Finding found = flow.customFlags
-            ? flow.watch.stamped(double(ByteReader(frame.payload).u16()), silence)
-            : flow.watch.unstamped(arrival, silence);
+        const StreamWatch::Finding found = flow.customFlags ? flow.watch.stamped(stampOf(frame), silence)
+                                                            : flow.watch.unstamped(arrival, silence);
         // A stream without stamps only notices a silence after its clock has long followed the arrival times.
         const int missing
             = found.lost + (flow.customFlags ? int(std::lround(found.silence / flow.period)) : 0);

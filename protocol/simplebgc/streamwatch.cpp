@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kStampWrap = 65536.0;  // milliseconds
 constexpr double kStampStep = 1.0;  // milliseconds
+constexpr double kLongestStep = 100.0;  // milliseconds, or so many periods, that a stamp is believed at once
+constexpr double kStepPeriods = 4.0;
 constexpr int kLearning = 50;  // frames
 constexpr double kMeanWeight = 0.06;
 constexpr double kRestart = -50.0;  // milliseconds behind: the board restarted its count
@@ -21,7 +23,28 @@ constexpr double kBlock = 1.0;  // seconds over which frames without a clock are
 constexpr int kFramesPerBlock = 8;  // at least
 constexpr double kDrift = 0.2;  // share of a slow change that is put down to drift of the two clocks
 
+// Milliseconds from one stamp to the next.
+double stepBetween(double from, double to)
+{
+    const double step = to - from;
+    return step < -kStampWrap / 2 ? step + kStampWrap : step;
+}
+
 }  // namespace
+
+bool StreamWatch::isDoubtful(double stamp)
+{
+    const auto follows = [&](double before) {
+        const double step = stepBetween(before, stamp);
+        return step >= 0 && step <= std::max(kLongestStep, kStepPeriods * m_period * 1000.0);
+    };
+    if (m_seen == 0 || follows(m_lastStamp) || (m_doubted && follows(*m_doubted))) {
+        m_doubted.reset();
+        return false;
+    }
+    m_doubted = stamp;
+    return true;
+}
 
 StreamWatch::Finding StreamWatch::judge(int missing, double silence) const
 {
@@ -37,9 +60,7 @@ StreamWatch::Finding StreamWatch::judge(int missing, double silence) const
 StreamWatch::Finding StreamWatch::stamped(double stamp, double silence)
 {
     const double period = m_period * 1000.0;
-    double step = m_seen == 0 ? 0.0 : stamp - m_lastStamp;
-    if (step < -kStampWrap / 2)
-        step += kStampWrap;
+    const double step = m_seen == 0 ? 0.0 : stepBetween(m_lastStamp, stamp);
     m_lastStamp = stamp;
     m_board += step;
     m_counted += m_seen == 0 ? 0.0 : period;

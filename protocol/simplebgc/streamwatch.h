@@ -23,6 +23,9 @@ public:
     {
     }
 
+    /// The stamp leads too far away from the one before to be believed at once: it may be damaged, as eight
+    /// bits of checksum let one of 256 frames pass. Believed is the frame that goes on from there.
+    bool isDoubtful(double stamp);
     /// A frame with the board's own clock in milliseconds (it wraps at 65 536).
     /// @param silence seconds since anything at all came from the board
     Finding stamped(double stamp, double silence);
@@ -37,6 +40,7 @@ private:
     int m_seen = 0;
     // From the board's clock.
     double m_lastStamp = 0;
+    std::optional<double> m_doubted;
     double m_board = 0;  // unwrapped stamps, milliseconds
     double m_counted = 0;  // frames times period, lost ones included
     double m_base = 0;  // lead of the stamps without any loss

@@ -409,10 +409,17 @@ Result<ActionReply> Actions::perform(const QString &key, const QVariantMap &argu
     if (key == u"heartbeat.off"_s)
         return setHeartbeat(0);
     if (key == u"name"_s) {
-        const QByteArray name = arguments.value(u"name"_s).toString().toLatin1();
+        const QString wanted = arguments.value(u"name"_s).toString();
+        const QByteArray name = wanted.toLatin1();
         if (name.size() > 16)
             return failure(ErrorCode::InvalidArgument,
                            u"a name has up to 16 letters, not %1"_s.arg(name.size()));
+        // It has one byte for each.
+        for (qsizetype i = 0; i < name.size(); ++i) {
+            if (!wanted[i].isPrint() || wanted[i] != QLatin1Char(name[i]))
+                return failure(ErrorCode::InvalidArgument,
+                               u"the board has no letter “%1” for its name"_s.arg(wanted[i]));
+        }
         return setName(name);
     }
     if (key == u"rate"_s)

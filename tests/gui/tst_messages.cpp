@@ -249,7 +249,8 @@ void TestMessages::copiesHoldProgramLinkAndBoard()
     const BoardIdentity &board = m_rig->client().identity();
     for (const QString &part :
          {u"It broke."_s, u"GimbalDesk " GIMBAL_VERSION ""_s, QSysInfo::prettyProductName(), address,
-          u"connected"_s, board.model, board.firmware, board.serial})
+          u"connected"_s, board.model, board.firmware,
+          BoardHistory::isNumbered(board) ? board.serial : board.extra.value(u"name"_s).toString()})
         QVERIFY2(text.contains(part), qPrintable(part + u" is not in: "_s + text));
 }
 

@@ -376,6 +376,7 @@ void TestLinks::resetDuringAWriteEndsWithATrueReport()
     for (int profile = 0; profile < 4; ++profile)
         QVERIFY(edited.setRaw(*edited.parameters().find(u"pid.roll.p"_s), profile, 70 + profile));
     const BoardHistory history(dir.path());
+    QSignalSpy lost(client.get(), &DeviceClient::connectionLost);
     const auto report = wait(client->submit<WriteReport>([&](Channel &channel, Device &device) {
         WriteOptions options;
         options.history = &history;
@@ -387,6 +388,7 @@ void TestLinks::resetDuringAWriteEndsWithATrueReport()
     QVERIFY(report->count(WriteState::Unknown) >= 1);
     QVERIFY(report->count(WriteState::NotWritten) >= 1);
     QVERIFY(QFile::exists(report->snapshotPath));
+    QTRY_COMPARE(lost.count(), 1);
     QTRY_COMPARE(client->state(), DeviceClient::State::Connected);
     const auto now = read(*client);
     QVERIFY(now);

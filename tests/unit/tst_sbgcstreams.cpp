@@ -41,7 +41,8 @@ private slots:
     void streamsThatDoNotFitAreRefused();
     void wireRatesAreThoseOfTheTable_data();
     void wireRatesAreThoseOfTheTable();
-    void lossIsFoundWithoutStamps();
+    void lossIsFound_data();
+    void lossIsFound();
     void silenceIsNoLoss_data();
     void silenceIsNoLoss();
     void slowLinesThinOut_data();
@@ -359,23 +360,37 @@ void TestSbgcStreams::wireRatesAreThoseOfTheTable()
     QVERIFY(1000.0 / use.rate - 1000.0 / (wire * StreamBudget::kShare) < 1.0001);
 }
 
-void TestSbgcStreams::lossIsFoundWithoutStamps()
+void TestSbgcStreams::lossIsFound_data()
 {
+    QTest::addColumn<QString>("stream");
+    QTest::addColumn<int>("command");
+    QTest::addColumn<double>("loses");
+    QTest::newRow("without stamps") << u"realtime4"_s << 25 << 0.0003;
+    // On a bad line, some damaged stamps pass the checksum.
+    QTest::newRow("with stamps") << u"custom"_s << 88 << 0.003;
+}
+
+void TestSbgcStreams::lossIsFound()
+{
+    QFETCH(QString, stream);
+    QFETCH(int, command);
+    QFETCH(double, loses);
     SimulatorOptions o;
-    o.faults.loseByte = 0.0003;
+    o.faults.loseByte = loses;
     o.seed = 4;
     VirtualBoard bench(o);
     QVERIFY(bench.identify());
-    const auto plan = bench.device.subscribe(bench.channel, {{}, 0, {{u"realtime4"_s, 1250, {}}}}, {});
+    const int gyro = rolesOf(bench.device).gyro[0];
+    const auto plan = bench.device.subscribe(bench.channel, {{}, 0, {{stream, 1250, {gyro}}}}, {});
     QVERIFY(plan);
     TelemetryStore store(int(bench.device.channels().size()));
     quint64 frames = 0;
     bench.channel.setTap([&](const FrameView &frame, TimePoint at) {
-        frames += frame.id == 25;
+        frames += frame.id == command;
         plan->decoder->decode(frame, at, store);
     });
     const TimePoint start = bench.channel.now();
-    std::ignore = bench.channel.sleep(12s);
+    std::ignore = bench.channel.sleep(60s);
     const double sent = seconds(bench.channel.now() - start) * 1250.0;
     QVERIFY(store.lost() > 100);
     // The loss of the last second is found a second later.
