@@ -37,7 +37,7 @@ const std::vector<Row> &rows()
          [](Faults &f, double v) { f.replugAfter = v; }},
         {"reset", 0, 86400, "seconds until the board restarts by itself, without notice",
          [](Faults &f, double v) { f.resetAfter = v; }},
-        {"reset-on-write", 0, 1000, "the n-th parameter block written resets the board half-way",
+        {"reset-on-write", 0, 1000, "SimpleBGC: the n-th parameter block written resets the board half-way",
          [](Faults &f, double v) { f.resetOnWrite = int(v); }},
         {"deaf", -1, 255, "number (STorM32: of its letter) of a command that is never answered, -1 = none",
          [](Faults &f, double v) { f.deaf = int(v); }},
@@ -50,7 +50,7 @@ const std::vector<Row> &rows()
         {"frozen", 0, 1, "the same live data come again and again",
          [](Faults &f, double v) { f.frozen = v != 0; }},
         {"battery", 0, 30, "battery voltage", [](Faults &f, double v) { f.battery = v; }},
-        {"heat", 0, 120, "temperature of the board's sensor and of its motors, 0 = normal",
+        {"heat", 0, 120, "SimpleBGC: temperature of the board's sensor and of its motors, 0 = normal",
          [](Faults &f, double v) { f.heat = v; }},
         {"blocked", 0, 3, "an axis that something holds fast: 1 roll, 2 pitch, 3 yaw, 0 = none",
          [](Faults &f, double v) { f.blocked = int(v); }},
@@ -58,7 +58,7 @@ const std::vector<Row> &rows()
          [](Faults &f, double v) { f.runsOn = v != 0; }},
         {"unknown-firmware", 0, 1, "reports a version nobody knows",
          [](Faults &f, double v) { f.unknownFirmware = v != 0; }},
-        {"other-client", 0, 86400, "seconds until another client changes P of roll",
+        {"other-client", 0, 86400, "SimpleBGC: seconds until another client changes P of roll",
          [](Faults &f, double v) { f.otherClient = v; }},
         {"shake", 0, 20, "strength of the hand that holds the gimbal, 0 = tripod",
          [](Faults &f, double v) { f.shake = v; }},
@@ -66,9 +66,9 @@ const std::vector<Row> &rows()
          [](Faults &f, double v) { f.swappedAxes = v != 0; }},
         {"pose", 0, 7, "0 in the gimbal; 1-6 the camera lies still with Z, -Z, X, -X, Y, -Y up; 7 tilted 45 degrees down",
          [](Faults &f, double v) { f.pose = int(v); }},
-        {"mount", 0, 23, "how the sensor sits on the camera, as STorM32 counts orientations",
+        {"mount", 0, 23, "STorM32: how the sensor sits on the camera, as the board counts orientations",
          [](Faults &f, double v) { f.mount = int(v); }},
-        {"frame-mount", 0, 23, "how the second sensor sits on the frame", [](Faults &f, double v) { f.frameMount = int(v); }},
+        {"frame-mount", 0, 23, "STorM32: how the second sensor sits on the frame", [](Faults &f, double v) { f.frameMount = int(v); }},
     };
     // clang-format on
     return table;
