@@ -8,6 +8,8 @@
 #include <poll.h>
 #endif
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 ErrorCode codeOf(QSerialPort::SerialPortError error, const QString &text)
