@@ -1088,6 +1088,17 @@
     </message>
 </context>
 <context>
+    <name>BoardText</name>
+    <message>
+        <source>%1, “%2”</source>
+        <translation>%1, „%2“</translation>
+    </message>
+    <message>
+        <source>%1, number %2</source>
+        <translation>%1, Nummer %2</translation>
+    </message>
+</context>
+<context>
     <name>BoardWriter</name>
     <message>
         <source>Changes of the interrupted write</source>
@@ -4372,14 +4383,6 @@
     <message>
         <source>The camera may go on moving as it was steered last.</source>
         <translation>Die Kamera bewegt sich vielleicht weiter, wie sie zuletzt gesteuert wurde.</translation>
-    </message>
-    <message>
-        <source>%1, “%2”</source>
-        <translation>%1, „%2“</translation>
-    </message>
-    <message>
-        <source>%1, number %2</source>
-        <translation>%1, Nummer %2</translation>
     </message>
     <message>
         <source>New edits take the place of edits of an earlier run. Those are kept as the snapshot %1.</source>

@@ -8,6 +8,7 @@
 #include "protocol/procedure/inuse.h"
 #include "protocol/procedure/wholewrite.h"
 #include "widgets/models/alarmtext.h"
+#include "widgets/models/boardtext.h"
 #include "widgets/models/missingtext.h"
 
 #include <QSet>
@@ -40,11 +41,6 @@ bool isOpen(const Result<CommandOutcome> &outcome)
 const Configuration &beforeOf(const Result<CommandOutcome> &outcome)
 {
     return outcome ? outcome->report->before : outcome.error().after->before;
-}
-
-QString nameOf(const BoardIdentity &board)
-{
-    return BoardHistory::isNumbered(board) ? u"%1, serial %2"_s.arg(board.model, board.serial) : board.model;
 }
 
 }  // namespace
@@ -244,8 +240,8 @@ void BoardCommand::readAgain()
         return;
     const BoardIdentity &before = beforeOf(*m_interrupted).identity();
     if (m_client->identity().serial != before.serial) {
-        emit told(u"another board answers now: %1; before it was %2"_s.arg(nameOf(m_client->identity()),
-                                                                           nameOf(before)));
+        emit told(u"another board answers now: %1; before it was %2"_s.arg(boardText(m_client->identity()),
+                                                                           boardText(before)));
         conclude(*m_interrupted);
         return;
     }

@@ -71,7 +71,7 @@ public:
         const BoardIdentity &identity = device.identity();
         QStringList capabilities(identity.capabilities.begin(), identity.capabilities.end());
         capabilities.sort();
-        const bool isNumbered = BoardHistory::isNumbered(identity);
+        const bool isNumbered = identity.isNumbered();
         CommandOutcome outcome;
         QJsonObject known{{u"family"_s, identity.family},
                           {u"model"_s, identity.model},

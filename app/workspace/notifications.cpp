@@ -6,8 +6,8 @@
 #include "app/workspace/linkrecorder.h"
 #include "protocol/base/linkloss.h"
 #include "protocol/client/replaycontrol.h"
-#include "protocol/record/boardhistory.h"
 #include "protocol/transport/replay.h"
+#include "widgets/models/boardtext.h"
 #include "widgets/models/numbertext.h"
 
 #include <QSysInfo>
@@ -26,16 +26,6 @@ constexpr int kMostRemembered = 200;
 bool isEndOfLink(const Error &error)
 {
     return isLinkLoss(error) || error.code == ErrorCode::Cancelled;
-}
-
-QString boardText(const BoardIdentity &identity)
-{
-    const QString name = identity.extra.value(u"name"_s).toString();
-    if (!name.isEmpty())
-        return Notifications::tr("%1, “%2”").arg(identity.model, name);
-    return BoardHistory::isNumbered(identity)
-        ? Notifications::tr("%1, number %2").arg(identity.model, identity.serial)
-        : identity.model;
 }
 
 Notifications::Notifications(DeviceClient &client, const ConfigurationModel &configuration)

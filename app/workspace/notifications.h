@@ -25,9 +25,6 @@ enum class Notice {
     Attention,  ///< something is not as wished; stays until it is closed
 };
 
-/// "SimpleBGC 3.0, number 1f00", or with its name.
-[[nodiscard]] QString boardText(const BoardIdentity &identity);
-
 /// What a message is about. It is withdrawn when that is settled, and only then.
 enum class Concern {
     None,  ///< answers what was just asked for; stays until it is closed or something else is answered

@@ -4,6 +4,7 @@
 #include "app/workspace/workspace.h"
 #include "protocol/configuration/aftermath.h"
 #include "protocol/session/linkstatistics.h"
+#include "widgets/models/boardtext.h"
 #include "widgets/models/missingtext.h"
 #include "widgets/models/parametermodel.h"
 
@@ -207,7 +208,7 @@ void Workspace::leaveEdits()
 void Workspace::judge(int others, QStringList names)
 {
     constexpr int kNamed = 6;
-    if (others > 0 && !BoardHistory::isNumbered(m_client.identity())
+    if (others > 0 && !m_client.identity().isNumbered()
         && (m_writer.isInterrupted() || m_configuration.changeCount() > 0)) {
         m_isDoubted = true;
         Offer question;

@@ -20,5 +20,11 @@ struct BoardIdentity
     bool writable = true;  ///< false: unknown firmware, everything is shown and nothing is written
     QVariantMap extra;  ///< further facts specific to the family, by key
 
+    /// Key in `extra`, true: the serial number is only a look that other boards may share.
+    static inline const QString kUnnumbered = QStringLiteral("unnumbered");
+
+    /// It has a number of its own; without one, `serial` is a look at most.
+    [[nodiscard]] bool isNumbered() const { return !serial.isEmpty() && !extra.value(kUnnumbered).toBool(); }
+
     friend bool operator==(const BoardIdentity &, const BoardIdentity &) = default;
 };

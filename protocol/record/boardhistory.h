@@ -13,18 +13,10 @@
 class BoardHistory
 {
 public:
-    /// BoardIdentity::extra, true: the serial number is only a look that other boards may share.
-    static inline const QString kUnnumbered = QStringLiteral("unnumbered");
     /// BoardIdentity::extra: key of the action that stores a name (its argument "name") on the board.
     static inline const QString kNameAction = QStringLiteral("name.action");
     /// ActionReply: how the board looks after the action, as a serial number.
     static inline const QString kLook = QStringLiteral("look");
-
-    /// It has a number of its own; without one, BoardIdentity::serial is a look at most.
-    [[nodiscard]] static bool isNumbered(const BoardIdentity &identity)
-    {
-        return !identity.serial.isEmpty() && !identity.extra.value(kUnnumbered).toBool();
-    }
 
     /// How well a board is known when it connects.
     enum class Acquaintance {

@@ -127,7 +127,7 @@ QString BoardHistory::folder(const QString &serial) const
 
 BoardHistory::Acquaintance BoardHistory::acquaintance(const BoardIdentity &identity) const
 {
-    if (isNumbered(identity))
+    if (identity.isNumbered())
         return Acquaintance::Numbered;
     const QList<Named> all = named();
     if (find(all, identity.serial))
@@ -173,7 +173,7 @@ QString BoardHistory::nameOf(const QString &serial) const
 Result<void> BoardHistory::choose(const BoardIdentity &identity, const QString &name)
 {
     const QString wanted = name.simplified();
-    if (isNumbered(identity))
+    if (identity.isNumbered())
         return failure(ErrorCode::InvalidArgument, u"this board has a serial number, which names it"_s);
     if (wanted.isEmpty())
         return failure(ErrorCode::InvalidArgument, u"a board without a serial number needs a name"_s);

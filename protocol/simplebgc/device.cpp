@@ -189,7 +189,7 @@ Result<BoardIdentity> Device::identify(Channel &channel)
 
     // Boards without BOARD_INFO_3 still have to be told apart in the history, as far as possible.
     identity.serial = u"sbgc-%1-%2"_s.arg(info->boardVersion).arg(info->extraId, 8, 16, QChar(u'0'));
-    identity.extra.insert(u"unnumbered"_s, true);
+    identity.extra.insert(BoardIdentity::kUnnumbered, true);
     const auto more
         = channel.transact(replyRequest(CommandId::BoardInfo3, {}, CommandId::BoardInfo3, 69, kVersion));
     if (!more && (isLinkLoss(more.error()) || more.error().code == ErrorCode::Cancelled))
@@ -201,7 +201,7 @@ Result<BoardIdentity> Device::identify(Channel &channel)
             const QByteArray &number = hasNumber || !isNumber(info3->mcuId) ? info3->deviceId : info3->mcuId;
             identity.serial = QString::fromLatin1(number.toHex());
             if (isNumber(number))
-                identity.extra.remove(u"unnumbered"_s);
+                identity.extra.remove(BoardIdentity::kUnnumbered);
             identity.extra.insert(u"mcu_id"_s, QString::fromLatin1(info3->mcuId.toHex()));
             identity.extra.insert(u"eeprom_size"_s, info3->eepromSize);
         }

@@ -25,7 +25,7 @@ void describeLook(BoardIdentity &identity, QByteArrayView version)
     identity.model = u"STorM32 %1"_s.arg(type);
     identity.serial = u"storm32-"_s + QString::fromLatin1((name + u' ' + type).toLatin1().toHex());
     identity.extra.insert(u"name"_s, name);
-    identity.extra.insert(u"unnumbered"_s, true);
+    identity.extra.insert(BoardIdentity::kUnnumbered, true);
     identity.extra.insert(u"name.action"_s, u"name"_s);
 }
 

@@ -5,9 +5,9 @@
 #include "app/pages/board/consolepage.h"
 #include "app/pages/setup/parameterspage.h"
 #include "app/pages/tune/tuningpage.h"
-#include "protocol/simulator/link/tcphost.h"
 #include "protocol/simulator/simplebgc/board.h"
 #include "protocol/simulator/storm32/board.h"
+#include "tests/support/boardhost.h"
 #include "tests/support/named.h"
 #include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
@@ -55,18 +55,25 @@ private:
     bool openStormSetBefore(const QMap<int, int> &words);
     bool openSimplebgc();
     bool open(std::unique_ptr<SimulatedBoard> board, const SimulatorOptions &options);
-    storm32::SimulatedBoard &storm32Board()
+    int valueInUse(int word)
     {
-        return static_cast<storm32::SimulatedBoard &>(m_host->port().board());
+        return m_host->with<storm32::SimulatedBoard>([word](auto &board) { return board.inUse(word); });
     }
-    simplebgc::SimulatedBoard &simplebgcBoard()
+    int storedValue(int word)
     {
-        return static_cast<simplebgc::SimulatedBoard &>(m_host->port().board());
+        return m_host->with<storm32::SimulatedBoard>([word](auto &board) { return board.stored(word); });
     }
     // The first thing that the screen says otherwise than the board; empty if it agrees in all.
-    QString stormDisagreement();
-    QString simplebgcDisagreement();
-    QString disagreement() { return m_isStorm ? stormDisagreement() : simplebgcDisagreement(); }
+    QString stormDisagreement(const storm32::SimulatedBoard &storm);
+    QString simplebgcDisagreement(const simplebgc::SimulatedBoard &simplebgc);
+    // The window's side stands still meanwhile.
+    QString disagreement()
+    {
+        return m_isStorm ? m_host->with<storm32::SimulatedBoard>(
+                   [this](const auto &board) { return stormDisagreement(board); })
+                         : m_host->with<simplebgc::SimulatedBoard>(
+                             [this](const auto &board) { return simplebgcDisagreement(board); });
+    }
     void perform(const QString &operation);
 
     LiveModel &live() { return m_rig->workspace().live(); }
@@ -105,7 +112,7 @@ private:
         return QTest::qWaitFor([this] { return m_rig->client().isConnected(); }, kPatience);
     }
 
-    std::unique_ptr<TcpHost> m_host;
+    std::unique_ptr<BoardHost> m_host;
     std::unique_ptr<WindowRig> m_rig;
     bool m_isStorm = false;
 };
@@ -118,11 +125,9 @@ void TestAgreement::cleanup()
 
 bool TestAgreement::open(std::unique_ptr<SimulatedBoard> board, const SimulatorOptions &options)
 {
-    m_host = std::make_unique<TcpHost>(
-        std::make_unique<SimulatedPort>(std::move(board), options,
-                                        options.usb ? std::nullopt
-                                                    : std::optional(LineSettings{115200, Parity::None})),
-        0);
+    m_host = std::make_unique<BoardHost>(std::make_unique<SimulatedPort>(
+        std::move(board), options,
+        options.usb ? std::nullopt : std::optional(LineSettings{115200, Parity::None})));
     if (!m_host->start())
         return false;
     m_rig = std::make_unique<WindowRig>();
@@ -156,7 +161,7 @@ bool TestAgreement::openSimplebgc()
     return open(std::make_unique<simplebgc::SimulatedBoard>(options), options);
 }
 
-QString TestAgreement::stormDisagreement()
+QString TestAgreement::stormDisagreement(const storm32::SimulatedBoard &storm)
 {
     const Configuration &board = std::as_const(m_rig->model()).board();
     int differs = 0;
@@ -164,8 +169,8 @@ QString TestAgreement::stormDisagreement()
         const int word = spec.offset / 2;
         const auto raw
             = [&spec](int bits) { return spec.row->wire == WireType::I16 ? std::int16_t(bits) : bits; };
-        const double inUse = raw(storm32Board().inUse(word));
-        const double stored = raw(storm32Board().stored(word));
+        const double inUse = raw(storm.inUse(word));
+        const double stored = raw(storm.stored(word));
         differs += inUse != stored;
         if (board.raw(spec, 0) != stored)
             return u"%1: stored %2, said to be %3"_s.arg(spec.key).arg(stored).arg(
@@ -180,10 +185,10 @@ QString TestAgreement::stormDisagreement()
     return {};
 }
 
-QString TestAgreement::simplebgcDisagreement()
+QString TestAgreement::simplebgcDisagreement(const simplebgc::SimulatedBoard &simplebgc)
 {
     const Configuration &board = std::as_const(m_rig->model()).board();
-    const int active = simplebgcBoard().activeProfile();
+    const int active = simplebgc.activeProfile();
     if (board.activeProfile() != active)
         return u"profile %1, said to be %2"_s.arg(active).arg(board.activeProfile());
     int differs = 0;
@@ -191,7 +196,7 @@ QString TestAgreement::simplebgcDisagreement()
         if (spec.row->wire == WireType::F32 || spec.row->state)
             continue;
         for (int profile = 0; profile < board.identity().profileCount; ++profile) {
-            const double stored = simplebgcBoard().stored(spec.key, profile);
+            const double stored = simplebgc.stored(spec.key, profile);
             if (board.raw(spec, profile).has_value() && board.raw(spec, profile) != stored)
                 return u"%1 of profile %2: stored %3, said to be %4"_s.arg(spec.key)
                     .arg(profile + 1)
@@ -200,8 +205,8 @@ QString TestAgreement::simplebgcDisagreement()
         }
         if (!live().parameters().contains(spec.id))
             continue;
-        const double inUse = simplebgcBoard().inUse(spec.key);
-        differs += inUse != simplebgcBoard().stored(spec.key, active);
+        const double inUse = simplebgc.inUse(spec.key);
+        differs += inUse != simplebgc.stored(spec.key, active);
         if (live().value(spec.id) != inUse)
             return u"%1: %2 in use, said to be %3"_s.arg(spec.key).arg(inUse).arg(
                 live().value(spec.id).value_or(-1));
@@ -377,9 +382,9 @@ void TestAgreement::stormReviewOffersEveryWay()
     QTRY_VERIFY(!m_rig->window().reviewDialog());
     QVERIFY(write(OtherValues(others)));
     QTRY_COMPARE(disagreement(), QString());
-    QCOMPARE(storm32Board().inUse(6), inUse);
-    QCOMPARE(storm32Board().stored(6), stored);
-    QCOMPARE(storm32Board().stored(0), 47);
+    QCOMPARE(valueInUse(6), inUse);
+    QCOMPARE(storedValue(6), stored);
+    QCOMPARE(storedValue(0), 47);
 }
 
 void TestAgreement::stormSetBeforeTheLink_data()
@@ -410,8 +415,8 @@ void TestAgreement::stormSetBeforeTheLink()
     QTRY_COMPARE(disagreement(), QString());
     QVERIFY(!page->stateText().contains(u"not known"_s));
     QVERIFY2(page->stateText().contains(u"1 value"_s), qPrintable(page->stateText()));
-    QCOMPARE(storm32Board().inUse(6), 450);
-    QCOMPARE(storm32Board().stored(6), 400);
+    QCOMPARE(valueInUse(6), 450);
+    QCOMPARE(storedValue(6), 400);
     const ValueEditor *editor = parameters->form()->editor(m_rig->spec(u"pid.roll.p"_s).id);
     QVERIFY(editor);
     const auto *box = qobject_cast<const QDoubleSpinBox *>(editor->control());
@@ -440,10 +445,10 @@ void TestAgreement::storingListsWhatElseIsInUse()
     QCOMPARE(review()->table()->model()->rowCount(), 2);
     review()->reject();
     QTRY_VERIFY(*done == false && !review());
-    QCOMPARE(storm32Board().stored(6), 400);
+    QCOMPARE(storedValue(6), 400);
     // Shown as in use and not stored since: but another program sets one more.
     QTRY_COMPARE(disagreement(), QString());
-    storm32Board().set(0, 555);
+    m_host->with<storm32::SimulatedBoard>([](auto &board) { board.set(0, 555); });
     done = store();
     QTRY_VERIFY(review());
     QAbstractItemModel *model = review()->table()->model();
@@ -455,14 +460,14 @@ void TestAgreement::storingListsWhatElseIsInUse()
     review()->accept();
     QTRY_VERIFY(*done == true);
     QTRY_COMPARE(disagreement(), QString());
-    QCOMPARE(storm32Board().stored(0), 555);
-    QCOMPARE(storm32Board().stored(6), 450);
-    QCOMPARE(storm32Board().stored(12), 400);
-    QCOMPARE(storm32Board().inUse(12), 500);
+    QCOMPARE(storedValue(0), 555);
+    QCOMPARE(storedValue(6), 450);
+    QCOMPARE(storedValue(12), 400);
+    QCOMPARE(valueInUse(12), 500);
     // What is shown is stored without a question.
     done = store();
     QTRY_VERIFY(*done == true);
-    QCOMPARE(storm32Board().stored(12), 500);
+    QCOMPARE(storedValue(12), 500);
 }
 
 // By another program, or because it was in use only and the board has restarted.
@@ -472,7 +477,7 @@ void TestAgreement::whatChangedBehindTheLinkIsNamed()
     QVERIFY(m_rig->jobsAreDone());
     m_rig->client().disconnectFromBoard();
     QTRY_VERIFY(!m_rig->client().isConnected());
-    simplebgcBoard().store(u"pid.roll.p"_s, 0, 51);
+    m_host->with<simplebgc::SimulatedBoard>([](auto &board) { board.store(u"pid.roll.p"_s, 0, 51); });
     QVERIFY(reconnect());
     QVERIFY(m_rig->jobsAreDone());
     const QString told = m_rig->window().messageBar()->text();

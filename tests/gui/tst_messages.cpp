@@ -250,7 +250,7 @@ void TestMessages::copiesHoldProgramLinkAndBoard()
     for (const QString &part :
          {u"It broke."_s, u"GimbalDesk " GIMBAL_VERSION ""_s, QSysInfo::prettyProductName(), address,
           u"connected"_s, board.model, board.firmware,
-          BoardHistory::isNumbered(board) ? board.serial : board.extra.value(u"name"_s).toString()})
+          board.isNumbered() ? board.serial : board.extra.value(u"name"_s).toString()})
         QVERIFY2(text.contains(part), qPrintable(part + u" is not in: "_s + text));
 }
 

@@ -68,7 +68,8 @@ const std::vector<Row> &rows()
          [](Faults &f, double v) { f.pose = int(v); }},
         {"mount", 0, 23, "STorM32: how the sensor sits on the camera, as the board counts orientations",
          [](Faults &f, double v) { f.mount = int(v); }},
-        {"frame-mount", 0, 23, "STorM32: how the second sensor sits on the frame", [](Faults &f, double v) { f.frameMount = int(v); }},
+        {"frame-mount", 0, 23, "STorM32: how the second sensor sits on the frame",
+         [](Faults &f, double v) { f.frameMount = int(v); }},
     };
     // clang-format on
     return table;
