@@ -11,6 +11,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -193,6 +194,14 @@ Result<QByteArray> payloadByNames(const RcCommand &command, const QString &argum
     return payload;
 }
 
+Result<QByteArray> payloadByHex(const RcCommand &command, const QString &arguments)
+{
+    const auto payload = bytesFromHex(arguments);
+    if (!payload || payload->size() != command.payloadBytes)
+        return failure(ErrorCode::InvalidArgument, afterName(command));
+    return *payload;
+}
+
 }  // namespace
 
 FrameText Device::describeFrame(const FrameView &frame, bool fromBoard) const
@@ -249,6 +258,32 @@ bool Device::isTelemetryFrame(int id) const
 namespace {
 
 constexpr int kUnlistedLayout = 89;
+constexpr int kDoSetParameter = 180;  // a command of COMMAND_LONG
+
+// A command for a parameter that is not there is confirmed and nothing is done (errata 4 and 6). Errors:
+// InvalidArgument.
+Result<void> checkWord(int word, int words)
+{
+    if (words == 0 || (word >= 0 && word < words))
+        return {};
+    return failure(
+        ErrorCode::InvalidArgument,
+        u"this board has no parameter %1, its last is %2; it would confirm the command and do nothing"_s
+            .arg(word)
+            .arg(words - 1));
+}
+
+int wordFrom(double number)
+{
+    return std::isfinite(number) ? int(std::clamp(number, -1.0, 65535.0)) : -1;
+}
+
+Result<void> checkRc(int id, Bytes payload, int words)
+{
+    const bool names
+        = id == int(Rc::GetParameter) || id == int(Rc::SetParameter) || id == int(Rc::RestoreParameter);
+    return names && payload.size() >= 2 ? checkWord(ByteReader(payload).u16(), words) : Result<void>();
+}
 
 // The firmware writes its first parameter where it does not know the one that is meant (errata 13, row 6).
 // Errors: InvalidArgument.
@@ -272,6 +307,12 @@ Result<void> checkParameter(const mavlink::Packet &packet, int layout, int words
         return failure(ErrorCode::InvalidArgument,
                        u"this board has no parameter '%1' and would set its first one"_s.arg(name));
     }
+    if (message->id == mavlink::MessageId::CommandLong
+        && fields->value(u"command"_s).toInt() == kDoSetParameter)
+        return checkWord(wordFrom(fields->value(u"param1"_s).toDouble()), words);
+    if (message->id == mavlink::MessageId::TargetSpecific && packet.payload.size() >= 4
+        && packet.payload[2] == std::byte{0xFA})
+        return checkRc(std::to_integer<int>(packet.payload[3]), packet.payload.subspan(4), words);
     const int index = fields->value(u"param_index"_s).toInt();
     if (message->id == mavlink::MessageId::ParamSet2 && (index < 0 || index >= words))
         return failure(ErrorCode::InvalidArgument,
@@ -302,15 +343,12 @@ Result<RawCommand> Device::parseCommand(const QString &text) const
         if (name.compare(QLatin1String(command.name), Qt::CaseInsensitive) != 0)
             continue;
         const QString arguments = trimmed.mid(name.size());
-        if (arguments.contains(u'=')) {
-            const auto payload = payloadByNames(command, arguments);
-            if (!payload)
-                return tl::unexpected(payload.error());
-            return RawCommand{name.toUpper(), rc(command.id, *payload).bytes, riskOf(command.id)};
-        }
-        const auto payload = bytesFromHex(arguments);
-        if (!payload || payload->size() != command.payloadBytes)
-            return failure(ErrorCode::InvalidArgument, afterName(command));
+        const bool isNamed = arguments.contains(u'=');
+        const auto payload = isNamed ? payloadByNames(command, arguments) : payloadByHex(command, arguments);
+        if (!payload)
+            return tl::unexpected(payload.error());
+        if (const auto known = checkRc(int(command.id), asBytes(*payload), m_words); !known)
+            return tl::unexpected(known.error());
         return RawCommand{name.toUpper(), rc(command.id, *payload).bytes, riskOf(command.id)};
     }
     const auto whole = bytesFromHex(trimmed);
@@ -319,6 +357,10 @@ Result<RawCommand> Device::parseCommand(const QString &text) const
     const Bytes bytes = asBytes(*whole);
     if (bytes[0] == std::byte{0xFA} && whole->size() >= 5 && std::uint8_t((*whole)[1]) + 5 == whole->size()
         && crc16Mcrf4xx(bytes.subspan(1)) == 0) {
+        if (const auto there
+            = checkRc(std::to_integer<int>(bytes[2]), bytes.subspan(3, bytes.size() - 5), m_words);
+            !there)
+            return tl::unexpected(there.error());
         const RcCommand *known = findRc(std::uint8_t((*whole)[2]));
         return RawCommand{describeSent(*whole).name, *whole,
                           known ? riskOf(known->id) : ActionRisk::Destroys};

@@ -219,6 +219,25 @@ void TestStormFirmware::row06_isNeverSent()
     const int words = firmware == 79 ? 124 : 125;
     QCOMPARE(typed(MessageId::ParamSet2, {{u"param_index"_s, words}}), ErrorCode::InvalidArgument);
     QCOMPARE(typed(MessageId::ParamSet2, {{u"param_index"_s, words - 1}}), ErrorCode::Cancelled);
+    // What would be confirmed and not done is not sent either, in whatever form.
+    const auto isSent = [&rig](const QString &text) { return rig.device.parseCommand(text).has_value(); };
+    for (const auto &[word, isThere] : {std::pair(words - 1, true), std::pair(words, false)}) {
+        const QByteArray index = ByteWriter().u16(word).take();
+        for (const Rc id : {Rc::GetParameter, Rc::SetParameter, Rc::RestoreParameter}) {
+            const QByteArray payload = id == Rc::SetParameter ? index + hex("0100") : index;
+            const QString name = QString::fromLatin1(findRc(int(id))->name);
+            QCOMPARE(isSent(name + u' ' + QString::fromLatin1(payload.toHex())), isThere);
+            QCOMPARE(isSent(name + u" index=%1"_s.arg(word)
+                            + (id == Rc::SetParameter ? u" value=1"_s : QString())),
+                     isThere);
+            QCOMPARE(isSent(QString::fromLatin1(rcRequest(id, payload).bytes.toHex())), isThere);
+            const QByteArray embedded = hex("4743fa") + char(id) + payload;
+            QCOMPARE(isSent(QString::fromLatin1(frameOf(MessageId::TargetSpecific, embedded).toHex())),
+                     isThere);
+        }
+        QCOMPARE(typed(MessageId::CommandLong, {{u"command"_s, 180}, {u"param1"_s, word}}),
+                 isThere ? ErrorCode::Cancelled : ErrorCode::InvalidArgument);
+    }
 }
 
 void TestStormFirmware::row07_signedWordsAreInt16()
