@@ -5,6 +5,7 @@
 #include "protocol/procedure/wholewrite.h"
 #include "protocol/procedure/writeconfiguration.h"
 #include "widgets/models/errortext.h"
+#include "widgets/models/parametermodel.h"
 
 #include <algorithm>
 #include <utility>
@@ -254,8 +255,8 @@ void BoardWriter::offerRepair()
     if (m_lastReport->strayProfile && board.activeProfile() != m_lastReport->before.activeProfile()) {
         m_notifications.notify(
             tr("The interrupted write has left “%1” as the active profile; before it was “%2”.")
-                .arg(board.profileName(board.activeProfile()),
-                     board.profileName(m_lastReport->before.activeProfile())),
+                .arg(profileLabel(board, board.activeProfile()),
+                     profileLabel(board, m_lastReport->before.activeProfile())),
             Notice::Attention);
     }
     Configuration finished = board;

@@ -177,9 +177,10 @@ QStringList Workspace::changedMeanwhile(const Configuration &read) const
         return others;
     for (const ParameterChange &change : before.changesTo(read)) {
         if (!m_writer.awaits(change))
-            others.append(u"%1 %2 → %3"_s.arg(parameterLabel(*change.spec),
-                                              parameterValueText(*change.spec, change.from),
-                                              parameterQuantityText(*change.spec, change.to)));
+            others.append(changePlace(read, change)
+                          + u"%1 %2 → %3"_s.arg(parameterLabel(*change.spec),
+                                                parameterValueText(*change.spec, change.from),
+                                                parameterQuantityText(*change.spec, change.to)));
     }
     for (const DataChange &change : before.dataChangesTo(read)) {
         if (!m_writer.awaits(change.key))

@@ -477,11 +477,22 @@ void TestAgreement::whatChangedBehindTheLinkIsNamed()
     QVERIFY(m_rig->jobsAreDone());
     m_rig->client().disconnectFromBoard();
     QTRY_VERIFY(!m_rig->client().isConnected());
-    m_host->with<simplebgc::SimulatedBoard>([](auto &board) { board.store(u"pid.roll.p"_s, 0, 51); });
+    m_host->with<simplebgc::SimulatedBoard>([](auto &board) {
+        board.store(u"pid.roll.p"_s, 0, 51);
+        board.store(u"pid.roll.p"_s, 1, 52);
+    });
     QVERIFY(reconnect());
     QVERIFY(m_rig->jobsAreDone());
     const QString told = m_rig->window().messageBar()->text();
     QVERIFY2(told.contains(u"from what was read"_s) && told.contains(u"35 → 51"_s), qPrintable(told));
+    // Of which profile.
+    const Configuration &board = std::as_const(m_rig->model()).board();
+    for (const auto &[profile, value] : {std::pair(0, 51), std::pair(1, 52)}) {
+        const QString place = profileLabel(board, profile) + u": "_s;
+        const qsizetype at = told.indexOf(place);
+        QVERIFY2(at >= 0 && told.mid(at, 80).section(u", "_s, 0, 0).endsWith(u"→ %1"_s.arg(value)),
+                 qPrintable(told));
+    }
 }
 
 void TestAgreement::simplebgc_data()

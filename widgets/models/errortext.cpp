@@ -232,11 +232,9 @@ static void tellAftermath(const Aftermath &after, ErrorText &text)
     constexpr int kTold = 12;
     QStringList told;
     for (const ParameterChange &change : after.changes()) {
-        const QString value = u"%1 %2 -> %3"_s.arg(change.spec->key, change.spec->format(change.from),
-                                                   change.spec->format(change.to));
-        const bool isOfAProfile
-            = change.spec->row->scope == Scope::Profile && after.before.identity().profileCount > 1;
-        told.append(isOfAProfile ? after.before.profileName(change.profile) + u": "_s + value : value);
+        told.append(changePlace(after.before, change)
+                    + u"%1 %2 -> %3"_s.arg(change.spec->key, change.spec->format(change.from),
+                                           change.spec->format(change.to)));
     }
     for (const DataChange &change : after.dataChanges())
         told.append(QLatin1String(change.spec->data));
@@ -348,9 +346,7 @@ static QString straysText(const WriteReport &report)
     constexpr int kTold = 8;
     QStringList told;
     for (const ParameterChange &change : report.strays) {
-        const bool isOfAProfile
-            = change.spec->row->scope == Scope::Profile && report.before.identity().profileCount > 1;
-        told.append((isOfAProfile ? report.before.profileName(change.profile) + u": "_s : QString())
+        told.append(changePlace(report.before, change)
                     + u"%1 %2 -> %3"_s.arg(change.spec->key, change.spec->format(change.from),
                                            change.spec->format(change.to)));
     }
@@ -446,8 +442,8 @@ ErrorText describe(const WriteReport &report)
     } else if (report.strayProfile) {
         text.meaning += u' '
             + Words::tr("The active profile is now %1 instead of %2: the gimbal uses its values.")
-                  .arg(report.before.profileName(*report.strayProfile),
-                       report.before.profileName(report.before.activeProfile()));
+                  .arg(profileLabel(report.before, *report.strayProfile),
+                       profileLabel(report.before, report.before.activeProfile()));
     }
     if (const QString restart = restartText(report); !restart.isEmpty())
         text.meaning += u' ' + restart;

@@ -37,8 +37,15 @@ QString parameterLabel(const ParameterSpec &spec, bool withAxis)
 
 QString profileLabel(const Configuration &configuration, int profile)
 {
-    const QString name = configuration.profileNames().value(profile);
+    const QString name = configuration.profileNames().value(profile).trimmed();
     return name.isEmpty() ? QCoreApplication::translate("Tables", "Profile %1").arg(profile + 1) : name;
+}
+
+QString changePlace(const Configuration &configuration, const ParameterChange &change)
+{
+    const bool isOfOne
+        = change.spec->row->scope == Scope::Profile && configuration.identity().profileCount > 1;
+    return isOfOne ? profileLabel(configuration, change.profile) + u": "_s : QString();
 }
 
 QStringList changePlaces(const ConfigurationModel &model, const QMap<int, int> &counts)
