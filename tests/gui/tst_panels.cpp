@@ -117,6 +117,7 @@ private slots:
     void init() { m_rig = std::make_unique<WindowRig>(); }
     void cleanup() { m_rig.reset(); }
     void eachDialogIsTried();
+    void answersAreReadWhole();
     void motorsGoOffBeneathEachDialog_data() { addRows(true); }
     void motorsGoOffBeneathEachDialog();
     void motorsGoOffBeneathStormsDialogs_data();
@@ -326,6 +327,25 @@ void TestPanels::eachDialogIsTried()
     QCOMPARE(panelSites().join(u'\n'), tried.join(u'\n'));
 }
 
+// On a small or magnified screen too: the window gives the room, not the screen.
+void TestPanels::answersAreReadWhole()
+{
+    QVERIFY(m_rig->open(kDemo));
+    const Question question{u"Leave?"_s,
+                            u"One change is not on the board."_s,
+                            {{u"Keep all that is not on the board for the next time and leave"_s, [] {}},
+                             {u"Throw all of that away for good and leave the program now"_s, [] {}, true}},
+                            u"Stay here"_s};
+    const QDialog *box = askInPanel(question, &window());
+    const auto buttons = box->findChildren<QPushButton *>();
+    QCOMPARE(buttons.size(), 3);
+    for (const QPushButton *button : buttons)
+        QTRY_VERIFY2(
+            button->width() >= button->sizeHint().width(),
+            qPrintable(
+                u"%1: %2 of %3"_s.arg(button->text()).arg(button->width()).arg(button->sizeHint().width())));
+}
+
 void TestPanels::motorsGoOffBeneathEachDialog()
 {
     QFETCH(QString, name);
@@ -352,6 +372,10 @@ void TestPanels::stopBeneath(const QString &address, const QString &name)
     QVERIFY(motorsAre(true));
     const QDialog *dialog = open(name);
     QVERIFY(dialog && dialog->isVisible());
+    for (const QPushButton *button : dialog->findChildren<QPushButton *>()) {
+        QVERIFY2(!button->isVisible() || button->width() >= button->sizeHint().width(),
+                 qPrintable(u"“%1” is cut"_s.arg(button->text())));
+    }
     QVERIFY(motors()->isEnabled());
     QVERIFY(!motors()->geometry().isEmpty());
     click(motors());

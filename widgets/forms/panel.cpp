@@ -85,6 +85,12 @@ private:
     void place()
     {
         constexpr int kAround = Metric::kGap;
+        // A message box fixes its size by that of the screen, which cuts its buttons where that is small or
+        // magnified; here the window gives the room.
+        if (m_dialog.minimumSize() == m_dialog.maximumSize()) {
+            m_dialog.setMinimumSize(0, 0);
+            m_dialog.setMaximumSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX);
+        }
         const QRect room = rect().adjusted(kAround, kAround, -kAround, -kAround);
         const QSize wanted(m_wanted.width(), m_wanted.height() + m_title->sizeHint().height());
         const QSize size = m_frame->sizeHint().expandedTo(wanted).boundedTo(room.size());
