@@ -274,8 +274,8 @@
         <translation>Das Board meldet einen schwachen Akku: %1 V.</translation>
     </message>
     <message>
-        <source>No live data for %1 s while the gimbal is steered.</source>
-        <translation>Seit %1 s keine Live-Daten, während der Gimbal gesteuert wird.</translation>
+        <source>No live data for more than %1 s while the gimbal is steered.</source>
+        <translation>Mehr als %1 s keine Live-Daten, während der Gimbal gesteuert wird.</translation>
     </message>
     <message>
         <source>Each is driven by the other&apos;s error: the axes are swapped, in the wiring, in the motor outputs or in how the sensor is mounted. If they are not, both motors turn in the wrong direction.</source>
@@ -4710,8 +4710,12 @@
         <translation>%1: „%2“ ist kein Wert dafür. Der Wert ist wie zuvor.</translation>
     </message>
     <message>
-        <source>This is %1. The board uses %2: show that one.</source>
-        <translation>Das ist %1. Das Board benutzt %2: dieses zeigen.</translation>
+        <source>This is %1.
+The board uses %2:
+show that one.</source>
+        <translation>Das ist %1.
+Das Board benutzt %2:
+dieses zeigen.</translation>
     </message>
     <message>
         <source>%1: “%2” is no value of it (%3). The value is as before.</source>

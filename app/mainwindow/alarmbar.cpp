@@ -24,11 +24,12 @@ constexpr qint64 kTooSoonMs = 600;
 
 }  // namespace
 
-AlarmBar::AlarmBar(Alarms &alarms, QWidget *area, int smallest)
+AlarmBar::AlarmBar(Alarms &alarms, QWidget *area, int smallest, std::function<QPoint()> belowHead)
     : QFrame(area->parentWidget())
     , m_alarms(alarms)
     , m_area(area)
     , m_smallest(smallest)
+    , m_belowHead(std::move(belowHead))
     , m_icon(new QLabel)
     , m_text(new QLabel)
     , m_more(new QLabel)
@@ -90,22 +91,30 @@ void AlarmBar::place()
 {
     if (isHidden())
         return;
-    const int width = m_area->width();
-    const int height = std::max(minimumSizeHint().height(), layout()->heightForWidth(width));
-    setGeometry(m_area->x(), m_area->y(), width, height);
+    const bool hasRoom = m_area->layout()->contentsMargins().top() > 0;
+    const QPoint start = hasRoom ? QPoint() : m_belowHead();
+    const int width = m_area->width() - start.x();
+    setGeometry(QRect(m_area->pos() + start, QSize(width, heightFor(width))));
     raise();
     makeRoom();
+}
+
+int AlarmBar::heightFor(int width) const
+{
+    return std::max(minimumSizeHint().height(), layout()->heightForWidth(width));
 }
 
 void AlarmBar::makeRoom()
 {
     if (m_area->rect().contains(m_area->mapFromGlobal(QCursor::pos())))
         return;
-    const int wanted = isHidden() || m_area->height() - height() < m_smallest ? 0 : height();
+    const int height = heightFor(m_area->width());
+    const int wanted = isHidden() || m_area->height() - height < m_smallest ? 0 : height;
     if (m_area->layout()->contentsMargins().top() == wanted)
         return;
     m_area->layout()->setContentsMargins(0, wanted, 0, 0);
     shield(m_area->geometry());
+    place();
 }
 
 // A click that was meant for what has just moved, or for this bar, reaches nothing.

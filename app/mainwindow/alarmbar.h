@@ -5,6 +5,8 @@
 #include <QElapsedTimer>
 #include <QFrame>
 
+#include <functional>
+
 class Alarms;
 class QLabel;
 class QPushButton;
@@ -18,9 +20,11 @@ class AlarmBar final : public QFrame
 {
     Q_OBJECT
 public:
-    /// @param area the bar lies over its upper edge; its layout makes room
+    /// @param area its layout makes room for the bar at its upper edge
     /// @param smallest the height that is left to it at least
-    AlarmBar(Alarms &alarms, QWidget *area, int smallest);
+    /// @param belowHead where in the area the bar lies while there is no room: beside the navigation, beneath
+    /// what disarms or stops on the page that is shown
+    AlarmBar(Alarms &alarms, QWidget *area, int smallest, std::function<QPoint()> belowHead);
 
     /// Text of the alarm that is shown; empty without one.
     [[nodiscard]] QString text() const;
@@ -36,6 +40,7 @@ private:
     void refresh();
     void place();
     void makeRoom();
+    [[nodiscard]] int heightFor(int width) const;
     void shield(const QRect &place);
     /// A click that was meant for what lay there before must not do anything.
     [[nodiscard]] bool isTooSoon() const;
@@ -43,6 +48,7 @@ private:
     Alarms &m_alarms;
     QWidget *m_area;
     int m_smallest;
+    std::function<QPoint()> m_belowHead;
     QLabel *m_icon;
     QLabel *m_text;
     QLabel *m_more;

@@ -67,6 +67,11 @@ int BannerArea::headEnd() const
     return title ? title->mapTo(this, QPoint(0, title->height())).y() : 0;
 }
 
+QPoint BannerArea::belowHead(const QWidget &ancestor) const
+{
+    return mapTo(&ancestor, QPoint(0, headEnd() + Metric::kGap));
+}
+
 bool BannerArea::eventFilter(QObject *watched, QEvent *event)
 {
     if (watched == m_cover) {

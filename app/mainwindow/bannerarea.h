@@ -26,6 +26,9 @@ public:
     void add(QWidget &banner, std::function<void()> close = {});
     /// What lies over the upper edge while it is shown: banners come beneath it.
     void giveWayTo(QWidget &cover);
+    /// Where, seen from an ancestor, the row ends that holds the title of the page and the controls beside
+    /// it.
+    [[nodiscard]] QPoint belowHead(const QWidget &ancestor) const;
 
     bool eventFilter(QObject *watched, QEvent *event) override;
 

@@ -108,7 +108,8 @@ void MainWindow::layoutFrame()
     layout->addWidget(m_panels, 1);
     layout->addWidget(m_status);
     setCentralWidget(central);
-    m_banners->giveWayTo(*new AlarmBar(m_workspace->alarms(), m_panels, smallest.height()));
+    m_banners->giveWayTo(*new AlarmBar(m_workspace->alarms(), m_panels, smallest.height(),
+                                       [this] { return m_banners->belowHead(*m_panels); }));
     m_focus = new FocusGuard(*this, *m_stack, *m_panels);
 }
 

@@ -17,6 +17,12 @@ UnwatchedNote::UnwatchedNote(const DeviceClient &client, const QSet<AlarmKind> &
 {
     setObjectName(u"muted"_s);
     setWordWrap(true);
+    setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    // Its place is kept: what is dragged meanwhile does not move when it comes or goes.
+    QSizePolicy policy = sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    setSizePolicy(policy);
+    setMinimumHeight(2 * fontMetrics().lineSpacing());
     connect(&client, &DeviceClient::unwatchedChanged, this, &UnwatchedNote::update);
     update();
 }

@@ -297,7 +297,12 @@ void Writer::findStrays(const std::set<BlockKey> &read)
 
 void Writer::noteSilence(TimePoint since)
 {
-    if (const Duration lasted = m_channel.now() - since; lasted >= kStartTime)
+    // An answer that is lost while other data come is no silence of the board.
+    const LinkObservation seen = m_channel.observation();
+    if (seen.silenceEnd <= since)
+        return;
+    const Duration lasted = std::min(seen.lastSilence, m_channel.now() - since);
+    if (lasted >= kStartTime)
         m_report.restart.silentSeconds = std::max(m_report.restart.silentSeconds, seconds(lasted));
 }
 

@@ -25,6 +25,19 @@ struct LinkObservation
     FramerStatistics framing;
     quint64 bytesIn = 0;
     QByteArray lastBytes;  ///< the most recent bytes, kept only until a frame is understood
+    /// The last time that nothing at all came for at least kSilence: how long, and when something came again.
+    Duration lastSilence{};
+    TimePoint silenceEnd{};
+
+    static constexpr auto kSilence = 500ms;
+    /// Something came at `now`, and before that at `before` (the epoch: never).
+    void noteArrival(TimePoint before, TimePoint now)
+    {
+        if (before == TimePoint{} || now - before < kSilence)
+            return;
+        lastSilence = now - before;
+        silenceEnd = now;
+    }
 };
 
 /// What family code talks to: a synchronous view of one link. In production it runs on the worker thread, in

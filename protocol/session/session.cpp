@@ -73,8 +73,8 @@ void Session::open(const LinkAddress &address, std::unique_ptr<Framer> framer, L
     m_timing = std::move(timing);
     m_control = ControlStream(m_timing.controlPeriod);
     m_queue.setPause(m_timing.pause);
-    m_bytesIn = m_bytesOut = 0;
-    m_lastBytes.clear();
+    m_bytesOut = 0;
+    m_observed = {};
     m_rateSlots = {};
     m_queue.setLine(m_transport->line());
     connect(m_transport.get(), &Transport::received, this, &Session::onReceived);
@@ -239,7 +239,7 @@ LinkStatistics Session::statistics() const
     LinkStatistics statistics;
     if (m_framer)
         statistics.framing = m_framer->statistics();
-    statistics.bytesIn = m_bytesIn;
+    statistics.bytesIn = m_observed.bytesIn;
     statistics.bytesOut = m_bytesOut;
     statistics.timeouts = m_queue.timeouts();
     statistics.roundTrip = m_queue.roundTrip();
@@ -256,19 +256,23 @@ LinkStatistics Session::statistics() const
 
 LinkObservation Session::observation() const
 {
-    return {m_framer ? m_framer->statistics() : FramerStatistics{}, m_bytesIn, m_lastBytes};
+    LinkObservation observation = m_observed;
+    observation.framing = m_framer ? m_framer->statistics() : FramerStatistics{};
+    return observation;
 }
 
 void Session::onReceived(QByteArrayView bytes, TimePoint at)
 {
     if (m_framer->isWaiting() && at - m_arrival > m_framer->gap())
         m_framer->flush(m_sink);
+    if (m_observed.bytesIn > 0)
+        m_observed.noteArrival(m_arrival, at);
     m_arrival = at;
     for (FrameListener *listener : m_listeners)
         listener->bytesReceived(bytes, at);
-    m_bytesIn += static_cast<quint64>(bytes.size());
+    m_observed.bytesIn += static_cast<quint64>(bytes.size());
     if (m_framer->statistics().frames == 0)
-        m_lastBytes = (m_lastBytes + bytes.toByteArray()).right(kKeptBytes);
+        m_observed.lastBytes = (m_observed.lastBytes + bytes.toByteArray()).right(kKeptBytes);
     m_framer->feed(asBytes(bytes), m_sink);
     if (m_transport && m_transport->isPacketBased())
         m_framer->packetEnded(m_sink);

@@ -129,8 +129,7 @@ private:
     TimePoint m_silentUntil{};  // silence is expected until then
     bool m_open = false;
     TimePoint m_arrival{};
-    quint64 m_bytesIn = 0;
-    QByteArray m_lastBytes;
+    LinkObservation m_observed;  // but for the framer's part
     quint64 m_bytesOut = 0;
     // Frame rate over the last second, in slots of 100 ms.
     mutable std::array<quint64, 10> m_rateSlots{};

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/alarmbar.h"
+#include "app/mainwindow/bannerarea.h"
 #include "app/mainwindow/bars.h"
 #include "app/mainwindow/clickshield.h"
 #include "app/mainwindow/messagebar.h"
+#include "app/mainwindow/navigation.h"
+#include "app/pages/board/controlpage.h"
 #include "app/pages/program/settingspage.h"
 #include "app/pages/tune/tuningpage.h"
 #include "app/pages/watch/alarmcard.h"
@@ -12,6 +15,7 @@
 #include "tests/support/windowrig.h"
 #include "widgets/forms/panel.h"
 #include "widgets/models/alarmtext.h"
+#include "widgets/views/controlpad.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -36,6 +40,7 @@ private slots:
     void warningGoesWithTheLink();
     void clickMeantForAnotherDoesNothing();
     void nothingMovesBeneathTheBar();
+    void headOfThePageStaysInReach();
     void whatItPushesAwayTakesNoClicks();
     void storingAlarmedValuesAsks();
     void sameCauseIsOneCard();
@@ -76,7 +81,7 @@ void TestAlarms::alarmFloats()
     QVERIFY(m_rig->isSettled());
     QCOMPARE(placesOf(*settings), before);
     QCOMPARE(QApplication::focusWidget(), focused);
-    QCOMPARE(bar()->width(), m_rig->window().width());
+    QCOMPARE(bar()->width(), m_rig->window().findChild<BannerArea *>()->width());  // of the page
     QVERIFY(bar()->remedyButton()->isVisible());
     // By keyboard it can be reached all the same.
     QVERIFY(bar()->remedyButton()->focusPolicy() & Qt::TabFocus);
@@ -239,6 +244,32 @@ void TestAlarms::nothingMovesBeneathTheBar()
     QCOMPARE(place(), before);
     QTRY_VERIFY(!isShielded());
     QCOMPARE(place(), before);
+}
+
+// Whoever drags the stick disarms where he did before, and acknowledges nothing there.
+void TestAlarms::headOfThePageStaysInReach()
+{
+    QVERIFY(m_rig->open(u"sim:simplebgc?seed=50"_s));
+    auto *page = m_rig->page<ControlPage>();
+    QVERIFY(m_rig->isSettled());
+    const auto *arm = page->armButton();
+    const auto *pad = page->findChild<ControlPad *>();
+    QVERIFY(arm && pad);
+    QCursor::setPos(pad->mapToGlobal(pad->rect().center()));
+    const QPoint at = arm->mapTo(&m_rig->window(), arm->rect().center());
+    const QRect before(pad->mapToGlobal(QPoint()), pad->size());
+    AlarmReport report;
+    report.number = 1;
+    report.alarm.kind = AlarmKind::Stale;
+    emit m_rig->client().alarmChanged(report);
+    QVERIFY(m_rig->isSettled());
+    QVERIFY(bar()->isVisible());
+    QVERIFY(!bar()->geometry().isEmpty());
+    QTRY_COMPARE(m_rig->window().childAt(at), arm);
+    QCOMPARE(QRect(pad->mapToGlobal(QPoint()), pad->size()), before);
+    const QRect entries(m_rig->window().findChild<Navigation *>()->mapToGlobal(QPoint()),
+                        m_rig->window().findChild<Navigation *>()->size());
+    QVERIFY(!entries.intersects({bar()->mapToGlobal(QPoint()), bar()->size()}));
 }
 
 void TestAlarms::whatItPushesAwayTakesNoClicks()

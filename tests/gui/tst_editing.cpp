@@ -39,6 +39,7 @@ private slots:
     void leftoversOfMissingPartsAreKept();
     void nothingMovesWhenAValueChanges_data();
     void nothingMovesWhenAValueChanges();
+    void nothingMovesForCountsAndProfiles();
     void nothingMovesUnderTheSlider();
     void onlyOwnLiveValuesAreInUseAgain();
     void undoLeadsToTheField();
@@ -119,6 +120,36 @@ void TestEditing::nothingMovesWhenAValueChanges()
         }
     }
     QVERIFY2(changed > 15, qPrintable(QString::number(changed)));
+}
+
+// From the first edit on, in two profiles, and when another one than the board's is shown.
+void TestEditing::nothingMovesForCountsAndProfiles()
+{
+    WindowRig rig;
+    rig.window().resize(1280, 900);
+    QVERIFY(rig.open(u"sim:simplebgc"_s));
+    auto *page = rig.page<ParametersPage>();
+    page->showParameter(u"pid.roll.p"_s);
+    QVERIFY(rig.isSettled());
+    const auto globalPlaces = [page] {
+        QMap<QString, QPoint> all;
+        for (const ValueEditor *editor : page->findChildren<ValueEditor *>()) {
+            if (editor->isVisible())
+                all.insert(editor->spec().key, editor->control()->mapTo(page, QPoint()));
+        }
+        return all;
+    };
+    const auto before = globalPlaces();
+    QVERIFY(before.size() > 5);
+    for (int profile = 0; profile < 2; ++profile) {
+        rig.edit(u"pid.roll.p"_s, profile, 77 + profile);
+        QVERIFY(rig.isSettled());
+        QCOMPARE(globalPlaces(), before);
+    }
+    rig.model().setShownProfile(1);
+    QVERIFY(rig.isSettled());
+    QVERIFY(page->findChild<QPushButton *>(u"otherProfile"_s)->isVisible());
+    QCOMPARE(globalPlaces(), before);
 }
 
 void TestEditing::nothingMovesUnderTheSlider()

@@ -5,6 +5,7 @@
 #include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
 #include "widgets/forms/argumentform.h"
+#include "widgets/forms/latebutton.h"
 #include "widgets/forms/numberbox.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/valueeditor.h"
@@ -273,6 +274,18 @@ void TestNumberBox::parametersKeepWhatWasTyped()
     p->setFocus();
     QCOMPARE(hints(), 1);
     QVERIFY(hintIn(*page)->text().contains(u"255"_s));
+    // A double click that was meant for what it lies over takes nothing.
+    auto *hint = qobject_cast<LateButton *>(hintIn(*page));
+    QVERIFY(hint);
+    QTest::mouseClick(hint, Qt::LeftButton);
+    QTest::mouseDClick(hint, Qt::LeftButton);
+    QVERIFY(p->isRefused() && p->text() == u"300"_s);
+    QTRY_VERIFY(hint->takesClicks());
+    QTest::mouseClick(hint, Qt::LeftButton);
+    QVERIFY(!p->isRefused() && p->value() == 255);
+    rig.workspace().edits().undoStack().undo();
+    typeInto(p, u"300"_s);
+    p->setFocus();
     typeInto(yaw, u"40"_s);
     QVERIFY(!yaw->isRefused());
     // What was typed would be missed in a review.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/forms/numberbox.h"
 
+#include "widgets/forms/latebutton.h"
 #include "widgets/models/numbertext.h"
 #include "widgets/theme/theme.h"
 
@@ -11,7 +12,6 @@
 #include <QLineEdit>
 #include <QRegularExpression>
 #include <QTimer>
-#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -379,10 +379,10 @@ void NumberBox::showHint()
     owner = this;
     QWidget *canvas = canvasOf(this);
     if (!m_hint) {
-        m_hint = new QToolButton(canvas);
+        m_hint = new LateButton(canvas);
         m_hint->setObjectName(u"hint"_s);
         m_hint->setFocusPolicy(Qt::NoFocus);  // the arrow keys in the field do the same
-        connect(m_hint, &QToolButton::clicked, this, &NumberBox::takeNearest);
+        connect(m_hint, &LateButton::clicked, this, &NumberBox::takeNearest);
     }
     const QString text = advice();
     m_hint->setText(text);

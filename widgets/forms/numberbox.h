@@ -7,7 +7,7 @@
 
 #include <optional>
 
-class QToolButton;
+class LateButton;
 
 /// A field for a number. What is typed is neither dropped nor clipped: a text that is no value of this field
 /// stays as it was typed, the field turns red, says what it takes and offers the nearest value; until then it
@@ -89,5 +89,5 @@ private:
     bool m_refused = false;
     bool m_emptyAllowed = false;
     bool m_selectsAll = false;  // as soon as the focus has settled
-    QPointer<QToolButton> m_hint;
+    QPointer<LateButton> m_hint;
 };

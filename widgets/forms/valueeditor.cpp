@@ -3,6 +3,7 @@
 #include "widgets/forms/valueeditor.h"
 
 #include "widgets/forms/flagsbutton.h"
+#include "widgets/forms/latebutton.h"
 #include "widgets/forms/parameterbox.h"
 #include "widgets/models/parametermodel.h"
 #include "widgets/theme/theme.h"
@@ -15,7 +16,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -45,7 +45,7 @@ void markChanged(QWidget *widget, bool changed)
 ValueEditor::ValueEditor(const ParameterSpec &spec, int firmware, QWidget *parent)
     : QWidget(parent)
     , m_spec(spec)
-    , m_reset(new QToolButton(this))
+    , m_reset(new LateButton(this))
 {
     switch (spec.row->kind) {
     case ValueKind::Number: m_control = makeNumber(); break;
@@ -69,7 +69,7 @@ ValueEditor::ValueEditor(const ParameterSpec &spec, int firmware, QWidget *paren
     m_reset->setAutoRaise(true);
     m_reset->setFocusPolicy(Qt::TabFocus);
     m_reset->setVisible(false);
-    connect(m_reset, &QToolButton::clicked, this, [this] { emit edited(m_boardRaw); });
+    connect(m_reset, &LateButton::clicked, this, [this] { emit edited(m_boardRaw); });
 
     // Its place is kept, so that nothing moves when a value changes.
     m_reset->setText(u"↺"_s);

@@ -12,7 +12,7 @@ class QCheckBox;
 class QComboBox;
 class QLabel;
 class QMenu;
-class QToolButton;
+class LateButton;
 
 /// The control for one parameter: number box, choice, tick or flags, made from its declaration. Shows what
 /// the board holds when that differs, with a button that goes back to it.
@@ -64,7 +64,7 @@ private:
     QCheckBox *m_toggle = nullptr;
     FlagsButton *m_flags = nullptr;
     QMenu *m_flagsMenu = nullptr;
-    QToolButton *m_reset;
+    LateButton *m_reset;
     QString m_inactive;
     double m_raw = 0;
     double m_boardRaw = 0;

@@ -97,7 +97,7 @@ QString seen(const Alarm &alarm)
                   .arg(numberText(alarm.value, 1), numberText(alarm.limit, 1))
             : AlarmText::tr("The board reports a low battery: %1 V.").arg(numberText(alarm.value, 1));
     case AlarmKind::Stale:
-        return AlarmText::tr("No live data for %1 s while the gimbal is steered.")
+        return AlarmText::tr("No live data for more than %1 s while the gimbal is steered.")
             .arg(numberText(alarm.value, 1));
     case AlarmKind::Count: break;
     }

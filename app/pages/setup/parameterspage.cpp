@@ -52,6 +52,7 @@ private:
 };
 
 constexpr int kGroupsColumn = 168;
+constexpr int kWidestGroups = 260;
 constexpr int kHelpColumn = 248;
 constexpr int kNarrowColumn = 196;
 constexpr int kNarrowPage = 1000;
@@ -129,7 +130,6 @@ void ParametersPage::makeBody()
     m_nothing->setObjectName(u"muted"_s);
     m_otherProfile->setObjectName(u"otherProfile"_s);
     m_otherProfile->hide();
-    holderLayout->addWidget(m_otherProfile, 0, Qt::AlignLeft);
     holderLayout->addWidget(m_nothing);
     holderLayout->addWidget(m_form, 1);
     m_scroll->setWidget(holder);
@@ -148,6 +148,7 @@ void ParametersPage::makeBody()
     m_views->addWidget(m_table);
     m_left->setSpacing(12);
     m_left->addWidget(m_groups, 1);
+    m_left->addWidget(m_otherProfile);  // where it moves no field
     m_row->setSpacing(12);
     m_row->addLayout(m_left);
     m_row->addWidget(m_views, 1);
@@ -201,11 +202,22 @@ void ParametersPage::connectAll()
     });
 }
 
-// The names of the groups with what is changed in them, where there is room for that.
+// Room for the names of the groups with what may be changed in them, before it is: with the first edit no
+// field moves.
 void ParametersPage::fitGroups()
 {
-    const int names = m_groups->sizeHintForColumn(0) + 2 * m_groups->frameWidth();
-    m_groups->setFixedWidth(m_narrow ? kNarrowColumn : std::max(kGroupsColumn, names));
+    QFont bold = m_groups->font();
+    bold.setBold(true);
+    const QString marks = workspace().profileCount() > 1 ? u"  • P1: 88, P2: 88"_s : u"  • 88"_s;
+    int names = 0;
+    for (int i = 0; i < m_groups->count(); ++i) {
+        const QByteArray group = m_groups->item(i)->data(Qt::UserRole).toString().toLatin1();
+        names = std::max(names, QFontMetrics(bold).horizontalAdvance(tableText(group.constData()) + marks));
+    }
+    constexpr int kAround = 16;  // of the text in its row
+    m_groups->setFixedWidth(
+        m_narrow ? kNarrowColumn
+                 : std::clamp(names + kAround + 2 * m_groups->frameWidth(), kGroupsColumn, kWidestGroups));
 }
 
 // A narrow page has no room for three columns: the help card moves below the groups.
@@ -378,9 +390,12 @@ void ParametersPage::updateProfileNote()
     const int used = model.board().activeProfile();
     m_otherProfile->setVisible(workspace().client().isConnected() && shown != used
                                && workspace().profileCount() > 1);
+    const auto name = [this, &model](int profile) {
+        return m_otherProfile->fontMetrics().elidedText(profileLabel(model.edited(), profile), Qt::ElideRight,
+                                                        kGroupsColumn / 2);
+    };
     m_otherProfile->setText(
-        tr("This is %1. The board uses %2: show that one.")
-            .arg(profileLabel(model.edited(), shown), profileLabel(model.edited(), used)));
+        tr("This is %1.\nThe board uses %2:\nshow that one.").arg(name(shown), name(used)));
 }
 
 void ParametersPage::showGroup(int row)

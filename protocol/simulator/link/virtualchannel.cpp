@@ -116,9 +116,11 @@ void VirtualChannel::step()
 {
     m_port.advance(kStep);
     for (const QByteArray &bytes : m_port.hostReads()) {
-        m_bytesIn += quint64(bytes.size());
+        m_observed.bytesIn += quint64(bytes.size());
         if (m_framer->statistics().frames == 0)
-            m_lastBytes = (m_lastBytes + bytes).right(kKeptBytes);
+            m_observed.lastBytes = (m_observed.lastBytes + bytes).right(kKeptBytes);
+        if (m_observed.bytesIn > quint64(bytes.size()))
+            m_observed.noteArrival(m_lastArrival, now());
         m_lastArrival = now();
         m_framer->feed(asBytes(bytes), m_sink);
         if (m_port.isPacketBased())
@@ -206,7 +208,9 @@ Result<void> VirtualChannel::setLine(const LineSettings &line)
 
 LinkObservation VirtualChannel::observation() const
 {
-    return {m_framer->statistics(), m_bytesIn, m_lastBytes};
+    LinkObservation observation = m_observed;
+    observation.framing = m_framer->statistics();
+    return observation;
 }
 
 void VirtualChannel::progress(const Progress &progress)

@@ -73,8 +73,7 @@ private:
     std::vector<Progress> m_progress;
     std::optional<TimePoint> m_cancelAt;
     bool m_held = false;
-    QByteArray m_lastBytes;
-    quint64 m_bytesIn = 0;
+    LinkObservation m_observed;  // but for the framer's part
     qint64 m_bytesOut = 0;
     TimePoint m_lastArrival{};
     TimePoint m_nextBeat{};
