@@ -48,6 +48,7 @@ private slots:
     void announcedRestartIsSent();
     void oneOldAnswerProvesNothing();
     void linkThatGoesWhilePuttingBackIsTold();
+    void silentReadingBackIsTold_data();
     void silentReadingBackIsTold();
     void failedStoreSaysNothingOfWhatIsStored();
     void unansweredProfileIsInUse();
@@ -427,10 +428,20 @@ void TestInSpite::linkThatGoesWhilePuttingBackIsTold()
     QCOMPARE(report->error->code, ErrorCode::LinkClosed);  // so it is waited for, and read
 }
 
+void TestInSpite::silentReadingBackIsTold_data()
+{
+    QTest::addColumn<bool>("isStreaming");
+    QTest::newRow("nothing comes") << false;
+    QTest::newRow("live data go on, an answer is lost") << true;
+}
+
 void TestInSpite::silentReadingBackIsTold()
 {
+    QFETCH(bool, isStreaming);
     VirtualBoard bench;
     QVERIFY(bench.identify());
+    if (isStreaming)
+        QVERIFY(bench.device.subscribe(bench.channel, {}, {}));
     bool isWritten = false;
     Altering silent(bench.channel, [&](const Request &request, const Altering::Pass &pass) {
         if (std::exchange(isWritten, request.name == u"WRITE_PARAMS_3"_s))
@@ -439,7 +450,7 @@ void TestInSpite::silentReadingBackIsTold()
     });
     const auto report = write(silent, bench.device, u"pid.roll.p"_s, 39);
     QVERIFY(report && report->isComplete());
-    QVERIFY(report->restart.silentSeconds > 1);
+    QCOMPARE(report->restart.silentSeconds > 1, !isStreaming);
 }
 
 // What it answers is what it uses.
