@@ -468,6 +468,8 @@ std::optional<Result<ActionReply>> Actions::performSimple(const QString &key)
             continue;
         if (plain.id == Simple::Defaults)
             return useDefaults();
+        if (plain.id == Simple::Retrieve)
+            return m_device.loadStored(m_channel).map([] { return ActionReply{}; });
         auto done = simple(plain.id);
         // Answered at once but carried out later (errata 3.9, 7): answers can only be trusted after that.
         const bool restarts = plain.id == Simple::Restart || plain.id == Simple::HardReset
@@ -553,12 +555,14 @@ Result<ActionReply> Actions::restoreWord(int word)
     if (m_device.m_words > 0 && word >= m_device.m_words)
         return failure(ErrorCode::OutOfRange,
                        u"word=%1, allowed 0 to %2"_s.arg(word).arg(m_device.m_words - 1));
+    const auto before = m_device.readWord(m_channel, word);
     if (auto done = rc(Rc::RestoreParameter, {{u"index"_s, word}}); !done)
         return done;
     const auto raw = m_device.readWord(m_channel, word);
     if (!raw)
         return tl::unexpected(raw.error());
-    return ActionReply{{u"word"_s, word}, {u"value"_s, *raw}};
+    // The same value as before shows nothing: it may be what is stored, or what was not put back.
+    return ActionReply{{u"word"_s, word}, {u"value"_s, *raw}, {u"confirmed"_s, before && *raw != *before}};
 }
 
 std::span<const ActionSpec> Device::actions() const

@@ -169,6 +169,13 @@ private:
     /// What is stored, read while it is in use for a moment; then `inUse` is in use again.
     Result<QByteArray> readStored(Channel &channel, const QByteArray &inUse);
     Result<QByteArray> retrieve(Channel &channel);
+    [[nodiscard]] int markableWord(const Configuration &inUse) const;
+    /// Loading that is confirmed and not done would show what is in use as if it were stored: a word is
+    /// marked before, and the mark has to go. @param word -1: nothing can be marked, and nothing proven
+    /// @param load loads, and returns that word. Errors: VerifyFailed, those of loading.
+    Result<void> proveLoading(Channel &channel, int word, const std::function<Result<int>()> &load);
+    /// What is stored is in use afterwards, proven. Errors: those of proveLoading().
+    Result<void> loadStored(Channel &channel);
     /// @param heartbeat what is in use, where it is switched off only for this
     Result<Contents> readBothPlain(Channel &channel, std::optional<int> heartbeat);
     Result<void> putStream(Channel &channel, const QByteArray &stream);

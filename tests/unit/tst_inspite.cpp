@@ -48,6 +48,8 @@ private slots:
     void announcedRestartIsSent();
     void oneOldAnswerProvesNothing();
     void linkThatGoesWhilePuttingBackIsTold();
+    void confirmedLoadingProvesNothing_data();
+    void confirmedLoadingProvesNothing();
     void silentReadingBackIsTold_data();
     void silentReadingBackIsTold();
     void failedStoreSaysNothingOfWhatIsStored();
@@ -426,6 +428,46 @@ void TestInSpite::linkThatGoesWhilePuttingBackIsTold()
     const auto report = write(failing, bench.device, u"pid.roll.p"_s, 39);
     QVERIFY(report && report->error);
     QCOMPARE(report->error->code, ErrorCode::LinkClosed);  // so it is waited for, and read
+}
+
+void TestInSpite::confirmedLoadingProvesNothing_data()
+{
+    QTest::addColumn<int>("firmware");
+    for (const int firmware : {79, 90, 96})
+        QTest::newRow(QByteArray::number(firmware)) << firmware;
+}
+
+// A board that says "o" to what it does not do: neither what is in use nor what is stored is taken for what
+// it would be then.
+void TestInSpite::confirmedLoadingProvesNothing()
+{
+    QFETCH(int, firmware);
+    StormRig rig(stormOptions(firmware));
+    QVERIFY(rig.device.identify(rig.channel));
+    const QStringList ignored{u"xr"_s, u"xs"_s, u"RESTOREPARAMETER"_s};
+    Altering ignoring(rig.channel, [&](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        if (request.name == u"RESTOREPARAMETER"_s)
+            return pass(storm32::rcRequest(storm32::Rc::DoCamera, QByteArray(6, '\0')));  // an ack
+        return ignored.contains(request.name) ? pass(storm32::simpleRequest(storm32::Simple::Test))
+                                              : pass(request);
+    });
+    rig.board().set(0, 444);
+    const auto retrieved = perform(ignoring, rig.device, "retrieve");
+    QVERIFY(!retrieved);
+    QCOMPARE(retrieved.error().code, ErrorCode::VerifyFailed);
+    QCOMPARE(rig.board().inUse(0), 444);  // as it was
+    const auto compared = perform(ignoring, rig.device, "stored.compare");
+    QVERIFY(!compared);
+    QCOMPARE(rig.board().inUse(0), 444);
+    const auto restored = perform(ignoring, rig.device, "restore", {{u"word"_s, u"0"_s}});
+    QVERIFY(restored && !restored->answered);  // sent, not done
+    const auto written = write(ignoring, rig.device, u"pid.pitch.p"_s, 460);
+    QVERIFY(!written || !written->isComplete());
+    QCOMPARE(rig.board().stored(0), 400);
+    // One that does it: done.
+    const auto done = perform(rig.channel, rig.device, "retrieve");
+    QVERIFY(done && done->answered);
+    QCOMPARE(rig.board().inUse(0), rig.board().stored(0));
 }
 
 void TestInSpite::silentReadingBackIsTold_data()

@@ -79,7 +79,8 @@ public:
     }
     void post(const Request &request) override
     {
-        if (sent.isEmpty())
+        // What is asked before is no part of it.
+        if (sent.isEmpty() && request.name != u"GETPARAMETER"_s)
             sent = request.bytes;
     }
     Result<void> sleep(milliseconds duration) override
@@ -98,7 +99,7 @@ public:
     [[nodiscard]] TimePoint now() const override { return m_now; }
     [[nodiscard]] LinkObservation observation() const override { return {}; }
 
-    QByteArray sent;  // the first of what was sent
+    QByteArray sent;  // the first command
 
 private:
     TimePoint m_now{};
