@@ -316,6 +316,7 @@ public:
         }
         if (!m_noSave) {
             options.history = &history();
+            options.evenIfInUse = true;
             const QString replaced = base->changesTo(edited).empty()
                 ? QString()
                 : replacedText(channel, device, *base, options.named);

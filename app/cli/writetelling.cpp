@@ -131,6 +131,12 @@ void tellReport(CommandOutcome &outcome)
                      + (report.isSnapshotComplete ? QString() : u" (it lacks what could not be read)"_s));
     if (!others.isEmpty())
         notes.append(others);
+    if (report.storesUse) {
+        json.insert(u"storesUse"_s, true);
+        notes.append(
+            u"what else was set in use without being stored is stored now as well, if there was any: this "
+            "board does not tell"_s);
+    }
     if (!outcome.note.isEmpty())
         notes.append(outcome.note.trimmed());
     outcome.text = text + outcome.text;

@@ -130,6 +130,9 @@ struct WriteReport
     QStringList otherData;  ///< blocks without parameters, likewise
     OtherValues othersWere = OtherValues::Keep;  ///< what was done with them
     QStringList othersLost = {};  ///< "pid.pitch.p=5.00": not in use any more, as read after the link broke
+    /// The board answers with what is in use: what was set there without being stored is stored now as well,
+    /// and nobody can tell what that is.
+    bool storesUse = false;
     bool areOthersUnknown = false;  ///< the link broke before that could be seen
     /// Why nobody can tell; then all that was in use is stored, as the operator chose.
     std::optional<Error> othersUnknown;

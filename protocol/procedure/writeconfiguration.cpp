@@ -82,6 +82,10 @@ Result<WriteReport> Writer::run()
         leaveUntold();
     if (result && m_report.strayProfile)
         m_report.error = Error{ErrorCode::NoEffect, u"the active profile is another than before"_s, 0};
+    const int active = m_base.activeProfile();
+    m_report.storesUse = answersWithUse()
+        && std::any_of(m_written.begin(), m_written.end(),
+                       [active](BlockKey key) { return key.profile == active; });
     const auto back = m_whole.finish(m_report);
     m_report.areOthersUnknown = !back && !m_report.others.empty();
     if (!back && !m_report.error)
@@ -99,13 +103,21 @@ void Writer::leaveUntold()
         markBlock(key, WriteState::Unknown);
 }
 
+// Its blocks hold what is in use, set live or not; nobody can tell what it has stored.
+bool Writer::answersWithUse() const
+{
+    return m_device.live() && !m_device.wholeMemory();
+}
+
 // What is wanted in use, and stored already, is a change for the board all the same.
 void Writer::addNamed()
 {
-    if (m_report.othersUnknown) {
+    const bool mayBeUnstored = m_options.evenIfInUse && answersWithUse();
+    if (m_report.othersUnknown || mayBeUnstored) {
         for (const ParameterSpec &spec : m_base.parameters().all()) {
             const auto raw = m_base.raw(spec, m_base.activeProfile());
-            if (m_options.named.contains(spec.key) && raw
+            const bool isTold = !m_report.othersUnknown && m_device.live()->variableOf(spec) < 0;
+            if (m_options.named.contains(spec.key) && raw && !isTold
                 && sameValue(m_edited.raw(spec, m_base.activeProfile()), raw))
                 m_changes.push_back({&spec, m_base.activeProfile(), *raw, *raw});
         }

@@ -19,5 +19,8 @@ struct WriteOptions
     /// Keys of parameters, and names of blocks without any, that are to be in use as wanted even where they
     /// are stored so already; for boards with a WholeMemory.
     QSet<QString> named = {};
+    /// Named values are written even where the board answers with them already: one that answers with what is
+    /// in use may have stored others.
+    bool evenIfInUse = false;
     std::optional<WholeMemory::Contents> contents = {};  ///< of such a board, if they were just read
 };

@@ -45,6 +45,7 @@ private slots:
     void listAndGet();
     void setWritesAndTells();
     void setWithoutSaveIsVolatile();
+    void whatIsInUseIsStored();
     void valuesThatNobodyMaySet_data();
     void valuesThatNobodyMaySet();
     void dumpDiffApply();
@@ -151,14 +152,14 @@ void TestCtl::setWritesAndTells()
     QCOMPARE(ctl({u"get"_s, u"pid.roll.p"_s}).out, u"48\n"_s);
     QCOMPARE(QDir(m_dir->filePath(u"history"_s)).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 1);
     // What was there already is named as well.
-    const Run both = ctl({u"--json"_s, u"set"_s, u"pid.roll.p=49"_s, u"motor.yaw.power=130"_s});
+    const Run both = ctl({u"--json"_s, u"set"_s, u"pid.roll.p=49"_s, u"motor.yaw.poles=14"_s});
     const QJsonObject json = both.json().object();
     QCOMPARE(json.value(u"written"_s).toArray().size(), 1);
     QCOMPARE(json.value(u"unchanged"_s).toArray().size(), 1);
     QCOMPARE(json.value(u"unchanged"_s).toArray().first().toObject().value(u"key"_s).toString(),
-             u"motor.yaw.power"_s);
-    const Run same = ctl({u"set"_s, u"pid.roll.p=49"_s});
-    QVERIFY2(same.out.contains(u"nothing to write"_s) && same.out.contains(u"unchanged    pid.roll.p"_s),
+             u"motor.yaw.poles"_s);
+    const Run same = ctl({u"set"_s, u"motor.yaw.poles=14"_s});
+    QVERIFY2(same.out.contains(u"nothing to write"_s) && same.out.contains(u"unchanged    motor.yaw.poles"_s),
              qPrintable(same.out));
 }
 
@@ -171,6 +172,24 @@ void TestCtl::setWithoutSaveIsVolatile()
     QCOMPARE(ctl({u"do"_s, u"profile.select"_s, u"profile=1"_s}).exitCode, 0);
     QCOMPARE(ctl({u"get"_s, u"pid.roll.p"_s}).out, u"35\n"_s);
     QCOMPARE(ctl({u"set"_s, u"motor.roll.poles=22"_s, u"--no-save"_s}).exitCode, 1);
+}
+
+// Such a board answers with what is in use: what is wanted there already is stored all the same, and what is
+// stored with it is said.
+void TestCtl::whatIsInUseIsStored()
+{
+    QCOMPARE(ctl({u"set"_s, u"pid.roll.p=53"_s, u"pid.yaw.p=61"_s, u"--no-save"_s}).exitCode, 0);
+    const Run set = ctl({u"set"_s, u"pid.roll.p=53"_s});
+    QVERIFY2(set.exitCode == 0 && set.out.contains(u"verified     pid.roll.p"_s),
+             qPrintable(set.out + set.err));
+    QVERIFY2(set.err.contains(u"stored now as well, if there was any"_s), qPrintable(set.err));
+    QCOMPARE(ctl({u"do"_s, u"profile.select"_s, u"profile=2"_s}).exitCode, 0);
+    QCOMPARE(ctl({u"do"_s, u"profile.select"_s, u"profile=1"_s}).exitCode, 0);
+    QCOMPARE(ctl({u"get"_s, u"pid.roll.p"_s}).out, u"53\n"_s);
+    const QString file = m_dir->filePath(u"inuse.json"_s);
+    QCOMPARE(ctl({u"dump"_s, file}).exitCode, 0);
+    const Run applied = ctl({u"apply"_s, file});
+    QVERIFY2(applied.out.contains(u"it does not tell"_s), qPrintable(applied.out));
 }
 
 void TestCtl::valuesThatNobodyMaySet_data()
