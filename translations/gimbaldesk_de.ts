@@ -1206,6 +1206,10 @@
         <source>What could be read of the settings as they were is kept in %1</source>
         <translation>Was von den Einstellungen, wie sie waren, zu lesen war, liegt in %1</translation>
     </message>
+    <message>
+        <source>That backup lacks what could not be read: %1.</source>
+        <translation>Dieser Sicherung fehlt, was nicht zu lesen war: %1.</translation>
+    </message>
 </context>
 <context>
     <name>CalibrationPage</name>
@@ -3624,6 +3628,14 @@
     <message>
         <source>F12 stops the motors from anywhere</source>
         <translation>F12 stoppt die Motoren von überall aus</translation>
+    </message>
+    <message>
+        <source>Writing…</source>
+        <translation>Schreibt…</translation>
+    </message>
+    <message>
+        <source>Writing: %1…</source>
+        <translation>Schreiben: %1…</translation>
     </message>
 </context>
 <context>
@@ -13533,6 +13545,10 @@ vorher</translation>
     <message>
         <source>No unwritten changes</source>
         <translation>Keine ungeschriebenen Änderungen</translation>
+    </message>
+    <message>
+        <source>A write is running</source>
+        <translation>Es wird gerade geschrieben</translation>
     </message>
 </context>
 <context>

@@ -128,7 +128,9 @@ void tellReport(CommandOutcome &outcome)
         outcome.exitCode = Refused;
     if (!report.snapshotPath.isEmpty())
         notes.append(u"snapshot: "_s + report.snapshotPath
-                     + (report.isSnapshotComplete ? QString() : u" (it lacks what could not be read)"_s));
+                     + (report.isSnapshotComplete() ? QString()
+                                                    : u" (it lacks what could not be read: %1)"_s.arg(
+                                                        report.snapshotLacks.join(u", "_s))));
     if (!others.isEmpty())
         notes.append(others);
     if (report.storesUse) {

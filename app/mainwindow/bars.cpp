@@ -173,6 +173,7 @@ UnsavedBar::UnsavedBar(Workspace &workspace, QWidget *parent)
     connect(&workspace.edits().refused(), &RefusedTexts::changed, this, &UnsavedBar::refresh);
     connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, &UnsavedBar::refresh);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, &UnsavedBar::refresh);
+    connect(&workspace, &Workspace::writeStarted, this, &UnsavedBar::refresh);
     connect(&workspace, &Workspace::writeFinished, this, [this] {
         m_written = true;
         refresh();
@@ -197,6 +198,7 @@ void UnsavedBar::refresh()
         && m_workspace.client().identity().writable && !m_workspace.isWriting();
     m_write->setEnabled(canWrite);
     m_write->setToolTip(canWrite || count + refused == 0 ? tr("Ctrl+S")
+                            : m_workspace.isWriting()    ? tr("A write is running")
                                                          : tr("Connect the board to write to it"));
     const QString offline = m_workspace.offlineFile();
     m_saveFile->setVisible(!model.isEmpty() && !m_workspace.client().isConnected());

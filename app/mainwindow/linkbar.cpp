@@ -102,6 +102,7 @@ LinkBar::LinkBar(Workspace &workspace, QWidget *parent)
         m_progress.clear();
         updateState();
     });
+    connect(&workspace, &Workspace::writeStarted, this, &LinkBar::updateState);
     ConfigurationModel &configuration = workspace.configuration();
     connect(&configuration, &ConfigurationModel::boardReset, this, &LinkBar::updateProfiles);
     connect(&workspace.live(), &LiveModel::heldChanged, this, &LinkBar::updateProfiles);
@@ -254,6 +255,11 @@ void LinkBar::connectOrDisconnect()
     m_workspace.connectTo(*address);
 }
 
+QString LinkBar::stateText() const
+{
+    return m_state->fullText();
+}
+
 void LinkBar::updateState()
 {
     const DeviceClient &client = m_workspace.client();
@@ -273,7 +279,10 @@ void LinkBar::updateState()
         m_connect->setText(tr("Give up"));
         break;
     case DeviceClient::State::Connected:
-        text = client.isBusy() && !m_progress.isEmpty()
+        // A write begins with reading, which is no other work.
+        text = m_workspace.isWriting()
+            ? (m_progress.isEmpty() ? tr("Writing…") : tr("Writing: %1…").arg(m_progress))
+            : client.isBusy() && !m_progress.isEmpty()
             ? m_progress + u'…'
             : tr("%1 · firmware %2").arg(client.identity().model, client.identity().firmware);
         m_connect->setText(tr("Disconnect"));

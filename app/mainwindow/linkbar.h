@@ -30,6 +30,7 @@ public:
     /// Looks for serial ports on another thread and fills the list.
     void scanPorts();
     [[nodiscard]] QPushButton *connectButton() const { return m_connect; }
+    [[nodiscard]] QString stateText() const;
     [[nodiscard]] QPushButton *motorsButton() const { return m_motors; }
     [[nodiscard]] QComboBox *addressBox() const { return m_address; }
 

@@ -61,6 +61,7 @@ void BoardWriter::write(const Configuration &wanted, OtherValues others)
         return;
     }
     m_writing = true;
+    emit started();
     m_client
         .submit<WriteReport>([base = m_configuration.board(), wanted, history = m_history,
                               backupDone = m_backupDone, others,
@@ -102,7 +103,7 @@ void BoardWriter::onReport(const Result<WriteReport> &result)
         return;
     }
     m_lastReport = *result;
-    if (result->isSnapshotComplete)
+    if (result->isSnapshotComplete())
         m_backupDone = true;
     const bool isReadAgain = !result->isComplete() && !result->storedUntold && result->hasUnknown();
     m_configuration.setBoard(isReadAgain ? knownOf(*result) : result->onBoard);
@@ -117,11 +118,15 @@ void BoardWriter::onReport(const Result<WriteReport> &result)
             : tr("%n value(s) written and read back.", nullptr, verified);
         if (!result->snapshotPath.isEmpty())
             text += u' '
-                + (result->isSnapshotComplete
+                + (result->snapshotLacks.isEmpty()
                        ? tr("The settings as they were are kept in %1")
                        : tr("What could be read of the settings as they were is kept in %1"))
                       .arg(result->snapshotPath);
         m_notifications.notify(text);
+        if (!result->snapshotLacks.isEmpty())
+            m_notifications.notify(
+                tr("That backup lacks what could not be read: %1.").arg(result->snapshotLacks.join(u", "_s)),
+                Notice::Attention);
         if (const QString restart = restartText(*result); !restart.isEmpty())
             m_notifications.notify(restart, Notice::Attention);
         tellOthers(*result);

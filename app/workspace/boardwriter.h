@@ -43,6 +43,7 @@ signals:
     void completed();
     /// The board was changed by somebody else; nothing was written.
     void conflicted();
+    void started();
     /// A write has ended, successfully or not.
     void finished();
     void snapshotTaken();

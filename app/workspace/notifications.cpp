@@ -291,6 +291,8 @@ void Notifications::onState(DeviceClient::State state)
     m_damageTold = m_damageTold && state != DeviceClient::State::Disconnected;
     if (state != DeviceClient::State::Reconnecting)
         settle(Concern::Link);
+    if (state != DeviceClient::State::Connected)
+        settle(Concern::Back);
     if (state == DeviceClient::State::Disconnected) {
         m_wasLost = false;  // given up
         for (const Concern concern : {Concern::Reading, Concern::LiveData, Concern::Recording})
@@ -326,8 +328,10 @@ void Notifications::onState(DeviceClient::State state)
 void Notifications::tellBack()
 {
     switch (m_client.loss()) {
-    case DeviceClient::Loss::Link: notify(tr("Connected again.")); break;
-    case DeviceClient::Loss::OrderedRestart: notify(tr("The board has restarted and is back.")); break;
+    case DeviceClient::Loss::Link: notify(tr("Connected again."), Notice::Done, Concern::Back); break;
+    case DeviceClient::Loss::OrderedRestart:
+        notify(tr("The board has restarted and is back."), Notice::Done, Concern::Back);
+        break;
     case DeviceClient::Loss::Restart:
         tell(tr("The board restarted by itself and is back. It uses the stored values."), Notice::Attention,
              Concern::None, tr("Its motors may run."));

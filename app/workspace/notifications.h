@@ -29,6 +29,7 @@ enum class Notice {
 enum class Concern {
     None,  ///< answers what was just asked for; stays until it is closed or something else is answered
     Link,
+    Back,  ///< that a board is there again
     Reading,  ///< of the board's values
     LiveData,
     Frozen,  ///< live data that are the same again and again

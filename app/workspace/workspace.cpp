@@ -58,6 +58,7 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     connect(&m_live, &LiveModel::heldChanged, this,
             [this] { QTimer::singleShot(0, this, &Workspace::readWhenFree); });
     connect(&m_writer, &BoardWriter::conflicted, this, &Workspace::readBoard);
+    connect(&m_writer, &BoardWriter::started, this, &Workspace::writeStarted);
     connect(&m_writer, &BoardWriter::finished, this, &Workspace::writeFinished);
     connect(this, &Workspace::boardRead, &m_notches, &NotchAdviser::makeGood);
     connect(&m_notches, &NotchAdviser::readWanted, this, &Workspace::readBoard);

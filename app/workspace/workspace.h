@@ -176,6 +176,7 @@ signals:
     void snapshotTaken();
     /// The world around the simulated gimbal was changed: a fault as NAME=VALUE.
     void worldChanged(const QString &assignment);
+    void writeStarted();
     void writeFinished();
     /// The last of what ran has ended.
     void workEnded();

@@ -144,12 +144,16 @@ struct WriteReport
     std::optional<int> strayProfile = {};
     static constexpr int kUnread = -1;
     QString snapshotPath;  ///< the backup made before
-    bool isSnapshotComplete = false;  ///< it holds everything that the board has
+    QStringList snapshotLacks = {};  ///< parts that the board has and the backup does not hold
     Configuration before;  ///< what the board was expected to hold before; wanted: what it should hold after
     Configuration wanted;
     Configuration onBoard;  ///< what the board holds now, as far as it is known
 
     [[nodiscard]] bool isComplete() const { return !error; }
+    [[nodiscard]] bool isSnapshotComplete() const
+    {
+        return !snapshotPath.isEmpty() && snapshotLacks.isEmpty();
+    }
     [[nodiscard]] bool areNamesWritten() const { return namesWanted && namesState == WriteState::Verified; }
     [[nodiscard]] bool areNamesUnknown() const { return namesWanted && namesState == WriteState::Unknown; }
     /// Something was sent, and the board could not be asked since what it holds.

@@ -170,7 +170,8 @@ Result<void> Writer::backUp()
     if (!path)
         return tl::unexpected(path.error());
     m_report.snapshotPath = *path;
-    m_report.isSnapshotComplete = fresh->missing().empty();
+    for (const MissingPart &part : fresh->missing())
+        m_report.snapshotLacks.append(fresh->partName(part.key));
     return {};
 }
 

@@ -144,7 +144,7 @@ constexpr ActionSpec kActions[] = {
      .help = "Changes a value in volatile memory; lost at the next start unless stored.", .group = "Variables",
      .risk = ActionRisk::Moves, .arguments = kWriteVariable, .memory = MemoryEffect::ChangesInUse},
     {.key = "variables.save", .label = "Store variables", .help = "Stores the live values in the active profile.",
-     .group = "Variables", .risk = ActionRisk::Writes, .memory = MemoryEffect::Stores, .isShown = false},
+     .group = "Variables", .risk = ActionRisk::Writes, .memory = MemoryEffect::Stores},
     {.key = "calibrate.gyro", .label = "Calibrate gyroscope",
      .help = "Measures the zero of the gyroscope. The camera must stand absolutely still.", .group = "Calibration",
      .risk = ActionRisk::Writes, .arguments = kGyroArguments, .isProcedure = true,

@@ -12,6 +12,7 @@
 #include "tests/support/named.h"
 #include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/helpcard.h"
 #include "widgets/forms/liveslider.h"
 #include "widgets/forms/parameterform.h"
 #include "widgets/forms/reviewdialog.h"
@@ -150,6 +151,11 @@ void TestEditing::nothingMovesForCountsAndProfiles()
     QVERIFY(rig.isSettled());
     QVERIFY(page->findChild<QPushButton *>(u"otherProfile"_s)->isVisible());
     QCOMPARE(globalPlaces(), before);
+    // The card tells of a field that is here.
+    auto *card = page->findChild<HelpCard *>();
+    card->show(rig.spec(u"pid.roll.p"_s).id);
+    page->showGroup(1);
+    QCOMPARE(card->parameter(), -1);
 }
 
 void TestEditing::nothingMovesUnderTheSlider()

@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mainwindow/bars.h"
+#include "app/mainwindow/linkbar.h"
 #include "app/mainwindow/messagebar.h"
 #include "app/mainwindow/messagehistory.h"
 #include "app/mainwindow/palettesource.h"
 #include "protocol/telemetry/telemetryplan.h"
 #include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/reviewdialog.h"
 
 #include <QClipboard>
 #include <QPlainTextEdit>
@@ -24,6 +27,7 @@ private slots:
     void cleanup() { m_rig.reset(); }
 
     void problemsStandBesideEachOther();
+    void aWriteLooksLikeOne();
     void anAnswerReplacesTheOneBefore();
     void noticesHideNoProblem();
     void theNextLinkKeepsMotorsThatMayRun();
@@ -319,6 +323,31 @@ void TestMessages::anOrderedRestartIsNoBrokenLink()
     QVERIFY(notices.filter(u"restarts, as it was told to"_s).size() == 1);
     QCOMPARE(problems.count(), 0);
     QVERIFY(!notices.contains(u"Connected again."_s));
+    // That it is back is no news once it is gone.
+    QTRY_VERIFY(bar().text().contains(u"is back"_s));
+    m_rig->client().disconnectFromBoard();
+    QTRY_VERIFY(!m_rig->client().isConnected());
+    QVERIFY2(!bar().text().contains(u"is back"_s), qPrintable(bar().text()));
+}
+
+// From the first moment, also while it still reads.
+void TestMessages::aWriteLooksLikeOne()
+{
+    QVERIFY(m_rig->open(u"sim:simplebgc"_s));
+    QVERIFY(m_rig->jobsAreDone());
+    m_rig->edit(u"pid.roll.p"_s, 0, 55);
+    auto *link = window().findChild<LinkBar *>();
+    const auto *button = window().findChild<UnsavedBar *>()->writeButton();
+    QVERIFY(button->isEnabled());
+    QSignalSpy finished(&workspace(), &Workspace::writeFinished);
+    window().review();
+    QVERIFY(window().reviewDialog());
+    window().reviewDialog()->accept();
+    QVERIFY(workspace().isWriting());
+    QVERIFY(!button->isEnabled());
+    QVERIFY2(link->stateText().startsWith(u"Writing"_s), qPrintable(link->stateText()));
+    QTRY_COMPARE(finished.count(), 1);
+    QTRY_VERIFY(!link->stateText().startsWith(u"Writing"_s));
 }
 
 void TestMessages::aRestartOfItsOwnIsTold()

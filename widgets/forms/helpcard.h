@@ -15,6 +15,7 @@ class HelpCard final : public QFrame
 public:
     explicit HelpCard(ConfigurationModel &configuration, QWidget *parent = nullptr);
     void show(int parameter);
+    [[nodiscard]] int parameter() const { return m_parameter; }
 
 private:
     void refresh();

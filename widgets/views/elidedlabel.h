@@ -15,6 +15,7 @@ public:
     /// @param shorter what takes its place before it would be elided
     void setFullText(const QString &text, const QString &explanation = {}, const QString &shorter = {});
 
+    [[nodiscard]] const QString &fullText() const { return m_full; }
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 

@@ -317,6 +317,8 @@ void ParametersPage::refilter()
         }
         m_form->setFilters(filters);
         m_form->setParameters(shown);
+        if (!shown.contains(m_help->parameter()))
+            m_help->show(-1);  // of a field that is not here
         m_nothing->setVisible(shown.isEmpty() && !model.isEmpty());
         m_scroll->verticalScrollBar()->setValue(0);
     }
