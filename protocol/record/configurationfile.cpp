@@ -114,6 +114,13 @@ Result<void> readValues(ConfigurationFile &file, const QByteArray &json, const Q
         const auto raw = rawOf(*spec, it.value());
         if (raw && known && isKnown(*spec, *known, it.value(), *raw))
             continue;
+        // A value stands in its block, which holds what no value tells as well.
+        const BlockSpec *block = configuration.parameters().block(spec->row->block);
+        if (!known && block && !configuration.blocks().contains({profile, block->id})) {
+            FileFault fault{.problem = FileProblem::MissingEntry, .kind = FileKind::Configuration};
+            fault.key = u"blocks: %1/%2"_s.arg(profile + 1).arg(QLatin1String(block->name));
+            return fileFailure(fault);
+        }
         const auto set = raw ? configuration.setRaw(*spec, profile, *raw)
                              : failure(ErrorCode::InvalidArgument, spec->allowedText());
         if (set) {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/base/filefault.h"
 #include "protocol/configuration/livevalues.h"
 #include "protocol/record/configurationfile.h"
 #include "tests/support/valuetable.h"
@@ -77,6 +78,7 @@ class TestValues : public QObject
 {
     Q_OBJECT
 private slots:
+    void valuesNeedTheirBlock();
     void wireTypes_data();
     void wireTypes();
     void shortBlocksHoldNothing();
@@ -105,6 +107,17 @@ private slots:
     void textsOfAnyLengthInFiles();
     void textsGoOntoBoards();
 };
+
+// A file without the block is no file with wrong values.
+void TestValues::valuesNeedTheirBlock()
+{
+    QJsonObject root = QJsonDocument::fromJson(toJson(configuration())).object();
+    root.remove(u"blocks"_s);
+    const auto read = fromJson(QJsonDocument(root).toJson());
+    QVERIFY(!read && read.error().file);
+    QCOMPARE(read.error().file->problem, FileProblem::MissingEntry);
+    QVERIFY(read.error().file->key.startsWith(u"blocks: 1/"_s));
+}
 
 // Worked out by hand; floats from IEEE 754: sign, eight bits of exponent (bias 127), 23 of fraction.
 void TestValues::wireTypes_data()
