@@ -4468,6 +4468,18 @@
         <source>The board does not confirm yet that the motors are off; the command is repeated. Hold the camera.</source>
         <translation>Das Board bestätigt noch nicht, dass die Motoren aus sind; der Befehl wird wiederholt. Die Kamera festhalten.</translation>
     </message>
+    <message>
+        <source>The recording does not hold an answer to what the program asks.</source>
+        <translation>Die Aufzeichnung enthält keine Antwort auf das, was das Programm fragt.</translation>
+    </message>
+    <message>
+        <source>It was not asked while this was recorded, or that part of the file is missing.</source>
+        <translation>Es wurde beim Aufzeichnen nicht gefragt, oder dieser Teil der Datei fehlt.</translation>
+    </message>
+    <message>
+        <source>What the recording holds is shown all the same.</source>
+        <translation>Was die Aufzeichnung enthält, wird trotzdem gezeigt.</translation>
+    </message>
 </context>
 <context>
     <name>NumberBox</name>

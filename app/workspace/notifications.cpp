@@ -125,6 +125,14 @@ QString Notifications::circumstances() const
 
 void Notifications::report(const Error &error, Concern concern)
 {
+    // A recording has no cable and no power.
+    if (m_client.address().isReplay() && error.code == ErrorCode::Timeout) {
+        report({tr("The recording does not hold an answer to what the program asks."),
+                tr("It was not asked while this was recorded, or that part of the file is missing."),
+                tr("What the recording holds is shown all the same."), error.detail},
+               concern);
+        return;
+    }
     report(describe(error), concern);
 }
 

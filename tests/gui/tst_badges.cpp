@@ -6,6 +6,7 @@
 #include "protocol/telemetry/telemetrystore.h"
 #include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/panel.h"
 
 #include <QLabel>
 
@@ -102,6 +103,14 @@ void TestBadges::everySourceIsMarkedInEveryWindow()
     QCOMPARE(marks(1), QString());  // replayed
     const auto said = [this] { return m_rig->window().messageBar()->text(); };
     QVERIFY2(!said().contains(u"differ"_s), qPrintable(said()));
+    // It has no cable and no power, and nothing is lost when another one is opened.
+    m_rig->workspace().notifications().report({ErrorCode::Timeout, u"READ_PARAMS_EXT"_s, 0});
+    QVERIFY2(said().contains(u"READ_PARAMS_EXT"_s) && !said().contains(u"cable"_s)
+                 && !said().contains(u"Kabel"_s),
+             qPrintable(said()));
+    m_rig->window().openFile(path);
+    QVERIFY(!m_rig->window().panels()->isOpen());
+    QTRY_VERIFY(m_rig->client().isConnected() && m_rig->client().address().isReplay());
     m_rig->client().disconnectFromBoard();
     QTRY_COMPARE(m_rig->client().state(), DeviceClient::State::Disconnected);
     QVERIFY(m_rig->open());
