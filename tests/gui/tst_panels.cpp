@@ -339,6 +339,14 @@ void TestPanels::answersAreReadWhole()
     const QDialog *box = askInPanel(question, &window());
     const auto buttons = box->findChildren<QPushButton *>();
     QCOMPARE(buttons.size(), 3);
+    // The keyboard reaches each of them and nothing else.
+    QSet<const QWidget *> reached;
+    for (const Qt::Key key :
+         {Qt::Key_Tab, Qt::Key_Tab, Qt::Key_Tab, Qt::Key_Tab, Qt::Key_Backtab, Qt::Key_Backtab}) {
+        QTest::keyClick(QApplication::focusWidget(), key);
+        reached.insert(QApplication::focusWidget());
+    }
+    QCOMPARE(reached, QSet<const QWidget *>(buttons.begin(), buttons.end()));
     for (const QPushButton *button : buttons)
         QTRY_VERIFY2(
             button->width() >= button->sizeHint().width(),

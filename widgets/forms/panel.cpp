@@ -78,6 +78,24 @@ public:
     }
 
 protected:
+    /// Tab stays in the dialog: what it would lead to is in reach of the mouse and of its own key, and acts.
+    bool focusNextPrevChild(bool next) override
+    {
+        QWidget *now = QApplication::focusWidget();
+        if (!now || !m_frame->isAncestorOf(now))
+            return QWidget::focusNextPrevChild(next);
+        const auto after = [next](const QWidget *widget) {
+            return next ? widget->nextInFocusChain() : widget->previousInFocusChain();
+        };
+        for (QWidget *widget = after(now); widget != now; widget = after(widget)) {
+            if (m_frame->isAncestorOf(widget) && widget->isVisible() && widget->isEnabled()
+                && (widget->focusPolicy() & Qt::TabFocus) && !widget->focusProxy()) {
+                widget->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+                break;
+            }
+        }
+        return true;
+    }
     void resizeEvent(QResizeEvent *) override { place(); }
     void paintEvent(QPaintEvent *) override { QPainter(this).fillRect(rect(), QColor(0, 0, 0, 110)); }
 
