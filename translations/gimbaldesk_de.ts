@@ -2784,6 +2784,14 @@
         <source>Whether the values in use are stored now shows only when the board has restarted.</source>
         <translation>Ob die benutzten Werte jetzt gespeichert sind, zeigt sich erst nach einem Neustart des Boards.</translation>
     </message>
+    <message>
+        <source>The write was disturbed, but all of it is on the board: %1. </source>
+        <translation>Das Schreiben wurde gestört, aber alles davon ist auf dem Board: %1. </translation>
+    </message>
+    <message>
+        <source>The board was read again: it holds what was wanted.</source>
+        <translation>Das Board wurde noch einmal gelesen: es enthält, was es soll.</translation>
+    </message>
 </context>
 <context>
     <name>FaceList</name>

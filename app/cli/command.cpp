@@ -267,6 +267,10 @@ void BoardCommand::readAgain()
                 WriteReport report = *(*m_interrupted)->report;
                 report.learn(board->stored);
                 report.learnOthers(board->inUse);
+                if (report.holdsAll() && (!report.use || report.use->now)) {
+                    report.error.reset();
+                    emit told(u"the write was cut off; the board was read again and holds all of it"_s);
+                }
                 (*m_interrupted)->report = std::make_shared<const WriteReport>(std::move(report));
             } else if (board) {
                 m_interrupted = tl::unexpected(settled(m_interrupted->error(), board->stored));

@@ -154,6 +154,14 @@ struct WriteReport
     {
         return !snapshotPath.isEmpty() && snapshotLacks.isEmpty();
     }
+    /// All that was wanted is on the board, and nothing else was changed, whatever went wrong meanwhile.
+    [[nodiscard]] bool holdsAll() const
+    {
+        const auto isThere = [](const auto &each) { return each.state == WriteState::Verified; };
+        return std::all_of(lines.begin(), lines.end(), isThere)
+            && std::all_of(data.begin(), data.end(), isThere) && (!namesWanted || areNamesWritten())
+            && strays.empty() && strayPlaces.isEmpty() && !strayProfile && !storedUntold && !areOthersUnknown;
+    }
     [[nodiscard]] bool areNamesWritten() const { return namesWanted && namesState == WriteState::Verified; }
     [[nodiscard]] bool areNamesUnknown() const { return namesWanted && namesState == WriteState::Unknown; }
     /// Something was sent, and the board could not be asked since what it holds.

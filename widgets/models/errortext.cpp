@@ -414,6 +414,10 @@ ErrorText describe(const WriteReport &report)
     text.what = counts.isEmpty()
         ? Words::tr("The write is not complete.") + u' ' + text.what
         : Words::tr("The write is not complete: %1. ").arg(counts.join(u", "_s)) + text.what;
+    if (report.holdsAll())
+        text.what = Words::tr("The write was disturbed, but all of it is on the board: %1. ")
+                        .arg(counts.join(u", "_s))
+            + describe(report.error.value_or(Error{})).what;
     // Nothing that the error means in general stands beside what was read.
     const auto strayInUse
         = report.use ? int(report.use->changes().size() + report.use->dataChanges().size()) : 0;
@@ -423,6 +427,8 @@ ErrorText describe(const WriteReport &report)
         text.meaning = Words::tr("What the board holds of %n value(s) could not be read.", nullptr, unknown);
     else if (report.areNamesUnknown())
         text.meaning = Words::tr("Which names the profiles have now could not be read.");
+    else if (report.holdsAll())
+        text.meaning = Words::tr("The board was read again: it holds what was wanted.");
     else if (const int other = report.countOther())
         text.meaning
             = Words::tr("The board was read again: %n value(s) are not as they were before.", nullptr, other);
