@@ -167,6 +167,8 @@ private:
                 = u"the motors are off, but disabled in volatile memory, and what was in use before could "
                   u"not be put back: restart the board before you use them (gimbalctl do restart), and "
                   u"store nothing before"_s;
+            json.insert(u"error"_s, outcome.note);
+            outcome.json = json;
             outcome.exitCode = Refused;
         }
         emit m_command.finished(outcome);

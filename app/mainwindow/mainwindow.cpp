@@ -188,11 +188,8 @@ void MainWindow::openFile(const QString &path)
             m_workspace->client().disconnectFromBoard();
             openFile(path);
         };
-        // Of a recording that is played nothing is lost.
-        if (m_workspace->client().address().isReplay()) {
-            play();
-            return;
-        }
+        if (m_workspace->client().address().isReplay())
+            return play();  // nothing of it is lost
         askInPanel({tr("Play a recording?"),
                     tr("The link to the board ends before it is played."),
                     {{tr("Disconnect and play"),

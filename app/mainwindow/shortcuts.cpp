@@ -23,7 +23,8 @@ void MainWindow::addShortcuts()
         on(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)),
            [this, i] { enterPage(m_navigation->pageOfNumber(i + 1)); });
     on(QKeySequence::Undo, [this] { m_workspace->edits().undo(); });
-    on(QKeySequence::Redo, [this] { m_workspace->edits().redo(); });
+    for (const QKeySequence &keys : {QKeySequence(QKeySequence::Redo), QKeySequence(Qt::CTRL | Qt::Key_Y)})
+        on(keys, [this] { m_workspace->edits().redo(); });
     m_guide = new EditGuide(
         *m_workspace, [this](const QString &key) { return showPage(key), page(key); }, m_content);
     on(QKeySequence(Qt::CTRL | Qt::Key_S), [this] {

@@ -238,6 +238,9 @@ Result<void> WholeWrite::finish(WriteReport &report)
     if (used)
         return used;
     const auto &now = report.use->now;
+    // Whatever was answered: it is there.
+    if (now && report.use->changes().empty() && report.use->dataChanges().empty())
+        return {};
     QStringList values;
     for (OtherValue &other : report.others) {
         if (now)

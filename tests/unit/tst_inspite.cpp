@@ -48,6 +48,7 @@ private slots:
     void announcedRestartIsSent();
     void oneOldAnswerProvesNothing();
     void linkThatGoesWhilePuttingBackIsTold();
+    void refusedButTakenIsInUse();
     void confirmedLoadingProvesNothing_data();
     void confirmedLoadingProvesNothing();
     void silentReadingBackIsTold_data();
@@ -428,6 +429,22 @@ void TestInSpite::linkThatGoesWhilePuttingBackIsTold()
     const auto report = write(failing, bench.device, u"pid.roll.p"_s, 39);
     QVERIFY(report && report->error);
     QCOMPARE(report->error->code, ErrorCode::LinkClosed);  // so it is waited for, and read
+}
+
+// Each "p" is said to have arrived damaged, and is taken: what was in use before is in use again.
+void TestInSpite::refusedButTakenIsInUse()
+{
+    StormRig rig;
+    QVERIFY(rig.device.identify(rig.channel));
+    rig.board().set(6, 450);
+    Altering refusing(rig.channel, [](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        auto answer = pass(request);
+        return request.name == u"p"_s ? failure(ErrorCode::BoardError, u"p"_s) : answer;
+    });
+    const auto report = write(refusing, rig.device, u"pid.pitch.p"_s, 460);
+    QCOMPARE(rig.board().inUse(6), 450);
+    const QString told = report ? describe(*report).oneLine() : describe(report.error()).oneLine();
+    QVERIFY2(!told.contains(u"not in use again"_s), qPrintable(told));
 }
 
 void TestInSpite::confirmedLoadingProvesNothing_data()
