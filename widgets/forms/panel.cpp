@@ -82,7 +82,8 @@ protected:
     bool focusNextPrevChild(bool next) override
     {
         QWidget *now = QApplication::focusWidget();
-        if (!now || !m_frame->isAncestorOf(now))
+        // A panel that goes lets the keyboard out.
+        if (!now || !isVisible() || !m_frame->isAncestorOf(now))
             return QWidget::focusNextPrevChild(next);
         const auto after = [next](const QWidget *widget) {
             return next ? widget->nextInFocusChain() : widget->previousInFocusChain();
