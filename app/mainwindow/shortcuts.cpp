@@ -23,7 +23,14 @@ void MainWindow::addShortcuts()
         on(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + i)),
            [this, i] { enterPage(m_navigation->pageOfNumber(i + 1)); });
     on(QKeySequence::Undo, [this] { m_workspace->edits().undo(); });
-    for (const QKeySequence &keys : {QKeySequence(QKeySequence::Redo), QKeySequence(Qt::CTRL | Qt::Key_Y)})
+    // As the platform has it, and as others do; one key twice would do nothing.
+    QList<QKeySequence> redo = QKeySequence::keyBindings(QKeySequence::Redo);
+    for (const QKeySequence &keys :
+         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)}) {
+        if (!redo.contains(keys))
+            redo.append(keys);
+    }
+    for (const QKeySequence &keys : std::as_const(redo))
         on(keys, [this] { m_workspace->edits().redo(); });
     m_guide = new EditGuide(
         *m_workspace, [this](const QString &key) { return showPage(key), page(key); }, m_content);

@@ -258,6 +258,14 @@ void TestEditing::undoLeadsToTheField()
     QTest::keySequence(&rig.window(), QKeySequence(QKeySequence::Redo));
     QCOMPARE(rig.model().changeCount(), 1);
     QTRY_VERIFY(isAt(u"pid.roll.p"_s));
+    // By either of the usual keys.
+    for (const auto &[key, modifiers] : {std::pair(Qt::Key_Y, Qt::KeyboardModifiers(Qt::ControlModifier)),
+                                         std::pair(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier)}) {
+        rig.workspace().edits().undo();
+        QCOMPARE(rig.model().changeCount(), 0);
+        QTest::keyClick(&rig.window(), key, modifiers);
+        QCOMPARE(rig.model().changeCount(), 1);
+    }
 }
 
 // The board goes on with the profile that it uses.
