@@ -521,9 +521,8 @@ Result<CommandOutcome> writeAndReport(Channel &channel, Device &device, const Co
     if (report->lines.empty() && report->data.empty() && !report->namesWanted && report->isComplete())
         outcome.text = !base.missing().empty() ? u"nothing to write in what the board delivered\n"_s
             : device.live() && !device.wholeMemory()
-            ? u"nothing to write: the board uses these values already; whether those that can be set live "
-              u"are "
-              "stored it does not tell (\"set\" writes them all the same)\n"_s
+            ? u"nothing to write: the board uses these values already; it does not tell whether those that "
+              "can be set live are stored (\"set\" writes them all the same)\n"_s
             : u"nothing to write: the board holds these values already\n"_s;
     outcome.report = std::make_shared<const WriteReport>(std::move(*report));
     return outcome;

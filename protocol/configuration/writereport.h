@@ -158,9 +158,11 @@ struct WriteReport
     [[nodiscard]] bool holdsAll() const
     {
         const auto isThere = [](const auto &each) { return each.state == WriteState::Verified; };
-        return std::all_of(lines.begin(), lines.end(), isThere)
+        return (!lines.empty() || !data.empty() || namesWanted)
+            && std::all_of(lines.begin(), lines.end(), isThere)
             && std::all_of(data.begin(), data.end(), isThere) && (!namesWanted || areNamesWritten())
-            && strays.empty() && strayPlaces.isEmpty() && !strayProfile && !storedUntold && !areOthersUnknown;
+            && strays.empty() && strayPlaces.isEmpty() && !strayProfile && !storedUntold && !areOthersUnknown
+            && othersLost.isEmpty();
     }
     [[nodiscard]] bool areNamesWritten() const { return namesWanted && namesState == WriteState::Verified; }
     [[nodiscard]] bool areNamesUnknown() const { return namesWanted && namesState == WriteState::Unknown; }

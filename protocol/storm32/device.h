@@ -180,7 +180,8 @@ private:
     Result<Contents> readBothPlain(Channel &channel, std::optional<int> heartbeat);
     Result<void> putStream(Channel &channel, const QByteArray &stream);
     [[nodiscard]] Configuration configurationOf(const QByteArray &stream) const;
-    [[nodiscard]] QString inUseText(const QByteArray &inUse, const Result<QByteArray> &stored) const;
+    [[nodiscard]] QString inUseText(const QByteArray &inUse, const Result<QByteArray> &stored,
+                                    int marked) const;
     [[nodiscard]] QString lostText(const QByteArray &inUse, const QByteArray &now) const;
     /// What a word says about m_history; most words say nothing.
     void learnShift(int word, int raw);

@@ -149,15 +149,18 @@ Configuration Device::configurationOf(const QByteArray &stream) const
     return configuration;
 }
 
-// Values in use that differ from the stored ones, or from the defaults if those are not known.
-QString Device::inUseText(const QByteArray &inUse, const Result<QByteArray> &stored) const
+// Values in use that differ from the stored ones, or from the defaults if those are not known; and the one
+// that was marked, which may not be in use.
+QString Device::inUseText(const QByteArray &inUse, const Result<QByteArray> &stored, int marked) const
 {
     const Configuration use = configurationOf(inUse);
     const Configuration kept = stored ? configurationOf(*stored) : use;
     QStringList values;
     for (const ParameterSpec &spec : use.parameters().all()) {
         const auto raw = use.raw(spec, 0);
-        if (raw && !sameValue(*raw, stored ? kept.raw(spec, 0).value_or(*raw) : spec.defaultRaw))
+        const bool isMarked = spec.row->block == Parameters && spec.offset == 2 * marked;
+        if (raw
+            && (isMarked || !sameValue(*raw, stored ? kept.raw(spec, 0).value_or(*raw) : spec.defaultRaw)))
             values.append(u"%1=%2"_s.arg(spec.key, spec.format(*raw)));
     }
     return values.join(u' ');
@@ -357,7 +360,7 @@ Result<QByteArray> Device::readStored(Channel &channel, const QByteArray &inUse)
     }
     if (!back)
         return failure(ErrorCode::NotRestored,
-                       inUseText(inUse, stored) + (*asleep ? u"; the board is in standby; "_s : u"; "_s)
+                       inUseText(inUse, stored, mark) + (*asleep ? u"; the board is in standby; "_s : u"; "_s)
                            + (put ? back.error().detail : put.error().detail));
     if (const QString lost = lostText(silent, *back); !lost.isEmpty())
         return failure(ErrorCode::NotRestored, lost + (*asleep ? u"; the board is in standby"_s : QString()));

@@ -7,9 +7,9 @@
 
 class RefusedTexts;
 
-/// "Studio: 2", "all profiles: 1", in the order of the profiles. Empty for a board with one profile.
 /// Before what changed in one of several profiles, "Studio: "; empty for what is the same in all of them.
 [[nodiscard]] QString changePlace(const Configuration &configuration, const ParameterChange &change);
+/// "Studio: 2", "all profiles: 1", in the order of the profiles. Empty for a board with one profile.
 [[nodiscard]] QStringList changePlaces(const ConfigurationModel &model, const QMap<int, int> &counts);
 
 /// All parameters of the shown profile as rows.
