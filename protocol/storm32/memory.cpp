@@ -309,6 +309,7 @@ Result<void> Device::loadStored(Channel &channel)
     if (!inUse)
         return tl::unexpected(inUse.error());
     const int word = markableWord(configurationOf(*inUse));
+    const Unbroken unbroken(channel);  // no mark is left behind
     return proveLoading(channel, word, [&]() -> Result<int> {
         if (const auto loaded = channel.transact(simple(Simple::Retrieve)); !loaded)
             return tl::unexpected(loaded.error());
