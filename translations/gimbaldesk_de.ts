@@ -1303,7 +1303,7 @@
     </message>
     <message>
         <source>Measuring. Leave it absolutely still for about %1 seconds; the motors are off meanwhile.</source>
-        <translation>Messung läuft. Lassen Sie ihn etwa %1 Sekunden völlig still; die Motoren sind so lange aus.</translation>
+        <translation>Messung läuft. Halten Sie etwa %1 Sekunden lang alles völlig still; die Motoren sind so lange aus.</translation>
     </message>
     <message>
         <source>If it is moved, the board begins again.</source>

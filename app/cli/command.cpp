@@ -43,6 +43,19 @@ const Configuration &beforeOf(const Result<CommandOutcome> &outcome)
     return outcome ? outcome->report->before : outcome.error().after->before;
 }
 
+QString causeText(GapCause cause)
+{
+    switch (cause) {
+    case GapCause::FirstLine: return u"its first line is damaged"_s;
+    case GapCause::EndsWithin: return u"the file ends within a chunk"_s;
+    case GapCause::NoChunk: return u"no chunk begins there"_s;
+    case GapCause::Checksum: return u"a checksum is wrong"_s;
+    case GapCause::Description: return u"the description is not JSON"_s;
+    case GapCause::Pieces: return u"a chunk holds something else than pieces"_s;
+    }
+    return {};
+}
+
 }  // namespace
 
 QList<int> defaultChannels(const Device &device)
@@ -424,13 +437,13 @@ QString leftOutText(const QList<ReplayGap> &gaps)
     QStringList lines;
     for (const ReplayGap &gap : gaps.first(std::min(gaps.size(), kGapsTold))) {
         lines.append(u"damaged from byte %1 on (%2): %3 bytes are left out, from %4 to %5"_s.arg(gap.offset)
-                         .arg(gap.reason)
+                         .arg(causeText(gap.cause))
                          .arg(gap.bytes)
                          .arg(time(gap.from, u"the beginning"_s), time(gap.to, u"the end"_s)));
     }
     if (gaps.size() > kGapsTold)
         lines.append(u"and %1 more such places"_s.arg(gaps.size() - kGapsTold));
-    lines.append(u"everything else is here; --partial takes it as it is"_s);
+    lines.append(u"everything else that the file holds is here; --partial takes it as it is"_s);
     return lines.join(u'\n');
 }
 
@@ -448,7 +461,7 @@ void reportLeftOut(CommandOutcome &outcome, const QList<ReplayGap> &gaps, bool p
     for (const ReplayGap &gap : gaps) {
         const QJsonObject part{{u"at"_s, gap.offset},
                                {u"bytes"_s, gap.bytes},
-                               {u"reason"_s, gap.reason},
+                               {u"reason"_s, causeText(gap.cause)},
                                {u"from"_s, time(gap.from)},
                                {u"to"_s, time(gap.to)}};
         parts.append(isList ? QJsonObject{{u"leftOut"_s, part}} : part);

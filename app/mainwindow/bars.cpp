@@ -393,12 +393,14 @@ void StatusStrip::refresh()
     const bool bad = m_lastBad > 0 && m_badAt.isValid() && m_badAt.elapsed() < kBadTimeMs;
     const bool stale = m_workspace.freshness().staleSince().has_value();
     const bool frozen = m_workspace.freshness().frozenSince().has_value();
-    m_link->setText(dot(bad || stale || frozen ? ColorRole::Warning : ColorRole::Ok) + text);
-    if (stale || frozen) {
+    const bool played = m_workspace.freshness().hasPlayed();
+    m_link->setText(dot(bad || stale || frozen || played ? ColorRole::Warning : ColorRole::Ok) + text);
+    if (stale || frozen || played) {
         // What they said is old; the views say since when.
         m_battery->setText(u"<span style='color:%1'>%2</span>"_s.arg(theme.color(ColorRole::Warning).name(),
-                                                                     frozen ? tr("live data stand still")
-                                                                            : tr("no live data")));
+                                                                     frozen   ? tr("live data stand still")
+                                                                         : played ? tr("the recording has ended")
+                                                                                  : tr("no live data")));
         m_temperature->clear();
         m_faults->clear();
         return;

@@ -8,6 +8,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -17,6 +18,7 @@
 #include <QThreadPool>
 
 #include <algorithm>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -289,6 +291,7 @@ void LinkBar::updateState()
         break;
     }
     m_state->setFullText(text);
+    showUsed();
     m_connect->setObjectName(client.state() == DeviceClient::State::Disconnected ? u"primary"_s : QString());
     repolish(m_connect);
     m_address->setEnabled(client.state() == DeviceClient::State::Disconnected);
@@ -298,13 +301,30 @@ void LinkBar::updateState()
     updateBadges();
 }
 
+// What is looked at, wherever it was opened; afterwards a recording is no address to connect to again.
+void LinkBar::showUsed()
+{
+    const DeviceClient &client = m_workspace.client();
+    const bool isPlayed
+        = client.state() != DeviceClient::State::Disconnected && client.address().isReplay();
+    if (isPlayed && !m_typed) {
+        m_typed = typedAddress();
+        const QString file = QFileInfo(client.address().target()).fileName();
+        m_address->setCurrentIndex(-1);
+        m_address->setEditText(tr("Recording %1").arg(file));
+        m_address->lineEdit()->home(false);
+    } else if (!isPlayed && m_typed) {
+        setAddress(*std::exchange(m_typed, std::nullopt));
+    }
+}
+
 // Green is what is alive, not what is connected.
 void LinkBar::updateDot()
 {
     const Freshness &freshness = m_workspace.freshness();
     const DeviceClient::State state = m_workspace.client().state();
-    const bool isAlive
-        = state == DeviceClient::State::Connected && !freshness.staleSince() && !freshness.frozenSince();
+    const bool isAlive = state == DeviceClient::State::Connected && !freshness.staleSince()
+        && !freshness.frozenSince() && !freshness.hasPlayed();
     const ColorRole role = isAlive                   ? ColorRole::Ok
         : state == DeviceClient::State::Disconnected ? ColorRole::Muted
                                                      : ColorRole::Warning;

@@ -42,6 +42,7 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
+    void showUsed();
     void showPorts(const QList<PortInfo> &ports);
     void updateState();
     void updateProfiles();
@@ -68,6 +69,7 @@ private:
     QPushButton *m_motors;
     QTimer m_refresh;
     QString m_progress;
+    std::optional<QString> m_typed;  // before the address in use was shown
     bool m_offNext = true;  // what the motors button does when pressed
     QElapsedTimer m_pressedOff;
 };

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workspace/freshness.h"
 
+#include "protocol/client/replaycontrol.h"
 #include "protocol/telemetry/telemetryplan.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "protocol/transport/linkaddress.h"
+#include "protocol/transport/replay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -137,6 +139,12 @@ void Freshness::listen()
         m_heardAt = now;
     if (const bool isSilent = silentSince().has_value(); std::exchange(m_isSilent, isSilent) != isSilent)
         emit silentChanged(isSilent);
+}
+
+bool Freshness::hasPlayed() const
+{
+    const auto &state = m_client.replay().state();
+    return m_client.address().isReplay() && state && state->hasEnded();
 }
 
 QString Freshness::troubleText(const QList<int> &channels) const

@@ -24,6 +24,9 @@ public:
     /// since; empty while they are live, and for recordings. @param channels none = all
     [[nodiscard]] std::optional<QDateTime> staleSince(const QList<int> &channels = {}) const;
 
+    /// A recording that was played to its end: what is shown is its last state.
+    [[nodiscard]] bool hasPlayed() const;
+
     /// What is wrong with these channels, in words; empty while they are live.
     [[nodiscard]] QString troubleText(const QList<int> &channels = {}) const;
     /// Since when samples come and none of them differs from the one before; empty: they do.

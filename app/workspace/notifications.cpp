@@ -68,6 +68,19 @@ Notifications::Notifications(DeviceClient &client, const ConfigurationModel &con
     });
 }
 
+QString Notifications::causeText(GapCause cause)
+{
+    switch (cause) {
+    case GapCause::FirstLine: return tr("Its first line is damaged.");
+    case GapCause::EndsWithin: return tr("The file ends in the middle of a part.");
+    case GapCause::NoChunk: return tr("No part begins where one should.");
+    case GapCause::Checksum: return tr("A checksum is wrong.");
+    case GapCause::Description: return tr("The description of the recording is no JSON.");
+    case GapCause::Pieces: return tr("A part holds something else than data of the link.");
+    }
+    return {};
+}
+
 // Going back reopens a recording; its damage is told once.
 void Notifications::onReplay()
 {
@@ -81,8 +94,8 @@ void Notifications::onReplay()
                      tr("%n part(s) of it cannot be read and are left out, %1 in all.", nullptr,
                         int(state->gaps.size()))
                          .arg(sizeText(bytes)),
-                     tr("Everything else is here; where a part is missing, plots have a gap."),
-                     state->gaps.first().reason},
+                     tr("Everything else that the file holds is here; where a part is missing, plots have a gap."),
+                     causeText(state->gaps.first().cause)},
            Concern::Recording);
 }
 

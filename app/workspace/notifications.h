@@ -4,6 +4,7 @@
 
 #include "app/workspace/offer.h"
 #include "protocol/client/deviceclient.h"
+#include "protocol/transport/replay.h"
 #include "widgets/models/configurationmodel.h"
 #include "widgets/models/errortext.h"
 
@@ -124,6 +125,7 @@ private:
     void onMotorsOff(bool confirmed);
     void onSteeringEnded(bool confirmed);
     void onReplay();
+    [[nodiscard]] static QString causeText(GapCause cause);
 
     DeviceClient &m_client;
     const ConfigurationModel &m_configuration;

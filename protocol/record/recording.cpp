@@ -112,14 +112,14 @@ public:
                 return fileFailure(versionFault());
             if (m_bytes.size() <= at || !chunkAt(at))
                 return fileFailure(strangerFault());
-            leaveOut(0, at, u"its first line is damaged"_s);
+            leaveOut(0, at, GapCause::FirstLine);
         }
         while (at < m_bytes.size()) {
             const auto chunk = chunkAt(at);
-            const QString problem = chunk ? take(*chunk) : chunk.error();
+            const std::optional<GapCause> problem = chunk ? take(*chunk) : chunk.error();
             const qsizetype next = chunk ? at + chunk->size() : nextWhole(at + 1);
-            if (!problem.isEmpty())
-                leaveOut(at, next, problem);
+            if (problem)
+                leaveOut(at, next, *problem);
             at = next;
         }
         if (!m_described && !describeFromRemains())
@@ -159,19 +159,19 @@ private:
     }
 
     /// The chunk that begins here, or what is wrong with it.
-    [[nodiscard]] tl::expected<Chunk, QString> chunkAt(qsizetype at) const
+    [[nodiscard]] tl::expected<Chunk, GapCause> chunkAt(qsizetype at) const
     {
         const QByteArrayView rest = m_bytes.sliced(at);
         if (rest.size() < kChunkHeader)
-            return tl::unexpected(u"the file ends within a chunk"_s);
+            return tl::unexpected(GapCause::EndsWithin);
         const auto length = lengthOf(rest);
         if (!rest.startsWith(kChunkMark) || length > kLongestChunk)
-            return tl::unexpected(u"no chunk begins here"_s);
+            return tl::unexpected(GapCause::NoChunk);
         if (qsizetype(length) > rest.size() - kChunkHeader)
-            return tl::unexpected(u"the file ends within a chunk"_s);
+            return tl::unexpected(GapCause::EndsWithin);
         const QByteArrayView content = rest.sliced(kChunkHeader, length);
         if (checksum(rest.first(12), content) != rest.sliced(12, kChecksum))
-            return tl::unexpected(u"a checksum is wrong"_s);
+            return tl::unexpected(GapCause::Checksum);
         return Chunk{quint8(rest[4]), content};
     }
 
@@ -192,18 +192,18 @@ private:
         return m_bytes.size();
     }
 
-    void leaveOut(qsizetype from, qsizetype to, const QString &reason)
+    void leaveOut(qsizetype from, qsizetype to, GapCause cause)
     {
-        m_recording.gaps.push_back({from, to - from, reason, m_recording.pieces.size()});
+        m_recording.gaps.push_back({from, to - from, cause, m_recording.pieces.size()});
     }
 
-    // What is wrong with the content; empty: nothing. Unknown kinds belong to a later version.
-    QString take(const Chunk &chunk)
+    // What is wrong with the content, if anything. Unknown kinds belong to a later version.
+    std::optional<GapCause> take(const Chunk &chunk)
     {
         if (chunk.kind == DescriptionChunk) {
             const auto document = QJsonDocument::fromJson(chunk.content.toByteArray());
             if (!document.isObject())
-                return u"the description is not JSON"_s;
+                return GapCause::Description;
             m_described = true;
             m_recording.description = document.object();
             const auto opening
@@ -214,7 +214,7 @@ private:
             const std::size_t before = m_recording.pieces.size();
             if (!readPieces(chunk.content, m_recording.pieces)) {
                 m_recording.pieces.resize(before);
-                return u"a chunk holds something else than pieces"_s;
+                return GapCause::Pieces;
             }
         }
         return {};
@@ -313,7 +313,7 @@ QList<ReplayGap> Recording::leftOut() const
     for (const Gap &gap : gaps) {
         for (; next < gap.piece; ++next)
             before = isReceived(next) ? timeOf(next) : before;
-        list.append({gap.offset, gap.bytes, gap.reason, before, kUnknown});
+        list.append({gap.offset, gap.bytes, gap.cause, before, kUnknown});
     }
     double after = kUnknown;
     next = pieces.size();

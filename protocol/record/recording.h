@@ -42,7 +42,7 @@ struct Recording
     {
         qint64 offset = 0;
         qint64 bytes = 0;
-        QString reason;
+        GapCause cause = GapCause::Checksum;
         std::size_t piece = 0;  ///< how many pieces come before it
     };
 

@@ -5,12 +5,22 @@
 #include <QList>
 #include <QString>
 
+/// What is wrong where a recording cannot be read.
+enum class GapCause {
+    FirstLine,
+    EndsWithin,  ///< the file ends in the middle of a chunk
+    NoChunk,
+    Checksum,
+    Description,  ///< it is no JSON
+    Pieces,  ///< a chunk of pieces holds something else
+};
+
 /// A part of a recording that cannot be read and is left out.
 struct ReplayGap
 {
     qint64 offset = 0;  ///< in the file
     qint64 bytes = 0;
-    QString reason;  ///< what is wrong there, for experts
+    GapCause cause = GapCause::Checksum;
     double from = 0;  ///< seconds since the recording's first byte; NaN: nothing was received before
     double to = 0;  ///< NaN: nothing was received after
 

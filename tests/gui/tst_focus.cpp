@@ -156,6 +156,16 @@ void TestFocus::numbersLeadIntoThePage()
         QCOMPARE(window().navigation()->currentPage(), key);
         VERIFY_FOCUS(key);
     }
+    // And from a question that nobody has answered yet.
+    workspace().notifications().ask({u"Which?"_s, {{u"This"_s, [] {}}, {u"That"_s, [] {}}}});
+    QVERIFY(m_rig->isSettled());
+    for (int number = 1; number <= 9; ++number) {
+        const QString key = window().navigation()->pageOfNumber(number);
+        window().offerBar()->buttons().first()->setFocus();
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key(Qt::Key_0 + number), Qt::ControlModifier);
+        QCOMPARE(window().navigation()->currentPage(), key);
+        VERIFY_FOCUS(key);
+    }
 }
 
 void TestFocus::paletteLeadsIntoThePage()

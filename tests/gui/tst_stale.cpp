@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bars.h"
+#include "app/mainwindow/linkbar.h"
 #include "app/mainwindow/messagebar.h"
 #include "protocol/telemetry/telemetrystore.h"
 #include "tests/support/patience.h"
@@ -16,6 +17,7 @@
 #include "widgets/views/gimbalview.h"
 #include "widgets/views/stalecover.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -170,6 +172,27 @@ void TestStale::recordingsAreNeverStale()
         QTest::qWaitFor([&rig] { return rig.client().telemetry() && rig.client().telemetry()->rows() > 0; }));
     rig.window().showPage(u"dashboard"_s);
     QVERIFY(!QTest::qWaitFor([&rig] { return !shown(*rig.window().page(u"dashboard"_s)).isEmpty(); }, 1500));
+    // Its last picture stays readable, and is not said to be alive; the frame names what is looked at.
+    QTRY_VERIFY(rig.workspace().freshness().hasPlayed());
+    const auto says = [&rig](const QString &text) {
+        const auto labels = rig.window().findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(), [&text](const QLabel *label) {
+            return label->isVisible() && label->text().contains(text);
+        });
+    };
+    QTRY_VERIFY(says(u"the recording has ended"_s));
+    const QString green = rig.workspace().theme().color(ColorRole::Ok).name();
+    QTRY_VERIFY(!rig.window().findChild<QLabel *>(u"dot"_s)->text().contains(green));
+    rig.client().disconnectFromBoard();
+    QTRY_COMPARE(rig.client().state(), DeviceClient::State::Disconnected);
+    auto *bar = rig.window().findChild<LinkBar *>();
+    const QString address = u"tcp://127.0.0.1:9"_s;
+    bar->setAddress(address);
+    rig.window().openFile(path);
+    QTRY_VERIFY(bar->addressBox()->currentText().contains(u"short.gimbalrec"_s));
+    QTRY_VERIFY(rig.client().isConnected());
+    rig.client().disconnectFromBoard();
+    QTRY_COMPARE(bar->addressBox()->currentText(), address);
 }
 
 // Connected, everything read, and not one sample: that looks like a board at rest.

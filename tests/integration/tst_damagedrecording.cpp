@@ -226,7 +226,7 @@ void TestDamagedRecording::polledSamplesHaveAGapToo()
         return found;
     };
     const int before = holes();
-    recording.gaps.push_back({0, 1, u"a checksum is wrong"_s, recording.pieces.size() - 4});
+    recording.gaps.push_back({0, 1, GapCause::Checksum, recording.pieces.size() - 4});
     QCOMPARE(holes(), before + 1);
 }
 
