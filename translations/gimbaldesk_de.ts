@@ -8924,7 +8924,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Pitch port</source>
-        <translation>Pitch-Anschluss</translation>
+        <translation>Pitch</translation>
     </message>
     <message>
         <source>Pitch −</source>
@@ -9452,7 +9452,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Roll port</source>
-        <translation>Roll-Anschluss</translation>
+        <translation>Roll</translation>
     </message>
     <message>
         <source>Roll −</source>
@@ -10396,7 +10396,7 @@ Spitze %2°</translation>
     </message>
     <message>
         <source>Yaw port</source>
-        <translation>Yaw-Anschluss</translation>
+        <translation>Yaw</translation>
     </message>
     <message>
         <source>Yaw −</source>

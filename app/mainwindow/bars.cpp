@@ -398,9 +398,10 @@ void StatusStrip::refresh()
     if (stale || frozen || played) {
         // What they said is old; the views say since when.
         m_battery->setText(u"<span style='color:%1'>%2</span>"_s.arg(theme.color(ColorRole::Warning).name(),
-                                                                     frozen   ? tr("live data stand still")
-                                                                         : played ? tr("the recording has ended")
-                                                                                  : tr("no live data")));
+                                                                     frozen ? tr("live data stand still")
+                                                                         : played
+                                                                         ? tr("the recording has ended")
+                                                                         : tr("no live data")));
         m_temperature->clear();
         m_faults->clear();
         return;

@@ -305,8 +305,7 @@ void LinkBar::updateState()
 void LinkBar::showUsed()
 {
     const DeviceClient &client = m_workspace.client();
-    const bool isPlayed
-        = client.state() != DeviceClient::State::Disconnected && client.address().isReplay();
+    const bool isPlayed = client.state() != DeviceClient::State::Disconnected && client.address().isReplay();
     if (isPlayed && !m_typed) {
         m_typed = typedAddress();
         const QString file = QFileInfo(client.address().target()).fileName();

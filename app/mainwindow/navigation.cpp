@@ -4,6 +4,8 @@
 
 #include "app/mainwindow/pagetable.h"
 
+#include <QStyledItemDelegate>
+
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -17,6 +19,22 @@ constexpr int kIcon = 18;
 const QString kMark = u" •"_s;
 constexpr int kLastNumber = 9;  // Ctrl+1 to Ctrl+9
 
+/// Entries look alike whether the list can be used or not: the style of what is disabled is the headings',
+/// and stands otherwise.
+class EntryDelegate final : public QStyledItemDelegate
+{
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        if (index.flags() & Qt::ItemIsEnabled)
+            option->state |= QStyle::State_Enabled;
+    }
+};
+
 }  // namespace
 
 Navigation::Navigation(QWidget *parent)
@@ -25,6 +43,7 @@ Navigation::Navigation(QWidget *parent)
     setObjectName(u"navigation"_s);
     setAccessibleName(tr("Pages"));
     setIconSize({kIcon, kIcon});
+    setItemDelegate(new EntryDelegate(this));
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     QString group;

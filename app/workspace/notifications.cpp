@@ -90,13 +90,15 @@ void Notifications::onReplay()
     qint64 bytes = 0;
     for (const ReplayGap &gap : state->gaps)
         bytes += gap.bytes;
-    report(ErrorText{tr("This recording is damaged."),
-                     tr("%n part(s) of it cannot be read and are left out, %1 in all.", nullptr,
-                        int(state->gaps.size()))
-                         .arg(sizeText(bytes)),
-                     tr("Everything else that the file holds is here; where a part is missing, plots have a gap."),
-                     causeText(state->gaps.first().cause)},
-           Concern::Recording);
+    report(
+        ErrorText{
+            tr("This recording is damaged."),
+            tr("%n part(s) of it cannot be read and are left out, %1 in all.", nullptr,
+               int(state->gaps.size()))
+                .arg(sizeText(bytes)),
+            tr("Everything else that the file holds is here; where a part is missing, plots have a gap."),
+            causeText(state->gaps.first().cause)},
+        Concern::Recording);
 }
 
 void Notifications::report(const ErrorText &text, Concern concern)

@@ -3,12 +3,15 @@
 #include "app/families/simplebgc/calibrationpage.h"
 #include "app/mainwindow/navigation.h"
 #include "app/mainwindow/translations.h"
+#include "app/pages/setup/parameterspage.h"
 #include "app/pages/watch/monitorpage.h"
 #include "app/pages/watch/streamsdialog.h"
 #include "app/workspace/page.h"
 #include "tests/support/patience.h"
 #include "tests/support/windowrig.h"
+#include "widgets/forms/parameterform.h"
 #include "widgets/forms/reviewdialog.h"
+#include "widgets/forms/valueeditor.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -21,6 +24,7 @@
 #include <QRadioButton>
 #include <QScrollArea>
 #include <QSet>
+#include <QStyleOptionComboBox>
 #include <QToolButton>
 
 using namespace Qt::StringLiterals;
@@ -136,6 +140,8 @@ private slots:
     void nothingIsClipped();
     void nothingIsClippedWhereTheProgramStarts_data() { addPages(); }
     void nothingIsClippedWhereTheProgramStarts();
+    void chosenEntriesCanBeRead_data();
+    void chosenEntriesCanBeRead();
     void germanIsGerman();
     void keyboardReachesEverything_data();
     void keyboardReachesEverything();
@@ -220,6 +226,51 @@ void TestLooks::nothingIsClippedWhereTheProgramStarts()
         QVERIFY(rig.jobsAreDone());
         checkClipping(rig, page);
     }
+}
+
+void TestLooks::chosenEntriesCanBeRead_data()
+{
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<QString>("address");
+    for (const char *language : {"en", "de"}) {
+        for (const char *address : {"sim:simplebgc", "sim:storm32"})
+            QTest::addRow("%s, %s", language, address)
+                << QString::fromLatin1(language) << QString::fromLatin1(address);
+    }
+}
+
+// What a field of the form shows as chosen can be read, in a hint at least where the axes leave no room.
+void TestLooks::chosenEntriesCanBeRead()
+{
+    QFETCH(const QString, language);
+    QFETCH(const QString, address);
+    const Translations translations(language);
+    WindowRig rig;
+    rig.window().resize(1280, 800);
+    QVERIFY(rig.open(address));
+    rig.window().showPage(u"parameters"_s);
+    auto *page = rig.page<ParametersPage>();
+    QStringList cut;
+    for (const ParameterSpec &spec : std::as_const(rig.model()).board().parameters().all()) {
+        if (spec.row->kind != ValueKind::Choice)
+            continue;
+        page->showParameter(spec.key);
+        const ValueEditor *editor = page->form()->editor(spec.id);
+        const auto *box = editor ? qobject_cast<const QComboBox *>(editor->control()) : nullptr;
+        if (!box)
+            continue;
+        QVERIFY(rig.isSettled());
+        QStyleOptionComboBox option;
+        option.initFrom(box);
+        option.editable = false;
+        const int room = box->style()
+                             ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box)
+                             .width();
+        const bool isCut = box->fontMetrics().horizontalAdvance(box->currentText()) > room;
+        if (isCut && (spec.key.endsWith(u".output"_s) || !box->toolTip().startsWith(box->currentText())))
+            cut.append(u"%1: %2"_s.arg(spec.key, box->currentText()));
+    }
+    QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
 }
 
 void TestLooks::germanIsGerman()

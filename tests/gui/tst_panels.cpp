@@ -591,8 +591,23 @@ void TestPanels::windowsWouldBlockThem()
 void TestPanels::contentIsOutOfReach()
 {
     QVERIFY(m_rig->open(kDemo));
+    const auto entry = [this] {
+        const Navigation *list = window().navigation();
+        for (int row = 0; row < list->count(); ++row) {
+            if (list->item(row)->data(Qt::UserRole) == u"monitor"_s)
+                return list->viewport()
+                    ->grab({list->visualItemRect(list->item(row)).topLeft(), QSize(150, 30)})
+                    .toImage();
+        }
+        return QImage();
+    };
+    QVERIFY(m_rig->isSettled());
+    const QImage before = entry();
+    QVERIFY(!before.isNull());
     QDialog *dialog = open(u"review"_s);
     QVERIFY(dialog);
+    QVERIFY(m_rig->isSettled());
+    QCOMPARE(entry(), before);  // nothing moves beneath
     const QString page = window().navigation()->currentPage();
     click(window().navigation());
     QTest::keyClick(dialog, Qt::Key_4, Qt::ControlModifier);

@@ -172,9 +172,12 @@ void ValueEditor::show(std::optional<double> value, std::optional<double> onBoar
         m_reset->setAccessibleName(tr("Discard the change; the board has %1").arg(board));
     }
     const QString inactive = m_inactive.isEmpty() ? QString() : u'\n' + m_inactive;
-    m_control->setToolTip(u"%1\n%2%3%4"_s.arg(tableText(m_spec.row->help), parameterRangeText(m_spec),
-                                              changed ? tr("\nOn the board: %1").arg(board) : QString(),
-                                              inactive));
+    // A long entry is cut where the window is small.
+    const QString chosen = m_choice ? m_choice->currentText() + u'\n' : QString();
+    m_control->setToolTip(chosen
+                          + u"%1\n%2%3%4"_s.arg(tableText(m_spec.row->help), parameterRangeText(m_spec),
+                                                changed ? tr("\nOn the board: %1").arg(board) : QString(),
+                                                inactive));
 }
 
 std::optional<QString> ValueEditor::refusedText() const
