@@ -3645,6 +3645,10 @@
         <source>Writing: %1…</source>
         <translation>Schreiben: %1…</translation>
     </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>Aufzeichnung %1</translation>
+    </message>
 </context>
 <context>
     <name>LinkMarks</name>
@@ -4285,10 +4289,6 @@
         </translation>
     </message>
     <message>
-        <source>Everything else is here; where a part is missing, plots have a gap.</source>
-        <translation>Alles andere ist da; wo ein Teil fehlt, haben Kurven eine Lücke.</translation>
-    </message>
-    <message>
         <source> Its motors were disabled while it was starting and may stay so until it restarts; store nothing before.</source>
         <translation> Seine Motoren wurden beim Starten stillgelegt und bleiben es womöglich bis zu seinem Neustart; vorher nichts speichern.</translation>
     </message>
@@ -4487,6 +4487,34 @@
     <message>
         <source>What the recording holds is shown all the same.</source>
         <translation>Was die Aufzeichnung enthält, wird trotzdem gezeigt.</translation>
+    </message>
+    <message>
+        <source>Its first line is damaged.</source>
+        <translation>Die erste Zeile ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>The file ends in the middle of a part.</source>
+        <translation>Die Datei endet mitten in einem Teil.</translation>
+    </message>
+    <message>
+        <source>No part begins where one should.</source>
+        <translation>Wo ein Teil beginnen müsste, beginnt keiner.</translation>
+    </message>
+    <message>
+        <source>A checksum is wrong.</source>
+        <translation>Eine Prüfsumme stimmt nicht.</translation>
+    </message>
+    <message>
+        <source>The description of the recording is no JSON.</source>
+        <translation>Die Beschreibung der Aufzeichnung ist kein JSON.</translation>
+    </message>
+    <message>
+        <source>A part holds something else than data of the link.</source>
+        <translation>Ein Teil enthält etwas anderes als Daten der Verbindung.</translation>
+    </message>
+    <message>
+        <source>Everything else that the file holds is here; where a part is missing, plots have a gap.</source>
+        <translation>Alles andere, was die Datei enthält, ist da; wo ein Teil fehlt, haben Kurven eine Lücke.</translation>
     </message>
 </context>
 <context>
@@ -6641,6 +6669,10 @@ Spitze %2°</translation>
     <message>
         <source>live data stand still</source>
         <translation>Live-Daten stehen still</translation>
+    </message>
+    <message>
+        <source>the recording has ended</source>
+        <translation>die Aufzeichnung ist zu Ende</translation>
     </message>
 </context>
 <context>
