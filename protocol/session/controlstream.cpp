@@ -59,6 +59,8 @@ std::optional<QByteArray> ControlStream::advance(TimePoint now, const LatestValu
         m_nextSend = std::max(m_nextSend + m_period, now + m_period / 2);
         return m_frames.setpoint;
     }
+    if (m_state == State::Releasing)
+        return release(now);
     const std::optional<bool> outcome = stopOutcome(now, latest);
     if (!outcome) {
         m_stopSent = true;
@@ -66,7 +68,16 @@ std::optional<QByteArray> ControlStream::advance(TimePoint now, const LatestValu
         return m_frames.stop;
     }
     m_outcome = outcome;
-    m_state = State::Inactive;
+    m_state = State::Releasing;
+    m_releasesLeft = kReleases;
+    return release(now);
+}
+
+QByteArray ControlStream::release(TimePoint now)
+{
+    m_nextSend = now + kReleaseDelay;
+    if (--m_releasesLeft == 0)
+        m_state = State::Inactive;
     return m_frames.release;
 }
 

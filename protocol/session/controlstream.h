@@ -35,12 +35,14 @@ struct ControlFrames
 };
 
 /// Repeats a set-point at its rate, but only while it is refreshed: after 250 ms without a refresh it sends
-/// stop, then releases control (the dead-man rule). Has no clock of its own. Belongs to one link.
+/// stop, then releases control (the dead-man rule). Nothing confirms a release, so it is sent several times.
+/// Has no clock of its own. Belongs to one link.
 class ControlStream
 {
 public:
     static constexpr auto kDeadMan = 250ms;
     static constexpr auto kReleaseDelay = 100ms;  ///< for the stop to act before control is released
+    static constexpr int kReleases = 3;
     static constexpr auto kStopLimit = 2s;  ///< an unproven stop is repeated for this long
 
     /// @param period between two set-points, see LinkTiming::controlPeriod
@@ -77,10 +79,12 @@ public:
     [[nodiscard]] int failsafeCount() const { return m_failsafeCount; }
 
 private:
-    enum class State { Inactive, Streaming, Stopping };
+    enum class State { Inactive, Streaming, Stopping, Releasing };
 
     /// Whether it was proven; nothing while it is not done.
     [[nodiscard]] std::optional<bool> stopOutcome(TimePoint now, const LatestValues *latest) const;
+
+    QByteArray release(TimePoint now);
 
     milliseconds m_period;
     State m_state = State::Inactive;
@@ -89,6 +93,7 @@ private:
     TimePoint m_nextSend{};
     TimePoint m_stoppedAt{};
     bool m_stopSent = false;
+    int m_releasesLeft = 0;
     bool m_isStill = false;  // by an answer
     std::optional<bool> m_outcome;
     int m_failsafeCount = 0;

@@ -307,6 +307,7 @@ void TestSession::closingOnPurposeEndsSteering()
         QCOMPARE(ended.count(), 1);
         QCOMPARE(ended.first().first().toBool(), answers);
         QVERIFY2(written.contains('h') && written.endsWith('r'), written.constData());
+        QVERIFY2(written.count('r') == ControlStream::kReleases, written.constData());  // one may get lost
         QVERIFY(!written.mid(written.indexOf('h')).contains('m'));
     }
 }

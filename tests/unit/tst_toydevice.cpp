@@ -358,7 +358,7 @@ void TestToyDevice::steersWithNamedInputs()
     rig.channel.releaseControl();
     rig.run(500ms);
     QVERIFY(!rig.board().areOutputsOn());
-    QCOMPARE(rig.board().heard(Command::Release), 1);
+    QCOMPARE(rig.board().heard(Command::Release), ControlStream::kReleases);
     // Arming alone moves nothing.
     rig.steer(rig.device.holdingSetpoint(1, *rig.store, SteeredBefore::Unknown), 200ms);
     QCOMPARE(rig.board().control(), (std::array{0.0F, 0.0F, 0.0F}));
@@ -378,7 +378,7 @@ void TestToyDevice::stopIsRepeatedUntilProven()
     QVERIFY(!rig.board().areOutputsOn());
     QVERIFY2(rig.board().heard(Command::Halt) >= 5,
              qPrintable(QString::number(rig.board().heard(Command::Halt))));
-    QCOMPARE(rig.board().heard(Command::Release), 1);
+    QCOMPARE(rig.board().heard(Command::Release), ControlStream::kReleases);
 }
 
 void TestToyDevice::stopPlan_data()
