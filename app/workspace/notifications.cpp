@@ -400,7 +400,10 @@ void Notifications::onTelemetryFailed(const Error &error)
 
 void Notifications::onSteeringEnded(bool confirmed)
 {
+    const bool wasInDoubt = m_told.contains(Concern::Steering);
     settle(Concern::Steering);
+    if (confirmed && wasInDoubt)
+        notify(tr("The board has stopped turning the camera."));
     if (!confirmed)
         report(ErrorText{tr("The board did not confirm that it has stopped turning the camera."),
                          tr("The camera may go on moving as it was steered last."),

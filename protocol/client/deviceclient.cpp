@@ -316,7 +316,8 @@ void DeviceClient::Private::finishAttempt(const std::shared_ptr<Attempt> &attemp
     if (address.isReplay())
         device->setReadOnly();  // a recording cannot be written to
     const BoardIdentity before = std::exchange(identity, device->identity());
-    const bool isSame = state == State::Reconnecting && isSameBoard(before, identity);
+    const bool isKnown = isSameBoard(before, identity);
+    const bool isSame = state == State::Reconnecting && isKnown;
     roles = rolesOf(*device);
     line = found->board.line;
     qCInfo(logClient) << "connected to" << identity.model << identity.firmware;
@@ -337,6 +338,7 @@ void DeviceClient::Private::finishAttempt(const std::shared_ptr<Attempt> &attemp
     if (!address.isReplay())
         supervision->begin({store, device, roles, found->candidate.family.nouns.flies});
     setState(State::Connected);
+    later([link = session, isKnown] { isKnown ? link->endLeftSteering() : link->forgetLeftSteering(); });
     requestTelemetry();
 }
 

@@ -29,6 +29,12 @@ void ControlStream::end(TimePoint now)
     m_nextSend = now;
 }
 
+void ControlStream::endOther(ControlFrames frames, TimePoint now)
+{
+    refresh(std::move(frames), now);
+    end(now);
+}
+
 void ControlStream::answered(const Frame &frame)
 {
     if (m_state == State::Stopping && m_stopSent && m_frames.fromAnswer

@@ -54,6 +54,8 @@ public:
     void refresh(ControlFrames frames, TimePoint now);
     /// Ends the stream deliberately: stop now, release shortly after.
     void end(TimePoint now);
+    /// Ends what another link had streamed.
+    void endOther(ControlFrames frames, TimePoint now);
     /// Ends without sending anything, when the link is gone or the motors were stopped.
     void drop() { m_state = State::Inactive; }
     /// The board has answered ControlFrames::question.
@@ -73,6 +75,8 @@ public:
     [[nodiscard]] bool canProve() const { return m_frames.question.has_value(); }
     /// Once after an end: whether the board was seen to stand still, or there is no way to see it.
     [[nodiscard]] std::optional<bool> takeOutcome() { return std::exchange(m_outcome, std::nullopt); }
+    /// Those of the stream that runs, or ran last.
+    [[nodiscard]] const ControlFrames &frames() const { return m_frames; }
     [[nodiscard]] const AnswerMatcher &answer() const { return m_frames.answer; }
     [[nodiscard]] int kind() const { return m_frames.kind; }
     /// How often the dead-man rule had to act.

@@ -115,6 +115,8 @@ void Session::close(const Error &why)
     m_poll.reset();
     m_pollRunning = false;
     const bool wasSteering = m_control.isActive();
+    if (wasSteering && m_control.canProve())
+        m_leftSteering = m_control.frames();
     m_control.drop();
     m_controlAsked = false;
     m_stop.abandon({ErrorCode::LinkClosed, why.detail});
@@ -203,6 +205,14 @@ void Session::refreshControl(ControlFrames frames)
 void Session::endControl()
 {
     m_control.end(Clock::now());
+    schedule();
+}
+
+void Session::endLeftSteering()
+{
+    if (!m_open || !m_leftSteering || m_control.isActive())
+        return;
+    m_control.endOther(*std::exchange(m_leftSteering, std::nullopt), Clock::now());
     schedule();
 }
 
@@ -343,8 +353,11 @@ void Session::onTick()
         sendControl(*frame, now);
         askWhetherStill(now);
     }
-    if (const auto isStill = m_control.takeOutcome())
+    if (const auto isStill = m_control.takeOutcome()) {
+        if (!*isStill && m_control.canProve())
+            m_leftSteering = m_control.frames();
         emit steeringEnded(*isStill);
+    }
     if (isReadyToFinish()) {
         finishNow();
         return;

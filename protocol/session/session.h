@@ -51,6 +51,11 @@ public:
 
     void refreshControl(ControlFrames frames);
     void endControl();
+    /// On a new link to the same board: it still moves as a link that broke had steered it last, so it is
+    /// told to stop, where it can be seen to stand still. steeringEnded() tells the outcome.
+    void endLeftSteering();
+    /// Another board answers.
+    void forgetLeftSteering() { m_leftSteering.reset(); }
     /// Steers, or has not been seen to stand still yet.
     [[nodiscard]] bool isSteering() const { return m_control.isActive(); }
 
@@ -122,6 +127,7 @@ private:
     bool m_pollRunning = false;
     bool m_controlAsked = false;  // a set-point is waiting for its answer
     bool m_stillAsked = false;  // whether the board stands still
+    std::optional<ControlFrames> m_leftSteering;
     std::vector<std::function<void()>> m_finishing;
     QByteArray m_shutdownFrames;
     std::shared_ptr<const LatestValues> m_latest;

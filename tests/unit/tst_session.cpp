@@ -134,6 +134,7 @@ private slots:
     void lostAcknowledgementDoesNotBlockTheQueue();
     void waitingSleeps();
     void closingOnPurposeEndsSteering();
+    void steeringThatALinkCutOffIsEndedOnTheNext();
     void restartedBoardIsStoppedBeforeItIsLeft();
     void brokenLinkTellsThatItWasSteered();
     void withoutASetpointNothingIsSteered();
@@ -310,6 +311,43 @@ void TestSession::closingOnPurposeEndsSteering()
         QVERIFY2(written.count('r') == ControlStream::kReleases, written.constData());  // one may get lost
         QVERIFY(!written.mid(written.indexOf('h')).contains('m'));
     }
+}
+
+// A board that moves until it is told otherwise still does when it answers again.
+void TestSession::steeringThatALinkCutOffIsEndedOnTheNext()
+{
+    QSignalSpy ended(m_session.get(), &Session::steeringEnded);
+    QByteArray written;
+    const auto listen = [&] {
+        m_transport->answering = [&](char byte) {
+            written.append(byte);
+            if (byte == 'q')
+                m_transport->answer('d', 5ms);
+        };
+    };
+    const auto reopen = [&] {
+        m_session->close({ErrorCode::LinkClosed, {}});
+        QVERIFY(ended.count() == 1 && !ended.takeFirst().first().toBool());
+        m_session->open(*LinkAddress::parse(u"tcp://127.0.0.1:1"_s), std::make_unique<ByteFramer>());
+        QVERIFY(m_transport);
+        listen();
+        written.clear();
+    };
+    listen();
+    m_session->refreshControl(movement());
+    QTRY_VERIFY(written.contains('m'));
+    reopen();
+    m_session->endLeftSteering();
+    QTRY_COMPARE(ended.count(), 1);
+    QVERIFY(ended.takeFirst().first().toBool());
+    QTRY_VERIFY(written.endsWith('r'));
+    QVERIFY2(written.contains('h') && !written.contains('m'), written.constData());
+    m_session->refreshControl(movement());
+    QTRY_VERIFY(written.contains('m'));
+    reopen();
+    m_session->forgetLeftSteering();
+    m_session->endLeftSteering();
+    QVERIFY(!m_session->isSteering());
 }
 
 // It has taken set-points since, as long as nobody knew.
