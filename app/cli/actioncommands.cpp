@@ -253,11 +253,19 @@ Result<CommandOutcome> ActionCommand::run(Channel &channel, Device &device)
     const auto done = performSafely(channel, device, actionKey(), *arguments, history(), {}, latest());
     if (!done)
         return tl::unexpected(done.error());
-    CommandOutcome outcome = doneOutcome(actionKey(), done->reply, done->answered, action);
+    CommandOutcome outcome
+        = doneOutcome(actionKey(), done->reply, done->answered && !done->isStoreUntold, action);
     QJsonObject json = outcome.json.toObject();
     if (!done->snapshotPath.isEmpty()) {
         json.insert(u"snapshot"_s, done->snapshotPath);
         outcome.note = u"snapshot: "_s + done->snapshotPath;
+    }
+    if (done->isStoreUntold || done->reply.value(u"stored"_s) == u"confirmed"_s) {
+        json.insert(u"storeUntold"_s, true);
+        outcome.note += (outcome.note.isEmpty() ? u""_s : u"\n"_s)
+            + u"the board confirms that it has stored; it answers with what is in use, so only its next "
+              u"start "
+              "shows it"_s;
     }
     if (done->stored) {
         if (const QString told = tellOthers(*done->stored, outcome.text, json); !told.isEmpty())

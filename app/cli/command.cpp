@@ -259,9 +259,18 @@ void BoardCommand::readAgain()
         return;
     }
     const bool isInUse = !*m_interrupted && m_interrupted->error().after->isInUse;
+    const QString endedBy = *m_interrupted ? QString() : m_interrupted->error().after->endedBy;
+    const auto goesOn = std::make_shared<std::optional<Error>>();
     m_client
         ->submit<WholeMemory::Contents>(
-            [isInUse](Channel &channel, Device &device) -> Result<WholeMemory::Contents> {
+            [isInUse, endedBy, goesOn](Channel &channel, Device &device) -> Result<WholeMemory::Contents> {
+                if (const auto ended
+                    = endedBy.isEmpty() ? Result<ActionReply>() : device.perform(channel, endedBy, {});
+                    !ended) {
+                    if (isLinkLoss(ended.error()))
+                        return tl::unexpected(ended.error());
+                    *goesOn = ended.error();
+                }
                 // What such a board answers says nothing about what is stored.
                 if (WholeMemory *memory = device.wholeMemory(); memory && !isInUse)
                     return memory->readBoth(channel);
@@ -271,9 +280,13 @@ void BoardCommand::readAgain()
                     return WholeMemory::Contents{board, board};
                 });
             })
-        .then(this, [this](const Result<WholeMemory::Contents> &board) {
+        .then(this, [this, endedBy, goesOn](const Result<WholeMemory::Contents> &board) {
             if (!m_interrupted)
                 return;
+            if (*goesOn)
+                emit told(consoleText(**goesOn).oneLine());
+            else if (board && !endedBy.isEmpty())
+                emit told(u"the board was told to end it, and was seen to have ended it"_s);
             if (!board && !isUntold(board.error()))
                 return;  // lost again: the next connection, or the limit
             if (board && *m_interrupted) {

@@ -55,13 +55,14 @@ QFuture<Result<ActionOutcome>> Workspace::performNow(const QString &key, const Q
         forgetStop();
     if (action.isProcedure)
         m_live.hold();
-    return m_client
-        .submit<ActionOutcome>(
-            [key, arguments, history = m_history, live = m_live.unsaved(),
-             latest = m_client.telemetry()](Channel &channel, Device &device) {
-                return performSafely(channel, device, key, arguments, history, live, latest.get());
-            },
-            action.isProcedure ? DeviceClient::JobKind::Moving : DeviceClient::JobKind::Quiet)
+    return endWhatGoesOn(
+               action,
+               m_client.submit<ActionOutcome>(
+                   [key, arguments, history = m_history, live = m_live.unsaved(),
+                    latest = m_client.telemetry()](Channel &channel, Device &device) {
+                       return performSafely(channel, device, key, arguments, history, live, latest.get());
+                   },
+                   action.isProcedure ? DeviceClient::JobKind::Moving : DeviceClient::JobKind::Quiet))
         .then(this,
               [this, quiet, action, isWork, before = m_live.unsaved()](const Result<ActionOutcome> &outcome) {
                   if (action.isProcedure)
@@ -85,6 +86,31 @@ QFuture<Result<ActionOutcome>> Workspace::performNow(const QString &key, const Q
                       readAfter(action, outcome.value_or(ActionOutcome()), before);
                   return outcome;
               });
+}
+
+// Broken off here, it goes on on the board until that is told to end it, and proves it.
+QFuture<Result<ActionOutcome>> Workspace::endWhatGoesOn(const ActionSpec &action,
+                                                        QFuture<Result<ActionOutcome>> done)
+{
+    if (!*action.endedBy)
+        return done;
+    return done
+        .then(
+            this,
+            [this, key = QString::fromLatin1(action.endedBy)](const Result<ActionOutcome> &outcome) {
+                if (outcome || outcome.error().code != ErrorCode::Cancelled || !m_client.isConnected())
+                    return QtFuture::makeReadyFuture(outcome);
+                return m_client.submit<ActionOutcome>(
+                    [key, why = outcome.error()](Channel &channel, Device &device) -> Result<ActionOutcome> {
+                        Error error = why;
+                        if (const auto ended = device.perform(channel, key, {}); !ended) {
+                            error = ended.error();
+                            error.after = why.after;
+                        }
+                        return tl::unexpected(error);
+                    });
+            })
+        .unwrap();
 }
 
 // What would be written is copied before: without the copy nothing was sent yet.
@@ -196,6 +222,8 @@ void Workspace::readAfter(const ActionSpec &action, const ActionOutcome &outcome
     if (outcome.reply.contains(u"unstored"_s))
         effect
             = outcome.reply.value(u"unstored"_s).toBool() ? MemoryEffect::ChangesInUse : MemoryEffect::Stores;
+    else if (outcome.reply.contains(u"stored"_s))
+        effect = MemoryEffect::Stores;
     if (!m_client.isConnected())
         return;
     if (effect == MemoryEffect::Erases)

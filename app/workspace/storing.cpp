@@ -130,7 +130,11 @@ QFuture<bool> Workspace::storeAll()
             if (!saved || !isProven(*saved))
                 return false;
             m_notifications.notify(
-                tr("Stored on the board. The settings as they were are kept in %1").arg(saved->snapshotPath));
+                (saved->isStoreUntold ? tr(
+                     "The board confirms that it has stored; only its next start shows it. The settings as "
+                     "they were are kept in %1")
+                                      : tr("Stored on the board. The settings as they were are kept in %1"))
+                    .arg(saved->snapshotPath));
             return true;
         });
 }

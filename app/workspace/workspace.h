@@ -204,6 +204,8 @@ private:
     QFuture<bool> storeChosen(const Configuration &chosen);
     bool isProven(const ActionOutcome &stored);
     void tellGuided();
+    QFuture<Result<ActionOutcome>> endWhatGoesOn(const ActionSpec &action,
+                                                 QFuture<Result<ActionOutcome>> done);
     void tellFailure(const ActionSpec &action, const Error &error);
     void readWhenFree();
     void readUnknown();

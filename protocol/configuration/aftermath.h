@@ -15,6 +15,7 @@ struct Aftermath
     std::optional<Configuration> now = {};
     bool isBlind = false;  ///< what failed changes, above all, what no parameter shows
     bool isStoreUntold = false;  ///< what failed was to store what is in use, which is all the board tells
+    QString endedBy = {};  ///< what failed may go on on the board: the action that ends it and proves that
     bool isUnstored = false;  ///< what failed changes values in use, and stores them at its very end at most
 
     /// What differs now; nothing is said of what was not read both times.

@@ -64,6 +64,7 @@ struct AdjustableValue
 {
     int id = 0;
     double value = 0;
+    friend bool operator==(const AdjustableValue &, const AdjustableValue &) = default;
 };
 
 /// Live variables that were changed: one write, or several in quick succession (a slider that is dragged).

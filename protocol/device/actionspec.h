@@ -81,6 +81,9 @@ struct ActionSpec
     /// false: the board confirms it, and says nothing that would show whether it was carried out: sent as
     /// well
     bool isShown = true;
+    /// The action that ends it on the board, and proves that, where it was broken off here: the board goes on
+    /// by itself.
+    const char *endedBy = "";
     /// Motors that run lose their current by it, although that is not what it is for: what they hold falls.
     bool letsGo = false;
     /// Whether motors run is otherwise afterwards: that is what it does.

@@ -270,6 +270,7 @@ private:
     std::optional<Configuration> m_wanted;  // to be stored
     std::optional<Configuration> m_usedBefore;  // and to be replaced by what is stored
     std::optional<bool> m_ranBefore;
+    bool m_tellsApart = false;  // the board was seen to answer with what is stored, not with what is in use
     ActionOutcome m_outcome;
 };
 
@@ -295,6 +296,7 @@ Result<void> SafeAction::backUp()
     if (!m_backup)
         return {};
     m_outcome.snapshotPath = m_backup->snapshotPath;
+    m_backup->endedBy = QLatin1String(m_action.endedBy);
     m_backup->isUnstored = m_action.memory == MemoryEffect::ChangesInUse;
     m_backup->isStoreUntold = m_action.memory == MemoryEffect::Stores && !m_memory;
     return {};
@@ -309,6 +311,8 @@ Result<void> SafeAction::askBefore()
             return tl::unexpected(inUse.error());
         m_wanted = *std::move(inUse);
     }
+    if (m_action.memory == MemoryEffect::Stores && !m_memory && m_backup)
+        m_tellsApart = !readReplaceable(m_channel, m_device, m_backup->before).empty();
     if (m_action.memory == MemoryEffect::Reloads && m_device.wholeMemory()) {
         if (auto inUse = m_device.readConfiguration(m_channel))
             m_usedBefore = *std::move(inUse);
@@ -367,6 +371,7 @@ Result<void> SafeAction::prove()
     if (m_action.memory == MemoryEffect::Stores && !m_memory && m_backup) {
         if (const auto stored = checkActiveStored(m_channel, m_device, m_backup->before); !stored)
             return tl::unexpected(withKnown(stored.error(), *m_backup));
+        m_outcome.isStoreUntold = !m_tellsApart;
     }
     if (!m_wanted)
         return {};

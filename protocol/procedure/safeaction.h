@@ -17,6 +17,8 @@ struct ActionOutcome
     bool answered
         = true;  ///< false: the board was told, and nothing shows that it heard (ActionSpec::answered), or
                  ///< that it has stored what is in use; then `reply` has why ("unproven")
+    /// The board confirms that it has stored, and answers with what is in use: only its next start shows it.
+    bool isStoreUntold = false;
     /// Whether motors run since, where that is otherwise than before and not what the action is for.
     std::optional<bool> motorsNow = {};
     /// Of an action that stores everything in use on a board with a WholeMemory: what was in use without

@@ -76,6 +76,8 @@ private:
     /// Errors: ConditionUnmet.
     Result<void> needSensor();
     static Request stopSearchRequest();
+    /// Whether the board searches gains at this moment; watches it for some seconds.
+    Result<bool> isSearching();
     Result<QMap<QString, double>> gainsInUse(int profile, bool isActive);
     /// The same answer, once the board's status agrees. Errors: NoEffect.
     Result<ActionReply> motorsAre(bool on);

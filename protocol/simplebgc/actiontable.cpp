@@ -162,7 +162,7 @@ constexpr ActionSpec kActions[] = {
      .risk = ActionRisk::Writes, .isProcedure = true, .isShown = false},
     {.key = "autotune", .label = "Auto-tune PID", .help = "The board searches gains by moving the camera.",
      .group = "Calibration", .risk = ActionRisk::Writes, .arguments = kAutoTuneArguments, .isProcedure = true,
-     .memory = MemoryEffect::ChangesInUse, .units = kTuningUnits},
+     .memory = MemoryEffect::ChangesInUse, .units = kTuningUnits, .endedBy = "autotune.stop"},
     {.key = "autotune.stop", .label = "Stop auto-tune",
      .help = "Ends a search of gains that may still be going on, and proves it.", .group = "Calibration"},
     {.key = "reset", .label = "Restart board", .help = "Restarts the controller; motors go off, and may start by themselves afterwards.",

@@ -25,7 +25,8 @@ constexpr auto kSettleAfterCalibration = 1500ms;
 // A measurement takes seconds; what is confirmed before is its start, heard again.
 constexpr auto kShortestMeasurement = 1500ms;
 constexpr auto kReportOnItsWay = 300ms;
-constexpr auto kNoMoreReports = 2s;
+constexpr auto kSearchWatched = 4s;  // each step of a search, about half a second, reports or changes gains
+constexpr auto kBetweenLooks = 300ms;
 constexpr int kBlindStops = 3;  // nobody hears whether one of them arrives
 constexpr auto kVoltageTaken = 2s;
 constexpr double kSameVoltage = 0.3;  // it falls and rises with what the motors take
@@ -266,8 +267,30 @@ Request Actions::stopSearchRequest()
     return request;
 }
 
-// What proves it is that no report comes any more from a board that answers. Errors: NoEffect, those of the
-// channel.
+// Whatever was confirmed: a search that goes on reports, where it was asked to, and changes what is in use.
+Result<bool> Actions::isSearching()
+{
+    const auto reports
+        = m_channel.listen([](const FrameView &frame) { return frame.id == number(CommandId::AutoPid); });
+    std::vector<AdjustableValue> first;
+    for (const TimePoint until = m_channel.now() + kSearchWatched; m_channel.now() < until;) {
+        const auto report = reports->next(kBetweenLooks);
+        if (report)
+            return true;
+        if (report.error().code != ErrorCode::Timeout)
+            return tl::unexpected(report.error());
+        const auto values = searchedValues();
+        if (!values)
+            return tl::unexpected(values.error());
+        if (first.empty())
+            first = *values;
+        if (*values != first)
+            return true;
+    }
+    return false;
+}
+
+// Errors: GoesOn, those of the channel.
 Result<ActionReply> Actions::stopAutoTune(const QVariantMap &)
 {
     const auto confirmed = m_channel.transact(stopSearchRequest());
@@ -275,15 +298,11 @@ Result<ActionReply> Actions::stopAutoTune(const QVariantMap &)
         return tl::unexpected(confirmed.error());
     if (const auto slept = m_channel.sleep(kReportOnItsWay); !slept)
         return tl::unexpected(slept.error());
-    const auto reports
-        = m_channel.listen([](const FrameView &frame) { return frame.id == number(CommandId::AutoPid); });
-    const auto more = reports->next(kNoMoreReports);
-    if (more)
-        return failure(ErrorCode::NoEffect, u"AUTO_PID: told to stop, the board goes on"_s);
-    if (more.error().code != ErrorCode::Timeout)
-        return tl::unexpected(more.error());
-    if (const auto status = m_channel.transact(Device::statusRequest()); !status)
-        return tl::unexpected(status.error());
+    const auto searching = isSearching();
+    if (!searching)
+        return tl::unexpected(searching.error());
+    if (*searching)
+        return failure(ErrorCode::GoesOn, u"AUTO_PID: it searches on"_s);
     return ActionReply{};
 }
 
@@ -412,8 +431,15 @@ Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
             return tl::unexpected(
                 afterSearch(report ? Error{ErrorCode::Timeout, u"AUTO_PID"_s, 0} : report.error(), *old));
         }
-        if (report->id != number(CommandId::AutoPid))
-            break;
+        if (report->id != number(CommandId::AutoPid)) {
+            // It may be the confirmation of the start, heard once more.
+            const auto searching = isSearching();
+            if (!searching)
+                return tl::unexpected(afterSearch(searching.error(), *old));
+            if (!*searching)
+                break;
+            continue;
+        }
         const auto decoded = AutoPidProgress::decode(asBytes(report->payload));
         if (!decoded)
             continue;
@@ -457,7 +483,11 @@ Result<ActionReply> Actions::autoTune(const QVariantMap &arguments)
         reply.insert(it.key(), it.value());
     reply.insert(u"iterations"_s, last.iteration);
     reply.insert(u"profile"_s, profile + 1);
-    reply.insert(u"unstored"_s, !arguments.value(u"save"_s).toBool());
+    // A board answers with what is in use: what it has stored shows at its next start.
+    if (arguments.value(u"save"_s).toBool())
+        reply.insert(u"stored"_s, u"confirmed"_s);
+    else
+        reply.insert(u"unstored"_s, true);
     return reply;
 }
 

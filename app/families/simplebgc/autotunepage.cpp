@@ -103,7 +103,7 @@ AutoTunePage::AutoTunePage(Workspace &workspace, QWidget *parent)
     m_judging.setSingleShot(true);
     connect(&m_judging, &QTimer::timeout, this, &AutoTunePage::judge);
     connect(m_start, &QPushButton::clicked, this, &AutoTunePage::start);
-    connect(m_stop, &QPushButton::clicked, &workspace.client(), &DeviceClient::cancelJobs);
+    connect(m_stop, &QPushButton::clicked, this, &AutoTunePage::stop);
     connect(m_accept, &QPushButton::clicked, this, &AutoTunePage::accept);
     connect(m_revert, &QPushButton::clicked, this, &AutoTunePage::revertAndTell);
     connect(&workspace.client(), &DeviceClient::progressChanged, this, &AutoTunePage::onProgress);
@@ -142,6 +142,10 @@ void AutoTunePage::onState()
         setState(State::Ready);
         workspace().notifications().notify(
             tr("The link ended before the new gains were accepted or reverted."), Notice::Attention);
+    }
+    if (!client.isConnected() && std::exchange(m_goesOn, false)) {
+        m_left = Left::Searching;
+        m_state = State::Ready;
     }
     setState(m_state);
     fillTable();
@@ -346,9 +350,31 @@ void AutoTunePage::onProgress(const Progress &progress)
                         .arg(progress.done));
 }
 
+void AutoTunePage::stop()
+{
+    m_stop->setEnabled(false);
+    m_text->setText(tr("The board is told to end the search, and watched until it has…"));
+    if (!m_goesOn) {
+        workspace().client().cancelJobs();
+        return;
+    }
+    workspace().perform(kStop, {}, true).then(this, [this](const Result<ActionOutcome> &stopped) {
+        onFinished(stopped ? failure(ErrorCode::Cancelled) : stopped);
+    });
+}
+
 void AutoTunePage::onFinished(const Result<ActionOutcome> &outcome)
 {
     m_live.read();
+    m_goesOn = !outcome && outcome.error().code == ErrorCode::GoesOn;
+    if (m_goesOn) {
+        workspace().notifications().report(outcome.error(), Concern::Interrupted);
+        m_stop->setEnabled(true);
+        m_text->setText(
+            tr("The board searches on although it was told to stop. Stop it once more, or stop the "
+               "motors."));
+        return;
+    }
     if (outcome) {
         setState(State::Finished);
         m_judging.start(kJudgeAfter);

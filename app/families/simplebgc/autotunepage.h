@@ -41,6 +41,7 @@ private:
     [[nodiscard]] static QString readyText();
     void onState();
     void start();
+    void stop();
     void onProgress(const Progress &progress);
     void onFinished(const Result<ActionOutcome> &outcome);
     /// How far the axes are from their targets, RMS of the last seconds in degrees; NaN: not known.
@@ -97,4 +98,5 @@ private:
     Left m_left = Left::Nothing;
     QString m_board;  // that has searched last
     State m_state = State::Ready;
+    bool m_goesOn = false;  // the search, although it was told to stop
 };
