@@ -20,6 +20,7 @@ private slots:
     void changedValuesAreTold_data();
     void changedValuesAreTold();
     void cancelledSearchLeavesNothing();
+    void searchThatGoesOnIsTold();
     void rowsBeforeTheLossAreKept_data();
     void rowsBeforeTheLossAreKept();
     void liveValuesThatAreNotTakenAreTold();
@@ -100,6 +101,20 @@ void TestCtlAftermath::cancelledSearchLeavesNothing()
     QVERIFY2(run.err.contains(u"holds the old values"_s), qPrintable(run.err));
     QVERIFY2(run.json().value(u"changed"_s).toArray().isEmpty(), qPrintable(run.out));
     QCOMPARE(inUse(), before);
+}
+
+// What it holds for a moment says nothing: the board searches on.
+void TestCtlAftermath::searchThatGoesOnIsTold()
+{
+    const SimProcess simulator({u"--pty"_s, path(u"port"_s), u"--fault"_s, u"runs-on=1"_s});
+    Running search(m_dir->path(), link() + QStringList{u"autotune"_s});
+    QTRY_VERIFY2(search.told().contains(u"iteration 3:"_s), qPrintable(search.told()));
+    QCOMPARE(::kill(pid_t(search.id()), SIGINT), 0);
+    const Run run = search.finish();
+    QVERIFY2(run.exitCode == 1, qPrintable(run.err));
+    QVERIFY2(run.err.contains(u"goes on with what it was told to end"_s), qPrintable(run.err));
+    const Run stop = ctl({u"do"_s, u"autotune.stop"_s});
+    QVERIFY2(stop.exitCode == 1 && stop.err.contains(u"searches on"_s), qPrintable(stop.err));
 }
 
 void TestCtlAftermath::rowsBeforeTheLossAreKept_data()

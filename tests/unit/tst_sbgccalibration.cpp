@@ -93,6 +93,8 @@ private slots:
     void calibrationCanBeCancelled();
     void autoTuneFindsAndSavesGains();
     void autoTuneStopsWhenCancelled();
+    void confirmedStopOfASearchProvesNothing();
+    void startConfirmedTwiceIsNoEnd();
     void searchThatFailsLeavesNothing();
     void searchWithoutAnswerIsStopped_data();
     void searchWithoutAnswerIsStopped();
@@ -336,6 +338,48 @@ void TestSbgcCalibration::autoTuneStopsWhenCancelled()
     QCOMPARE(bench.board().inUse(u"pid.yaw.i"_s), 12);
     const auto reports = bench.channel.listen([](const FrameView &frame) { return frame.id == 35; });
     QVERIFY2(!reports->next(3s), "the board is still tuning");
+}
+
+void TestSbgcCalibration::confirmedStopOfASearchProvesNothing()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    Faults faults;
+    faults.runsOn = true;
+    bench.board().setFaults(faults);
+    // One that reports nothing, as another program starts it.
+    const QByteArray start = ByteWriter().u8(0).u8(7).u8(100).zeros(16).take();
+    QVERIFY(bench.channel.transact(confirmRequest(CommandId::AutoPid, start, 1)));
+    const auto goesOn = bench.device.perform(bench.channel, u"autotune.stop"_s, {});
+    QVERIFY(!goesOn);
+    QCOMPARE(goesOn.error().code, ErrorCode::GoesOn);
+    bench.board().setFaults({});
+    QVERIFY(bench.device.perform(bench.channel, u"autotune.stop"_s, {}));
+    const int p = bench.board().inUse(u"pid.roll.p"_s);
+    QVERIFY(bench.channel.sleep(5s));
+    QCOMPARE(bench.board().inUse(u"pid.roll.p"_s), p);
+}
+
+void TestSbgcCalibration::startConfirmedTwiceIsNoEnd()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    bench.board().stabilizer().imu().gyroCorrection = bench.board().stabilizer().imu().gyroBias;
+    bool isFirst = true;
+    Altering doubled(bench.channel, [&](const Request &request, const Altering::Pass &pass) {
+        const auto answer = pass(request);
+        if (request.name == u"AUTO_PID"_s && std::exchange(isFirst, false))
+            bench.channel.post(request);  // nobody waits for this confirmation
+        return answer;
+    });
+    const auto reply = bench.device.perform(
+        doubled, u"autotune"_s,
+        argumentsFor(bench.device, "autotune", {{u"yaw"_s, u"off"_s}, {u"save"_s, u"off"_s}}));
+    QVERIFY2(reply, reply ? "" : qPrintable(reply.error().detail));
+    QVERIFY(reply->value(u"iterations"_s).toInt() > 3);
+    const int p = bench.board().inUse(u"pid.roll.p"_s);
+    QVERIFY(bench.channel.sleep(5s));
+    QCOMPARE(bench.board().inUse(u"pid.roll.p"_s), p);
 }
 
 // What the board had tried until it gave up is no result.

@@ -250,7 +250,8 @@ bool SimulatedBoard::handleAction(const Frame &frame)
         const int flags = quint8(frame.payload[1]);
         confirm(frame);
         if (!(flags & 7)) {
-            m_autoPid.reset();
+            if (!m_options.faults.runsOn)
+                m_autoPid.reset();
             return true;
         }
         if (quint8(frame.payload[0]) < kProfileCount)

@@ -54,7 +54,7 @@ const std::vector<Row> &rows()
          [](Faults &f, double v) { f.heat = v; }},
         {"blocked", 0, 3, "an axis that something holds fast: 1 roll, 2 pitch, 3 yaw, 0 = none",
          [](Faults &f, double v) { f.blocked = int(v); }},
-        {"runs-on", 0, 1, "commands that switch the motors off are confirmed, and the motors go on",
+        {"runs-on", 0, 1, "commands that switch the motors off, or end a search of gains, are confirmed and not obeyed",
          [](Faults &f, double v) { f.runsOn = v != 0; }},
         {"unknown-firmware", 0, 1, "reports a version nobody knows",
          [](Faults &f, double v) { f.unknownFirmware = v != 0; }},

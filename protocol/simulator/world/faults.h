@@ -30,7 +30,8 @@ struct Faults
     double battery = 0;  ///< battery: volts, 0 = normal
     double heat = 0;  ///< heat: °C of the board's sensor and of its motors, 0 = normal
     int blocked = 0;  ///< blocked: an axis that something holds fast, 1-3 = roll, pitch, yaw; 0 = none
-    bool runsOn = false;  ///< runs-on: what switches the motors off is confirmed and not obeyed
+    bool runsOn
+        = false;  ///< runs-on: what switches the motors off, or ends a search, is confirmed and not obeyed
     bool unknownFirmware = false;  ///< unknown-firmware: reports an unknown version
     double otherClient = -1;  ///< other-client: seconds until another client changes P of roll by 10
     double shake = 1;  ///< shake: strength of the hand, 0 = tripod
