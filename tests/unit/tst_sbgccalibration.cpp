@@ -368,8 +368,11 @@ void TestSbgcCalibration::startConfirmedTwiceIsNoEnd()
     bool isFirst = true;
     Altering doubled(bench.channel, [&](const Request &request, const Altering::Pass &pass) {
         const auto answer = pass(request);
-        if (request.name == u"AUTO_PID"_s && std::exchange(isFirst, false))
-            bench.channel.post(request);  // nobody waits for this confirmation
+        if (request.name == u"AUTO_PID"_s && std::exchange(isFirst, false)) {
+            Request again = request;
+            again.answer = {};  // nobody waits for its confirmation
+            std::ignore = pass(again);
+        }
         return answer;
     });
     const auto reply = bench.device.perform(
