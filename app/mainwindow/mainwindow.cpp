@@ -156,7 +156,7 @@ void MainWindow::connectWorkspace()
     connect(&workspace->edits().refused(), &RefusedTexts::changed, this, &MainWindow::updateMarks);
     connect(&workspace->client(), &DeviceClient::stateChanged, this, [this](DeviceClient::State state) {
         if (state == DeviceClient::State::Connecting) {
-            m_messages->keepOnly({Concern::Motors, Concern::Steering});
+            m_messages->keepOnly({Concern::Start, Concern::Motors, Concern::Steering});
             m_offers->clear();
         }
         updateStart();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Switching motors, and what is known about them.
 #include "app/workspace/workspace.h"
+#include "protocol/base/linkloss.h"
 
 #include <QPromise>
 
@@ -18,6 +19,12 @@ namespace {
 constexpr auto kStale = 1500ms;
 // By then a board that has restarted drives its motors.
 constexpr auto kStartsWithin = 15s;
+
+// It was sent, and what the board makes of it is not known.
+bool mayStartYet(const Error &error)
+{
+    return error.code == ErrorCode::Timeout || isLinkLoss(error);
+}
 
 }  // namespace
 
@@ -59,7 +66,10 @@ void Workspace::setMotors(bool on)
             },
             DeviceClient::JobKind::Moving)
         .then(this, [this](const Result<void> &done) {
-            if (!done && done.error().code != ErrorCode::Cancelled)
+            m_startUnanswered = !done && mayStartYet(done.error());
+            if (m_startUnanswered)
+                m_notifications.reportStartUnanswered(done.error());
+            else if (!done && done.error().code != ErrorCode::Cancelled)
                 m_notifications.report(done.error());
         });
 }
@@ -155,6 +165,12 @@ void Workspace::tellRunningOn(bool isRunning)
 void Workspace::settleMotors()
 {
     const std::optional<bool> running = motorsRunning();
+    if (running == true && std::exchange(m_startUnanswered, false)) {
+        m_notifications.settle(Concern::Start);
+        m_notifications.notify(
+            tr("The motors run: the board has carried out the start that it did not answer to."),
+            Notice::Attention);
+    }
     if (running == false && !isStarting() && !m_client.isStopUnproven())
         m_notifications.settle(Concern::Motors);
     tellRunningOn(running == true);

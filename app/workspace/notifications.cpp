@@ -413,9 +413,19 @@ void Notifications::onSteeringEnded(bool confirmed)
                Concern::Steering);
 }
 
+void Notifications::reportStartUnanswered(const Error &error)
+{
+    ErrorText text = describe(error);
+    text.what = tr("The board did not answer to the start of its motors.");
+    text.meaning = tr("They may start yet, at any moment.");
+    text.cure = tr("Keep your hands off the gimbal, or have the motors stopped (F12).");
+    report(text, Concern::Start);
+}
+
 void Notifications::onMotorsOff(bool confirmed)
 {
     if (confirmed) {
+        settle(Concern::Start);
         settle(Concern::Motors);
         settle(Concern::Steering);
         notify(tr("The motors were switched off."));

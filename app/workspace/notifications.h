@@ -36,6 +36,7 @@ enum class Concern {
     Frozen,  ///< live data that are the same again and again
     Silence,  ///< of a board whose motors ran
     Recording,  ///< that is played
+    Start,  ///< of motors, which may come yet
     Motors,  ///< that may still be running, or are yet to be stopped
     Steering,  ///< that may not have ended
     Standby,  ///< motors that stay disabled until the board restarts
@@ -69,6 +70,8 @@ public:
     void report(const Error &error, Concern concern = Concern::None);
     /// A stop that did not end well: what happened, the rest is said here.
     void reportMotorsMayRun(const QString &what);
+    /// A start that was sent, and not answered.
+    void reportStartUnanswered(const Error &error);
     /// After a stop that is not proven, the board reports that its motors run.
     void reportMotorsRunOn();
     /// A stop was asked for, and there is no link.

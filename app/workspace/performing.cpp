@@ -123,6 +123,10 @@ void Workspace::tellFailure(const ActionSpec &action, const Error &error)
             text.meaning = action.risk == ActionRisk::Moves
                 ? tr("Whether the board has carried it out is not known.")
                 : tr("It had not begun: nothing was changed.");
+    } else if (error.code == ErrorCode::Timeout && action.risk == ActionRisk::Moves) {
+        text.what = tr("The board did not answer to “%1”.").arg(tableText(action.label));
+        text.meaning = tr("It may carry it out yet, at any moment.");
+        text.cure = tr("Keep your hands off the gimbal, or have the motors stopped (F12).");
     }
     m_notifications.report(text, error.after ? Concern::Interrupted : Concern::None);
 }

@@ -277,6 +277,7 @@ private:
     TimePoint m_startsUntil{};
     std::optional<TimePoint> m_stopProvenAt;
     LiveValues m_alarmedWith;  // in use without being stored when an alarm came
+    bool m_startUnanswered = false;  // the motors may start yet
     std::optional<TimePoint> m_stopUnprovenAt;  // and not told yet what the board reports since
     LiveValues m_usedBefore;  // in use without being stored when the link was lost
     mutable quint64 m_lastRows = 0;

@@ -45,6 +45,7 @@ private slots:
     void copiesOfFilesSayThatNoBoardIsThere();
     void commandsForMotorsAreCommands();
     void aLateStopIsTold();
+    void anUnansweredStartMayComeYet();
     void anOrderedRestartIsNoBrokenLink();
     void aRestartOfItsOwnIsTold();
     void aStopThatWasKeptIsToldOnce();
@@ -309,6 +310,22 @@ void TestMessages::aLateStopIsTold()
     QVERIFY2(bar().text().contains(u"motors"_s), qPrintable(bar().text()));
     workspace().changeWorld(u"runs-on=0"_s);
     QTRY_COMPARE(workspace().motorsRunning(), std::optional(false));
+}
+
+// Whoever puts his hands on the gimbal because the start has "failed" is hurt by it.
+void TestMessages::anUnansweredStartMayComeYet()
+{
+    QVERIFY(m_rig->open());
+    QTRY_VERIFY(workspace().motorsRunning().has_value());
+    workspace().setMotors(false);
+    QTRY_COMPARE(workspace().motorsRunning(), false);
+    QVERIFY(m_rig->jobsAreDone());
+    workspace().changeWorld(u"late=5000"_s);
+    workspace().setMotors(true);
+    QTRY_VERIFY_WITH_TIMEOUT(bar().text().contains(u"They may start yet"_s), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(bar().text().contains(u"has carried out the start"_s), kPatience);
+    QVERIFY(!bar().text().contains(u"They may start yet"_s));
+    QCOMPARE(workspace().motorsRunning(), true);
 }
 
 void TestMessages::anOrderedRestartIsNoBrokenLink()
