@@ -57,12 +57,14 @@ void tellReport(CommandOutcome &outcome)
     QJsonArray lines;
     for (const WriteLine &line : report.lines) {
         QJsonObject object = changeJson({line.spec, line.profile, line.from, line.to});
-        object.insert(u"state"_s, stateText(line.state));
+        const bool isUntold = line.state == WriteState::Verified && line.isStoreUntold;
+        const QString state = isUntold ? u"confirmed"_s : stateText(line.state);
+        object.insert(u"state"_s, state);
         if (line.state != WriteState::Unknown)
             object.insert(u"onBoard"_s, valueJson(*line.spec, line.found));
-        text += u"%1 %2 %3%4 -> %5"_s.arg(stateText(line.state).leftJustified(12),
-                                          line.spec->key.leftJustified(28), profileOf(report, line),
-                                          valueText(*line.spec, line.from), valueText(*line.spec, line.to));
+        text += u"%1 %2 %3%4 -> %5"_s.arg(state.leftJustified(12), line.spec->key.leftJustified(28),
+                                          profileOf(report, line), valueText(*line.spec, line.from),
+                                          valueText(*line.spec, line.to));
         const bool isOld = sameValue(line.found, line.from);
         if (line.wasTakenOtherwise() && line.state != WriteState::Unknown) {
             object.insert(u"took"_s, valueJson(*line.spec, *line.taken));
@@ -133,11 +135,18 @@ void tellReport(CommandOutcome &outcome)
                                                         report.snapshotLacks.join(u", "_s))));
     if (!others.isEmpty())
         notes.append(others);
+    if (report.countStoreUntold() > 0)
+        notes.append(u"confirmed: the board used that already, so only its next start shows whether it has "
+                     "stored it"_s);
     if (report.storesUse) {
         json.insert(u"storesUse"_s, true);
-        notes.append(
-            u"what else was set in use without being stored is stored now as well, if there was any: this "
-            "board does not tell"_s);
+        notes.append((
+            report.isComplete() && report.countStoreUntold() == 0
+                ? u"what else was set in use without being stored is stored now as well, if there was any: "
+                  u"this "
+                  "board does not tell"_s
+                : u"what else was set in use without being stored may be stored now as well: this board does "
+                  "not tell"_s));
     }
     if (!outcome.note.isEmpty())
         notes.append(outcome.note.trimmed());

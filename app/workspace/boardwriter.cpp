@@ -116,6 +116,10 @@ void BoardWriter::onReport(const Result<WriteReport> &result)
         QString text = result->lines.empty() && result->data.empty()
             ? tr("Profile names written and read back.")
             : tr("%n value(s) written and read back.", nullptr, verified);
+        if (const int untold = result->countStoreUntold())
+            text += u' '
+                + tr("%n of them the board had used already: its next start shows whether they are stored.",
+                     nullptr, untold);
         if (!result->snapshotPath.isEmpty())
             text += u' '
                 + (result->snapshotLacks.isEmpty()

@@ -23,6 +23,9 @@ struct WriteLine
     double to = 0;
     WriteState state = WriteState::NotWritten;
     double found = 0;  ///< what the board holds, as last read; of no meaning while Unknown
+    /// Verified, on a board that answers with what is in use and used it before: whether it is stored shows
+    /// at its next start.
+    bool isStoreUntold = false;
     QString setBy = {};  ///< what on the board sets it as well, whatever is written: "script 2"
     /// What was read back after it was sent, before anything was put back; empty: it could not be.
     std::optional<double> taken = {};
@@ -242,6 +245,12 @@ struct WriteReport
         for (const WriteData &block : data)
             n += block.state != WriteState::Unknown && onBoard.block(block.key) != before.block(block.key);
         return n;
+    }
+    [[nodiscard]] int countStoreUntold() const
+    {
+        return int(std::count_if(lines.begin(), lines.end(), [](const WriteLine &line) {
+            return line.state == WriteState::Verified && line.isStoreUntold;
+        }));
     }
     [[nodiscard]] int count(WriteState state) const
     {

@@ -83,9 +83,13 @@ Result<WriteReport> Writer::run()
     if (result && m_report.strayProfile)
         m_report.error = Error{ErrorCode::NoEffect, u"the active profile is another than before"_s, 0};
     const int active = m_base.activeProfile();
-    m_report.storesUse = answersWithUse()
-        && std::any_of(m_written.begin(), m_written.end(),
-                       [active](BlockKey key) { return key.profile == active; });
+    m_report.storesUse
+        = answersWithUse()
+        && std::any_of(m_report.lines.begin(), m_report.lines.end(), [active](const WriteLine &line) {
+               return line.profile == active
+                   && (line.state == WriteState::Verified || line.state == WriteState::RolledBack
+                       || line.state == WriteState::Unknown);
+           });
     const auto back = m_whole.finish(m_report);
     m_report.areOthersUnknown = !back && !m_report.others.empty();
     if (!back && !m_report.error)
@@ -202,6 +206,7 @@ Result<void> Writer::readBoard()
         auto bytes = m_device.readBlock(m_channel, key);
         if (!bytes)
             return tl::unexpected(bytes.error());
+        m_answered[key] = *bytes;
         m_board[key] = asStored(key, std::move(*bytes), m_options.live);
     }
     return {};

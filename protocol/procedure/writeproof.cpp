@@ -68,6 +68,9 @@ Result<void> Writer::verify()
                                  .arg(expected.size()));
         }
         const std::vector<bool> mask = uncheckedBytes(key.block);
+        // What the board had answered before already, because it used it, proves nothing.
+        const bool isUntold
+            = answersWithUse() && key.profile == m_base.activeProfile() && m_answered[key] == expected;
         for (qsizetype i = 0; i < expected.size(); ++i) {
             const bool isState = std::size_t(i) < mask.size() && mask[std::size_t(i)];
             if (!isState && (i >= bytes->size() || (*bytes)[i] != expected[i]))
@@ -80,6 +83,7 @@ Result<void> Writer::verify()
             line.found = line.spec->read(*bytes).value_or(line.from);
             line.taken = line.found;
             line.state = sameValue(line.found, line.to) ? WriteState::Verified : WriteState::Mismatch;
+            line.isStoreUntold = isUntold;
         }
         for (WriteData &data : m_report.data) {
             if (data.key != key)

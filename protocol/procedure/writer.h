@@ -102,6 +102,7 @@ private:
     WriteReport m_report;
     std::vector<ParameterChange> m_changes;
     std::vector<DataChange> m_data;
+    std::map<BlockKey, QByteArray> m_answered;  // before anything was written
     std::vector<BlockKey> m_keys;  // in writing order: the active profile last, then what restarts
     WholeWrite m_whole;  // for boards that can only store everything in use
     NamesWrite m_names;

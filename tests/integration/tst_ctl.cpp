@@ -180,9 +180,10 @@ void TestCtl::whatIsInUseIsStored()
 {
     QCOMPARE(ctl({u"set"_s, u"pid.roll.p=53"_s, u"pid.yaw.p=61"_s, u"--no-save"_s}).exitCode, 0);
     const Run set = ctl({u"set"_s, u"pid.roll.p=53"_s});
-    QVERIFY2(set.exitCode == 0 && set.out.contains(u"verified     pid.roll.p"_s),
+    QVERIFY2(set.exitCode == 0 && set.out.contains(u"confirmed    pid.roll.p"_s),
              qPrintable(set.out + set.err));
-    QVERIFY2(set.err.contains(u"stored now as well, if there was any"_s), qPrintable(set.err));
+    QVERIFY2(set.err.contains(u"only its next start shows"_s) && set.err.contains(u"may be stored now"_s),
+             qPrintable(set.err));
     QCOMPARE(ctl({u"do"_s, u"profile.select"_s, u"profile=2"_s}).exitCode, 0);
     QCOMPARE(ctl({u"do"_s, u"profile.select"_s, u"profile=1"_s}).exitCode, 0);
     QCOMPARE(ctl({u"get"_s, u"pid.roll.p"_s}).out, u"53\n"_s);

@@ -33,6 +33,7 @@ private slots:
     void inUseIsToldApart();
     void searchIsJudgedByWhatIsInUse();
     void lostStoreIsTold();
+    void readingBackWhatWasInUseProvesNoStore();
     void profileSwitchedBeforeAWriteStays();
     void profileSwitchedInAWriteIsTold();
     void motorsAreToldAfterAWrite_data();
@@ -186,6 +187,44 @@ void TestInSpite::lostStoreIsTold()
 }
 
 // A button on the board has switched it since it was read.
+// The board answers with what it uses, and used it before.
+void TestInSpite::readingBackWhatWasInUseProvesNoStore()
+{
+    VirtualBoard bench;
+    QVERIFY(bench.identify());
+    QVERIFY(bench.device.writeAdjustables(bench.channel, {{0, 44}}));
+    Altering swallowing(bench.channel,
+                        [&](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+                            return request.name == u"WRITE_PARAMS_3"_s ? Frame{} : pass(request);
+                        });
+    const auto base = bench.device.readConfiguration(bench.channel);
+    QVERIFY(base);
+    const BoardHistory history(m_dir.path());
+    WriteOptions options;
+    options.history = &history;
+    options.named = {u"pid.roll.p"_s};
+    options.evenIfInUse = true;
+    const auto same = writeConfiguration(swallowing, bench.device, *base, *base, options);
+    QVERIFY(same && same->lines.size() == 1);
+    QCOMPARE(same->countStoreUntold(), 1);
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), 35);
+    // Beside a value that was not in use, all of the block is proven.
+    Configuration edited = *base;
+    QVERIFY(edited.setRaw(*edited.parameters().find(u"pid.roll.d"_s), 0, 33));
+    const auto more = writeConfiguration(bench.channel, bench.device, *base, edited, options);
+    QVERIFY(more && more->isComplete() && more->storesUse);
+    QCOMPARE(more->countStoreUntold(), 0);
+    QCOMPARE(bench.board().stored(u"pid.roll.p"_s, 0), 44);
+    // What was refused has stored nothing.
+    Altering refusing(bench.channel,
+                      [&](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+                          return request.name == u"WRITE_PARAMS_3"_s ? kRefused(request) : pass(request);
+                      });
+    const auto refused = write(refusing, bench.device, u"pid.roll.d"_s, 41);
+    QVERIFY(refused && !refused->isComplete());
+    QVERIFY(!refused->storesUse);
+}
+
 void TestInSpite::profileSwitchedBeforeAWriteStays()
 {
     VirtualBoard bench;
