@@ -71,6 +71,8 @@ private:
     Result<Stillness> measureStillness();
     /// Whether a sensor that lies like that can be measured. Errors: ConditionUnmet.
     static Result<void> checkStill(CommandId id, const Stillness &stillness);
+    /// Whether the sensor is better than before a calibration. Errors: NoEffect.
+    static Result<void> checkBetter(CommandId id, const Stillness &before, const Stillness &after);
     /// Whether the board says that it has no sensor.
     [[nodiscard]] static bool isBlind(const Frame &status);
     /// Errors: ConditionUnmet.

@@ -34,6 +34,9 @@ constexpr std::size_t kVoltageOffset = 55;  // of REALTIME_DATA_3 (errata 3.8)
 constexpr auto kAutoPidSilence = 15s;  // progress comes every 0.5-1 s
 constexpr auto kAutoPidLimit = 10min;
 constexpr int kStillnessSamples = 25;
+constexpr double kClearBias = 1.0;  // deg/s
+constexpr double kClearAccError = 0.03;  // g
+constexpr double kHardlyBetter = 0.7;
 constexpr double kStillNoise = 2.0;  // deg/s, standard deviation of the shakiest axis
 constexpr int kAutoPidSize = 19;
 constexpr int kMeasuring = 1;  // kind of calibration: measures this position
@@ -142,6 +145,8 @@ Result<ActionReply> Actions::calibrate(CommandId id, const QVariantMap &argument
     const auto after = measureStillness();
     if (!after)
         return tl::unexpected(after.error());
+    if (const auto shown = measures && !byHand ? checkBetter(id, *before, *after) : Result<void>(); !shown)
+        return tl::unexpected(shown.error());
     ActionReply reply;
     reply.insert(u"confirmed"_s, finished);
     reply.insert(u"gyro.bias.before"_s, before->gyroBias);
@@ -167,6 +172,23 @@ Result<void> Actions::checkStill(CommandId id, const Stillness &stillness)
         u"the sensor measures %1 g instead of 1 g, which none at rest does: something moves it, it is "
         "defective, or an earlier calibration is wrong, which action=reset-all removes"_s.arg(
             std::hypot(stillness.acc[0], stillness.acc[1], stillness.acc[2]), 0, 'f', 2));
+}
+
+// Where the sensor was clearly off before and still is, whatever was confirmed.
+Result<void> Actions::checkBetter(CommandId id, const Stillness &before, const Stillness &after)
+{
+    const bool isGyro = id == CommandId::CalibGyro;
+    const double was = isGyro ? before.gyroBias : before.accError;
+    const double is = isGyro ? after.gyroBias : after.accError;
+    const bool isMeasured
+        = after.gyroNoise < kStillNoise && (isGyro || (before.isUpright && after.isUpright));
+    if (!isMeasured || was < (isGyro ? kClearBias : kClearAccError) || is < kHardlyBetter * was)
+        return {};
+    return failure(ErrorCode::NoEffect,
+                   (isGyro ? u"the gyroscope shows %1 °/s at rest, and showed %2 °/s before"_s
+                           : u"the accelerometer is off by %1 g, and was by %2 g before"_s)
+                       .arg(is, 0, 'f', isGyro ? 2 : 3)
+                       .arg(was, 0, 'f', isGyro ? 2 : 3));
 }
 
 Result<Actions::Stillness> Actions::measureStillness()

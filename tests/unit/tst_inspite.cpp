@@ -41,6 +41,8 @@ private slots:
     void stormThatRestartsInAWriteIsTold_data();
     void stormThatRestartsInAWriteIsTold();
     void switchedUsageIsNoRestart();
+    void calibrationIsJudgedByWhatItMeasures_data();
+    void calibrationIsJudgedByWhatItMeasures();
     void motorsAreToldAfterACalibration();
     void failedSixPositionsSayThatMotorsAreOff();
     void unansweredCalibrationIsStored();
@@ -326,6 +328,38 @@ void TestInSpite::switchedUsageIsNoRestart()
     for (const ParameterSpec &spec : base->parameters().all())
         QCOMPARE(rig.device.isSwitchedBy(spec),
                  spec.key.startsWith(u"motor."_s) && spec.key.endsWith(u".usage"_s));
+}
+
+void TestInSpite::calibrationIsJudgedByWhatItMeasures_data()
+{
+    QTest::addColumn<QString>("action");
+    QTest::addColumn<QString>("request");
+    QTest::newRow("gyroscope") << u"calibrate.gyro"_s << u"CALIB_GYRO"_s;
+    QTest::newRow("accelerometer") << u"calibrate.acc"_s << u"CALIB_ACC"_s;
+}
+
+void TestInSpite::calibrationIsJudgedByWhatItMeasures()
+{
+    QFETCH(QString, action);
+    QFETCH(QString, request);
+    SimulatorOptions options;
+    options.faults.pose = 1;
+    options.faults.shake = 0;
+    VirtualBoard bench(options);
+    QVERIFY(bench.identify());
+    QVERIFY(bench.device.perform(bench.channel, u"motors.off"_s, {}));
+    // Swallowed, and confirmed at its start and at its end.
+    Altering swallowing(bench.channel, [&](const Request &each, const Altering::Pass &pass) -> Result<Frame> {
+        return each.name == request ? Frame{} : pass(each);
+    });
+    const auto swallowed = bench.device.perform(
+        swallowing, action,
+        argumentsFor(bench.device, action.toUtf8().constData(), {{u"form"_s, u"simple"_s}}));
+    QVERIFY(!swallowed);
+    QCOMPARE(swallowed.error().code, ErrorCode::NoEffect);
+    const auto done = bench.device.perform(bench.channel, action,
+                                           argumentsFor(bench.device, action.toUtf8().constData()));
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
 }
 
 void TestInSpite::motorsAreToldAfterACalibration()
