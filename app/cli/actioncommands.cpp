@@ -168,7 +168,10 @@ private:
                   u"not be put back: restart the board before you use them (gimbalctl do restart), and "
                   u"store nothing before"_s;
             json.insert(u"error"_s, outcome.note);
+            json.insert(u"done"_s, false);
+            json.insert(u"state"_s, u"off, not restored"_s);
             outcome.json = json;
+            outcome.text = u"the motors are off\n"_s;
             outcome.exitCode = Refused;
         }
         emit m_command.finished(outcome);

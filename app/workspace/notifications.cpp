@@ -44,8 +44,8 @@ Notifications::Notifications(DeviceClient &client, const ConfigurationModel &con
             settle(Concern::Standby);
         else
             report(ErrorText{tr("The motors stay disabled until the board restarts."),
-                             tr("They were stopped while the board was starting, and it has not reached "
-                                "standby since."),
+                             tr("The board did not obey the ordinary stop, so they were disabled in its "
+                                "volatile memory; it has not reached standby since."),
                              tr("Restart the board before you use them, and store nothing before."),
                              {}},
                    Concern::Standby);

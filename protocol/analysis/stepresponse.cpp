@@ -146,8 +146,7 @@ Result<StepMeasurement> measureSteps(std::span<const float> target, std::span<co
     StepMeasurement measurement;
     measurement.runs = cutSteps(target, response, rate, rest, other, seconds);
     if (measurement.runs.response.empty())
-        return failure(ErrorCode::InvalidArgument,
-                       u"the target did not step: another control source may hold it"_s);
+        return failure(ErrorCode::NotSeen, u"the target did not step: another control source may hold it"_s);
     measurement.mean = averageRuns(measurement.runs.response);
     auto metrics = stepMetrics(measurement.mean, rate, 0.0, 1.0);
     if (!metrics)

@@ -51,6 +51,7 @@ enum class ErrorCode {
     NotStored,  ///< the board confirmed storing what is in use, but holds something else; the detail says
                 ///< what
     NoEffect,  ///< the board acknowledged a command, but does not report that it took effect
+    Disabled,  ///< a stop has disabled the motors in volatile memory, and nothing may be stored meanwhile
     GoesOn,  ///< the board was told to end what it does, and goes on
     Restarted,  ///< the board has started anew; the link is set up again
     Busy,  ///< another job of the same kind is running

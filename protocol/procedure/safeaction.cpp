@@ -130,7 +130,7 @@ Result<void> proveStored(Channel &channel, WholeMemory &memory, const Configurat
     if (both.error().code == ErrorCode::ConditionUnmet)
         return failure(ErrorCode::NotStored, both.error().detail);
     // Nor while the motors are being stopped.
-    if (!isUntold(both.error()) && both.error().code != ErrorCode::Busy)
+    if (!isUntold(both.error()) && both.error().code != ErrorCode::Disabled)
         return tl::unexpected(both.error());
     outcome.answered = false;
     outcome.reply.insert(u"unproven"_s, both.error().detail);
@@ -298,6 +298,7 @@ Result<void> SafeAction::backUp()
     m_outcome.snapshotPath = m_backup->snapshotPath;
     m_backup->endedBy = QLatin1String(m_action.endedBy);
     m_backup->isUnstored = m_action.memory == MemoryEffect::ChangesInUse;
+    m_backup->isStoring = m_memory && m_action.memory == MemoryEffect::Stores;
     m_backup->isStoreUntold = m_action.memory == MemoryEffect::Stores && !m_memory;
     return {};
 }

@@ -183,8 +183,7 @@ Result<void> Device::checkNotStopping() const
 {
     if (!m_stop->isActive())
         return {};
-    return failure(ErrorCode::Busy,
-                   u"the motors were stopped while the board was starting; it is not in standby yet"_s);
+    return failure(ErrorCode::Disabled, u"the board is not in standby yet"_s);
 }
 
 Result<void> Device::switchMotorsOn(Channel &channel) const

@@ -435,7 +435,7 @@ void TestStormMemory::stoppedWhileStartingIsNotStored()
     storm32::Device fresh;
     QVERIFY(fresh.identify(rig.channel));
     storm32::Device &device = isFresh ? fresh : rig.device;
-    const ErrorCode refusal = isFresh ? ErrorCode::Unready : ErrorCode::Busy;
+    const ErrorCode refusal = isFresh ? ErrorCode::Unready : ErrorCode::Disabled;
     const BoardHistory history(m_dir.path());
     for (const OtherValues others : {OtherValues::Keep, OtherValues::PutBack}) {
         const auto report = write(rig, device, u"pid.pitch.p"_s, 440, others);

@@ -115,7 +115,7 @@ void TestStormStop::nothingIsStoredMeanwhile()
           rig.device.perform(rig.channel, u"store"_s, {}).map([](const ActionReply &) {}),
           rig.device.switchMotorsOn(rig.channel)}) {
         QVERIFY(!refused);
-        QCOMPARE(refused.error().code, ErrorCode::Busy);
+        QCOMPARE(refused.error().code, ErrorCode::Disabled);
     }
     // What is read is what the operator set.
     const auto read = rig.device.readConfiguration(rig.channel);

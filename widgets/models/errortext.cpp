@@ -186,6 +186,10 @@ constexpr auto kErrors = std::to_array<ErrorRow>({
      QT_TRANSLATE_NOOP("ErrorText", "The board acknowledged the command but did not carry it out."),
      nullptr,
      QT_TRANSLATE_NOOP("ErrorText", "The details say what is missing, as far as the board tells.")},
+    {ErrorCode::Disabled,
+     QT_TRANSLATE_NOOP("ErrorText", "The motors are disabled in the board's volatile memory: it did not obey the ordinary stop."),
+     QT_TRANSLATE_NOOP("ErrorText", "Stored now, they would stay disabled; so nothing was changed."),
+     QT_TRANSLATE_NOOP("ErrorText", "Wait until the board reaches standby, or restart it.")},
     {ErrorCode::GoesOn,
      QT_TRANSLATE_NOOP("ErrorText", "The board goes on with what it was told to end."),
      QT_TRANSLATE_NOOP("ErrorText", "It may be moving the camera."),
@@ -260,6 +264,9 @@ static void tellAftermath(const Aftermath &after, ErrorText &text)
             + Words::tr("The active profile is now %1; before it was %2.")
                   .arg(after.now->activeProfile() + 1)
                   .arg(after.before.activeProfile() + 1);
+    if (after.now && after.isStoring && count > 0)
+        text.meaning = Words::tr("The board was read again: it has stored %n other value(s) than before.",
+                                 nullptr, count);
     if (after.now && after.isStoreUntold)
         text.meaning
             = Words::tr("Whether the values in use are stored now shows only when the board has restarted.");
@@ -305,7 +312,9 @@ ErrorText describe(const Error &error)
     if (error.code == ErrorCode::NoBackup && !error.file && !error.detail.isEmpty())
         text.cure = Words::tr("Read the board again; if parts keep missing, check cable and power.");
     if (error.after) {
-        const QString own = error.code == ErrorCode::Restarted ? text.meaning + u' ' : QString();
+        // What was stored before a restart is not lost.
+        const bool isStored = error.after->isStoring && error.after->now && !error.after->changes().empty();
+        const QString own = error.code == ErrorCode::Restarted && !isStored ? text.meaning + u' ' : QString();
         if (error.code == ErrorCode::LinkClosed && error.after->now)  // so there is a link again
             text.cure = Words::tr("Check cable and power.");
         tellAftermath(*error.after, text);
