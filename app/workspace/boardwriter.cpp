@@ -97,7 +97,9 @@ void BoardWriter::onReport(const Result<WriteReport> &result)
 {
     m_notifications.settle(Concern::Writing);
     if (!result) {
-        m_notifications.report(result.error(), Concern::Writing);
+        ErrorText text = describe(result.error());
+        text.what = tr("Nothing was written.") + u' ' + text.what;
+        m_notifications.report(text, Concern::Writing);
         if (result.error().code == ErrorCode::Conflict)
             emit conflicted();
         return;

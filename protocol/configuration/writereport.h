@@ -143,6 +143,7 @@ struct WriteReport
     /// What was written is in use, and why nobody can tell whether it is stored.
     std::optional<Error> storedUntold = {};
     std::optional<Error> error;  ///< why it is incomplete
+    bool wasSent = true;  ///< false: it failed before anything of it had been sent
     /// The board uses another profile than before the write: this one; kUnread: it could not be asked.
     std::optional<int> strayProfile = {};
     static constexpr int kUnread = -1;

@@ -90,6 +90,7 @@ Result<WriteReport> Writer::run()
                    && (line.state == WriteState::Verified || line.state == WriteState::RolledBack
                        || line.state == WriteState::Unknown);
            });
+    m_report.wasSent = !m_written.empty() || m_report.namesWanted;
     const auto back = m_whole.finish(m_report);
     m_report.areOthersUnknown = !back && !m_report.others.empty();
     if (!back && !m_report.error)

@@ -100,7 +100,9 @@ bool TransactionQueue::frameArrived(const FrameView &frame, TimePoint now)
         }
         Pending pending = std::move(*it);
         m_inFlight.erase(it);
-        m_roundTrip = std::max(Duration::zero(), now - pending.sentAt);
+        // Which of several transmissions it answers cannot be told: no slow board is said to be a fast one.
+        m_roundTrip
+            = std::max(Duration::zero(), now - (pending.refused > 0 ? pending.sentAt : pending.firstSentAt));
         expectStaleReply(pending, now, pending.sends - pending.refused - 1);
         complete(std::move(pending), std::move(*answer));
         startNext(now);
@@ -111,6 +113,7 @@ bool TransactionQueue::frameArrived(const FrameView &frame, TimePoint now)
             continue;
         const StaleReply come = std::move(*it);
         m_staleReplies.erase(it);
+        m_roundTrip = now - come.firstSentAt;
         learnLateness(come, now);
         startNext(now);
         return true;

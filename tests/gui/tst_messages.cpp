@@ -28,6 +28,7 @@ private slots:
 
     void problemsStandBesideEachOther();
     void aWriteLooksLikeOne();
+    void aWriteThatNeverBeganSaysSo();
     void anAnswerReplacesTheOneBefore();
     void noticesHideNoProblem();
     void theNextLinkKeepsMotorsThatMayRun();
@@ -345,6 +346,15 @@ void TestMessages::anOrderedRestartIsNoBrokenLink()
     m_rig->client().disconnectFromBoard();
     QTRY_VERIFY(!m_rig->client().isConnected());
     QVERIFY2(!bar().text().contains(u"is back"_s), qPrintable(bar().text()));
+}
+
+void TestMessages::aWriteThatNeverBeganSaysSo()
+{
+    QVERIFY(m_rig->open());
+    m_rig->edit(u"pid.roll.p"_s, 0, 44);
+    workspace().changeWorld(u"deaf=21"_s);  // READ_PARAMS_3: no backup, nothing to compare with
+    workspace().write(std::as_const(workspace().configuration()).edited());
+    QTRY_VERIFY_WITH_TIMEOUT(bar().text().contains(u"Nothing was written."_s), kPatience);
 }
 
 // From the first moment, also while it still reads.

@@ -222,6 +222,16 @@ void TestInSpite::readingBackWhatWasInUseProvesNoStore()
                       [&](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
                           return request.name == u"WRITE_PARAMS_3"_s ? kRefused(request) : pass(request);
                       });
+    // Nor has what was never sent; and nobody has read the board again.
+    Altering silent(bench.channel, [&](const Request &request, const Altering::Pass &pass) -> Result<Frame> {
+        return request.name == u"WRITE_PARAMS_SET"_s || request.name == u"BOARD_INFO"_s
+            ? failure(ErrorCode::Timeout, request.name)
+            : pass(request);
+    });
+    const auto unsent = write(silent, bench.device, u"pid.roll.d"_s, 41);
+    QVERIFY(unsent && !unsent->isComplete());
+    QVERIFY2(describe(*unsent).meaning.startsWith(u"Nothing of it had been sent"_s),
+             qPrintable(describe(*unsent).oneLine()));
     const auto refused = write(refusing, bench.device, u"pid.roll.d"_s, 41);
     QVERIFY(refused && !refused->isComplete());
     QVERIFY(!refused->storesUse);

@@ -248,6 +248,8 @@ void TestTransactionQueue::answerToARetriedRequestLeavesOneToCome()
     bench.pass(150ms);  // sent twice by now
     bench.arrive(1);
     QCOMPARE(bench.completed, QStringList{u"a:ok"_s});
+    // It may be the answer to the first time.
+    QVERIFY(bench.queue.roundTrip() >= 150ms);
     bench.submit(request(u"b"_s, 1));
     bench.pass(20ms);
     QCOMPARE(bench.written.size(), 2);  // the second answer of a may still come
@@ -422,7 +424,7 @@ void TestTransactionQueue::controlStreamDeadMan()
         }
     }
     QCOMPARE(sent.count("stop"), 1);
-    QCOMPARE(sent.count("free"), 1);
+    QCOMPARE(sent.count("free"), ControlStream::kReleases);
     QCOMPARE(sent.last(), QByteArray("free"));
     const qint64 stopAt = at[sent.indexOf("stop")];
     QVERIFY2(stopAt >= 250 && stopAt <= 252, qPrintable(QString::number(stopAt)));

@@ -436,6 +436,8 @@ ErrorText describe(const WriteReport &report)
         = report.use ? int(report.use->changes().size() + report.use->dataChanges().size()) : 0;
     if (report.storedUntold)
         text.meaning = Words::tr("What was written is in use; whether it is stored could not be read.");
+    else if (!report.wasSent)
+        text.meaning = Words::tr("Nothing of it had been sent: the board holds the old values.");
     else if (const int unknown = report.count(WriteState::Unknown))
         text.meaning = Words::tr("What the board holds of %n value(s) could not be read.", nullptr, unknown);
     else if (report.areNamesUnknown())
