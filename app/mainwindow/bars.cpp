@@ -303,11 +303,14 @@ void UnstoredBar::refresh()
     const int live = m_workspace.live().changeCount();
     const int doubted = m_workspace.live().doubtedCount();
     const bool more = m_workspace.isUnstored();
+    const bool isCompared = !m_workspace.canCompareStored() || m_workspace.isStoredKnown();
     m_text->setFullText(
         doubted > 0 ? tr("Whether %n value(s) set last are in use is not known: the board has not answered.",
                          nullptr, doubted)
             : more  ? tr("Values in use on the board are not stored: a restart loses them.")
-                    : tr("%n value(s) in use on the board, not stored: a restart loses them.", nullptr, live),
+            : isCompared
+            ? tr("%n value(s) set live, not stored: a restart loses them.", nullptr, live)
+            : tr("%n value(s) set live, not stored; whether others are is not known.", nullptr, live),
         {},
         doubted > 0 ? tr("%n not known", nullptr, doubted)
             : more  ? tr("Values are not stored")

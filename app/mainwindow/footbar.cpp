@@ -32,9 +32,15 @@ FootBar::FootBar(Workspace &workspace, const QList<QWidget *> &bars, QWidget *pa
         const DeviceClient &client = workspace.client();
         setVisible(!workspace.configuration().isEmpty()
                    && !(client.isConnected() && client.address().isReplay()));
+        // Such a board answers with what is in use; somebody may have set it without storing it.
+        m_calm->setText(workspace.canCompareStored() && !workspace.isStoredKnown()
+                            ? tr("No unwritten changes; whether all that is in use is stored is not known "
+                                 "(Tuning compares)")
+                            : tr("No unwritten changes"));
     };
     connect(&workspace.configuration(), &ConfigurationModel::boardReset, this, refresh);
     connect(&workspace.client(), &DeviceClient::stateChanged, this, refresh);
+    connect(&workspace, &Workspace::unstoredChanged, this, refresh);
     refresh();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The GimbalDesk contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow/bars.h"
+#include "app/mainwindow/footbar.h"
 #include "app/mainwindow/messagebar.h"
 #include "app/pages/board/consolepage.h"
 #include "app/pages/setup/parameterspage.h"
@@ -19,6 +20,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QUndoStack>
 
@@ -404,6 +406,14 @@ void TestAgreement::stormSetBeforeTheLink()
     auto *page = m_rig->page<TuningPage>();
     QTRY_VERIFY(page->compareButton()->isVisible() && page->compareButton()->isEnabled());
     QVERIFY2(page->stateText().contains(u"not known"_s), qPrintable(page->stateText()));
+    // On every page.
+    const auto footSays = [this](const QString &text) {
+        const auto labels = m_rig->window().findChild<FootBar *>()->findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(), [&text](const QLabel *label) {
+            return label->isVisible() && label->text().contains(text);
+        });
+    };
+    QTRY_VERIFY(footSays(u"is stored is not known"_s));
     if (way == u"the button"_s) {
         page->compareButton()->click();
     } else if (way == u"the action"_s) {
@@ -414,6 +424,7 @@ void TestAgreement::stormSetBeforeTheLink()
     }
     QTRY_COMPARE(disagreement(), QString());
     QVERIFY(!page->stateText().contains(u"not known"_s));
+    QTRY_VERIFY(!footSays(u"not known"_s));
     QVERIFY2(page->stateText().contains(u"1 value"_s), qPrintable(page->stateText()));
     QCOMPARE(valueInUse(6), 450);
     QCOMPARE(storedValue(6), 400);

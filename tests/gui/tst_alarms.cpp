@@ -426,6 +426,11 @@ void TestAlarms::everyAlarmHasWords()
     QVERIFY(!describe(report, nullptr).what.contains(u"quiet"_s));
     report.wasSeenToEnd = true;
     QVERIFY(describe(report, nullptr).what.contains(u"it has been quiet since"_s));
+    // Why the program had to act is needed by whoever goes on; what only was so is past.
+    QVERIFY(!describe(report, nullptr).cure.isEmpty());
+    report.action = AlarmAction::Warn;
+    QVERIFY(describe(report, nullptr).cure.isEmpty());
+    report.action = AlarmAction::TakeBack;
     report.outcome = AlarmOutcome::GoesOn;
     QVERIFY(!describe(report, nullptr).what.contains(u"goes on"_s));
 }

@@ -79,6 +79,7 @@ private slots:
     void motorsOffByMouse();
     void motorsOffByF12FromADialog();
     void searchAndFilters();
+    void enterAloneWritesNoRisk();
     void tableShowsEverythingAndEdits();
     void everyGroupOpens();
     void nothingIsCutAtTheSmallestSize();
@@ -387,6 +388,22 @@ void TestMainWindow::searchAndFilters()
     chips[0]->setChecked(false);
     chips[2]->setChecked(true);  // risk class
     QVERIFY(parameters->form()->count() > 20);
+}
+
+// One key too many is pressed easily.
+void TestMainWindow::enterAloneWritesNoRisk()
+{
+    QVERIFY(open());
+    m_rig->edit(u"motor.roll.power"_s, 0, 99);
+    m_window->review();
+    QTRY_VERIFY(m_window->reviewDialog());
+    QSignalSpy finished(&m_window->workspace(), &Workspace::writeFinished);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    QTest::keyClick(m_window->reviewDialog(), Qt::Key_Return);
+    QVERIFY(m_rig->isSettled());
+    QVERIFY(m_window->reviewDialog());
+    QVERIFY(!m_window->workspace().isWriting());
+    QCOMPARE(finished.count(), 0);
 }
 
 void TestMainWindow::tableShowsEverythingAndEdits()

@@ -49,8 +49,8 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     m_table->horizontalHeader()->setSectionResizeMode(ChangeModel::NameColumn, QHeaderView::Stretch);
     m_risk->setObjectName(u"warning"_s);
     m_risk->setWordWrap(true);
-    m_risk->setText(tr("⚠ Some of these values are in the risk class: hold the camera, or take it off, while "
-                       "motors start."));
+    m_risk->setText(tr("⚠ Some of these values are in the risk class. They act at once where motors run, "
+                       "otherwise when they start: hold the camera, or take it off."));
 
     m_effect->setWordWrap(true);
     m_othersText->setObjectName(u"warning"_s);
@@ -71,7 +71,8 @@ ReviewDialog::ReviewDialog(const Configuration &board, const Configuration &edit
     buttons->addStretch(1);
     buttons->addWidget(back);
     buttons->addWidget(m_write);
-    m_write->setDefault(true);
+    for (QPushButton *button : {m_write, back})
+        button->setAutoDefault(false);
     connect(m_write, &QPushButton::clicked, this, &QDialog::accept);
     connect(back, &QPushButton::clicked, this, &QDialog::reject);
 
@@ -110,6 +111,7 @@ void ReviewDialog::updateButton()
     updateOthers();
     const bool red = m_changes.hasTickedRed();
     m_risk->setVisible(red);
+    m_write->setDefault(!red);  // what may start motors the wrong way takes more than one key
     m_write->setObjectName(red ? u"danger"_s : u"primary"_s);
     repolish(m_write);
 }

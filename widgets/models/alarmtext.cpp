@@ -241,8 +241,8 @@ ErrorText describe(const AlarmReport &report, const ParameterSet *parameters)
     const QString action = done(report, parameters);
     ErrorText text;
     text.what = action.isEmpty() ? seen(report.alarm) : seen(report.alarm) + u' ' + action;
-    // What is over threatens nothing any more.
-    if (!report.isOver) {
+    // What is over threatens nothing any more; but why the program had to act is needed before going on.
+    if (!report.isOver || report.hasActed()) {
         text.meaning = meant(report.alarm);
         text.cure = cure(report.alarm);
     }
