@@ -40,6 +40,7 @@ Workspace::Workspace(Links links, QList<Family> families, Theme &theme, Settings
     , m_recorder(m_client)
     , m_linkMarks(m_client, m_configuration, m_live, m_marks)
     , m_alarms(m_client, m_configuration, m_live, m_telemetry, m_linkMarks, m_settings)
+    , m_leftSteering(m_client, m_notifications)
     , m_writer(m_client, m_configuration, m_live, m_edits, m_history, m_notifications)
     , m_confirmations(m_notifications)
 {

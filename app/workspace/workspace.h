@@ -9,6 +9,7 @@
 #include "app/workspace/confirmations.h"
 #include "app/workspace/editjournal.h"
 #include "app/workspace/freshness.h"
+#include "app/workspace/leftsteering.h"
 #include "app/workspace/linkmarks.h"
 #include "app/workspace/linkrecorder.h"
 #include "app/workspace/notchadviser.h"
@@ -249,6 +250,7 @@ private:
     PlotMarks m_marks;
     LinkMarks m_linkMarks;
     Alarms m_alarms;
+    LeftSteering m_leftSteering;
     BoardWriter m_writer;
     mutable std::unique_ptr<Device> m_tables;  // of the file's family, while no board is connected
     mutable QString m_tablesOf;

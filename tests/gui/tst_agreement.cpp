@@ -6,6 +6,7 @@
 #include "app/pages/board/consolepage.h"
 #include "app/pages/setup/parameterspage.h"
 #include "app/pages/tune/tuningpage.h"
+#include "protocol/simplebgc/commands.h"
 #include "protocol/simulator/simplebgc/board.h"
 #include "protocol/simulator/storm32/board.h"
 #include "tests/support/boardhost.h"
@@ -44,6 +45,7 @@ private slots:
     void stormSetBeforeTheLink_data();
     void stormSetBeforeTheLink();
     void storingListsWhatElseIsInUse();
+    void steeringThatNobodyEndedIsToldAndEnded();
     void simplebgc_data();
     void simplebgc();
     void whatChangedBehindTheLinkIsNamed();
@@ -504,6 +506,38 @@ void TestAgreement::whatChangedBehindTheLinkIsNamed()
         QVERIFY2(at >= 0 && told.mid(at, 80).section(u", "_s, 0, 0).endsWith(u"→ %1"_s.arg(value)),
                  qPrintable(told));
     }
+}
+
+// Whoever steered it is gone, and it turns on.
+void TestAgreement::steeringThatNobodyEndedIsToldAndEnded()
+{
+    m_host = std::make_unique<BoardHost>(std::make_unique<SimulatedPort>(
+        std::make_unique<simplebgc::SimulatedBoard>(SimulatorOptions{}), SimulatorOptions{}, std::nullopt));
+    QVERIFY(m_host->start());
+    m_host->with<simplebgc::SimulatedBoard>([](auto &board) {
+        ByteWriter control;
+        control.u8(1);  // by rate
+        for (const int rate : {0, 0, 123})  // of 0.122 deg/s
+            control.u16(rate).u16(0);
+        const QByteArray frame = simplebgc::encodeFrame(67, control.take());
+        board.receive(asBytes(frame));
+        return 0;
+    });
+    m_rig = std::make_unique<WindowRig>();
+    QVERIFY(m_rig->open(m_host->address()));
+    const OfferBar *offers = m_rig->window().offerBar();
+    QTRY_VERIFY_WITH_TIMEOUT(offers->isVisible() && !offers->buttons().isEmpty(), kPatience);
+    QTRY_VERIFY(offers->buttons().first()->text().contains(u"End the command"_s));
+    const int target = m_rig->workspace().roles().target[2];
+    QVERIFY(target >= 0);
+    offers->buttons().first()->click();
+    double last = m_rig->workspace().latest(target);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_rig->client().isSteering()
+                                 && std::abs(std::exchange(last, m_rig->workspace().latest(target)) - last)
+                                     < 0.01,
+                             kPatience);
+    QVERIFY(m_rig->boardGoesOn(1));
+    QVERIFY(std::abs(m_rig->workspace().latest(target) - last) < 1);
 }
 
 void TestAgreement::simplebgc_data()
